@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mocapress {
+
+/// The whole file. Throws InputError when it cannot be opened or read.
+std::vector<std::byte> read_bytes(const std::filesystem::path& path);
+std::string read_text(const std::filesystem::path& path);
+
+/// Writes beside `path` and renames, so that a reader sees the old file or the new one and a
+/// failure leaves the old one. Throws WriteError.
+void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_text(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace mocapress

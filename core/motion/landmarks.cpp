@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "core/motion/landmarks.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "core/motion/forward_kinematics.h"
+
+namespace mocapress {
+
+std::vector<Landmark> landmarks(const Skeleton& skeleton) {
+  std::vector<Landmark> all;
+  for (int j = 0; j < skeleton.joint_count(); ++j)
+    all.push_back({j, Eigen::Vector3d::Zero(), skeleton.joint(j).name});
+  for (int j = 0; j < skeleton.joint_count(); ++j)
+    if (const auto& end = skeleton.joint(j).end_site)
+      all.push_back({j, *end, skeleton.joint(j).name + " end"});
+  return all;
+}
+
+std::string_view name(Weighting weighting) {
+  return weighting == Weighting::BoneEnds ? "bone-ends" : "joint-origins";
+}
+
+Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting) {
+  const std::vector<Landmark> points = landmarks(skeleton);
+  std::vector<int> end_site_landmark(static_cast<std::size_t>(skeleton.joint_count()), -1);
+  for (int p = skeleton.joint_count(); p < static_cast<int>(points.size()); ++p)
+    end_site_landmark[static_cast<std::size_t>(points[static_cast<std::size_t>(p)].joint)] = p;
+
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(points.size()));
+  for (const Segment& segment : skeleton.segments()) {
+    const int far_end = segment.child >= 0
+                            ? segment.child
+                            : end_site_landmark[static_cast<std::size_t>(segment.joint)];
+    weights(weighting == Weighting::BoneEnds ? far_end : segment.joint) += segment.length;
+  }
+  // A skeleton without length (one joint, no end site) still has a position to compare.
+  if (weights.sum() <= 0) weights.setOnes();
+  return weights / weights.sum();
+}
+
+Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip) {
+  const std::vector<Landmark> points = landmarks(skeleton);
+  Eigen::MatrixXd tracks(clip.frames(), 3 * static_cast<Eigen::Index>(points.size()));
+  tbb::parallel_for(tbb::blocked_range<int>(0, clip.frames(), 64), [&](const auto& range) {
+    Pose pose;
+    for (int t = range.begin(); t < range.end(); ++t) {
+      compute_pose(skeleton, clip.channels.row(t), pose);
+      for (std::size_t p = 0; p < points.size(); ++p)
+        tracks.block<1, 3>(t, 3 * static_cast<Eigen::Index>(p)) =
+            pose.to_world(points[p].joint, points[p].in_joint).transpose();
+    }
+  });
+  return tracks;
+}
+
+}  // namespace mocapress

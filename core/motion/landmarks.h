@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 3.1.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/motion/clip.h"
+
+namespace mocapress {
+
+/// A point fixed to a joint, whose way through the world is compared.
+struct Landmark {
+  int joint;
+  Eigen::Vector3d in_joint;  // cm
+  std::string name;          // the joint whose origin it is, or "<joint> end"
+};
+
+/// Every joint's origin (landmark j is joint j), then every end site.
+std::vector<Landmark> landmarks(const Skeleton& skeleton);
+
+/// The two readings of the weights l_i / l. The values are part of the file format.
+enum class Weighting : std::uint8_t {
+  BoneEnds = 0,      // a segment's far end carries its length: hands, feet and head count too
+  JointOrigins = 1,  // a joint's origin carries the length of the segments it drives: the paper's
+};
+
+/// "bone-ends", "joint-origins".
+std::string_view name(Weighting weighting);
+
+/// One weight for each of landmarks(skeleton), summing to 1.
+Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting);
+
+/// World positions (cm) of all landmarks over a clip: frames x 3 * landmarks, x y z of landmark 0
+/// first. Frames are computed in parallel.
+Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip);
+
+}  // namespace mocapress

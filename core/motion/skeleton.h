@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion/channel.h"
+
+namespace mocapress {
+
+/// One joint, with the frame it carries. A point moves from the joint's frame to its parent's by
+///
+///   x_in_parent = offset + translation + rotation * x_in_joint
+///   rotation    = joint_from_axes * R * joint_from_axes^T
+///
+/// where `translation` gathers the translation channels and R is the product of the rotation
+/// channels, the first channel leftmost. `joint_from_axes` is ASF's `axis`; in BVH it is identity.
+struct Joint {
+  std::string name;
+  int parent = -1;                                   // -1: a root
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // cm, in the parent's frame
+  Eigen::Matrix3d joint_from_axes = Eigen::Matrix3d::Identity();
+  std::vector<ChannelKind> channels;        // in the order of the product above
+  std::optional<Eigen::Vector3d> end_site;  // cm, in the joint's frame; leaves only
+};
+
+/// A bone: from a joint's origin to where a child joint or an end site sits.
+struct Segment {
+  int joint;                     // the joint that drives it
+  int child;                     // the joint at its far end, -1 for an end site
+  Eigen::Vector3d end_in_joint;  // cm
+  double length;                 // cm
+};
+
+/// Joints in parent-first order, so that one forward loop visits every parent before its children.
+class Skeleton {
+ public:
+  /// Appends a joint and returns its index. Requires joint.parent < joint_count().
+  int add(Joint joint);
+
+  int joint_count() const { return static_cast<int>(joints_.size()); }
+  const Joint& joint(int index) const { return joints_[static_cast<std::size_t>(index)]; }
+  const std::vector<Joint>& joints() const { return joints_; }
+
+  /// Channels are numbered joint by joint, in each joint's order.
+  int channel_count() const { return static_cast<int>(channel_joints_.size()); }
+  int first_channel(int joint) const { return first_channels_[static_cast<std::size_t>(joint)]; }
+  int channel_joint(int channel) const {
+    return channel_joints_[static_cast<std::size_t>(channel)];
+  }
+  ChannelKind channel_kind(int channel) const;
+
+  /// "lfemur.rx".
+  std::string channel_name(int channel) const;
+
+  /// The joint of that name, or -1.
+  int find(const std::string& name) const;
+
+  /// Every segment, in the order of the driving joints.
+  std::vector<Segment> segments() const;
+
+  /// Summed length (cm) of the segments each joint drives.
+  std::vector<double> driven_lengths() const;
+
+ private:
+  std::vector<Joint> joints_;
+  std::vector<int> first_channels_;
+  std::vector<int> channel_joints_;
+};
+
+}  // namespace mocapress
