@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Acclaim motion: the values of an .asf's degrees of freedom, frame by frame.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/formats/asf.h"
+#include "core/formats/motion_file.h"
+
+namespace mocapress {
+
+/// Reads the text of an .amc; `file` names it in messages. Bones the first frame leaves out have no
+/// channels. Throws InputError.
+///
+/// Three values on a bone with fewer dof turn it by Rz * Ry * Rx. With the header
+/// FORCE-ALL-JOINTS-BE-3DOF they are its dof and then the axes missing from it (CMU's wrists are
+/// continuous in this reading alone); without it, they are rx ry rz.
+MotionFile read_amc(const std::string& file, std::string_view text, const AsfSkeleton& skeleton,
+                    const ReadOptions& options = {});
+
+/// Degrees and asf_text()'s unit of length. Wants an acclaim_motion().
+std::string amc_text(const Motion& motion);
+
+}  // namespace mocapress

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <numbers>
+#include <unordered_set>
+
+#include "core/base/error.h"
+#include "core/formats/asf.h"
+#include "core/formats/text_cursor.h"
+#include "core/formats/text_writer.h"
+#include "core/formats/zyx_angles.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kDecimals = 9;  // of directions and axes: errors add up along a chain of bones
+
+/// Bones end somewhere, joints only begin: a bone's children start at its end.
+struct Bone {
+  std::string name;
+  int parent = 0;
+  Eigen::Vector3d end;           // cm, from the bone's start
+  const Joint* joint = nullptr;  // none: the bone only carries a child to its place
+};
+
+class AsfWriter {
+ public:
+  explicit AsfWriter(const Skeleton& skeleton) : skeleton_(skeleton) {}
+  std::string write();
+
+ private:
+  void make_bones();
+  void write_root();
+  void write_bone(std::size_t index);
+  void write_hierarchy();
+
+  const Skeleton& skeleton_;
+  std::vector<Bone> bones_;  // bone 0 is the root, which has no length
+  std::string text_;
+};
+
+/// Where each joint's bone ends: at its end site, or at the first child that is not at its start.
+std::vector<Eigen::Vector3d> bone_ends(const Skeleton& skeleton) {
+  std::vector<Eigen::Vector3d> ends;
+  for (const Joint& joint : skeleton.joints())
+    ends.push_back(joint.end_site.value_or(Eigen::Vector3d::Zero()));
+  for (int j = skeleton.joint_count() - 1; j > 0; --j) {
+    const Joint& joint = skeleton.joint(j);
+    if (!joint.offset.isZero(0)) ends[static_cast<std::size_t>(joint.parent)] = joint.offset;
+  }
+  ends[0].setZero();
+  return ends;
+}
+
+/// `name`, or `name` with a number where it is taken already.
+std::string unique(const std::string& name, std::unordered_set<std::string>& taken) {
+  std::string candidate = name;
+  for (int n = 2; !taken.insert(candidate).second; ++n) candidate = name + '_' + std::to_string(n);
+  return candidate;
+}
+
+/// The word that stands for a joint: no keyword, frame number or comment.
+std::string bone_name(const std::string& name) {
+  const std::string word = as_word(name, "");
+  const bool misread = equals_ignoring_case(word, "begin") || equals_ignoring_case(word, "end") ||
+                       word.find_first_of("#:") == 0 ||
+                       word.find_first_not_of("0123456789") == word.npos;
+  return misread ? "_" + word : word;
+}
+
+/// " rx ry rz": the values of a joint in the order of an .amc line. Of the rotations, the one done
+/// first is named first.
+std::string dof_words(const Joint& joint) {
+  std::string translations;
+  std::string rotations;
+  for (const ChannelKind kind : joint.channels) {
+    const std::string word = ' ' + std::string(short_name(kind));
+    if (is_rotation(kind))
+      rotations.insert(0, word);
+    else
+      translations += word;
+  }
+  return translations + rotations;
+}
+
+std::string AsfWriter::write() {
+  make_bones();
+  text_ = ":version 1.10\n:name mocapress\n:units\n  mass 1.0\n  length ";
+  append_number(text_, kAsfLengthUnit);
+  text_ += "\n  angle deg\n";
+  write_root();
+  text_ += ":bonedata\n";
+  for (std::size_t b = 1; b < bones_.size(); ++b) write_bone(b);
+  write_hierarchy();
+  return std::move(text_);
+}
+
+void AsfWriter::make_bones() {
+  const std::vector<std::string> names = asf_names(skeleton_);
+  const std::vector<Eigen::Vector3d> ends = bone_ends(skeleton_);
+  std::unordered_set<std::string> taken(names.begin(), names.end());
+  std::vector<int> bone_of_joint(names.size(), 0);
+  bones_.push_back({names[0], -1, ends[0], &skeleton_.joint(0)});
+  for (std::size_t j = 1; j < names.size(); ++j) {
+    const Joint& joint = skeleton_.joints()[j];
+    if (joint.parent < 0) throw Error("an .asf holds one root, this skeleton has several");
+    int parent = bone_of_joint[static_cast<std::size_t>(joint.parent)];
+    const Eigen::Vector3d way = joint.offset - bones_[static_cast<std::size_t>(parent)].end;
+    if (!way.isZero(0)) {
+      bones_.push_back({unique("to_" + names[j], taken), parent, way, nullptr});
+      parent = static_cast<int>(bones_.size()) - 1;
+    }
+    bone_of_joint[j] = static_cast<int>(bones_.size());
+    bones_.push_back({names[j], parent, ends[j], &joint});
+  }
+  if (const auto& end = skeleton_.joint(0).end_site)
+    bones_.push_back({unique("root_end", taken), 0, *end, nullptr});
+}
+
+void AsfWriter::write_root() {
+  const Joint& root = *bones_.front().joint;
+  std::string axis;
+  for (const ChannelKind kind : root.channels)
+    if (is_rotation(kind)) axis.insert(axis.begin(), "XYZ"[axis_of(kind)]);
+  for (const char letter : {'X', 'Y', 'Z'})
+    if (axis.find(letter) == axis.npos) axis += letter;
+  std::string order = dof_words(root);
+  std::transform(order.begin(), order.end(), order.begin(),
+                 [](char c) { return c == ' ' ? c : static_cast<char>(c - 'a' + 'A'); });
+  text_ += ":root\n  order" + order + "\n  axis " + axis + "\n  position";
+  append_vector(text_, root.offset / kAsfCmPerUnit, kDecimals);
+  text_ += "\n  orientation 0 0 0\n";
+}
+
+void AsfWriter::write_bone(std::size_t index) {
+  const Bone& bone = bones_[index];
+  const double length = bone.end.norm();
+  text_ +=
+      "  begin\n    id " + std::to_string(index) + "\n    name " + bone.name + "\n    direction";
+  append_vector(text_, length > 0 ? (bone.end / length).eval() : Eigen::Vector3d::UnitX(),
+                kDecimals);
+  text_ += "\n    length ";
+  append_number(text_, length / kAsfCmPerUnit, kDecimals);
+  text_ += "\n    axis";
+  const Eigen::Matrix3d axes =
+      bone.joint ? bone.joint->joint_from_axes : Eigen::Matrix3d::Identity();
+  append_vector(text_, zyx_angles(axes, Eigen::Vector3d::Zero()) * 180 / std::numbers::pi,
+                kDecimals);
+  text_ += " XYZ\n";
+  if (bone.joint && !bone.joint->channels.empty())
+    text_ += "    dof" + dof_words(*bone.joint) + '\n';
+  text_ += "  end\n";
+}
+
+void AsfWriter::write_hierarchy() {
+  std::vector<std::string> children(bones_.size());
+  for (std::size_t b = 1; b < bones_.size(); ++b)
+    children[static_cast<std::size_t>(bones_[b].parent)] += ' ' + bones_[b].name;
+  text_ += ":hierarchy\n  begin\n";
+  for (std::size_t b = 0; b < bones_.size(); ++b)
+    if (!children[b].empty()) text_ += "    " + bones_[b].name + children[b] + '\n';
+  text_ += "  end\n";
+}
+
+}  // namespace
+
+Motion acclaim_motion(const Motion& motion) {
+  return with_zyx_angles(motion, [](const Joint& joint) {
+    const bool translates = std::any_of(joint.channels.begin(), joint.channels.end(),
+                                        [](ChannelKind kind) { return !is_rotation(kind); });
+    return !joint.joint_from_axes.isIdentity(0) && (joint.parent < 0 || translates);
+  });
+}
+
+std::vector<std::string> asf_names(const Skeleton& skeleton) {
+  std::vector<std::string> names = {"root"};
+  std::unordered_set<std::string> taken(names.begin(), names.end());
+  for (int j = 1; j < skeleton.joint_count(); ++j)
+    names.push_back(unique(bone_name(skeleton.joint(j).name), taken));
+  return names;
+}
+
+std::string asf_text(const Skeleton& skeleton) {
+  return AsfWriter(skeleton).write();
+}
+
+}  // namespace mocapress

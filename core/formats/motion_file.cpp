@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "core/formats/motion_file.h"
+
+#include "core/base/file.h"
+#include "core/formats/amc.h"
+#include "core/formats/asf.h"
+#include "core/formats/bvh.h"
+#include "core/formats/csv.h"
+#include "core/formats/text_cursor.h"
+
+namespace mocapress {
+namespace {
+
+using std::filesystem::path;
+
+bool has_extension(const path& file, std::string_view extension) {
+  return equals_ignoring_case(file.extension().string(), extension);
+}
+
+/// 09_01.amc: 09_01.asf or 09.asf, whatever the case of the extension.
+path skeleton_beside(const path& amc) {
+  const std::string stem = amc.stem().string();
+  const std::string subject = stem.substr(0, stem.find('_'));
+  for (const std::string& name : {stem, subject})
+    for (const char* extension : {".asf", ".ASF"}) {
+      const path candidate = amc.parent_path() / (name + extension);
+      std::error_code ignored;
+      if (std::filesystem::exists(candidate, ignored)) return candidate;
+    }
+  throw InputError(
+      amc.string(), 0, 0,
+      "needs its skeleton, but neither " + stem + ".asf nor " + subject + ".asf is beside it");
+}
+
+}  // namespace
+
+MotionFile read_motion(const path& file, const std::optional<path>& skeleton_path,
+                       const ReadOptions& options) {
+  if (has_extension(file, ".bvh")) return read_bvh(file.string(), read_text(file), options);
+  if (has_extension(file, ".asf"))
+    throw InputError(file.string(), 0, 0,
+                     "is a skeleton without motion: open one of its .amc files");
+  if (!has_extension(file, ".amc"))
+    throw InputError(file.string(), 0, 0, "is neither .bvh nor .amc");
+  const std::string motion_text = read_text(file);
+  const path asf = skeleton_path ? *skeleton_path : skeleton_beside(file);
+  const AsfSkeleton skeleton = read_asf(asf.string(), read_text(asf), options.cm_per_unit);
+  return read_amc(file.string(), motion_text, skeleton, options);
+}
+
+void write_motion(const path& file, const Motion& motion,
+                  const std::optional<path>& skeleton_path) {
+  if (has_extension(file, ".bvh")) return write_text(file, bvh_text(motion));
+  if (has_extension(file, ".csv")) return write_text(file, csv_text(motion));
+  if (!has_extension(file, ".amc"))
+    throw Error(file.string() + ": cannot be written: its extension is none of .bvh, .amc, .csv");
+  const Motion acclaim = acclaim_motion(motion);
+  write_text(skeleton_path.value_or(path(file).replace_extension(".asf")),
+             asf_text(acclaim.skeleton));
+  write_text(file, amc_text(acclaim));
+}
+
+}  // namespace mocapress

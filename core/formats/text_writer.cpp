@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "core/formats/text_writer.h"
+
+#include <array>
+#include <charconv>
+#include <string_view>
+
+namespace mocapress {
+
+void append_number(std::string& text, double value, int decimals) {
+  std::array<char, 400> buffer;  // the largest double has 309 digits before the point
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                          std::chars_format::fixed, decimals);
+  std::string_view digits(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  if (digits.find('.') != digits.npos) {
+    digits = digits.substr(0, digits.find_last_not_of('0') + 1);
+    if (digits.ends_with('.')) digits.remove_suffix(1);
+  }
+  text += digits == "-0" ? "0" : digits;
+}
+
+void append_vector(std::string& text, const Eigen::Vector3d& vector, int decimals) {
+  for (const double value : vector) {
+    text += ' ';
+    append_number(text, value, decimals);
+  }
+}
+
+std::string counted(long count, const std::string& noun) {
+  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+std::string as_word(const std::string& name, const std::string& forbidden) {
+  std::string word = name.empty() ? "_" : name;
+  for (char& c : word)
+    if (static_cast<unsigned char>(c) <= 0x20 || c == 0x7F || forbidden.find(c) != forbidden.npos)
+      c = '_';
+  return word;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <array>
+#include <numbers>
+
+#include "core/formats/bvh.h"
+#include "core/motion/forward_kinematics.h"
+#include "tests/support/motion_texts.h"
+
+namespace mocapress {
+namespace {
+
+using test::kSmallBvh;
+using test::replaced;
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kRounding = 1e-9;  // cm
+const ReadOptions kCentimetres{.cm_per_unit = 1.0};
+
+MotionFile read(const std::string& text) {
+  return read_bvh("f.bvh", text);
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "reads";
+}
+
+/// The one warning of a file that has one.
+std::string warning_of(const std::string& text) {
+  const Warnings warnings = read(text).warnings;
+  return warnings.size() == 1 ? warnings.front().text() : std::to_string(warnings.size());
+}
+
+/// One joint, all of whose channels stand at 90 degrees, with the end site (1, 2, 3).
+std::string quarter_turns(const std::string& channels) {
+  return "HIERARCHY ROOT r { OFFSET 0 0 0 CHANNELS 3 " + channels +
+         " End Site { OFFSET 1 2 3 } } MOTION Frames: 1 Frame Time: 0.01\n90 90 90\n";
+}
+
+TEST(Bvh, ReadsASmallFileAsItStands) {
+  const auto [motion, warnings] = read(kSmallBvh);
+  EXPECT_TRUE(warnings.empty());
+  ASSERT_EQ(motion.skeleton.joint_count(), 2);
+  EXPECT_EQ(motion.skeleton.joint(0).name, "Hips");
+  EXPECT_EQ(motion.skeleton.joint(1).parent, 0);
+  EXPECT_EQ(motion.skeleton.joint(1).offset, Eigen::Vector3d(0, 40, 0));
+  EXPECT_EQ(motion.skeleton.joint(1).end_site, Eigen::Vector3d(0, 60, 0));
+  EXPECT_EQ(motion.skeleton.channel_name(3), "Hips.rz");
+  EXPECT_EQ(motion.skeleton.channel_name(6), "Spine.rx");
+  EXPECT_EQ(motion.clip.frames(), 2);
+  EXPECT_EQ(motion.clip.sample_rate_hz, 120);
+  EXPECT_EQ(motion.clip.channels(1, 1), 5);
+  EXPECT_NEAR(motion.clip.channels(1, 8), 6 * kDegree, kRounding);
+}
+
+// Rx(90): (x, y, z) -> (x, -z, y). Ry(90): -> (z, y, -x). Rz(90): -> (-y, x, z). By hand, the last
+// channel applied first.
+TEST(Bvh, MultipliesRotationsInFileOrderForAllSixOrders) {
+  struct Case {
+    const char* channels;
+    Eigen::Vector3d end;
+  };
+  const std::array<Case, 6> cases = {{{"Xrotation Yrotation Zrotation", {3, -2, 1}},
+                                      {"Xrotation Zrotation Yrotation", {-2, 1, 3}},
+                                      {"Yrotation Xrotation Zrotation", {1, -3, 2}},
+                                      {"Yrotation Zrotation Xrotation", {2, 1, -3}},
+                                      {"Zrotation Xrotation Yrotation", {-1, 3, 2}},
+                                      {"Zrotation Yrotation Xrotation", {3, 2, -1}}}};
+  for (const Case& order : cases) {
+    const Motion motion = read_bvh("f", quarter_turns(order.channels), kCentimetres).motion;
+    Pose pose;
+    compute_pose(motion.skeleton, motion.clip.channels.row(0), pose);
+    const Eigen::Vector3d end = pose.to_world(0, *motion.skeleton.joint(0).end_site);
+    EXPECT_NEAR((end - order.end).norm(), 0, kRounding) << order.channels;
+  }
+}
+
+TEST(Bvh, MixesOrdersWithinAFile) {
+  const std::string text =
+      "HIERARCHY ROOT a { OFFSET 0 0 0 CHANNELS 3 Xrotation Yrotation Zrotation\n"
+      "JOINT b { OFFSET 1 2 3 CHANNELS 3 Zrotation Yrotation Xrotation\n"
+      "JOINT c { OFFSET 1 2 3 CHANNELS 1 Yrotation End Site { OFFSET 1 2 3 } } } }\n"
+      "MOTION Frames: 1 Frame Time: 0.01\n90 90 90 90 90 90 90\n";
+  const Motion motion = read_bvh("f", text, kCentimetres).motion;
+  Pose pose;
+  compute_pose(motion.skeleton, motion.clip.channels.row(0), pose);
+  // b is at XYZ(1,2,3) = (3,-2,1). c: XYZ(ZYX(1,2,3)) = XYZ(3,2,-1) = (-1,-2,3), from b.
+  EXPECT_NEAR((pose.origin[1] - Eigen::Vector3d(3, -2, 1)).norm(), 0, kRounding);
+  EXPECT_NEAR((pose.origin[2] - Eigen::Vector3d(2, -4, 4)).norm(), 0, kRounding);
+  // The end: Ry(1,2,3) = (3,2,-1), ZYX -> (-1,2,-3), XYZ -> (-3,-2,-1), from c.
+  const Eigen::Vector3d end = pose.to_world(2, *motion.skeleton.joint(2).end_site);
+  EXPECT_NEAR((end - Eigen::Vector3d(-1, -6, 3)).norm(), 0, kRounding);
+}
+
+TEST(Bvh, ReadsTheSameFileInOtherClothes) {
+  const Motion plain = read(kSmallBvh).motion;
+  const std::string exponents = replaced(kSmallBvh, "11 21 31", "+1.1e1 2100E-2 .31e+2");
+  for (const std::string& text :
+       {replaced(kSmallBvh, "\n", "\r\n"), replaced(kSmallBvh, "\n", "\r"),
+        replaced(kSmallBvh, " ", " \t "), exponents, replaced(kSmallBvh, "Hips\n{", "Hips {"),
+        replaced(kSmallBvh, "Frames: 2", "FRAMES :2"), "\xEF\xBB\xBF" + kSmallBvh,
+        replaced(kSmallBvh, "rotation", "ROTATION"), kSmallBvh + "\n\n  \n",
+        kSmallBvh.substr(0, kSmallBvh.size() - 1), replaced(kSmallBvh, "10 20 30", "10\n20\n30")}) {
+    const auto [motion, warnings] = read(text);
+    EXPECT_TRUE(warnings.empty()) << text;
+    EXPECT_EQ(motion.skeleton.joint(0).name, "Hips") << text;
+    EXPECT_TRUE(motion.clip.channels.isApprox(plain.clip.channels, kRounding)) << text;
+  }
+}
+
+TEST(Bvh, ReadsJointsWithoutChannelsOrEndSitesAndSeveralRoots) {
+  const std::string text =
+      "HIERARCHY\nROOT a b { CHANNELS 2 Yposition Zrotation JOINT fixed { OFFSET 0 170 0 } }\n"
+      "ROOT prop { OFFSET 1 1 1 }\nMOTION\nFrames: 1\nFrame Time: 0.01\n7 90\n";
+  const auto [motion, warnings] = read(text);
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_EQ(motion.skeleton.joint(0).name, "a b");
+  EXPECT_EQ(motion.skeleton.joint(2).parent, -1);
+  EXPECT_EQ(motion.skeleton.channel_count(), 2);
+  EXPECT_FALSE(motion.skeleton.joint(1).end_site);
+}
+
+TEST(Bvh, UnwrapsAngles) {
+  const Motion motion =
+      read(replaced(replaced(kSmallBvh, "1 2 3\n", "1 2 179\n"), "4 5 6\n", "4 5 -179\n")).motion;
+  EXPECT_NEAR(motion.clip.channels(1, 8), 181 * kDegree, kRounding);
+}
+
+TEST(Bvh, ReadsEveryRowWhateverTheHeaderCounts) {
+  for (const std::string count : {"1", "3", "0", "2000000000", "1e18"}) {
+    const std::string text = replaced(kSmallBvh, "Frames: 2", "Frames: " + count);
+    EXPECT_EQ(read(text).motion.clip.frames(), 2);
+    EXPECT_EQ(warning_of(text).find("f.bvh:17: the header says "), 0u) << warning_of(text);
+  }
+}
+
+TEST(Bvh, DropsALastFrameThatIsCut) {
+  const std::string cut =
+      replaced(kSmallBvh.substr(0, kSmallBvh.size() - 3), "Frames: 2", "Frames: 1");
+  EXPECT_EQ(read(cut).motion.clip.frames(), 1);
+  EXPECT_EQ(warning_of(cut), "f.bvh:20: the file ends within its last frame, which is dropped");
+  EXPECT_EQ(read(replaced(cut + " -", "\n-", "")).motion.clip.frames(), 1);
+}
+
+TEST(Bvh, RefusesAShortOrLongRowInOneSentence) {
+  EXPECT_EQ(
+      error_of(replaced(kSmallBvh, "1 2 3 10 20 30 1 2 3", "1 2 3 10 20 30 1 2")),
+      "f.bvh:20:3: expected a new line after the 9 values of the frame that begins in line 19, "
+      "found '5'");
+  EXPECT_EQ(error_of(replaced(kSmallBvh, "30 1 2 3", "30 1 2 3 4")),
+            "f.bvh:19:22: expected a new line after the 9 values of the frame that begins in line "
+            "19, found '4'");
+}
+
+TEST(Bvh, RefusesJunkWithItsPlace) {
+  EXPECT_EQ(error_of(""), "f.bvh:1:1: expected HIERARCHY, found the end of the file");
+  EXPECT_EQ(error_of(replaced(kSmallBvh, "20 30 1", "20 0xdead 1")),
+            "f.bvh:19:13: expected a channel's value, found '0xdead'");
+  EXPECT_EQ(error_of(replaced(kSmallBvh, "OFFSET 0 40 0", "OFFSET 0 nan 0")),
+            "f.bvh:8:14: expected a coordinate of OFFSET, found 'nan'");
+  EXPECT_EQ(error_of(replaced(kSmallBvh, "CHANNELS 3 X", "CHANNELS 4 X")),
+            "f.bvh:10:5: expected 4 channels such as Xposition or Zrotation, found 'End'");
+  EXPECT_EQ(error_of(replaced(kSmallBvh, "3 Xrotation Y", "3 Yrotation Y")),
+            "f.bvh:9:26: channel 'Yrotation' twice in one joint");
+  EXPECT_EQ(error_of(replaced(kSmallBvh, "Frames: 2", "Frames: many")),
+            "f.bvh:17:9: expected the number of frames, found 'many'");
+  EXPECT_EQ(error_of(kSmallBvh.substr(0, kSmallBvh.find("1 2 3 10"))),
+            "f.bvh:19:1: no complete frame follows");
+}
+
+TEST(Bvh, RepairsValuesThatAreNoNumbers) {
+  const std::string text = replaced(kSmallBvh, "4 5 6 11", "-nan 1e300 1.#QNAN 11");
+  const auto [motion, warnings] = read(text);
+  EXPECT_EQ(motion.clip.channels(1, 0), motion.clip.channels(0, 0));
+  EXPECT_EQ(motion.clip.channels(1, 1), motion.clip.channels(0, 1));
+  EXPECT_EQ(motion.clip.channels(1, 2), motion.clip.channels(0, 2));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].message.find("3 values that are not finite"), 0u);
+}
+
+TEST(Bvh, GuessesARateWhereFrameTimeIsNonsense) {
+  for (const char* nonsense : {"0", "-1", "nan", "1e-30"}) {
+    const std::string text = replaced(kSmallBvh, "0.0083333", nonsense);
+    EXPECT_EQ(read(text).motion.clip.sample_rate_hz, 30) << nonsense;
+    EXPECT_NE(warning_of(text).find("cannot be right"), std::string::npos) << nonsense;
+    const MotionFile told = read_bvh("f", text, {.sample_rate_hz = 50.0, .cm_per_unit = {}});
+    EXPECT_EQ(told.motion.clip.sample_rate_hz, 50);
+    EXPECT_TRUE(told.warnings.empty());
+  }
+  EXPECT_EQ(read(replaced(kSmallBvh, "0.0083333", "60")).motion.clip.sample_rate_hz, 60);
+}
+
+TEST(Bvh, GuessesTheUnitFromTheHeightUnlessTold) {
+  const std::string metres = replaced(
+      replaced(replaced(kSmallBvh, "0 90 0", "0 0 0"), "0 40 0", "0 .7 0"), "0 60 0", "0 1 0");
+  const auto [motion, warnings] = read(metres);
+  EXPECT_NEAR(motion.skeleton.joint(1).offset.y(), 70, kRounding);
+  EXPECT_NEAR(motion.clip.channels(0, 0), 100, kRounding);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].message,
+            "no unit of length is given: a rest pose 1.7 units tall is taken to have 100 cm to the "
+            "unit");
+  const MotionFile told = read_bvh("f", metres, {.sample_rate_hz = {}, .cm_per_unit = 2.0});
+  EXPECT_NEAR(told.motion.skeleton.joint(1).offset.y(), 1.4, kRounding);
+  EXPECT_TRUE(told.warnings.empty());
+}
+
+TEST(Bvh, TakesTranslationsThatRepeatTheOffsetForAbsolute) {
+  const std::string absolute =
+      replaced(replaced(kSmallBvh, "1 2 3 10", "1 91 3 10"), "4 5 6 11", "4 95 6 11");
+  const auto [motion, warnings] = read(absolute);
+  EXPECT_NEAR(motion.clip.channels(0, 1), 1, kRounding);
+  EXPECT_NEAR(motion.clip.channels(1, 1), 5, kRounding);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].message.find("taken to replace"), std::string::npos);
+}
+
+TEST(Bvh, KeepsDuplicateNamesWithAWarning) {
+  EXPECT_NE(
+      warning_of(replaced(kSmallBvh, "JOINT Spine", "JOINT Hips")).find("1 joint with the name"),
+      std::string::npos);
+}
+
+TEST(Bvh, LeavesOutEndSitesBesideOtherChildren) {
+  const std::string text =
+      replaced(kSmallBvh, "  JOINT Spine", "  End Site { OFFSET 1 1 1 }\n  JOINT Spine");
+  EXPECT_FALSE(read(text).motion.skeleton.joint(0).end_site);
+  EXPECT_NE(warning_of(text).find("1 End Site beside"), std::string::npos);
+}
+
+TEST(Bvh, RefusesEndlessNestingWithoutRecursing) {
+  std::string text = "HIERARCHY ROOT r {";
+  for (int i = 0; i < 200000; ++i) text += " JOINT j {";
+  EXPECT_NE(error_of(text).find("joints are nested deeper than 1000"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mocapress
