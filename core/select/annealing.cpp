@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "core/select/annealing.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/random.h"
+
+namespace mocapress {
+namespace {
+
+/// The signal that `count` more coefficients would add to a channel, kept while it stays valid.
+struct Gain {
+  int kept = -1;
+  int count = 0;
+  Eigen::VectorXd signal;
+};
+
+/// Algorithm 1's m and everything that follows from it.
+class Allocation {
+ public:
+  Allocation(const RankedCoefficients& ranked, const ErrorModel& model, const Kept& start)
+      : ranked_(ranked), kept_(start), state_(model), gains_(start.size()), costs_(start.size()) {
+    for (int c = 0; c < channels(); ++c)
+      state_.add(c, -synthesise(ranked_, c, kept(c), ranked_.per_channel()));
+  }
+
+  int channels() const { return static_cast<int>(kept_.size()); }
+  int kept(int channel) const { return kept_[static_cast<std::size_t>(channel)]; }
+  const Kept& all_kept() const { return kept_; }
+  double eps() const { return std::sqrt(std::max(state_.squared_eps(), 0.0)); }
+
+  void move(int channel, int count) {
+    const int now = kept(channel);
+    state_.add(channel, count > 0 ? synthesise(ranked_, channel, now, now + count)
+                                  : -synthesise(ranked_, channel, now + count, now));
+    kept_[static_cast<std::size_t>(channel)] += count;
+  }
+
+  /// The channel where `count` more coefficients lower the error most; `favourite` wins ties.
+  int best_channel_for(int count, int favourite) {
+    tbb::parallel_for(0, channels(), [&](int c) {
+      costs_[static_cast<std::size_t>(c)] = kept(c) + count > ranked_.per_channel()
+                                                ? std::numeric_limits<double>::infinity()
+                                                : state_.change(c, gain(c, count));
+    });
+    int best = favourite;
+    for (int c = 0; c < channels(); ++c)
+      if (costs_[static_cast<std::size_t>(c)] < costs_[static_cast<std::size_t>(best)]) best = c;
+    return best;
+  }
+
+ private:
+  const Eigen::VectorXd& gain(int channel, int count) {
+    Gain& gain = gains_[static_cast<std::size_t>(channel)];
+    if (gain.kept != kept(channel) || gain.count != count)
+      gain = {kept(channel), count,
+              synthesise(ranked_, channel, kept(channel), kept(channel) + count)};
+    return gain.signal;
+  }
+
+  const RankedCoefficients& ranked_;
+  Kept kept_;
+  ErrorState state_;
+  std::vector<Gain> gains_;
+  std::vector<double> costs_;
+};
+
+}  // namespace
+
+AnnealingReport anneal(const RankedCoefficients& ranked, const ErrorModel& model, const Kept& start,
+                       const AnnealingOptions& options,
+                       const Observer<AnnealingProgress>& observer) {
+  Allocation allocation(ranked, model, start);
+  Random random(options.seed);
+  AnnealingReport report;
+  report.first_eps_cm = allocation.eps();
+  const int most = start.empty() ? 0 : *std::max_element(start.begin(), start.end());
+  const int first_step = most / 2;
+  int failures = 0;
+  for (int step = first_step; step > 0 && report.complete;) {
+    const auto i =
+        static_cast<int>(random.below(static_cast<std::uint64_t>(allocation.channels())));
+    const int moved = std::min(step, allocation.kept(i));
+    int j = i;
+    if (moved > 0) {
+      allocation.move(i, -moved);
+      j = allocation.best_channel_for(moved, i);
+      allocation.move(j, moved);
+    }
+    failures = j == i ? failures + 1 : 0;
+    if (failures == options.failures_per_step) {
+      step /= 2;
+      failures = 0;
+    }
+    ++report.iterations;
+    report.complete =
+        go_on(observer, AnnealingProgress{report.iterations, step, first_step, allocation.eps()});
+  }
+  report.kept = allocation.all_kept();
+  report.eps_cm = allocation.eps();
+  return report;
+}
+
+}  // namespace mocapress

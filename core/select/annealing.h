@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 5, Algorithm 1.
+// Deviation: candidates are compared by the quadratic error model, not by forward kinematics.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/progress.h"
+#include "core/select/error_model.h"
+#include "core/select/ranking.h"
+
+namespace mocapress {
+
+struct AnnealingOptions {
+  std::uint64_t seed = 1;
+  int failures_per_step = 10;  // in a row, before the step is halved
+};
+
+struct AnnealingProgress {
+  int iteration = 0;
+  int step = 0;        // s: coefficients moved at a time
+  int first_step = 0;  // s at the beginning
+  double eps_cm = 0;   // by the quadratic model
+};
+
+struct AnnealingReport {
+  Kept kept;  // the vector m: same sum as the start
+  int iterations = 0;
+  double first_eps_cm = 0;  // by the quadratic model
+  double eps_cm = 0;        // never above first_eps_cm
+  bool complete = true;     // false: the observer ended it
+};
+
+/// Moves coefficients between channels while eps_x falls. The same seed gives the same result, on
+/// any number of threads.
+AnnealingReport anneal(const RankedCoefficients& ranked, const ErrorModel& model, const Kept& start,
+                       const AnnealingOptions& options = {},
+                       const Observer<AnnealingProgress>& observer = {});
+
+}  // namespace mocapress

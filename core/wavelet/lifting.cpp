@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "core/wavelet/lifting.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+namespace mocapress {
+namespace {
+
+constexpr int kCoarsest = 4;  // a signal shorter than this is not split further
+
+int evens_in(int length) {
+  return (length + 1) / 2;
+}
+int odds_in(int length) {
+  return length / 2;
+}
+
+/// The Lagrange polynomial through samples[0..count) at 0, 1, ... evaluated at `position`.
+double interpolate(const double* samples, int count, double position) {
+  double sum = 0;
+  for (int i = 0; i < count; ++i) {
+    double weight = 1;
+    for (int j = 0; j < count; ++j)
+      if (j != i) weight *= (position - j) / (i - j);
+    sum += weight * samples[i];
+  }
+  return sum;
+}
+
+/// Odd sample `i`, which lies between even samples i and i + 1, predicted near a border.
+double predict_at_border(const double* even, int evens, int neighbours, int i) {
+  const int count = std::min(neighbours, evens);
+  const int first = std::clamp(i + 1 - count / 2, 0, evens - count);
+  return interpolate(even + first, count, i + 0.5 - first);
+}
+
+/// odd[i] += sign * prediction from the even samples.
+void predict(Basis basis, const double* even, int evens, double* odd, int odds, double sign) {
+  if (basis == Basis::Haar) {
+    for (int i = 0; i < odds; ++i) odd[i] += sign * even[i];
+    return;
+  }
+  const int neighbours = basis == Basis::Cubic ? 4 : 2;
+  const int reach = neighbours / 2;  // even neighbours on either side
+  const int inner_first = std::min(reach - 1, odds);
+  const int inner_last = std::clamp(evens - reach, inner_first, odds);
+  const auto border = [&](int i) {
+    odd[i] += sign * predict_at_border(even, evens, neighbours, i);
+  };
+  for (int i = 0; i < inner_first; ++i) border(i);
+  if (basis == Basis::Cubic) {
+    const double near = sign * 9.0 / 16.0;
+    const double far = sign * -1.0 / 16.0;
+    for (int i = inner_first; i < inner_last; ++i)
+      odd[i] += near * (even[i] + even[i + 1]) + far * (even[i - 1] + even[i + 2]);
+  } else {
+    for (int i = inner_first; i < inner_last; ++i) odd[i] += sign * 0.5 * (even[i] + even[i + 1]);
+  }
+  for (int i = inner_last; i < odds; ++i) border(i);
+}
+
+/// even[i] += sign * a quarter of the details on either side, mirrored at the borders. (Haar: half
+/// of the one after it, which makes it the mean.) Keeps the mean of the signal in the coarse
+/// samples.
+void update(Basis basis, double* even, int evens, const double* detail, int details, double sign) {
+  if (basis == Basis::Haar) {
+    for (int i = 0; i < details; ++i) even[i] += sign * 0.5 * detail[i];
+    return;
+  }
+  const double quarter = sign * 0.25;
+  even[0] += quarter * 2 * detail[0];
+  for (int i = 1; i < details; ++i) even[i] += quarter * (detail[i - 1] + detail[i]);
+  if (evens > details) even[evens - 1] += quarter * 2 * detail[details - 1];
+}
+
+}  // namespace
+
+Lifting::Lifting(Basis basis, int length) : basis_(basis), length_(length) {
+  assert(length >= 0);
+  for (int rest = length; rest >= kCoarsest; rest = evens_in(rest)) {
+    lengths_.push_back(rest);
+    bands_.push_back({evens_in(rest), odds_in(rest)});
+  }
+  const int coarse = lengths_.empty() ? length : evens_in(lengths_.back());
+  bands_.push_back({0, coarse});
+  std::reverse(bands_.begin(), bands_.end());
+}
+
+void Lifting::forward(std::span<const double> samples, std::span<double> coefficients) const {
+  assert(std::ssize(samples) == length_ && std::ssize(coefficients) == length_);
+  if (samples.data() != coefficients.data())
+    std::copy(samples.begin(), samples.end(), coefficients.begin());
+  std::vector<double> even(static_cast<std::size_t>(evens_in(length_)));
+  std::vector<double> odd(static_cast<std::size_t>(odds_in(length_)));
+  for (const int length : lengths_) {
+    const int evens = evens_in(length);
+    const int odds = odds_in(length);
+    double* const signal = coefficients.data();
+    for (int i = 0; i < odds; ++i) {
+      even[static_cast<std::size_t>(i)] = signal[2 * i];
+      odd[static_cast<std::size_t>(i)] = signal[2 * i + 1];
+    }
+    if (evens > odds) even[static_cast<std::size_t>(odds)] = signal[length - 1];
+    predict(basis_, even.data(), evens, odd.data(), odds, -1);
+    update(basis_, even.data(), evens, odd.data(), odds, +1);
+    std::copy_n(even.data(), evens, signal);
+    std::copy_n(odd.data(), odds, signal + evens);
+  }
+}
+
+void Lifting::inverse(std::span<const double> coefficients, std::span<double> samples) const {
+  assert(std::ssize(samples) == length_ && std::ssize(coefficients) == length_);
+  if (samples.data() != coefficients.data())
+    std::copy(coefficients.begin(), coefficients.end(), samples.begin());
+  std::vector<double> even(static_cast<std::size_t>(evens_in(length_)));
+  std::vector<double> odd(static_cast<std::size_t>(odds_in(length_)));
+  for (auto length = lengths_.rbegin(); length != lengths_.rend(); ++length) {
+    const int evens = evens_in(*length);
+    const int odds = odds_in(*length);
+    double* const signal = samples.data();
+    std::copy_n(signal, evens, even.data());
+    std::copy_n(signal + evens, odds, odd.data());
+    update(basis_, even.data(), evens, odd.data(), odds, -1);
+    predict(basis_, even.data(), evens, odd.data(), odds, +1);
+    for (int i = 0; i < odds; ++i) {
+      signal[2 * i] = even[static_cast<std::size_t>(i)];
+      signal[2 * i + 1] = odd[static_cast<std::size_t>(i)];
+    }
+    if (evens > odds) signal[*length - 1] = even[static_cast<std::size_t>(odds)];
+  }
+}
+
+double Lifting::norm(int coefficient) const {
+  std::vector<double> function(static_cast<std::size_t>(length_), 0.0);
+  function[static_cast<std::size_t>(coefficient)] = 1;
+  inverse(function, function);
+  double squares = 0;
+  for (const double value : function) squares += value * value;
+  return std::sqrt(squares);
+}
+
+std::vector<double> Lifting::norms_of_band(const Band& band) const {
+  // Away from the borders the functions of a band are shifts of one another: one stands for all.
+  constexpr int kBorder = 10;
+  std::vector<double> norms(static_cast<std::size_t>(band.size));
+  const bool has_interior = band.size > 2 * kBorder;
+  const double interior = has_interior ? norm(band.first + band.size / 2) : 0;
+  for (int i = 0; i < band.size; ++i) {
+    const bool inside = has_interior && i >= kBorder && i < band.size - kBorder;
+    norms[static_cast<std::size_t>(i)] = inside ? interior : norm(band.first + i);
+  }
+  return norms;
+}
+
+std::vector<double> Lifting::norms() const {
+  std::vector<double> all;
+  for (const Band& band : bands_) {
+    const std::vector<double> norms = norms_of_band(band);
+    all.insert(all.end(), norms.begin(), norms.end());
+  }
+  return all;
+}
+
+std::vector<double> Lifting::gains() const {
+  std::vector<double> gains;
+  const auto finest = static_cast<int>(bands_.size()) - 1;
+  for (int b = 0; b <= finest; ++b) {
+    const int depth = finest == 0 ? 0 : finest - std::max(b, 1) + 1;
+    gains.insert(gains.end(), static_cast<std::size_t>(bands_[static_cast<std::size_t>(b)].size),
+                 std::exp2(0.5 * depth));
+  }
+  return gains;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 3, and
+// W. Sweldens, "The lifting scheme: a construction of second generation wavelets", 1998.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/wavelet/basis.h"
+
+namespace mocapress {
+
+/// A contiguous run of coefficients of one scale.
+struct Band {
+  int first;
+  int size;
+};
+
+/// The wavelet transform of signals of one length, any length. Coefficients are ordered coarse to
+/// fine: bands()[0] holds the coarse samples (fewer than 4), each further band the details that
+/// double the resolution.
+///
+/// One level splits a signal into even and odd samples; the odd ones keep what their even
+/// neighbours do not predict (cubic: -1/16, 9/16, 9/16, -1/16, and the Lagrange polynomial through
+/// the nearest 4 at the borders), the even ones are updated by a quarter of the details beside
+/// them.
+class Lifting {
+ public:
+  Lifting(Basis basis, int length);
+
+  int length() const { return length_; }
+  Basis basis() const { return basis_; }
+  const std::vector<Band>& bands() const { return bands_; }
+
+  /// Both take and give length() values; input and output may be the same memory.
+  void forward(std::span<const double> samples, std::span<double> coefficients) const;
+  void inverse(std::span<const double> coefficients, std::span<double> samples) const;
+
+  /// L2 norm of each coefficient's synthesis function: what one unit of it adds to the signal.
+  std::vector<double> norms() const;
+
+  /// What the norms would be in an orthonormal basis: 2^(depth / 2), the finest details at depth 1,
+  /// the coarse samples at the depth of the coarsest details. Within a factor of 1.5 of norms()
+  /// and, unlike them, the same everywhere: part of the file format.
+  std::vector<double> gains() const;
+
+ private:
+  std::vector<double> norms_of_band(const Band& band) const;
+  double norm(int coefficient) const;
+
+  Basis basis_;
+  int length_;
+  std::vector<Band> bands_;
+  std::vector<int> lengths_;  // of the signal at each level, finest first
+};
+
+}  // namespace mocapress

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "core/metrics/distortion.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+TEST(Distortion, OfAClipWithItselfIsZero) {
+  const Motion motion = test::smooth_motion(30);
+  const Distortion distortion = measure(motion.skeleton, motion.clip, motion.clip);
+  EXPECT_EQ(distortion.eps_bone_ends, 0);
+  EXPECT_EQ(distortion.eps_joint_origins, 0);
+  EXPECT_EQ(distortion.max.cm, 0);
+}
+
+TEST(Distortion, OfAShiftedFigureIsTheShiftInEveryMeasure) {
+  const Motion motion = test::smooth_motion(30);
+  Clip shifted = motion.clip;
+  shifted.channels.col(0).array() += 3;
+  shifted.channels.col(2).array() -= 4;
+  const Distortion distortion = measure(motion.skeleton, motion.clip, shifted);
+  EXPECT_NEAR(distortion.eps_bone_ends, 5, 1e-9);
+  EXPECT_NEAR(distortion.eps_joint_origins, 5, 1e-9);
+  EXPECT_NEAR(distortion.p95, 5, 1e-5);
+  EXPECT_NEAR(distortion.p99, 5, 1e-5);
+  EXPECT_NEAR(distortion.max.cm, 5, 1e-9);
+}
+
+TEST(Distortion, FollowsThePapersFormula) {
+  const Motion motion = test::smooth_motion(20);
+  const Clip other = test::smooth_motion(20, 2).clip;
+  const Eigen::MatrixXd a = landmark_tracks(motion.skeleton, motion.clip);
+  const Eigen::MatrixXd b = landmark_tracks(motion.skeleton, other);
+  for (const Weighting weighting : {Weighting::BoneEnds, Weighting::JointOrigins}) {
+    const Eigen::VectorXd weights = landmark_weights(motion.skeleton, weighting);
+    double sum = 0;
+    for (int t = 0; t < 20; ++t)
+      for (int p = 0; p < weights.size(); ++p)
+        sum += weights(p) * (a.block<1, 3>(t, 3 * p) - b.block<1, 3>(t, 3 * p)).squaredNorm();
+    const double eps = std::sqrt(sum / 20);
+    EXPECT_NEAR(measure(motion.skeleton, motion.clip, other).eps(weighting), eps, 1e-9);
+    EXPECT_NEAR(exact_eps(motion.skeleton, a, other, weighting), eps, 1e-9);
+  }
+}
+
+TEST(Distortion, PointsAtTheWorstFrameAndLandmark) {
+  const Motion motion = test::smooth_motion(30);
+  Clip bent = motion.clip;
+  const int hand = motion.skeleton.find("rhand");
+  bent.channels(17, motion.skeleton.first_channel(hand)) += 0.5;
+  const WorstPoint worst = measure(motion.skeleton, motion.clip, bent).max;
+  EXPECT_EQ(worst.frame, 17);
+  EXPECT_EQ(landmarks(motion.skeleton)[static_cast<std::size_t>(worst.landmark)].name, "rhand end");
+}
+
+TEST(Distortion, PercentilesLeaveRareGlitchesToTheMaximum) {
+  const Motion motion = test::smooth_motion(400);
+  Clip glitch = motion.clip;
+  glitch.channels(200, 0) += 50;  // one frame in 400: 0.25 % of all points
+  const Distortion distortion = measure(motion.skeleton, motion.clip, glitch);
+  EXPECT_EQ(distortion.p99, 0);
+  EXPECT_NEAR(distortion.max.cm, 50, 1e-9);
+}
+
+TEST(Distortion, OfAClipWithoutFramesIsZero) {
+  const Motion motion = test::smooth_motion(0);
+  EXPECT_EQ(measure(motion.skeleton, motion.clip, motion.clip).eps_bone_ends, 0);
+}
+
+}  // namespace
+}  // namespace mocapress

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "core/select/error_model.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "core/metrics/distortion.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+/// G_t by finite differences of forward kinematics: slow, and sharing nothing with the model.
+Eigen::MatrixXd brute_force_form(const Motion& motion, int frame, const Eigen::VectorXd& weights) {
+  const int channels = motion.skeleton.channel_count();
+  const auto positions = [&](const Clip& clip) {
+    return Eigen::VectorXd(landmark_tracks(motion.skeleton, clip).row(0).transpose());
+  };
+  Clip one_frame{120, motion.clip.channels.row(frame)};
+  Eigen::MatrixXd jacobian(3 * weights.size(), channels);
+  constexpr double kStep = 1e-5;
+  for (int c = 0; c < channels; ++c) {
+    Clip ahead = one_frame;
+    Clip behind = one_frame;
+    ahead.channels(0, c) += kStep;
+    behind.channels(0, c) -= kStep;
+    jacobian.col(c) = (positions(ahead) - positions(behind)) / (2 * kStep);
+  }
+  Eigen::VectorXd each_coordinate(3 * weights.size());
+  for (int p = 0; p < weights.size(); ++p)
+    each_coordinate.segment<3>(3 * p).setConstant(weights(p));
+  return jacobian.transpose() * each_coordinate.asDiagonal() * jacobian;
+}
+
+class ErrorModelOf : public testing::TestWithParam<Weighting> {
+ protected:
+  const Motion motion_ = test::smooth_motion(150);
+  const Eigen::VectorXd weights_ = landmark_weights(motion_.skeleton, GetParam());
+  const ErrorModel model_{motion_.skeleton, motion_.clip, GetParam()};
+};
+
+INSTANTIATE_TEST_SUITE_P(Weightings, ErrorModelOf,
+                         testing::Values(Weighting::BoneEnds, Weighting::JointOrigins));
+
+TEST_P(ErrorModelOf, CurvatureIsTheDiagonalOfTheBruteForceForm) {
+  for (const int t : {0, 64, 149})
+    EXPECT_TRUE(model_.curvature().row(t).transpose().isApprox(
+        brute_force_form(motion_, t, weights_).diagonal(), 1e-5));
+}
+
+TEST_P(ErrorModelOf, GradientIsTheBruteForceFormTimesTheError) {
+  Random random(4);
+  Eigen::MatrixXd error(150, model_.channels());
+  ErrorState state(model_);
+  for (int c = 0; c < model_.channels(); ++c) {
+    for (int t = 0; t < 150; ++t) error(t, c) = random.unit() - 0.5;
+    state.add(c, error.col(c));
+  }
+  for (const int t : {0, 63, 64, 149}) {
+    const Eigen::VectorXd expected =
+        brute_force_form(motion_, t, weights_) * error.row(t).transpose();
+    EXPECT_TRUE(state.gradient().row(t).transpose().isApprox(expected, 1e-5));
+  }
+}
+
+TEST_P(ErrorModelOf, EnergyOfStepsAddsUpToTheQuadraticForm) {
+  Random random(9);
+  Eigen::MatrixXd error = Eigen::MatrixXd::Zero(150, model_.channels());
+  ErrorState state(model_);
+  for (int step = 0; step < 60; ++step) {
+    const auto c = static_cast<int>(random.below(static_cast<std::uint64_t>(model_.channels())));
+    Eigen::VectorXd delta(150);
+    for (double& value : delta) value = random.unit() - 0.5;
+    const double before = state.squared_eps();
+    const double announced = state.change(c, delta);
+    state.add(c, delta);
+    error.col(c) += delta;
+    EXPECT_NEAR(state.squared_eps() - before, announced, 1e-9);
+  }
+  EXPECT_NEAR(state.squared_eps(), (error.cwiseProduct(state.gradient())).sum() / 150, 1e-6);
+}
+
+TEST_P(ErrorModelOf, AgreesWithExactDistortionForSmallErrors) {
+  Random random(11);
+  Clip decoded = motion_.clip;
+  ErrorState state(model_);
+  for (int c = 0; c < model_.channels(); ++c) {
+    const double size = is_rotation(motion_.skeleton.channel_kind(c)) ? 0.003 : 0.2;
+    Eigen::VectorXd delta(150);
+    for (double& value : delta) value = size * (random.unit() - 0.5);
+    decoded.channels.col(c) += delta;
+    state.add(c, delta);
+  }
+  const double exact = measure(motion_.skeleton, motion_.clip, decoded).eps(GetParam());
+  EXPECT_NEAR(std::sqrt(state.squared_eps()) / exact, 1, 0.003);
+}
+
+TEST(ErrorModel, AddingAndTakingBackLeavesNothing) {
+  const Motion motion = test::smooth_motion(70);
+  const ErrorModel model(motion.skeleton, motion.clip, Weighting::BoneEnds);
+  ErrorState state(model);
+  const Eigen::VectorXd delta = motion.clip.channels.col(3);
+  state.add(3, delta);
+  EXPECT_GT(state.squared_eps(), 0);
+  state.add(3, -delta);
+  EXPECT_NEAR(state.squared_eps(), 0, 1e-9);
+  EXPECT_NEAR(state.gradient().cwiseAbs().maxCoeff(), 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace mocapress
