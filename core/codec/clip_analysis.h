@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tbb/task_arena.h>
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "core/select/error_model.h"
+#include "core/select/truncation.h"
+
+namespace mocapress {
+
+/// A clip in one basis: its coefficients and their order.
+struct BasisAnalysis {
+  RankedCoefficients ranked;
+  StandardOrder standard;
+  Eigen::VectorXd gains;  // Lifting::gains(), by which coefficients are coded
+
+  BasisAnalysis(const Motion& motion, Basis basis);
+};
+
+/// What every encode of a motion needs and no option changes, computed when first asked for. Const
+/// and safe to use from several threads at a time.
+class ClipAnalysis {
+ public:
+  explicit ClipAnalysis(Motion motion);
+
+  const Motion& motion() const { return motion_; }
+  const Eigen::MatrixXd& original_tracks() const { return original_tracks_; }
+  const BasisAnalysis& in(Basis basis) const;
+  const ErrorModel& model(Weighting weighting) const;
+
+ private:
+  template <typename Key, typename Value>
+  class OnDemand {
+   public:
+    template <typename Build>
+    const Value& get(Key key, const Build& build) const {
+      const std::lock_guard lock(mutex_);
+      auto& slot = values_[key];
+      // Isolated: a thread that waits inside must not take up a task that asks for the same lock.
+      if (!slot) tbb::this_task_arena::isolate([&] { slot = build(); });
+      return *slot;
+    }
+
+   private:
+    mutable std::mutex mutex_;
+    mutable std::map<Key, std::unique_ptr<const Value>> values_;
+  };
+
+  Motion motion_;
+  Eigen::MatrixXd original_tracks_;  // landmark_tracks()
+  OnDemand<Basis, BasisAnalysis> bases_;
+  OnDemand<Weighting, ErrorModel> models_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/container.h"
+
+#include <zlib.h>
+
+#include <cctype>
+#include <cmath>
+
+#include "core/base/byte_cursor.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/codec/skeleton_section.h"
+
+namespace mocapress {
+namespace {
+
+constexpr std::string_view kMagic = "MCPR";
+constexpr std::uint16_t kVersion = 1;
+constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 26;
+
+std::span<const std::byte> bytes_of(std::string_view text) {
+  return std::as_bytes(std::span(text));
+}
+
+std::uint32_t checksum(std::span<const std::byte> head, std::span<const std::byte> payload) {
+  const auto update = [](uLong crc, std::span<const std::byte> bytes) {
+    return crc32(crc, reinterpret_cast<const Bytef*>(bytes.data()),
+                 static_cast<uInt>(bytes.size()));
+  };
+  return static_cast<std::uint32_t>(update(update(0, head), payload));
+}
+
+void write_section(ByteWriter& file, std::string_view tag, std::span<const std::byte> payload) {
+  ByteWriter head;
+  head.append(bytes_of(tag));
+  head.write(static_cast<std::uint32_t>(payload.size()));
+  file.append(head.bytes());
+  file.write(checksum(head.bytes(), payload));
+  file.append(payload);
+}
+
+std::vector<std::byte> write_description(const CompressedClip& clip) {
+  ByteWriter writer;
+  writer.write(clip.sample_rate_hz);
+  writer.write(static_cast<std::uint32_t>(clip.frames));
+  writer.write(static_cast<std::uint8_t>(clip.basis));
+  writer.write(static_cast<std::uint8_t>(clip.coding));
+  writer.write(static_cast<std::uint8_t>(clip.provenance.method));
+  writer.write(static_cast<std::uint8_t>(clip.provenance.weighting));
+  writer.write(clip.provenance.seed);
+  writer.write(clip.provenance.eps_cm);
+  writer.write(clip.provenance.max_error_cm);
+  return writer.release();
+}
+
+template <typename Enum>
+Enum read_enum(ByteReader& reader, Enum first, Enum last, const char* what) {
+  const auto value = reader.read<std::uint8_t>();
+  if (value < static_cast<std::uint8_t>(first) || value > static_cast<std::uint8_t>(last))
+    reader.fail("unknown " + std::string(what) + " " + std::to_string(value));
+  return static_cast<Enum>(value);
+}
+
+void read_description(std::span<const std::byte> payload, std::size_t offset,
+                      CompressedClip& clip) {
+  ByteReader reader(payload, offset);
+  clip.sample_rate_hz = reader.read<double>();
+  if (!std::isfinite(clip.sample_rate_hz) || clip.sample_rate_hz <= 0)
+    reader.fail("the sample rate is no positive number");
+  const auto frames = reader.read<std::uint32_t>();
+  const auto channels = static_cast<std::uint64_t>(clip.skeleton.channel_count());
+  if (frames > kMostSamples || frames * channels > kMostSamples)
+    reader.fail("more than 2^26 samples");
+  clip.frames = static_cast<int>(frames);
+  clip.basis = read_enum(reader, Basis::Haar, Basis::Cubic, "basis");
+  clip.coding = read_enum(reader, Coding::Rle16, Coding::Deflate, "coding");
+  clip.provenance.method = read_enum(reader, Method::PerChannel, Method::Annealed, "method");
+  clip.provenance.weighting =
+      read_enum(reader, Weighting::BoneEnds, Weighting::JointOrigins, "weighting");
+  clip.provenance.seed = reader.read<std::uint64_t>();
+  clip.provenance.eps_cm = reader.read<float>();
+  clip.provenance.max_error_cm = reader.read<float>();
+  reader.expect_end();
+}
+
+struct Section {
+  std::string tag;
+  std::span<const std::byte> payload;
+  std::size_t payload_offset;
+};
+
+Section read_section(ByteReader& file) {
+  const std::size_t start = file.offset();
+  const auto tag = file.take(4);
+  const auto size = file.read<std::uint32_t>();
+  const auto crc = file.read<std::uint32_t>();
+  const std::size_t payload_offset = file.offset();
+  const auto payload = file.take(size);
+  Section section{{reinterpret_cast<const char*>(tag.data()), tag.size()}, payload, payload_offset};
+  ByteWriter head;
+  head.append(tag);
+  head.write(size);
+  if (checksum(head.bytes(), payload) != crc)
+    throw FormatError(start, "section " + section.tag + " is damaged: its checksum differs");
+  return section;
+}
+
+/// Reads sections in their fixed order, skipping optional ones.
+class SectionReader {
+ public:
+  SectionReader(ByteReader& file, int count) : file_(file), left_(count) {}
+
+  Section expect(std::string_view tag) {
+    while (left_ > 0) {
+      --left_;
+      const std::size_t start = file_.offset();
+      Section section = read_section(file_);
+      if (section.tag == tag) return section;
+      if (!is_optional(section))
+        throw FormatError(start,
+                          "section " + section.tag + " where " + std::string(tag) + " is expected");
+    }
+    file_.fail("section " + std::string(tag) + " is missing");
+  }
+
+  void expect_only_optional() {
+    for (; left_ > 0; --left_) {
+      const std::size_t start = file_.offset();
+      const Section section = read_section(file_);
+      if (!is_optional(section)) throw FormatError(start, "unknown section " + section.tag);
+    }
+  }
+
+ private:
+  static bool is_optional(const Section& section) {
+    return std::islower(static_cast<unsigned char>(section.tag[0])) != 0;
+  }
+
+  ByteReader& file_;
+  int left_;
+};
+
+}  // namespace
+
+std::vector<std::byte> write_container(const CompressedClip& clip) {
+  ByteWriter file;
+  file.append(bytes_of(kMagic));
+  file.write(kVersion);
+  file.write(std::uint16_t{3});
+  write_section(file, "SKEL", encode_skeleton(clip.skeleton));
+  write_section(file, "CLIP", write_description(clip));
+  write_section(file, "MOTN", clip.motion);
+  return file.release();
+}
+
+CompressedClip read_container(std::span<const std::byte> bytes) {
+  ByteReader file(bytes);
+  const auto magic = file.take(kMagic.size());
+  if (!std::equal(magic.begin(), magic.end(), bytes_of(kMagic).begin()))
+    throw FormatError(0, "not a Mocapress file");
+  const auto version = file.read<std::uint16_t>();
+  if (version != kVersion)
+    throw FormatError(4, "version " + std::to_string(version) +
+                             " is not known here: a newer Mocapress is needed");
+  SectionReader sections(file, file.read<std::uint16_t>());
+  CompressedClip clip;
+  clip.skeleton = decode_skeleton(sections.expect("SKEL").payload);
+  const Section description = sections.expect("CLIP");
+  read_description(description.payload, description.payload_offset, clip);
+  const Section motion = sections.expect("MOTN");
+  clip.motion.assign(motion.payload.begin(), motion.payload.end());
+  sections.expect_only_optional();
+  file.expect_end();
+  return clip;
+}
+
+CompressedClip load_mcpr(const std::filesystem::path& path) {
+  try {
+    return read_container(read_bytes(path));
+  } catch (const FormatError& error) {
+    throw InputError(path.string(), 0, 0, error.what());
+  }
+}
+
+void save_mcpr(const std::filesystem::path& path, const CompressedClip& clip) {
+  write_bytes(path, write_container(clip));
+}
+
+}  // namespace mocapress

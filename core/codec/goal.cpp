@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/goal.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/codec/decoder.h"
+#include "core/metrics/distortion.h"
+#include "core/metrics/rate.h"
+
+namespace mocapress {
+namespace {
+
+constexpr double kTolerance = 0.02;
+
+}  // namespace
+
+double Goal::achieved(const CompressedClip& compressed) const {
+  const Motion& motion = analysis_.motion();
+  switch (target_.kind) {
+    case Target::Kind::CoefficientRatio:
+      return target_.value;  // met by construction
+    case Target::Kind::Ratio:
+      return compression_ratio(motion.clip, compressed.motion.size());
+    case Target::Kind::Size:
+      return static_cast<double>(compressed.motion.size());
+    case Target::Kind::Error:
+      return exact_eps(motion.skeleton, analysis_.original_tracks(), decode(compressed),
+                       weighting_);
+    case Target::Kind::MaxError:
+      return measure(motion.skeleton, analysis_.original_tracks(), decode(compressed)).max.cm;
+  }
+  return 0;
+}
+
+double Goal::excess(double achieved) const {
+  constexpr double kLeast = 1e-9;  // a perfect reconstruction has no logarithm
+  const double quotient = std::max(achieved, kLeast) / std::max(target_.value, kLeast);
+  return target_.kind == Target::Kind::Size ? std::log(quotient) : -std::log(quotient);
+}
+
+bool Goal::met(double excess) const {
+  switch (target_.kind) {
+    case Target::Kind::Ratio:
+      return std::abs(excess) <= kTolerance;
+    case Target::Kind::Size:
+      return excess <= 0;
+    default:
+      return excess >= 0;
+  }
+}
+
+bool Goal::better(double excess, double other) const {
+  return met(excess) != met(other) ? met(excess) : std::abs(excess) < std::abs(other);
+}
+
+CountSearch::Window Goal::window() const {
+  switch (target_.kind) {
+    case Target::Kind::Ratio:
+      return {-kTolerance / 4, kTolerance / 4};
+    case Target::Kind::Size:
+      return {-kTolerance / 2, 0};
+    default:
+      return {0, kTolerance / 2};
+  }
+}
+
+double Goal::likely_coefficient_ratio() const {
+  constexpr double kUsual = 0.45;  // r over the ratio; the paper's section 6.1 has 0.6
+  switch (target_.kind) {
+    case Target::Kind::CoefficientRatio:
+      return target_.value;
+    case Target::Kind::Ratio:
+      return kUsual * target_.value;
+    case Target::Kind::Size:
+      return kUsual * static_cast<double>(raw_bytes(analysis_.motion().clip)) /
+             std::max(target_.value, 1.0);
+    default:
+      return 15;
+  }
+}
+
+}  // namespace mocapress

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 4. FORMAT.md,
+// MOTN.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace mocapress {
+
+/// Codes coefficients x channels (coarse to fine, zero where not kept) as 16-bit words with runs of
+/// zeros and an end mark; the few that 16 bits cannot hold take 48. Each channel has one step, so
+/// the coefficients should be scaled to matter alike: by Lifting::gains(). `dropped` has the
+/// magnitude of each channel's largest coefficient that was not kept; a step is not made much finer
+/// than that.
+std::vector<std::byte> rle16_encode(const Eigen::MatrixXd& coefficients,
+                                    const Eigen::VectorXd& dropped);
+
+/// The inverse, up to quantisation. Throws FormatError unless the bytes are exactly `channels`
+/// channels of `per_channel` coefficients.
+Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, int channels);
+
+/// No coding of that shape has more bytes.
+std::size_t rle16_bound(int per_channel, int channels);
+
+}  // namespace mocapress

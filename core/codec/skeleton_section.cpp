@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/skeleton_section.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+#include "core/base/byte_cursor.h"
+#include "core/codec/deflate.h"
+
+namespace mocapress {
+namespace {
+
+constexpr std::size_t kMostJoints = 4096;
+constexpr std::size_t kMostBytes = std::size_t{4} << 20;  // inflated
+
+enum JointFlags : std::uint8_t { kHasAxes = 1, kHasEndSite = 2 };
+
+void write_vector(ByteWriter& writer, const Eigen::Vector3d& vector) {
+  for (const double value : vector) writer.write(static_cast<float>(value));
+}
+
+double read_finite(ByteReader& reader) {
+  const double value = reader.read<float>();
+  if (!std::isfinite(value)) reader.fail("a number of the skeleton is not finite");
+  return value;
+}
+
+Eigen::Vector3d read_vector(ByteReader& reader) {
+  Eigen::Vector3d vector;
+  for (double& value : vector) value = read_finite(reader);
+  return vector;
+}
+
+Eigen::Matrix3d read_axes(ByteReader& reader) {
+  std::array<double, 4> wxyz{};
+  for (double& value : wxyz) value = read_finite(reader);
+  const Eigen::Quaterniond axes(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+  if (std::abs(axes.norm() - 1) > 1e-3) reader.fail("axes are no unit quaternion");
+  return axes.normalized().toRotationMatrix();
+}
+
+Joint read_joint(ByteReader& reader, int index) {
+  Joint joint;
+  joint.name = reader.read_short_string();
+  joint.parent = reader.read<std::int16_t>();
+  if (joint.parent < -1 || joint.parent >= index) reader.fail("a parent after its child");
+  joint.offset = read_vector(reader);
+  const auto flags = reader.read<std::uint8_t>();
+  if ((flags & ~(kHasAxes | kHasEndSite)) != 0) reader.fail("unknown flags of a joint");
+  if ((flags & kHasAxes) != 0) joint.joint_from_axes = read_axes(reader);
+  if ((flags & kHasEndSite) != 0) joint.end_site = read_vector(reader);
+  const auto channels = reader.read<std::uint8_t>();
+  if (channels > kChannelKinds) reader.fail("a joint of more than 6 channels");
+  for (int c = 0; c < channels; ++c) {
+    const auto kind = reader.read<std::uint8_t>();
+    if (kind >= kChannelKinds) reader.fail("unknown kind of channel");
+    joint.channels.push_back(static_cast<ChannelKind>(kind));
+  }
+  return joint;
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
+  ByteWriter writer;
+  writer.write(static_cast<std::uint16_t>(skeleton.joint_count()));
+  for (const Joint& joint : skeleton.joints()) {
+    writer.write_short_string(joint.name);
+    writer.write(static_cast<std::int16_t>(joint.parent));
+    write_vector(writer, joint.offset);
+    const bool has_axes = !joint.joint_from_axes.isIdentity(0);
+    writer.write(
+        static_cast<std::uint8_t>((has_axes ? kHasAxes : 0) | (joint.end_site ? kHasEndSite : 0)));
+    if (has_axes) {
+      const Eigen::Quaterniond axes(joint.joint_from_axes);
+      for (const double value : {axes.w(), axes.x(), axes.y(), axes.z()})
+        writer.write(static_cast<float>(value));
+    }
+    if (joint.end_site) write_vector(writer, *joint.end_site);
+    writer.write(static_cast<std::uint8_t>(joint.channels.size()));
+    for (const ChannelKind kind : joint.channels) writer.write(static_cast<std::uint8_t>(kind));
+  }
+  return deflate_bytes(writer.bytes());
+}
+
+Skeleton decode_skeleton(std::span<const std::byte> payload) {
+  const auto bytes = inflate_bytes(payload, kMostBytes);
+  ByteReader reader(bytes);
+  const auto joints = reader.read<std::uint16_t>();
+  if (joints == 0 || joints > kMostJoints) reader.fail("between 1 and 4096 joints are allowed");
+  Skeleton skeleton;
+  for (int j = 0; j < joints; ++j) skeleton.add(read_joint(reader, j));
+  reader.expect_end();
+  return skeleton;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace mocapress {
+
+/// What the user asks for: one number of one kind.
+struct Target {
+  enum class Kind {
+    Ratio,             // raw bytes / motion bytes, met within 2 %
+    CoefficientRatio,  // the paper's r: all coefficients / kept coefficients
+    Size,              // motion bytes, not exceeded
+    Error,             // eps_x in cm in the chosen weighting, not exceeded
+    MaxError,          // cm, by no landmark at any frame exceeded
+  };
+  Kind kind = Kind::Ratio;
+  double value = 25;
+};
+
+}  // namespace mocapress

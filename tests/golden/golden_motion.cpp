@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "tests/golden/golden_motion.h"
+
+#include <cmath>
+
+#include "core/codec/deflate.h"
+#include "core/codec/rle16.h"
+#include "core/select/truncation.h"
+
+namespace mocapress::test {
+namespace {
+
+Skeleton golden_skeleton() {
+  using enum ChannelKind;
+  Skeleton skeleton;
+  const int hips = skeleton.add(
+      {.name = "hips",
+       .channels = {TranslationX, TranslationY, TranslationZ, RotationZ, RotationX, RotationY}});
+  const int femur = skeleton.add({.name = "lfemur",
+                                  .parent = hips,
+                                  .offset = {9.5, -4.25, 0.1},
+                                  .joint_from_axes = axis_rotation(2, 0.35) * axis_rotation(0, 0.2),
+                                  .channels = {RotationZ, RotationY, RotationX}});
+  skeleton.add({.name = "ltibia",
+                .parent = femur,
+                .offset = {0, -41.3, 0},
+                .channels = {RotationX},
+                .end_site = Eigen::Vector3d(0, -38.7, 6.25)});
+  const int chest = skeleton.add({.name = "chest", .parent = hips, .offset = {0, 33.3, -1.5}});
+  skeleton.add({.name = "tête",
+                .parent = chest,
+                .offset = {0, 21.9, 2.5},
+                .channels = {RotationY, RotationX, TranslationY},
+                .end_site = Eigen::Vector3d(0, 17.5, 0)});
+  return skeleton;
+}
+
+}  // namespace
+
+Motion golden_motion() {
+  constexpr int kFrames = 50;
+  Motion motion{golden_skeleton(), {.sample_rate_hz = 60}};
+  motion.clip.channels.resize(kFrames, motion.skeleton.channel_count());
+  for (int c = 0; c < motion.skeleton.channel_count(); ++c) {
+    const double size = is_rotation(motion.skeleton.channel_kind(c)) ? 0.8 : 35;
+    for (int t = 0; t < kFrames; ++t)
+      motion.clip.channels(t, c) =
+          size * (std::sin(0.05 * (c + 1) * t + c) + 0.1 * std::sin(0.9 * t + 2 * c));
+  }
+  return motion;
+}
+
+CompressedClip golden_clip(Coding coding) {
+  const Motion motion = golden_motion();
+  const RankedCoefficients ranked = rank_coefficients(motion.clip, Basis::Cubic);
+  const std::vector<double> gains = ranked.lifting.gains();
+  const Eigen::Map<const Eigen::VectorXd> gain(gains.data(), ranked.per_channel());
+  const Kept kept = keep_per_channel(ranked, ranked.total() / 4);
+  const Eigen::VectorXd full_precision = Eigen::VectorXd::Zero(ranked.channels());
+  std::vector<std::byte> bytes =
+      rle16_encode(gain.asDiagonal() * truncate(ranked, kept), full_precision);
+  if (coding == Coding::Deflate) bytes = deflate_bytes(bytes);
+  return {.skeleton = motion.skeleton,
+          .sample_rate_hz = motion.clip.sample_rate_hz,
+          .frames = motion.clip.frames(),
+          .basis = Basis::Cubic,
+          .coding = coding,
+          .motion = std::move(bytes),
+          .provenance = {.method = Method::PerChannel,
+                         .weighting = Weighting::JointOrigins,
+                         .seed = 42,
+                         .eps_cm = 0.5F,
+                         .max_error_cm = 1.5F}};
+}
+
+}  // namespace mocapress::test

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/codec/compressed_clip.h"
+
+namespace mocapress::test {
+
+/// What the golden files hold: 50 frames of a figure with everything a skeleton can have, axes, end
+/// sites, both kinds of channels in several orders, a joint without any. Never change it: a new
+/// version of the format gets new files of the same motion.
+Motion golden_motion();
+
+/// golden_motion() with a quarter of its coefficients, by nothing but the transform and the coding,
+/// so that better selections leave the bytes alone.
+CompressedClip golden_clip(Coding coding);
+
+}  // namespace mocapress::test

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/container.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cstring>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/codec/decoder.h"
+#include "core/codec/encoder.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+CompressedClip small_clip(Coding coding = Coding::Deflate) {
+  return Encoder(test::smooth_motion(40))
+      .encode({.method = Method::Standard,
+               .coding = coding,
+               .target = {Target::Kind::CoefficientRatio, 4}})
+      .compressed;
+}
+
+/// The section's first byte and size are found as FORMAT.md lays them out.
+struct Place {
+  std::size_t start;
+  std::uint32_t size;
+};
+Place find_section(const std::vector<std::byte>& file, const char* tag) {
+  std::size_t at = 8;
+  while (std::memcmp(file.data() + at, tag, 4) != 0) {
+    std::uint32_t size = 0;
+    std::memcpy(&size, file.data() + at + 4, 4);
+    at += 12 + size;
+  }
+  std::uint32_t size = 0;
+  std::memcpy(&size, file.data() + at + 4, 4);
+  return {at, size};
+}
+
+void mend_checksum(std::vector<std::byte>& file, const Place& place) {
+  const auto* bytes = reinterpret_cast<const Bytef*>(file.data() + place.start);
+  const auto crc = static_cast<std::uint32_t>(crc32(crc32(0, bytes, 8), bytes + 12, place.size));
+  std::memcpy(file.data() + place.start + 8, &crc, 4);
+}
+
+TEST(Container, ReadsBackWhatWasWritten) {
+  for (const Coding coding : {Coding::Rle16, Coding::Deflate}) {
+    const CompressedClip clip = small_clip(coding);
+    const CompressedClip read = read_container(write_container(clip));
+    EXPECT_EQ(read.frames, clip.frames);
+    EXPECT_EQ(read.sample_rate_hz, clip.sample_rate_hz);
+    EXPECT_EQ(read.coding, coding);
+    EXPECT_EQ(read.basis, clip.basis);
+    EXPECT_EQ(read.motion, clip.motion);
+    EXPECT_EQ(read.provenance.method, Method::Standard);
+    EXPECT_EQ(read.provenance.eps_cm, clip.provenance.eps_cm);
+    EXPECT_EQ(decode(read).channels, decode(clip).channels);
+  }
+}
+
+TEST(Container, KeepsTheSkeletonToTheMicrometre) {
+  const Motion motion = test::smooth_motion(40);
+  const CompressedClip read = read_container(write_container(small_clip()));
+  ASSERT_EQ(read.skeleton.joint_count(), motion.skeleton.joint_count());
+  for (int j = 0; j < read.skeleton.joint_count(); ++j) {
+    EXPECT_EQ(read.skeleton.joint(j).name, motion.skeleton.joint(j).name);
+    EXPECT_EQ(read.skeleton.joint(j).channels, motion.skeleton.joint(j).channels);
+  }
+  const Eigen::MatrixXd moved =
+      landmark_tracks(read.skeleton, motion.clip) - landmark_tracks(motion.skeleton, motion.clip);
+  EXPECT_LT(moved.cwiseAbs().maxCoeff(), 1e-4);
+}
+
+TEST(Container, RefusesEveryPrefix) {
+  const auto file = write_container(small_clip());
+  for (std::size_t size = 0; size < file.size(); ++size) {
+    // A copy of just that size, so that the address sanitizer sees every read past it.
+    const std::vector<std::byte> prefix(file.begin(), file.begin() + static_cast<long>(size));
+    EXPECT_THROW(read_container(prefix), FormatError) << "of " << size << " bytes";
+  }
+}
+
+TEST(Container, RefusesExtraBytes) {
+  auto file = write_container(small_clip());
+  file.push_back(std::byte{0});
+  EXPECT_THROW(read_container(file), FormatError);
+}
+
+TEST(Container, RefusesEveryFlippedBit) {
+  const auto file = write_container(small_clip());
+  for (std::size_t bit = 0; bit < 8 * file.size(); ++bit) {
+    auto flipped = file;
+    flipped[bit / 8] ^= static_cast<std::byte>(1 << (bit % 8));
+    EXPECT_THROW(read_container(flipped), FormatError) << "bit " << bit;
+  }
+}
+
+TEST(Container, RefusesAnotherVersionByName) {
+  auto file = write_container(small_clip());
+  file[4] = std::byte{2};
+  try {
+    read_container(file);
+    FAIL();
+  } catch (const FormatError& error) {
+    EXPECT_NE(std::string(error.what()).find("version 2"), std::string::npos);
+  }
+}
+
+TEST(Container, RefusesMoreSamplesThanItMayHoldBeforeAllocatingThem) {
+  auto file = write_container(small_clip());
+  const Place place = find_section(file, "CLIP");
+  const std::uint32_t frames = 0xFFFFFFF0;
+  std::memcpy(file.data() + place.start + 12 + 8, &frames, 4);
+  mend_checksum(file, place);
+  EXPECT_THROW(read_container(file), FormatError);
+}
+
+TEST(Container, SkipsOptionalSectionsAndRefusesUnknownOnes) {
+  const auto file = write_container(small_clip());
+  for (const bool optional : {true, false}) {
+    auto extended = file;
+    extended[6] = std::byte{4};  // sections
+    const std::size_t start = extended.size();
+    const char* const tag = optional ? "note" : "NOTE";
+    for (int i = 0; i < 4; ++i) extended.push_back(static_cast<std::byte>(tag[i]));
+    extended.resize(extended.size() + 8 + 3);
+    extended[start + 4] = std::byte{3};
+    mend_checksum(extended, {start, 3});
+    if (optional)
+      EXPECT_NO_THROW(read_container(extended));
+    else
+      EXPECT_THROW(read_container(extended), FormatError);
+  }
+}
+
+TEST(Container, SurvivesMutationsThatPassTheChecksums) {
+  const auto file = write_container(small_clip(Coding::Rle16));
+  Random random(2);
+  for (int round = 0; round < 3000; ++round) {
+    auto mutated = file;
+    for (const char* tag : {"SKEL", "CLIP", "MOTN"}) {
+      const Place place = find_section(mutated, tag);
+      if (random.below(2) == 0)
+        mutated[place.start + 12 + random.below(place.size)] =
+            static_cast<std::byte>(random.below(256));
+      mend_checksum(mutated, place);
+    }
+    try {
+      decode(read_container(mutated));
+    } catch (const FormatError&) {
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mocapress
