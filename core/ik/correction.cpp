@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "core/ik/correction.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/ik/limb.h"
+#include "core/motion/landmarks.h"
+
+namespace mocapress {
+namespace {
+
+/// The limbs of one thread, and where in the list of all effectors each of theirs stands.
+class Corrector {
+ public:
+  Corrector(const Skeleton& skeleton, const std::vector<Effector>& effectors, IkSolver solver)
+      : solver_(solver), limbs_(limbs_of(skeleton, effectors)) {
+    for (const Limb& limb : limbs_) {
+      places_.emplace_back();
+      for (const Effector& effector : limb.effectors()) {
+        const auto place = std::find_if(effectors.begin(), effectors.end(), [&](const Effector& e) {
+          return e.joint == effector.joint;
+        });
+        places_.back().push_back(place - effectors.begin());
+      }
+    }
+  }
+
+  void correct(const Eigen::MatrixXd& differences, int frame, Clip& clip,
+               CorrectionReport& report) {
+    for (std::size_t l = 0; l < limbs_.size(); ++l) {
+      Limb& limb = limbs_[l];
+      limb.set_frame(clip.channels.row(frame));
+      targets_.clear();
+      for (std::size_t e = 0; e < places_[l].size(); ++e)
+        targets_.push_back(limb.position(static_cast<int>(e)) +
+                           differences.block<1, 3>(frame, 3 * places_[l][e]).transpose());
+      const IkOutcome outcome = solve(solver_, limb, targets_);
+      for (int a = 0; a < limb.angle_count(); ++a)
+        clip.channels(frame, limb.channel(a)) = limb.angles()(a);
+      report.worst_miss_cm = std::max(report.worst_miss_cm, outcome.miss_cm);
+      report.unreached += outcome.reached ? 0 : 1;
+      report.iterations += outcome.iterations;
+    }
+  }
+
+ private:
+  IkSolver solver_;
+  std::vector<Limb> limbs_;
+  std::vector<std::vector<Eigen::Index>> places_;
+  std::vector<Eigen::Vector3d> targets_;
+};
+
+CorrectionReport both(const CorrectionReport& a, const CorrectionReport& b) {
+  return {std::max(a.worst_miss_cm, b.worst_miss_cm), a.unreached + b.unreached,
+          a.iterations + b.iterations};
+}
+
+}  // namespace
+
+Eigen::MatrixXd effector_tracks(const Skeleton& skeleton, const Clip& clip,
+                                const std::vector<Effector>& effectors) {
+  const Eigen::MatrixXd all = landmark_tracks(skeleton, clip);
+  Eigen::MatrixXd tracks(clip.frames(), 3 * std::ssize(effectors));
+  for (Eigen::Index e = 0; e < std::ssize(effectors); ++e)
+    tracks.middleCols<3>(3 * e) =
+        all.middleCols<3>(3 * effectors[static_cast<std::size_t>(e)].joint);
+  return tracks;
+}
+
+CorrectionReport apply_correction(const Skeleton& skeleton, const std::vector<Effector>& effectors,
+                                  IkSolver solver, const Eigen::MatrixXd& differences, Clip& clip) {
+  assert(differences.rows() == clip.channels.rows());
+  assert(differences.cols() == 3 * std::ssize(effectors));
+  return tbb::parallel_reduce(
+      tbb::blocked_range<int>(0, clip.frames(), 64), CorrectionReport{},
+      [&](const auto& range, CorrectionReport report) {
+        Corrector corrector(skeleton, effectors, solver);
+        for (int t = range.begin(); t < range.end(); ++t)
+          corrector.correct(differences, t, clip, report);
+        return report;
+      },
+      both);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 5.1.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/ik/effector.h"
+#include "core/ik/solve.h"
+#include "core/motion/clip.h"
+
+namespace mocapress {
+
+/// World positions (cm) of the effectors over a clip: frames x 3 * effectors.
+Eigen::MatrixXd effector_tracks(const Skeleton& skeleton, const Clip& clip,
+                                const std::vector<Effector>& effectors);
+
+/// What a corrected clip could not do.
+struct CorrectionReport {
+  double worst_miss_cm = 0;
+  int unreached = 0;    // effectors at frames that stayed further than kReachedCm from their target
+  long iterations = 0;  // of the solver, over all frames
+};
+
+/// Moves each effector by `differences` (frames x 3 * effectors, cm, in the world) from where the
+/// clip has it, by turning the joints of its chain. A frame's result depends on that frame alone,
+/// so that any frame can be decoded by itself. Frames are solved in parallel.
+CorrectionReport apply_correction(const Skeleton& skeleton, const std::vector<Effector>& effectors,
+                                  IkSolver solver, const Eigen::MatrixXd& differences, Clip& clip);
+
+}  // namespace mocapress

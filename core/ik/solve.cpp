@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Based on: C. Welman, "Inverse kinematics and geometric constraints for articulated figure
+// manipulation", 1993 (cyclic coordinate descent), and S. R. Buss, "Introduction to inverse
+// kinematics with Jacobian transpose, pseudoinverse and damped least squares methods", 2004.
+#include "core/ik/solve.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace mocapress {
+namespace {
+
+using Targets = std::span<const Eigen::Vector3d>;
+
+constexpr int kMostEffectors = 8;  // of one limb, for matrices without allocation
+constexpr int kMostAngles = 64;
+
+double miss(const Limb& limb, Targets targets) {
+  double largest = 0;
+  for (std::size_t e = 0; e < targets.size(); ++e)
+    largest = std::max(largest, (targets[e] - limb.position(static_cast<int>(e))).norm());
+  return largest;
+}
+
+/// The turn about the angle's axis that brings the effectors nearest to their targets, in the
+/// least-squares sense.
+double best_turn(const Limb& limb, int angle, Targets targets) {
+  const Eigen::Vector3d& axis = limb.axis(angle);
+  double along = 0;   // of the targets along where the effectors are
+  double across = 0;  // and across, in the direction of turning
+  for (std::size_t e = 0; e < targets.size(); ++e) {
+    if (!limb.moves(angle, static_cast<int>(e))) continue;
+    const Eigen::Vector3d arm = limb.position(static_cast<int>(e)) - limb.center(angle);
+    const Eigen::Vector3d wanted = targets[e] - limb.center(angle);
+    along += arm.dot(wanted) - axis.dot(arm) * axis.dot(wanted);
+    across += axis.dot(arm.cross(wanted));
+  }
+  return along == 0 && across == 0 ? 0 : std::atan2(across, along);
+}
+
+IkOutcome solve_cyclic_descent(Limb& limb, Targets targets) {
+  constexpr int kMostSweeps = 60;
+  IkOutcome outcome{miss(limb, targets)};
+  Eigen::VectorXd angles = limb.angles();
+  while (outcome.miss_cm > kReachedCm && outcome.iterations < kMostSweeps) {
+    for (int a = limb.angle_count() - 1; a >= 0; --a) {
+      angles(a) += best_turn(limb, a, targets);
+      limb.set_angles(angles);
+    }
+    outcome.miss_cm = miss(limb, targets);
+    ++outcome.iterations;
+  }
+  return outcome;
+}
+
+/// Gauss-Newton on "least turning away from the start, subject to the targets": each step solves
+/// the linearised problem from the start, not from the last angles, so that what it converges to is
+/// the nearest pose and depends smoothly on the targets. The damping keeps a leg that is almost
+/// straight from jerking at the knee.
+IkOutcome solve_nearest_pose(Limb& limb, Targets targets) {
+  constexpr int kMostSteps = 12;
+  constexpr double kDamping = 0.1;       // cm^2 / rad^2, beside squared lever arms of 10 ... 90 cm
+  constexpr double kLongestTurn = 0.35;  // radians in one step: beyond, the linearisation is void
+  using Stacked = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3 * kMostEffectors, 1>;
+  using Jacobian =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3 * kMostEffectors, kMostAngles>;
+  using Normal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3 * kMostEffectors,
+                               3 * kMostEffectors>;
+  using Angles = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostAngles, 1>;
+
+  const auto rows = 3 * static_cast<Eigen::Index>(targets.size());
+  const Angles start = limb.angles();
+  Angles away = Angles::Zero(limb.angle_count());  // from the start
+  IkOutcome outcome{miss(limb, targets)};
+  Jacobian jacobian(rows, limb.angle_count());
+  Stacked error(rows);
+  while (outcome.miss_cm > kReachedCm && outcome.iterations < kMostSteps) {
+    for (Eigen::Index e = 0; e < std::ssize(targets); ++e) {
+      error.segment<3>(3 * e) =
+          targets[static_cast<std::size_t>(e)] - limb.position(static_cast<int>(e));
+      for (int a = 0; a < limb.angle_count(); ++a)
+        jacobian.block<3, 1>(3 * e, a) = limb.velocity(static_cast<int>(e), a);
+    }
+    Normal normal = jacobian * jacobian.transpose();
+    normal.diagonal().array() += kDamping;
+    Angles step = jacobian.transpose() * normal.ldlt().solve(error + jacobian * away) - away;
+    const double longest = step.cwiseAbs().maxCoeff();
+    if (longest > kLongestTurn) step *= kLongestTurn / longest;
+    away += step;
+    limb.set_angles(start + away);
+    outcome.miss_cm = miss(limb, targets);
+    ++outcome.iterations;
+  }
+  return outcome;
+}
+
+}  // namespace
+
+std::string_view name(IkSolver solver) {
+  return solver == IkSolver::CyclicDescent ? "cyclic-descent" : "nearest-pose";
+}
+
+IkOutcome solve(IkSolver solver, Limb& limb, Targets targets) {
+  IkOutcome outcome = solver == IkSolver::CyclicDescent ? solve_cyclic_descent(limb, targets)
+                                                        : solve_nearest_pose(limb, targets);
+  outcome.reached = outcome.miss_cm <= kReachedCm;
+  return outcome;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "core/contact/footskate.h"
+
+#include <gtest/gtest.h>
+
+namespace mocapress {
+namespace {
+
+constexpr double kRate = 120;
+const std::vector<ContactSpan> kContacts = {{0, 10, 39}, {0, 60, 89}};
+
+Eigen::MatrixXd still() {
+  return Eigen::MatrixXd::Constant(100, 3, 7.0);
+}
+
+/// Slides steadily in x and z through frames [first, last]: `cm` in all.
+Eigen::MatrixXd slid(Eigen::MatrixXd tracks, int first, int last, double cm) {
+  for (int t = first + 1; t < tracks.rows(); ++t) {
+    const double share = std::min(1.0, double(t - first) / (last - first));
+    tracks(t, 0) += 0.6 * cm * share;
+    tracks(t, 2) += 0.8 * cm * share;
+  }
+  return tracks;
+}
+
+TEST(Footskate, OfAStillFootIsNone) {
+  const Footskate footskate = measure_footskate(kContacts, still(), still(), kRate);
+  EXPECT_EQ(footskate.total_cm, 0);
+  EXPECT_TRUE(footskate.findings.empty());
+}
+
+TEST(Footskate, FindsAPlantedSlideWithItsPlaceSizeAndSpeed) {
+  const Footskate footskate =
+      measure_footskate(kContacts, still(), slid(still(), 70, 80, 5), kRate);
+  EXPECT_NEAR(footskate.total_cm, 5, 1e-9);
+  ASSERT_EQ(footskate.findings.size(), 1u);
+  EXPECT_EQ(footskate.findings[0].span, kContacts[1]);
+  EXPECT_NEAR(footskate.findings[0].worst_speed_cm_s, 0.5 * kRate, 1e-6);
+  EXPECT_GT(footskate.findings[0].worst_frame, 70);
+  EXPECT_LE(footskate.findings[0].worst_frame, 80);
+}
+
+TEST(Footskate, CountsOnlyWhatHappensInContact) {
+  EXPECT_EQ(measure_footskate(kContacts, still(), slid(still(), 42, 55, 9), kRate).total_cm, 0);
+}
+
+TEST(Footskate, SubtractsTheOriginalsOwnSliding) {
+  const Eigen::MatrixXd original = slid(still(), 10, 39, 2);
+  const Footskate footskate =
+      measure_footskate(kContacts, original, slid(original, 10, 39, 3), kRate);
+  EXPECT_NEAR(footskate.total_cm, 3, 1e-9);
+  EXPECT_EQ(measure_footskate(kContacts, original, still(), kRate).total_cm, 0);
+}
+
+TEST(Footskate, IgnoresHeight) {
+  Eigen::MatrixXd lifted = still();
+  for (int t = 10; t < 40; ++t) lifted(t, 1) += t % 2;
+  EXPECT_EQ(measure_footskate(kContacts, still(), lifted, kRate).total_cm, 0);
+}
+
+TEST(Footskate, ListsTheWorstFirst) {
+  const Eigen::MatrixXd decoded = slid(slid(still(), 12, 30, 1), 62, 80, 4);
+  const Footskate footskate = measure_footskate(kContacts, still(), decoded, kRate);
+  ASSERT_EQ(footskate.findings.size(), 2u);
+  EXPECT_GT(footskate.findings[0].slid_cm, footskate.findings[1].slid_cm);
+  EXPECT_EQ(footskate.findings[0].span.first_frame, 60);
+}
+
+}  // namespace
+}  // namespace mocapress

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "core/ik/solve.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "core/base/random.h"
+#include "core/motion/forward_kinematics.h"
+
+namespace mocapress {
+namespace {
+
+constexpr IkSolver kSolvers[] = {IkSolver::CyclicDescent, IkSolver::NearestPose};
+constexpr double kThigh = 42;  // cm
+constexpr double kShin = 41;
+
+/// A hip of 3 axes, a hinge knee, an ankle of 2 and the ball of the foot, hanging from a root.
+Skeleton leg() {
+  using enum ChannelKind;
+  Skeleton skeleton;
+  skeleton.add({.name = "root", .channels = {TranslationX, TranslationY, TranslationZ, RotationY}});
+  skeleton.add({.name = "pelvis", .parent = 0, .offset = {9, -5, 0}});
+  skeleton.add({.name = "thigh",
+                .parent = 1,
+                .offset = {2, 0, 0},
+                .joint_from_axes = axis_rotation(2, 0.3),
+                .channels = {RotationZ, RotationY, RotationX}});
+  skeleton.add({.name = "shin", .parent = 2, .offset = {0, -kThigh, 0}, .channels = {RotationX}});
+  skeleton.add(
+      {.name = "foot", .parent = 3, .offset = {0, -kShin, 0}, .channels = {RotationZ, RotationX}});
+  skeleton.add({.name = "ball", .parent = 4, .offset = {0, -6, 13}});
+  return skeleton;
+}
+
+Eigen::RowVectorXd bent_frame(double knee = 0.5) {
+  Eigen::RowVectorXd frame(10);
+  frame << 3, 95, -2, 0.4, 0.05, -0.1, -0.3, knee, 0.05, 0.2;
+  return frame;
+}
+
+Limb limb_at(const Skeleton& skeleton, const Eigen::RowVectorXd& frame) {
+  Limb limb(skeleton, {effector_at(skeleton, 5)});
+  limb.set_frame(frame);
+  return limb;
+}
+
+Eigen::RowVectorXd with_angles(Eigen::RowVectorXd frame, const Limb& limb) {
+  for (int a = 0; a < limb.angle_count(); ++a) frame(limb.channel(a)) = limb.angles()(a);
+  return frame;
+}
+
+TEST(Limb, AgreesWithForwardKinematicsOfTheWholeSkeleton) {
+  const Skeleton skeleton = leg();
+  const Limb limb = limb_at(skeleton, bent_frame());
+  Pose pose;
+  compute_pose(skeleton, bent_frame(), pose);
+  EXPECT_TRUE(limb.position(0).isApprox(pose.origin[5], 1e-12));
+}
+
+TEST(Limb, VelocityIsTheDerivativeOfThePosition) {
+  const Skeleton skeleton = leg();
+  Limb limb = limb_at(skeleton, bent_frame());
+  for (int a = 0; a < limb.angle_count(); ++a) {
+    const Eigen::Vector3d velocity = limb.velocity(0, a);
+    constexpr double kStep = 1e-6;
+    Eigen::VectorXd angles = limb.angles();
+    const Eigen::Vector3d before = limb.position(0);
+    angles(a) += kStep;
+    limb.set_angles(angles);
+    EXPECT_TRUE(((limb.position(0) - before) / kStep).isApprox(velocity, 1e-4));
+    angles(a) -= kStep;
+    limb.set_angles(angles);
+  }
+}
+
+TEST(Solve, ReachesNearbyTargetsAndForwardKinematicsAgrees) {
+  const Skeleton skeleton = leg();
+  Random random(1);
+  for (const IkSolver solver : kSolvers)
+    for (int round = 0; round < 200; ++round) {
+      Limb limb = limb_at(skeleton, bent_frame());
+      const Eigen::Vector3d way(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5);
+      const Eigen::Vector3d target = limb.position(0) + 6 * way;
+      const IkOutcome outcome = solve(solver, limb, {&target, 1});
+      EXPECT_TRUE(outcome.reached) << name(solver) << " missed by " << outcome.miss_cm;
+      Pose pose;
+      compute_pose(skeleton, with_angles(bent_frame(), limb), pose);
+      EXPECT_LE((pose.origin[5] - target).norm(), kReachedCm + 1e-9);
+      EXPECT_NEAR((pose.origin[3] - pose.origin[2]).norm(), kThigh, 1e-9);
+      EXPECT_NEAR((pose.origin[4] - pose.origin[3]).norm(), kShin, 1e-9);
+    }
+}
+
+TEST(Solve, LeavesAFrameAloneThatIsRightAlready) {
+  const Skeleton skeleton = leg();
+  for (const IkSolver solver : kSolvers) {
+    Limb limb = limb_at(skeleton, bent_frame());
+    const Eigen::VectorXd before = limb.angles();
+    const Eigen::Vector3d target = limb.position(0);
+    EXPECT_EQ(solve(solver, limb, {&target, 1}).iterations, 0);
+    EXPECT_EQ(limb.angles(), before);
+  }
+}
+
+TEST(Solve, SaysWhenATargetIsOutOfReachAndComesNear) {
+  const Skeleton skeleton = leg();
+  for (const IkSolver solver : kSolvers) {
+    Limb limb = limb_at(skeleton, bent_frame());
+    const Eigen::Vector3d far = limb.position(0) + Eigen::Vector3d(0, -60, 0);
+    const double before = (limb.position(0) - far).norm();
+    const IkOutcome outcome = solve(solver, limb, {&far, 1});
+    EXPECT_FALSE(outcome.reached);
+    EXPECT_GT(outcome.miss_cm, kReachedCm);
+    EXPECT_LT((limb.position(0) - far).norm(), before);
+    EXPECT_TRUE(limb.angles().allFinite());
+  }
+}
+
+TEST(Solve, NearestPoseTurnsLessThanCyclicDescent) {
+  const Skeleton skeleton = leg();
+  double turned[2] = {};
+  for (std::size_t s = 0; s < 2; ++s) {
+    Limb limb = limb_at(skeleton, bent_frame());
+    const Eigen::VectorXd before = limb.angles();
+    const Eigen::Vector3d target = limb.position(0) + Eigen::Vector3d(2, 1, 3);
+    solve(kSolvers[s], limb, {&target, 1});
+    turned[s] = (limb.angles() - before).norm();
+  }
+  EXPECT_LT(turned[1], turned[0]);
+}
+
+TEST(Solve, NearestPoseChangesSmoothlyWithItsTargetEvenWithTheLegNearlyStraight) {
+  const Skeleton skeleton = leg();
+  for (const double knee : {0.5, 0.1, 0.03}) {
+    double last = knee;
+    for (int step = 0; step <= 200; ++step) {
+      Limb limb = limb_at(skeleton, bent_frame(knee));
+      // A target that wanders by half a centimetre up and down, 0.005 cm a step.
+      const Eigen::Vector3d target =
+          limb.position(0) + Eigen::Vector3d(0, 0.5 * std::sin(step * 0.01), 0);
+      solve(IkSolver::NearestPose, limb, {&target, 1});
+      EXPECT_LT(std::abs(limb.angles()(3) - last), 0.02) << "knee " << knee << " step " << step;
+      last = limb.angles()(3);
+    }
+  }
+}
+
+TEST(Solve, HoldsSeveralEffectorsOfOneLimbAtOnce) {
+  const Skeleton skeleton = leg();
+  for (const IkSolver solver : kSolvers) {
+    Limb limb(skeleton, {effector_at(skeleton, 4), effector_at(skeleton, 5)});
+    limb.set_frame(bent_frame());
+    // Where both would be after a small turn of every angle: reachable together.
+    Eigen::VectorXd angles = limb.angles();
+    const Eigen::VectorXd start = angles;
+    angles.array() += 0.03;
+    limb.set_angles(angles);
+    const Eigen::Vector3d targets[] = {limb.position(0), limb.position(1)};
+    limb.set_angles(start);
+    EXPECT_LT(solve(solver, limb, targets).miss_cm, 0.1) << name(solver);
+  }
+}
+
+}  // namespace
+}  // namespace mocapress
