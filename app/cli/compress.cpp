@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/motion_input.h"
+#include "app/cli/report.h"
+#include "core/base/file.h"
+#include "core/codec/container.h"
+#include "core/codec/encoder.h"
+
+namespace mocapress::cli {
+namespace {
+
+struct Compress {
+  std::string input;
+  MotionInput source;
+  std::string output;
+  EncodeOptions options;
+  bool json = false;
+
+  void run() const {
+    const Encoder encoder(source.read(input));
+    Encoding encoding = encoder.encode(options);
+    const std::vector<std::byte> file = write_container(encoding.compressed);
+    if (!output.empty()) write_bytes(output, file);
+    const Report report{.input = input,
+                        .original = &encoder.motion(),
+                        .compressed = &encoding.compressed,
+                        .file_bytes = file.size(),
+                        .distortion = std::move(encoding.distortion),
+                        .coefficient_ratio = encoding.coefficient_ratio,
+                        .iterations = encoding.iterations,
+                        .encode_seconds = encoding.seconds};
+    json ? print(to_json(report)) : print(report);
+  }
+};
+
+/// The words for the values of an enum, as name() gives them.
+template <typename Enum>
+std::map<std::string, Enum> words(std::initializer_list<Enum> values) {
+  std::map<std::string, Enum> words;
+  for (const Enum value : values) words.emplace(name(value), value);
+  return words;
+}
+
+}  // namespace
+
+void add_compress(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("compress", "Compress a clip and measure what it cost");
+  const auto call = std::make_shared<Compress>();
+  command->add_option("input", call->input, "A .bvh or .amc file")->required()->type_name("INPUT");
+  call->source.add_options(*command);
+  command->add_option("-o,--output", call->output, "Where to write; measures only without it")
+      ->type_name("OUT.mcpr");
+  command->add_option("--method", call->options.method, "How coefficients are chosen (annealed)")
+      ->transform(CLI::CheckedTransformer(
+          words({Method::PerChannel, Method::Standard, Method::Annealed}), CLI::ignore_case));
+  command->add_option("--coding", call->options.coding, "How they are coded (deflate)")
+      ->transform(
+          CLI::CheckedTransformer(words({Coding::Rle16, Coding::Deflate}), CLI::ignore_case));
+  command->add_option("--weighting", call->options.weighting, "Of eps_x (bone-ends)")
+      ->transform(CLI::CheckedTransformer(words({Weighting::BoneEnds, Weighting::JointOrigins}),
+                                          CLI::ignore_case));
+  CLI::Option_group* target = command->add_option_group("target", "One of (default: --ratio 25)");
+  target->require_option(0, 1);
+  const auto add = [&](const char* flag, Target::Kind kind, const char* unit, const char* help) {
+    target
+        ->add_option_function<double>(
+            flag,
+            [call, kind](const double& value) {
+              call->options.target = {kind, value};
+            },
+            help)
+        ->type_name(unit)
+        ->check(CLI::PositiveNumber);
+  };
+  add("--ratio", Target::Kind::Ratio, "R", "float32 bytes / motion bytes, met within 2 %");
+  add("--coefficient-ratio", Target::Kind::CoefficientRatio, "r", "The paper's r: all / kept");
+  add("--target-error", Target::Kind::Error, "CM", "eps_x not above this");
+  add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes not above this");
+  add("--max-error", Target::Kind::MaxError, "CM", "No point further off at any frame");
+  command->add_option("--seed", call->options.seed, "Of the annealing; same seed, same bytes");
+  command->add_flag("--json", call->json, "Print one JSON object");
+  command->callback([call] { call->run(); });
+}
+
+}  // namespace mocapress::cli

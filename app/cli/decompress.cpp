@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/cli/commands.h"
+#include "core/codec/container.h"
+#include "core/codec/decoder.h"
+#include "core/formats/motion_file.h"
+
+namespace mocapress::cli {
+
+void add_decompress(CLI::App& app) {
+  struct Decompress {
+    std::string input;
+    std::string output;
+    std::optional<std::string> skeleton_output;
+  };
+  CLI::App* command = app.add_subcommand("decompress", "Turn a .mcpr back into a motion file");
+  const auto call = std::make_shared<Decompress>();
+  command->add_option("input", call->input, "A .mcpr file")->required()->type_name("IN.mcpr");
+  command->add_option("-o,--output", call->output, "A .bvh, .amc or .csv file, by its extension")
+      ->required()
+      ->type_name("OUT");
+  command->add_option("--skeleton-out", call->skeleton_output, "The .asf that goes with an .amc")
+      ->type_name("S.asf");
+  command->callback([call] {
+    const CompressedClip compressed = load_mcpr(call->input);
+    write_motion(call->output, {compressed.skeleton, decode(compressed)}, call->skeleton_output);
+  });
+}
+
+}  // namespace mocapress::cli

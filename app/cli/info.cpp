@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/cli/motion_input.h"
+#include "app/cli/report.h"
+#include "core/codec/container.h"
+#include "core/metrics/rate.h"
+
+namespace mocapress::cli {
+namespace {
+
+bool is_mcpr(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".mcpr";
+}
+
+Json describe_motion(const std::string& path, const MotionFile& file) {
+  Json warnings = Json::array();
+  for (const Warning& warning : file.warnings) warnings.push_back(warning.text());
+  const Clip& clip = file.motion.clip;
+  return {{"input", path},
+          {"joints", file.motion.skeleton.joint_count()},
+          {"channels", clip.channels.cols()},
+          {"frames", clip.frames()},
+          {"sample_rate_hz", clip.sample_rate_hz},
+          {"seconds", clip.seconds()},
+          {"raw_bytes", raw_bytes(clip)},
+          {"warnings", warnings}};
+}
+
+Json describe_compressed(const std::string& path) {
+  const CompressedClip clip = load_mcpr(path);
+  const int channels = clip.skeleton.channel_count();
+  const double raw = 4.0 * clip.frames * channels;
+  return {{"input", path},
+          {"joints", clip.skeleton.joint_count()},
+          {"channels", channels},
+          {"frames", clip.frames},
+          {"sample_rate_hz", clip.sample_rate_hz},
+          {"seconds", clip.frames / clip.sample_rate_hz},
+          {"raw_bytes", raw},
+          {"motion_bytes", clip.motion.size()},
+          {"file_bytes", std::filesystem::file_size(path)},
+          {"ratio", raw / static_cast<double>(std::max<std::size_t>(clip.motion.size(), 1))},
+          {"method", name(clip.provenance.method)},
+          {"basis", name(clip.basis)},
+          {"coding", name(clip.coding)},
+          {"weighting", name(clip.provenance.weighting)},
+          {"seed", clip.provenance.seed},
+          {"eps_x_cm", clip.provenance.eps_cm},
+          {"max_error_cm", clip.provenance.max_error_cm}};
+}
+
+void print_lines(const Json& description) {
+  std::fprintf(stderr, "%s\n", description["input"].get<std::string>().c_str());
+  for (const auto& [key, value] : description.items()) {
+    if (key == "input" || key == "warnings") continue;
+    std::fprintf(stderr, "  %-16s %s\n", key.c_str(),
+                 value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
+  }
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  struct Info {
+    std::vector<std::string> files;
+    MotionInput source;
+    bool json = false;
+  };
+  CLI::App* command = app.add_subcommand("info", "Say what files hold");
+  const auto call = std::make_shared<Info>();
+  command->add_option("files", call->files, ".bvh, .amc or .mcpr files")
+      ->required()
+      ->type_name("FILE...");
+  call->source.add_options(*command);
+  command->add_flag("--json", call->json, "Print a JSON array, one object a file");
+  command->callback([call] {
+    Json all = Json::array();
+    for (const std::string& path : call->files) {
+      if (is_mcpr(path)) {
+        all.push_back(describe_compressed(path));
+      } else {
+        const MotionFile file = read_motion(path, call->source.skeleton, call->source.options);
+        print_warnings(file.warnings);
+        all.push_back(describe_motion(path, file));
+      }
+      if (!call->json) print_lines(all.back());
+    }
+    if (call->json) print(all);
+  });
+}
+
+}  // namespace mocapress::cli

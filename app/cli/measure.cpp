@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/motion_input.h"
+#include "app/cli/report.h"
+#include "core/codec/container.h"
+#include "core/codec/decoder.h"
+
+namespace mocapress::cli {
+namespace {
+
+struct Measure {
+  std::string original;
+  std::string compressed;
+  MotionInput source;
+  bool json = false;
+
+  void run() const {
+    const Motion motion = source.read(original);
+    const CompressedClip clip = load_mcpr(compressed);
+    const Clip decoded = decode(clip);
+    if (decoded.channels.rows() != motion.clip.channels.rows() ||
+        decoded.channels.cols() != motion.clip.channels.cols())
+      throw InputError(compressed, 0, 0,
+                       "is not a compression of " + original + ": it has " +
+                           std::to_string(decoded.frames()) + " frames of " +
+                           std::to_string(decoded.channels.cols()) + " channels, the original " +
+                           std::to_string(motion.clip.frames()) + " of " +
+                           std::to_string(motion.clip.channels.cols()));
+    const Report report{.input = original,
+                        .original = &motion,
+                        .compressed = &clip,
+                        .file_bytes = std::filesystem::file_size(compressed),
+                        .distortion = mocapress::measure(motion.skeleton, motion.clip, decoded)};
+    json ? print(to_json(report)) : print(report);
+  }
+};
+
+}  // namespace
+
+void add_measure(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("measure", "Compare a .mcpr with its original");
+  const auto call = std::make_shared<Measure>();
+  command->add_option("original", call->original, "A .bvh or .amc file")
+      ->required()
+      ->type_name("ORIGINAL");
+  command->add_option("compressed", call->compressed, "A .mcpr file")
+      ->required()
+      ->type_name("COMPRESSED");
+  call->source.add_options(*command);
+  command->add_flag("--json", call->json, "Print one JSON object");
+  command->callback([call] { call->run(); });
+}
+
+}  // namespace mocapress::cli

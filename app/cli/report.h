@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "core/codec/compressed_clip.h"
+#include "core/metrics/distortion.h"
+
+namespace mocapress::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// What `compress` and `measure` print: one compressed clip against its original.
+struct Report {
+  std::string input;
+  const Motion* original = nullptr;
+  const CompressedClip* compressed = nullptr;
+  std::size_t file_bytes = 0;
+  Distortion distortion;
+  std::optional<double> coefficient_ratio;  // unset: not known to this command
+  std::optional<int> iterations;
+  std::optional<double> encode_seconds;
+};
+
+/// Stable keys: scripts depend on them. Null where a value does not apply.
+Json to_json(const Report& report);
+
+/// The same for people, on standard error.
+void print(const Report& report);
+
+/// An optional as JSON: null when unset.
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+/// JSON goes to standard output, alone.
+void print(const Json& json);
+
+}  // namespace mocapress::cli
