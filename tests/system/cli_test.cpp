@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// What scripts depend on: the keys and types of the JSON, targets met, files that read again.
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "core/base/file.h"
+#include "core/codec/container.h"
+#include "core/codec/decoder.h"
+#include "core/formats/motion_file.h"
+#include "core/metrics/distortion.h"
+#include "tests/system/command.h"
+
+namespace mocapress::test {
+namespace {
+
+using nlohmann::json;
+
+class Cli : public CommandLine {
+ protected:
+  const std::string clip_ = write("walk.bvh", test_bvh());
+  const std::string packed_ = file("walk.mcpr");
+
+  json compress(std::vector<std::string> options) const {
+    options.insert(options.begin(), {"compress", clip_, "-o", packed_, "--json"});
+    return json_of(options);
+  }
+};
+
+std::set<std::string> keys_of(const json& object) {
+  std::set<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.insert(key);
+  return keys;
+}
+
+const std::set<std::string> kStringKeys = {"input", "method", "weighting", "coding"};
+const std::set<std::string> kIntegerKeys = {"frames",    "channels",     "joints",
+                                            "raw_bytes", "motion_bytes", "file_bytes"};
+const std::set<std::string> kNumberKeys = {
+    "sample_rate_hz",         "ratio",        "eps_x_cm",     "eps_x_bone_ends_cm",
+    "eps_x_joint_origins_cm", "max_error_cm", "p95_error_cm", "p99_error_cm",
+    "bits_per_joint_sample"};
+const std::set<std::string> kEncodingKeys = {"coefficient_ratio", "iterations", "encode_seconds"};
+const std::set<std::string> kNullKeys = {"ik_ratio", "ik_bytes", "footskate_cm"};
+
+/// Exactly the keys of a report, each of its type; those of the encoding are numbers or null.
+void expect_report(const json& report, bool encoded) {
+  std::set<std::string> all;
+  const auto expect_all = [&](const std::set<std::string>& keys, auto has_type) {
+    for (const std::string& key : keys)
+      EXPECT_TRUE(report.contains(key) && has_type(report[key])) << key << " in " << report;
+    all.insert(keys.begin(), keys.end());
+  };
+  expect_all(kStringKeys, [](const json& value) { return value.is_string(); });
+  expect_all(kIntegerKeys, [](const json& value) { return value.is_number_integer(); });
+  expect_all(kNumberKeys, [](const json& value) { return value.is_number(); });
+  expect_all(kEncodingKeys,
+             [&](const json& value) { return encoded ? value.is_number() : value.is_null(); });
+  expect_all(kNullKeys, [](const json& value) { return value.is_null(); });
+  EXPECT_EQ(keys_of(report), all);
+}
+
+TEST_F(Cli, CompressReportsExactlyTheDocumentedKeys) {
+  const json report = compress({});
+  expect_report(report, true);
+  EXPECT_EQ(report["input"], clip_);
+  EXPECT_EQ(report["method"], "annealed");
+  EXPECT_EQ(report["weighting"], "bone-ends");
+  EXPECT_EQ(report["coding"], "deflate");
+  EXPECT_EQ(report["frames"], 600);
+  EXPECT_EQ(report["channels"], 14);
+  EXPECT_EQ(report["joints"], 5);
+  EXPECT_EQ(report["raw_bytes"], 600 * 14 * 4);
+  EXPECT_EQ(report["file_bytes"], std::filesystem::file_size(packed_));
+  EXPECT_NEAR(report["ratio"].get<double>(),
+              report["raw_bytes"].get<double>() / report["motion_bytes"].get<double>(), 1e-9);
+  EXPECT_EQ(report["eps_x_cm"], report["eps_x_bone_ends_cm"]);
+}
+
+TEST_F(Cli, WithoutJsonEverythingForPeopleIsOnStandardError) {
+  for (const auto& arguments : {std::vector<std::string>{"compress", clip_, "-o", packed_},
+                                {"measure", clip_, packed_},
+                                {"info", clip_, packed_}}) {
+    const Outcome outcome = mocapress(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, testing::HasSubstr("walk.bvh"));
+  }
+}
+
+TEST_F(Cli, MeasureSaysWhatCompressSaid) {
+  for (const char* weighting : {"bone-ends", "joint-origins"}) {
+    const json made = compress({"--weighting", weighting});
+    const json measured = json_of({"measure", clip_, packed_, "--json"});
+    expect_report(measured, false);
+    for (const std::string& key : kNumberKeys)
+      EXPECT_NEAR(measured[key].get<double>(), made[key].get<double>(), 1e-6) << key;
+    for (const std::string& key : kIntegerKeys) EXPECT_EQ(measured[key], made[key]) << key;
+    EXPECT_EQ(measured["weighting"], weighting);
+    EXPECT_EQ(measured["method"], made["method"]);
+  }
+}
+
+TEST_F(Cli, SolvesTheRatioWithinTwoPercent) {
+  for (const char* method : {"per-channel", "standard", "annealed"})
+    for (const char* coding : {"rle16", "deflate"})
+      for (const double ratio : {8.0, 25.0}) {
+        const json report =
+            compress({"--method", method, "--coding", coding, "--ratio", std::to_string(ratio)});
+        EXPECT_NEAR(report["ratio"].get<double>() / ratio, 1, 0.02) << report;
+      }
+}
+
+TEST_F(Cli, KeepsEveryOtherTarget) {
+  EXPECT_LE(compress({"--target-error", "0.5"})["eps_x_cm"], 0.5);
+  EXPECT_LE(compress({"--max-error", "1.5"})["max_error_cm"], 1.5);
+  EXPECT_LE(compress({"--target-size", "1500"})["motion_bytes"], 1500);
+  EXPECT_NEAR(compress({"--coefficient-ratio", "12"})["coefficient_ratio"], 12, 0.1);
+}
+
+TEST_F(Cli, TargetsAreNotMetByWaste) {
+  EXPECT_GE(compress({"--target-error", "0.5"})["eps_x_cm"], 0.4);
+  EXPECT_GE(compress({"--target-size", "1500"})["motion_bytes"], 1400);
+}
+
+TEST_F(Cli, SameSeedSameBytes) {
+  compress({"--seed", "7"});
+  const auto first = read_bytes(packed_);
+  compress({"--seed", "7"});
+  EXPECT_EQ(read_bytes(packed_), first);
+  compress({"--seed", "8"});
+  EXPECT_NE(read_bytes(packed_), first);
+}
+
+TEST_F(Cli, OneThreadMakesTheSameBytes) {
+  if (run_program({"taskset", "-c", "0", "true"}).exit_code != 0)
+    GTEST_SKIP() << "taskset is not there to hold the program on one processor";
+  compress({"--seed", "7"});
+  const auto on_all = read_bytes(packed_);
+  const Outcome outcome = run_program({"taskset", "-c", "0", MOCAPRESS_EXECUTABLE, "compress",
+                                       clip_, "-o", packed_, "--seed", "7"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(read_bytes(packed_), on_all);
+}
+
+TEST_F(Cli, DecompressedFilesReadAgainAsTheDecodedMotion) {
+  compress({});
+  const CompressedClip packed = load_mcpr(packed_);
+  const Clip decoded = decode(packed);
+  const Eigen::MatrixXd tracks = landmark_tracks(packed.skeleton, decoded);
+  const std::string skeleton = file("bones.asf");
+  for (const std::string& output : {file("back.bvh").string(), file("back.amc").string()}) {
+    const Outcome outcome =
+        mocapress({"decompress", packed_, "-o", output, "--skeleton-out", skeleton});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Motion again = read_motion(output, skeleton).motion;
+    ASSERT_EQ(again.clip.frames(), decoded.frames()) << output;
+    EXPECT_NEAR(again.clip.sample_rate_hz, packed.sample_rate_hz, 1e-3) << output;
+    // Formats may add joints: every point must be where one of the file's is.
+    const Eigen::MatrixXd tracks_again = landmark_tracks(again.skeleton, again.clip);
+    for (Eigen::Index p = 0; p + 2 < tracks.cols(); p += 3) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (Eigen::Index q = 0; q + 2 < tracks_again.cols(); q += 3)
+        nearest = std::min(
+            nearest,
+            (tracks.middleCols<3>(p) - tracks_again.middleCols<3>(q)).rowwise().norm().maxCoeff());
+      EXPECT_LT(nearest, 1e-4) << output << ", landmark " << p / 3;  // cm
+    }
+  }
+}
+
+TEST_F(Cli, DecompressedCsvHasALineForEachFrame) {
+  compress({});
+  const std::string output = file("back.csv");
+  ASSERT_EQ(mocapress({"decompress", packed_, "-o", output}).exit_code, 0);
+  const std::string text = read_text(output);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 600);
+  EXPECT_EQ(std::count(text.begin(), text.end(), ','), (1 + 600) * 14);
+}
+
+TEST_F(Cli, InfoDescribesEveryKindOfFile) {
+  compress({});
+  ASSERT_EQ(mocapress({"decompress", packed_, "-o", file("back.amc")}).exit_code, 0);
+  const json all = json_of({"info", clip_, packed_, file("back.amc"), "--json"});
+  ASSERT_EQ(all.size(), 3u);
+  for (const json& one : all) {
+    EXPECT_EQ(one["frames"], 600) << one;
+    EXPECT_NEAR(one["sample_rate_hz"].get<double>(), 120, 1e-3) << one;
+  }
+  EXPECT_EQ(all[1]["method"], "annealed");
+  EXPECT_EQ(all[1]["file_bytes"], std::filesystem::file_size(packed_));
+  EXPECT_TRUE(all[0]["warnings"].is_array());
+}
+
+TEST_F(Cli, BenchReportsExactlyTheDocumentedKeys) {
+  const json figures = json_of({"bench", clip_, "--json"});
+  const std::set<std::string> measured = {
+      "decode_us_per_frame", "copy_us_per_frame",         "annealed_seconds",
+      "annealed_iterations", "annealed_us_per_iteration", "reference_us_per_iteration"};
+  std::set<std::string> keys = {"frames",
+                                "channels",
+                                "window_us_per_frame",
+                                "pose_us",
+                                "ik_us_per_frame",
+                                "closed_loop_seconds",
+                                "closed_loop_frames_per_second"};
+  for (const std::string& key : measured)
+    EXPECT_TRUE(figures.contains(key) && figures[key].is_number() && figures[key] > 0) << key;
+  keys.insert(measured.begin(), measured.end());
+  EXPECT_EQ(keys_of(figures), keys);
+}
+
+TEST_F(Cli, SamplesCompress) {
+  const std::filesystem::path samples =
+      std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples";
+  int clips = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(samples)) {
+    const std::string extension = entry.path().extension();
+    if (extension != ".amc" && extension != ".bvh") continue;
+    ++clips;
+    const json report = json_of({"compress", entry.path(), "--method", "standard", "--json"});
+    EXPECT_NEAR(report["ratio"].get<double>() / 25, 1, 0.02) << entry.path();
+  }
+  EXPECT_GE(clips, 3);
+}
+
+TEST_F(Cli, HelpAndVersionSucceed) {
+  EXPECT_EQ(mocapress({"--help"}).exit_code, 0);
+  EXPECT_EQ(mocapress({"--version"}).exit_code, 0);
+  for (const char* command : {"info", "compress", "decompress", "measure", "bench"})
+    EXPECT_EQ(mocapress({command, "--help"}).exit_code, 0) << command;
+}
+
+}  // namespace
+}  // namespace mocapress::test

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace mocapress::test {
+
+/// What a finished process left behind.
+struct Outcome {
+  int exit_code = -1;  // -1: ended by a signal
+  std::string out;     // standard output
+  std::string err;
+};
+
+/// Runs a program found like the shell does, words as they are.
+Outcome run_program(const std::vector<std::string>& words);
+
+/// Tests of the `mocapress` executable, each in a folder of its own that is removed at the end.
+class CommandLine : public testing::Test {
+ protected:
+  CommandLine();
+  ~CommandLine() override;
+
+  std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+
+  /// Writes `text` to a file of the folder and returns its path.
+  std::string write(const std::string& name, const std::string& text) const;
+
+  static Outcome mocapress(const std::vector<std::string>& arguments);
+
+  /// The same, expecting success and nothing but one JSON value on standard output.
+  static nlohmann::json json_of(const std::vector<std::string>& arguments);
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// A figure of five joints with 14 channels moving for five seconds at
+/// 120 Hz, as text.
+std::string test_bvh();
+
+}  // namespace mocapress::test

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Which room may include which, and what every source file must and must not say.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/base/file.h"
+
+namespace mocapress::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RoomRules {
+  std::set<std::string> may_include;  // rooms besides its own; "core" stands for all of core
+  bool may_use_qt = false;
+};
+
+const std::map<std::string, RoomRules> kRooms = {
+    {"core/base", {{}}},
+    {"core/motion", {{"core/base"}}},
+    {"core/formats", {{"core/base", "core/motion"}}},
+    {"core/wavelet", {{"core/base"}}},
+    {"core/metrics", {{"core/base", "core/motion"}}},
+    {"core/select", {{"core/base", "core/motion", "core/wavelet", "core/metrics"}}},
+    {"core/codec", {{"core/base", "core/motion", "core/wavelet", "core/select", "core/metrics"}}},
+    {"core/contact", {{"core/base", "core/motion"}}},
+    {"core/ik", {{"core/base", "core/motion"}}},
+    {"resources", {{"core"}}},
+    {"widgets", {{"core"}, true}},
+    {"app/cli", {{"core"}}},
+    {"app/jobs", {{"core"}, true}},
+    {"app/studio", {{"core", "widgets", "app/jobs"}, true}},
+    {"app", {{"core", "widgets", "app/jobs", "app/studio", "translations"}, true}},
+    {"translations", {{}, true}},
+};
+
+/// The room a file is in: two folders deep in core and app, one elsewhere.
+std::string room_of(const std::string& path) {
+  const std::string top = path.substr(0, path.find('/'));
+  const std::size_t second = path.find('/', top.size() + 1);
+  const bool has_rooms = top == "core" || top == "app";
+  return has_rooms && second != std::string::npos ? path.substr(0, second) : top;
+}
+
+bool is_qt(const std::string& header) {
+  static const std::regex kQt("Q.*|qt.*|q[a-z]+\\.h");
+  return std::regex_match(header, kQt);
+}
+
+/// What is wrong with including `header` in `room`; empty: nothing.
+std::string complaint(const std::string& room, const std::string& header, bool quoted) {
+  const RoomRules& rules = kRooms.at(room);
+  if (is_qt(header)) return rules.may_use_qt ? "" : room + " uses Qt: " + header;
+  if (!quoted) return "";
+  const std::string included = room_of(header);
+  const bool core = included.starts_with("core/") && rules.may_include.contains("core");
+  if (included == room || core || rules.may_include.contains(included)) return "";
+  return room + " may not include " + header;
+}
+
+std::string licence_of(const std::string& path) {
+  for (const char* folder : {"widgets/", "app/", "translations/", "tests/qt/"})
+    if (path.starts_with(folder)) return "GPL-3.0-or-later";
+  return "MIT";
+}
+
+/// Everything wrong with one source file, one sentence each. `path` is relative to the root.
+std::vector<std::string> findings(const std::string& path, const std::string& text) {
+  static const std::regex kInclude(R"(\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
+  static const std::regex kMachinePath(R"((^|[^\w./])/(home|work|root|Users)/\w.*)");
+  std::vector<std::string> found;
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  if (!line.ends_with(" SPDX-License-Identifier: " + licence_of(path)))
+    found.push_back(path + ":1: does not begin with the SPDX line of " + licence_of(path));
+  // Tests may include anything.
+  const bool in_room = !path.starts_with("tests/") && !path.ends_with("CMakeLists.txt");
+  const bool known = kRooms.contains(room_of(path));
+  if (in_room && !known)
+    found.push_back(path + ": the room " + room_of(path) + " is not in the table of this test");
+  for (int number = 2; std::getline(lines, line); ++number) {
+    const auto report = [&](const std::string& sentence) {
+      if (!sentence.empty()) found.push_back(path + ":" + std::to_string(number) + ": " + sentence);
+    };
+    std::smatch match;
+    if (in_room && known && std::regex_match(line, match, kInclude))
+      report(complaint(room_of(path), match[2], match[1] == "\""));
+    if (std::regex_search(line, kMachinePath)) report("names a path of one machine");
+  }
+  return found;
+}
+
+std::vector<fs::path> sources_below(const fs::path& folder) {
+  std::vector<fs::path> sources;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const fs::path& path = entry.path();
+    if (path.extension() == ".h" || path.extension() == ".cpp" ||
+        path.filename() == "CMakeLists.txt")
+      sources.push_back(path);
+  }
+  return sources;
+}
+
+TEST(Layering, EverySourceKeepsToItsRoom) {
+  const fs::path root = MOCAPRESS_SOURCE_DIR;
+  int files = 0;
+  for (const char* top : {"core", "widgets", "app", "resources/samples", "translations", "tests"})
+    for (const fs::path& source : sources_below(root / top)) {
+      const std::string path = fs::relative(source, root).generic_string();
+      EXPECT_THAT(findings(path, read_text(source)), testing::IsEmpty());
+      ++files;
+    }
+  EXPECT_GT(files, 100) << "the walk over the sources missed some";
+}
+
+std::vector<std::string> findings_in_body(const std::string& path, const std::string& body) {
+  return findings(path, "// SPDX-License-Identifier: " + licence_of(path) + "\n" + body + "\n");
+}
+
+TEST(LayeringChecker, FindsQtInCore) {
+  for (const char* header : {"<QString>", "<QtGlobal>", "<Qt3DCore/QEntity>", "\"QString\"",
+                             "<qcustomplot.h>", "<qtgui/qtguiglobal.h>"})
+    EXPECT_EQ(findings_in_body("core/motion/clip.h", std::string("#include ") + header).size(), 1u)
+        << header;
+  EXPECT_THAT(findings_in_body("core/motion/clip.h", "int a;\n  #  include <QString>"),
+              testing::ElementsAre("core/motion/clip.h:3: core/motion uses Qt: QString"));
+}
+
+TEST(LayeringChecker, FindsQtInTheCommandLine) {
+  EXPECT_EQ(findings_in_body("app/cli/main.cpp", "#include <QString>").size(), 1u);
+}
+
+TEST(LayeringChecker, FindsWhatPointsUpwards) {
+  const std::pair<const char*, const char*> upward[] = {
+      {"core/motion/clip.cpp", "widgets/plots/error_graph.h"},
+      {"core/motion/clip.cpp", "app/jobs/clips.h"},
+      {"core/base/error.cpp", "core/motion/clip.h"},
+      {"core/wavelet/lifting.cpp", "core/select/ranking.h"},
+      {"widgets/plots/error_graph.cpp", "app/studio/document.h"},
+      {"app/jobs/compressor.cpp", "widgets/plots/error_graph.h"},
+      {"app/cli/main.cpp", "app/jobs/compressor.h"},
+  };
+  for (const auto& [path, header] : upward)
+    EXPECT_EQ(findings_in_body(path, "#include \"" + std::string(header) + "\"").size(), 1u)
+        << path << " including " << header;
+}
+
+TEST(LayeringChecker, FindsAnIncludeThatIsNotByItsPathFromTheRoot) {
+  EXPECT_EQ(findings_in_body("core/motion/clip.cpp", "#include \"skeleton.h\"").size(), 1u);
+}
+
+TEST(LayeringChecker, FindsARoomThatTheTableDoesNotKnow) {
+  EXPECT_EQ(findings_in_body("core/new/thing.h", "#include <vector>").size(), 1u);
+}
+
+TEST(LayeringChecker, FindsTheWrongLicenceOrNone) {
+  EXPECT_EQ(findings("core/base/error.h", "#pragma once\n").size(), 1u);
+  EXPECT_EQ(findings("core/base/error.h", "").size(), 1u);
+  EXPECT_EQ(findings("core/base/error.h", "// SPDX-License-Identifier: GPL-3.0-or-later\n").size(),
+            1u);
+  EXPECT_EQ(findings("widgets/CMakeLists.txt", "# SPDX-License-Identifier: MIT\n").size(), 1u);
+}
+
+TEST(LayeringChecker, FindsAPathOfOneMachine) {
+  // In two parts, for this file is checked too.
+  EXPECT_EQ(findings_in_body("core/base/file.cpp",
+                             "open(\"/home"
+                             "/ann/walk.bvh\");")
+                .size(),
+            1u);
+  EXPECT_EQ(findings_in_body("tests/unit/a_test.cpp",
+                             "// see /work"
+                             "/notes")
+                .size(),
+            1u);
+}
+
+TEST(LayeringChecker, PassesWhatTheRoomsMayDo) {
+  EXPECT_THAT(findings_in_body("core/codec/encoder.cpp",
+                               "#include <Eigen/Core>\n#include \"core/codec/goal.h\"\n"
+                               "#include \"core/select/ranking.h\"\n#include <tbb/parallel_for.h>\n"
+                               "// at home/work/root"),
+              testing::IsEmpty());
+  EXPECT_THAT(findings_in_body("widgets/plots/error_graph.cpp",
+                               "#include <qcustomplot.h>\n#include \"core/motion/clip.h\"\n"
+                               "#include \"widgets/plots/plot_style.h\""),
+              testing::IsEmpty());
+  EXPECT_THAT(findings_in_body("app/main.cpp", "#include \"app/studio/document.h\""),
+              testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace mocapress::test
