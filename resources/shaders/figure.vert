@@ -1,0 +1,37 @@
+#version 150 core
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// One capsule of a figure: the unit mesh laid between two balls given by the instance.
+in vec3 vertexPosition;  // on the unit ball; y along the capsule
+in float along;          // 0: on the start's ball, 1: on the end's
+in vec4 start;           // xyz in the world, radius (cm)
+in vec4 end;
+in float highlight;
+
+uniform mat4 viewMatrix;
+uniform mat4 viewProjectionMatrix;
+uniform float thickness;
+
+out vec3 positionInView;
+out vec3 normalInView;
+out float highlighted;
+
+// The depth pass and the shading pass of the ghost must agree to the last bit.
+invariant gl_Position;
+
+void main() {
+  vec3 span = end.xyz - start.xyz;
+  float size = length(span);
+  vec3 axis = size > 0.0 ? span / size : vec3(0.0, 1.0, 0.0);
+  vec3 side = normalize(abs(axis.y) < 0.9 ? cross(axis, vec3(0.0, 1.0, 0.0))
+                                          : cross(axis, vec3(1.0, 0.0, 0.0)));
+  vec3 outwards = mat3(side, axis, cross(side, axis)) * vertexPosition;
+  vec4 ball = mix(start, end, along);
+  vec4 position = vec4(ball.xyz + thickness * ball.w * outwards, 1.0);
+
+  float taper = size > 0.0 ? thickness * (start.w - end.w) / size : 0.0;
+  positionInView = vec3(viewMatrix * position);
+  normalInView = mat3(viewMatrix) * normalize(outwards + taper * axis);
+  highlighted = highlight;
+  gl_Position = viewProjectionMatrix * position;
+}

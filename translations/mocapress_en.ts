@@ -1,0 +1,24 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en_US" sourcelanguage="en">
+<context>
+    <name>mocapress::Figures</name>
+    <message numerus="yes">
+        <source>Annealed, %Ln iteration(s), %L1 s</source>
+        <translation>
+            <numerusform>Annealed, %Ln iteration, %L1 s</numerusform>
+            <numerusform>Annealed, %Ln iterations, %L1 s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::WarningsPanel</name>
+    <message numerus="yes">
+        <source>%n note(s) on reading this clip</source>
+        <translation>
+            <numerusform>%n note on reading this clip</numerusform>
+            <numerusform>%n notes on reading this clip</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

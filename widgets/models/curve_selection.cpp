@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/curve_selection.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mocapress {
+namespace {
+
+// Okabe and Ito's colours, told apart by all kinds of colour vision; those that hold on white and
+// on black.
+constexpr std::array<QRgb, 7> kColours = {0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7,
+                                          0xffe69f00, 0xff56b4e9, 0xff999999};
+
+}  // namespace
+
+bool CurveSelection::contains(const QString& name) const {
+  return colour(name).isValid();
+}
+
+void CurveSelection::add(const QString& name) {
+  if (name.isEmpty() || contains(name)) return;
+  const auto free = std::find(slots_.begin(), slots_.end(), QString());
+  if (free == slots_.end())
+    slots_.push_back(name);
+  else
+    *free = name;
+}
+
+void CurveSelection::remove(const QString& name) {
+  std::replace(slots_.begin(), slots_.end(), name, QString());
+}
+
+QColor CurveSelection::colour(const QString& name) const {
+  const auto slot = std::find(slots_.begin(), slots_.end(), name);
+  if (name.isEmpty() || slot == slots_.end()) return {};
+  return QColor(kColours[static_cast<std::size_t>(slot - slots_.begin()) % kColours.size()]);
+}
+
+QStringList CurveSelection::names() const {
+  QStringList names;
+  for (const QString& slot : slots_)
+    if (!slot.isEmpty()) names << slot;
+  return names;
+}
+
+}  // namespace mocapress

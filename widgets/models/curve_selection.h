@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+namespace mocapress {
+
+/// The landmarks whose error is drawn, by name, so that a choice outlives the clip it was made on.
+/// Each keeps its colour while others come and go.
+class CurveSelection {
+ public:
+  bool contains(const QString& name) const;
+  void add(const QString& name);
+  void remove(const QString& name);
+
+  /// Invalid where `name` is not selected.
+  QColor colour(const QString& name) const;
+
+  QStringList names() const;
+
+  bool operator==(const CurveSelection&) const = default;
+
+ private:
+  std::vector<QString> slots_;  // index = colour; empty: free
+};
+
+}  // namespace mocapress

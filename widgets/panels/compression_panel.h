@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "core/codec/encoder.h"
+
+class QComboBox;
+
+namespace mocapress {
+
+class TargetControl;
+
+/// The settings of the compression. Shows what it is told, and tells what the user chose.
+class CompressionPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CompressionPanel(QWidget* parent = nullptr);
+
+  /// Emits nothing.
+  void setOptions(const EncodeOptions& options);
+
+  TargetControl* target() const { return target_; }
+
+ signals:
+  void optionsChanged(const EncodeOptions& options);
+
+ private:
+  EncodeOptions options_;
+  TargetControl* target_;
+  QComboBox* method_;
+  QComboBox* weighting_;
+  QComboBox* coding_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/joints_panel.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QSignalBlocker>
+#include <QSortFilterProxyModel>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include "widgets/models/joint_error_model.h"
+
+namespace mocapress {
+namespace {
+
+/// Keeps Space for its check boxes, where the window would play and pause.
+class CheckList : public QTreeView {
+ public:
+  using QTreeView::QTreeView;
+
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
+      event->accept();
+      return true;
+    }
+    return QTreeView::event(event);
+  }
+};
+
+}  // namespace
+
+JointsPanel::JointsPanel(JointErrorModel* model, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      sorted_(new QSortFilterProxyModel(this)),
+      view_(new CheckList(this)) {
+  sorted_->setSourceModel(model);
+  sorted_->setSortRole(JointErrorModel::kSortRole);
+  view_->setModel(sorted_);
+  view_->setAccessibleName(tr("Joints"));
+  view_->setRootIsDecorated(false);
+  view_->setUniformRowHeights(true);
+  view_->setAlternatingRowColors(true);
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->setIconSize({10, 10});
+  view_->setSortingEnabled(true);
+  view_->sortByColumn(JointErrorModel::Name, Qt::AscendingOrder);
+  view_->header()->setStretchLastSection(false);
+  view_->header()->setSectionResizeMode(JointErrorModel::Name, QHeaderView::Stretch);
+  view_->header()->setSectionResizeMode(JointErrorModel::Mean, QHeaderView::ResizeToContents);
+  view_->header()->setSectionResizeMode(JointErrorModel::Max, QHeaderView::ResizeToContents);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(view_);
+
+  connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& current) {
+            const QModelIndex source = sorted_->mapToSource(current);
+            emit currentJointChanged(source.isValid() ? model_->jointOf(source.row()) : -1);
+          });
+}
+
+void JointsPanel::setCurrentJoint(int joint) {
+  const QModelIndex current = sorted_->mapToSource(view_->currentIndex());
+  if (current.isValid() && model_->jointOf(current.row()) == joint) return;
+  const QSignalBlocker blocker(view_->selectionModel());
+  // Landmark j is joint j.
+  const QModelIndex row = sorted_->mapFromSource(model_->index(joint, JointErrorModel::Name));
+  view_->setCurrentIndex(row);
+  view_->scrollTo(row);
+  view_->viewport()->update();
+}
+
+}  // namespace mocapress

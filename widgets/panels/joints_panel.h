@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QSortFilterProxyModel;
+class QTreeView;
+
+namespace mocapress {
+
+class JointErrorModel;
+
+/// The sortable list of joints with their errors. Checked ones are drawn as curves; the current one
+/// is highlighted in the 3D view.
+class JointsPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit JointsPanel(JointErrorModel* model, QWidget* parent = nullptr);
+
+  /// The row of that joint's origin becomes current. Emits nothing.
+  void setCurrentJoint(int joint);
+
+ signals:
+  void currentJointChanged(int joint);
+
+ private:
+  JointErrorModel* model_;
+  QSortFilterProxyModel* sorted_;
+  QTreeView* view_;
+};
+
+}  // namespace mocapress

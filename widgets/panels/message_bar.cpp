@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/message_bar.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QToolButton>
+#include <chrono>
+
+namespace mocapress {
+namespace {
+
+constexpr auto kNoteStays = std::chrono::seconds(8);
+constexpr QRgb kErrorColour = 0xffd55e00;
+constexpr QRgb kNoteColour = 0xff0072b2;
+
+}  // namespace
+
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent), text_(new QLabel(this)), remedy_(new QToolButton(this)) {
+  setAccessibleName(tr("Message"));
+  setAutoFillBackground(true);
+  text_->setWordWrap(true);
+  text_->setTextFormat(Qt::PlainText);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* close = new QToolButton(this);
+  close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
+  close->setAutoRaise(true);
+  close->setAccessibleName(tr("Close message"));
+  close->setToolTip(tr("Close"));
+
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 6, 6, 6);
+  row->addWidget(text_, 1);
+  row->addWidget(remedy_);
+  row->addWidget(close, 0, Qt::AlignTop);
+
+  leave_.setSingleShot(true);
+  leave_.setInterval(kNoteStays);
+  connect(&leave_, &QTimer::timeout, this, &QWidget::hide);
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  connect(remedy_, &QToolButton::triggered, this, &QWidget::hide);
+  hide();
+}
+
+void MessageBar::showNote(const QString& text) {
+  showText(text, false, nullptr);
+  leave_.start();
+}
+
+void MessageBar::showError(const QString& text, QAction* remedy) {
+  showText(text, true, remedy);
+}
+
+QString MessageBar::text() const {
+  return text_->text();
+}
+
+void MessageBar::showText(const QString& text, bool error, QAction* remedy) {
+  leave_.stop();
+  error_ = error;
+  text_->setText(text);
+  remedy_->setDefaultAction(remedy);
+  remedy_->setVisible(remedy != nullptr);
+  applyColours();
+  show();
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  // Of the application: applyColours() changes this widget's own palette.
+  if (event->type() == QEvent::ApplicationPaletteChange) applyColours();
+}
+
+void MessageBar::applyColours() {
+  const QPalette outer = parentWidget() ? parentWidget()->palette() : QPalette();
+  const QColor colour(error_ ? kErrorColour : kNoteColour);
+  const QColor base = outer.color(QPalette::Window);
+  constexpr float kTint = 0.22F;
+  const auto mix = [](float a, float b) { return a + kTint * (b - a); };
+  QPalette own = outer;
+  own.setColor(QPalette::Window, QColor::fromRgbF(mix(base.redF(), colour.redF()),
+                                                  mix(base.greenF(), colour.greenF()),
+                                                  mix(base.blueF(), colour.blueF())));
+  setPalette(own);
+}
+
+}  // namespace mocapress

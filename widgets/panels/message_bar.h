@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QTimer>
+
+class QAction;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace mocapress {
+
+/// One message in the window, in nobody's way: errors stay until closed or replaced, notes leave by
+/// themselves.
+class MessageBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit MessageBar(QWidget* parent = nullptr);
+
+  void showNote(const QString& text);
+
+  /// With a button for `remedy` where there is one; the bar keeps no ownership.
+  void showError(const QString& text, QAction* remedy = nullptr);
+
+  QString text() const;
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void showText(const QString& text, bool error, QAction* remedy);
+  void applyColours();
+
+  bool error_ = false;
+  QLabel* text_;
+  QToolButton* remedy_;
+  QTimer leave_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "core/codec/compressed_clip.h"
+
+namespace mocapress {
+
+/// What people read for the values of the file format.
+QString displayName(Method method);
+QString displayName(Coding coding);
+QString displayName(Weighting weighting);
+
+}  // namespace mocapress

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/result_panel.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+
+#include "widgets/panels/names.h"
+
+namespace mocapress {
+namespace {
+
+const QString kUnknown = QStringLiteral("–");
+constexpr double kHeadlineScale = 1.9;
+
+QString centimetres(const std::optional<double>& cm) {
+  return cm ? ResultPanel::tr("%L1 cm").arg(*cm, 0, 'f', 2) : kUnknown;
+}
+
+QString bytes(std::size_t count) {
+  return QLocale().formattedDataSize(static_cast<qint64>(count), 1, QLocale::DataSizeSIFormat);
+}
+
+}  // namespace
+
+ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(12);
+  grid_->setVerticalSpacing(3);
+  grid_->setColumnStretch(0, 1);
+  grid_->setColumnStretch(1, 1);
+  ratio_ = addHeadline(tr("compression ratio"),
+                       tr("Bytes of the channels as an array of 32-bit floats over the compressed "
+                          "motion bytes; the skeleton is left out of both, as in the paper."),
+                       0);
+  eps_ = addHeadline(tr("eps_x"),
+                     tr("Root mean square distance between original and compressed, weighted by "
+                        "bone length."),
+                     1);
+  eps_name_ = qobject_cast<QLabel*>(grid_->itemAtPosition(1, 1)->widget());
+  state_ = new QLabel(this);
+  state_->setForegroundRole(QPalette::PlaceholderText);
+  state_->setAccessibleName(tr("State of the answer"));
+  grid_->addWidget(state_, 2, 0, 1, 2);
+  grid_->setRowMinimumHeight(3, 4);
+
+  p95_ = addRow(tr("95 % of points within"),
+                tr("95th percentile of the distance over all joints and frames, unweighted."));
+  p99_ = addRow(tr("99 % of points within"),
+                tr("99th percentile of the distance over all joints and frames, unweighted."));
+  max_ = addRow(tr("Worst point"), tr("Greatest distance of any joint at any frame."));
+  bytes_ = addRow(tr("Motion / file"),
+                  tr("Compressed motion bytes, and bytes of the whole file with its skeleton."));
+  coefficient_ratio_ =
+      addRow(tr("Coefficient ratio"),
+             tr("The paper's r: all wavelet coefficients over those that are kept."));
+  bits_ = addRow(tr("Bits per joint-sample"),
+                 tr("Motion bits for one joint at one frame: does not depend on a baseline."));
+  setFigures({});
+}
+
+QLabel* ResultPanel::addHeadline(const QString& name, const QString& explanation, int column) {
+  auto* value = new QLabel(this);
+  QFont font = value->font();
+  font.setPointSizeF(kHeadlineScale * font.pointSizeF());
+  font.setWeight(QFont::DemiBold);
+  value->setFont(font);
+  value->setToolTip(explanation);
+  value->setAccessibleName(name);
+  auto* caption = new QLabel(name, this);
+  caption->setToolTip(explanation);
+  caption->setBuddy(value);
+  grid_->addWidget(value, 0, column);
+  grid_->addWidget(caption, 1, column);
+  return value;
+}
+
+QLabel* ResultPanel::addRow(const QString& name, const QString& explanation) {
+  const int row = grid_->rowCount();
+  auto* caption = new QLabel(name, this);
+  caption->setToolTip(explanation);
+  auto* value = new QLabel(this);
+  value->setToolTip(explanation);
+  value->setAccessibleName(name);
+  value->setAlignment(Qt::AlignRight);
+  value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  grid_->addWidget(caption, row, 0);
+  grid_->addWidget(value, row, 1);
+  return value;
+}
+
+void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
+  setEnabled(figures.has_value());
+  if (!figures) {
+    eps_name_->setText(tr("eps_x"));
+    for (QLabel* label : {ratio_, eps_, bytes_, p95_, p99_, max_, coefficient_ratio_, bits_})
+      label->setText(kUnknown);
+    return;
+  }
+  ratio_->setText(tr("%L1 : 1").arg(figures->ratio, 0, 'f', 1));
+  eps_->setText(centimetres(figures->eps_cm));
+  eps_name_->setText(tr("eps_x, %1").arg(displayName(figures->weighting).toLower()));
+  bytes_->setText(
+      tr("%1 / %2", "bytes").arg(bytes(figures->motion_bytes), bytes(figures->file_bytes)));
+  p95_->setText(centimetres(figures->p95_cm));
+  p99_->setText(centimetres(figures->p99_cm));
+  max_->setText(centimetres(figures->max_cm));
+  coefficient_ratio_->setText(figures->coefficient_ratio
+                                  ? tr("%L1 : 1").arg(*figures->coefficient_ratio, 0, 'f', 1)
+                                  : kUnknown);
+  bits_->setText(QLocale().toString(figures->bits_per_joint_sample, 'f', 2));
+}
+
+void ResultPanel::setState(const QString& state) {
+  state_->setText(state);
+}
+
+}  // namespace mocapress

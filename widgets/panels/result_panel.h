@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <cstddef>
+#include <optional>
+
+#include "core/motion/landmarks.h"
+
+class QGridLayout;
+class QLabel;
+
+namespace mocapress {
+
+/// The figures of one compressed clip. Unset: not known.
+struct ResultFigures {
+  double ratio = 0;
+  std::size_t motion_bytes = 0;
+  std::size_t file_bytes = 0;
+  Weighting weighting = Weighting::BoneEnds;  // of eps_cm
+  double eps_cm = 0;
+  std::optional<double> p95_cm;
+  std::optional<double> p99_cm;
+  double max_cm = 0;
+  std::optional<double> coefficient_ratio;
+  double bits_per_joint_sample = 0;
+};
+
+/// Size and error of the compressed clip, always in sight.
+class ResultPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ResultPanel(QWidget* parent = nullptr);
+
+  /// Unset: dashes.
+  void setFigures(const std::optional<ResultFigures>& figures);
+
+  /// How the figures came about, in a few words.
+  void setState(const QString& state);
+
+ private:
+  QLabel* addHeadline(const QString& name, const QString& explanation, int column);
+  QLabel* addRow(const QString& name, const QString& explanation);
+
+  QGridLayout* grid_;
+  QLabel* ratio_;
+  QLabel* eps_;
+  QLabel* eps_name_;
+  QLabel* state_;
+  QLabel* bytes_;
+  QLabel* p95_;
+  QLabel* p99_;
+  QLabel* max_;
+  QLabel* coefficient_ratio_;
+  QLabel* bits_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/warnings_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace mocapress {
+namespace {
+
+constexpr int kListHeight = 110;
+
+}  // namespace
+
+WarningsPanel::WarningsPanel(QWidget* parent)
+    : QFrame(parent),
+      title_(new QLabel(this)),
+      unfold_(new QToolButton(this)),
+      list_(new QPlainTextEdit(this)) {
+  setAccessibleName(tr("Notes on reading"));
+  title_->setTextFormat(Qt::PlainText);
+  unfold_->setCheckable(true);
+  unfold_->setAutoRaise(true);
+  unfold_->setArrowType(Qt::RightArrow);
+  unfold_->setAccessibleName(tr("Show notes"));
+  unfold_->setToolTip(tr("Show what was repaired or guessed while reading"));
+  auto* dismiss = new QToolButton(this);
+  dismiss->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
+  dismiss->setAutoRaise(true);
+  dismiss->setAccessibleName(tr("Dismiss notes"));
+  dismiss->setToolTip(tr("Dismiss"));
+  list_->setReadOnly(true);
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setFixedHeight(kListHeight);
+  list_->setAccessibleName(tr("Notes"));
+
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(6, 2, 6, 2);
+  row->addWidget(unfold_);
+  row->addWidget(title_, 1);
+  row->addWidget(dismiss);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(row);
+  column->addWidget(list_);
+
+  connect(unfold_, &QToolButton::toggled, this, [this](bool on) {
+    unfold_->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
+    list_->setVisible(on);
+  });
+  connect(dismiss, &QToolButton::clicked, this, &QWidget::hide);
+  list_->hide();
+  hide();
+}
+
+void WarningsPanel::setWarnings(const Warnings& warnings) {
+  QStringList lines;
+  for (const Warning& warning : warnings) lines << QString::fromStdString(warning.text());
+  list_->setPlainText(lines.join(QLatin1Char('\n')));
+  // A single note is its own title.
+  title_->setText(lines.size() == 1 ? lines.front()
+                                    : tr("%n note(s) on reading this clip", nullptr,
+                                         static_cast<int>(lines.size())));
+  unfold_->setVisible(lines.size() > 1);
+  unfold_->setChecked(false);
+  setVisible(!lines.isEmpty());
+}
+
+}  // namespace mocapress

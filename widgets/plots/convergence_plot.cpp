@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/convergence_plot.h"
+
+#include <qcustomplot.h>
+
+#include <QVBoxLayout>
+
+#include "widgets/plots/plot_style.h"
+
+namespace mocapress {
+
+ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(plot_);
+  plot_->setAccessibleName(tr("Error while annealing"));
+  plot_->setToolTip(tr("How the error falls while coefficients move between channels."));
+  plot_->xAxis->setLabel(tr("Iteration"));
+  plot_->yAxis->setLabel(tr("eps_x (cm)"));
+  plot_->xAxis->ticker()->setTickCount(4);
+  plot_->yAxis->ticker()->setTickCount(3);
+  applyPalette(plot_);
+  clear();
+}
+
+void ConvergencePlot::clear() {
+  plot_->clearGraphs();
+  pass_ = -1;
+  plot_->xAxis->setRange(0, 1);
+  plot_->yAxis->setRange(0, 1);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ConvergencePlot::startPass(int pass) {
+  pass_ = pass;
+  QColor faint = palette().color(QPalette::Text);
+  faint.setAlphaF(0.25F);
+  for (int i = 0; i < plot_->graphCount(); ++i) plot_->graph(i)->setPen(QPen(faint, 1));
+  plot_->addGraph()->setPen(QPen(palette().color(QPalette::Highlight), 1.6));
+}
+
+void ConvergencePlot::append(const std::vector<EncodeProgress>& states) {
+  for (const EncodeProgress& state : states) {
+    if (state.pass != pass_) startPass(state.pass);
+    plot_->graph(plot_->graphCount() - 1)->addData(state.iteration, state.eps_cm);
+  }
+  if (plot_->graphCount() == 0) return;
+  plot_->rescaleAxes();
+  plot_->yAxis->scaleRange(1.1);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ConvergencePlot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  applyPalette(plot_);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace mocapress

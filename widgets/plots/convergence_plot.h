@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "core/codec/encoder.h"
+
+class QCustomPlot;
+
+namespace mocapress {
+
+/// eps_x (cm) over the iterations of an annealing while it runs; earlier passes stay, faint.
+class ConvergencePlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ConvergencePlot(QWidget* parent = nullptr);
+
+  void clear();
+  void append(const std::vector<EncodeProgress>& states);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void startPass(int pass);
+
+  QCustomPlot* plot_;
+  int pass_ = -1;
+};
+
+}  // namespace mocapress

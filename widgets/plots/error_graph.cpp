@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/error_graph.h"
+
+#include <qcustomplot.h>
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/plots/plot_style.h"
+
+namespace mocapress {
+namespace {
+
+QVector<QCPGraphData> overTime(const Eigen::VectorXf& cm, double sample_rate_hz) {
+  QVector<QCPGraphData> points;
+  points.reserve(static_cast<int>(cm.size()));
+  for (Eigen::Index frame = 0; frame < cm.size(); ++frame)
+    points.append({static_cast<double>(frame) / sample_rate_hz, static_cast<double>(cm[frame])});
+  return points;
+}
+
+}  // namespace
+
+ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(plot_);
+  plot_->setAccessibleName(tr("Error over time"));
+  plot_->setToolTip(
+      tr("Distance from the original in the world. Click to seek, wheel to zoom, double click to "
+         "see all."));
+  plot_->xAxis->setLabel(tr("Time (s)"));
+  plot_->yAxis->setLabel(tr("Error (cm)"));
+  plot_->axisRect()->setRangeZoom(Qt::Horizontal);
+  plot_->setInteraction(QCP::iRangeZoom);
+  // Thousands of points: smooth lines would take longer to draw than the 3D picture.
+  plot_->setNotAntialiasedElements(QCP::aePlottables | QCP::aeFills);
+
+  // Above the curves, in one line.
+  auto* above = new QCPLayoutGrid;
+  plot_->plotLayout()->insertRow(0);
+  plot_->plotLayout()->addElement(0, 0, above);
+  plot_->plotLayout()->setRowStretchFactor(0, 0.001);
+  above->addElement(0, 0, plot_->legend);
+  above->addElement(0, 1, new QCPLayoutElement);
+  above->setColumnStretchFactor(0, 0.001);
+  plot_->legend->setBorderPen(Qt::NoPen);
+  plot_->legend->setIconSize(14, 8);
+  plot_->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+  plot_->legend->setColumnSpacing(14);
+
+  // On a layer of its own: moving it does not draw the curves again.
+  plot_->addLayer(QStringLiteral("playhead"));
+  plot_->layer(QStringLiteral("playhead"))->setMode(QCPLayer::lmBuffered);
+  playhead_ = new QCPItemStraightLine(plot_);
+  playhead_->setLayer(QStringLiteral("playhead"));
+  setFrame(0);
+
+  connect(plot_, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) seekTo(event->pos().x());
+  });
+  connect(plot_, &QCustomPlot::mouseMove, this, [this](const QMouseEvent* event) {
+    if (event->buttons() & Qt::LeftButton) seekTo(event->pos().x());
+  });
+  connect(plot_, &QCustomPlot::mouseDoubleClick, this, &ErrorGraph::showAll);
+  applyColours();
+  showAll();
+}
+
+void ErrorGraph::setDistances(Distances distances, double sample_rate_hz,
+                              std::vector<ErrorCurve> curves) {
+  const bool same_time = distances_ && distances && distances_->rows() == distances->rows() &&
+                         sample_rate_hz == sample_rate_hz_;
+  distances_ = std::move(distances);
+  sample_rate_hz_ = sample_rate_hz;
+  curves_ = std::move(curves);
+  redraw();
+  if (!same_time) showAll();
+}
+
+void ErrorGraph::setCurves(std::vector<ErrorCurve> curves) {
+  curves_ = std::move(curves);
+  redraw();
+}
+
+void ErrorGraph::setFrame(int frame) {
+  const double seconds = frame / sample_rate_hz_;
+  playhead_->point1->setCoords(seconds, 0);
+  playhead_->point2->setCoords(seconds, 1);
+  plot_->layer(QStringLiteral("playhead"))->replot();
+}
+
+void ErrorGraph::redraw() {
+  plot_->clearGraphs();
+  plot_->legend->setVisible(distances_ != nullptr);
+  double highest = 0;
+  if (distances_ && distances_->size() > 0) {
+    addWorst();
+    for (const ErrorCurve& curve : curves_) addCurve(curve);
+    highest = static_cast<double>(distances_->maxCoeff());
+  }
+  plot_->yAxis->setRange(0, highest > 0 ? 1.08 * highest : 1);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ErrorGraph::addWorst() {
+  QColor grey = palette().color(QPalette::Text);
+  grey.setAlphaF(0.18F);
+  QCPGraph* graph = plot_->addGraph();
+  graph->setName(tr("worst of all joints"));
+  graph->setPen(QPen(grey, 1));
+  graph->setBrush(grey);
+  graph->data()->set(overTime(distances_->rowwise().maxCoeff(), sample_rate_hz_), true);
+}
+
+void ErrorGraph::addCurve(const ErrorCurve& curve) {
+  QCPGraph* graph = plot_->addGraph();
+  graph->setName(curve.name);
+  graph->setPen(QPen(curve.colour, 1));
+  graph->data()->set(overTime(distances_->col(curve.landmark), sample_rate_hz_), true);
+}
+
+void ErrorGraph::showAll() {
+  const double seconds =
+      distances_ ? static_cast<double>(distances_->rows() - 1) / sample_rate_hz_ : 1;
+  plot_->xAxis->setRange(0, std::max(seconds, 1 / sample_rate_hz_));
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ErrorGraph::seekTo(int x_pixel) {
+  if (!distances_) return;
+  const double frame = std::round(plot_->xAxis->pixelToCoord(x_pixel) * sample_rate_hz_);
+  const auto last = static_cast<double>(distances_->rows() - 1);
+  emit seekRequested(static_cast<int>(std::clamp(frame, 0.0, last)));
+}
+
+void ErrorGraph::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  applyColours();
+  redraw();
+}
+
+void ErrorGraph::applyColours() {
+  applyPalette(plot_);
+  plot_->legend->setBrush(Qt::NoBrush);
+  plot_->legend->setTextColor(palette().color(QPalette::Text));
+  plot_->legend->setFont(font());
+  playhead_->setPen(QPen(palette().color(QPalette::Text), 1.2));
+}
+
+}  // namespace mocapress

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plot_style.h"
+
+#include <qcustomplot.h>
+
+namespace mocapress {
+
+void applyPalette(QCustomPlot* plot) {
+  const QPalette palette = plot->palette();
+  const QColor text = palette.color(QPalette::Text);
+  QColor faint = text;
+  faint.setAlphaF(0.12F);
+  QColor line = text;
+  line.setAlphaF(0.45F);
+  plot->setBackground(palette.brush(QPalette::Base));
+  for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) {
+    axis->setBasePen(QPen(line, 1));
+    axis->setTickPen(QPen(line, 1));
+    axis->setSubTickPen(Qt::NoPen);
+    axis->setTickLabelColor(text);
+    axis->setLabelColor(text);
+    axis->setTickLabelFont(plot->font());
+    axis->setLabelFont(plot->font());
+    axis->grid()->setPen(QPen(faint, 1));
+    axis->grid()->setZeroLinePen(QPen(faint, 1));
+  }
+}
+
+}  // namespace mocapress

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+class QCustomPlot;
+
+namespace mocapress {
+
+/// Axes, grid and background in the plot's own palette: call again when that changes.
+void applyPalette(QCustomPlot* plot);
+
+}  // namespace mocapress

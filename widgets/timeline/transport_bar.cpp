@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/timeline/transport_bar.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+#include <array>
+
+#include "widgets/icons/themed_icon.h"
+#include "widgets/timeline/playback.h"
+
+namespace mocapress {
+namespace {
+
+constexpr std::array kSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
+
+QAction* makeAction(QObject* parent, const QString& icon, const QString& text,
+                    const QKeySequence& shortcut) {
+  auto* action = new QAction(themedIcon(icon), text, parent);
+  action->setShortcut(shortcut);
+  action->setToolTip(
+      QStringLiteral("%1 (%2)").arg(text, shortcut.toString(QKeySequence::NativeText)));
+  return action;
+}
+
+QToolButton* makeButton(QAction* action, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setDefaultAction(action);
+  button->setAutoRaise(true);
+  button->setIconSize({18, 18});
+  button->setFocusPolicy(Qt::NoFocus);
+  return button;
+}
+
+QLabel* makeReadOut(const QString& name, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  label->setAccessibleName(name);
+  return label;
+}
+
+}  // namespace
+
+TransportActions TransportBar::makeActions(Playback* playback, QObject* parent) {
+  const auto make = [parent](const char* icon, const QString& text, const QKeySequence& shortcut) {
+    return makeAction(parent, QString::fromLatin1(icon), text, shortcut);
+  };
+  TransportActions actions;
+  actions.first = make("frame-first", tr("First frame"), Qt::Key_Home);
+  actions.previous = make("frame-previous", tr("Previous frame"), Qt::Key_Left);
+  actions.play = make("play", tr("Play or pause"), Qt::Key_Space);
+  actions.next = make("frame-next", tr("Next frame"), Qt::Key_Right);
+  actions.last = make("frame-last", tr("Last frame"), Qt::Key_End);
+  actions.loop = make("loop", tr("Loop"), Qt::Key_L);
+  actions.loop->setCheckable(true);
+  actions.loop->setChecked(playback->loops());
+
+  connect(actions.first, &QAction::triggered, playback, [=] { playback->seek(0); });
+  connect(actions.previous, &QAction::triggered, playback, [=] { playback->step(-1); });
+  connect(actions.play, &QAction::triggered, playback, &Playback::toggle);
+  connect(actions.next, &QAction::triggered, playback, [=] { playback->step(1); });
+  connect(actions.last, &QAction::triggered, playback,
+          [=] { playback->seek(playback->frames() - 1); });
+  connect(actions.loop, &QAction::toggled, playback, &Playback::setLoops);
+  connect(playback, &Playback::playingChanged, actions.play, [=](bool playing) {
+    actions.play->setIcon(themedIcon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
+  });
+  return actions;
+}
+
+TransportBar::TransportBar(Playback* playback, const TransportActions& actions, QWidget* parent)
+    : QWidget(parent), playback_(playback) {
+  scrub_ = new QSlider(Qt::Horizontal, this);
+  scrub_->setAccessibleName(tr("Frame"));
+  scrub_->setToolTip(tr("Drag to any frame."));
+  time_ = makeReadOut(tr("Time"), this);
+  frame_ = makeReadOut(tr("Frame read-out"), this);
+  speed_ = new QComboBox(this);
+  speed_->setAccessibleName(tr("Speed"));
+  speed_->setToolTip(tr("Playing speed; 1× is as recorded."));
+  for (const double speed : kSpeeds) speed_->addItem(tr("%L1×").arg(speed), speed);
+  speed_->setCurrentIndex(speed_->findData(1.0));
+
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(4);
+  for (QAction* action :
+       {actions.first, actions.previous, actions.play, actions.next, actions.last})
+    row->addWidget(makeButton(action, this));
+  row->addSpacing(4);
+  row->addWidget(scrub_, 1);
+  row->addSpacing(8);
+  row->addWidget(time_);
+  row->addSpacing(12);
+  row->addWidget(frame_);
+  row->addSpacing(8);
+  row->addWidget(makeButton(actions.loop, this));
+  row->addWidget(speed_);
+
+  connect(scrub_, &QSlider::valueChanged, playback, &Playback::seek);
+  connect(speed_, &QComboBox::activated, playback,
+          [=, this](int index) { playback->setSpeed(speed_->itemData(index).toDouble()); });
+  connect(playback, &Playback::clipChanged, this, &TransportBar::showClip);
+  connect(playback, &Playback::frameChanged, this, &TransportBar::showFrame);
+  showClip();
+}
+
+void TransportBar::showClip() {
+  const QSignalBlocker blocker(scrub_);
+  scrub_->setRange(0, std::max(playback_->frames() - 1, 0));
+  scrub_->setPageStep(std::max(playback_->frames() / 20, 1));
+  setEnabled(playback_->frames() > 0);
+  showFrame(playback_->frame());
+}
+
+void TransportBar::showFrame(int frame) {
+  const QSignalBlocker blocker(scrub_);
+  scrub_->setValue(frame);
+  // Padded to the widest of the clip, so that nothing moves while it plays.
+  const int frames = playback_->frames();
+  const auto width = static_cast<int>(QString::number(frames).size());
+  const double last_seconds = std::max(frames - 1, 0) / playback_->sampleRate();
+  const auto time_width = static_cast<int>(QString::number(last_seconds, 'f', 3).size());
+  time_->setText(tr("%L1 s").arg(frame / playback_->sampleRate(), time_width, 'f', 3));
+  frame_->setText(tr("%L1 / %L2").arg(frames > 0 ? frame + 1 : 0, width).arg(frames));
+}
+
+}  // namespace mocapress

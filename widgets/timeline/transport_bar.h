@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QSlider;
+
+namespace mocapress {
+
+class Playback;
+
+/// What the buttons of the transport bar do; shared with menus and shortcuts.
+struct TransportActions {
+  QAction* first = nullptr;
+  QAction* previous = nullptr;
+  QAction* play = nullptr;
+  QAction* next = nullptr;
+  QAction* last = nullptr;
+  QAction* loop = nullptr;
+};
+
+/// Buttons, scrub slider, read-outs of time and frame, and speed, below the 3D view.
+class TransportBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// With icons, shortcuts and effect on `playback`.
+  static TransportActions makeActions(Playback* playback, QObject* parent);
+
+  TransportBar(Playback* playback, const TransportActions& actions, QWidget* parent = nullptr);
+
+ private:
+  void showClip();
+  void showFrame(int frame);
+
+  Playback* playback_;
+  QSlider* scrub_;
+  QLabel* time_;
+  QLabel* frame_;
+  QComboBox* speed_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/viewport/figure.h"
+
+#include <Qt3DRender/QColorMask>
+#include <Qt3DRender/QDepthTest>
+
+#include "widgets/viewport/mesh.h"
+
+namespace mocapress {
+namespace {
+
+// The ghost is a shell around the solid figure: where the two agree neither flickers through the
+// other, and where they part the shell stands alone.
+constexpr float kGhostThickness = 1.3f;
+constexpr float kGhostOpacity = 0.26f;
+
+/// The ghost's depth goes first, so that its nearest surface alone is blended and its overlapping
+/// capsules look like one body.
+std::vector<ShaderPass> passes(Figure::Look look) {
+  if (look == Figure::Look::Solid) return {{"shade", {}}};
+  auto* no_colour = new Qt3DRender::QColorMask;
+  no_colour->setRedMasked(false);
+  no_colour->setGreenMasked(false);
+  no_colour->setBlueMasked(false);
+  no_colour->setAlphaMasked(false);
+  std::vector<Qt3DRender::QRenderState*> shade = translucent();
+  auto* nearest = new Qt3DRender::QDepthTest;
+  nearest->setDepthFunction(Qt3DRender::QDepthTest::LessOrEqual);
+  shade.push_back(nearest);
+  return {{"depth", {no_colour}}, {"shade", shade}};
+}
+
+}  // namespace
+
+Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
+  mesh_ = makeRenderer(capsuleMesh(), this);
+  Qt3DCore::QGeometry* geometry = mesh_->geometry();
+  capsules_ = new Qt3DCore::QBuffer(geometry);
+  capsules_->setUsage(Qt3DCore::QBuffer::DynamicDraw);
+  const auto perInstance = [&](const char* name, uint floats, uint byte_offset) {
+    addAttribute(geometry, capsules_, name, floats, byte_offset, sizeof(Capsule))->setDivisor(1);
+  };
+  perInstance("start", 4, offsetof(Capsule, start));
+  perInstance("end", 4, offsetof(Capsule, end));
+  perInstance("highlight", 1, offsetof(Capsule, highlight));
+
+  const bool ghost = look == Look::Ghost;
+  material_ = new ShaderMaterial("figure", passes(look), this);
+  material_->set("thickness", ghost ? kGhostThickness : 1.0f);
+  material_->set("opacity", ghost ? kGhostOpacity : 1.0f);
+  addComponent(mesh_);
+  addComponent(material_);
+  hide();
+}
+
+void Figure::show(const FigureShape& shape, const Eigen::MatrixXd& tracks, int frame,
+                  int selected_joint) {
+  const auto count = static_cast<std::size_t>(shape.capsuleCount());
+  QByteArray bytes(static_cast<qsizetype>(count * sizeof(Capsule)), Qt::Uninitialized);
+  shape.pose(tracks, frame, selected_joint, {reinterpret_cast<Capsule*>(bytes.data()), count});
+  capsules_->setData(bytes);
+  mesh_->setInstanceCount(shape.capsuleCount());
+  setEnabled(true);
+}
+
+void Figure::hide() {
+  setEnabled(false);
+}
+
+void Figure::setColours(const QColor& figure, const QColor& selected) {
+  material_->setColour("colour", figure);
+  material_->setColour("highlightColour", selected);
+}
+
+}  // namespace mocapress

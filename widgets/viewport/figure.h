@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <Qt3DCore/QBuffer>
+#include <Qt3DCore/QEntity>
+#include <Qt3DRender/QGeometryRenderer>
+
+#include "widgets/viewport/figure_shape.h"
+#include "widgets/viewport/shader_material.h"
+
+namespace mocapress {
+
+/// One figure in the scene: a capsule mesh, drawn once an instance. A new pose replaces one buffer.
+class Figure : public Qt3DCore::QEntity {
+ public:
+  enum class Look { Solid, Ghost };
+
+  Figure(Look look, QNode* parent);
+
+  /// Shows the figure, in the pose of a frame.
+  void show(const FigureShape& shape, const Eigen::MatrixXd& tracks, int frame, int selected_joint);
+  void hide();
+
+  void setColours(const QColor& figure, const QColor& selected);
+
+ private:
+  Qt3DRender::QGeometryRenderer* mesh_;
+  Qt3DCore::QBuffer* capsules_;
+  ShaderMaterial* material_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/viewport/figure_shape.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/motion/landmarks.h"
+
+namespace mocapress {
+namespace {
+
+// Thickness grows with the root of the length, so that neither fingers vanish nor thighs swell.
+constexpr float kRadiusPerRoot = 0.034f;  // of length x size of the figure
+constexpr float kThinnest = 0.003f;       // radius per size of the figure
+constexpr float kTaper = 0.6f;            // a bone's end radius, per start radius
+constexpr float kBallPerBone = 1.22f;     // a joint's ball, per thickest bone it starts
+constexpr float kSelectedGrowth = 1.5f;
+
+Eigen::MatrixXd restTracks(const Skeleton& skeleton) {
+  Clip rest;
+  rest.channels = Eigen::MatrixXd::Zero(1, skeleton.channel_count());
+  return landmark_tracks(skeleton, rest);
+}
+
+/// The box around a frame's landmarks.
+struct Box {
+  QVector3D low, high;
+};
+
+Box boxAround(const Eigen::MatrixXd& tracks, int frame) {
+  Box box{landmarkAt(tracks, frame, 0), landmarkAt(tracks, frame, 0)};
+  for (int p = 1; p < tracks.cols() / 3; ++p) {
+    const QVector3D point = landmarkAt(tracks, frame, p);
+    for (int axis = 0; axis < 3; ++axis) {
+      box.low[axis] = std::min(box.low[axis], point[axis]);
+      box.high[axis] = std::max(box.high[axis], point[axis]);
+    }
+  }
+  return box;
+}
+
+float longestSide(const Box& box) {
+  const QVector3D sides = box.high - box.low;
+  return std::max({sides.x(), sides.y(), sides.z()});
+}
+
+}  // namespace
+
+QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark) {
+  const auto at = [&](int axis) { return static_cast<float>(tracks(frame, 3 * landmark + axis)); };
+  return {at(0), at(1), at(2)};
+}
+
+FigureShape::FigureShape(const Skeleton& skeleton)
+    : ball_radii_(static_cast<std::size_t>(skeleton.joint_count())) {
+  size_ = skeleton.joint_count() > 0 ? longestSide(boxAround(restTracks(skeleton), 0)) : 0;
+  if (size_ <= 0) size_ = 100;  // a lone point is still drawn as a ball to see and to click
+  std::fill(ball_radii_.begin(), ball_radii_.end(), kThinnest * size_);
+
+  int end_site = skeleton.joint_count();
+  for (const Segment& segment : skeleton.segments()) {
+    const int end = segment.child >= 0 ? segment.child : end_site++;
+    if (segment.length <= 0) continue;
+    const float radius = std::max(
+        kRadiusPerRoot * std::sqrt(static_cast<float>(segment.length) * size_), kThinnest * size_);
+    bones_.push_back({segment.joint, end, radius});
+    float& ball = ball_radii_[static_cast<std::size_t>(segment.joint)];
+    ball = std::max(ball, kBallPerBone * radius);
+  }
+}
+
+void FigureShape::pose(const Eigen::MatrixXd& tracks, int frame, int selected_joint,
+                       std::span<Capsule> capsules) const {
+  assert(static_cast<int>(capsules.size()) == capsuleCount());
+  auto capsule = capsules.begin();
+  for (int j = 0; j < jointCount(); ++j) {
+    const bool selected = j == selected_joint;
+    const QVector3D centre = landmarkAt(tracks, frame, j);
+    const float radius =
+        ball_radii_[static_cast<std::size_t>(j)] * (selected ? kSelectedGrowth : 1);
+    *capsule++ = {centre, radius, centre, radius, selected ? 1.0f : 0.0f};
+  }
+  for (const Bone& bone : bones_)
+    *capsule++ = {landmarkAt(tracks, frame, bone.start), bone.radius,
+                  landmarkAt(tracks, frame, bone.end), kTaper * bone.radius, 0};
+}
+
+QVector3D FigureShape::centre(const Eigen::MatrixXd& tracks, int frame) {
+  const Box box = boxAround(tracks, frame);
+  return (box.low + box.high) / 2;
+}
+
+}  // namespace mocapress

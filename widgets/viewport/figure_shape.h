@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <QVector3D>
+#include <span>
+#include <vector>
+
+#include "core/motion/skeleton.h"
+
+namespace mocapress {
+
+/// A round body between two balls, as the figure's shader takes it: one instance of the mesh.
+struct Capsule {
+  QVector3D start;     // cm, in the world
+  float start_radius;  // cm
+  QVector3D end;
+  float end_radius;
+  float highlight;  // 0 or 1
+};
+static_assert(sizeof(Capsule) == 9 * sizeof(float));
+
+/// A point of a frame of landmark_tracks().
+QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark);
+
+/// The body of a skeleton: a tapered capsule a bone, a ball a joint. Knows thicknesses, which stay,
+/// and not the pose, which comes with every frame.
+class FigureShape {
+ public:
+  explicit FigureShape(const Skeleton& skeleton);
+
+  int jointCount() const { return static_cast<int>(ball_radii_.size()); }
+  int capsuleCount() const { return static_cast<int>(bones_.size() + ball_radii_.size()); }
+
+  /// The longest side (cm) of the box around the rest pose.
+  float size() const { return size_; }
+
+  /// Fills capsuleCount() capsules, joint j the j-th of them, bones after the joints.
+  void pose(const Eigen::MatrixXd& tracks, int frame, int selected_joint,
+            std::span<Capsule> capsules) const;
+
+  /// The centre of the box around a frame's landmarks.
+  static QVector3D centre(const Eigen::MatrixXd& tracks, int frame);
+
+ private:
+  struct Bone {
+    int start;  // landmarks
+    int end;
+    float radius;  // cm, at its start
+  };
+  std::vector<Bone> bones_;
+  std::vector<float> ball_radii_;  // cm, one a joint
+  float size_;
+};
+
+}  // namespace mocapress

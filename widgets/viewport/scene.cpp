@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/viewport/scene.h"
+
+#include <QGuiApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <Qt3DCore/QEntity>
+#include <Qt3DLogic/QFrameAction>
+#include <Qt3DRender/QCamera>
+#include <Qt3DRender/QCameraSelector>
+#include <Qt3DRender/QClearBuffers>
+#include <Qt3DRender/QFilterKey>
+#include <Qt3DRender/QLayer>
+#include <Qt3DRender/QLayerFilter>
+#include <Qt3DRender/QNoDepthMask>
+#include <Qt3DRender/QNoDraw>
+#include <Qt3DRender/QRenderCaptureReply>
+#include <Qt3DRender/QRenderPassFilter>
+#include <Qt3DRender/QRenderSettings>
+#include <Qt3DRender/QRenderSurfaceSelector>
+#include <Qt3DRender/QViewport>
+#include <chrono>
+#include <utility>
+
+#include "widgets/viewport/mesh.h"
+
+namespace mocapress {
+namespace {
+
+constexpr std::chrono::seconds kCaptureTimeout{5};
+
+// The first frame to begin after a change takes it over and renders it before the next one begins;
+// a frame may already be on its way when the change is made, hence one more.
+constexpr int kFramesUntilDrawn = 2;
+
+/// A leaf of the frame graph: one pass of the materials of one entity.
+void addStep(Qt3DRender::QFrameGraphNode* parent, Qt3DCore::QEntity* entity, const QString& pass) {
+  auto* layer = new Qt3DRender::QLayer(entity);
+  entity->addComponent(layer);
+  auto* only_layer = new Qt3DRender::QLayerFilter(parent);
+  only_layer->addLayer(layer);
+  auto* only_pass = new Qt3DRender::QRenderPassFilter(only_layer);
+  auto* key = new Qt3DRender::QFilterKey(only_pass);
+  key->setName(kPassKey);
+  key->setValue(pass);
+  only_pass->addMatch(key);
+}
+
+bool isSoftware(const QByteArray& renderer) {
+  return renderer.contains("llvmpipe") || renderer.contains("softpipe") ||
+         renderer.contains("SwiftShader");
+}
+
+}  // namespace
+
+OpenGl findOpenGl() {
+  const QString platform = QGuiApplication::platformName();
+  if (platform == "offscreen" || platform == "minimal") return OpenGl::None;
+  QOffscreenSurface surface;
+  surface.create();
+  QOpenGLContext context;
+  if (!context.create() || !context.makeCurrent(&surface)) return OpenGl::None;
+  if (context.format().version() < std::pair(3, 2)) return OpenGl::None;
+  const GLubyte* renderer = context.functions()->glGetString(GL_RENDERER);
+  return isSoftware(reinterpret_cast<const char*>(renderer)) ? OpenGl::Software : OpenGl::Hardware;
+}
+
+Scene::Scene(OpenGl open_gl) {
+  QSurfaceFormat surface_format = format();
+  surface_format.setSamples(open_gl == OpenGl::Software ? 0 : 4);
+  setFormat(surface_format);
+  QSurfaceFormat::setDefaultFormat(surface_format);  // Qt3D's context follows this one
+
+  auto* root = new Qt3DCore::QEntity;
+  auto* backdrop = new Qt3DCore::QEntity(root);
+  backdrop_ = new ShaderMaterial("backdrop", {{"shade", {new Qt3DRender::QNoDepthMask}}}, backdrop);
+  backdrop->addComponent(makeRenderer(backdropMesh(), backdrop));
+  backdrop->addComponent(backdrop_);
+  ground_ = new Ground(root);
+  compressed_ = new Figure(Figure::Look::Solid, root);
+  original_ = new Figure(Figure::Look::Ghost, root);
+  auto* frame_action = new Qt3DLogic::QFrameAction(root);
+  root->addComponent(frame_action);
+  connect(frame_action, &Qt3DLogic::QFrameAction::triggered, this, &Scene::frameBegins);
+
+  auto* surface = new Qt3DRender::QRenderSurfaceSelector;
+  surface->setSurface(this);
+  auto* viewport = new Qt3DRender::QViewport(surface);
+  auto* camera_selector = new Qt3DRender::QCameraSelector(viewport);
+  camera_selector->setCamera(camera());
+  auto* clear = new Qt3DRender::QClearBuffers(camera_selector);
+  clear->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
+  new Qt3DRender::QNoDraw(clear);
+  // Steps are drawn in this order: what is translucent comes over what is solid.
+  addStep(camera_selector, backdrop, "shade");
+  addStep(camera_selector, compressed_, "shade");
+  addStep(camera_selector, ground_, "shade");
+  addStep(camera_selector, original_, "depth");
+  addStep(camera_selector, original_, "shade");
+  capture_ = new Qt3DRender::QRenderCapture(new Qt3DRender::QNoDraw(camera_selector));
+
+  setActiveFrameGraph(surface);
+  renderSettings()->setRenderPolicy(Qt3DRender::QRenderSettings::OnDemand);
+  setRootEntity(root);
+}
+
+void Scene::setCamera(const OrbitCamera& orbit) {
+  camera()->lens()->setPerspectiveProjection(OrbitCamera::kFieldOfView, orbit.aspectRatio(),
+                                             orbit.nearPlane(), orbit.farPlane());
+  camera()->setUpVector({0, 1, 0});
+  camera()->setPosition(orbit.eye());
+  camera()->setViewCenter(orbit.target());
+  ground_->lookFrom(orbit);
+}
+
+void Scene::setColours(const SceneColours& colours) {
+  original_->setColours(colours.original, colours.selected);
+  compressed_->setColours(colours.compressed, colours.selected);
+  ground_->setColours(colours);
+  backdrop_->setColour("centreColour", colours.backdrop_centre);
+  backdrop_->setColour("edgeColour", colours.backdrop_edge);
+}
+
+void Scene::announce() {
+  frames_until_drawn_ = kFramesUntilDrawn;
+}
+
+void Scene::frameBegins() {
+  if (frames_until_drawn_ == 0 || !isExposed()) return;
+  if (--frames_until_drawn_ == 0) emit drawn();
+}
+
+void Scene::capture() {
+  Qt3DRender::QRenderCaptureReply* reply = capture_->requestCapture();
+  auto* timeout = new QTimer(reply);
+  connect(timeout, &QTimer::timeout, this, [this, reply, timeout] {
+    timeout->stop();
+    reply->disconnect(this);
+    connect(reply, &Qt3DRender::QRenderCaptureReply::completed, reply, &QObject::deleteLater);
+    emit captured({});
+  });
+  connect(reply, &Qt3DRender::QRenderCaptureReply::completed, this, [this, reply] {
+    const QImage image = reply->image().convertToFormat(QImage::Format_RGB32);
+    reply->deleteLater();
+    // The first picture ever captured may be blank.
+    if (!std::exchange(capture_is_warm_, true)) return capture();
+    emit captured(image);
+  });
+  timeout->start(kCaptureTimeout);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+
+namespace mocapress {
+
+/// What the scene is painted with. The figures stay recognisable on either background.
+struct SceneColours {
+  QColor backdrop_centre, backdrop_edge;
+  QColor grid, x_axis, z_axis;
+  QColor original;    // the ghost
+  QColor compressed;  // red
+  QColor selected;
+};
+
+/// Light or dark, as the palette's window is.
+SceneColours sceneColours(const QPalette& palette);
+
+}  // namespace mocapress

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <Qt3DRender/QMaterial>
+#include <Qt3DRender/QParameter>
+#include <Qt3DRender/QRenderState>
+#include <vector>
+
+namespace mocapress {
+
+/// A step of drawing a material; the frame graph picks steps by name and so orders them.
+struct ShaderPass {
+  QString name;
+  std::vector<Qt3DRender::QRenderState*> states;  // the material takes them over
+};
+
+/// A material for OpenGL 3 of `:/shaders/<name>.vert` and `.frag`.
+class ShaderMaterial : public Qt3DRender::QMaterial {
+ public:
+  ShaderMaterial(const QString& name, const std::vector<ShaderPass>& passes, QNode* parent);
+
+  /// Sets a uniform, a colour as its vec3.
+  void set(const QString& uniform, const QVariant& value);
+  void setColour(const QString& uniform, const QColor& colour);
+};
+
+/// Blending over what is there, which leaves an opaque target opaque (captures keep their colours),
+/// and leaves the depth buffer alone.
+std::vector<Qt3DRender::QRenderState*> translucent();
+
+/// Pass and filter keys share this name.
+inline const QString kPassKey = QStringLiteral("pass");
+
+}  // namespace mocapress

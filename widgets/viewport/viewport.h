@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <QImage>
+#include <QPointF>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "core/motion/skeleton.h"
+#include "widgets/viewport/figure_shape.h"
+#include "widgets/viewport/orbit_camera.h"
+
+class QMouseEvent;
+
+namespace mocapress {
+
+class Scene;
+
+/// Chooses Qt3D's OpenGL renderer and the surface format. Call before QApplication is made.
+void prepareViewport();
+
+/// The 3D view: ground grid, the original as a translucent grey ghost and the compressed figure in
+/// red, both at the same frame. It shows values and starts no work. Mouse: left drag orbits, right
+/// or middle drag pans, wheel zooms, a click on a joint selects it. Without OpenGL it says so in
+/// words, takes every call and never emits drawn().
+class Viewport : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// World positions as landmark_tracks() gives them: frames x 3 * landmarks, cm.
+  using Tracks = std::shared_ptr<const Eigen::MatrixXd>;
+
+  explicit Viewport(QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  /// A new skeleton hides both figures until their tracks are set, and frames the camera anew with
+  /// the first of them.
+  void setSkeleton(const Skeleton& skeleton);
+
+  /// Null hides the figure.
+  void setOriginal(Tracks tracks);
+  void setCompressed(Tracks tracks);
+
+  void setFrame(int frame);
+
+  /// The joint drawn highlighted; -1: none.
+  void setSelectedJoint(int joint);
+
+  /// The camera moves with the root.
+  void setFollow(bool follow);
+
+  /// Looks at the whole figure again.
+  void resetCamera();
+
+  /// Where the view is seen from, in the view's logical pixels.
+  const OrbitCamera& camera() const { return camera_; }
+
+  /// Renders the 3D scene and delivers it by captured(); null image when it could not.
+  void capture();
+
+ signals:
+  void jointClicked(int joint);
+  void captured(const QImage& image);
+
+  /// A picture with the newest tracks, frame and camera has been rendered and shown. A view that is
+  /// hidden says so once it is shown.
+  void drawn();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void showSceneOrNotice();
+  void showFigures();
+  void showCamera();
+  void drag(const QMouseEvent& event);
+  void release(const QMouseEvent& event);
+
+  /// The figure the camera looks at: the original, or the compressed one without it.
+  const Eigen::MatrixXd* leadingTracks() const;
+  int frameOf(const Eigen::MatrixXd& tracks) const;
+
+  std::optional<FigureShape> shape_;
+  Tracks original_;
+  Tracks compressed_;
+  int frame_ = 0;
+  int selected_joint_ = -1;
+  bool follow_ = false;
+
+  OrbitCamera camera_;
+  bool camera_is_framed_ = false;
+  QVector3D root_;  // of the leading figure when last shown, cm
+
+  QPointF pressed_at_;
+  QPointF dragged_to_;
+  bool is_click_ = false;
+
+  Scene* scene_ = nullptr;  // a child; null without OpenGL
+};
+
+}  // namespace mocapress
