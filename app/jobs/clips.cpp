@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/clips.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/codec/container.h"
+#include "core/codec/decoder.h"
+#include "core/metrics/rate.h"
+
+namespace mocapress {
+namespace {
+
+bool sameChannels(const Skeleton& a, const Skeleton& b) {
+  return std::equal(a.joints().begin(), a.joints().end(), b.joints().begin(), b.joints().end(),
+                    [](const Joint& x, const Joint& y) {
+                      return x.name == y.name && x.parent == y.parent && x.channels == y.channels;
+                    });
+}
+
+/// What follows from the compressed clip and its decoded motion.
+void complete(DecodedClip& decoded) {
+  const std::size_t motion_bytes = decoded.compressed.motion.size();
+  decoded.ratio = compression_ratio(decoded.clip, motion_bytes);
+  decoded.bits_per_joint_sample =
+      bits_per_joint_sample({decoded.compressed.skeleton, decoded.clip}, motion_bytes);
+  decoded.tracks = std::make_shared<const Eigen::MatrixXd>(
+      landmark_tracks(decoded.compressed.skeleton, decoded.clip));
+  decoded.file_bytes = write_container(decoded.compressed).size();
+}
+
+}  // namespace
+
+bool comparable(const Motion& original, const CompressedClip& compressed) {
+  const double rate = original.clip.sample_rate_hz;
+  return original.clip.frames() == compressed.frames &&
+         std::abs(rate - compressed.sample_rate_hz) <= 1e-3 * rate &&
+         sameChannels(original.skeleton, compressed.skeleton);
+}
+
+DecodedPtr decodedClip(Encoding encoding) {
+  DecodedClip decoded;
+  decoded.compressed = std::move(encoding.compressed);
+  decoded.clip = std::move(encoding.decoded);
+  decoded.distortion = std::move(encoding.distortion);
+  decoded.coefficient_ratio = encoding.coefficient_ratio;
+  decoded.iterations = encoding.iterations;
+  decoded.encode_seconds = encoding.seconds;
+  decoded.complete = encoding.complete;
+  complete(decoded);
+  return std::make_shared<const DecodedClip>(std::move(decoded));
+}
+
+DecodedPtr decodedClip(CompressedClip compressed, const OriginalClip* original) {
+  DecodedClip decoded;
+  decoded.clip = decode(compressed);
+  decoded.compressed = std::move(compressed);
+  complete(decoded);
+  if (original)
+    decoded.distortion =
+        measure(original->motion().skeleton, original->encoder->original_tracks(), decoded.clip);
+  return std::make_shared<const DecodedClip>(std::move(decoded));
+}
+
+}  // namespace mocapress

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What jobs return and the document holds: values, shared and never changed.
+#pragma once
+
+#include <Eigen/Core>
+#include <QString>
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/codec/encoder.h"
+
+namespace mocapress {
+
+/// World positions as landmark_tracks() gives them: frames x 3 * landmarks, cm.
+using Tracks = std::shared_ptr<const Eigen::MatrixXd>;
+
+/// A motion as read from a file, ready to be compressed.
+struct OriginalClip {
+  QString path;
+  Warnings warnings;
+  std::shared_ptr<const Encoder> encoder;
+
+  const Motion& motion() const { return encoder->motion(); }
+  /// Shares ownership of the encoder, which holds them.
+  Tracks tracks() const { return {encoder, &encoder->original_tracks()}; }
+};
+
+/// A compressed clip, decoded for showing.
+struct DecodedClip {
+  CompressedClip compressed;
+  Clip clip;
+  Tracks tracks;
+  std::size_t file_bytes = 0;
+  double ratio = 0;  // raw bytes / motion bytes
+  double bits_per_joint_sample = 0;
+  std::optional<Distortion> distortion;     // none: its original is not there to compare with
+  std::optional<double> coefficient_ratio;  // known for what was encoded here
+  int iterations = 0;                       // of the annealing
+  double encode_seconds = 0;
+  bool complete = true;  // false: the annealing was stopped early
+};
+
+using OriginalPtr = std::shared_ptr<const OriginalClip>;
+using DecodedPtr = std::shared_ptr<const DecodedClip>;
+
+/// True where the clips have the same joints, channels, frames and rate, so that one can be the
+/// compressed form of the other.
+bool comparable(const Motion& original, const CompressedClip& compressed);
+
+/// Decoded positions, file size and, for an encoding, its measured distortion.
+DecodedPtr decodedClip(Encoding encoding);
+
+/// The same for a clip read from a file; measured where there is an original.
+DecodedPtr decodedClip(CompressedClip compressed, const OriginalClip* original);
+
+}  // namespace mocapress

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/compressor.h"
+
+#include <chrono>
+
+namespace mocapress {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto kReportInterval = std::chrono::milliseconds(40);
+constexpr auto kRefineDelay = std::chrono::milliseconds(80);
+constexpr double kSizeTolerance = 1.02;
+
+/// What ended early need not have met its target: worth keeping if it is better at no more bytes.
+bool worthKeeping(const DecodedClip& refined, const DecodedClip& quick) {
+  const Weighting weighting = refined.compressed.provenance.weighting;
+  return refined.distortion->eps(weighting) < quick.distortion->eps(weighting) &&
+         static_cast<double>(refined.compressed.motion.size()) <=
+             kSizeTolerance * static_cast<double>(quick.compressed.motion.size());
+}
+
+}  // namespace
+
+Compressor::Compressor(QObject* parent) : QObject(parent) {
+  refine_later_.setSingleShot(true);
+  refine_later_.setInterval(kRefineDelay);
+  connect(&refine_later_, &QTimer::timeout, this, &Compressor::startRefining);
+  connect(&refine_, &JobRunner::busyChanged, this, &Compressor::refiningChanged);
+}
+
+void Compressor::setEncoder(std::shared_ptr<const Encoder> encoder) {
+  abandon();
+  encoder_ = std::move(encoder);
+}
+
+void Compressor::request(const EncodeOptions& options) {
+  if (!encoder_) return;
+  refine_later_.stop();
+  refine_.abandon();
+  wanted_ = options;
+  newer_wanted_ = true;
+  if (!quick_.busy()) startQuick();
+}
+
+void Compressor::stopEarly() {
+  if (refine_later_.isActive()) {
+    refine_later_.stop();
+    emit answered(quick_answer_, true);
+  }
+  refine_.stopEarly();
+}
+
+void Compressor::abandon() {
+  refine_later_.stop();
+  refine_.abandon();
+  quick_.abandon();
+  newer_wanted_ = false;
+}
+
+bool Compressor::busy() const {
+  return quick_.busy() || refine_.busy() || refine_later_.isActive();
+}
+
+void Compressor::startQuick() {
+  newer_wanted_ = false;
+  EncodeOptions options = wanted_;
+  if (options.method == Method::Annealed) options.method = Method::Standard;
+  const auto work = [encoder = encoder_, options](const Job& job) {
+    return decodedClip(
+        encoder->encode(options, [&job](const EncodeProgress&) { return !job.stopRequested(); }));
+  };
+  quick_.start(
+      work, [this](const DecodedPtr& decoded) { quickDone(decoded); },
+      [this](const QString& message) {
+        emit failed(message);
+        if (newer_wanted_) startQuick();
+      });
+}
+
+void Compressor::quickDone(const DecodedPtr& decoded) {
+  quick_answer_ = decoded;
+  const bool refines = wanted_.method == Method::Annealed;
+  if (newer_wanted_)
+    startQuick();
+  else if (refines)
+    refine_later_.start();
+  emit answered(decoded, !busy());
+}
+
+void Compressor::startRefining() {
+  const auto work = [this, encoder = encoder_, options = wanted_](const Job& job) {
+    std::vector<EncodeProgress> states;
+    auto reported = Clock::now();
+    const auto observer = [&](const EncodeProgress& state) {
+      states.push_back(state);
+      if (Clock::now() - reported >= kReportInterval) {
+        job.post([this, states] { emit progressed(states); });
+        states.clear();
+        reported = Clock::now();
+      }
+      return !job.stopRequested();
+    };
+    Encoding encoding = encoder->encode(options, observer);
+    job.post([this, states] { emit progressed(states); });
+    return decodedClip(std::move(encoding));
+  };
+  refine_.start(
+      work, [this](const DecodedPtr& decoded) { refined(decoded); },
+      [this](const QString& message) { emit failed(message); });
+}
+
+void Compressor::refined(const DecodedPtr& decoded) {
+  const bool keep = decoded->complete || worthKeeping(*decoded, *quick_answer_);
+  emit answered(keep ? decoded : quick_answer_, true);
+}
+
+}  // namespace mocapress

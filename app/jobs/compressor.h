@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <vector>
+
+#include "app/jobs/clips.h"
+#include "app/jobs/job_runner.h"
+
+namespace mocapress {
+
+/// Turns settings into answers, the newest settings only. The quick answer (standard selection
+/// where annealing is asked for) comes at once; annealing then refines it. New settings abandon a
+/// running annealing at once, but let a quick answer finish: while a slider is dragged pictures
+/// keep coming.
+class Compressor : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Compressor(QObject* parent = nullptr);
+
+  /// Whose clip to compress. Abandons everything; null: nothing to compress.
+  void setEncoder(std::shared_ptr<const Encoder> encoder);
+
+  void request(const EncodeOptions& options);
+
+  /// Ends the annealing: the best so far is kept where it beats the quick answer.
+  void stopEarly();
+
+  void abandon();
+
+  bool busy() const;
+  bool refining() const { return refine_.busy(); }
+
+ signals:
+  /// An answer to the newest request, or to the one before while a quick answer is on its way.
+  /// `final`: no better one will follow.
+  void answered(const DecodedPtr& decoded, bool final);
+
+  /// What annealing reached since the last report.
+  void progressed(const std::vector<EncodeProgress>& states);
+
+  void refiningChanged(bool refining);
+  void failed(const QString& message);
+
+ private:
+  void startQuick();
+  void quickDone(const DecodedPtr& decoded);
+  void startRefining();
+  void refined(const DecodedPtr& decoded);
+
+  JobRunner quick_;
+  JobRunner refine_;
+  QTimer refine_later_;  // so that a drag does not start annealings only to abandon them
+  std::shared_ptr<const Encoder> encoder_;
+  EncodeOptions wanted_;
+  bool newer_wanted_ = false;  // than what the quick job answers
+  DecodedPtr quick_answer_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <type_traits>
+#include <utility>
+
+namespace mocapress {
+
+class JobRunner;
+
+/// What running work sees of the outside.
+class Job {
+ public:
+  bool stopRequested() const { return stop_.stop_requested(); }
+
+  /// Runs `report` on the runner's thread, unless the job is void by then.
+  void post(std::function<void()> report) const;
+
+ private:
+  friend class JobRunner;
+  JobRunner* runner_ = nullptr;
+  std::uint64_t id_ = 0;
+  std::stop_token stop_;
+};
+
+/// Runs jobs of one purpose, one at a time, on its own thread, and delivers what they return or
+/// throw on the thread it lives in. A newer job asks the running one to stop and makes it void:
+/// nothing of a void job is delivered any more. Destruction asks for a stop and waits.
+class JobRunner : public QObject {
+  Q_OBJECT
+
+ public:
+  using Failed = std::function<void(const QString& message)>;
+
+  explicit JobRunner(QObject* parent = nullptr);
+  ~JobRunner() override;
+
+  /// `work(const Job&)` runs off this thread; then either `done(its result)` or `failed(message)`
+  /// runs on it. Values in, values out: `work` must not touch what others can change.
+  template <typename Work, typename Done>
+  void start(Work work, Done done, Failed failed) {
+    using Result = std::invoke_result_t<Work, const Job&>;
+    launch(
+        [work = std::move(work), done = std::move(done)](const Job& job) -> Delivery {
+          auto result = std::make_shared<Result>(work(job));
+          return [result, done] { done(std::move(*result)); };
+        },
+        std::move(failed));
+  }
+
+  /// Asks the running job to end soon; its result is delivered.
+  void stopEarly();
+
+  /// Asks the running job to stop and makes it void.
+  void abandon();
+
+  bool busy() const { return busy_; }
+
+ signals:
+  void busyChanged(bool busy);
+
+ private:
+  friend class Job;
+  using Delivery = std::function<void()>;
+  using Work = std::function<Delivery(const Job&)>;
+  struct Waiting {
+    Job job;
+    Work work;
+    Failed failed;
+  };
+
+  void launch(Work work, Failed failed);
+  void serve(const std::stop_token& quit);
+  void deliver(std::uint64_t id, const std::function<void()>& delivery);
+  void setBusy(bool busy);
+
+  std::uint64_t current_id_ = 0;  // jobs with another id are void
+  bool busy_ = false;
+  std::stop_source stop_;  // of the newest job
+
+  std::mutex mutex_;  // guards waiting_
+  std::condition_variable_any wake_;
+  std::optional<Waiting> waiting_;
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace mocapress

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QStyleFactory>
+#include <QTimer>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+
+#include "app/studio/launch_options.h"
+#include "app/studio/main_window.h"
+#include "app/studio/screenshot.h"
+#include "app/studio/trace.h"
+#include "translations/install.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress {
+namespace {
+
+constexpr auto kSettleTime = std::chrono::milliseconds(1500);  // for the 3D view to draw
+constexpr int kBadInput = 3;
+constexpr int kCannotWrite = 5;
+
+/// Once all is computed and drawn; the middle of a clip says more than its start.
+void screenshotAndQuit(MainWindow& window, const QString& path) {
+  Session* session = &window.session();
+  QObject::connect(session, &Session::settled, &window, [&window, path] {
+    window.playback().seek(window.playback().frames() / 2);
+    window.views().viewport->resetCamera();
+    QTimer::singleShot(kSettleTime, &window, [&window, path] {
+      QCoreApplication::exit(writeScreenshot(window, path) ? 0 : kCannotWrite);
+    });
+  });
+  const auto give_up = [](const QString& message) {
+    std::fprintf(stderr, "%s\n", qPrintable(message));
+    QCoreApplication::exit(kBadInput);
+  };
+  QObject::connect(session, &Session::openFailed, &window,
+                   [=](const OpenRequest&, const QString& message) { give_up(message); });
+  QObject::connect(session, &Session::compressFailed, &window, give_up);
+}
+
+int run(int argc, char** argv) {
+  prepareViewport();
+  QApplication application(argc, argv);
+  QCoreApplication::setOrganizationName(QStringLiteral("mocapress"));
+  QCoreApplication::setApplicationName(QStringLiteral("Mocapress"));
+  QCoreApplication::setApplicationVersion(QStringLiteral(MOCAPRESS_VERSION));
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  installTranslations(application);
+  const LaunchOptions options = parseLaunchOptions(application);
+
+  MainWindow window;
+  window.trace().setWriting(options.trace);
+  if (!options.screenshot.isEmpty()) screenshotAndQuit(window, options.screenshot);
+  window.show();
+  if (options.file.isEmpty())
+    window.files().openFirst();
+  else
+    window.files().open(options.file, options.skeleton);
+  return QApplication::exec();
+}
+
+}  // namespace
+}  // namespace mocapress
+
+int main(int argc, char** argv) {
+  try {
+    return mocapress::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "mocapress-studio: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/actions.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+
+#include "widgets/icons/themed_icon.h"
+
+namespace mocapress {
+namespace {
+
+struct Texts {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::Actions)
+};
+
+QAction* make(QObject* parent, const QString& text, const QKeySequence& shortcut = {},
+              const QString& icon = {}) {
+  auto* action = new QAction(text, parent);
+  action->setShortcut(shortcut);
+  if (!icon.isEmpty()) action->setIcon(themedIcon(icon));
+  return action;
+}
+
+void addToolBar(QMainWindow* window, const Actions& actions) {
+  QToolBar* bar = window->addToolBar(Texts::tr("Tools"));
+  bar->setObjectName(QStringLiteral("tools"));
+  bar->setMovable(false);
+  bar->setIconSize({20, 20});
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  bar->addActions({actions.open, actions.save});
+  bar->addSeparator();
+  bar->addActions({actions.follow, actions.reset_camera});
+}
+
+}  // namespace
+
+Actions makeActions(Playback* playback, QMainWindow* window) {
+  Actions actions;
+  actions.open =
+      make(window, Texts::tr("&Open…"), QKeySequence::Open, QStringLiteral("folder-open"));
+  actions.open->setToolTip(Texts::tr("Open a motion (.bvh, .amc) or a compressed clip (.mcpr)"));
+  actions.open_sample = make(window, Texts::tr("Open Sample &Walk"));
+  actions.choose_skeleton = make(window, Texts::tr("Choose Skeleton…"));
+  actions.compare = make(window, Texts::tr("&Compare with Original…"));
+  actions.save = make(window, Texts::tr("&Save"), QKeySequence::Save, QStringLiteral("save"));
+  actions.save->setToolTip(Texts::tr("Save the compressed clip as .mcpr"));
+  actions.save_as = make(window, Texts::tr("Save &As…"), QKeySequence::SaveAs);
+  actions.quit = make(window, Texts::tr("&Quit"), QKeySequence::Quit);
+  actions.follow = make(window, Texts::tr("&Follow"), Qt::Key_F, QStringLiteral("follow"));
+  actions.follow->setCheckable(true);
+  actions.follow->setToolTip(Texts::tr("The camera moves with the figure (F)"));
+  actions.reset_camera = make(window, Texts::tr("&Reset Camera"), Qt::Key_R, QStringLiteral("fit"));
+  actions.reset_camera->setToolTip(Texts::tr("Look at the whole figure again (R)"));
+  actions.reset_layout = make(window, Texts::tr("Reset &Layout"));
+  actions.about = make(window, Texts::tr("&About Mocapress"));
+  actions.transport = TransportBar::makeActions(playback, window);
+  return actions;
+}
+
+QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWidget*>& docks) {
+  QMenu* file = window->menuBar()->addMenu(Texts::tr("&File"));
+  file->addAction(actions.open);
+  QMenu* recent = file->addMenu(Texts::tr("Open &Recent"));
+  file->addActions({actions.open_sample, actions.compare});
+  file->addSeparator();
+  file->addActions({actions.save, actions.save_as});
+  file->addSeparator();
+  file->addAction(actions.quit);
+
+  QMenu* play = window->menuBar()->addMenu(Texts::tr("&Play"));
+  const TransportActions& transport = actions.transport;
+  play->addActions({transport.play, transport.previous, transport.next, transport.first,
+                    transport.last, transport.loop});
+
+  QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
+  view->addActions({actions.follow, actions.reset_camera});
+  view->addSeparator();
+  for (const QDockWidget* dock : docks) view->addAction(dock->toggleViewAction());
+  view->addSeparator();
+  view->addAction(actions.reset_layout);
+
+  window->menuBar()->addMenu(Texts::tr("&Help"))->addAction(actions.about);
+  addToolBar(window, actions);
+  return recent;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+
+#include "widgets/timeline/transport_bar.h"
+
+class QAction;
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+
+namespace mocapress {
+
+/// Everything the user can ask for by menu, tool bar or key.
+struct Actions {
+  QAction* open = nullptr;
+  QAction* open_sample = nullptr;
+  QAction* choose_skeleton = nullptr;  // the remedy for an .amc that was not read
+  QAction* compare = nullptr;
+  QAction* save = nullptr;
+  QAction* save_as = nullptr;
+  QAction* quit = nullptr;
+  QAction* follow = nullptr;
+  QAction* reset_camera = nullptr;
+  QAction* reset_layout = nullptr;
+  QAction* about = nullptr;
+  TransportActions transport;
+};
+
+/// With texts, icons and shortcuts; connecting is the window's part.
+Actions makeActions(Playback* playback, QMainWindow* window);
+
+/// Menus and tool bar. Returns the menu that the window fills with recent files.
+QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWidget*>& docks);
+
+}  // namespace mocapress

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <functional>
+
+#include "app/jobs/open_clip.h"
+
+class QMenu;
+class QWidget;
+
+namespace mocapress {
+
+class Session;
+
+/// Opening and saving as the user meets them: dialogs, recent files, and the one question that is
+/// asked, about unsaved work.
+class ClipFiles : public QObject {
+  Q_OBJECT
+
+ public:
+  ClipFiles(Session* session, QWidget* window);
+
+  /// What was open last, or the bundled walk.
+  void openFirst();
+
+  void open(const QString& path, const QString& skeleton = {});
+  void chooseClip();
+
+  /// For what could not be opened last.
+  void chooseSkeleton();
+
+  void chooseOriginal();
+  void save();
+  void saveAs();
+
+  /// Runs `then` once nothing would be lost by it: at once, after saving, or never.
+  void leave(std::function<void()> then);
+
+  void fillRecentMenu(QMenu* menu);
+
+ signals:
+  /// `wants_skeleton`: choosing one may help.
+  void openFailed(const QString& message, bool wants_skeleton);
+  void saved(const QString& name);
+
+ private:
+  QString directory() const;
+  QString suggestedPath() const;
+  void noteSaved(const QString& path);
+
+  Session* session_;
+  QWidget* window_;
+  OpenRequest unread_;                  // what could not be opened last
+  std::function<void()> after_saving_;  // what waits for it, see leave()
+};
+
+}  // namespace mocapress

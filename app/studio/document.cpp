@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/document.h"
+
+#include <QFileInfo>
+
+namespace mocapress {
+namespace {
+
+/// What would make that clip again.
+EncodeOptions optionsOf(const DecodedClip& decoded) {
+  const CompressedClip& clip = decoded.compressed;
+  EncodeOptions options;
+  options.method = clip.provenance.method;
+  options.coding = clip.coding;
+  options.basis = clip.basis;
+  options.weighting = clip.provenance.weighting;
+  options.target = {Target::Kind::Ratio, decoded.ratio};
+  options.seed = clip.provenance.seed;
+  return options;
+}
+
+}  // namespace
+
+QString Document::title() const {
+  if (!saved_path_.isEmpty()) return QFileInfo(saved_path_).fileName();
+  return original_ ? QFileInfo(original_->path).fileName() : QString();
+}
+
+bool Document::modified() const {
+  return touched_ && original_ && decoded_ != saved_;
+}
+
+const Skeleton* Document::skeleton() const {
+  if (original_) return &original_->motion().skeleton;
+  return decoded_ ? &decoded_->compressed.skeleton : nullptr;
+}
+
+int Document::frames() const {
+  if (original_) return original_->motion().clip.frames();
+  return decoded_ ? decoded_->compressed.frames : 0;
+}
+
+double Document::sampleRate() const {
+  if (original_) return original_->motion().clip.sample_rate_hz;
+  return decoded_ ? decoded_->compressed.sample_rate_hz : Clip().sample_rate_hz;
+}
+
+int Document::currentJoint() const {
+  return skeleton() ? skeleton()->find(current_joint_.toStdString()) : -1;
+}
+
+void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path) {
+  original_ = std::move(original);
+  decoded_ = std::move(decoded);
+  final_ = decoded_ != nullptr;
+  saved_path_ = saved_path;
+  saved_ = decoded_;
+  touched_ = false;
+  if (decoded_) {
+    options_ = optionsOf(*decoded_);
+    emit optionsChanged();
+  }
+  emit clipChanged();
+  emit decodedChanged();
+  emit titleChanged();
+}
+
+void Document::setDecoded(DecodedPtr decoded, bool final) {
+  decoded_ = std::move(decoded);
+  final_ = final;
+  emit decodedChanged();
+  emit titleChanged();
+}
+
+void Document::setOptions(const EncodeOptions& options) {
+  options_ = options;
+  touched_ = true;
+  emit optionsChanged();
+}
+
+void Document::setCurves(const CurveSelection& curves) {
+  if (curves == curves_) return;
+  curves_ = curves;
+  emit curvesChanged();
+}
+
+void Document::setCurrentJoint(int joint) {
+  const QString name =
+      joint >= 0 ? QString::fromStdString(skeleton()->joint(joint).name) : QString();
+  if (name == current_joint_) return;
+  current_joint_ = name;
+  emit currentJointChanged();
+}
+
+void Document::setSaved(const DecodedPtr& decoded, const QString& path) {
+  saved_ = decoded;
+  saved_path_ = path;
+  touched_ = true;
+  emit titleChanged();
+}
+
+}  // namespace mocapress

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "app/jobs/clips.h"
+#include "widgets/models/curve_selection.h"
+
+namespace mocapress {
+
+/// What is open: values and their changes, no work and no widgets. Curves, current joint and
+/// options outlive the clip.
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  /// Either may be null: a .mcpr without its original, or a motion not compressed yet.
+  const OriginalPtr& original() const { return original_; }
+  const DecodedPtr& decoded() const { return decoded_; }
+
+  /// No better answer to these options is on its way, nor a first one.
+  bool final() const { return final_; }
+
+  /// The .mcpr that was opened or saved last; empty: none.
+  const QString& savedPath() const { return saved_path_; }
+
+  /// The file name for the window title.
+  QString title() const;
+
+  /// The user changed or saved something, and what is shown now is not in the file.
+  bool modified() const;
+
+  /// Null: nothing is open.
+  const Skeleton* skeleton() const;
+  int frames() const;
+  double sampleRate() const;  // Hz
+
+  const EncodeOptions& options() const { return options_; }
+  const CurveSelection& curves() const { return curves_; }
+  int currentJoint() const;  // -1: none, or not in this skeleton
+
+  /// Another clip, or the same with its other half.
+  void setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path);
+
+  void setDecoded(DecodedPtr decoded, bool final);
+
+  /// By the user.
+  void setOptions(const EncodeOptions& options);
+
+  void setCurves(const CurveSelection& curves);
+  void setCurrentJoint(int joint);
+
+  /// `decoded` is in the file `path` now.
+  void setSaved(const DecodedPtr& decoded, const QString& path);
+
+ signals:
+  void clipChanged();
+  void decodedChanged();
+  void optionsChanged();
+  void curvesChanged();
+  void currentJointChanged();
+  void titleChanged();
+
+ private:
+  OriginalPtr original_;
+  DecodedPtr decoded_;
+  bool final_ = true;
+  QString saved_path_;
+  DecodedPtr saved_;
+  bool touched_ = false;
+  EncodeOptions options_;
+  CurveSelection curves_;
+  QString current_joint_;
+};
+
+}  // namespace mocapress

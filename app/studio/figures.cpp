@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/figures.h"
+
+#include <QCoreApplication>
+
+#include "widgets/panels/names.h"
+
+namespace mocapress {
+namespace {
+
+struct Figures {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::Figures)
+};
+
+}  // namespace
+
+std::optional<ResultFigures> figuresOf(const Document& document) {
+  if (!document.decoded()) return {};
+  const DecodedClip& decoded = *document.decoded();
+  const Provenance& provenance = decoded.compressed.provenance;
+  ResultFigures figures;
+  figures.ratio = decoded.ratio;
+  figures.motion_bytes = decoded.compressed.motion.size();
+  figures.file_bytes = decoded.file_bytes;
+  figures.weighting = provenance.weighting;
+  figures.eps_cm = static_cast<double>(provenance.eps_cm);
+  figures.max_cm = static_cast<double>(provenance.max_error_cm);
+  figures.coefficient_ratio = decoded.coefficient_ratio;
+  figures.bits_per_joint_sample = decoded.bits_per_joint_sample;
+  if (decoded.distortion) {
+    figures.eps_cm = decoded.distortion->eps(provenance.weighting);
+    figures.p95_cm = decoded.distortion->p95;
+    figures.p99_cm = decoded.distortion->p99;
+    figures.max_cm = decoded.distortion->max.cm;
+  }
+  return figures;
+}
+
+QString stateOf(const Document& document) {
+  if (!document.original() && !document.decoded()) return Figures::tr("Nothing open");
+  if (!document.decoded())
+    return document.final() ? Figures::tr("Not compressed") : Figures::tr("Compressing…");
+  const DecodedClip& decoded = *document.decoded();
+  const Method method = decoded.compressed.provenance.method;
+  if (!decoded.distortion) return Figures::tr("As recorded in the file");
+  if (!decoded.coefficient_ratio)
+    return Figures::tr("%1, from the file, measured against the original").arg(displayName(method));
+  if (!document.final()) return Figures::tr("Standard answer; a better one is on its way");
+  if (!decoded.complete) return Figures::tr("Annealing cancelled; the best so far is kept");
+  if (method != document.options().method)
+    return Figures::tr("Annealing cancelled; the standard answer is kept");
+  if (method == Method::Annealed)
+    return Figures::tr("Annealed, %Ln iteration(s), %L1 s", nullptr, decoded.iterations)
+        .arg(decoded.encode_seconds, 0, 'f', 1);
+  return Figures::tr("%1, %L2 s").arg(displayName(method)).arg(decoded.encode_seconds, 0, 'f', 2);
+}
+
+}  // namespace mocapress

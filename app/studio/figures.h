@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "app/studio/document.h"
+#include "widgets/panels/result_panel.h"
+
+namespace mocapress {
+
+/// The figures of what is shown; measured where the original is there, else as the file records
+/// them.
+std::optional<ResultFigures> figuresOf(const Document& document);
+
+/// How those figures came about.
+QString stateOf(const Document& document);
+
+}  // namespace mocapress

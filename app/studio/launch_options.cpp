@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/launch_options.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+
+namespace mocapress {
+namespace {
+
+struct Launch {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::LaunchOptions)
+};
+
+}  // namespace
+
+LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      Launch::tr("Compress human motion capture clips with wavelets, and see what it does."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument(QStringLiteral("file"), Launch::tr("A .bvh, .amc or .mcpr file."),
+                               QStringLiteral("[FILE]"));
+  const QCommandLineOption skeleton(QStringLiteral("skeleton"),
+                                    Launch::tr("The .asf skeleton of an .amc."),
+                                    QStringLiteral("ASF"));
+  const QCommandLineOption trace(QStringLiteral("trace"),
+                                 Launch::tr("Write timings to standard error."));
+  const QCommandLineOption screenshot(
+      QStringLiteral("screenshot"),
+      Launch::tr("Write a picture of the window once the clip is compressed, and quit."),
+      QStringLiteral("PNG"));
+  parser.addOptions({skeleton, trace, screenshot});
+  parser.process(application);
+  LaunchOptions options;
+  options.file = parser.positionalArguments().value(0);
+  options.skeleton = parser.value(skeleton);
+  options.screenshot = parser.value(screenshot);
+  options.trace = parser.isSet(trace);
+  return options;
+}
+
+}  // namespace mocapress

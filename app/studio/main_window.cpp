@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/main_window.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QVBoxLayout>
+
+#include "app/studio/sample_clip.h"
+#include "app/studio/trace.h"
+#include "widgets/panels/annealing_panel.h"
+#include "widgets/panels/compression_panel.h"
+#include "widgets/panels/joints_panel.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/result_panel.h"
+#include "widgets/panels/warnings_panel.h"
+#include "widgets/plots/error_graph.h"
+#include "widgets/timeline/transport_bar.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress {
+namespace {
+
+constexpr QSize kFirstSize(1440, 900);
+constexpr int kSidebarWidth = 320;
+constexpr int kJointsWidth = 320;
+constexpr int kBelowHeight = 240;
+
+QFrame* makeRule(QWidget* parent) {
+  auto* rule = new QFrame(parent);
+  rule->setFrameShape(QFrame::HLine);
+  rule->setFrameShadow(QFrame::Sunken);
+  return rule;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+  setWindowIcon(QIcon(QStringLiteral(":/icons/app.svg")));
+  setAcceptDrops(true);
+  resize(kFirstSize);
+  actions_ = makeActions(playback_, this);
+  setCentralWidget(makeCentre());
+  addDocks();
+  recent_ = addMenus(this, actions_, layout_.docks());
+  layout_.restore();
+  new Presenter(session_, playback_, model_, views_, this);
+  // After the presenter: an answer counts once the view has it.
+  trace_ = new Trace(session_, views_.viewport, this);
+  connectFileActions();
+  connectViewActions();
+  connectMessages();
+  updateTitle();
+}
+
+QWidget* MainWindow::makeCentre() {
+  auto* centre = new QWidget(this);
+  messages_ = new MessageBar(centre);
+  views_.warnings = new WarningsPanel(centre);
+  views_.viewport = new Viewport(centre);
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(messages_);
+  column->addWidget(views_.warnings);
+  column->addWidget(views_.viewport, 1);
+  column->addWidget(new TransportBar(playback_, actions_.transport, centre));
+  return centre;
+}
+
+QWidget* MainWindow::makeSidebar() {
+  auto* sidebar = new QWidget(this);
+  views_.compression = new CompressionPanel(sidebar);
+  views_.result = new ResultPanel(sidebar);
+  views_.annealing = new AnnealingPanel(sidebar);
+  auto* column = new QVBoxLayout(sidebar);
+  column->setContentsMargins(10, 2, 10, 10);
+  column->setSpacing(12);
+  column->addWidget(views_.compression);
+  column->addWidget(makeRule(sidebar));
+  column->addWidget(views_.result);
+  column->addWidget(makeRule(sidebar));
+  column->addWidget(views_.annealing, 1);
+  return sidebar;
+}
+
+void MainWindow::addDocks() {
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  QDockWidget* sidebar =
+      layout_.addRight(makeSidebar(), QStringLiteral("compression"), tr("Compression"));
+  views_.joints = new JointsPanel(model_, this);
+  QDockWidget* joints = layout_.addBelow(views_.joints, QStringLiteral("joints"), tr("Joints"));
+  views_.graph = new ErrorGraph(this);
+  QDockWidget* graph =
+      layout_.addBelow(views_.graph, QStringLiteral("error-over-time"), tr("Error over time"));
+  resizeDocks({sidebar}, {kSidebarWidth}, Qt::Horizontal);
+  resizeDocks({joints, graph}, {kJointsWidth, kFirstSize.width() - kSidebarWidth - kJointsWidth},
+              Qt::Horizontal);
+  resizeDocks({joints, graph}, {kBelowHeight, kBelowHeight}, Qt::Vertical);
+}
+
+void MainWindow::connectFileActions() {
+  connect(actions_.open, &QAction::triggered, files_, &ClipFiles::chooseClip);
+  connect(actions_.open_sample, &QAction::triggered, files_,
+          [this] { files_->open(sampleClip()); });
+  connect(actions_.choose_skeleton, &QAction::triggered, files_, &ClipFiles::chooseSkeleton);
+  connect(actions_.compare, &QAction::triggered, files_, &ClipFiles::chooseOriginal);
+  connect(actions_.save, &QAction::triggered, files_, &ClipFiles::save);
+  connect(actions_.save_as, &QAction::triggered, files_, &ClipFiles::saveAs);
+  connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
+  connect(recent_, &QMenu::aboutToShow, files_, [this] { files_->fillRecentMenu(recent_); });
+  actions_.open_sample->setEnabled(!sampleClip().isEmpty());
+}
+
+void MainWindow::connectViewActions() {
+  connect(actions_.follow, &QAction::toggled, views_.viewport, &Viewport::setFollow);
+  actions_.follow->setChecked(true);
+  connect(actions_.reset_camera, &QAction::triggered, views_.viewport, &Viewport::resetCamera);
+  connect(actions_.reset_layout, &QAction::triggered, this, [this] { layout_.reset(); });
+  connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
+}
+
+void MainWindow::connectMessages() {
+  connect(&session_->document(), &Document::titleChanged, this, &MainWindow::updateTitle);
+  connect(session_, &Session::opened, messages_, &QWidget::hide);
+  connect(session_, &Session::compressFailed, messages_,
+          [this](const QString& message) { messages_->showError(message); });
+  connect(session_, &Session::saveFailed, messages_,
+          [this](const QString& message) { messages_->showError(message); });
+  connect(files_, &ClipFiles::openFailed, messages_,
+          [this](const QString& message, bool wants_skeleton) {
+            messages_->showError(message, wants_skeleton ? actions_.choose_skeleton : nullptr);
+          });
+  connect(files_, &ClipFiles::saved, messages_,
+          [this](const QString& name) { messages_->showNote(tr("Saved %1.").arg(name)); });
+}
+
+void MainWindow::updateTitle() {
+  const Document& document = session_->document();
+  const QString program = QCoreApplication::applicationName();
+  setWindowTitle(document.title().isEmpty() ? program
+                                            : tr("%1[*] – %2").arg(document.title(), program));
+  setWindowModified(document.modified());
+  actions_.save->setEnabled(document.decoded() != nullptr);
+  actions_.save_as->setEnabled(document.decoded() != nullptr);
+  actions_.compare->setEnabled(document.decoded() && !document.original());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!may_close_ && session_->document().modified()) {
+    event->ignore();
+    files_->leave([this] {
+      may_close_ = true;
+      close();
+    });
+    return;
+  }
+  layout_.remember();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  files_->open(event->mimeData()->urls().value(0).toLocalFile());
+}
+
+void MainWindow::about() {
+  QMessageBox::about(
+      this, tr("About Mocapress"),
+      tr("<h3>Mocapress %1</h3>"
+         "<p>Compresses human motion capture clips with wavelets, after Philippe Beaudoin, Pierre "
+         "Poulin and Michiel van de Panne, <i>Adapting Wavelet Compression to Human Motion Capture "
+         "Clips</i>, Graphics Interface 2007.</p>"
+         "<p>The studio is free software under the GNU General Public License, version 3 or later; "
+         "the compression library is under the MIT licence.</p>")
+          .arg(QCoreApplication::applicationVersion()));
+}
+
+}  // namespace mocapress

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMainWindow>
+
+#include "app/studio/actions.h"
+#include "app/studio/clip_files.h"
+#include "app/studio/presenter.h"
+#include "app/studio/session.h"
+#include "app/studio/window_layout.h"
+#include "widgets/models/joint_error_model.h"
+#include "widgets/timeline/playback.h"
+
+namespace mocapress {
+
+class MessageBar;
+class Trace;
+
+/// The studio's window: 3D view and transport in the middle, settings and figures to the right,
+/// joints and their errors below.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+
+  Session& session() { return *session_; }
+  Playback& playback() { return *playback_; }
+  ClipFiles& files() { return *files_; }
+  const Views& views() const { return views_; }
+  const Actions& actions() const { return actions_; }
+  MessageBar& messages() { return *messages_; }
+  Trace& trace() { return *trace_; }
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  QWidget* makeCentre();
+  QWidget* makeSidebar();
+  void addDocks();
+  void connectFileActions();
+  void connectViewActions();
+  void connectMessages();
+  void updateTitle();
+  void about();
+
+  // Children, not members: what the widgets show has to outlive their being hidden by ~QWidget().
+  Session* session_ = new Session(this);
+  Playback* playback_ = new Playback(Playback::steadyClock(), this);
+  JointErrorModel* model_ = new JointErrorModel(this);
+  ClipFiles* files_ = new ClipFiles(session_, this);
+  WindowLayout layout_{this};
+  Actions actions_;
+  Views views_;
+  MessageBar* messages_;
+  QMenu* recent_;
+  Trace* trace_;
+  bool may_close_ = false;  // nothing would be lost
+};
+
+}  // namespace mocapress

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/presenter.h"
+
+#include "app/studio/figures.h"
+#include "app/studio/session.h"
+#include "core/motion/landmarks.h"
+#include "widgets/panels/annealing_panel.h"
+#include "widgets/panels/compression_panel.h"
+#include "widgets/panels/joints_panel.h"
+#include "widgets/panels/result_panel.h"
+#include "widgets/panels/warnings_panel.h"
+#include "widgets/plots/error_graph.h"
+#include "widgets/timeline/playback.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress {
+namespace {
+
+std::vector<ErrorCurve> curvesOf(const Document& document) {
+  std::vector<ErrorCurve> curves;
+  if (!document.skeleton()) return curves;
+  const std::vector<Landmark> points = landmarks(*document.skeleton());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const QString name = QString::fromStdString(points[i].name);
+    if (document.curves().contains(name))
+      curves.push_back({name, document.curves().colour(name), static_cast<int>(i)});
+  }
+  return curves;
+}
+
+}  // namespace
+
+Presenter::Presenter(Session* session, Playback* playback, JointErrorModel* model,
+                     const Views& views, QObject* parent)
+    : QObject(parent), session_(session), playback_(playback), model_(model), views_(views) {
+  connectDocument();
+  connectViews();
+  showDecoded();
+}
+
+void Presenter::connectDocument() {
+  Document* document = &session_->document();
+  connect(document, &Document::clipChanged, this, &Presenter::showClip);
+  connect(document, &Document::decodedChanged, this, &Presenter::showDecoded);
+  connect(document, &Document::curvesChanged, this, &Presenter::showCurves);
+  connect(document, &Document::currentJointChanged, this, &Presenter::showCurrentJoint);
+  connect(document, &Document::optionsChanged, this,
+          [=, this] { views_.compression->setOptions(document->options()); });
+  connect(session_, &Session::refiningChanged, views_.annealing, &AnnealingPanel::setRunning);
+  connect(session_, &Session::annealed, views_.annealing, &AnnealingPanel::append);
+}
+
+void Presenter::connectViews() {
+  connect(views_.compression, &CompressionPanel::optionsChanged, session_, &Session::setOptions);
+  connect(views_.annealing, &AnnealingPanel::cancelRequested, session_, &Session::cancelAnnealing);
+  connect(model_, &JointErrorModel::checkRequested, this, &Presenter::setChecked);
+  connect(views_.joints, &JointsPanel::currentJointChanged, &session_->document(),
+          &Document::setCurrentJoint);
+  connect(views_.viewport, &Viewport::jointClicked, this, &Presenter::toggleJoint);
+  connect(views_.graph, &ErrorGraph::seekRequested, playback_, &Playback::seek);
+  connect(playback_, &Playback::frameChanged, views_.graph, &ErrorGraph::setFrame);
+  connect(playback_, &Playback::frameChanged, views_.viewport, &Viewport::setFrame);
+}
+
+void Presenter::showClip() {
+  const Document& document = session_->document();
+  const OriginalPtr& original = document.original();
+  const Skeleton& skeleton = *document.skeleton();
+  views_.viewport->setSkeleton(skeleton);
+  views_.viewport->setOriginal(original ? original->tracks() : nullptr);
+  views_.warnings->setWarnings(original ? original->warnings : Warnings());
+  views_.compression->setEnabled(original != nullptr);
+  model_->setLandmarks(landmarks(skeleton));
+  playback_->setClip(document.frames(), document.sampleRate());
+  showDecoded();
+  showCurrentJoint();
+}
+
+void Presenter::showDecoded() {
+  const Document& document = session_->document();
+  const DecodedPtr& decoded = document.decoded();
+  views_.result->setFigures(figuresOf(document));
+  views_.result->setState(stateOf(document));
+  views_.viewport->setCompressed(decoded ? decoded->tracks : nullptr);
+  const bool measured = decoded && decoded->distortion;
+  const ErrorGraph::Distances distances =
+      measured ? ErrorGraph::Distances(decoded, &decoded->distortion->distances) : nullptr;
+  model_->setDistances(distances ? *distances : Eigen::MatrixXf());
+  model_->setSelection(document.curves());
+  views_.graph->setDistances(distances, document.sampleRate(), curvesOf(document));
+}
+
+void Presenter::showCurves() {
+  model_->setSelection(session_->document().curves());
+  views_.graph->setCurves(curvesOf(session_->document()));
+}
+
+void Presenter::showCurrentJoint() {
+  const int joint = session_->document().currentJoint();
+  views_.viewport->setSelectedJoint(joint);
+  views_.joints->setCurrentJoint(joint);
+}
+
+void Presenter::setChecked(const QString& name, bool checked) {
+  CurveSelection curves = session_->document().curves();
+  if (checked)
+    curves.add(name);
+  else
+    curves.remove(name);
+  session_->document().setCurves(curves);
+}
+
+/// A first click makes a joint current and draws its curve, a click on the current one hides it.
+void Presenter::toggleJoint(int joint) {
+  Document& document = session_->document();
+  const QString name = QString::fromStdString(document.skeleton()->joint(joint).name);
+  const bool hide = joint == document.currentJoint() && document.curves().contains(name);
+  document.setCurrentJoint(joint);
+  setChecked(name, !hide);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "widgets/models/joint_error_model.h"
+
+namespace mocapress {
+
+class AnnealingPanel;
+class CompressionPanel;
+class ErrorGraph;
+class JointsPanel;
+class Playback;
+class ResultPanel;
+class Session;
+class Viewport;
+class WarningsPanel;
+
+/// The widgets that show a document.
+struct Views {
+  Viewport* viewport = nullptr;
+  CompressionPanel* compression = nullptr;
+  ResultPanel* result = nullptr;
+  AnnealingPanel* annealing = nullptr;
+  JointsPanel* joints = nullptr;
+  ErrorGraph* graph = nullptr;
+  WarningsPanel* warnings = nullptr;
+};
+
+/// Keeps the views showing what the session's document holds, and passes on what is done in them.
+class Presenter : public QObject {
+  Q_OBJECT
+
+ public:
+  Presenter(Session* session, Playback* playback, JointErrorModel* model, const Views& views,
+            QObject* parent = nullptr);
+
+ private:
+  void connectDocument();
+  void connectViews();
+  void showClip();
+  void showDecoded();
+  void showCurves();
+  void showCurrentJoint();
+  void setChecked(const QString& name, bool checked);
+  void toggleJoint(int joint);
+
+  Session* session_;
+  Playback* playback_;
+  JointErrorModel* model_;
+  Views views_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/clip_files.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QMenu>
+#include <QMessageBox>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/studio/recent_files.h"
+#include "app/studio/session.h"
+#include "core/formats/motion_file.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+class ClipFilesTest : public testing::Test {
+ protected:
+  ClipFilesTest() {
+    QSettings().clear();
+    write_motion(clip_.toStdU16String(), test::smooth_motion(150));
+  }
+  ~ClipFilesTest() override { QSettings().clear(); }
+
+  void openAndSettle() {
+    QSignalSpy settled(&session_, &Session::settled);
+    files_.open(clip_);
+    ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+  }
+
+  /// Changes and saves, so that a place to save to is known; then changes again.
+  void modify() {
+    QSignalSpy saved(&session_, &Session::saved);
+    session_.save(compressed_);
+    ASSERT_TRUE(saved.count() > 0 || saved.wait(kPatience));
+    QSignalSpy settled(&session_, &Session::settled);
+    EncodeOptions options;
+    options.target.value = 12;
+    session_.setOptions(options);
+    ASSERT_TRUE(settled.wait(kPatience));
+    ASSERT_TRUE(session_.document().modified());
+  }
+
+  void answer(QMessageBox::StandardButton button) {
+    auto* question = window_.findChild<QMessageBox*>();
+    ASSERT_TRUE(question);
+    question->button(button)->click();
+  }
+
+  QTemporaryDir directory_;
+  QString clip_ = directory_.filePath(QStringLiteral("motion.bvh"));
+  QString compressed_ = directory_.filePath(QStringLiteral("motion.mcpr"));
+  QWidget window_;
+  Session session_;
+  ClipFiles files_{&session_, &window_};
+};
+
+using Files = ClipFilesTest;
+
+TEST_F(Files, AsksNothingWhereNothingWouldBeLost) {
+  bool left = false;
+  openAndSettle();
+  files_.leave([&] { left = true; });
+  EXPECT_TRUE(left);
+  EXPECT_FALSE(window_.findChild<QMessageBox*>());
+}
+
+TEST_F(Files, DiscardLeavesAndCancelStays) {
+  bool left = false;
+  openAndSettle();
+  modify();
+  files_.leave([&] { left = true; });
+  EXPECT_FALSE(left);
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(left);
+  QTest::qWait(10);  // the closed question is deleted
+  files_.leave([&] { left = true; });
+  answer(QMessageBox::Discard);
+  EXPECT_TRUE(left);
+  EXPECT_TRUE(session_.document().modified());
+}
+
+TEST_F(Files, SaveLeavesOnceItIsSaved) {
+  bool left = false;
+  openAndSettle();
+  modify();
+  files_.leave([&] { left = true; });
+  answer(QMessageBox::Save);
+  EXPECT_FALSE(left);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return left; }, kPatience));
+  EXPECT_FALSE(session_.document().modified());
+}
+
+TEST_F(Files, ASaveThatFailsStays) {
+  bool left = false;
+  openAndSettle();
+  modify();
+  ASSERT_TRUE(directory_.remove());
+  QSignalSpy failed(&session_, &Session::saveFailed);
+  files_.leave([&] { left = true; });
+  answer(QMessageBox::Save);
+  ASSERT_TRUE(failed.wait(kPatience));
+  EXPECT_FALSE(left);
+}
+
+TEST_F(Files, RemembersWhatWasOpenedAndOpensItFirstNextTime) {
+  openAndSettle();
+  ASSERT_EQ(recentFiles().size(), 1);
+  QMenu menu;
+  files_.fillRecentMenu(&menu);
+  ASSERT_EQ(menu.actions().size(), 1);
+  EXPECT_EQ(menu.actions().front()->text(), QStringLiteral("motion.bvh"));
+
+  Session next;
+  ClipFiles files(&next, &window_);
+  QSignalSpy opened(&next, &Session::opened);
+  files.openFirst();
+  ASSERT_TRUE(opened.wait(kPatience));
+  EXPECT_EQ(next.document().title(), QStringLiteral("motion.bvh"));
+}
+
+TEST_F(Files, OffersASkeletonForAnAmcOnly) {
+  QSignalSpy failed(&files_, &ClipFiles::openFailed);
+  files_.open(directory_.filePath(QStringLiteral("none.amc")));
+  ASSERT_TRUE(failed.wait(kPatience));
+  EXPECT_TRUE(failed[0][1].toBool());
+  files_.open(directory_.filePath(QStringLiteral("none.bvh")));
+  ASSERT_TRUE(failed.wait(kPatience));
+  EXPECT_FALSE(failed[1][1].toBool());
+}
+
+}  // namespace
+}  // namespace mocapress

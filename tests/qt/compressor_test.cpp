@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/compressor.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <vector>
+
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+struct Answer {
+  DecodedPtr decoded;
+  bool final;
+  Method method() const { return decoded->compressed.provenance.method; }
+};
+
+std::shared_ptr<const Encoder> makeEncoder(int frames) {
+  return std::make_shared<const Encoder>(test::smooth_motion(frames));
+}
+
+class CompressorTest : public testing::Test {
+ protected:
+  CompressorTest() {
+    QObject::connect(&compressor_, &Compressor::answered,
+                     [this](const DecodedPtr& decoded, bool final) {
+                       answers_.push_back({decoded, final});
+                     });
+    QObject::connect(&compressor_, &Compressor::failed,
+                     [this](const QString& message) { failures_ << message; });
+  }
+
+  static EncodeOptions ratio(double value, Method method = Method::Annealed) {
+    EncodeOptions options;
+    options.method = method;
+    options.target = {Target::Kind::Ratio, value};
+    return options;
+  }
+
+  bool waitForFinal() {
+    return QTest::qWaitFor([this] { return !answers_.empty() && answers_.back().final; },
+                           kPatience);
+  }
+
+  Compressor compressor_;
+  std::vector<Answer> answers_;
+  QStringList failures_;
+};
+
+using Compressing = CompressorTest;
+
+TEST_F(Compressing, AnswersWithTheStandardSelectionFirstAndTheAnnealedOneAfter) {
+  std::vector<EncodeProgress> states;
+  QObject::connect(&compressor_, &Compressor::progressed,
+                   [&](const std::vector<EncodeProgress>& more) {
+                     states.insert(states.end(), more.begin(), more.end());
+                   });
+  compressor_.setEncoder(makeEncoder(400));
+  compressor_.request(ratio(15));
+  ASSERT_TRUE(waitForFinal()) << failures_.join(u' ').toStdString();
+  ASSERT_EQ(answers_.size(), 2U);
+  EXPECT_EQ(answers_[0].method(), Method::Standard);
+  EXPECT_FALSE(answers_[0].final);
+  EXPECT_EQ(answers_[1].method(), Method::Annealed);
+  EXPECT_LT(answers_[1].decoded->distortion->eps_bone_ends,
+            answers_[0].decoded->distortion->eps_bone_ends);
+  EXPECT_NEAR(answers_[1].decoded->ratio, 15, 0.3);
+  EXPECT_FALSE(states.empty());
+  EXPECT_FALSE(compressor_.busy());
+}
+
+TEST_F(Compressing, AnswersOnceWhereNothingIsAnnealed) {
+  compressor_.setEncoder(makeEncoder(200));
+  compressor_.request(ratio(10, Method::PerChannel));
+  ASSERT_TRUE(waitForFinal());
+  QTest::qWait(200);
+  ASSERT_EQ(answers_.size(), 1U);
+  EXPECT_EQ(answers_[0].method(), Method::PerChannel);
+}
+
+TEST_F(Compressing, EndsWithTheAnswerToTheNewestRequest) {
+  compressor_.setEncoder(makeEncoder(300));
+  for (int i = 0; i < 40; ++i) {
+    compressor_.request(ratio(8 + 0.5 * i));
+    QTest::qWait(i % 5 == 0 ? 100 : 3);
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !compressor_.busy(); }, kPatience));
+  ASSERT_FALSE(answers_.empty());
+  EXPECT_TRUE(answers_.back().final);
+  EXPECT_NEAR(answers_.back().decoded->ratio, 27.5, 0.6);
+  EXPECT_EQ(answers_.back().method(), Method::Annealed);
+}
+
+TEST_F(Compressing, KeepsAnsweringWhileRequestsKeepComing) {
+  compressor_.setEncoder(makeEncoder(400));
+  for (int i = 0; i < 200 && answers_.empty(); ++i) {
+    compressor_.request(ratio(10 + 0.05 * i));
+    QTest::qWait(5);
+  }
+  EXPECT_FALSE(answers_.empty());
+}
+
+TEST_F(Compressing, CancelKeepsAnAnswerNoWorseThanTheStandardOne) {
+  compressor_.setEncoder(makeEncoder(3000));
+  compressor_.request(ratio(12));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return compressor_.refining(); }, kPatience));
+  compressor_.stopEarly();
+  ASSERT_TRUE(waitForFinal());
+  EXPECT_LE(answers_.back().decoded->distortion->eps_bone_ends,
+            answers_.front().decoded->distortion->eps_bone_ends);
+  EXPECT_FALSE(compressor_.busy());
+}
+
+TEST_F(Compressing, CancelBeforeTheAnnealingBeginsLeavesTheStandardAnswer) {
+  compressor_.setEncoder(makeEncoder(200));
+  compressor_.request(ratio(12));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !answers_.empty(); }, kPatience));
+  compressor_.stopEarly();
+  ASSERT_TRUE(waitForFinal());
+  EXPECT_EQ(answers_.back().method(), Method::Standard);
+}
+
+TEST_F(Compressing, AMissedTargetIsAMessageAndTheNextRequestWorks) {
+  compressor_.setEncoder(makeEncoder(100));
+  compressor_.request(ratio(1e9));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failures_.empty(); }, kPatience));
+  EXPECT_FALSE(compressor_.busy());
+  compressor_.request(ratio(8));
+  ASSERT_TRUE(waitForFinal());
+}
+
+TEST_F(Compressing, NothingOfTheOldClipArrivesAfterANewOne) {
+  compressor_.setEncoder(makeEncoder(2000));
+  compressor_.request(ratio(12));
+  QTest::qWait(30);
+  answers_.clear();
+  compressor_.setEncoder(makeEncoder(64));
+  compressor_.request(ratio(4));
+  ASSERT_TRUE(waitForFinal());
+  for (const Answer& answer : answers_) EXPECT_EQ(answer.decoded->compressed.frames, 64);
+}
+
+}  // namespace
+}  // namespace mocapress

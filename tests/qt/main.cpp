@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QSettings>
+#include <QStyleFactory>
+#include <QTemporaryDir>
+
+#include "widgets/viewport/viewport.h"
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  // CTest asks for the names where there need not be a display.
+  if (GTEST_FLAG_GET(list_tests)) return RUN_ALL_TESTS();
+  mocapress::prepareViewport();
+  const QTemporaryDir settings;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  QApplication application(argc, argv);
+  QCoreApplication::setOrganizationName(QStringLiteral("mocapress-tests"));
+  QCoreApplication::setApplicationName(QStringLiteral("Mocapress"));
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/viewport/orbit_camera.h"
+
+#include <gtest/gtest.h>
+
+namespace mocapress {
+namespace {
+
+constexpr float kTolerance = 1e-3f;  // pixels or cm
+
+OrbitCamera cameraAt(const QVector3D& centre, float radius) {
+  OrbitCamera camera;
+  camera.setViewSize({800, 600});
+  camera.lookAt(centre, radius);
+  return camera;
+}
+
+double pixelsBetween(const std::optional<QPointF>& a, const QPointF& b) {
+  return a ? std::hypot(a->x() - b.x(), a->y() - b.y()) : 1e9;
+}
+
+TEST(OrbitCamera, SeesItsTargetInTheMiddle) {
+  const OrbitCamera camera = cameraAt({10, 90, -30}, 100);
+  EXPECT_LT(pixelsBetween(camera.project({10, 90, -30}), {400, 300}), kTolerance);
+}
+
+TEST(OrbitCamera, SeesTheWholeSphereInAnyShapeOfWindow) {
+  for (const QSizeF size : {QSizeF(800, 600), QSizeF(300, 900), QSizeF(1600, 200)}) {
+    OrbitCamera camera;
+    camera.setViewSize(size);
+    camera.lookAt({0, 90, 0}, 100);
+    for (const QVector3D direction :
+         {QVector3D(1, 0, 0), {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}) {
+      const auto seen = camera.project(QVector3D(0, 90, 0) + 100 * direction);
+      ASSERT_TRUE(seen);
+      EXPECT_TRUE(QRectF(QPointF(0, 0), size).contains(*seen));
+    }
+  }
+}
+
+TEST(OrbitCamera, DrawsUpUpwards) {
+  const OrbitCamera camera = cameraAt({0, 0, 0}, 100);
+  EXPECT_LT(camera.project({0, 50, 0})->y(), camera.project({0, 0, 0})->y());
+}
+
+TEST(OrbitCamera, OrbitsAtAConstantDistanceAndStopsShortOfThePoles) {
+  OrbitCamera camera = cameraAt({5, 6, 7}, 100);
+  const float distance = camera.distance();
+  for (int step = 0; step < 100; ++step) {
+    camera.orbit({13, 40});
+    EXPECT_NEAR((camera.eye() - camera.target()).length(), distance, kTolerance);
+  }
+  EXPECT_GT(camera.eye().y(), camera.target().y() + 0.99f * distance);
+  EXPECT_LT(pixelsBetween(camera.project({5, 6, 7}), {400, 300}), kTolerance);
+}
+
+TEST(OrbitCamera, TurnsTheSceneWithTheHand) {
+  OrbitCamera camera = cameraAt({0, 0, 0}, 100);
+  const QVector3D towards_eye = camera.eye() / 10;
+  camera.orbit({20, 10});
+  EXPECT_GT(camera.project(towards_eye)->x(), 400);
+  EXPECT_GT(camera.project(towards_eye)->y(), 300);
+}
+
+TEST(OrbitCamera, PansWhatLiesAtTheTargetWithTheHand) {
+  OrbitCamera camera = cameraAt({0, 90, 0}, 100);
+  camera.pan({37, -21});
+  EXPECT_LT(pixelsBetween(camera.project({0, 90, 0}), {437, 279}), 0.05);
+}
+
+TEST(OrbitCamera, ZoomsThereAndBackWithinBounds) {
+  OrbitCamera camera = cameraAt({0, 90, 0}, 100);
+  const float distance = camera.distance();
+  camera.zoom(3);
+  EXPECT_LT(camera.distance(), distance);
+  camera.zoom(-3);
+  EXPECT_NEAR(camera.distance(), distance, kTolerance);
+  camera.zoom(1000);
+  EXPECT_GT(camera.distance(), 0);
+  camera.zoom(-5000);
+  EXPECT_LT(camera.distance(), 1e5f);
+}
+
+TEST(OrbitCamera, ClipsNeitherDwarfsNorGiants) {
+  for (const float radius : {0.01f, 1.0f, 100.0f, 1e5f}) {
+    const OrbitCamera camera = cameraAt({0, radius, 0}, radius);
+    EXPECT_LT(camera.nearPlane(), camera.distance() - radius);
+    EXPECT_GT(camera.farPlane(), camera.distance() + radius);
+  }
+}
+
+TEST(OrbitCamera, ProjectsNothingFromBehindTheEye) {
+  const OrbitCamera camera = cameraAt({0, 0, 0}, 100);
+  EXPECT_FALSE(camera.project(2 * camera.eye()));
+}
+
+}  // namespace
+}  // namespace mocapress

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/session.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/studio/figures.h"
+#include "core/formats/motion_file.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+class SessionTest : public testing::Test {
+ protected:
+  SessionTest() { session_.setOptions(ratio(10)); }
+
+  static EncodeOptions ratio(double value) {
+    EncodeOptions options;
+    options.target = {Target::Kind::Ratio, value};
+    return options;
+  }
+
+  QString path(const char* name) const { return directory_.filePath(QString::fromLatin1(name)); }
+
+  QString writeClip(const char* name, int frames) const {
+    write_motion(path(name).toStdU16String(), test::smooth_motion(frames));
+    return path(name);
+  }
+
+  bool waitFor(QSignalSpy& spy) { return spy.count() > 0 || spy.wait(kPatience); }
+
+  void openAndSettle(const QString& file) {
+    QSignalSpy settled(&session_, &Session::settled);
+    session_.open(file);
+    ASSERT_TRUE(waitFor(settled));
+  }
+
+  void saveAndWait(const QString& file) {
+    QSignalSpy saved(&session_, &Session::saved);
+    session_.save(file);
+    ASSERT_TRUE(waitFor(saved));
+  }
+
+  QTemporaryDir directory_;
+  Session session_;
+  Document& document_ = session_.document();
+};
+
+using Studio = SessionTest;
+
+TEST_F(Studio, OpensAMotionAndCompressesItAtOnce) {
+  openAndSettle(writeClip("motion.bvh", 300));
+  ASSERT_TRUE(document_.original());
+  ASSERT_TRUE(document_.decoded());
+  EXPECT_TRUE(document_.final());
+  EXPECT_EQ(document_.frames(), 300);
+  EXPECT_EQ(document_.title(), QStringLiteral("motion.bvh"));
+  EXPECT_FALSE(document_.modified());
+  const ResultFigures figures = *figuresOf(document_);
+  EXPECT_NEAR(figures.ratio, 10, 0.2);
+  EXPECT_GT(*figures.p99_cm, 0);
+  EXPECT_GE(figures.max_cm, *figures.p99_cm);
+  EXPECT_FALSE(document_.curves().names().isEmpty());
+}
+
+TEST_F(Studio, ReportsAFileThatCannotBeReadAndKeepsWhatIsOpen) {
+  openAndSettle(writeClip("motion.bvh", 100));
+  QFile broken(path("broken.bvh"));
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("HIERARCHY\nROOT hip\n{\n  OFFSET 0 0\n");
+  broken.close();
+  for (const char* name : {"broken.bvh", "missing.bvh", "broken.mcpr", "walk.amc", "odd.txt"}) {
+    QSignalSpy failed(&session_, &Session::openFailed);
+    session_.open(path(name));
+    ASSERT_TRUE(waitFor(failed)) << name;
+    EXPECT_FALSE(failed[0][1].toString().isEmpty()) << name;
+  }
+  EXPECT_EQ(document_.title(), QStringLiteral("motion.bvh"));
+  EXPECT_EQ(document_.frames(), 100);
+}
+
+TEST_F(Studio, SavesWhatItShowsAndOpensItAgain) {
+  openAndSettle(writeClip("motion.bvh", 300));
+  const DecodedPtr saved = document_.decoded();
+  saveAndWait(path("motion.mcpr"));
+  EXPECT_FALSE(document_.modified());
+  EXPECT_EQ(document_.title(), QStringLiteral("motion.mcpr"));
+
+  Session other;
+  QSignalSpy settled(&other, &Session::settled);
+  other.open(path("motion.mcpr"));
+  ASSERT_TRUE(waitFor(settled));
+  EXPECT_FALSE(other.document().original());
+  EXPECT_LT((*other.document().decoded()->tracks - *saved->tracks).cwiseAbs().maxCoeff(), 1e-3);
+  const ResultFigures recorded = *figuresOf(other.document());
+  EXPECT_NEAR(recorded.eps_cm, saved->distortion->eps_bone_ends, 1e-4);
+  EXPECT_FALSE(recorded.p99_cm);
+
+  QSignalSpy together(&other, &Session::settled);
+  other.open(path("motion.bvh"));
+  ASSERT_TRUE(waitFor(together));
+  EXPECT_TRUE(other.document().original());
+  EXPECT_TRUE(figuresOf(other.document())->p99_cm);
+  EXPECT_EQ(other.document().title(), QStringLiteral("motion.mcpr"));
+}
+
+TEST_F(Studio, ShowsACompressedClipWithItsOriginalAlreadyOpen) {
+  openAndSettle(writeClip("motion.bvh", 200));
+  saveAndWait(path("motion.mcpr"));
+  openAndSettle(path("motion.mcpr"));
+  EXPECT_TRUE(document_.original());
+  EXPECT_TRUE(document_.decoded()->distortion);
+}
+
+TEST_F(Studio, DoesNotMixClipsThatDoNotBelongTogether) {
+  openAndSettle(writeClip("motion.bvh", 200));
+  saveAndWait(path("motion.mcpr"));
+  Session other;
+  QSignalSpy settled(&other, &Session::settled);
+  other.open(path("motion.mcpr"));
+  ASSERT_TRUE(waitFor(settled));
+
+  QSignalSpy failed(&other, &Session::openFailed);
+  other.compareWith(writeClip("longer.bvh", 201));
+  ASSERT_TRUE(waitFor(failed));
+  EXPECT_FALSE(other.document().original());
+
+  QSignalSpy opened(&other, &Session::settled);
+  other.open(path("longer.bvh"));
+  ASSERT_TRUE(waitFor(opened));
+  EXPECT_EQ(other.document().frames(), 201);
+  EXPECT_EQ(other.document().title(), QStringLiteral("longer.bvh"));
+}
+
+TEST_F(Studio, IsModifiedOnceTheUserChangesSomethingAndUntilItIsSaved) {
+  openAndSettle(writeClip("motion.bvh", 200));
+  QSignalSpy settled(&session_, &Session::settled);
+  session_.setOptions(ratio(20));
+  EXPECT_TRUE(document_.modified());
+  ASSERT_TRUE(waitFor(settled));
+  EXPECT_NEAR(document_.decoded()->ratio, 20, 0.4);
+  saveAndWait(path("motion.mcpr"));
+  EXPECT_FALSE(document_.modified());
+}
+
+TEST_F(Studio, ASaveThatFailsIsAMessage) {
+  openAndSettle(writeClip("motion.bvh", 100));
+  QSignalSpy failed(&session_, &Session::saveFailed);
+  session_.save(path("no/such/directory/motion.mcpr"));
+  ASSERT_TRUE(waitFor(failed));
+  EXPECT_TRUE(document_.savedPath().isEmpty());
+}
+
+TEST_F(Studio, CurvesAndCurrentJointOutliveTheClip) {
+  openAndSettle(writeClip("motion.bvh", 100));
+  CurveSelection curves;
+  curves.add(QStringLiteral("lhand end"));
+  document_.setCurves(curves);
+  document_.setCurrentJoint(document_.skeleton()->find("rlower"));
+  openAndSettle(writeClip("other.bvh", 150));
+  EXPECT_EQ(document_.curves(), curves);
+  EXPECT_EQ(document_.currentJoint(), document_.skeleton()->find("rlower"));
+}
+
+TEST_F(Studio, TheNewestOfManyOpensWins) {
+  QSignalSpy settled(&session_, &Session::settled);
+  for (int i = 0; i < 20; ++i) session_.open(writeClip("one.bvh", 100));
+  session_.open(writeClip("two.bvh", 120));
+  ASSERT_TRUE(waitFor(settled));
+  EXPECT_EQ(document_.frames(), 120);
+  EXPECT_EQ(settled.count(), 1);
+}
+
+TEST_F(Studio, CanBeClosedInTheMiddleOfAnything) {
+  const QString clip = writeClip("motion.bvh", 2000);
+  for (int wait_ms : {0, 5, 40, 150, 300}) {
+    Session brief;
+    brief.open(clip);
+    QTest::qWait(wait_ms);
+  }
+}
+
+}  // namespace
+}  // namespace mocapress

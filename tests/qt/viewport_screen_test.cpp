@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The 3D view on a screen: needs an X display with OpenGL (Xvfb will do).
+#include "widgets/viewport/viewport.h"
+
+#include <gtest/gtest.h>
+
+#include <QElapsedTimer>
+#include <QScreen>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWindow>
+#include <cstdio>
+
+#include "core/motion/landmarks.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 30'000;  // ms
+
+Joint joint(int parent, const Eigen::Vector3d& offset) {
+  Joint joint;
+  joint.parent = parent;
+  joint.offset = offset;
+  return joint;
+}
+
+/// Foot, knee and neck above each other and a hand to one side: nothing about it is symmetric.
+Skeleton pillar() {
+  Skeleton skeleton;
+  Joint foot = joint(-1, {0, 5, 25});  // off the lines of the grid
+  foot.channels = {ChannelKind::TranslationX};
+  skeleton.add(foot);
+  skeleton.add(joint(0, {0, 60, 0}));
+  skeleton.add(joint(1, {0, 60, 0}));
+  skeleton.add(joint(2, {40, 0, 0}));
+  return skeleton;
+}
+
+constexpr int kNeck = 2;
+
+/// Two frames, `cm` apart along x.
+Viewport::Tracks pillarTracks(double start, double cm) {
+  Clip clip;
+  clip.channels = Eigen::Vector2d(start, start + cm);
+  return std::make_shared<const Eigen::MatrixXd>(landmark_tracks(pillar(), clip));
+}
+
+int spread(QRgb a) {
+  return std::max({qRed(a), qGreen(a), qBlue(a)}) - std::min({qRed(a), qGreen(a), qBlue(a)});
+}
+
+bool isRed(QRgb pixel) {
+  return qRed(pixel) > 2 * qGreen(pixel) && qRed(pixel) > 2 * qBlue(pixel);
+}
+
+bool isGrey(QRgb pixel) {
+  return spread(pixel) < 40;
+}
+
+int difference(QRgb a, QRgb b) {
+  return std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) +
+         std::abs(qBlue(a) - qBlue(b));
+}
+
+class ViewportScreen : public testing::Test {
+ protected:
+  void SetUp() override {
+    viewport_.resize(640, 480);
+    viewport_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&viewport_));
+    viewport_.setSkeleton(pillar());
+    viewport_.setOriginal(original_);
+    viewport_.setCompressed(compressed_);
+    waitUntilDrawn();
+  }
+
+  void waitUntilDrawn() {
+    QSignalSpy drawn(&viewport_, &Viewport::drawn);
+    ASSERT_TRUE(drawn.wait(kPatience));
+  }
+
+  QImage picture() {
+    QSignalSpy captured(&viewport_, &Viewport::captured);
+    viewport_.capture();
+    EXPECT_TRUE(captured.wait(kPatience));
+    return captured.isEmpty() ? QImage() : captured.first().first().value<QImage>();
+  }
+
+  QPoint seen(const Viewport::Tracks& tracks, int frame, int landmark) const {
+    return viewport_.camera().project(landmarkAt(*tracks, frame, landmark))->toPoint();
+  }
+
+  /// Shows other tracks and takes their picture.
+  QImage pictureOf(const Viewport::Tracks& original, const Viewport::Tracks& compressed) {
+    viewport_.setOriginal(original);
+    viewport_.setCompressed(compressed);
+    return picture();
+  }
+
+  /// The window the mouse is over.
+  QWindow* scene() {
+    for (QWindow* window : QGuiApplication::allWindows())
+      if (window->inherits("mocapress::Scene")) return window;
+    return nullptr;
+  }
+
+  const Viewport::Tracks original_ = pillarTracks(15, 25);
+  const Viewport::Tracks compressed_ = pillarTracks(-45, 25);
+  Viewport viewport_;
+};
+
+TEST_F(ViewportScreen, DrawsTheOriginalGreyAndTheCompressedRedWhereTheyAre) {
+  const QImage both = picture();
+  ASSERT_EQ(both.size(), viewport_.size() * viewport_.devicePixelRatio());
+  const QImage neither = pictureOf(nullptr, nullptr);
+  for (int landmark = 0; landmark < 4; ++landmark) {
+    const QPoint red = seen(compressed_, 0, landmark);
+    EXPECT_TRUE(isRed(both.pixel(red))) << landmark;
+    EXPECT_FALSE(isRed(neither.pixel(red))) << landmark;
+    const QPoint grey = seen(original_, 0, landmark);
+    EXPECT_TRUE(isGrey(both.pixel(grey))) << landmark;
+    EXPECT_GT(difference(both.pixel(grey), neither.pixel(grey)), 12) << landmark;
+  }
+}
+
+TEST_F(ViewportScreen, HidesAFigureWithoutTracks) {
+  const QPoint red = seen(compressed_, 0, kNeck);
+  const QPoint grey = seen(original_, 0, kNeck);
+  const QImage neither = pictureOf(nullptr, nullptr);
+
+  const QImage original_alone = pictureOf(original_, nullptr);
+  EXPECT_EQ(original_alone.pixel(red), neither.pixel(red));
+  EXPECT_NE(original_alone.pixel(grey), neither.pixel(grey));
+
+  const QImage compressed_alone = pictureOf(nullptr, compressed_);
+  EXPECT_NE(compressed_alone.pixel(red), neither.pixel(red));
+  EXPECT_EQ(compressed_alone.pixel(grey), neither.pixel(grey));
+}
+
+TEST_F(ViewportScreen, MovesWithTheFrame) {
+  viewport_.setFrame(1);
+  const QImage moved = picture();
+  EXPECT_TRUE(isRed(moved.pixel(seen(compressed_, 1, kNeck))));
+  EXPECT_FALSE(isRed(moved.pixel(seen(compressed_, 0, kNeck))));
+}
+
+TEST_F(ViewportScreen, FollowsTheRoot) {
+  viewport_.setFollow(true);
+  const QPoint before = seen(original_, 0, kNeck);
+  viewport_.setFrame(1);
+  EXPECT_EQ(seen(original_, 1, kNeck), before);
+}
+
+TEST_F(ViewportScreen, CapturesTheScreenTheRightWayUp) {
+  const QPoint head = seen(compressed_, 0, kNeck);
+  const QPoint foot = seen(compressed_, 0, 0);
+  ASSERT_LT(head.y(), foot.y());
+  const QPoint mirrored(head.x(), viewport_.height() - 1 - head.y());
+  const QImage image = picture();
+  EXPECT_TRUE(isRed(image.pixel(head)));
+  EXPECT_FALSE(isRed(image.pixel(mirrored)));
+}
+
+TEST_F(ViewportScreen, HighlightsTheSelectedJointOnBothFigures) {
+  const QImage plain = picture();
+  viewport_.setSelectedJoint(kNeck);
+  const QImage selected = picture();
+  for (const auto& tracks : {original_, compressed_}) {
+    const QPoint neck = seen(tracks, 0, kNeck);
+    EXPECT_GT(difference(plain.pixel(neck), selected.pixel(neck)), 40);
+    const QPoint knee = seen(tracks, 0, 1);
+    EXPECT_EQ(plain.pixel(knee), selected.pixel(knee));
+  }
+}
+
+TEST_F(ViewportScreen, ReportsTheJointThatIsClickedOnEitherFigure) {
+  QSignalSpy clicked(&viewport_, &Viewport::jointClicked);
+  QTest::mouseClick(scene(), Qt::LeftButton, {}, seen(compressed_, 0, 1) + QPoint(4, 3));
+  QTest::mouseClick(scene(), Qt::LeftButton, {}, seen(original_, 0, kNeck));
+  QTest::mouseClick(scene(), Qt::LeftButton, {}, {5, 5});
+  ASSERT_EQ(clicked.size(), 2);
+  EXPECT_EQ(clicked[0][0].toInt(), 1);
+  EXPECT_EQ(clicked[1][0].toInt(), kNeck);
+}
+
+TEST_F(ViewportScreen, OrbitsOnADragAndPicksNothing) {
+  QSignalSpy clicked(&viewport_, &Viewport::jointClicked);
+  const QPoint start = seen(compressed_, 0, 1);
+  const QVector3D eye = viewport_.camera().eye();
+  QTest::mousePress(scene(), Qt::LeftButton, {}, start);
+  QTest::mouseMove(scene(), start + QPoint(60, 0));
+  QTest::mouseRelease(scene(), Qt::LeftButton, {}, start + QPoint(60, 0));
+  EXPECT_GT((viewport_.camera().eye() - eye).length(), 10);
+  EXPECT_TRUE(clicked.isEmpty());
+}
+
+TEST_F(ViewportScreen, HasANewFigureOnTheScreenWhenItSaysDrawn) {
+  for (int round = 0; round < 6; ++round) {
+    const bool shown = round % 2 == 0;
+    QElapsedTimer clock;
+    clock.start();
+    viewport_.setCompressed(shown ? compressed_ : nullptr);
+    waitUntilDrawn();
+    std::printf("setCompressed() to drawn(): %.0f ms\n", 1e-6 * double(clock.nsecsElapsed()));
+    const QPoint neck = viewport_.mapToGlobal(seen(compressed_, 0, kNeck));
+    const QImage screen = viewport_.screen()->grabWindow(0).toImage();
+    EXPECT_EQ(isRed(screen.pixel(neck)), shown);
+  }
+}
+
+TEST_F(ViewportScreen, PaintsAFrameOfTwoHundredJointsInLittleTime) {
+  Skeleton chain;
+  for (int j = 0; j < 200; ++j) chain.add(joint(j - 1, {0, 1, j % 3 - 1.0}));
+  const auto tracks = std::make_shared<const Eigen::MatrixXd>(
+      landmark_tracks(chain, {.channels = Eigen::MatrixXd(1000, 0)}));
+  viewport_.setSkeleton(chain);
+  viewport_.setOriginal(tracks);
+  viewport_.setCompressed(tracks);
+  QElapsedTimer clock;
+  clock.start();
+  for (int frame = 0; frame < 1000; ++frame) viewport_.setFrame(frame);
+  const double microseconds = 1e-3 / 1000 * double(clock.nsecsElapsed());
+  std::printf("setFrame() of two figures of 200 joints: %.0f us\n", microseconds);
+  EXPECT_LT(microseconds, 5000);
+  EXPECT_TRUE(isRed(picture().pixel(seen(tracks, 999, 100))));
+}
+
+}  // namespace
+}  // namespace mocapress
