@@ -20,11 +20,17 @@ constexpr auto kSettleTime = std::chrono::milliseconds(1500);  // for the 3D vie
 constexpr int kBadInput = 3;
 constexpr int kCannotWrite = 5;
 
-/// Once all is computed and drawn; the middle of a clip says more than its start.
+/// The frame that says most: where the error is largest, or the middle.
+int tellingFrame(MainWindow& window, const Session& session) {
+  const DecodedPtr& decoded = session.document().decoded();
+  return decoded->distortion ? decoded->distortion->max.frame : window.playback().frames() / 2;
+}
+
+/// Once all is computed and drawn.
 void screenshotAndQuit(MainWindow& window, const QString& path) {
   Session* session = &window.session();
-  QObject::connect(session, &Session::settled, &window, [&window, path] {
-    window.playback().seek(window.playback().frames() / 2);
+  QObject::connect(session, &Session::settled, &window, [&window, session, path] {
+    window.playback().seek(tellingFrame(window, *session));
     window.views().viewport->resetCamera();
     QTimer::singleShot(kSettleTime, &window, [&window, path] {
       QCoreApplication::exit(writeScreenshot(window, path) ? 0 : kCannotWrite);
@@ -52,6 +58,11 @@ int run(int argc, char** argv) {
   MainWindow window;
   window.trace().setWriting(options.trace);
   if (!options.screenshot.isEmpty()) screenshotAndQuit(window, options.screenshot);
+  if (options.ratio) {
+    EncodeOptions encode = window.session().document().options();
+    encode.target = {Target::Kind::Ratio, *options.ratio};
+    window.session().document().setOptions(encode);
+  }
   window.show();
   if (options.file.isEmpty())
     window.files().openFirst();

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/job_runner.h"
 
-#include <QMetaObject>
 #include <exception>
 
 namespace mocapress {
 
 void Job::post(std::function<void()> report) const {
-  QMetaObject::invokeMethod(
-      runner_,
-      [runner = runner_, id = id_, report = std::move(report)] { runner->deliver(id, report); },
-      Qt::QueuedConnection);
+  runner_->post(id_, std::move(report));
 }
 
 JobRunner::JobRunner(QObject* parent)
-    : QObject(parent), thread_([this](const std::stop_token& quit) { serve(quit); }) {}
+    : QObject(parent), thread_([this](const std::stop_token& quit) { serve(quit); }) {
+  connect(this, &JobRunner::posted, this, &JobRunner::deliverNext, Qt::QueuedConnection);
+}
 
 JobRunner::~JobRunner() {
   stop_.request_stop();
@@ -77,7 +75,19 @@ void JobRunner::serve(const std::stop_token& quit) {
   }
 }
 
-void JobRunner::deliver(std::uint64_t id, const std::function<void()>& delivery) {
+void JobRunner::post(std::uint64_t id, Delivery delivery) {
+  {
+    const std::scoped_lock lock(mutex_);
+    posted_.emplace_back(id, std::move(delivery));
+  }
+  emit posted(QPrivateSignal());
+}
+
+void JobRunner::deliverNext() {
+  std::unique_lock lock(mutex_);
+  const auto [id, delivery] = std::move(posted_.front());
+  posted_.pop_front();
+  lock.unlock();
   if (id == current_id_) delivery();
 }
 

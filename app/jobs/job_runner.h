@@ -4,6 +4,7 @@
 #include <QObject>
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -68,6 +69,9 @@ class JobRunner : public QObject {
  signals:
   void busyChanged(bool busy);
 
+  /// From the job's thread: posted_ has one more.
+  void posted(QPrivateSignal);
+
  private:
   friend class Job;
   using Delivery = std::function<void()>;
@@ -80,16 +84,19 @@ class JobRunner : public QObject {
 
   void launch(Work work, Failed failed);
   void serve(const std::stop_token& quit);
-  void deliver(std::uint64_t id, const std::function<void()>& delivery);
+  void post(std::uint64_t id, Delivery delivery);
+  void deliverNext();
   void setBusy(bool busy);
 
   std::uint64_t current_id_ = 0;  // jobs with another id are void
   bool busy_ = false;
   std::stop_source stop_;  // of the newest job
 
-  std::mutex mutex_;  // guards waiting_
+  std::mutex mutex_;  // guards waiting_ and posted_
   std::condition_variable_any wake_;
   std::optional<Waiting> waiting_;
+  // Qt's events only say that there is something here: a thread sanitizer does not see into Qt.
+  std::deque<std::pair<std::uint64_t, Delivery>> posted_;
   std::jthread thread_;  // last: it uses all of the above
 };
 

@@ -24,17 +24,23 @@ LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
   const QCommandLineOption skeleton(QStringLiteral("skeleton"),
                                     Launch::tr("The .asf skeleton of an .amc."),
                                     QStringLiteral("ASF"));
+  const QCommandLineOption ratio(QStringLiteral("ratio"),
+                                 Launch::tr("The compression ratio to begin with."),
+                                 QStringLiteral("R"));
   const QCommandLineOption trace(QStringLiteral("trace"),
                                  Launch::tr("Write timings to standard error."));
   const QCommandLineOption screenshot(
       QStringLiteral("screenshot"),
       Launch::tr("Write a picture of the window once the clip is compressed, and quit."),
       QStringLiteral("PNG"));
-  parser.addOptions({skeleton, trace, screenshot});
+  parser.addOptions({skeleton, ratio, trace, screenshot});
   parser.process(application);
   LaunchOptions options;
   options.file = parser.positionalArguments().value(0);
   options.skeleton = parser.value(skeleton);
+  bool is_number = false;
+  const double wanted = parser.value(ratio).toDouble(&is_number);
+  if (is_number && wanted > 0) options.ratio = wanted;
   options.screenshot = parser.value(screenshot);
   options.trace = parser.isSet(trace);
   return options;

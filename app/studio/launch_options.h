@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 class QCoreApplication;
 
@@ -9,10 +10,11 @@ namespace mocapress {
 
 /// The studio's command line.
 struct LaunchOptions {
-  QString file;        // empty: the newest of the recent files, or the bundled walk
-  QString skeleton;    // for an .amc
-  QString screenshot;  // write the window to this PNG once all is computed, and quit
-  bool trace = false;  // timings on standard error
+  QString file;                 // empty: the newest of the recent files, or the bundled walk
+  QString skeleton;             // for an .amc
+  std::optional<double> ratio;  // compression ratio to begin with
+  QString screenshot;           // write the window to this PNG once all is computed, and quit
+  bool trace = false;           // timings on standard error
 };
 
 /// Ends the program on --help, --version and errors.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/select/annealing.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,7 +21,7 @@ struct Gain {
 class Allocation {
  public:
   Allocation(const RankedCoefficients& ranked, const ErrorModel& model, const Kept& start)
-      : ranked_(ranked), kept_(start), state_(model), gains_(start.size()), costs_(start.size()) {
+      : ranked_(ranked), kept_(start), state_(model), gains_(start.size()) {
     for (int c = 0; c < channels(); ++c)
       state_.add(c, -synthesise(ranked_, c, kept(c), ranked_.per_channel()));
   }
@@ -42,18 +40,24 @@ class Allocation {
 
   /// The channel where `count` more coefficients lower the error most; `favourite` wins ties.
   int best_channel_for(int count, int favourite) {
-    tbb::parallel_for(0, channels(), [&](int c) {
-      costs_[static_cast<std::size_t>(c)] = kept(c) + count > ranked_.per_channel()
-                                                ? std::numeric_limits<double>::infinity()
-                                                : state_.change(c, gain(c, count));
-    });
     int best = favourite;
-    for (int c = 0; c < channels(); ++c)
-      if (costs_[static_cast<std::size_t>(c)] < costs_[static_cast<std::size_t>(best)]) best = c;
+    double least = cost(favourite, count);
+    for (int c = 0; c < channels(); ++c) {
+      const double candidate = cost(c, count);
+      if (candidate >= least) continue;
+      best = c;
+      least = candidate;
+    }
     return best;
   }
 
  private:
+  double cost(int channel, int count) {
+    if (kept(channel) + count > ranked_.per_channel())
+      return std::numeric_limits<double>::infinity();
+    return state_.change(channel, gain(channel, count));
+  }
+
   const Eigen::VectorXd& gain(int channel, int count) {
     Gain& gain = gains_[static_cast<std::size_t>(channel)];
     if (gain.kept != kept(channel) || gain.count != count)
@@ -66,7 +70,6 @@ class Allocation {
   Kept kept_;
   ErrorState state_;
   std::vector<Gain> gains_;
-  std::vector<double> costs_;
 };
 
 }  // namespace

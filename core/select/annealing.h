@@ -31,8 +31,9 @@ struct AnnealingReport {
   bool complete = true;     // false: the observer ended it
 };
 
-/// Moves coefficients between channels while eps_x falls. The same seed gives the same result, on
-/// any number of threads.
+/// Moves coefficients between channels while eps_x falls. The same seed gives the same result. One
+/// thread: the steps are so short that waiting for others on a busy machine would cost more than
+/// all of them.
 AnnealingReport anneal(const RankedCoefficients& ranked, const ErrorModel& model, const Kept& start,
                        const AnnealingOptions& options = {},
                        const Observer<AnnealingProgress>& observer = {});

@@ -138,8 +138,8 @@ void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
                                  Eigen::MatrixXd& gradient) const {
   const auto [joint, rotates] = places_[static_cast<std::size_t>(channel)];
   const std::vector<int>& subtree = subtrees_[static_cast<std::size_t>(joint)];
-  tbb::parallel_for(Eigen::Index{0}, (axes_.rows() + kBlock - 1) / kBlock, [&](Eigen::Index block) {
-    const Eigen::Index first = block * kBlock;
+  std::vector<Wrench> wrenches(parents_.size());
+  for (Eigen::Index first = 0; first < axes_.rows(); first += kBlock) {
     const Eigen::Index frames = std::min(kBlock, axes_.rows() - first);
     const auto project = [&](int on_joint, const Wrench& wrench) {
       const VectorBlock origin = VectorBlock::of(tracks_, on_joint, first, frames);
@@ -155,7 +155,6 @@ void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
     VectorBlock motion = VectorBlock::of(axes_, channel, first, frames);
     motion *= VectorBlock::Values(delta.segment(first, frames).array());
     const VectorBlock center = VectorBlock::of(tracks_, joint, first, frames);
-    std::vector<Wrench> wrenches(parents_.size());
     for (const int j : subtree)
       wrenches[static_cast<std::size_t>(j)] = {VectorBlock::zero(frames),
                                                VectorBlock::zero(frames)};
@@ -177,7 +176,7 @@ void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
     for (int j = parents_[static_cast<std::size_t>(joint)]; j >= 0;
          j = parents_[static_cast<std::size_t>(j)])
       project(j, wrenches[static_cast<std::size_t>(joint)]);
-  });
+  }
 }
 
 ErrorState::ErrorState(const ErrorModel& model)
