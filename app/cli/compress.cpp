@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <map>
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/correction_arguments.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
+#include "app/cli/words.h"
 #include "core/base/file.h"
 #include "core/codec/container.h"
 #include "core/codec/encoder.h"
@@ -17,10 +18,12 @@ struct Compress {
   MotionInput source;
   std::string output;
   EncodeOptions options;
+  CorrectionArguments correction;
   bool json = false;
 
-  void run() const {
+  void run() {
     const Encoder encoder(source.read(input));
+    options.correction = correction.options(encoder.motion().skeleton);
     Encoding encoding = encoder.encode(options);
     const std::vector<std::byte> file = write_container(encoding.compressed);
     if (!output.empty()) write_bytes(output, file);
@@ -29,20 +32,14 @@ struct Compress {
                         .compressed = &encoding.compressed,
                         .file_bytes = file.size(),
                         .distortion = std::move(encoding.distortion),
+                        .footskate_cm = footskate_of(encoder.contacts(), encoding.footskate),
+                        .correction = std::move(encoding.correction),
                         .coefficient_ratio = encoding.coefficient_ratio,
                         .iterations = encoding.iterations,
                         .encode_seconds = encoding.seconds};
     json ? print(to_json(report)) : print(report);
   }
 };
-
-/// The words for the values of an enum, as name() gives them.
-template <typename Enum>
-std::map<std::string, Enum> words(std::initializer_list<Enum> values) {
-  std::map<std::string, Enum> words;
-  for (const Enum value : values) words.emplace(name(value), value);
-  return words;
-}
 
 }  // namespace
 
@@ -80,6 +77,7 @@ void add_compress(CLI::App& app) {
   add("--target-error", Target::Kind::Error, "CM", "eps_x not above this");
   add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes not above this");
   add("--max-error", Target::Kind::MaxError, "CM", "No point further off at any frame");
+  call->correction.add_options(*command);
   command->add_option("--seed", call->options.seed, "Of the annealing; same seed, same bytes");
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });

@@ -29,11 +29,16 @@ struct Measure {
                            std::to_string(decoded.channels.cols()) + " channels, the original " +
                            std::to_string(motion.clip.frames()) + " of " +
                            std::to_string(motion.clip.channels.cols()));
+    const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
+    const auto contacts = find_foot_contacts(motion.skeleton, tracks, motion.clip.sample_rate_hz);
+    const Footskate footskate = measure_footskate(
+        contacts, tracks, landmark_tracks(motion.skeleton, decoded), decoded.sample_rate_hz);
     const Report report{.input = original,
                         .original = &motion,
                         .compressed = &clip,
                         .file_bytes = std::filesystem::file_size(compressed),
-                        .distortion = mocapress::measure(motion.skeleton, motion.clip, decoded)};
+                        .distortion = mocapress::measure(motion.skeleton, tracks, decoded),
+                        .footskate_cm = footskate_of(contacts, footskate)};
     json ? print(to_json(report)) : print(report);
   }
 };

@@ -3,10 +3,33 @@
 
 #include <cstdio>
 #include <iostream>
+#include <numbers>
 
 #include "core/metrics/rate.h"
 
 namespace mocapress::cli {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;  // in a radian
+
+void print(const CodedCorrection& correction, const std::optional<CorrectionResult>& result) {
+  std::fprintf(stderr, "  IK correction: %zu effectors, %zu bytes, %s", correction.effectors.size(),
+               correction.bytes(), name(correction.solver).data());
+  if (!result) return static_cast<void>(std::fputc('\n', stderr));
+  std::fprintf(stderr, ", r_IK %.3g\n", result->ratio);
+  std::fprintf(stderr, "  knees turn at up to %.0f degrees/s (original %.0f)\n",
+               result->fastest_knee * kDegrees, result->fastest_knee_of_original * kDegrees);
+  if (result->report.unreached > 0)
+    std::fprintf(stderr, "  out of reach of %d limbs and frames, by up to %.2f cm\n",
+                 result->report.unreached, result->report.worst_miss_cm);
+}
+
+}  // namespace
+
+std::optional<double> footskate_of(const std::vector<ContactSpan>& contacts,
+                                   const Footskate& footskate) {
+  return contacts.empty() ? std::nullopt : std::optional(footskate.total_cm);
+}
 
 Json to_json(const Report& report) {
   const Clip& clip = report.original->clip;
@@ -22,9 +45,9 @@ Json to_json(const Report& report) {
       {"channels", clip.channels.cols()},
       {"joints", report.original->skeleton.joint_count()},
       {"raw_bytes", raw_bytes(clip)},
-      {"motion_bytes", compressed.motion.size()},
+      {"motion_bytes", compressed.motion_bytes()},
       {"file_bytes", report.file_bytes},
-      {"ratio", compression_ratio(clip, compressed.motion.size())},
+      {"ratio", compression_ratio(clip, compressed.motion_bytes())},
       {"coefficient_ratio", or_null(report.coefficient_ratio)},
       {"eps_x_cm", report.distortion.eps(made.weighting)},
       {"eps_x_bone_ends_cm", report.distortion.eps_bone_ends},
@@ -32,12 +55,12 @@ Json to_json(const Report& report) {
       {"max_error_cm", report.distortion.max.cm},
       {"p95_error_cm", report.distortion.p95},
       {"p99_error_cm", report.distortion.p99},
-      {"bits_per_joint_sample", bits_per_joint_sample(*report.original, compressed.motion.size())},
+      {"bits_per_joint_sample", bits_per_joint_sample(*report.original, compressed.motion_bytes())},
       {"iterations", or_null(report.iterations)},
       {"encode_seconds", or_null(report.encode_seconds)},
-      {"ik_ratio", nullptr},
-      {"ik_bytes", nullptr},
-      {"footskate_cm", nullptr},
+      {"ik_ratio", report.correction ? Json(report.correction->ratio) : Json()},
+      {"ik_bytes", compressed.correction ? Json(compressed.correction->bytes()) : Json()},
+      {"footskate_cm", or_null(report.footskate_cm)},
   };
 }
 
@@ -45,7 +68,7 @@ void print(const Report& report) {
   const Clip& clip = report.original->clip;
   const CompressedClip& compressed = *report.compressed;
   const Distortion& distortion = report.distortion;
-  const std::size_t motion_bytes = compressed.motion.size();
+  const std::size_t motion_bytes = compressed.motion_bytes();
   const auto worst_landmark = static_cast<std::size_t>(distortion.max.landmark);
   const std::string worst_name = landmarks(report.original->skeleton)[worst_landmark].name;
   std::fprintf(stderr, "%s: %d frames, %d channels at %g Hz\n", report.input.c_str(), clip.frames(),
@@ -58,6 +81,8 @@ void print(const Report& report) {
                distortion.eps_bone_ends, distortion.eps_joint_origins);
   std::fprintf(stderr, "  p95 %.3f cm, p99 %.3f cm, max %.3f cm (%s, frame %d)\n", distortion.p95,
                distortion.p99, distortion.max.cm, worst_name.c_str(), distortion.max.frame);
+  if (report.footskate_cm) std::fprintf(stderr, "  footskate %.2f cm\n", *report.footskate_cm);
+  if (compressed.correction) print(*compressed.correction, report.correction);
 }
 
 void print(const Json& json) {

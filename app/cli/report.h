@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/codec/compressed_clip.h"
+#include "core/codec/encoder.h"
 #include "core/metrics/distortion.h"
 
 namespace mocapress::cli {
@@ -19,10 +19,16 @@ struct Report {
   const CompressedClip* compressed = nullptr;
   std::size_t file_bytes = 0;
   Distortion distortion;
-  std::optional<double> coefficient_ratio;  // unset: not known to this command
+  std::optional<double> footskate_cm;          // beyond the original's own; unset: no contacts
+  std::optional<CorrectionResult> correction;  // what compress knows of it
+  std::optional<double> coefficient_ratio;     // unset: not known to this command
   std::optional<int> iterations;
   std::optional<double> encode_seconds;
 };
+
+/// What a report says of footskate: nothing where no foot ever stands.
+std::optional<double> footskate_of(const std::vector<ContactSpan>& contacts,
+                                   const Footskate& footskate);
 
 /// Stable keys: scripts depend on them. Null where a value does not apply.
 Json to_json(const Report& report);

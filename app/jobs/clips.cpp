@@ -20,7 +20,7 @@ bool sameChannels(const Skeleton& a, const Skeleton& b) {
 
 /// What follows from the compressed clip and its decoded motion.
 void complete(DecodedClip& decoded) {
-  const std::size_t motion_bytes = decoded.compressed.motion.size();
+  const std::size_t motion_bytes = decoded.compressed.motion_bytes();
   decoded.ratio = compression_ratio(decoded.clip, motion_bytes);
   decoded.bits_per_joint_sample =
       bits_per_joint_sample({decoded.compressed.skeleton, decoded.clip}, motion_bytes);

@@ -15,8 +15,8 @@ constexpr double kSizeTolerance = 1.02;
 bool worthKeeping(const DecodedClip& refined, const DecodedClip& quick) {
   const Weighting weighting = refined.compressed.provenance.weighting;
   return refined.distortion->eps(weighting) < quick.distortion->eps(weighting) &&
-         static_cast<double>(refined.compressed.motion.size()) <=
-             kSizeTolerance * static_cast<double>(quick.compressed.motion.size());
+         static_cast<double>(refined.compressed.motion_bytes()) <=
+             kSizeTolerance * static_cast<double>(quick.compressed.motion_bytes());
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
   const Provenance& provenance = decoded.compressed.provenance;
   ResultFigures figures;
   figures.ratio = decoded.ratio;
-  figures.motion_bytes = decoded.compressed.motion.size();
+  figures.motion_bytes = decoded.compressed.motion_bytes();
   figures.file_bytes = decoded.file_bytes;
   figures.weighting = provenance.weighting;
   figures.eps_cm = static_cast<double>(provenance.eps_cm);

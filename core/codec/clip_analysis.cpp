@@ -4,14 +4,13 @@
 namespace mocapress {
 
 BasisAnalysis::BasisAnalysis(const Motion& motion, Basis basis)
-    : ranked(rank_coefficients(motion.clip, basis)), standard(ranked, motion.skeleton) {
-  const std::vector<double> of_each = ranked.lifting.gains();
-  gains = Eigen::Map<const Eigen::VectorXd>(of_each.data(), ranked.per_channel());
-}
+    : ranked(rank_coefficients(motion.clip, basis)), standard(ranked, motion.skeleton) {}
 
 ClipAnalysis::ClipAnalysis(Motion motion)
     : motion_(std::move(motion)),
-      original_tracks_(landmark_tracks(motion_.skeleton, motion_.clip)) {}
+      original_tracks_(landmark_tracks(motion_.skeleton, motion_.clip)),
+      contacts_(
+          find_foot_contacts(motion_.skeleton, original_tracks_, motion_.clip.sample_rate_hz)) {}
 
 const BasisAnalysis& ClipAnalysis::in(Basis basis) const {
   return bases_.get(basis, [&] { return std::make_unique<BasisAnalysis>(motion_, basis); });

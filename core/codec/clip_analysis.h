@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 
+#include "core/contact/contact_spans.h"
 #include "core/select/error_model.h"
 #include "core/select/truncation.h"
 
@@ -16,7 +17,6 @@ namespace mocapress {
 struct BasisAnalysis {
   RankedCoefficients ranked;
   StandardOrder standard;
-  Eigen::VectorXd gains;  // Lifting::gains(), by which coefficients are coded
 
   BasisAnalysis(const Motion& motion, Basis basis);
 };
@@ -31,6 +31,9 @@ class ClipAnalysis {
   const Eigen::MatrixXd& original_tracks() const { return original_tracks_; }
   const BasisAnalysis& in(Basis basis) const;
   const ErrorModel& model(Weighting weighting) const;
+
+  /// Of the feet, as found on the original; empty where there are no feet.
+  const std::vector<ContactSpan>& contacts() const { return contacts_; }
 
  private:
   template <typename Key, typename Value>
@@ -52,6 +55,7 @@ class ClipAnalysis {
 
   Motion motion_;
   Eigen::MatrixXd original_tracks_;  // landmark_tracks()
+  std::vector<ContactSpan> contacts_;
   OnDemand<Basis, BasisAnalysis> bases_;
   OnDemand<Weighting, ErrorModel> models_;
 };

@@ -15,14 +15,8 @@ std::string_view name(Method method) {
   return "unknown";
 }
 
-std::string_view name(Coding coding) {
-  switch (coding) {
-    case Coding::Rle16:
-      return "rle16";
-    case Coding::Deflate:
-      return "deflate";
-  }
-  return "unknown";
+std::size_t CodedCorrection::bytes() const {
+  return 2 + 4 * effectors.size() + signals.size();
 }
 
 }  // namespace mocapress

@@ -3,9 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "core/codec/signal_coder.h"
+#include "core/ik/correction.h"
 #include "core/motion/clip.h"
 #include "core/motion/landmarks.h"
 #include "core/wavelet/basis.h"
@@ -19,15 +22,8 @@ enum class Method : std::uint8_t {
   Annealed = 3,    // the paper's Algorithm 1
 };
 
-/// How the chosen coefficients became bytes. The values are part of the file format.
-enum class Coding : std::uint8_t {
-  Rle16 = 1,    // 16-bit words with runs of zeros
-  Deflate = 2,  // the same words, DEFLATE over the clip
-};
-
-/// "per-channel", "standard", "annealed"; "rle16", "deflate".
+/// "per-channel", "standard", "annealed".
 std::string_view name(Method method);
-std::string_view name(Coding coding);
 
 /// How a clip was made and what it promises: for people and tools, not for the decoder.
 struct Provenance {
@@ -38,6 +34,16 @@ struct Provenance {
   float max_error_cm = 0;  // over all landmarks and frames
 };
 
+/// Where effectors go beside the decoded motion, and by what solver (the paper's section 5.1).
+struct CodedCorrection {
+  IkSolver solver = IkSolver::NearestPose;
+  std::vector<Effector> effectors;
+  std::vector<std::byte> signals;  // three a effector, coded as the motion is
+
+  /// What the correction adds to a file: its signals and what says whose they are.
+  std::size_t bytes() const;
+};
+
 /// A compressed clip as values: what a .mcpr file holds. FORMAT.md says how.
 struct CompressedClip {
   Skeleton skeleton;
@@ -46,7 +52,13 @@ struct CompressedClip {
   Basis basis = Basis::Cubic;
   Coding coding = Coding::Deflate;
   std::vector<std::byte> motion;  // every channel's coefficients, coded
+  std::optional<CodedCorrection> correction;
   Provenance provenance;
+
+  /// What a ratio counts: motion and correction, not the skeleton.
+  std::size_t motion_bytes() const {
+    return motion.size() + (correction ? correction->bytes() : 0);
+  }
 };
 
 }  // namespace mocapress

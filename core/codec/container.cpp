@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 #include "core/base/byte_cursor.h"
 #include "core/base/error.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::string_view kMagic = "MCPR";
 constexpr std::uint16_t kVersion = 1;
+constexpr int kMostCorrected = 32;  // effectors
 constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 26;
 
 std::span<const std::byte> bytes_of(std::string_view text) {
@@ -83,6 +85,44 @@ void read_description(std::span<const std::byte> payload, std::size_t offset,
   reader.expect_end();
 }
 
+std::vector<std::byte> write_correction(const CodedCorrection& correction) {
+  ByteWriter writer;
+  writer.write(static_cast<std::uint8_t>(correction.solver));
+  writer.write(static_cast<std::uint8_t>(correction.effectors.size()));
+  for (const Effector& effector : correction.effectors) {
+    writer.write(static_cast<std::uint16_t>(effector.joint));
+    writer.write(static_cast<std::uint16_t>(effector.chain.front()));
+  }
+  writer.append(correction.signals);
+  return writer.release();
+}
+
+CodedCorrection read_correction(std::span<const std::byte> payload, std::size_t offset,
+                                const Skeleton& skeleton) {
+  ByteReader reader(payload, offset);
+  CodedCorrection correction;
+  correction.solver =
+      read_enum(reader, IkSolver::CyclicDescent, IkSolver::NearestPose, "IK solver");
+  const int effectors = reader.read<std::uint8_t>();
+  if (effectors == 0 || effectors > kMostCorrected) reader.fail("effectors: not 1 to 32");
+  try {
+    for (int e = 0; e < effectors; ++e) {
+      const int joint = reader.read<std::uint16_t>();
+      const int top = reader.read<std::uint16_t>();
+      if (joint >= skeleton.joint_count()) reader.fail("an effector is no joint of the skeleton");
+      correction.effectors.push_back(effector_between(skeleton, top, joint));
+    }
+    check_effectors(skeleton, correction.effectors);
+  } catch (const FormatError&) {
+    throw;
+  } catch (const Error& error) {
+    reader.fail(error.what());
+  }
+  const auto signals = reader.take(reader.remaining());
+  correction.signals.assign(signals.begin(), signals.end());
+  return correction;
+}
+
 struct Section {
   std::string tag;
   std::span<const std::byte> payload;
@@ -123,12 +163,18 @@ class SectionReader {
     file_.fail("section " + std::string(tag) + " is missing");
   }
 
-  void expect_only_optional() {
+  /// The section if it stands here. Unless it does, only optional ones follow.
+  std::optional<Section> take_last(std::string_view tag) {
+    std::optional<Section> found;
     for (; left_ > 0; --left_) {
       const std::size_t start = file_.offset();
-      const Section section = read_section(file_);
-      if (!is_optional(section)) throw FormatError(start, "unknown section " + section.tag);
+      Section section = read_section(file_);
+      if (section.tag == tag && !found)
+        found = std::move(section);
+      else if (!is_optional(section))
+        throw FormatError(start, "unknown section " + section.tag);
     }
+    return found;
   }
 
  private:
@@ -146,10 +192,11 @@ std::vector<std::byte> write_container(const CompressedClip& clip) {
   ByteWriter file;
   file.append(bytes_of(kMagic));
   file.write(kVersion);
-  file.write(std::uint16_t{3});
+  file.write(static_cast<std::uint16_t>(clip.correction ? 4 : 3));
   write_section(file, "SKEL", encode_skeleton(clip.skeleton));
   write_section(file, "CLIP", write_description(clip));
   write_section(file, "MOTN", clip.motion);
+  if (clip.correction) write_section(file, "IKCO", write_correction(*clip.correction));
   return file.release();
 }
 
@@ -169,7 +216,9 @@ CompressedClip read_container(std::span<const std::byte> bytes) {
   read_description(description.payload, description.payload_offset, clip);
   const Section motion = sections.expect("MOTN");
   clip.motion.assign(motion.payload.begin(), motion.payload.end());
-  sections.expect_only_optional();
+  if (const auto correction = sections.take_last("IKCO"))
+    clip.correction =
+        read_correction(correction->payload, correction->payload_offset, clip.skeleton);
   file.expect_end();
   return clip;
 }

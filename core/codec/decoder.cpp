@@ -1,36 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/decoder.h"
 
-#include <tbb/parallel_for.h>
-
-#include "core/codec/deflate.h"
-#include "core/codec/rle16.h"
-#include "core/wavelet/lifting.h"
+#include "core/codec/signal_coder.h"
 
 namespace mocapress {
-namespace {
 
-Eigen::MatrixXd decode_coefficients(const CompressedClip& compressed) {
-  const int channels = compressed.skeleton.channel_count();
-  if (compressed.coding == Coding::Rle16)
-    return rle16_decode(compressed.motion, compressed.frames, channels);
-  const auto words = inflate_bytes(compressed.motion, rle16_bound(compressed.frames, channels));
-  return rle16_decode(words, compressed.frames, channels);
+Clip decode_uncorrected(const CompressedClip& compressed) {
+  return {compressed.sample_rate_hz,
+          decode_signals(compressed.motion, compressed.basis, compressed.coding, compressed.frames,
+                         compressed.skeleton.channel_count())};
 }
 
-}  // namespace
+CorrectionReport correct(const CompressedClip& compressed, Clip& clip) {
+  if (!compressed.correction) return {};
+  const CodedCorrection& correction = *compressed.correction;
+  const Eigen::MatrixXd differences =
+      decode_signals(correction.signals, compressed.basis, compressed.coding, compressed.frames,
+                     3 * static_cast<int>(correction.effectors.size()));
+  return apply_correction(compressed.skeleton, correction.effectors, correction.solver, differences,
+                          clip);
+}
 
 Clip decode(const CompressedClip& compressed) {
-  Clip clip{compressed.sample_rate_hz, decode_coefficients(compressed)};
-  const Lifting lifting(compressed.basis, compressed.frames);
-  const std::vector<double> gains = lifting.gains();
-  const Eigen::Map<const Eigen::VectorXd> gain(gains.data(), clip.frames());
-  tbb::parallel_for(Eigen::Index{0}, clip.channels.cols(), [&](Eigen::Index c) {
-    const std::span<double> signal(clip.channels.col(c).data(),
-                                   static_cast<std::size_t>(clip.frames()));
-    clip.channels.col(c).array() /= gain.array();
-    lifting.inverse(signal, signal);
-  });
+  Clip clip = decode_uncorrected(compressed);
+  correct(compressed, clip);
   return clip;
 }
 

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "core/base/progress.h"
-#include "core/codec/compressed_clip.h"
+#include "core/codec/correction_encoder.h"
 #include "core/codec/target.h"
+#include "core/contact/footskate.h"
 #include "core/metrics/distortion.h"
 
 namespace mocapress {
@@ -21,6 +23,8 @@ struct EncodeOptions {
   Weighting weighting = Weighting::BoneEnds;
   Target target;
   std::uint64_t seed = 1;  // of the annealing; the same seed gives the same bytes
+  std::optional<CorrectionOptions> correction;       // its size counts in ratio and size
+  std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
 };
 
 /// The state of a running encode. A target other than the coefficient ratio takes several passes.
@@ -32,11 +36,22 @@ struct EncodeProgress {
   double eps_cm = 0;   // by the quadratic model, in the chosen weighting
 };
 
+/// What an IK correction did to a clip.
+struct CorrectionResult {
+  double ratio = 0;  // r_IK, asked for or found
+  CorrectionReport report;
+  Clip uncorrected;
+  double fastest_knee = 0;  // radians/s, with the correction
+  double fastest_knee_of_original = 0;
+};
+
 /// A finished encode, decoded again and measured.
 struct Encoding {
   CompressedClip compressed;
   Clip decoded;
   Distortion distortion;
+  Footskate footskate;
+  std::optional<CorrectionResult> correction;
   double coefficient_ratio = 0;  // the paper's r
   int iterations = 0;            // of the last annealing
   double seconds = 0;
@@ -56,7 +71,11 @@ class Encoder {
   /// landmark_tracks() of the original.
   const Eigen::MatrixXd& original_tracks() const;
 
-  /// Throws TargetMissed when no number of coefficients meets the target.
+  /// Of the feet, found on the original.
+  const std::vector<ContactSpan>& contacts() const;
+
+  /// Throws TargetMissed when no number of coefficients meets the target, and Error when a
+  /// correction is asked for that the skeleton does not allow.
   Encoding encode(const EncodeOptions& options,
                   const Observer<EncodeProgress>& observer = {}) const;
 

@@ -21,9 +21,9 @@ double Goal::achieved(const CompressedClip& compressed) const {
     case Target::Kind::CoefficientRatio:
       return target_.value;  // met by construction
     case Target::Kind::Ratio:
-      return compression_ratio(motion.clip, compressed.motion.size());
+      return compression_ratio(motion.clip, compressed.motion_bytes());
     case Target::Kind::Size:
-      return static_cast<double>(compressed.motion.size());
+      return static_cast<double>(compressed.motion_bytes());
     case Target::Kind::Error:
       return exact_eps(motion.skeleton, analysis_.original_tracks(), decode(compressed),
                        weighting_);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/ik/effector.h"
+
 namespace mocapress {
 namespace {
 
@@ -72,6 +74,14 @@ std::vector<ContactSpan> find_contacts(const Eigen::MatrixXd& tracks, double sam
     all.insert(all.end(), spans.begin(), spans.end());
   }
   return all;
+}
+
+std::vector<ContactSpan> find_foot_contacts(const Skeleton& skeleton, const Eigen::MatrixXd& tracks,
+                                            double sample_rate_hz,
+                                            const ContactSettings& settings) {
+  std::vector<int> landmarks;  // a joint's number is that of the landmark at its origin
+  for (const Effector& foot : find_feet(skeleton)) landmarks.push_back(foot.joint);
+  return find_contacts(tracks, sample_rate_hz, landmarks, settings);
 }
 
 }  // namespace mocapress

@@ -13,8 +13,8 @@ namespace mocapress {
 struct ContactSettings {
   double begin_height = 2.5;   // cm above the lowest the point comes to
   double end_height = 4.0;     // cm
-  double begin_speed = 15.0;   // cm/s
-  double end_speed = 30.0;     // cm/s
+  double begin_speed = 30.0;   // cm/s
+  double end_speed = 50.0;     // cm/s
   double least_seconds = 0.1;  // shorter spans are dropped, shorter gaps closed
 };
 
@@ -37,5 +37,10 @@ double ground_height(const Eigen::MatrixXd& tracks, int landmark);
 std::vector<ContactSpan> find_contacts(const Eigen::MatrixXd& tracks, double sample_rate_hz,
                                        const std::vector<int>& landmarks,
                                        const ContactSettings& settings = {});
+
+/// The same for the feet of a skeleton, as find_feet() finds them. None where there are no feet.
+std::vector<ContactSpan> find_foot_contacts(const Skeleton& skeleton, const Eigen::MatrixXd& tracks,
+                                            double sample_rate_hz,
+                                            const ContactSettings& settings = {});
 
 }  // namespace mocapress

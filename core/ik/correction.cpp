@@ -8,7 +8,6 @@
 #include <cassert>
 
 #include "core/ik/limb.h"
-#include "core/motion/landmarks.h"
 
 namespace mocapress {
 namespace {
@@ -61,13 +60,12 @@ CorrectionReport both(const CorrectionReport& a, const CorrectionReport& b) {
 
 }  // namespace
 
-Eigen::MatrixXd effector_tracks(const Skeleton& skeleton, const Clip& clip,
+Eigen::MatrixXd effector_tracks(const Eigen::MatrixXd& landmark_tracks,
                                 const std::vector<Effector>& effectors) {
-  const Eigen::MatrixXd all = landmark_tracks(skeleton, clip);
-  Eigen::MatrixXd tracks(clip.frames(), 3 * std::ssize(effectors));
+  Eigen::MatrixXd tracks(landmark_tracks.rows(), 3 * std::ssize(effectors));
   for (Eigen::Index e = 0; e < std::ssize(effectors); ++e)
     tracks.middleCols<3>(3 * e) =
-        all.middleCols<3>(3 * effectors[static_cast<std::size_t>(e)].joint);
+        landmark_tracks.middleCols<3>(3 * effectors[static_cast<std::size_t>(e)].joint);
   return tracks;
 }
 

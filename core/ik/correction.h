@@ -11,14 +11,14 @@
 
 namespace mocapress {
 
-/// World positions (cm) of the effectors over a clip: frames x 3 * effectors.
-Eigen::MatrixXd effector_tracks(const Skeleton& skeleton, const Clip& clip,
+/// World positions (cm) of the effectors, frames x 3 * effectors, out of landmark_tracks().
+Eigen::MatrixXd effector_tracks(const Eigen::MatrixXd& landmark_tracks,
                                 const std::vector<Effector>& effectors);
 
 /// What a corrected clip could not do.
 struct CorrectionReport {
   double worst_miss_cm = 0;
-  int unreached = 0;    // effectors at frames that stayed further than kReachedCm from their target
+  int unreached = 0;    // limbs at frames with an effector further than kReachedCm from its target
   long iterations = 0;  // of the solver, over all frames
 };
 

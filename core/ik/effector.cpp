@@ -127,6 +127,17 @@ Effector effector_at(const Skeleton& skeleton, int joint) {
   return effector;
 }
 
+Effector effector_between(const Skeleton& skeleton, int top, int joint) {
+  Effector effector{joint, {}};
+  for (int j = skeleton.joint(joint).parent; j >= top && j >= 0; j = skeleton.joint(j).parent)
+    if (turns(skeleton.joint(j))) effector.chain.push_back(j);
+  if (effector.chain.empty() || effector.chain.back() != top)
+    throw Error("a chain of joints that ends at " + skeleton.joint(joint).name +
+                " does not begin at a joint above it that can turn");
+  std::reverse(effector.chain.begin(), effector.chain.end());
+  return effector;
+}
+
 std::vector<Effector> find_feet(const Skeleton& skeleton) {
   std::vector<int> feet = feet_by_name(skeleton);
   if (feet.empty()) feet = feet_by_topology(skeleton);

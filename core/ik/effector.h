@@ -19,6 +19,10 @@ struct Effector {
 /// The effector at a joint. Throws Error when no joint above it in its limb can turn.
 Effector effector_at(const Skeleton& skeleton, int joint);
 
+/// The effector at a joint with all joints that can turn from `top`, above it, down to its parent.
+/// Throws Error when `top` is not above the joint or cannot turn.
+Effector effector_between(const Skeleton& skeleton, int top, int joint);
+
 /// The feet, one effector each: the ball of the foot where there is one, else the ankle. Found by
 /// name in any of the usual spellings (ltoes, LeftToeBase, mixamorig:LeftToeBase, Toe_L, toe1-1.L,
 /// LeftForeFoot, LeftFoot), and where no name tells, by topology: the lowest joints of the two

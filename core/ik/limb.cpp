@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/error.h"
+
 namespace mocapress {
 
 Limb::Limb(const Skeleton& skeleton, std::vector<Effector> effectors)
@@ -39,6 +41,7 @@ Limb::Limb(const Skeleton& skeleton, std::vector<Effector> effectors)
     }
   }
   angles_.setZero(std::ssize(turns_));
+  if (!turns_.empty()) first_turning_link_ = turns_.front().link;
 }
 
 int Limb::link_of(int joint) const {
@@ -51,16 +54,22 @@ int Limb::link_of(int joint) const {
 void Limb::set_frame(const FrameRow& frame) {
   frame_ = frame;
   for (int a = 0; a < angle_count(); ++a) angles_(a) = frame(channel(a));
-  update();
+  update(0);
 }
 
-void Limb::set_angles(const Eigen::VectorXd& angles) {
-  angles_ = angles;
-  update();
+void Limb::turn(int angle, double by) {
+  angles_(angle) += by;
+  update(turns_[static_cast<std::size_t>(angle)].link);
 }
 
-void Limb::update() {
-  for (Link& link : links_) {
+void Limb::turn(const Eigen::Ref<const Eigen::VectorXd>& by) {
+  angles_ += by;
+  update(first_turning_link_);
+}
+
+void Limb::update(int first_link) {
+  for (auto l = static_cast<std::size_t>(first_link); l < links_.size(); ++l) {
+    Link& link = links_[l];
     const Link* parent = link.parent < 0 ? nullptr : &links_[static_cast<std::size_t>(link.parent)];
     Eigen::Vector3d in_parent = link.joint->offset;
     Eigen::Matrix3d world_from_axes = link.joint->joint_from_axes;
@@ -104,6 +113,14 @@ Eigen::Vector3d Limb::velocity(int effector, int angle) const {
   return axis(angle).cross(position(effector) - center(angle));
 }
 
+double Limb::disturbance(int angle) const {
+  const Turn& turn = turns_[static_cast<std::size_t>(angle)];
+  double sum = 0;
+  for (std::size_t l = static_cast<std::size_t>(turn.link) + 1; l < links_.size(); ++l)
+    sum += turn.axis_in_world.cross(links_[l].origin_in_world - center(angle)).squaredNorm();
+  return sum / static_cast<double>(links_.size());
+}
+
 std::vector<Limb> limbs_of(const Skeleton& skeleton, const std::vector<Effector>& effectors) {
   const auto share_a_joint = [](const Effector& a, const Effector& b) {
     return std::find_first_of(a.chain.begin(), a.chain.end(), b.chain.begin(), b.chain.end()) !=
@@ -124,6 +141,17 @@ std::vector<Limb> limbs_of(const Skeleton& skeleton, const std::vector<Effector>
   std::vector<Limb> limbs;
   for (auto& group : groups) limbs.emplace_back(skeleton, std::move(group));
   return limbs;
+}
+
+void check_effectors(const Skeleton& skeleton, const std::vector<Effector>& effectors) {
+  std::set<int> joints;
+  for (const Effector& effector : effectors)
+    if (!joints.insert(effector.joint).second)
+      throw Error("the joint " + skeleton.joint(effector.joint).name + " is an effector twice");
+  for (const Limb& limb : limbs_of(skeleton, effectors))
+    if (std::ssize(limb.effectors()) > kMostEffectors || limb.angle_count() > kMostAngles)
+      throw Error("the limb of " + skeleton.joint(limb.effectors().front().joint).name +
+                  " has more effectors or angles than can be solved together");
 }
 
 }  // namespace mocapress

@@ -26,7 +26,10 @@ class Limb {
   void set_frame(const FrameRow& frame);
 
   const Eigen::VectorXd& angles() const { return angles_; }
-  void set_angles(const Eigen::VectorXd& angles);
+
+  /// Adds to one angle, or to all of them. radians
+  void turn(int angle, double by);
+  void turn(const Eigen::Ref<const Eigen::VectorXd>& by);
 
   /// Where the effector is with the present angles. cm, in the world.
   const Eigen::Vector3d& position(int effector) const;
@@ -34,6 +37,9 @@ class Limb {
   /// What a small turn of `angle` would do to the effector: cm a radian, zero where it does not
   /// move it.
   Eigen::Vector3d velocity(int effector, int angle) const;
+
+  /// How much a turn of `angle` moves the limb: the mean over its joints of cm^2 / radian^2.
+  double disturbance(int angle) const;
 
   /// Axis (unit, in the world) and centre of an angle's turn.
   const Eigen::Vector3d& axis(int angle) const {
@@ -60,12 +66,13 @@ class Limb {
   };
 
   int link_of(int joint) const;
-  void update();
+  void update(int first_link);
 
   std::vector<Effector> effectors_;
   std::vector<int> effector_links_;
   std::vector<Link> links_;           // parents first
   std::vector<Turn> turns_;           // in the order of links and channels
+  int first_turning_link_ = 0;        // those before it stay where the frame has them
   std::vector<bool> moves_;           // effectors x turns
   std::vector<int> turn_of_channel_;  // -1: keeps the frame's value
   Eigen::RowVectorXd frame_;
@@ -74,5 +81,12 @@ class Limb {
 
 /// Groups effectors whose chains share joints, so that each limb can be solved by itself.
 std::vector<Limb> limbs_of(const Skeleton& skeleton, const std::vector<Effector>& effectors);
+
+/// What a solver has room for, of one limb.
+inline constexpr int kMostEffectors = 8;
+inline constexpr int kMostAngles = 64;
+
+/// Throws Error when a limb of these effectors has more than that, or a joint stands twice.
+void check_effectors(const Skeleton& skeleton, const std::vector<Effector>& effectors);
 
 }  // namespace mocapress

@@ -14,9 +14,6 @@ namespace {
 
 using Targets = std::span<const Eigen::Vector3d>;
 
-constexpr int kMostEffectors = 8;  // of one limb, for matrices without allocation
-constexpr int kMostAngles = 64;
-
 double miss(const Limb& limb, Targets targets) {
   double largest = 0;
   for (std::size_t e = 0; e < targets.size(); ++e)
@@ -43,24 +40,21 @@ double best_turn(const Limb& limb, int angle, Targets targets) {
 IkOutcome solve_cyclic_descent(Limb& limb, Targets targets) {
   constexpr int kMostSweeps = 60;
   IkOutcome outcome{miss(limb, targets)};
-  Eigen::VectorXd angles = limb.angles();
   while (outcome.miss_cm > kReachedCm && outcome.iterations < kMostSweeps) {
-    for (int a = limb.angle_count() - 1; a >= 0; --a) {
-      angles(a) += best_turn(limb, a, targets);
-      limb.set_angles(angles);
-    }
+    for (int a = limb.angle_count() - 1; a >= 0; --a) limb.turn(a, best_turn(limb, a, targets));
     outcome.miss_cm = miss(limb, targets);
     ++outcome.iterations;
   }
   return outcome;
 }
 
-/// Newton's method with the step of least turning, damped. From a start a few centimetres off it
-/// ends within a fraction of the nearest pose in two or three steps. The damping keeps a leg that
-/// is almost straight from jerking at the knee.
+/// Newton's method with the step that moves the limb least, damped. An angle is turned the more the
+/// less its turning moves: an ankle that is off is not made good by the hip. From a start a few
+/// centimetres off it ends within a fraction of the nearest pose in two or three steps. The damping
+/// keeps a leg that is almost straight from jerking at the knee.
 IkOutcome solve_nearest_pose(Limb& limb, Targets targets) {
   constexpr int kMostSteps = 12;
-  constexpr double kDamping = 0.5;       // cm^2 / rad^2, beside squared lever arms of 10 ... 90 cm
+  constexpr double kDamping = 0.01;      // beside values of the normal matrix of about 1
   constexpr double kLongestTurn = 0.35;  // radians in one step: beyond, the linearisation is void
   using Stacked = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3 * kMostEffectors, 1>;
   using Jacobian =
@@ -73,6 +67,8 @@ IkOutcome solve_nearest_pose(Limb& limb, Targets targets) {
   IkOutcome outcome{miss(limb, targets)};
   Jacobian jacobian(rows, limb.angle_count());
   Stacked error(rows);
+  Angles ease(limb.angle_count());
+  for (int a = 0; a < limb.angle_count(); ++a) ease(a) = 1 / (1 + limb.disturbance(a));
   while (outcome.miss_cm > kReachedCm && outcome.iterations < kMostSteps) {
     for (Eigen::Index e = 0; e < std::ssize(targets); ++e) {
       error.segment<3>(3 * e) =
@@ -80,12 +76,12 @@ IkOutcome solve_nearest_pose(Limb& limb, Targets targets) {
       for (int a = 0; a < limb.angle_count(); ++a)
         jacobian.block<3, 1>(3 * e, a) = limb.velocity(static_cast<int>(e), a);
     }
-    Normal normal = jacobian * jacobian.transpose();
+    Normal normal = jacobian * ease.asDiagonal() * jacobian.transpose();
     normal.diagonal().array() += kDamping;
-    Angles step = jacobian.transpose() * normal.ldlt().solve(error);
+    Angles step = ease.asDiagonal() * jacobian.transpose() * normal.ldlt().solve(error);
     const double longest = step.cwiseAbs().maxCoeff();
     if (longest > kLongestTurn) step *= kLongestTurn / longest;
-    limb.set_angles(limb.angles() + step);
+    limb.turn(step);
     outcome.miss_cm = miss(limb, targets);
     ++outcome.iterations;
   }

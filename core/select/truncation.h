@@ -16,6 +16,9 @@ class StandardOrder {
  public:
   StandardOrder(const RankedCoefficients& ranked, const Skeleton& skeleton);
 
+  /// For signals of any kind; one scale each, by which their importance is multiplied.
+  StandardOrder(const RankedCoefficients& ranked, const std::vector<double>& scales);
+
   /// The `count` largest of all: the paper's vector w. Requires 0 <= count <= ranked.total().
   Kept keep(int count) const;
 

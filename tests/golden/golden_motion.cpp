@@ -73,4 +73,18 @@ CompressedClip golden_clip(Coding coding) {
                          .max_error_cm = 1.5F}};
 }
 
+CompressedClip golden_corrected_clip() {
+  CompressedClip clip = golden_clip(Coding::Rle16);
+  Clip differences{clip.sample_rate_hz, Eigen::MatrixXd(clip.frames, 3)};
+  for (int t = 0; t < clip.frames; ++t)
+    differences.channels.row(t) << 3 * std::sin(0.2 * t), -2 * std::cos(0.11 * t), 0.05 * t;
+  const RankedCoefficients ranked = rank_coefficients(differences, clip.basis);
+  const int joint = clip.skeleton.find("ltibia");
+  clip.correction = CodedCorrection{
+      .solver = IkSolver::NearestPose,
+      .effectors = {effector_at(clip.skeleton, joint)},
+      .signals = code_signals(ranked, keep_per_channel(ranked, ranked.total() / 3), clip.coding)};
+  return clip;
+}
+
 }  // namespace mocapress::test

@@ -14,4 +14,7 @@ Motion golden_motion();
 /// so that better selections leave the bytes alone.
 CompressedClip golden_clip(Coding coding);
 
+/// golden_clip(Coding::Rle16) with a correction at ltibia.
+CompressedClip golden_corrected_clip();
+
 }  // namespace mocapress::test

@@ -16,6 +16,7 @@ namespace mocapress::test {
 namespace {
 
 constexpr double kValueTolerance = 1e-6;     // cm or radians
+constexpr double kSolvedTolerance = 1e-4;    // of angles that a solver found
 constexpr double kSkeletonTolerance = 1e-5;  // cm; the file has 32-bit floats
 
 std::filesystem::path golden(const std::string& name) {
@@ -101,17 +102,31 @@ TEST_P(Golden, TheWriterStillMakesTheSameMotion) {
 INSTANTIATE_TEST_SUITE_P(Version1, Golden, testing::Values(Coding::Rle16, Coding::Deflate),
                          [](const auto& coding) { return std::string(name(coding.param)); });
 
-TEST(GoldenBytes, TheWriterStillMakesTheSameRle16File) {
-  const auto then = read_bytes(golden("v1_rle16.mcpr"));
+TEST(GoldenCorrection, Version1ReadsAsItAlwaysDid) {
+  const CompressedClip clip = load_mcpr(golden("v1_correction.mcpr"));
+  ASSERT_TRUE(clip.correction);
+  EXPECT_EQ(clip.correction->solver, IkSolver::NearestPose);
+  const Eigen::MatrixXd expected = values_of_csv(read_text(golden("v1_correction_expected.csv")),
+                                                 50, clip.skeleton.channel_count());
+  EXPECT_LT((decode(clip).channels - expected).cwiseAbs().maxCoeff(), kSolvedTolerance);
+}
+
+TEST(GoldenBytes, TheWriterStillMakesTheSameRle16Files) {
   EXPECT_TRUE(without_skeleton(write_container(golden_clip(Coding::Rle16))) ==
-              without_skeleton(then));
+              without_skeleton(read_bytes(golden("v1_rle16.mcpr"))));
+  EXPECT_TRUE(without_skeleton(write_container(golden_corrected_clip())) ==
+              without_skeleton(read_bytes(golden("v1_correction.mcpr"))));
 }
 
 TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
   for (const Coding coding : {Coding::Rle16, Coding::Deflate})
     save_mcpr(golden(file_name(coding)), golden_clip(coding));
-  const CompressedClip clip = golden_clip(Coding::Rle16);
-  write_text(golden("v1_expected.csv"), csv_text({clip.skeleton, decode(clip)}));
+  const auto write_expected = [](const char* file, const CompressedClip& clip) {
+    write_text(golden(file), csv_text({clip.skeleton, decode(clip)}));
+  };
+  write_expected("v1_expected.csv", golden_clip(Coding::Rle16));
+  save_mcpr(golden("v1_correction.mcpr"), golden_corrected_clip());
+  write_expected("v1_correction_expected.csv", golden_corrected_clip());
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ const std::set<std::string> kNumberKeys = {
     "eps_x_joint_origins_cm", "max_error_cm", "p95_error_cm", "p99_error_cm",
     "bits_per_joint_sample"};
 const std::set<std::string> kEncodingKeys = {"coefficient_ratio", "iterations", "encode_seconds"};
+// Null: the clip has no feet.
 const std::set<std::string> kNullKeys = {"ik_ratio", "ik_bytes", "footskate_cm"};
 
 /// Exactly the keys of a report, each of its type; those of the encoding are numbers or null.
@@ -75,6 +76,28 @@ TEST_F(Cli, CompressReportsExactlyTheDocumentedKeys) {
   EXPECT_NEAR(report["ratio"].get<double>(),
               report["raw_bytes"].get<double>() / report["motion_bytes"].get<double>(), 1e-9);
   EXPECT_EQ(report["eps_x_cm"], report["eps_x_bone_ends_cm"]);
+}
+
+TEST_F(Cli, HoldsTheFeetOfASampleAndReportsIt) {
+  const std::string walk = std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/human_walk.amc";
+  const json with = json_of({"compress", walk, "-o", packed_, "--method", "standard",
+                             "--coefficient-ratio", "30", "--ik", "16", "--json"});
+  EXPECT_EQ(with["ik_ratio"], 16);
+  EXPECT_GT(with["ik_bytes"], 50);
+  const json without = json_of({"compress", walk, "--method", "standard", "--target-size",
+                                std::to_string(with["motion_bytes"].get<int>()), "--json"});
+  EXPECT_TRUE(without["ik_ratio"].is_null());
+  EXPECT_LT(with["footskate_cm"], 0.2 * without["footskate_cm"].get<double>());
+  const json measured = json_of({"measure", walk, packed_, "--json"});
+  EXPECT_EQ(measured["ik_bytes"], with["ik_bytes"]);
+  EXPECT_EQ(measured["motion_bytes"], with["motion_bytes"]);
+  EXPECT_NEAR(measured["footskate_cm"], with["footskate_cm"], 0.01);
+}
+
+TEST_F(Cli, NamesTheEffectorThatIsNoJoint) {
+  const Outcome result = mocapress({"compress", clip_, "--ik", "16", "--effectors", "nose"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, testing::HasSubstr("nose"));
 }
 
 TEST_F(Cli, WithoutJsonEverythingForPeopleIsOnStandardError) {
@@ -197,11 +220,10 @@ TEST_F(Cli, BenchReportsExactlyTheDocumentedKeys) {
   const std::set<std::string> measured = {
       "decode_us_per_frame", "copy_us_per_frame",         "annealed_seconds",
       "annealed_iterations", "annealed_us_per_iteration", "reference_us_per_iteration"};
-  std::set<std::string> keys = {"frames",
-                                "channels",
-                                "window_us_per_frame",
+  std::set<std::string> keys = {"window_us_per_frame",
                                 "pose_us",
                                 "ik_us_per_frame",
+                                "ik_cyclic_descent_us_per_frame",
                                 "closed_loop_seconds",
                                 "closed_loop_frames_per_second"};
   for (const std::string& key : measured)

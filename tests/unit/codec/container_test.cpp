@@ -15,11 +15,17 @@
 namespace mocapress {
 namespace {
 
+/// With an IK correction at the ends of both limbs.
 CompressedClip small_clip(Coding coding = Coding::Deflate) {
-  return Encoder(test::smooth_motion(40))
+  const Motion motion = test::smooth_motion(40);
+  const CorrectionOptions correction{
+      .joints = {motion.skeleton.joint_count() - 1, motion.skeleton.joint_count() - 4},
+      .ratio = 4.0};
+  return Encoder(motion)
       .encode({.method = Method::Standard,
                .coding = coding,
-               .target = {Target::Kind::CoefficientRatio, 4}})
+               .target = {Target::Kind::CoefficientRatio, 4},
+               .correction = correction})
       .compressed;
 }
 
@@ -57,7 +63,9 @@ TEST(Container, ReadsBackWhatWasWritten) {
     EXPECT_EQ(read.motion, clip.motion);
     EXPECT_EQ(read.provenance.method, Method::Standard);
     EXPECT_EQ(read.provenance.eps_cm, clip.provenance.eps_cm);
-    EXPECT_EQ(decode(read).channels, decode(clip).channels);
+    EXPECT_EQ(read.correction->solver, clip.correction->solver);
+    EXPECT_EQ(read.correction->signals, clip.correction->signals);
+    EXPECT_EQ(decode_uncorrected(read).channels, decode_uncorrected(clip).channels);
   }
 }
 
@@ -118,11 +126,29 @@ TEST(Container, RefusesMoreSamplesThanItMayHoldBeforeAllocatingThem) {
   EXPECT_THROW(read_container(file), FormatError);
 }
 
+TEST(Container, RefusesAnEffectorThatIsNone) {
+  const auto file = write_container(small_clip());
+  const Place place = find_section(file, "IKCO");
+  const std::size_t effectors = place.start + 12 + 2;
+  const auto expect_refused = [&](std::size_t at, int value) {
+    auto changed = file;
+    changed[at] = static_cast<std::byte>(value);
+    mend_checksum(changed, place);
+    EXPECT_THROW(read_container(changed), FormatError) << at << ' ' << value;
+  };
+  expect_refused(place.start + 12, 9);                               // a solver that is not known
+  expect_refused(place.start + 13, 0);                               // no effectors
+  expect_refused(place.start + 13, 200);                             // too many
+  expect_refused(effectors, 99);                                     // no such joint
+  expect_refused(effectors + 2, 99);                                 // no such top
+  expect_refused(effectors + 4, static_cast<int>(file[effectors]));  // twice the same, or no chain
+}
+
 TEST(Container, SkipsOptionalSectionsAndRefusesUnknownOnes) {
   const auto file = write_container(small_clip());
   for (const bool optional : {true, false}) {
     auto extended = file;
-    extended[6] = std::byte{4};  // sections
+    extended[6] = std::byte{5};  // sections
     const std::size_t start = extended.size();
     const char* const tag = optional ? "note" : "NOTE";
     for (int i = 0; i < 4; ++i) extended.push_back(static_cast<std::byte>(tag[i]));
@@ -141,7 +167,7 @@ TEST(Container, SurvivesMutationsThatPassTheChecksums) {
   Random random(2);
   for (int round = 0; round < 3000; ++round) {
     auto mutated = file;
-    for (const char* tag : {"SKEL", "CLIP", "MOTN"}) {
+    for (const char* tag : {"SKEL", "CLIP", "MOTN", "IKCO"}) {
       const Place place = find_section(mutated, tag);
       if (random.below(2) == 0)
         mutated[place.start + 12 + random.below(place.size)] =

@@ -20,7 +20,7 @@ const Encoder& encoder() {
 }
 
 double ratio_of(const Encoding& encoding) {
-  return compression_ratio(encoder().motion().clip, encoding.compressed.motion.size());
+  return compression_ratio(encoder().motion().clip, encoding.compressed.motion_bytes());
 }
 
 constexpr Method kMethods[] = {Method::PerChannel, Method::Standard, Method::Annealed};
@@ -44,8 +44,8 @@ TEST(Encoder, StaysBelowEveryBound) {
   for (const Method method : kMethods) {
     const Encoding small =
         encoder().encode({.method = method, .target = {Target::Kind::Size, 2500}});
-    EXPECT_LE(small.compressed.motion.size(), 2500u);
-    EXPECT_GT(small.compressed.motion.size(), 2400u);
+    EXPECT_LE(small.compressed.motion_bytes(), 2500u);
+    EXPECT_GT(small.compressed.motion_bytes(), 2400u);
     const Encoding near =
         encoder().encode({.method = method, .target = {Target::Kind::Error, 0.5}});
     EXPECT_LE(near.distortion.eps_bone_ends, 0.5);

@@ -64,13 +64,10 @@ TEST(Limb, VelocityIsTheDerivativeOfThePosition) {
   for (int a = 0; a < limb.angle_count(); ++a) {
     const Eigen::Vector3d velocity = limb.velocity(0, a);
     constexpr double kStep = 1e-6;
-    Eigen::VectorXd angles = limb.angles();
     const Eigen::Vector3d before = limb.position(0);
-    angles(a) += kStep;
-    limb.set_angles(angles);
+    limb.turn(a, kStep);
     EXPECT_TRUE(((limb.position(0) - before) / kStep).isApprox(velocity, 1e-4));
-    angles(a) -= kStep;
-    limb.set_angles(angles);
+    limb.turn(a, -kStep);
   }
 }
 
@@ -152,12 +149,10 @@ TEST(Solve, HoldsSeveralEffectorsOfOneLimbAtOnce) {
     Limb limb(skeleton, {effector_at(skeleton, 4), effector_at(skeleton, 5)});
     limb.set_frame(bent_frame());
     // Where both would be after a small turn of every angle: reachable together.
-    Eigen::VectorXd angles = limb.angles();
-    const Eigen::VectorXd start = angles;
-    angles.array() += 0.03;
-    limb.set_angles(angles);
+    const Eigen::VectorXd turn = Eigen::VectorXd::Constant(limb.angle_count(), 0.03);
+    limb.turn(turn);
     const Eigen::Vector3d targets[] = {limb.position(0), limb.position(1)};
-    limb.set_angles(start);
+    limb.turn(-turn);
     EXPECT_LT(solve(solver, limb, targets).miss_cm, 0.1) << name(solver);
   }
 }

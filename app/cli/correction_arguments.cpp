@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/correction_arguments.h"
+
+#include "app/cli/words.h"
+
+namespace mocapress::cli {
+namespace {
+
+constexpr const char* kFound = "auto";
+
+/// For CLI11: empty when `text` is a number above 0 or "auto", else what is wrong.
+std::string check_ratio(const std::string& text) {
+  return text == kFound ? std::string() : CLI::PositiveNumber(text);
+}
+
+}  // namespace
+
+void CorrectionArguments::add_options(CLI::App& command) {
+  CLI::Option* ik = command
+                        .add_option("--ik", ratio,
+                                    "Hold the feet by inverse kinematics: coefficients of the "
+                                    "correction / kept ones, or auto")
+                        ->type_name("R_IK|auto")
+                        ->check(check_ratio);
+  command.add_option("--effectors", effectors, "Joints to hold (the feet)")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->needs(ik);
+  command.add_option("--ik-solver", solver, "How joints are turned (nearest-pose)")
+      ->transform(CLI::CheckedTransformer(words({IkSolver::CyclicDescent, IkSolver::NearestPose}),
+                                          CLI::ignore_case))
+      ->needs(ik);
+  command.add_option("--ik-at", at, "Where they are held (every-frame)")
+      ->transform(CLI::CheckedTransformer(words({CorrectAt::EveryFrame, CorrectAt::Contacts}),
+                                          CLI::ignore_case))
+      ->needs(ik);
+}
+
+std::optional<CorrectionOptions> CorrectionArguments::options(const Skeleton& skeleton) const {
+  if (ratio.empty()) return std::nullopt;
+  CorrectionOptions options{.solver = solver, .at = at};
+  if (ratio != kFound) options.ratio = std::stod(ratio);
+  for (const std::string& effector : effectors) {
+    options.joints.push_back(skeleton.find(effector));
+    if (options.joints.back() < 0)
+      throw CLI::ValidationError("--effectors", "the skeleton has no joint named " + effector);
+  }
+  return options;
+}
+
+}  // namespace mocapress::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 5.1.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/codec/compressed_clip.h"
+#include "core/contact/contact_spans.h"
+
+namespace mocapress {
+
+/// The frames at which effectors are brought to where the original has them.
+enum class CorrectAt {
+  EveryFrame,  // the paper's
+  Contacts,    // in contact spans, blended in and out beside them
+};
+
+/// "every-frame", "contacts".
+std::string_view name(CorrectAt at);
+
+struct CorrectionOptions {
+  std::vector<int> joints;      // to be effectors; empty: the feet
+  std::optional<double> ratio;  // r_IK: coefficients of the differences / kept ones; unset: the
+                                // encoder finds the split between motion and correction
+  IkSolver solver = IkSolver::NearestPose;
+  CorrectAt at = CorrectAt::EveryFrame;
+};
+
+/// Encodes what a reconstruction lacks at its effectors.
+class CorrectionEncoder {
+ public:
+  /// `original_tracks` as landmark_tracks() gives them; `contacts` matter for CorrectAt::Contacts.
+  /// Throws Error when there is nothing to correct or a joint cannot be moved.
+  CorrectionEncoder(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
+                    const CorrectionOptions& options, const std::vector<ContactSpan>& contacts,
+                    double sample_rate_hz);
+
+  CodedCorrection encode(const Clip& reconstructed, double ratio, Basis basis, Coding coding) const;
+
+ private:
+  const Skeleton& skeleton_;
+  IkSolver solver_;
+  std::vector<Effector> effectors_;
+  Eigen::MatrixXd original_;  // frames x 3 * effectors, cm
+  Eigen::MatrixXd windows_;   // frames x effectors: how much of the difference counts, 0 ... 1
+};
+
+}  // namespace mocapress
