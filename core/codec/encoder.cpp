@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/codec/clip_analysis.h"
+#include "core/codec/count_search.h"
 #include "core/codec/decoder.h"
 #include "core/codec/deflate.h"
 #include "core/codec/goal.h"
@@ -36,7 +38,7 @@ class TargetedEncode {
         basis_(analysis.in(options.basis)),
         options_(options),
         observer_(observer),
-        goal_(analysis, options.target, options.weighting) {}
+        goal_(analysis.motion(), analysis.original_tracks(), options.target, options.weighting) {}
 
   Trial run() {
     const int guess = count_for(goal_.likely_coefficient_ratio());
@@ -94,7 +96,7 @@ class TargetedEncode {
     compressed.coding = options_.coding;
     compressed.motion = code(kept);
     if (options_.coding == Coding::Deflate) compressed.motion = deflate_bytes(compressed.motion);
-    trial.achieved = goal_.achieved(compressed);
+    trial.achieved = goal_.achieved(compressed.motion.size(), [&] { return decode(compressed); });
     trial.excess = goal_.excess(trial.achieved);
     return trial;
   }

@@ -31,6 +31,8 @@ const std::map<std::string, RoomRules> kRooms = {
     {"core/metrics", {{"core/base", "core/motion"}}},
     {"core/select", {{"core/base", "core/motion", "core/wavelet", "core/metrics"}}},
     {"core/codec", {{"core/base", "core/motion", "core/wavelet", "core/select", "core/metrics"}}},
+    {"core/compare",
+     {{"core/base", "core/motion", "core/wavelet", "core/select", "core/codec", "core/metrics"}}},
     {"core/contact", {{"core/base", "core/motion"}}},
     {"core/ik", {{"core/base", "core/motion"}}},
     {"resources", {{"core"}}},
