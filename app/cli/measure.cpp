@@ -5,8 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
-#include "core/codec/container.h"
-#include "core/codec/decoder.h"
+#include "core/compare/compared_file.h"
 
 namespace mocapress::cli {
 namespace {
@@ -19,8 +18,8 @@ struct Measure {
 
   void run() const {
     const Motion motion = source.read(original);
-    const CompressedClip clip = load_mcpr(compressed);
-    const Clip decoded = decode(clip);
+    const OpenedMcpr opened = open_mcpr(compressed);
+    const Clip& decoded = opened.decoded;
     if (decoded.channels.rows() != motion.clip.channels.rows() ||
         decoded.channels.cols() != motion.clip.channels.cols())
       throw InputError(compressed, 0, 0,
@@ -31,7 +30,10 @@ struct Measure {
                            std::to_string(motion.clip.channels.cols()));
     const Report report{.input = original,
                         .original = &motion,
-                        .compressed = &clip,
+                        .method = opened.method,
+                        .weighting = opened.compressed.provenance.weighting,
+                        .coding = opened.coding(),
+                        .motion_bytes = opened.compressed.motion.size(),
                         .file_bytes = std::filesystem::file_size(compressed),
                         .distortion = mocapress::measure(motion.skeleton, motion.clip, decoded)};
     json ? print(to_json(report)) : print(report);

@@ -16,7 +16,10 @@ using Json = nlohmann::ordered_json;
 struct Report {
   std::string input;
   const Motion* original = nullptr;
-  const CompressedClip* compressed = nullptr;
+  std::string method;  // a contender's name
+  Weighting weighting = Weighting::BoneEnds;
+  std::optional<Coding> coding;  // unset: of a comparison method
+  std::size_t motion_bytes = 0;
   std::size_t file_bytes = 0;
   Distortion distortion;
   std::optional<double> coefficient_ratio;  // unset: not known to this command

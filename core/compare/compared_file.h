@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -21,6 +22,10 @@ struct OpenedMcpr {
   bool of_wavelets = true;    // else basis, coding, provenance.method and seed say nothing
   CompressedClip compressed;  // its `motion` is what the ratio counts
   Clip decoded;
+
+  std::optional<Coding> coding() const {
+    return of_wavelets ? std::optional(compressed.coding) : std::nullopt;
+  }
 };
 
 /// Throws FormatError.
