@@ -7,8 +7,8 @@
 #include "app/cli/report.h"
 #include "app/cli/words.h"
 #include "core/base/file.h"
-#include "core/codec/container.h"
-#include "core/codec/encoder.h"
+#include "core/compare/comparison_method.h"
+#include "core/compare/contender.h"
 
 namespace mocapress::cli {
 namespace {
@@ -17,29 +17,46 @@ struct Compress {
   std::string input;
   MotionInput source;
   std::string output;
+  std::string method = "annealed";
   EncodeOptions options;
   CorrectionArguments correction;
   bool json = false;
 
   void run() {
-    const Encoder encoder(source.read(input));
-    options.correction = correction.options(encoder.motion().skeleton);
-    Encoding encoding = encoder.encode(options);
-    const std::vector<std::byte> file = write_container(encoding.compressed);
-    if (!output.empty()) write_bytes(output, file);
-    const Report report{.input = input,
-                        .original = &encoder.motion(),
-                        .compressed = &encoding.compressed,
-                        .file_bytes = file.size(),
-                        .distortion = std::move(encoding.distortion),
-                        .footskate_cm = footskate_of(encoder.contacts(), encoding.footskate),
-                        .correction = std::move(encoding.correction),
-                        .coefficient_ratio = encoding.coefficient_ratio,
-                        .iterations = encoding.iterations,
-                        .encode_seconds = encoding.seconds};
+    const Contender& contender = *find_contender(method);
+    const bool of_wavelets = find_comparison_method(method) == nullptr;
+    if (options.target.kind == Target::Kind::CoefficientRatio && !of_wavelets)
+      throw CLI::ValidationError("--coefficient-ratio", "is a target for wavelets only");
+    const ContenderEncoder encoder(source.read(input));
+    options.correction = correction.options(encoder.wavelets().motion().skeleton);
+    if (options.correction && !of_wavelets)
+      throw CLI::ValidationError("--ik", "corrects wavelets only");
+    Compression made = encoder.compress(contender, options);
+    if (!output.empty()) write_bytes(output, made.file);
+    const Report report{
+        .input = input,
+        .original = &encoder.wavelets().motion(),
+        .method = method,
+        .weighting = options.weighting,
+        .coding = of_wavelets ? std::optional(options.coding) : std::nullopt,
+        .motion_bytes = made.motion_bytes,
+        .file_bytes = made.file.size(),
+        .distortion = std::move(made.distortion),
+        .footskate_cm = footskate_of(encoder.wavelets().contacts(), made.footskate),
+        .correction_bytes = made.correction ? std::optional(made.correction->bytes) : std::nullopt,
+        .correction = std::move(made.correction),
+        .coefficient_ratio = made.coefficient_ratio,
+        .iterations = made.iterations,
+        .encode_seconds = made.seconds};
     json ? print(to_json(report)) : print(report);
   }
 };
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const Contender& contender : contenders()) names.emplace_back(contender.name);
+  return names;
+}
 
 }  // namespace
 
@@ -50,9 +67,9 @@ void add_compress(CLI::App& app) {
   call->source.add_options(*command);
   command->add_option("-o,--output", call->output, "Where to write; measures only without it")
       ->type_name("OUT.mcpr");
-  command->add_option("--method", call->options.method, "How coefficients are chosen (annealed)")
-      ->transform(CLI::CheckedTransformer(
-          words({Method::PerChannel, Method::Standard, Method::Annealed}), CLI::ignore_case));
+  command->add_option("--method", call->method, "Wavelets, or what they are compared with")
+      ->transform(CLI::IsMember(method_names(), CLI::ignore_case))
+      ->capture_default_str();
   command->add_option("--coding", call->options.coding, "How they are coded (deflate)")
       ->transform(
           CLI::CheckedTransformer(words({Coding::Rle16, Coding::Deflate}), CLI::ignore_case));

@@ -4,8 +4,7 @@
 #include <string>
 
 #include "app/cli/commands.h"
-#include "core/codec/container.h"
-#include "core/codec/decoder.h"
+#include "core/compare/compared_file.h"
 #include "core/formats/motion_file.h"
 
 namespace mocapress::cli {
@@ -25,8 +24,8 @@ void add_decompress(CLI::App& app) {
   command->add_option("--skeleton-out", call->skeleton_output, "The .asf that goes with an .amc")
       ->type_name("S.asf");
   command->callback([call] {
-    const CompressedClip compressed = load_mcpr(call->input);
-    write_motion(call->output, {compressed.skeleton, decode(compressed)}, call->skeleton_output);
+    const OpenedMcpr opened = open_mcpr(call->input);
+    write_motion(call->output, {opened.compressed.skeleton, opened.decoded}, call->skeleton_output);
   });
 }
 

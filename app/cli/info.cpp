@@ -10,7 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
-#include "core/codec/container.h"
+#include "core/compare/compared_file.h"
 #include "core/metrics/rate.h"
 
 namespace mocapress::cli {
@@ -38,7 +38,9 @@ Json describe_motion(const std::string& path, const MotionFile& file) {
 }
 
 Json describe_compressed(const std::string& path) {
-  const CompressedClip clip = load_mcpr(path);
+  const OpenedMcpr opened = open_mcpr(path);
+  const CompressedClip& clip = opened.compressed;
+  const auto of_wavelets = [&](const Json& value) { return opened.of_wavelets ? value : Json(); };
   const int channels = clip.skeleton.channel_count();
   const double raw = 4.0 * clip.frames * channels;
   return {{"input", path},
@@ -51,11 +53,11 @@ Json describe_compressed(const std::string& path) {
           {"motion_bytes", clip.motion_bytes()},
           {"file_bytes", std::filesystem::file_size(path)},
           {"ratio", raw / static_cast<double>(std::max<std::size_t>(clip.motion_bytes(), 1))},
-          {"method", name(clip.provenance.method)},
-          {"basis", name(clip.basis)},
-          {"coding", name(clip.coding)},
+          {"method", opened.method},
+          {"basis", of_wavelets(name(clip.basis))},
+          {"coding", of_wavelets(name(clip.coding))},
           {"weighting", name(clip.provenance.weighting)},
-          {"seed", clip.provenance.seed},
+          {"seed", of_wavelets(clip.provenance.seed)},
           {"eps_x_cm", clip.provenance.eps_cm},
           {"max_error_cm", clip.provenance.max_error_cm}};
 }

@@ -5,8 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
-#include "core/codec/container.h"
-#include "core/codec/decoder.h"
+#include "core/compare/compared_file.h"
 
 namespace mocapress::cli {
 namespace {
@@ -19,8 +18,8 @@ struct Measure {
 
   void run() const {
     const Motion motion = source.read(original);
-    const CompressedClip clip = load_mcpr(compressed);
-    const Clip decoded = decode(clip);
+    const OpenedMcpr opened = open_mcpr(compressed);
+    const Clip& decoded = opened.decoded;
     if (decoded.channels.rows() != motion.clip.channels.rows() ||
         decoded.channels.cols() != motion.clip.channels.cols())
       throw InputError(compressed, 0, 0,
@@ -33,12 +32,19 @@ struct Measure {
     const auto contacts = find_foot_contacts(motion.skeleton, tracks, motion.clip.sample_rate_hz);
     const Footskate footskate = measure_footskate(
         contacts, tracks, landmark_tracks(motion.skeleton, decoded), decoded.sample_rate_hz);
-    const Report report{.input = original,
-                        .original = &motion,
-                        .compressed = &clip,
-                        .file_bytes = std::filesystem::file_size(compressed),
-                        .distortion = mocapress::measure(motion.skeleton, tracks, decoded),
-                        .footskate_cm = footskate_of(contacts, footskate)};
+    const Report report{
+        .input = original,
+        .original = &motion,
+        .method = opened.method,
+        .weighting = opened.compressed.provenance.weighting,
+        .coding = opened.coding(),
+        .motion_bytes = opened.compressed.motion_bytes(),
+        .file_bytes = std::filesystem::file_size(compressed),
+        .distortion = mocapress::measure(motion.skeleton, tracks, decoded),
+        .footskate_cm = footskate_of(contacts, footskate),
+        .correction_bytes = opened.compressed.correction
+                                ? std::optional(opened.compressed.correction->bytes())
+                                : std::nullopt};
     json ? print(to_json(report)) : print(report);
   }
 };

@@ -12,16 +12,13 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;  // in a radian
 
-void print(const CodedCorrection& correction, const std::optional<CorrectionResult>& result) {
-  std::fprintf(stderr, "  IK correction: %zu effectors, %zu bytes, %s", correction.effectors.size(),
-               correction.bytes(), name(correction.solver).data());
-  if (!result) return static_cast<void>(std::fputc('\n', stderr));
-  std::fprintf(stderr, ", r_IK %.3g\n", result->ratio);
-  std::fprintf(stderr, "  knees turn at up to %.0f degrees/s (original %.0f)\n",
-               result->fastest_knee * kDegrees, result->fastest_knee_of_original * kDegrees);
-  if (result->report.unreached > 0)
+void print(const CorrectionResult& correction) {
+  std::fprintf(stderr, "  r_IK %.3g; knees turn at up to %.0f degrees/s (original %.0f)\n",
+               correction.ratio, correction.fastest_knee * kDegrees,
+               correction.fastest_knee_of_original * kDegrees);
+  if (correction.report.unreached > 0)
     std::fprintf(stderr, "  out of reach of %d limbs and frames, by up to %.2f cm\n",
-                 result->report.unreached, result->report.worst_miss_cm);
+                 correction.report.unreached, correction.report.worst_miss_cm);
 }
 
 }  // namespace
@@ -33,56 +30,54 @@ std::optional<double> footskate_of(const std::vector<ContactSpan>& contacts,
 
 Json to_json(const Report& report) {
   const Clip& clip = report.original->clip;
-  const CompressedClip& compressed = *report.compressed;
-  const Provenance& made = compressed.provenance;
   return {
       {"input", report.input},
-      {"method", name(made.method)},
-      {"weighting", name(made.weighting)},
-      {"coding", name(compressed.coding)},
+      {"method", report.method},
+      {"weighting", name(report.weighting)},
+      {"coding", report.coding ? Json(name(*report.coding)) : Json()},
       {"sample_rate_hz", clip.sample_rate_hz},
       {"frames", clip.frames()},
       {"channels", clip.channels.cols()},
       {"joints", report.original->skeleton.joint_count()},
       {"raw_bytes", raw_bytes(clip)},
-      {"motion_bytes", compressed.motion_bytes()},
+      {"motion_bytes", report.motion_bytes},
       {"file_bytes", report.file_bytes},
-      {"ratio", compression_ratio(clip, compressed.motion_bytes())},
+      {"ratio", compression_ratio(clip, report.motion_bytes)},
       {"coefficient_ratio", or_null(report.coefficient_ratio)},
-      {"eps_x_cm", report.distortion.eps(made.weighting)},
+      {"eps_x_cm", report.distortion.eps(report.weighting)},
       {"eps_x_bone_ends_cm", report.distortion.eps_bone_ends},
       {"eps_x_joint_origins_cm", report.distortion.eps_joint_origins},
       {"max_error_cm", report.distortion.max.cm},
       {"p95_error_cm", report.distortion.p95},
       {"p99_error_cm", report.distortion.p99},
-      {"bits_per_joint_sample", bits_per_joint_sample(*report.original, compressed.motion_bytes())},
+      {"bits_per_joint_sample", bits_per_joint_sample(*report.original, report.motion_bytes)},
       {"iterations", or_null(report.iterations)},
       {"encode_seconds", or_null(report.encode_seconds)},
       {"ik_ratio", report.correction ? Json(report.correction->ratio) : Json()},
-      {"ik_bytes", compressed.correction ? Json(compressed.correction->bytes()) : Json()},
+      {"ik_bytes", or_null(report.correction_bytes)},
       {"footskate_cm", or_null(report.footskate_cm)},
   };
 }
 
 void print(const Report& report) {
   const Clip& clip = report.original->clip;
-  const CompressedClip& compressed = *report.compressed;
   const Distortion& distortion = report.distortion;
-  const std::size_t motion_bytes = compressed.motion_bytes();
+  const std::string coding = report.coding ? ", " + std::string(name(*report.coding)) : "";
   const auto worst_landmark = static_cast<std::size_t>(distortion.max.landmark);
   const std::string worst_name = landmarks(report.original->skeleton)[worst_landmark].name;
   std::fprintf(stderr, "%s: %d frames, %d channels at %g Hz\n", report.input.c_str(), clip.frames(),
                static_cast<int>(clip.channels.cols()), clip.sample_rate_hz);
-  std::fprintf(stderr, "  %s, %s: %.1f:1 (%zu bytes of motion for %zu, %zu in the file)\n",
-               name(compressed.provenance.method).data(), name(compressed.coding).data(),
-               compression_ratio(clip, motion_bytes), motion_bytes, raw_bytes(clip),
-               report.file_bytes);
+  std::fprintf(stderr, "  %s%s: %.1f:1 (%zu bytes of motion for %zu, %zu in the file)\n",
+               report.method.c_str(), coding.c_str(), compression_ratio(clip, report.motion_bytes),
+               report.motion_bytes, raw_bytes(clip), report.file_bytes);
   std::fprintf(stderr, "  eps_x %.3f cm (bone-ends), %.3f cm (joint-origins)\n",
                distortion.eps_bone_ends, distortion.eps_joint_origins);
   std::fprintf(stderr, "  p95 %.3f cm, p99 %.3f cm, max %.3f cm (%s, frame %d)\n", distortion.p95,
                distortion.p99, distortion.max.cm, worst_name.c_str(), distortion.max.frame);
   if (report.footskate_cm) std::fprintf(stderr, "  footskate %.2f cm\n", *report.footskate_cm);
-  if (compressed.correction) print(*compressed.correction, report.correction);
+  if (report.correction_bytes)
+    std::fprintf(stderr, "  IK correction: %zu bytes\n", *report.correction_bytes);
+  if (report.correction) print(*report.correction);
 }
 
 void print(const Json& json) {

@@ -16,12 +16,16 @@ using Json = nlohmann::ordered_json;
 struct Report {
   std::string input;
   const Motion* original = nullptr;
-  const CompressedClip* compressed = nullptr;
+  std::string method;  // a contender's name
+  Weighting weighting = Weighting::BoneEnds;
+  std::optional<Coding> coding;  // unset: of a comparison method
+  std::size_t motion_bytes = 0;
   std::size_t file_bytes = 0;
   Distortion distortion;
-  std::optional<double> footskate_cm;          // beyond the original's own; unset: no contacts
-  std::optional<CorrectionResult> correction;  // what compress knows of it
-  std::optional<double> coefficient_ratio;     // unset: not known to this command
+  std::optional<double> footskate_cm;           // beyond the original's own; unset: no contacts
+  std::optional<std::size_t> correction_bytes;  // unset: no correction
+  std::optional<CorrectionResult> correction;   // what compress knows of it
+  std::optional<double> coefficient_ratio;      // unset: not known to this command
   std::optional<int> iterations;
   std::optional<double> encode_seconds;
 };

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/codec/container.h"
-#include "core/codec/decoder.h"
 #include "core/metrics/rate.h"
 
 namespace mocapress {
@@ -26,7 +25,9 @@ void complete(DecodedClip& decoded) {
       bits_per_joint_sample({decoded.compressed.skeleton, decoded.clip}, motion_bytes);
   decoded.tracks = std::make_shared<const Eigen::MatrixXd>(
       landmark_tracks(decoded.compressed.skeleton, decoded.clip));
-  decoded.file_bytes = write_container(decoded.compressed).size();
+  decoded.file = decoded.of_wavelets
+                     ? write_container(decoded.compressed)
+                     : write_compared(*find_comparison_method(decoded.method), decoded.compressed);
 }
 
 }  // namespace
@@ -40,6 +41,7 @@ bool comparable(const Motion& original, const CompressedClip& compressed) {
 
 DecodedPtr decodedClip(Encoding encoding) {
   DecodedClip decoded;
+  decoded.method = contender_name(encoding.compressed);
   decoded.compressed = std::move(encoding.compressed);
   decoded.clip = std::move(encoding.decoded);
   decoded.distortion = std::move(encoding.distortion);
@@ -51,15 +53,22 @@ DecodedPtr decodedClip(Encoding encoding) {
   return std::make_shared<const DecodedClip>(std::move(decoded));
 }
 
-DecodedPtr decodedClip(CompressedClip compressed, const OriginalClip* original) {
+DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original) {
   DecodedClip decoded;
-  decoded.clip = decode(compressed);
-  decoded.compressed = std::move(compressed);
+  decoded.method = std::move(opened.method);
+  decoded.of_wavelets = opened.of_wavelets;
+  decoded.compressed = std::move(opened.compressed);
+  decoded.clip = std::move(opened.decoded);
   complete(decoded);
-  if (original)
-    decoded.distortion =
-        measure(original->motion().skeleton, original->encoder->original_tracks(), decoded.clip);
-  return std::make_shared<const DecodedClip>(std::move(decoded));
+  return original ? measured(decoded, *original)
+                  : std::make_shared<const DecodedClip>(std::move(decoded));
+}
+
+DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original) {
+  DecodedClip result = decoded;
+  result.distortion =
+      measure(original.motion().skeleton, original.encoder->original_tracks(), result.clip);
+  return std::make_shared<const DecodedClip>(std::move(result));
 }
 
 }  // namespace mocapress

@@ -7,9 +7,12 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/codec/encoder.h"
+#include "core/compare/compared_file.h"
 
 namespace mocapress {
 
@@ -29,10 +32,12 @@ struct OriginalClip {
 
 /// A compressed clip, decoded for showing.
 struct DecodedClip {
+  std::string method;       // a contender's name
+  bool of_wavelets = true;  // else `compressed` is as OpenedMcpr has it
   CompressedClip compressed;
+  std::vector<std::byte> file;  // the .mcpr
   Clip clip;
   Tracks tracks;
-  std::size_t file_bytes = 0;
   double ratio = 0;  // raw bytes / motion bytes
   double bits_per_joint_sample = 0;
   std::optional<Distortion> distortion;     // none: its original is not there to compare with
@@ -53,6 +58,9 @@ bool comparable(const Motion& original, const CompressedClip& compressed);
 DecodedPtr decodedClip(Encoding encoding);
 
 /// The same for a clip read from a file; measured where there is an original.
-DecodedPtr decodedClip(CompressedClip compressed, const OriginalClip* original);
+DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original);
+
+/// The same clip, measured against its original.
+DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original);
 
 }  // namespace mocapress

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/codec/container.h"
 #include "core/formats/motion_file.h"
 
 namespace mocapress {
@@ -16,10 +15,11 @@ std::filesystem::path toPath(const QString& path) {
 }
 
 OpenedClip openCompressed(const OpenRequest& request) {
-  CompressedClip compressed = load_mcpr(toPath(request.path));
-  const bool together = request.original && comparable(request.original->motion(), compressed);
+  OpenedMcpr opened = open_mcpr(toPath(request.path));
+  const bool together =
+      request.original && comparable(request.original->motion(), opened.compressed);
   const OriginalPtr original = together ? request.original : nullptr;
-  return {original, decodedClip(std::move(compressed), original.get())};
+  return {original, decodedClip(std::move(opened), original.get())};
 }
 
 OpenedClip openOriginal(const OpenRequest& request) {
@@ -40,7 +40,7 @@ OpenedClip openOriginal(const OpenRequest& request) {
                     .arg(request.path)
                     .toStdString());
   OpenedClip opened;
-  if (together) opened.decoded = decodedClip(request.decoded->compressed, &original);
+  if (together) opened.decoded = measured(*request.decoded, original);
   opened.original = std::make_shared<const OriginalClip>(std::move(original));
   return opened;
 }

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "core/compare/contender.h"
 #include "widgets/panels/names.h"
 
 namespace mocapress {
@@ -11,6 +12,12 @@ namespace {
 struct Figures {
   Q_DECLARE_TR_FUNCTIONS(mocapress::Figures)
 };
+
+QString displayMethod(const DecodedClip& decoded) {
+  if (decoded.of_wavelets) return displayName(decoded.compressed.provenance.method);
+  const std::string_view title = find_contender(decoded.method)->title;
+  return QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
+}
 
 }  // namespace
 
@@ -21,7 +28,7 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
   ResultFigures figures;
   figures.ratio = decoded.ratio;
   figures.motion_bytes = decoded.compressed.motion_bytes();
-  figures.file_bytes = decoded.file_bytes;
+  figures.file_bytes = decoded.file.size();
   figures.weighting = provenance.weighting;
   figures.eps_cm = static_cast<double>(provenance.eps_cm);
   figures.max_cm = static_cast<double>(provenance.max_error_cm);
@@ -44,7 +51,8 @@ QString stateOf(const Document& document) {
   const Method method = decoded.compressed.provenance.method;
   if (!decoded.distortion) return Figures::tr("As recorded in the file");
   if (!decoded.coefficient_ratio)
-    return Figures::tr("%1, from the file, measured against the original").arg(displayName(method));
+    return Figures::tr("%1, from the file, measured against the original")
+        .arg(displayMethod(decoded));
   if (!document.final()) return Figures::tr("Standard answer; a better one is on its way");
   if (!decoded.complete) return Figures::tr("Annealing cancelled; the best so far is kept");
   if (method != document.options().method)

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/codec/container.h"
+#include "core/base/file.h"
 #include "core/motion/landmarks.h"
 
 namespace mocapress {
@@ -97,7 +97,7 @@ void Session::save(const QString& path) {
   if (!decoded) return;
   saving_.start(
       [decoded, path](const Job&) {
-        save_mcpr(path.toStdU16String(), decoded->compressed);
+        write_bytes(path.toStdU16String(), decoded->file);
         return path;
       },
       [this, decoded](const QString& saved_path) {

@@ -25,8 +25,7 @@ void Trace::moved() {
 
 void Trace::answered() {
   if (const DecodedPtr& decoded = session_->document().decoded()) {
-    const std::string method(name(decoded->compressed.provenance.method));
-    write(("encode " + method).c_str(), 1000 * decoded->encode_seconds);
+    write(("encode " + decoded->method).c_str(), 1000 * decoded->encode_seconds);
   }
   if (!moved_ || answered_) return;
   answered_ = true;

@@ -41,13 +41,18 @@ void write_section(ByteWriter& file, std::string_view tag, std::span<const std::
   file.append(payload);
 }
 
-std::vector<std::byte> write_description(const CompressedClip& clip) {
+constexpr auto kNoCoding = static_cast<Coding>(0);  // of a comparison method
+constexpr auto kNoMethod = static_cast<Method>(0);
+
+std::vector<std::byte> write_description(const Container& container) {
+  const CompressedClip& clip = container.clip;
+  const bool wavelets = !container.of_comparison;
   ByteWriter writer;
   writer.write(clip.sample_rate_hz);
   writer.write(static_cast<std::uint32_t>(clip.frames));
-  writer.write(static_cast<std::uint8_t>(clip.basis));
-  writer.write(static_cast<std::uint8_t>(clip.coding));
-  writer.write(static_cast<std::uint8_t>(clip.provenance.method));
+  writer.write(static_cast<std::uint8_t>(wavelets ? clip.basis : Basis{}));
+  writer.write(static_cast<std::uint8_t>(wavelets ? clip.coding : kNoCoding));
+  writer.write(static_cast<std::uint8_t>(wavelets ? clip.provenance.method : kNoMethod));
   writer.write(static_cast<std::uint8_t>(clip.provenance.weighting));
   writer.write(clip.provenance.seed);
   writer.write(clip.provenance.eps_cm);
@@ -64,7 +69,8 @@ Enum read_enum(ByteReader& reader, Enum first, Enum last, const char* what) {
 }
 
 void read_description(std::span<const std::byte> payload, std::size_t offset,
-                      CompressedClip& clip) {
+                      Container& container) {
+  CompressedClip& clip = container.clip;
   ByteReader reader(payload, offset);
   clip.sample_rate_hz = reader.read<double>();
   if (!std::isfinite(clip.sample_rate_hz) || clip.sample_rate_hz <= 0)
@@ -75,8 +81,16 @@ void read_description(std::span<const std::byte> payload, std::size_t offset,
     reader.fail("more than 2^26 samples");
   clip.frames = static_cast<int>(frames);
   clip.basis = read_enum(reader, Basis::Haar, Basis::Cubic, "basis");
-  clip.coding = read_enum(reader, Coding::Rle16, Coding::Deflate, "coding");
-  clip.provenance.method = read_enum(reader, Method::PerChannel, Method::Annealed, "method");
+  const auto coding = read_enum(reader, kNoCoding, Coding::Deflate, "coding");
+  container.of_comparison = coding == kNoCoding;
+  if (container.of_comparison) {
+    if (clip.basis != Basis{}) reader.fail("a basis without wavelets");
+    read_enum(reader, kNoMethod, kNoMethod, "method");
+    clip.basis = CompressedClip().basis;
+  } else {
+    clip.coding = coding;
+    clip.provenance.method = read_enum(reader, Method::PerChannel, Method::Annealed, "method");
+  }
   clip.provenance.weighting =
       read_enum(reader, Weighting::BoneEnds, Weighting::JointOrigins, "weighting");
   clip.provenance.seed = reader.read<std::uint64_t>();
@@ -121,6 +135,10 @@ CodedCorrection read_correction(std::span<const std::byte> payload, std::size_t 
   const auto signals = reader.take(reader.remaining());
   correction.signals.assign(signals.begin(), signals.end());
   return correction;
+}
+
+std::string_view motion_tag(const Container& container) {
+  return container.of_comparison ? "COMP" : "MOTN";
 }
 
 struct Section {
@@ -189,18 +207,25 @@ class SectionReader {
 }  // namespace
 
 std::vector<std::byte> write_container(const CompressedClip& clip) {
+  return write_container(Container{clip});
+}
+
+std::vector<std::byte> write_container(const Container& container) {
+  const CompressedClip& clip = container.clip;
   ByteWriter file;
   file.append(bytes_of(kMagic));
   file.write(kVersion);
   file.write(static_cast<std::uint16_t>(clip.correction ? 4 : 3));
   write_section(file, "SKEL", encode_skeleton(clip.skeleton));
-  write_section(file, "CLIP", write_description(clip));
-  write_section(file, "MOTN", clip.motion);
+  write_section(file, "CLIP", write_description(container));
+  write_section(file, motion_tag(container), clip.motion);
   if (clip.correction) write_section(file, "IKCO", write_correction(*clip.correction));
   return file.release();
 }
 
-CompressedClip read_container(std::span<const std::byte> bytes) {
+namespace {
+
+Container read(std::span<const std::byte> bytes, bool wavelets_only) {
   ByteReader file(bytes);
   const auto magic = file.take(kMagic.size());
   if (!std::equal(magic.begin(), magic.end(), bytes_of(kMagic).begin()))
@@ -210,17 +235,30 @@ CompressedClip read_container(std::span<const std::byte> bytes) {
     throw FormatError(4, "version " + std::to_string(version) +
                              " is not known here: a newer Mocapress is needed");
   SectionReader sections(file, file.read<std::uint16_t>());
-  CompressedClip clip;
+  Container container;
+  CompressedClip& clip = container.clip;
   clip.skeleton = decode_skeleton(sections.expect("SKEL").payload);
   const Section description = sections.expect("CLIP");
-  read_description(description.payload, description.payload_offset, clip);
-  const Section motion = sections.expect("MOTN");
+  read_description(description.payload, description.payload_offset, container);
+  if (wavelets_only && container.of_comparison)
+    file.fail("the motion is no wavelets but of a comparison method (section COMP)");
+  const Section motion = sections.expect(motion_tag(container));
   clip.motion.assign(motion.payload.begin(), motion.payload.end());
-  if (const auto correction = sections.take_last("IKCO"))
+  if (const auto correction = sections.take_last(container.of_comparison ? "" : "IKCO"))
     clip.correction =
         read_correction(correction->payload, correction->payload_offset, clip.skeleton);
   file.expect_end();
-  return clip;
+  return container;
+}
+
+}  // namespace
+
+CompressedClip read_container(std::span<const std::byte> bytes) {
+  return read(bytes, true).clip;
+}
+
+Container read_any_container(std::span<const std::byte> bytes) {
+  return read(bytes, false);
 }
 
 CompressedClip load_mcpr(const std::filesystem::path& path) {

@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/codec/clip_analysis.h"
+#include "core/codec/count_search.h"
 #include "core/codec/decoder.h"
 #include "core/codec/goal.h"
 #include "core/ik/knee.h"
@@ -36,7 +38,7 @@ class TargetedEncode {
         options_(options),
         observer_(observer),
         contacts_(options.contacts ? *options.contacts : analysis.contacts()),
-        goal_(analysis, options.target, options.weighting) {
+        goal_(analysis.motion(), analysis.original_tracks(), options.target, options.weighting) {
     if (!options.correction) return;
     const Motion& motion = analysis.motion();
     correction_.emplace(motion.skeleton, analysis.original_tracks(), *options.correction, contacts_,
@@ -152,7 +154,7 @@ class TargetedEncode {
     if (correction_ && correcting_)
       compressed.correction = correction_->encode(decode_uncorrected(compressed), correction_ratio_,
                                                   options_.basis, options_.coding);
-    trial.achieved = goal_.achieved(compressed);
+    trial.achieved = goal_.achieved(compressed.motion_bytes(), [&] { return decode(compressed); });
     trial.excess = goal_.excess(trial.achieved);
     return trial;
   }
@@ -187,7 +189,8 @@ class TargetedEncode {
 /// Corrects `decoded` and says what came of it.
 CorrectionResult apply(const CompressedClip& compressed, const Clip& original, double ratio,
                        Clip& decoded) {
-  CorrectionResult result{.ratio = ratio, .uncorrected = decoded};
+  CorrectionResult result{
+      .ratio = ratio, .bytes = compressed.correction->bytes(), .uncorrected = decoded};
   result.report = correct(compressed, decoded);
   const std::vector<Effector>& effectors = compressed.correction->effectors;
   result.fastest_knee = fastest_knee(compressed.skeleton, effectors, decoded);

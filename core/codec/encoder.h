@@ -38,7 +38,8 @@ struct EncodeProgress {
 
 /// What an IK correction did to a clip.
 struct CorrectionResult {
-  double ratio = 0;  // r_IK, asked for or found
+  double ratio = 0;       // r_IK, asked for or found
+  std::size_t bytes = 0;  // of the motion's
   CorrectionReport report;
   Clip uncorrected;
   double fastest_knee = 0;  // radians/s, with the correction

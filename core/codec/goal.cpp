@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/codec/decoder.h"
 #include "core/metrics/distortion.h"
 #include "core/metrics/rate.h"
 
@@ -15,20 +14,18 @@ constexpr double kTolerance = 0.02;
 
 }  // namespace
 
-double Goal::achieved(const CompressedClip& compressed) const {
-  const Motion& motion = analysis_.motion();
+double Goal::achieved(std::size_t motion_bytes, const std::function<Clip()>& decoded) const {
   switch (target_.kind) {
     case Target::Kind::CoefficientRatio:
       return target_.value;  // met by construction
     case Target::Kind::Ratio:
-      return compression_ratio(motion.clip, compressed.motion_bytes());
+      return compression_ratio(motion_.clip, motion_bytes);
     case Target::Kind::Size:
-      return static_cast<double>(compressed.motion_bytes());
+      return static_cast<double>(motion_bytes);
     case Target::Kind::Error:
-      return exact_eps(motion.skeleton, analysis_.original_tracks(), decode(compressed),
-                       weighting_);
+      return exact_eps(motion_.skeleton, original_tracks_, decoded(), weighting_);
     case Target::Kind::MaxError:
-      return measure(motion.skeleton, analysis_.original_tracks(), decode(compressed)).max.cm;
+      return measure(motion_.skeleton, original_tracks_, decoded()).max.cm;
   }
   return 0;
 }
@@ -73,8 +70,7 @@ double Goal::likely_coefficient_ratio() const {
     case Target::Kind::Ratio:
       return kUsual * target_.value;
     case Target::Kind::Size:
-      return kUsual * static_cast<double>(raw_bytes(analysis_.motion().clip)) /
-             std::max(target_.value, 1.0);
+      return kUsual * static_cast<double>(raw_bytes(motion_.clip)) / std::max(target_.value, 1.0);
     default:
       return 15;
   }

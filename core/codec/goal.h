@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/codec/clip_analysis.h"
-#include "core/codec/compressed_clip.h"
+#include <functional>
+
 #include "core/codec/count_search.h"
 #include "core/codec/target.h"
+#include "core/motion/clip.h"
+#include "core/motion/landmarks.h"
 
 namespace mocapress {
 
@@ -13,11 +15,16 @@ namespace mocapress {
 /// with the number of coefficients.
 class Goal {
  public:
-  Goal(const ClipAnalysis& analysis, const Target& target, Weighting weighting)
-      : analysis_(analysis), target_(target), weighting_(weighting) {}
+  /// `original_tracks` are landmark_tracks() of the motion; both must outlive the goal.
+  Goal(const Motion& motion, const Eigen::MatrixXd& original_tracks, const Target& target,
+       Weighting weighting)
+      : motion_(motion),
+        original_tracks_(original_tracks),
+        target_(target),
+        weighting_(weighting) {}
 
-  /// The target's quantity for this coded clip. For the errors this decodes it.
-  double achieved(const CompressedClip& compressed) const;
+  /// The target's quantity for a coded clip, which is only decoded for the errors.
+  double achieved(std::size_t motion_bytes, const std::function<Clip()>& decoded) const;
   double excess(double achieved) const;
 
   /// Not on the forbidden side of a bound; within 2 % of a ratio.
@@ -33,7 +40,8 @@ class Goal {
   double likely_coefficient_ratio() const;
 
  private:
-  const ClipAnalysis& analysis_;
+  const Motion& motion_;
+  const Eigen::MatrixXd& original_tracks_;
   Target target_;
   Weighting weighting_;
 };

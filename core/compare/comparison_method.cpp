@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "core/compare/comparison_method.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mocapress {
+
+std::span<const ComparisonMethod* const> comparison_methods() {
+  static const std::array<const ComparisonMethod*, 0> kMethods{};
+  return kMethods;
+}
+
+const ComparisonMethod* find_comparison_method(std::string_view name) {
+  const auto methods = comparison_methods();
+  const auto found = std::find_if(methods.begin(), methods.end(),
+                                  [&](const auto* method) { return method->name() == name; });
+  return found == methods.end() ? nullptr : *found;
+}
+
+}  // namespace mocapress

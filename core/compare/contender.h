@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Every method of compression by one name and one call: the wavelets and what they are compared
+// with.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/codec/encoder.h"
+
+namespace mocapress {
+
+/// A method as the user names it: a selection of wavelet coefficients in some basis, or a
+/// comparison method.
+struct Contender {
+  std::string_view name;   // "annealed", "haar", "pca" ...
+  std::string_view title;  // for a legend
+  std::string_view note;   // what it is, whose, and what is simplified
+};
+
+/// annealed, standard, per-channel, haar, linear, then comparison_methods().
+std::span<const Contender> contenders();
+
+/// nullptr when there is none of that name.
+const Contender* find_contender(std::string_view name);
+
+/// A motion compressed by a contender, decoded again and measured.
+struct Compression {
+  std::vector<std::byte> file;   // the .mcpr
+  std::size_t motion_bytes = 0;  // what the ratio counts
+  Clip decoded;
+  Distortion distortion;
+  Footskate footskate;                         // against Encoder::contacts(), or edited ones
+  std::optional<CorrectionResult> correction;  // of wavelets
+  std::optional<double> coefficient_ratio;     // of wavelets
+  std::optional<int> iterations;               // of annealing
+  double seconds = 0;
+  bool complete = true;  // false: the observer ended it early
+};
+
+/// Compresses one motion by any contender, with any options; what does not depend on them is
+/// computed once, when first asked for. Const and safe to use from several threads at a time.
+class ContenderEncoder {
+ public:
+  explicit ContenderEncoder(Motion motion);
+  ~ContenderEncoder();
+
+  const Encoder& wavelets() const;
+
+  /// Throws Error when a correction is asked of a comparison method.
+  /// `options.method` and `.basis` are those of the contender, whatever they were. Throws
+  /// TargetMissed when no amount of detail meets the target; comparison methods, whose detail comes
+  /// in coarse steps, take the nearest step to a ratio instead, and have no coefficient ratio
+  /// target (Error).
+  Compression compress(const Contender& contender, const EncodeOptions& options,
+                       const Observer<EncodeProgress>& observer = {}) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace mocapress
