@@ -58,11 +58,10 @@ int run(int argc, char** argv) {
   MainWindow window;
   window.trace().setWriting(options.trace);
   if (!options.screenshot.isEmpty()) screenshotAndQuit(window, options.screenshot);
-  if (options.ratio) {
-    EncodeOptions encode = window.session().document().options();
-    encode.target = {Target::Kind::Ratio, *options.ratio};
-    window.session().document().setOptions(encode);
-  }
+  EncodeOptions encode = window.session().document().options();
+  if (options.ratio) encode.target = {Target::Kind::Ratio, *options.ratio};
+  if (options.ik) encode.correction = CorrectionOptions{.ratio = options.ik};
+  if (options.ratio || options.ik) window.session().document().setOptions(encode);
   window.show();
   if (options.file.isEmpty())
     window.files().openFirst();

@@ -2,12 +2,29 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>mocapress::CorrectionControl</name>
+    <message numerus="yes">
+        <source>%Ln joint(s)</source>
+        <translation>
+            <numerusform>%Ln joint</numerusform>
+            <numerusform>%Ln joints</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mocapress::Figures</name>
     <message numerus="yes">
         <source>Annealed, %Ln iteration(s), %L1 s</source>
         <translation>
             <numerusform>Annealed, %Ln iteration, %L1 s</numerusform>
             <numerusform>Annealed, %Ln iterations, %L1 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%L1 cm of footskate in %Ln contact(s)</source>
+        <translation>
+            <numerusform>%L1 cm of footskate in %Ln contact</numerusform>
+            <numerusform>%L1 cm of footskate in %Ln contacts</numerusform>
         </translation>
     </message>
 </context>

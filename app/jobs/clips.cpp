@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/codec/container.h"
+#include "core/codec/decoder.h"
 #include "core/metrics/rate.h"
 
 namespace mocapress {
@@ -17,17 +18,36 @@ bool sameChannels(const Skeleton& a, const Skeleton& b) {
                     });
 }
 
+Tracks tracksOf(const Skeleton& skeleton, const Clip& clip) {
+  return std::make_shared<const Eigen::MatrixXd>(landmark_tracks(skeleton, clip));
+}
+
 /// What follows from the compressed clip and its decoded motion.
 void complete(DecodedClip& decoded) {
   const std::size_t motion_bytes = decoded.compressed.motion_bytes();
   decoded.ratio = compression_ratio(decoded.clip, motion_bytes);
   decoded.bits_per_joint_sample =
       bits_per_joint_sample({decoded.compressed.skeleton, decoded.clip}, motion_bytes);
-  decoded.tracks = std::make_shared<const Eigen::MatrixXd>(
-      landmark_tracks(decoded.compressed.skeleton, decoded.clip));
+  const Skeleton& skeleton = decoded.compressed.skeleton;
+  decoded.tracks = tracksOf(skeleton, decoded.clip);
+  if (decoded.compressed.correction)
+    decoded.uncorrected_tracks =
+        tracksOf(skeleton, decoded.correction ? decoded.correction->uncorrected
+                                              : decode_uncorrected(decoded.compressed));
   decoded.file = decoded.of_wavelets
                      ? write_container(decoded.compressed)
                      : write_compared(*find_comparison_method(decoded.method), decoded.compressed);
+}
+
+void measureFootskate(DecodedClip& decoded, const Encoder& encoder,
+                      const std::vector<ContactSpan>& contacts) {
+  const auto measure = [&](const Eigen::MatrixXd& tracks) {
+    return measure_footskate(contacts, encoder.original_tracks(), tracks,
+                             decoded.clip.sample_rate_hz);
+  };
+  decoded.footskate = measure(*decoded.tracks);
+  if (decoded.uncorrected_tracks)
+    decoded.uncorrected_footskate = measure(*decoded.uncorrected_tracks);
 }
 
 }  // namespace
@@ -39,17 +59,20 @@ bool comparable(const Motion& original, const CompressedClip& compressed) {
          sameChannels(original.skeleton, compressed.skeleton);
 }
 
-DecodedPtr decodedClip(Encoding encoding) {
+DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder,
+                       const std::optional<std::vector<ContactSpan>>& contacts) {
   DecodedClip decoded;
   decoded.method = contender_name(encoding.compressed);
   decoded.compressed = std::move(encoding.compressed);
   decoded.clip = std::move(encoding.decoded);
   decoded.distortion = std::move(encoding.distortion);
+  decoded.correction = std::move(encoding.correction);
   decoded.coefficient_ratio = encoding.coefficient_ratio;
   decoded.iterations = encoding.iterations;
   decoded.encode_seconds = encoding.seconds;
   decoded.complete = encoding.complete;
   complete(decoded);
+  measureFootskate(decoded, encoder, contacts ? *contacts : encoder.contacts());
   return std::make_shared<const DecodedClip>(std::move(decoded));
 }
 
@@ -68,6 +91,7 @@ DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original) {
   DecodedClip result = decoded;
   result.distortion =
       measure(original.motion().skeleton, original.encoder->original_tracks(), result.clip);
+  measureFootskate(result, *original.encoder, original.encoder->contacts());
   return std::make_shared<const DecodedClip>(std::move(result));
 }
 

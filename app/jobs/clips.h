@@ -40,9 +40,13 @@ struct DecodedClip {
   Tracks tracks;
   double ratio = 0;  // raw bytes / motion bytes
   double bits_per_joint_sample = 0;
-  std::optional<Distortion> distortion;     // none: its original is not there to compare with
-  std::optional<double> coefficient_ratio;  // known for what was encoded here
-  int iterations = 0;                       // of the annealing
+  std::optional<Distortion> distortion;  // none: its original is not there to compare with
+  std::optional<Footskate> footskate;    // none: as for distortion
+  Tracks uncorrected_tracks;             // null: there is no correction
+  std::optional<Footskate> uncorrected_footskate;
+  std::optional<CorrectionResult> correction;  // known for what was encoded here
+  std::optional<double> coefficient_ratio;     // known for what was encoded here
+  int iterations = 0;                          // of the annealing
   double encode_seconds = 0;
   bool complete = true;  // false: the annealing was stopped early
 };
@@ -54,8 +58,9 @@ using DecodedPtr = std::shared_ptr<const DecodedClip>;
 /// compressed form of the other.
 bool comparable(const Motion& original, const CompressedClip& compressed);
 
-/// Decoded positions, file size and, for an encoding, its measured distortion.
-DecodedPtr decodedClip(Encoding encoding);
+/// Decoded positions, file size and measures of an encoding; `contacts` as edited, or unset.
+DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder,
+                       const std::optional<std::vector<ContactSpan>>& contacts);
 
 /// The same for a clip read from a file; measured where there is an original.
 DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original);

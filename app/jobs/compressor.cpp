@@ -67,7 +67,8 @@ void Compressor::startQuick() {
   if (options.method == Method::Annealed) options.method = Method::Standard;
   const auto work = [encoder = encoder_, options](const Job& job) {
     return decodedClip(
-        encoder->encode(options, [&job](const EncodeProgress&) { return !job.stopRequested(); }));
+        encoder->encode(options, [&job](const EncodeProgress&) { return !job.stopRequested(); }),
+        *encoder, options.contacts);
   };
   quick_.start(
       work, [this](const DecodedPtr& decoded) { quickDone(decoded); },
@@ -102,7 +103,7 @@ void Compressor::startRefining() {
     };
     Encoding encoding = encoder->encode(options, observer);
     job.post([this, states] { emit progressed(states); });
-    return decodedClip(std::move(encoding));
+    return decodedClip(std::move(encoding), *encoder, options.contacts);
   };
   refine_.start(
       work, [this](const DecodedPtr& decoded) { refined(decoded); },

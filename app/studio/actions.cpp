@@ -34,7 +34,7 @@ void addToolBar(QMainWindow* window, const Actions& actions) {
   bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   bar->addActions({actions.open, actions.save});
   bar->addSeparator();
-  bar->addActions({actions.follow, actions.reset_camera});
+  bar->addActions({actions.follow, actions.reset_camera, actions.without_ik});
 }
 
 }  // namespace
@@ -54,6 +54,13 @@ Actions makeActions(Playback* playback, QMainWindow* window) {
   actions.follow = make(window, Texts::tr("&Follow"), Qt::Key_F, QStringLiteral("follow"));
   actions.follow->setCheckable(true);
   actions.follow->setToolTip(Texts::tr("The camera moves with the figure (F)"));
+  actions.hold_feet = make(window, Texts::tr("&Hold Feet"), Qt::Key_I);
+  actions.hold_feet->setToolTip(Texts::tr("Compress with or without inverse kinematics (I)"));
+  actions.without_ik =
+      make(window, Texts::tr("Without &IK"), Qt::Key_B, QStringLiteral("without-ik"));
+  actions.without_ik->setCheckable(true);
+  actions.without_ik->setToolTip(
+      Texts::tr("See the compressed figure before its feet are held (B)"));
   actions.reset_camera = make(window, Texts::tr("&Reset Camera"), Qt::Key_R, QStringLiteral("fit"));
   actions.reset_camera->setToolTip(Texts::tr("Look at the whole figure again (R)"));
   actions.reset_layout = make(window, Texts::tr("Reset &Layout"));
@@ -79,6 +86,8 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
 
   QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
   view->addActions({actions.follow, actions.reset_camera});
+  view->addSeparator();
+  view->addActions({actions.hold_feet, actions.without_ik});
   view->addSeparator();
   for (const QDockWidget* dock : docks) view->addAction(dock->toggleViewAction());
   view->addSeparator();

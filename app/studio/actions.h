@@ -21,6 +21,8 @@ struct Actions {
   QAction* save = nullptr;
   QAction* save_as = nullptr;
   QAction* quit = nullptr;
+  QAction* hold_feet = nullptr;
+  QAction* without_ik = nullptr;  // A/B
   QAction* follow = nullptr;
   QAction* reset_camera = nullptr;
   QAction* reset_layout = nullptr;

@@ -16,6 +16,11 @@ EncodeOptions optionsOf(const DecodedClip& decoded) {
   options.weighting = clip.provenance.weighting;
   options.target = {Target::Kind::Ratio, decoded.ratio};
   options.seed = clip.provenance.seed;
+  if (clip.correction) {
+    options.correction = CorrectionOptions{.solver = clip.correction->solver};
+    for (const Effector& effector : clip.correction->effectors)
+      options.correction->joints.push_back(effector.joint);
+  }
   return options;
 }
 
@@ -56,12 +61,15 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
   saved_path_ = saved_path;
   saved_ = decoded_;
   touched_ = false;
-  if (decoded_) {
+  if (decoded_)
     options_ = optionsOf(*decoded_);
-    emit optionsChanged();
-  }
+  else if (options_.correction)
+    options_.correction->joints.clear();  // they were another skeleton's
+  findContacts();
   emit clipChanged();
+  emit optionsChanged();
   emit decodedChanged();
+  emit shownChanged();
   emit titleChanged();
 }
 
@@ -69,6 +77,7 @@ void Document::setDecoded(DecodedPtr decoded, bool final) {
   decoded_ = std::move(decoded);
   final_ = final;
   emit decodedChanged();
+  emit shownChanged();
   emit titleChanged();
 }
 
@@ -76,6 +85,40 @@ void Document::setOptions(const EncodeOptions& options) {
   options_ = options;
   touched_ = true;
   emit optionsChanged();
+}
+
+void Document::setContactSettings(const ContactSettings& settings) {
+  contact_settings_ = settings;
+  findContacts();
+}
+
+void Document::findContacts() {
+  options_.contacts.reset();
+  if (!original_ || contact_settings_ == ContactSettings()) return;
+  const Motion& motion = original_->motion();
+  options_.contacts = find_foot_contacts(motion.skeleton, original_->encoder->original_tracks(),
+                                         motion.clip.sample_rate_hz, contact_settings_);
+}
+
+std::vector<ContactSpan> Document::contacts() const {
+  if (!original_) return {};
+  return options_.contacts ? *options_.contacts : original_->encoder->contacts();
+}
+
+void Document::setUncorrected(bool uncorrected) {
+  uncorrected_ = uncorrected;
+  emit shownChanged();
+}
+
+Tracks Document::shownTracks() const {
+  if (!decoded_) return nullptr;
+  return uncorrected() ? decoded_->uncorrected_tracks : decoded_->tracks;
+}
+
+const Footskate* Document::shownFootskate() const {
+  if (!decoded_) return nullptr;
+  const auto& shown = uncorrected() ? decoded_->uncorrected_footskate : decoded_->footskate;
+  return shown ? &*shown : nullptr;
 }
 
 void Document::setCurves(const CurveSelection& curves) {

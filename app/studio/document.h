@@ -39,6 +39,19 @@ class Document : public QObject {
   double sampleRate() const;  // Hz
 
   const EncodeOptions& options() const { return options_; }
+  /// By which contacts are found on the original.
+  const ContactSettings& contactSettings() const { return contact_settings_; }
+
+  /// On the original; none without it.
+  std::vector<ContactSpan> contacts() const;
+
+  /// The user looks at the motion without its IK correction, to compare.
+  bool uncorrected() const { return uncorrected_ && decoded_ && decoded_->uncorrected_tracks; }
+
+  /// What is to be seen of the compressed clip: with its correction or without. Null: nothing.
+  Tracks shownTracks() const;
+  const Footskate* shownFootskate() const;
+
   const CurveSelection& curves() const { return curves_; }
   int currentJoint() const;  // -1: none, or not in this skeleton
 
@@ -50,6 +63,11 @@ class Document : public QObject {
   /// By the user.
   void setOptions(const EncodeOptions& options);
 
+  /// Finds the contacts of the clip anew; options() have them.
+  void setContactSettings(const ContactSettings& settings);
+
+  void setUncorrected(bool uncorrected);
+
   void setCurves(const CurveSelection& curves);
   void setCurrentJoint(int joint);
 
@@ -59,12 +77,17 @@ class Document : public QObject {
  signals:
   void clipChanged();
   void decodedChanged();
+
+  /// Among them that it is to be seen with or without its correction.
+  void shownChanged();
   void optionsChanged();
   void curvesChanged();
   void currentJointChanged();
   void titleChanged();
 
  private:
+  void findContacts();
+
   OriginalPtr original_;
   DecodedPtr decoded_;
   bool final_ = true;
@@ -72,6 +95,8 @@ class Document : public QObject {
   DecodedPtr saved_;
   bool touched_ = false;
   EncodeOptions options_;
+  ContactSettings contact_settings_;
+  bool uncorrected_ = false;
   CurveSelection curves_;
   QString current_joint_;
 };

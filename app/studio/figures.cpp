@@ -34,6 +34,14 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
   figures.max_cm = static_cast<double>(provenance.max_error_cm);
   figures.coefficient_ratio = decoded.coefficient_ratio;
   figures.bits_per_joint_sample = decoded.bits_per_joint_sample;
+  if (decoded.footskate) figures.footskate_cm = decoded.footskate->total_cm;
+  if (decoded.compressed.correction)
+    figures.correction_bytes = decoded.compressed.correction->bytes();
+  if (decoded.correction) {
+    figures.correction_ratio = decoded.correction->ratio;
+    figures.fastest_knee = decoded.correction->fastest_knee;
+    figures.fastest_knee_of_original = decoded.correction->fastest_knee_of_original;
+  }
   if (decoded.distortion) {
     figures.eps_cm = decoded.distortion->eps(provenance.weighting);
     figures.p95_cm = decoded.distortion->p95;
@@ -61,6 +69,16 @@ QString stateOf(const Document& document) {
     return Figures::tr("Annealed, %Ln iteration(s), %L1 s", nullptr, decoded.iterations)
         .arg(decoded.encode_seconds, 0, 'f', 1);
   return Figures::tr("%1, %L2 s").arg(displayName(method)).arg(decoded.encode_seconds, 0, 'f', 2);
+}
+
+QString footskateSummary(const Document& document) {
+  const Footskate* footskate = document.shownFootskate();
+  if (!footskate) return Figures::tr("Footskate is measured against the original.");
+  const auto contacts = static_cast<int>(document.contacts().size());
+  if (contacts == 0) return Figures::tr("No foot stands on the ground in this clip.");
+  const QString slid = Figures::tr("%L1 cm of footskate in %Ln contact(s)", nullptr, contacts)
+                           .arg(footskate->total_cm, 0, 'f', 1);
+  return document.uncorrected() ? Figures::tr("%1, without IK").arg(slid) : slid;
 }
 
 }  // namespace mocapress

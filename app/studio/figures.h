@@ -16,4 +16,7 @@ std::optional<ResultFigures> figuresOf(const Document& document);
 /// How those figures came about.
 QString stateOf(const Document& document);
 
+/// Footskate in a line: how much, and of how many contacts.
+QString footskateSummary(const Document& document);
+
 }  // namespace mocapress

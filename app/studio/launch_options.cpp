@@ -11,6 +11,12 @@ struct Launch {
   Q_DECLARE_TR_FUNCTIONS(mocapress::LaunchOptions)
 };
 
+std::optional<double> positive(const QString& text) {
+  bool is_number = false;
+  const double value = text.toDouble(&is_number);
+  return is_number && value > 0 ? std::optional(value) : std::nullopt;
+}
+
 }  // namespace
 
 LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
@@ -27,20 +33,22 @@ LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
   const QCommandLineOption ratio(QStringLiteral("ratio"),
                                  Launch::tr("The compression ratio to begin with."),
                                  QStringLiteral("R"));
+  const QCommandLineOption ik(QStringLiteral("ik"),
+                              Launch::tr("Hold the feet, with this IK ratio to begin with."),
+                              QStringLiteral("R_IK"));
   const QCommandLineOption trace(QStringLiteral("trace"),
                                  Launch::tr("Write timings to standard error."));
   const QCommandLineOption screenshot(
       QStringLiteral("screenshot"),
       Launch::tr("Write a picture of the window once the clip is compressed, and quit."),
       QStringLiteral("PNG"));
-  parser.addOptions({skeleton, ratio, trace, screenshot});
+  parser.addOptions({skeleton, ratio, ik, trace, screenshot});
   parser.process(application);
   LaunchOptions options;
   options.file = parser.positionalArguments().value(0);
   options.skeleton = parser.value(skeleton);
-  bool is_number = false;
-  const double wanted = parser.value(ratio).toDouble(&is_number);
-  if (is_number && wanted > 0) options.ratio = wanted;
+  options.ratio = positive(parser.value(ratio));
+  options.ik = positive(parser.value(ik));
   options.screenshot = parser.value(screenshot);
   options.trace = parser.isSet(trace);
   return options;

@@ -13,6 +13,7 @@ struct LaunchOptions {
   QString file;                 // empty: the newest of the recent files, or the bundled walk
   QString skeleton;             // for an .amc
   std::optional<double> ratio;  // compression ratio to begin with
+  std::optional<double> ik;     // IK ratio to begin with; unset: feet are not held
   QString screenshot;           // write the window to this PNG once all is computed, and quit
   bool trace = false;           // timings on standard error
 };

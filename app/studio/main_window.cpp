@@ -2,6 +2,7 @@
 #include "app/studio/main_window.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDockWidget>
@@ -15,11 +16,14 @@
 #include "app/studio/trace.h"
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/compression_panel.h"
+#include "widgets/panels/correction_control.h"
+#include "widgets/panels/footskate_panel.h"
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/warnings_panel.h"
 #include "widgets/plots/error_graph.h"
+#include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/transport_bar.h"
 #include "widgets/viewport/viewport.h"
 
@@ -28,7 +32,8 @@ namespace {
 
 constexpr QSize kFirstSize(1440, 900);
 constexpr int kSidebarWidth = 320;
-constexpr int kJointsWidth = 320;
+constexpr int kJointsWidth = 290;
+constexpr int kFootskateWidth = 300;
 constexpr int kBelowHeight = 240;
 
 QFrame* makeRule(QWidget* parent) {
@@ -49,7 +54,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   addDocks();
   recent_ = addMenus(this, actions_, layout_.docks());
   layout_.restore();
-  new Presenter(session_, playback_, model_, views_, this);
+  new Presenter(session_, playback_, models_, views_, this);
   // After the presenter: an answer counts once the view has it.
   trace_ = new Trace(session_, views_.viewport, this);
   connectFileActions();
@@ -69,6 +74,8 @@ QWidget* MainWindow::makeCentre() {
   column->addWidget(messages_);
   column->addWidget(views_.warnings);
   column->addWidget(views_.viewport, 1);
+  views_.contacts = new ContactStrip(centre);
+  column->addWidget(views_.contacts);
   column->addWidget(new TransportBar(playback_, actions_.transport, centre));
   return centre;
 }
@@ -93,15 +100,18 @@ void MainWindow::addDocks() {
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   QDockWidget* sidebar =
       layout_.addRight(makeSidebar(), QStringLiteral("compression"), tr("Compression"));
-  views_.joints = new JointsPanel(model_, this);
+  views_.joints = new JointsPanel(models_.joints, this);
   QDockWidget* joints = layout_.addBelow(views_.joints, QStringLiteral("joints"), tr("Joints"));
+  views_.footskate = new FootskatePanel(models_.slides, this);
+  QDockWidget* footskate =
+      layout_.addBelow(views_.footskate, QStringLiteral("footskate"), tr("Footskate"));
   views_.graph = new ErrorGraph(this);
   QDockWidget* graph =
       layout_.addBelow(views_.graph, QStringLiteral("error-over-time"), tr("Error over time"));
   resizeDocks({sidebar}, {kSidebarWidth}, Qt::Horizontal);
-  resizeDocks({joints, graph}, {kJointsWidth, kFirstSize.width() - kSidebarWidth - kJointsWidth},
-              Qt::Horizontal);
-  resizeDocks({joints, graph}, {kBelowHeight, kBelowHeight}, Qt::Vertical);
+  const int rest = kFirstSize.width() - kSidebarWidth - kJointsWidth - kFootskateWidth;
+  resizeDocks({joints, footskate, graph}, {kJointsWidth, kFootskateWidth, rest}, Qt::Horizontal);
+  resizeDocks({joints, footskate, graph}, {kBelowHeight, kBelowHeight, kBelowHeight}, Qt::Vertical);
 }
 
 void MainWindow::connectFileActions() {
@@ -120,6 +130,9 @@ void MainWindow::connectFileActions() {
 void MainWindow::connectViewActions() {
   connect(actions_.follow, &QAction::toggled, views_.viewport, &Viewport::setFollow);
   actions_.follow->setChecked(true);
+  connect(actions_.without_ik, &QAction::toggled, &session_->document(), &Document::setUncorrected);
+  connect(actions_.hold_feet, &QAction::triggered, views_.compression->correction()->hold(),
+          &QCheckBox::toggle);
   connect(actions_.reset_camera, &QAction::triggered, views_.viewport, &Viewport::resetCamera);
   connect(actions_.reset_layout, &QAction::triggered, this, [this] { layout_.reset(); });
   connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
@@ -148,6 +161,8 @@ void MainWindow::updateTitle() {
   setWindowModified(document.modified());
   actions_.save->setEnabled(document.decoded() != nullptr);
   actions_.save_as->setEnabled(document.decoded() != nullptr);
+  actions_.hold_feet->setEnabled(document.original() != nullptr);
+  actions_.without_ik->setEnabled(document.decoded() && document.decoded()->uncorrected_tracks);
   actions_.compare->setEnabled(document.decoded() && !document.original());
 }
 

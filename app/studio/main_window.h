@@ -8,7 +8,6 @@
 #include "app/studio/presenter.h"
 #include "app/studio/session.h"
 #include "app/studio/window_layout.h"
-#include "widgets/models/joint_error_model.h"
 #include "widgets/timeline/playback.h"
 
 namespace mocapress {
@@ -50,7 +49,7 @@ class MainWindow : public QMainWindow {
   // Children, not members: what the widgets show has to outlive their being hidden by ~QWidget().
   Session* session_ = new Session(this);
   Playback* playback_ = new Playback(Playback::steadyClock(), this);
-  JointErrorModel* model_ = new JointErrorModel(this);
+  Models models_{new JointErrorModel(this), new SlideModel(this)};
   ClipFiles* files_ = new ClipFiles(session_, this);
   WindowLayout layout_{this};
   Actions actions_;

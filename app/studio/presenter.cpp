@@ -6,10 +6,12 @@
 #include "core/motion/landmarks.h"
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/compression_panel.h"
+#include "widgets/panels/footskate_panel.h"
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/warnings_panel.h"
 #include "widgets/plots/error_graph.h"
+#include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/playback.h"
 #include "widgets/viewport/viewport.h"
 
@@ -28,20 +30,30 @@ std::vector<ErrorCurve> curvesOf(const Document& document) {
   return curves;
 }
 
+std::vector<QString> landmarkNames(const Document& document) {
+  std::vector<QString> names;
+  if (!document.skeleton()) return names;
+  for (const Landmark& point : landmarks(*document.skeleton()))
+    names.push_back(QString::fromStdString(point.name));
+  return names;
+}
+
 }  // namespace
 
-Presenter::Presenter(Session* session, Playback* playback, JointErrorModel* model,
-                     const Views& views, QObject* parent)
-    : QObject(parent), session_(session), playback_(playback), model_(model), views_(views) {
+Presenter::Presenter(Session* session, Playback* playback, const Models& models, const Views& views,
+                     QObject* parent)
+    : QObject(parent), session_(session), playback_(playback), models_(models), views_(views) {
   connectDocument();
   connectViews();
   showDecoded();
+  showShown();
 }
 
 void Presenter::connectDocument() {
   Document* document = &session_->document();
   connect(document, &Document::clipChanged, this, &Presenter::showClip);
   connect(document, &Document::decodedChanged, this, &Presenter::showDecoded);
+  connect(document, &Document::shownChanged, this, &Presenter::showShown);
   connect(document, &Document::curvesChanged, this, &Presenter::showCurves);
   connect(document, &Document::currentJointChanged, this, &Presenter::showCurrentJoint);
   connect(document, &Document::optionsChanged, this,
@@ -53,11 +65,16 @@ void Presenter::connectDocument() {
 void Presenter::connectViews() {
   connect(views_.compression, &CompressionPanel::optionsChanged, session_, &Session::setOptions);
   connect(views_.annealing, &AnnealingPanel::cancelRequested, session_, &Session::cancelAnnealing);
-  connect(model_, &JointErrorModel::checkRequested, this, &Presenter::setChecked);
+  connect(models_.joints, &JointErrorModel::checkRequested, this, &Presenter::setChecked);
   connect(views_.joints, &JointsPanel::currentJointChanged, &session_->document(),
           &Document::setCurrentJoint);
   connect(views_.viewport, &Viewport::jointClicked, this, &Presenter::toggleJoint);
   connect(views_.graph, &ErrorGraph::seekRequested, playback_, &Playback::seek);
+  connect(views_.contacts, &ContactStrip::seekRequested, playback_, &Playback::seek);
+  connect(views_.footskate, &FootskatePanel::findingChosen, this, &Presenter::showFinding);
+  connect(views_.footskate, &FootskatePanel::settingsChanged, session_,
+          &Session::setContactSettings);
+  connect(playback_, &Playback::frameChanged, views_.contacts, &ContactStrip::setFrame);
   connect(playback_, &Playback::frameChanged, views_.graph, &ErrorGraph::setFrame);
   connect(playback_, &Playback::frameChanged, views_.viewport, &Viewport::setFrame);
 }
@@ -70,9 +87,11 @@ void Presenter::showClip() {
   views_.viewport->setOriginal(original ? original->tracks() : nullptr);
   views_.warnings->setWarnings(original ? original->warnings : Warnings());
   views_.compression->setEnabled(original != nullptr);
-  model_->setLandmarks(landmarks(skeleton));
+  views_.compression->setSkeleton(skeleton);
+  models_.joints->setLandmarks(landmarks(skeleton));
   playback_->setClip(document.frames(), document.sampleRate());
   showDecoded();
+  showShown();
   showCurrentJoint();
 }
 
@@ -81,17 +100,39 @@ void Presenter::showDecoded() {
   const DecodedPtr& decoded = document.decoded();
   views_.result->setFigures(figuresOf(document));
   views_.result->setState(stateOf(document));
-  views_.viewport->setCompressed(decoded ? decoded->tracks : nullptr);
   const bool measured = decoded && decoded->distortion;
   const ErrorGraph::Distances distances =
       measured ? ErrorGraph::Distances(decoded, &decoded->distortion->distances) : nullptr;
-  model_->setDistances(distances ? *distances : Eigen::MatrixXf());
-  model_->setSelection(document.curves());
+  models_.joints->setDistances(distances ? *distances : Eigen::MatrixXf());
+  models_.joints->setSelection(document.curves());
   views_.graph->setDistances(distances, document.sampleRate(), curvesOf(document));
 }
 
+void Presenter::showShown() {
+  const Document& document = session_->document();
+  const std::vector<ContactSpan> contacts = document.contacts();
+  const Footskate* footskate = document.shownFootskate();
+  const std::vector<SlideFinding> slides =
+      footskate ? footskate->findings : std::vector<SlideFinding>();
+  const std::vector<QString> names = landmarkNames(document);
+  views_.viewport->setCompressed(document.shownTracks());
+  views_.viewport->setSlides(slides);
+  views_.contacts->setContacts(contacts, names, document.frames());
+  views_.contacts->setFindings(slides);
+  models_.slides->setFindings(slides, names);
+  views_.footskate->setSummary(footskateSummary(document));
+}
+
+/// The playhead goes where the foot slides worst, and its curve is drawn.
+void Presenter::showFinding(int frame, int landmark) {
+  playback_->seek(frame);
+  const std::vector<QString> names = landmarkNames(session_->document());
+  setChecked(names[static_cast<std::size_t>(landmark)], true);
+  session_->document().setCurrentJoint(models_.joints->jointOf(landmark));
+}
+
 void Presenter::showCurves() {
-  model_->setSelection(session_->document().curves());
+  models_.joints->setSelection(session_->document().curves());
   views_.graph->setCurves(curvesOf(session_->document()));
 }
 

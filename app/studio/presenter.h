@@ -4,12 +4,15 @@
 #include <QObject>
 
 #include "widgets/models/joint_error_model.h"
+#include "widgets/models/slide_model.h"
 
 namespace mocapress {
 
 class AnnealingPanel;
 class CompressionPanel;
+class ContactStrip;
 class ErrorGraph;
+class FootskatePanel;
 class JointsPanel;
 class Playback;
 class ResultPanel;
@@ -26,6 +29,14 @@ struct Views {
   JointsPanel* joints = nullptr;
   ErrorGraph* graph = nullptr;
   WarningsPanel* warnings = nullptr;
+  ContactStrip* contacts = nullptr;
+  FootskatePanel* footskate = nullptr;
+};
+
+/// What lists and tables show.
+struct Models {
+  JointErrorModel* joints = nullptr;
+  SlideModel* slides = nullptr;
 };
 
 /// Keeps the views showing what the session's document holds, and passes on what is done in them.
@@ -33,7 +44,7 @@ class Presenter : public QObject {
   Q_OBJECT
 
  public:
-  Presenter(Session* session, Playback* playback, JointErrorModel* model, const Views& views,
+  Presenter(Session* session, Playback* playback, const Models& models, const Views& views,
             QObject* parent = nullptr);
 
  private:
@@ -41,14 +52,16 @@ class Presenter : public QObject {
   void connectViews();
   void showClip();
   void showDecoded();
+  void showShown();
   void showCurves();
   void showCurrentJoint();
   void setChecked(const QString& name, bool checked);
   void toggleJoint(int joint);
+  void showFinding(int frame, int landmark);
 
   Session* session_;
   Playback* playback_;
-  JointErrorModel* model_;
+  Models models_;
   Views views_;
 };
 

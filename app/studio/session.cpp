@@ -70,6 +70,11 @@ void Session::setOptions(const EncodeOptions& options) {
   compressor_.request(options);
 }
 
+void Session::setContactSettings(const ContactSettings& settings) {
+  document_.setContactSettings(settings);
+  if (document_.original()) setOptions(document_.options());
+}
+
 void Session::answer(const DecodedPtr& decoded, bool final) {
   document_.setDecoded(decoded, final);
   chooseCurves();

@@ -29,6 +29,7 @@ class Session : public QObject {
   void compareWith(const QString& path, const QString& skeleton = {});
 
   void setOptions(const EncodeOptions& options);
+  void setContactSettings(const ContactSettings& settings);
   void cancelAnnealing() { compressor_.stopEarly(); }
 
   /// Saves what is shown now.

@@ -16,7 +16,7 @@ std::string_view name(Method method) {
 }
 
 std::size_t CodedCorrection::bytes() const {
-  return 2 + 4 * effectors.size() + signals.size();
+  return 2 + 4 * effectors.size() + differences.size();
 }
 
 }  // namespace mocapress

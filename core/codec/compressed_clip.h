@@ -38,7 +38,7 @@ struct Provenance {
 struct CodedCorrection {
   IkSolver solver = IkSolver::NearestPose;
   std::vector<Effector> effectors;
-  std::vector<std::byte> signals;  // three a effector, coded as the motion is
+  std::vector<std::byte> differences;  // three signals an effector, coded as the motion is
 
   /// What the correction adds to a file: its signals and what says whose they are.
   std::size_t bytes() const;

@@ -107,7 +107,7 @@ std::vector<std::byte> write_correction(const CodedCorrection& correction) {
     writer.write(static_cast<std::uint16_t>(effector.joint));
     writer.write(static_cast<std::uint16_t>(effector.chain.front()));
   }
-  writer.append(correction.signals);
+  writer.append(correction.differences);
   return writer.release();
 }
 
@@ -132,8 +132,8 @@ CodedCorrection read_correction(std::span<const std::byte> payload, std::size_t 
   } catch (const Error& error) {
     reader.fail(error.what());
   }
-  const auto signals = reader.take(reader.remaining());
-  correction.signals.assign(signals.begin(), signals.end());
+  const auto bytes = reader.take(reader.remaining());
+  correction.differences.assign(bytes.begin(), bytes.end());
   return correction;
 }
 

@@ -15,7 +15,7 @@ CorrectionReport correct(const CompressedClip& compressed, Clip& clip) {
   if (!compressed.correction) return {};
   const CodedCorrection& correction = *compressed.correction;
   const Eigen::MatrixXd differences =
-      decode_signals(correction.signals, compressed.basis, compressed.coding, compressed.frames,
+      decode_signals(correction.differences, compressed.basis, compressed.coding, compressed.frames,
                      3 * static_cast<int>(correction.effectors.size()));
   return apply_correction(compressed.skeleton, correction.effectors, correction.solver, differences,
                           clip);

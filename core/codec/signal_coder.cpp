@@ -42,11 +42,11 @@ std::vector<std::byte> code_signals(const RankedCoefficients& ranked, const Kept
 }
 
 Eigen::MatrixXd decode_signals(std::span<const std::byte> bytes, Basis basis, Coding coding,
-                               int samples, int signals) {
+                               int samples, int count) {
   Eigen::MatrixXd values =
       coding == Coding::Rle16
-          ? rle16_decode(bytes, samples, signals)
-          : rle16_decode(inflate_bytes(bytes, rle16_bound(samples, signals)), samples, signals);
+          ? rle16_decode(bytes, samples, count)
+          : rle16_decode(inflate_bytes(bytes, rle16_bound(samples, count)), samples, count);
   const Lifting lifting(basis, samples);
   const Eigen::VectorXd gains = gains_of(lifting);
   tbb::parallel_for(Eigen::Index{0}, values.cols(), [&](Eigen::Index s) {

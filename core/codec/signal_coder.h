@@ -26,8 +26,8 @@ std::string_view name(Coding coding);
 std::vector<std::byte> code_signals(const RankedCoefficients& ranked, const Kept& kept,
                                     Coding coding);
 
-/// The signals again, samples x signals. Throws FormatError when the bytes are not valid.
+/// The signals again, samples x count. Throws FormatError when the bytes are not valid.
 Eigen::MatrixXd decode_signals(std::span<const std::byte> bytes, Basis basis, Coding coding,
-                               int samples, int signals);
+                               int samples, int count);
 
 }  // namespace mocapress

@@ -16,6 +16,8 @@ struct ContactSettings {
   double begin_speed = 30.0;   // cm/s
   double end_speed = 50.0;     // cm/s
   double least_seconds = 0.1;  // shorter spans are dropped, shorter gaps closed
+
+  bool operator==(const ContactSettings&) const = default;
 };
 
 /// A landmark on the ground from first_frame to last_frame, both included.

@@ -4,10 +4,12 @@
 in vec3 positionInView;
 in vec3 normalInView;
 in float highlighted;
+in float alerted;
 
 uniform mat4 viewMatrix;
 uniform vec3 colour;
 uniform vec3 highlightColour;
+uniform vec3 alertColour;
 uniform float opacity;  // facing the eye; the rim of a translucent figure is denser, like glass
 
 out vec4 fragment;
@@ -18,7 +20,7 @@ void main() {
   vec3 normal = normalize(normalInView);
   vec3 toEye = normalize(-positionInView);
   vec3 up = mat3(viewMatrix) * vec3(0.0, 1.0, 0.0);
-  vec3 base = mix(colour, highlightColour, highlighted);
+  vec3 base = mix(mix(colour, alertColour, alerted), highlightColour, highlighted);
 
   float ambient = mix(0.4, 0.64, 0.5 + 0.5 * dot(normal, up));
   float key = pow(0.5 + 0.5 * dot(normal, kKeyInView), 2.0);

@@ -7,6 +7,7 @@ in float along;          // 0: on the start's ball, 1: on the end's
 in vec4 start;           // xyz in the world, radius (cm)
 in vec4 end;
 in float highlight;
+in float alert;
 
 uniform mat4 viewMatrix;
 uniform mat4 viewProjectionMatrix;
@@ -15,6 +16,7 @@ uniform float thickness;
 out vec3 positionInView;
 out vec3 normalInView;
 out float highlighted;
+out float alerted;
 
 // The depth pass and the shading pass of the ghost must agree to the last bit.
 invariant gl_Position;
@@ -33,5 +35,6 @@ void main() {
   positionInView = vec3(viewMatrix * position);
   normalInView = mat3(viewMatrix) * normalize(outwards + taper * axis);
   highlighted = highlight;
+  alerted = alert;
   gl_Position = viewProjectionMatrix * position;
 }

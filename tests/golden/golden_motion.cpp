@@ -83,7 +83,7 @@ CompressedClip golden_corrected_clip() {
   clip.correction = CodedCorrection{
       .solver = IkSolver::NearestPose,
       .effectors = {effector_at(clip.skeleton, joint)},
-      .signals = code_signals(ranked, keep_per_channel(ranked, ranked.total() / 3), clip.coding)};
+      .differences = code_signals(ranked, keep_per_channel(ranked, ranked.total() / 3), clip.coding)};
   return clip;
 }
 

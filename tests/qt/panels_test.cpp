@@ -81,7 +81,7 @@ TEST(CompressionPanel, EveryControlHasANameAndAnExplanation) {
   for (QWidget* control : panel.findChildren<QComboBox*>()) controls << control;
   for (QWidget* control : panel.findChildren<QAbstractSpinBox*>()) controls << control;
   for (QWidget* control : panel.findChildren<QSlider*>()) controls << control;
-  EXPECT_EQ(controls.size(), 6);
+  EXPECT_EQ(controls.size(), 9);
   for (const QWidget* control : controls) {
     EXPECT_FALSE(control->accessibleName().isEmpty());
     EXPECT_FALSE(control->toolTip().isEmpty()) << control->accessibleName().toStdString();
@@ -98,7 +98,7 @@ TEST(ResultPanel, ShowsDashesForWhatIsNotKnown) {
   for (const QLabel* label : panel.findChildren<QLabel*>()) texts << label->text();
   EXPECT_TRUE(texts.contains(QStringLiteral("12.3 : 1"))) << texts.join(u'|').toStdString();
   EXPECT_TRUE(texts.contains(QStringLiteral("0.46 cm")));
-  EXPECT_EQ(texts.count(QStringLiteral("–")), 3);
+  EXPECT_EQ(texts.count(QStringLiteral("–")), 6);
 }
 
 TEST(AnnealingPanel, ProgressRunsFromNoneToAllOfAPass) {

@@ -169,6 +169,66 @@ TEST_F(Studio, CurvesAndCurrentJointOutliveTheClip) {
   EXPECT_EQ(document_.currentJoint(), document_.skeleton()->find("rlower"));
 }
 
+class StudioFeet : public SessionTest {
+ protected:
+  static EncodeOptions heldFeet() {
+    EncodeOptions options = ratio(40);
+    options.method = Method::Standard;
+    options.correction = CorrectionOptions{.ratio = 16.0};
+    return options;
+  }
+
+  const QString walk_ = QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/human_walk.amc");
+};
+
+TEST_F(StudioFeet, AreHeldAndTheMotionWithoutIkIsAKeyAway) {
+  session_.setOptions(heldFeet());
+  openAndSettle(walk_);
+  const double held = document_.shownFootskate()->total_cm;
+  EXPECT_EQ(document_.shownTracks(), document_.decoded()->tracks);
+  document_.setUncorrected(true);
+  EXPECT_EQ(document_.shownTracks(), document_.decoded()->uncorrected_tracks);
+  EXPECT_LT(held, 0.3 * document_.shownFootskate()->total_cm);
+  const ResultFigures figures = *figuresOf(document_);
+  EXPECT_EQ(figures.correction_ratio, 16.0);
+  EXPECT_GT(*figures.correction_bytes, 50u);
+  EXPECT_DOUBLE_EQ(*figures.footskate_cm, held);
+}
+
+TEST_F(StudioFeet, StayHeldInAFileThatIsOpenedAgain) {
+  session_.setOptions(heldFeet());
+  openAndSettle(walk_);
+  const double held = document_.decoded()->footskate->total_cm;
+  saveAndWait(path("held.mcpr"));
+  openAndSettle(path("held.mcpr"));
+  ASSERT_TRUE(document_.decoded()->compressed.correction);
+  EXPECT_NEAR(document_.decoded()->footskate->total_cm, held, 0.05);
+  EXPECT_TRUE(document_.decoded()->uncorrected_tracks);
+  EXPECT_EQ(document_.options().correction->joints.size(), 2u);
+}
+
+TEST_F(StudioFeet, HeldJointsDoNotOutliveTheirSkeleton) {
+  openAndSettle(writeClip("motion.bvh", 100));
+  EncodeOptions options = heldFeet();
+  options.correction->joints = {document_.skeleton()->find("lhand")};
+  session_.setOptions(options);
+  openAndSettle(walk_);
+  EXPECT_TRUE(document_.options().correction->joints.empty());
+  EXPECT_EQ(document_.decoded()->compressed.correction->effectors.size(), 2u);
+}
+
+TEST_F(StudioFeet, StandWhereTheThresholdsSay) {
+  openAndSettle(walk_);
+  const std::size_t usual = document_.contacts().size();
+  ASSERT_GT(usual, 2u);
+  QSignalSpy settled(&session_, &Session::settled);
+  session_.setContactSettings({.begin_speed = 0.1, .end_speed = 0.1});
+  ASSERT_TRUE(waitFor(settled));
+  EXPECT_LT(document_.contacts().size(), usual);
+  session_.setContactSettings({});
+  EXPECT_EQ(document_.contacts().size(), usual);
+}
+
 TEST_F(Studio, TheNewestOfManyOpensWins) {
   QSignalSpy settled(&session_, &Session::settled);
   for (int i = 0; i < 20; ++i) session_.open(writeClip("one.bvh", 100));

@@ -124,6 +124,23 @@ TEST_F(ViewportScreen, DrawsTheOriginalGreyAndTheCompressedRedWhereTheyAre) {
   }
 }
 
+TEST_F(ViewportScreen, ColoursAJointThatSlidesAndDrawsItsTrail) {
+  const auto isViolet = [](QRgb pixel) {
+    return qBlue(pixel) > qRed(pixel) + 30 && qRed(pixel) > qGreen(pixel) + 30;
+  };
+  const QImage before = picture();
+  viewport_.setSlides({{{kNeck, 0, 1}, 5, 100, 1}});
+  const QImage after = picture();
+  const QPoint neck = seen(compressed_, 0, kNeck);
+  EXPECT_FALSE(isViolet(before.pixel(neck)));
+  EXPECT_TRUE(isViolet(after.pixel(neck)));
+  QVector3D middle = (landmarkAt(*compressed_, 0, kNeck) + landmarkAt(*compressed_, 1, kNeck)) / 2;
+  middle.setY(0);
+  const QPoint trail = viewport_.camera().project(middle)->toPoint();
+  EXPECT_FALSE(isViolet(before.pixel(trail)));
+  EXPECT_TRUE(isViolet(after.pixel(trail)));
+}
+
 TEST_F(ViewportScreen, HidesAFigureWithoutTracks) {
   const QPoint red = seen(compressed_, 0, kNeck);
   const QPoint grey = seen(original_, 0, kNeck);

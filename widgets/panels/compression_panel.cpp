@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QVBoxLayout>
 
+#include "widgets/panels/correction_control.h"
 #include "widgets/panels/names.h"
 #include "widgets/panels/target_control.h"
 
@@ -32,6 +33,7 @@ Value chosen(const QComboBox* box) {
 CompressionPanel::CompressionPanel(QWidget* parent)
     : QWidget(parent),
       target_(new TargetControl(this)),
+      correction_(new CorrectionControl(this)),
       method_(new QComboBox(this)),
       weighting_(new QComboBox(this)),
       coding_(new QComboBox(this)) {
@@ -63,12 +65,18 @@ CompressionPanel::CompressionPanel(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(10);
   column->addWidget(target_);
+  column->addWidget(correction_);
   column->addLayout(form);
 
   connect(target_, &TargetControl::targetChanged, this, [this](const Target& target) {
     options_.target = target;
     emit optionsChanged(options_);
   });
+  connect(correction_, &CorrectionControl::correctionChanged, this,
+          [this](const std::optional<CorrectionOptions>& correction) {
+            options_.correction = correction;
+            emit optionsChanged(options_);
+          });
   const auto combo_chosen = [this] {
     options_.method = chosen<Method>(method_);
     options_.weighting = chosen<Weighting>(weighting_);
@@ -83,9 +91,14 @@ CompressionPanel::CompressionPanel(QWidget* parent)
 void CompressionPanel::setOptions(const EncodeOptions& options) {
   options_ = options;
   target_->setTarget(options.target);
+  correction_->setCorrection(options.correction);
   choose(method_, options.method);
   choose(weighting_, options.weighting);
   choose(coding_, options.coding);
+}
+
+void CompressionPanel::setSkeleton(const Skeleton& skeleton) {
+  correction_->setSkeleton(skeleton);
 }
 
 }  // namespace mocapress

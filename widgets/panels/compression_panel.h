@@ -9,6 +9,7 @@ class QComboBox;
 
 namespace mocapress {
 
+class CorrectionControl;
 class TargetControl;
 
 /// The settings of the compression. Shows what it is told, and tells what the user chose.
@@ -21,7 +22,11 @@ class CompressionPanel : public QWidget {
   /// Emits nothing.
   void setOptions(const EncodeOptions& options);
 
+  /// The joints that can be held.
+  void setSkeleton(const Skeleton& skeleton);
+
   TargetControl* target() const { return target_; }
+  CorrectionControl* correction() const { return correction_; }
 
  signals:
   void optionsChanged(const EncodeOptions& options);
@@ -29,6 +34,7 @@ class CompressionPanel : public QWidget {
  private:
   EncodeOptions options_;
   TargetControl* target_;
+  CorrectionControl* correction_;
   QComboBox* method_;
   QComboBox* weighting_;
   QComboBox* coding_;

@@ -32,4 +32,8 @@ QString displayName(Weighting weighting) {
   return weighting == Weighting::BoneEnds ? Names::tr("Bone ends") : Names::tr("Joint origins");
 }
 
+QString displayName(CorrectAt at) {
+  return at == CorrectAt::EveryFrame ? Names::tr("Every frame") : Names::tr("Contacts");
+}
+
 }  // namespace mocapress

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "core/codec/compressed_clip.h"
+#include "core/codec/correction_encoder.h"
 
 namespace mocapress {
 
@@ -11,5 +11,6 @@ namespace mocapress {
 QString displayName(Method method);
 QString displayName(Coding coding);
 QString displayName(Weighting weighting);
+QString displayName(CorrectAt at);
 
 }  // namespace mocapress

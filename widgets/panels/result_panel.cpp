@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QtMath>
 
 #include "widgets/panels/names.h"
 
@@ -19,6 +20,21 @@ QString centimetres(const std::optional<double>& cm) {
 
 QString bytes(std::size_t count) {
   return QLocale().formattedDataSize(static_cast<qint64>(count), 1, QLocale::DataSizeSIFormat);
+}
+
+QString correctionText(const ResultFigures& figures) {
+  if (!figures.correction_bytes) return kUnknown;
+  const QString size = bytes(*figures.correction_bytes);
+  return figures.correction_ratio
+             ? ResultPanel::tr("%1, %L2 : 1").arg(size).arg(*figures.correction_ratio, 0, 'f', 1)
+             : size;
+}
+
+QString kneeText(const ResultFigures& figures) {
+  if (!figures.fastest_knee || !figures.fastest_knee_of_original) return kUnknown;
+  return ResultPanel::tr("%L1 / %L2 °/s")
+      .arg(qRadiansToDegrees(*figures.fastest_knee), 0, 'f', 0)
+      .arg(qRadiansToDegrees(*figures.fastest_knee_of_original), 0, 'f', 0);
 }
 
 }  // namespace
@@ -49,6 +65,9 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   p99_ = addRow(tr("99 % of points within"),
                 tr("99th percentile of the distance over all joints and frames, unweighted."));
   max_ = addRow(tr("Worst point"), tr("Greatest distance of any joint at any frame."));
+  footskate_ = addRow(tr("Footskate"),
+                      tr("Way of the feet over the ground while they stand, beyond the original's "
+                         "own, summed over the clip."));
   bytes_ = addRow(tr("Motion / file"),
                   tr("Compressed motion bytes, and bytes of the whole file with its skeleton."));
   coefficient_ratio_ =
@@ -56,6 +75,11 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
              tr("The paper's r: all wavelet coefficients over those that are kept."));
   bits_ = addRow(tr("Bits per joint-sample"),
                  tr("Motion bits for one joint at one frame: does not depend on a baseline."));
+  correction_ = addRow(tr("IK signals"),
+                       tr("What holding the feet takes of the motion bytes, and its ratio r_IK."));
+  knee_ = addRow(tr("Fastest knee"),
+                 tr("The greatest speed of a held leg's knee, and that of the original's: a "
+                    "correction must not make knees snap."));
   setFigures({});
 }
 
@@ -93,7 +117,8 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   setEnabled(figures.has_value());
   if (!figures) {
     eps_name_->setText(tr("eps_x"));
-    for (QLabel* label : {ratio_, eps_, bytes_, p95_, p99_, max_, coefficient_ratio_, bits_})
+    for (QLabel* label : {ratio_, eps_, bytes_, p95_, p99_, max_, coefficient_ratio_, bits_,
+                          footskate_, correction_, knee_})
       label->setText(kUnknown);
     return;
   }
@@ -109,6 +134,9 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
                                   ? tr("%L1 : 1").arg(*figures->coefficient_ratio, 0, 'f', 1)
                                   : kUnknown);
   bits_->setText(QLocale().toString(figures->bits_per_joint_sample, 'f', 2));
+  footskate_->setText(centimetres(figures->footskate_cm));
+  correction_->setText(correctionText(*figures));
+  knee_->setText(kneeText(*figures));
 }
 
 void ResultPanel::setState(const QString& state) {

@@ -24,6 +24,11 @@ struct ResultFigures {
   double max_cm = 0;
   std::optional<double> coefficient_ratio;
   double bits_per_joint_sample = 0;
+  std::optional<double> footskate_cm;
+  std::optional<std::size_t> correction_bytes;
+  std::optional<double> correction_ratio;  // r_IK
+  std::optional<double> fastest_knee;      // radians/s
+  std::optional<double> fastest_knee_of_original;
 };
 
 /// Size and error of the compressed clip, always in sight.
@@ -54,6 +59,9 @@ class ResultPanel : public QWidget {
   QLabel* max_;
   QLabel* coefficient_ratio_;
   QLabel* bits_;
+  QLabel* footskate_;
+  QLabel* correction_;
+  QLabel* knee_;
 };
 
 }  // namespace mocapress

@@ -43,6 +43,7 @@ Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
   perInstance("start", 4, offsetof(Capsule, start));
   perInstance("end", 4, offsetof(Capsule, end));
   perInstance("highlight", 1, offsetof(Capsule, highlight));
+  perInstance("alert", 1, offsetof(Capsule, alert));
 
   const bool ghost = look == Look::Ghost;
   material_ = new ShaderMaterial("figure", passes(look), this);
@@ -54,22 +55,27 @@ Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
 }
 
 void Figure::show(const FigureShape& shape, const Eigen::MatrixXd& tracks, int frame,
-                  int selected_joint) {
-  const auto count = static_cast<std::size_t>(shape.capsuleCount());
-  QByteArray bytes(static_cast<qsizetype>(count * sizeof(Capsule)), Qt::Uninitialized);
-  shape.pose(tracks, frame, selected_joint, {reinterpret_cast<Capsule*>(bytes.data()), count});
-  capsules_->setData(bytes);
-  mesh_->setInstanceCount(shape.capsuleCount());
-  setEnabled(true);
+                  const FigureMarks& marks) {
+  std::vector<Capsule> capsules(static_cast<std::size_t>(shape.capsuleCount()));
+  shape.pose(tracks, frame, marks, capsules);
+  show(capsules);
+}
+
+void Figure::show(std::span<const Capsule> capsules) {
+  capsules_->setData(QByteArray(reinterpret_cast<const char*>(capsules.data()),
+                                static_cast<qsizetype>(capsules.size_bytes())));
+  mesh_->setInstanceCount(static_cast<int>(capsules.size()));
+  setEnabled(!capsules.empty());
 }
 
 void Figure::hide() {
   setEnabled(false);
 }
 
-void Figure::setColours(const QColor& figure, const QColor& selected) {
+void Figure::setColours(const QColor& figure, const QColor& selected, const QColor& alert) {
   material_->setColour("colour", figure);
   material_->setColour("highlightColour", selected);
+  material_->setColour("alertColour", alert);
 }
 
 }  // namespace mocapress

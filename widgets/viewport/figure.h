@@ -19,10 +19,14 @@ class Figure : public Qt3DCore::QEntity {
   Figure(Look look, QNode* parent);
 
   /// Shows the figure, in the pose of a frame.
-  void show(const FigureShape& shape, const Eigen::MatrixXd& tracks, int frame, int selected_joint);
+  void show(const FigureShape& shape, const Eigen::MatrixXd& tracks, int frame,
+            const FigureMarks& marks);
+
+  /// Shows these alone.
+  void show(std::span<const Capsule> capsules);
   void hide();
 
-  void setColours(const QColor& figure, const QColor& selected);
+  void setColours(const QColor& figure, const QColor& selected, const QColor& alert);
 
  private:
   Qt3DRender::QGeometryRenderer* mesh_;

@@ -70,20 +70,28 @@ FigureShape::FigureShape(const Skeleton& skeleton)
   }
 }
 
-void FigureShape::pose(const Eigen::MatrixXd& tracks, int frame, int selected_joint,
+void FigureShape::pose(const Eigen::MatrixXd& tracks, int frame, const FigureMarks& marks,
                        std::span<Capsule> capsules) const {
   assert(static_cast<int>(capsules.size()) == capsuleCount());
+  const auto alertOf = [&](int landmark) {  // landmark j is joint j
+    const auto j = static_cast<std::size_t>(landmark);
+    return j < marks.alerts.size() ? marks.alerts[j] : 0.0f;
+  };
   auto capsule = capsules.begin();
   for (int j = 0; j < jointCount(); ++j) {
-    const bool selected = j == selected_joint;
+    const bool selected = j == marks.selected_joint;
     const QVector3D centre = landmarkAt(tracks, frame, j);
     const float radius =
         ball_radii_[static_cast<std::size_t>(j)] * (selected ? kSelectedGrowth : 1);
-    *capsule++ = {centre, radius, centre, radius, selected ? 1.0f : 0.0f};
+    *capsule++ = {centre, radius, centre, radius, selected ? 1.0f : 0.0f, alertOf(j)};
   }
   for (const Bone& bone : bones_)
-    *capsule++ = {landmarkAt(tracks, frame, bone.start), bone.radius,
-                  landmarkAt(tracks, frame, bone.end), kTaper * bone.radius, 0};
+    *capsule++ = {landmarkAt(tracks, frame, bone.start),
+                  bone.radius,
+                  landmarkAt(tracks, frame, bone.end),
+                  kTaper * bone.radius,
+                  0,
+                  std::max(alertOf(bone.start), alertOf(bone.end))};
 }
 
 QVector3D FigureShape::centre(const Eigen::MatrixXd& tracks, int frame) {

@@ -17,8 +17,15 @@ struct Capsule {
   QVector3D end;
   float end_radius;
   float highlight;  // 0 or 1
+  float alert;      // 0 ... 1
 };
-static_assert(sizeof(Capsule) == 9 * sizeof(float));
+static_assert(sizeof(Capsule) == 10 * sizeof(float));
+
+/// What is marked on a figure at a frame.
+struct FigureMarks {
+  int selected_joint = -1;
+  std::vector<float> alerts;  // of each joint, 0 ... 1; empty: none
+};
 
 /// A point of a frame of landmark_tracks().
 QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark);
@@ -36,7 +43,7 @@ class FigureShape {
   float size() const { return size_; }
 
   /// Fills capsuleCount() capsules, joint j the j-th of them, bones after the joints.
-  void pose(const Eigen::MatrixXd& tracks, int frame, int selected_joint,
+  void pose(const Eigen::MatrixXd& tracks, int frame, const FigureMarks& marks,
             std::span<Capsule> capsules) const;
 
   /// The centre of the box around a frame's landmarks.

@@ -82,6 +82,7 @@ Scene::Scene(OpenGl open_gl) {
   ground_ = new Ground(root);
   compressed_ = new Figure(Figure::Look::Solid, root);
   original_ = new Figure(Figure::Look::Ghost, root);
+  trails_ = new Figure(Figure::Look::Solid, root);
   auto* frame_action = new Qt3DLogic::QFrameAction(root);
   root->addComponent(frame_action);
   connect(frame_action, &Qt3DLogic::QFrameAction::triggered, this, &Scene::frameBegins);
@@ -97,6 +98,7 @@ Scene::Scene(OpenGl open_gl) {
   // Steps are drawn in this order: what is translucent comes over what is solid.
   addStep(camera_selector, backdrop, "shade");
   addStep(camera_selector, compressed_, "shade");
+  addStep(camera_selector, trails_, "shade");
   addStep(camera_selector, ground_, "shade");
   addStep(camera_selector, original_, "depth");
   addStep(camera_selector, original_, "shade");
@@ -117,8 +119,9 @@ void Scene::setCamera(const OrbitCamera& orbit) {
 }
 
 void Scene::setColours(const SceneColours& colours) {
-  original_->setColours(colours.original, colours.selected);
-  compressed_->setColours(colours.compressed, colours.selected);
+  original_->setColours(colours.original, colours.selected, colours.alert);
+  compressed_->setColours(colours.compressed, colours.selected, colours.alert);
+  trails_->setColours(colours.trail, colours.selected, colours.alert);
   ground_->setColours(colours);
   backdrop_->setColour("centreColour", colours.backdrop_centre);
   backdrop_->setColour("edgeColour", colours.backdrop_edge);

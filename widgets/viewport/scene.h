@@ -28,6 +28,7 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   // After changing one of these, announce() it.
   Figure& original() { return *original_; }
   Figure& compressed() { return *compressed_; }
+  Figure& trails() { return *trails_; }
   Ground& ground() { return *ground_; }
   void setCamera(const OrbitCamera& camera);
   void setColours(const SceneColours& colours);
@@ -49,6 +50,7 @@ class Scene : public Qt3DExtras::Qt3DWindow {
 
   Figure* original_;
   Figure* compressed_;
+  Figure* trails_;
   Ground* ground_;
   ShaderMaterial* backdrop_;
   Qt3DRender::QRenderCapture* capture_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/viewport/scene_colours.h"
 
+#include "widgets/models/slide_colour.h"
+
 namespace mocapress {
 
 SceneColours sceneColours(const QPalette& palette) {
@@ -14,6 +16,8 @@ SceneColours sceneColours(const QPalette& palette) {
   colours.original = dark ? QColor(0xaab3bc) : QColor(0x3f4953);
   colours.compressed = QColor(0xd8352c);
   colours.selected = QColor(0xffb526);
+  colours.trail = slideColour(0);
+  colours.alert = slideColour(100);
   return colours;
 }
 

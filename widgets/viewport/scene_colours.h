@@ -13,6 +13,8 @@ struct SceneColours {
   QColor original;    // the ghost
   QColor compressed;  // red
   QColor selected;
+  QColor trail;  // of a foot that hardly slides
+  QColor alert;  // of a foot that does, and its trail
 };
 
 /// Light or dark, as the palette's window is.

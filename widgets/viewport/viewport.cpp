@@ -11,11 +11,13 @@
 
 #include "widgets/viewport/joint_picker.h"
 #include "widgets/viewport/scene.h"
+#include "widgets/viewport/slide_marks.h"
 
 namespace mocapress {
 namespace {
 
 constexpr float kRadiusPerSize = 0.56f;  // of the ball in sight, per size of the figure
+constexpr float kTrailPerSize = 0.006f;  // radius of a trail, per size of the figure
 constexpr double kWheelStep = 120;       // Qt's angle delta of one notch
 
 bool isEmpty(const Viewport::Tracks& tracks) {
@@ -66,6 +68,7 @@ void Viewport::setSkeleton(const Skeleton& skeleton) {
   shape_.emplace(skeleton);
   original_.reset();
   compressed_.reset();
+  setSlides({});
   selected_joint_ = -1;
   camera_is_framed_ = false;
   if (scene_) scene_->ground().setCell(gridCell(shape_->size()));
@@ -79,6 +82,12 @@ void Viewport::setOriginal(Tracks tracks) {
 
 void Viewport::setCompressed(Tracks tracks) {
   compressed_ = isEmpty(tracks) ? nullptr : std::move(tracks);
+  showFigures();
+}
+
+void Viewport::setSlides(std::vector<SlideFinding> slides) {
+  slides_ = std::move(slides);
+  showTrails();
   showFigures();
 }
 
@@ -125,13 +134,21 @@ void Viewport::showFigures() {
     root_ = root;
   }
   if (!scene_) return;
-  const auto show = [&](Figure& figure, const Tracks& tracks) {
+  const auto show = [&](Figure& figure, const Tracks& tracks, std::vector<float> alerts) {
     if (!tracks) return figure.hide();
-    figure.show(*shape_, *tracks, frameOf(*tracks), selected_joint_);
+    figure.show(*shape_, *tracks, frameOf(*tracks), {selected_joint_, std::move(alerts)});
   };
-  show(scene_->original(), original_);
-  show(scene_->compressed(), compressed_);
+  show(scene_->original(), original_, {});
+  show(scene_->compressed(), compressed_,
+       shape_ ? slideAlerts(slides_, shape_->jointCount(), frame_) : std::vector<float>());
   scene_->announce();
+}
+
+void Viewport::showTrails() {
+  if (!scene_) return;
+  const bool shown = shape_ && compressed_ && !slides_.empty();
+  scene_->trails().show(shown ? slideTrails(slides_, *compressed_, kTrailPerSize * shape_->size())
+                              : std::vector<Capsule>());
 }
 
 void Viewport::showCamera() {

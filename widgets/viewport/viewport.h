@@ -7,7 +7,9 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "core/contact/footskate.h"
 #include "core/motion/skeleton.h"
 #include "widgets/viewport/figure_shape.h"
 #include "widgets/viewport/orbit_camera.h"
@@ -43,6 +45,9 @@ class Viewport : public QWidget {
   void setOriginal(Tracks tracks);
   void setCompressed(Tracks tracks);
 
+  /// Feet of the compressed figure that slide: coloured, with their trails on the ground.
+  void setSlides(std::vector<SlideFinding> slides);
+
   void setFrame(int frame);
 
   /// The joint drawn highlighted; -1: none.
@@ -75,6 +80,7 @@ class Viewport : public QWidget {
  private:
   void showSceneOrNotice();
   void showFigures();
+  void showTrails();
   void showCamera();
   void drag(const QMouseEvent& event);
   void release(const QMouseEvent& event);
@@ -86,6 +92,7 @@ class Viewport : public QWidget {
   std::optional<FigureShape> shape_;
   Tracks original_;
   Tracks compressed_;
+  std::vector<SlideFinding> slides_;
   int frame_ = 0;
   int selected_joint_ = -1;
   bool follow_ = false;

@@ -64,7 +64,7 @@ TEST(Container, ReadsBackWhatWasWritten) {
     EXPECT_EQ(read.provenance.method, Method::Standard);
     EXPECT_EQ(read.provenance.eps_cm, clip.provenance.eps_cm);
     EXPECT_EQ(read.correction->solver, clip.correction->solver);
-    EXPECT_EQ(read.correction->signals, clip.correction->signals);
+    EXPECT_EQ(read.correction->differences, clip.correction->differences);
     EXPECT_EQ(decode_uncorrected(read).channels, decode_uncorrected(clip).channels);
   }
 }
@@ -165,7 +165,7 @@ TEST(Container, SkipsOptionalSectionsAndRefusesUnknownOnes) {
 TEST(Container, SurvivesMutationsThatPassTheChecksums) {
   const auto file = write_container(small_clip(Coding::Rle16));
   Random random(2);
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < 600; ++round) {
     auto mutated = file;
     for (const char* tag : {"SKEL", "CLIP", "MOTN", "IKCO"}) {
       const Place place = find_section(mutated, tag);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "core/codec/correction_encoder.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QMenu;
+class QSlider;
+class QToolButton;
+
+namespace mocapress {
+
+/// Whether, how finely and where feet or other joints are held by inverse kinematics. Shows what it
+/// is told, and tells what the user chose.
+class CorrectionControl : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CorrectionControl(QWidget* parent = nullptr);
+
+  /// The joints to choose from.
+  void setSkeleton(const Skeleton& skeleton);
+
+  /// Emits nothing.
+  void setCorrection(const std::optional<CorrectionOptions>& correction);
+
+  QCheckBox* hold() const { return hold_; }
+  QSlider* slider() const { return slider_; }
+
+ signals:
+  void correctionChanged(const std::optional<CorrectionOptions>& correction);
+
+ private:
+  void choose(const CorrectionOptions& correction);
+  void chooseJoints();
+  void show();
+  void tell();
+
+  CorrectionOptions correction_;
+  double ratio_;  // for when it is no longer found by the encoder
+  QCheckBox* hold_;
+  QCheckBox* found_;
+  QDoubleSpinBox* value_;
+  QSlider* slider_;
+  QComboBox* at_;
+  QToolButton* joints_;
+  QMenu* joint_menu_;
+};
+
+}  // namespace mocapress
