@@ -12,13 +12,18 @@
 
 namespace mocapress {
 
-/// A clip in one basis: its coefficients and their order.
+/// A clip in one basis: its coefficients, their order and how the chosen ones are coded.
 struct BasisAnalysis {
   RankedCoefficients ranked;
   StandardOrder standard;
   Eigen::VectorXd gains;  // Lifting::gains(), by which coefficients are coded
 
   BasisAnalysis(const Motion& motion, Basis basis);
+
+  /// Of signals made comparable by these factors, one for each column.
+  BasisAnalysis(const Clip& signals, const std::vector<double>& scales, Basis basis);
+
+  std::vector<std::byte> rle16(const Kept& kept) const;
 };
 
 /// What every encode of a motion needs and no option changes, computed when first asked for. Const

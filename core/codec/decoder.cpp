@@ -10,28 +10,32 @@
 namespace mocapress {
 namespace {
 
-Eigen::MatrixXd decode_coefficients(const CompressedClip& compressed) {
-  const int channels = compressed.skeleton.channel_count();
-  if (compressed.coding == Coding::Rle16)
-    return rle16_decode(compressed.motion, compressed.frames, channels);
-  const auto words = inflate_bytes(compressed.motion, rle16_bound(compressed.frames, channels));
-  return rle16_decode(words, compressed.frames, channels);
+Eigen::MatrixXd decode_coefficients(std::span<const std::byte> bytes, Coding coding, int frames,
+                                    int signals) {
+  if (coding == Coding::Rle16) return rle16_decode(bytes, frames, signals);
+  return rle16_decode(inflate_bytes(bytes, rle16_bound(frames, signals)), frames, signals);
 }
 
 }  // namespace
 
 Clip decode(const CompressedClip& compressed) {
-  Clip clip{compressed.sample_rate_hz, decode_coefficients(compressed)};
-  const Lifting lifting(compressed.basis, compressed.frames);
+  return {compressed.sample_rate_hz,
+          decode_signals(compressed.motion, compressed.coding, compressed.basis, compressed.frames,
+                         compressed.skeleton.channel_count())};
+}
+
+Eigen::MatrixXd decode_signals(std::span<const std::byte> bytes, Coding coding, Basis basis,
+                               int frames, int signals) {
+  Eigen::MatrixXd columns = decode_coefficients(bytes, coding, frames, signals);
+  const Lifting lifting(basis, frames);
   const std::vector<double> gains = lifting.gains();
-  const Eigen::Map<const Eigen::VectorXd> gain(gains.data(), clip.frames());
-  tbb::parallel_for(Eigen::Index{0}, clip.channels.cols(), [&](Eigen::Index c) {
-    const std::span<double> signal(clip.channels.col(c).data(),
-                                   static_cast<std::size_t>(clip.frames()));
-    clip.channels.col(c).array() /= gain.array();
+  const Eigen::Map<const Eigen::VectorXd> gain(gains.data(), frames);
+  tbb::parallel_for(Eigen::Index{0}, columns.cols(), [&](Eigen::Index c) {
+    const std::span<double> signal(columns.col(c).data(), static_cast<std::size_t>(frames));
+    columns.col(c).array() /= gain.array();
     lifting.inverse(signal, signal);
   });
-  return clip;
+  return columns;
 }
 
 }  // namespace mocapress

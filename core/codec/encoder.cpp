@@ -13,7 +13,6 @@
 #include "core/codec/decoder.h"
 #include "core/codec/deflate.h"
 #include "core/codec/goal.h"
-#include "core/codec/rle16.h"
 #include "core/select/annealing.h"
 
 namespace mocapress {
@@ -94,23 +93,11 @@ class TargetedEncode {
     compressed.frames = analysis_.motion().clip.frames();
     compressed.basis = options_.basis;
     compressed.coding = options_.coding;
-    compressed.motion = code(kept);
+    compressed.motion = basis_.rle16(kept);
     if (options_.coding == Coding::Deflate) compressed.motion = deflate_bytes(compressed.motion);
     trial.achieved = goal_.achieved(compressed.motion.size(), [&] { return decode(compressed); });
     trial.excess = goal_.excess(trial.achieved);
     return trial;
-  }
-
-  std::vector<std::byte> code(const Kept& kept) const {
-    const RankedCoefficients& ranked = basis_.ranked;
-    Eigen::VectorXd dropped = Eigen::VectorXd::Zero(ranked.channels());
-    for (int c = 0; c < ranked.channels(); ++c) {
-      const auto rank = static_cast<std::size_t>(kept[static_cast<std::size_t>(c)]);
-      const auto& order = ranked.by_importance[static_cast<std::size_t>(c)];
-      if (rank < order.size())
-        dropped(c) = std::abs(ranked.values(order[rank], c)) * basis_.gains(order[rank]);
-    }
-    return rle16_encode(basis_.gains.asDiagonal() * truncate(ranked, kept), dropped);
   }
 
   Kept choose(Method method, Trial& trial) {

@@ -29,8 +29,10 @@ std::vector<double> channel_scales(const Skeleton& skeleton) {
 }
 
 StandardOrder::StandardOrder(const RankedCoefficients& ranked, const Skeleton& skeleton)
+    : StandardOrder(ranked, channel_scales(skeleton)) {}
+
+StandardOrder::StandardOrder(const RankedCoefficients& ranked, const std::vector<double>& scales)
     : channels_(ranked.channels()) {
-  const std::vector<double> scales = channel_scales(skeleton);
   std::vector<std::pair<double, int>> all;  // scaled importance, channel
   all.reserve(static_cast<std::size_t>(ranked.total()));
   for (int c = 0; c < channels_; ++c)

@@ -16,6 +16,9 @@ class StandardOrder {
  public:
   StandardOrder(const RankedCoefficients& ranked, const Skeleton& skeleton);
 
+  /// With channels made comparable by these factors.
+  StandardOrder(const RankedCoefficients& ranked, const std::vector<double>& scales);
+
   /// The `count` largest of all: the paper's vector w. Requires 0 <= count <= ranked.total().
   Kept keep(int count) const;
 
