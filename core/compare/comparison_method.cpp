@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/compare/arikan.h"
 #include "core/compare/liu_mcmillan.h"
 #include "core/compare/pca.h"
 #include "core/compare/quaternion.h"
@@ -13,7 +14,7 @@ namespace mocapress {
 
 std::span<const ComparisonMethod* const> comparison_methods() {
   static const std::array kMethods{&pca_method(), &subsample_method(), &quaternion_method(),
-                                   &liu_mcmillan_method()};
+                                   &liu_mcmillan_method(), &arikan_method()};
   return kMethods;
 }
 

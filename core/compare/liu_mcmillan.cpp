@@ -176,8 +176,9 @@ class SegmentReader {
       const int gap = reader_.read<std::uint8_t>();
       if (gap == 0) reader_.fail("two keys at one frame");
       keys.push_back(keys.back() + gap);
+      if (keys.back() >= frames) reader_.fail("a key after the segment's end");
     }
-    if (count == 0 || keys.back() != frames - 1) reader_.fail("keys that miss the segment's end");
+    if (count == 0 || keys.back() != frames - 1) reader_.fail("no key at the segment's end");
     Eigen::VectorXd values(count);
     std::uint16_t value = 0;
     for (double& at_key : values) {
