@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/clip_analysis.h"
 
+#include <cmath>
+
 namespace mocapress {
 
 BasisAnalysis::BasisAnalysis(const Motion& motion, Basis basis)
-    : ranked(rank_coefficients(motion.clip, basis)), standard(ranked, motion.skeleton) {}
+    : BasisAnalysis(motion.clip, channel_scales(motion.skeleton), basis) {}
+
+BasisAnalysis::BasisAnalysis(const Clip& columns, const std::vector<double>& scales, Basis basis)
+    : ranked(rank_coefficients(columns, basis)), standard(ranked, scales) {}
 
 ClipAnalysis::ClipAnalysis(Motion motion)
     : motion_(std::move(motion)),

@@ -19,6 +19,9 @@ struct BasisAnalysis {
   StandardOrder standard;
 
   BasisAnalysis(const Motion& motion, Basis basis);
+
+  /// Of signals made comparable by these factors, one for each column.
+  BasisAnalysis(const Clip& columns, const std::vector<double>& scales, Basis basis);
 };
 
 /// What every encode of a motion needs and no option changes, computed when first asked for. Const

@@ -34,8 +34,8 @@ class CountSearch {
   Window window_;
   int trials_left_;
   double reach_ = 1;  // grows while only one side of the target has been seen
-  Bound below_;  // largest count known to give too little
-  Bound above_;  // smallest count known to give too much
+  Bound below_;       // largest count known to give too little
+  Bound above_;       // smallest count known to give too much
   bool done_ = false;
 };
 

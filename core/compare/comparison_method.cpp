@@ -4,10 +4,17 @@
 #include <algorithm>
 #include <array>
 
+#include "core/compare/arikan.h"
+#include "core/compare/liu_mcmillan.h"
+#include "core/compare/pca.h"
+#include "core/compare/quaternion.h"
+#include "core/compare/subsample.h"
+
 namespace mocapress {
 
 std::span<const ComparisonMethod* const> comparison_methods() {
-  static const std::array<const ComparisonMethod*, 0> kMethods{};
+  static const std::array kMethods{&pca_method(), &subsample_method(), &quaternion_method(),
+                                   &liu_mcmillan_method(), &arikan_method()};
   return kMethods;
 }
 

@@ -58,39 +58,12 @@ struct Wrench {
   VectorBlock moment;
 };
 
-}  // namespace
-
-ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original, Weighting weighting)
-    : ErrorModel(skeleton, original, landmark_weights(skeleton, weighting)) {}
-
-ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
-                       const Eigen::VectorXd& weights)
-    : weights_(weights), tracks_(landmark_tracks(skeleton, original)) {
-  const auto joints = static_cast<std::size_t>(skeleton.joint_count());
-  subtrees_.resize(joints);
-  joint_channels_.resize(joints);
-  joint_landmarks_.resize(joints);
-  for (int j = 0; j < skeleton.joint_count(); ++j) {
-    parents_.push_back(skeleton.joint(j).parent);
-    for (int root = j; root >= 0; root = skeleton.joint(root).parent)
-      subtrees_[static_cast<std::size_t>(root)].push_back(j);
-  }
-  for (int c = 0; c < skeleton.channel_count(); ++c) {
-    places_.push_back({skeleton.channel_joint(c), is_rotation(skeleton.channel_kind(c))});
-    joint_channels_[static_cast<std::size_t>(skeleton.channel_joint(c))].push_back(c);
-  }
-  const std::vector<Landmark> points = landmarks(skeleton);
-  assert(weights.size() == static_cast<Eigen::Index>(points.size()));
-  for (int p = 0; p < weights.size(); ++p)
-    if (weights(p) > 0)
-      joint_landmarks_[static_cast<std::size_t>(points[static_cast<std::size_t>(p)].joint)]
-          .push_back(p);
-  trace_axes(skeleton, original);
-  compute_curvature();
-}
-
-void ErrorModel::trace_axes(const Skeleton& skeleton, const Clip& original) {
-  axes_.resize(original.frames(), 3 * static_cast<Eigen::Index>(skeleton.channel_count()));
+/// Of the skeleton's own channels: unit axes.
+SignalMoves channel_moves(const Skeleton& skeleton, const Clip& original) {
+  SignalMoves moves;
+  for (int c = 0; c < skeleton.channel_count(); ++c)
+    moves.places.push_back({skeleton.channel_joint(c), is_rotation(skeleton.channel_kind(c))});
+  moves.axes.resize(original.frames(), 3 * static_cast<Eigen::Index>(skeleton.channel_count()));
   tbb::parallel_for(tbb::blocked_range<int>(0, original.frames(), 64), [&](const auto& range) {
     Pose pose;
     for (int t = range.begin(); t < range.end(); ++t) {
@@ -105,13 +78,49 @@ void ErrorModel::trace_axes(const Skeleton& skeleton, const Clip& original) {
           const int channel = skeleton.first_channel(j) + static_cast<int>(i);
           const int axis = axis_of(joint.channels[i]);
           const bool rotates = is_rotation(joint.channels[i]);
-          axes_.block<1, 3>(t, 3 * static_cast<Eigen::Index>(channel)) =
+          moves.axes.block<1, 3>(t, 3 * static_cast<Eigen::Index>(channel)) =
               (rotates ? world_from_axes : world_from_parent).col(axis).transpose();
           if (rotates) world_from_axes *= axis_rotation(axis, original.channels(t, channel));
         }
       }
     }
   });
+  return moves;
+}
+
+}  // namespace
+
+ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original, Weighting weighting)
+    : ErrorModel(skeleton, original, landmark_weights(skeleton, weighting)) {}
+
+ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
+                       const Eigen::VectorXd& weights)
+    : ErrorModel(skeleton, original, weights, channel_moves(skeleton, original)) {}
+
+ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
+                       const Eigen::VectorXd& weights, SignalMoves moves)
+    : places_(std::move(moves.places)),
+      weights_(weights),
+      tracks_(landmark_tracks(skeleton, original)),
+      axes_(std::move(moves.axes)) {
+  const auto joints = static_cast<std::size_t>(skeleton.joint_count());
+  subtrees_.resize(joints);
+  joint_channels_.resize(joints);
+  joint_landmarks_.resize(joints);
+  for (int j = 0; j < skeleton.joint_count(); ++j) {
+    parents_.push_back(skeleton.joint(j).parent);
+    for (int root = j; root >= 0; root = skeleton.joint(root).parent)
+      subtrees_[static_cast<std::size_t>(root)].push_back(j);
+  }
+  for (std::size_t c = 0; c < places_.size(); ++c)
+    joint_channels_[static_cast<std::size_t>(places_[c].joint)].push_back(static_cast<int>(c));
+  const std::vector<Landmark> points = landmarks(skeleton);
+  assert(weights.size() == static_cast<Eigen::Index>(points.size()));
+  for (int p = 0; p < weights.size(); ++p)
+    if (weights(p) > 0)
+      joint_landmarks_[static_cast<std::size_t>(points[static_cast<std::size_t>(p)].joint)]
+          .push_back(p);
+  compute_curvature();
 }
 
 void ErrorModel::compute_curvature() {

@@ -8,6 +8,18 @@
 
 namespace mocapress {
 
+/// What one unit more of each signal does to a joint, at the original pose.
+struct SignalMoves {
+  struct Place {
+    int joint;
+    bool rotates;  // about the joint's origin; else translates
+  };
+  std::vector<Place> places;
+  // frames x 3 * signals: axis and size of the small rotation (radians), or translation (cm), in
+  // the world
+  Eigen::MatrixXd axes;
+};
+
 /// eps_x as a quadratic form. Near the original pose of frame t a landmark moves by J_t e, with e
 /// the error of the channels, so that
 ///
@@ -21,6 +33,10 @@ class ErrorModel {
   ErrorModel(const Skeleton& skeleton, const Clip& original, Weighting weighting);
   ErrorModel(const Skeleton& skeleton, const Clip& original, const Eigen::VectorXd& weights);
 
+  /// The same for signals other than the skeleton's channels, which stand for "channels" below.
+  ErrorModel(const Skeleton& skeleton, const Clip& original, const Eigen::VectorXd& weights,
+             SignalMoves moves);
+
   int frames() const { return static_cast<int>(axes_.rows()); }
   int channels() const { return static_cast<int>(curvature_.cols()); }
 
@@ -32,22 +48,16 @@ class ErrorModel {
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
 
  private:
-  struct ChannelPlace {
-    int joint;
-    bool rotates;
-  };
-
-  void trace_axes(const Skeleton& skeleton, const Clip& original);
   void compute_curvature();
 
   std::vector<int> parents_;
   std::vector<std::vector<int>> subtrees_;  // joints, parents first, for each joint
   std::vector<std::vector<int>> joint_channels_;
   std::vector<std::vector<int>> joint_landmarks_;  // with weight > 0
-  std::vector<ChannelPlace> places_;
+  std::vector<SignalMoves::Place> places_;
   Eigen::VectorXd weights_;  // of the landmarks
   Eigen::MatrixXd tracks_;   // landmark_tracks(): frames x 3 * landmarks, cm
-  Eigen::MatrixXd axes_;     // frames x 3 * channels: unit axis or direction in the world
+  Eigen::MatrixXd axes_;     // frames x 3 * channels: as SignalMoves has them
   Eigen::MatrixXd curvature_;
 };
 

@@ -211,6 +211,7 @@ TEST_F(Cli, InfoDescribesEveryKindOfFile) {
     EXPECT_NEAR(one["sample_rate_hz"].get<double>(), 120, 1e-3) << one;
   }
   EXPECT_EQ(all[1]["method"], "annealed");
+  EXPECT_EQ(all[1]["basis"], "cubic");
   EXPECT_EQ(all[1]["file_bytes"], std::filesystem::file_size(packed_));
   EXPECT_TRUE(all[0]["warnings"].is_array());
 }
