@@ -211,7 +211,9 @@ TEST_F(StudioFeet, HeldJointsDoNotOutliveTheirSkeleton) {
   openAndSettle(writeClip("motion.bvh", 100));
   EncodeOptions options = heldFeet();
   options.correction->joints = {document_.skeleton()->find("lhand")};
+  QSignalSpy settled(&session_, &Session::settled);
   session_.setOptions(options);
+  ASSERT_TRUE(waitFor(settled));
   openAndSettle(walk_);
   EXPECT_TRUE(document_.options().correction->joints.empty());
   EXPECT_EQ(document_.decoded()->compressed.correction->effectors.size(), 2u);
