@@ -16,12 +16,13 @@ namespace mocapress {
 struct BasisAnalysis {
   RankedCoefficients ranked;
   StandardOrder standard;
-  Eigen::VectorXd gains;  // Lifting::gains(), by which coefficients are coded
+  std::vector<double> scales;  // that make channels comparable
+  Eigen::VectorXd gains;       // Lifting::gains(), by which coefficients are coded
 
   BasisAnalysis(const Motion& motion, Basis basis);
 
   /// Of signals made comparable by these factors, one for each column.
-  BasisAnalysis(const Clip& signals, const std::vector<double>& scales, Basis basis);
+  BasisAnalysis(const Clip& signals, const std::vector<double>& comparable, Basis basis);
 
   std::vector<std::byte> rle16(const Kept& kept) const;
 };
