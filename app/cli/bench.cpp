@@ -36,18 +36,19 @@ double best_seconds_of(const auto& work) {
   return best;
 }
 
-/// Decoding and solving an IK correction of the feet alone, seconds; unset where there are no feet.
+/// Solving an IK correction of the feet alone, seconds; unset where there are no feet.
 std::optional<double> bench_correction(const Encoder& encoder, IkSolver solver) {
   if (find_feet(encoder.motion().skeleton).empty()) return std::nullopt;
   const Encoding encoding = encoder.encode(
       {.method = Method::Standard,
        .target = {Target::Kind::CoefficientRatio, kRatioWithCorrection},
        .correction = CorrectionOptions{.ratio = kCorrectionRatio, .solver = solver}});
-  const Clip& uncorrected = encoding.correction->uncorrected;
-  Clip clip = uncorrected;
+  // The signals are decoded with the motion: here once, and what is measured is their solving.
+  const Uncorrected uncorrected = decode_uncorrected(encoding.compressed);
+  Clip clip;
   return best_seconds_of([&] {
-    clip.channels = uncorrected.channels;  // a copy: nothing beside what is measured
-    correct(encoding.compressed, clip);
+    clip = uncorrected.clip;  // a copy: nothing beside what is measured
+    correct(encoding.compressed, uncorrected.differences, clip);
   });
 }
 

@@ -43,7 +43,7 @@ struct Measure {
         .distortion = mocapress::measure(motion.skeleton, tracks, decoded),
         .footskate_cm = footskate_of(contacts, footskate),
         .correction_bytes = opened.compressed.correction
-                                ? std::optional(opened.compressed.correction->bytes())
+                                ? std::optional(opened.compressed.correction_bytes())
                                 : std::nullopt};
     json ? print(to_json(report)) : print(report);
   }

@@ -33,7 +33,7 @@ void complete(DecodedClip& decoded) {
   if (decoded.compressed.correction)
     decoded.uncorrected_tracks =
         tracksOf(skeleton, decoded.correction ? decoded.correction->uncorrected
-                                              : decode_uncorrected(decoded.compressed));
+                                              : decode_uncorrected(decoded.compressed).clip);
   decoded.file = decoded.of_wavelets
                      ? write_container(decoded.compressed)
                      : write_compared(*find_comparison_method(decoded.method), decoded.compressed);

@@ -36,7 +36,7 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
   figures.bits_per_joint_sample = decoded.bits_per_joint_sample;
   if (decoded.footskate) figures.footskate_cm = decoded.footskate->total_cm;
   if (decoded.compressed.correction)
-    figures.correction_bytes = decoded.compressed.correction->bytes();
+    figures.correction_bytes = decoded.compressed.correction_bytes();
   if (decoded.correction) {
     figures.correction_ratio = decoded.correction->ratio;
     figures.fastest_knee = decoded.correction->fastest_knee;

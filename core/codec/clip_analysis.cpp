@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/clip_analysis.h"
 
-#include <cmath>
-
 namespace mocapress {
 
 BasisAnalysis::BasisAnalysis(const Motion& motion, Basis basis)
     : BasisAnalysis(motion.clip, channel_scales(motion.skeleton), basis) {}
 
-BasisAnalysis::BasisAnalysis(const Clip& columns, const std::vector<double>& scales, Basis basis)
-    : ranked(rank_coefficients(columns, basis)), standard(ranked, scales) {}
+BasisAnalysis::BasisAnalysis(const Clip& columns, const std::vector<double>& comparable,
+                             Basis basis)
+    : ranked(rank_coefficients(columns, basis)), standard(ranked, comparable), scales(comparable) {}
 
 ClipAnalysis::ClipAnalysis(Motion motion)
     : motion_(std::move(motion)),

@@ -17,11 +17,12 @@ namespace mocapress {
 struct BasisAnalysis {
   RankedCoefficients ranked;
   StandardOrder standard;
+  std::vector<double> scales;  // that make channels comparable
 
   BasisAnalysis(const Motion& motion, Basis basis);
 
   /// Of signals made comparable by these factors, one for each column.
-  BasisAnalysis(const Clip& columns, const std::vector<double>& scales, Basis basis);
+  BasisAnalysis(const Clip& columns, const std::vector<double>& comparable, Basis basis);
 };
 
 /// What every encode of a motion needs and no option changes, computed when first asked for. Const

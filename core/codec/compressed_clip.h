@@ -34,14 +34,14 @@ struct Provenance {
   float max_error_cm = 0;  // over all landmarks and frames
 };
 
-/// Where effectors go beside the decoded motion, and by what solver (the paper's section 5.1).
+/// Who corrects the decoded motion, and at which effectors (the paper's section 5.1). Where they go
+/// is coded with the motion.
 struct CodedCorrection {
   IkSolver solver = IkSolver::NearestPose;
   std::vector<Effector> effectors;
-  std::vector<std::byte> differences;  // three signals an effector, coded as the motion is
 
-  /// What the correction adds to a file: its signals and what says whose they are.
-  std::size_t bytes() const;
+  int signal_count() const { return 3 * static_cast<int>(effectors.size()); }
+  std::size_t section_bytes() const { return 2 + 4 * effectors.size(); }
 };
 
 /// A compressed clip as values: what a .mcpr file holds. FORMAT.md says how.
@@ -51,14 +51,20 @@ struct CompressedClip {
   int frames = 0;
   Basis basis = Basis::Cubic;
   Coding coding = Coding::Deflate;
-  std::vector<std::byte> motion;  // every channel's coefficients, coded
+  std::vector<std::byte> motion;  // coefficients of every channel, then of the correction, coded
   std::optional<CodedCorrection> correction;
   Provenance provenance;
 
   /// What a ratio counts: motion and correction, not the skeleton.
   std::size_t motion_bytes() const {
-    return motion.size() + (correction ? correction->bytes() : 0);
+    return motion.size() + (correction ? correction->section_bytes() : 0);
   }
+
+  /// How many of them are the correction's: what the motion alone would not take.
+  std::size_t correction_bytes() const;
 };
+
+/// The words of `clip.motion`. Throws FormatError when its bytes are not valid.
+std::vector<std::byte> unpack_motion(const CompressedClip& clip);
 
 }  // namespace mocapress

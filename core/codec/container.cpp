@@ -107,7 +107,6 @@ std::vector<std::byte> write_correction(const CodedCorrection& correction) {
     writer.write(static_cast<std::uint16_t>(effector.joint));
     writer.write(static_cast<std::uint16_t>(effector.chain.front()));
   }
-  writer.append(correction.differences);
   return writer.release();
 }
 
@@ -132,8 +131,7 @@ CodedCorrection read_correction(std::span<const std::byte> payload, std::size_t 
   } catch (const Error& error) {
     reader.fail(error.what());
   }
-  const auto bytes = reader.take(reader.remaining());
-  correction.differences.assign(bytes.begin(), bytes.end());
+  reader.expect_end();
   return correction;
 }
 

@@ -62,8 +62,8 @@ CorrectionEncoder::CorrectionEncoder(const Skeleton& skeleton,
                                 original_.rows(), sample_rate_hz);
 }
 
-CodedCorrection CorrectionEncoder::encode(const Clip& reconstructed, double ratio, Basis basis,
-                                          Coding coding) const {
+std::vector<std::byte> CorrectionEncoder::code(const Clip& reconstructed, double ratio,
+                                               Basis basis) const {
   Clip differences{reconstructed.sample_rate_hz, original_};
   differences.channels -= effector_tracks(landmark_tracks(skeleton_, reconstructed), effectors_);
   for (Eigen::Index s = 0; s < differences.channels.cols(); ++s)
@@ -74,7 +74,7 @@ CodedCorrection CorrectionEncoder::encode(const Clip& reconstructed, double rati
   const double total = ranked.total();
   const auto count = static_cast<int>(std::lround(std::clamp(total / ratio, 0.0, total)));
   const Kept kept = StandardOrder(ranked, alike).keep(count);
-  return {solver_, effectors_, code_signals(ranked, kept, coding)};
+  return code_signals(ranked, alike, kept);
 }
 
 }  // namespace mocapress

@@ -36,7 +36,10 @@ class CorrectionEncoder {
                     const CorrectionOptions& options, const std::vector<ContactSpan>& contacts,
                     double sample_rate_hz);
 
-  CodedCorrection encode(const Clip& reconstructed, double ratio, Basis basis, Coding coding) const;
+  CodedCorrection correction() const { return {solver_, effectors_}; }
+
+  /// The words of the differences, total / ratio coefficients kept.
+  std::vector<std::byte> code(const Clip& reconstructed, double ratio, Basis basis) const;
 
  private:
   const Skeleton& skeleton_;

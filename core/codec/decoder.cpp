@@ -5,26 +5,30 @@
 
 namespace mocapress {
 
-Clip decode_uncorrected(const CompressedClip& compressed) {
-  return {compressed.sample_rate_hz,
-          decode_signals(compressed.motion, compressed.basis, compressed.coding, compressed.frames,
-                         compressed.skeleton.channel_count())};
+Uncorrected decode_uncorrected(const CompressedClip& compressed) {
+  const std::vector<std::byte> words = unpack_motion(compressed);
+  ByteReader reader(words);
+  const auto next = [&](int count) {
+    return read_signals(reader, compressed.basis, compressed.frames, count);
+  };
+  Uncorrected decoded;
+  decoded.clip = {compressed.sample_rate_hz, next(compressed.skeleton.channel_count())};
+  if (compressed.correction) decoded.differences = next(compressed.correction->signal_count());
+  reader.expect_end();
+  return decoded;
 }
 
-CorrectionReport correct(const CompressedClip& compressed, Clip& clip) {
+CorrectionReport correct(const CompressedClip& compressed, const Eigen::MatrixXd& differences,
+                         Clip& clip) {
   if (!compressed.correction) return {};
-  const CodedCorrection& correction = *compressed.correction;
-  const Eigen::MatrixXd differences =
-      decode_signals(correction.differences, compressed.basis, compressed.coding, compressed.frames,
-                     3 * static_cast<int>(correction.effectors.size()));
-  return apply_correction(compressed.skeleton, correction.effectors, correction.solver, differences,
-                          clip);
+  return apply_correction(compressed.skeleton, compressed.correction->effectors,
+                          compressed.correction->solver, differences, clip);
 }
 
 Clip decode(const CompressedClip& compressed) {
-  Clip clip = decode_uncorrected(compressed);
-  correct(compressed, clip);
-  return clip;
+  Uncorrected decoded = decode_uncorrected(compressed);
+  correct(compressed, decoded.differences, decoded.clip);
+  return std::move(decoded.clip);
 }
 
 }  // namespace mocapress

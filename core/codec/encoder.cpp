@@ -150,13 +150,24 @@ class TargetedEncode {
     compressed.frames = analysis_.motion().clip.frames();
     compressed.basis = options_.basis;
     compressed.coding = options_.coding;
-    compressed.motion = code_signals(basis_.ranked, kept, options_.coding);
-    if (correction_ && correcting_)
-      compressed.correction = correction_->encode(decode_uncorrected(compressed), correction_ratio_,
-                                                  options_.basis, options_.coding);
+    std::vector<std::byte> words = code_signals(basis_.ranked, basis_.scales, kept);
+    if (correction_ && correcting_) append_correction(words, compressed);
+    compressed.motion = pack(words, options_.coding);
     trial.achieved = goal_.achieved(compressed.motion_bytes(), [&] { return decode(compressed); });
     trial.excess = goal_.excess(trial.achieved);
     return trial;
+  }
+
+  /// What is corrected is the motion as it will be decoded.
+  void append_correction(std::vector<std::byte>& words, CompressedClip& compressed) const {
+    const Motion& motion = analysis_.motion();
+    ByteReader reader(words);
+    const Clip reconstructed{motion.clip.sample_rate_hz,
+                             read_signals(reader, options_.basis, motion.clip.frames(),
+                                          motion.skeleton.channel_count())};
+    const auto differences = correction_->code(reconstructed, correction_ratio_, options_.basis);
+    words.insert(words.end(), differences.begin(), differences.end());
+    compressed.correction = correction_->correction();
   }
 
   Kept choose(Method method, Trial& trial) {
@@ -188,12 +199,12 @@ class TargetedEncode {
 
 /// Corrects `decoded` and says what came of it.
 CorrectionResult apply(const CompressedClip& compressed, const Clip& original, double ratio,
-                       Clip& decoded) {
+                       Uncorrected& decoded) {
   CorrectionResult result{
-      .ratio = ratio, .bytes = compressed.correction->bytes(), .uncorrected = decoded};
-  result.report = correct(compressed, decoded);
+      .ratio = ratio, .bytes = compressed.correction_bytes(), .uncorrected = decoded.clip};
+  result.report = correct(compressed, decoded.differences, decoded.clip);
   const std::vector<Effector>& effectors = compressed.correction->effectors;
-  result.fastest_knee = fastest_knee(compressed.skeleton, effectors, decoded);
+  result.fastest_knee = fastest_knee(compressed.skeleton, effectors, decoded.clip);
   result.fastest_knee_of_original = fastest_knee(compressed.skeleton, effectors, original);
   return result;
 }
@@ -222,10 +233,11 @@ Encoding Encoder::encode(const EncodeOptions& options,
   if (trial.complete) targeted.check(trial);
 
   Encoding encoding;
-  encoding.decoded = decode_uncorrected(trial.compressed);
+  Uncorrected decoded = decode_uncorrected(trial.compressed);
   if (trial.compressed.correction)
     encoding.correction =
-        apply(trial.compressed, motion().clip, targeted.correction_ratio(), encoding.decoded);
+        apply(trial.compressed, motion().clip, targeted.correction_ratio(), decoded);
+  encoding.decoded = std::move(decoded.clip);
   encoding.distortion = measure(motion().skeleton, original_tracks(), encoding.decoded);
   encoding.footskate = measure_footskate(targeted.contacts(), original_tracks(),
                                          landmark_tracks(motion().skeleton, encoding.decoded),

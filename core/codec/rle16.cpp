@@ -71,6 +71,12 @@ std::vector<std::byte> rle16_encode(const Eigen::MatrixXd& coefficients,
 
 Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, int channels) {
   ByteReader reader(bytes);
+  Eigen::MatrixXd coefficients = rle16_decode(reader, per_channel, channels);
+  reader.expect_end();
+  return coefficients;
+}
+
+Eigen::MatrixXd rle16_decode(ByteReader& reader, int per_channel, int channels) {
   std::vector<int> exponents;
   for (int c = 0; c < channels; ++c) exponents.push_back(reader.read<std::int8_t>());
   Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(per_channel, channels);
@@ -88,7 +94,6 @@ Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, 
       if (next > per_channel) reader.fail("a run of zeros passes the end of its channel");
     }
   }
-  reader.expect_end();
   return coefficients;
 }
 

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/byte_cursor.h"
+
 namespace mocapress {
 
 /// Codes coefficients x channels (coarse to fine, zero where not kept) as 16-bit words with runs of
@@ -21,6 +23,9 @@ std::vector<std::byte> rle16_encode(const Eigen::MatrixXd& coefficients,
 /// The inverse, up to quantisation. Throws FormatError unless the bytes are exactly `channels`
 /// channels of `per_channel` coefficients.
 Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, int channels);
+
+/// The same as the next of what is being read.
+Eigen::MatrixXd rle16_decode(ByteReader& reader, int per_channel, int channels);
 
 /// No coding of that shape has more bytes.
 std::size_t rle16_bound(int per_channel, int channels);

@@ -3,6 +3,10 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "core/codec/deflate.h"
 #include "core/codec/rle16.h"
 
@@ -15,15 +19,23 @@ Eigen::VectorXd gains_of(const Lifting& lifting) {
 }
 
 /// The largest coefficient each signal drops, in the units it is coded in.
-Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const Kept& kept,
-                                const Eigen::VectorXd& gains) {
+Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const std::vector<double>& scales,
+                                const Kept& kept, const Eigen::VectorXd& gains) {
+  constexpr double kNothing = 1e-9;  // radians or cm: the rounding of the transform
   Eigen::VectorXd dropped = Eigen::VectorXd::Zero(ranked.channels());
+  double finest = std::numeric_limits<double>::infinity();
   for (int c = 0; c < ranked.channels(); ++c) {
-    const auto rank = static_cast<std::size_t>(kept[static_cast<std::size_t>(c)]);
-    const auto& order = ranked.by_importance[static_cast<std::size_t>(c)];
+    const auto signal = static_cast<std::size_t>(c);
+    const auto rank = static_cast<std::size_t>(kept[signal]);
+    const auto& order = ranked.by_importance[signal];
     if (rank < order.size())
       dropped(c) = std::abs(ranked.values(order[rank], c)) * gains(order[rank]);
+    if (dropped(c) > kNothing) finest = std::min(finest, dropped(c) * scales[signal]);
   }
+  // A signal that is kept whole needs digits a little finer than the finest of the others, for they
+  // are all its error, but not the finest there are.
+  for (int c = 0; c < ranked.channels() && std::isfinite(finest); ++c)
+    if (dropped(c) <= kNothing) dropped(c) = finest / (4 * scales[static_cast<std::size_t>(c)]);
   return dropped;
 }
 
@@ -33,20 +45,15 @@ std::string_view name(Coding coding) {
   return coding == Coding::Rle16 ? "rle16" : "deflate";
 }
 
-std::vector<std::byte> code_signals(const RankedCoefficients& ranked, const Kept& kept,
-                                    Coding coding) {
+std::vector<std::byte> code_signals(const RankedCoefficients& ranked,
+                                    const std::vector<double>& scales, const Kept& kept) {
   const Eigen::VectorXd gains = gains_of(ranked.lifting);
-  const auto words = rle16_encode(gains.asDiagonal() * truncate(ranked, kept),
-                                  largest_dropped(ranked, kept, gains));
-  return coding == Coding::Rle16 ? words : deflate_bytes(words);
+  return rle16_encode(gains.asDiagonal() * truncate(ranked, kept),
+                      largest_dropped(ranked, scales, kept, gains));
 }
 
-Eigen::MatrixXd decode_signals(std::span<const std::byte> bytes, Basis basis, Coding coding,
-                               int samples, int count) {
-  Eigen::MatrixXd values =
-      coding == Coding::Rle16
-          ? rle16_decode(bytes, samples, count)
-          : rle16_decode(inflate_bytes(bytes, rle16_bound(samples, count)), samples, count);
+Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int count) {
+  Eigen::MatrixXd values = rle16_decode(words, samples, count);
   const Lifting lifting(basis, samples);
   const Eigen::VectorXd gains = gains_of(lifting);
   tbb::parallel_for(Eigen::Index{0}, values.cols(), [&](Eigen::Index s) {
@@ -55,6 +62,16 @@ Eigen::MatrixXd decode_signals(std::span<const std::byte> bytes, Basis basis, Co
     lifting.inverse(signal, signal);
   });
   return values;
+}
+
+std::vector<std::byte> pack(const std::vector<std::byte>& words, Coding coding) {
+  return coding == Coding::Rle16 ? words : deflate_bytes(words);
+}
+
+std::vector<std::byte> unpack(std::span<const std::byte> bytes, Coding coding,
+                              std::size_t most_bytes) {
+  if (coding == Coding::Rle16) return {bytes.begin(), bytes.end()};
+  return inflate_bytes(bytes, most_bytes);
 }
 
 }  // namespace mocapress

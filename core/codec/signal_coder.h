@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/byte_cursor.h"
 #include "core/select/ranking.h"
 
 namespace mocapress {
@@ -21,13 +22,17 @@ enum class Coding : std::uint8_t {
 /// "rle16", "deflate".
 std::string_view name(Coding coding);
 
-/// The kept coefficients as bytes: MOTN in FORMAT.md. A signal's digits need not be finer than what
-/// it drops.
-std::vector<std::byte> code_signals(const RankedCoefficients& ranked, const Kept& kept,
-                                    Coding coding);
+/// The kept coefficients as words: MOTN in FORMAT.md. A signal's digits need not be finer than what
+/// it drops. `scales` make signals comparable, as for StandardOrder.
+std::vector<std::byte> code_signals(const RankedCoefficients& ranked,
+                                    const std::vector<double>& scales, const Kept& kept);
 
-/// The signals again, samples x count. Throws FormatError when the bytes are not valid.
-Eigen::MatrixXd decode_signals(std::span<const std::byte> bytes, Basis basis, Coding coding,
-                               int samples, int count);
+/// The next signals, samples x count. Throws FormatError when the words are not valid.
+Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int count);
+
+/// Words as bytes of a file, and back. unpack() throws FormatError for more than `most_bytes`.
+std::vector<std::byte> pack(const std::vector<std::byte>& words, Coding coding);
+std::vector<std::byte> unpack(std::span<const std::byte> bytes, Coding coding,
+                              std::size_t most_bytes);
 
 }  // namespace mocapress

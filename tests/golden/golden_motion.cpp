@@ -79,11 +79,11 @@ CompressedClip golden_corrected_clip() {
   for (int t = 0; t < clip.frames; ++t)
     differences.channels.row(t) << 3 * std::sin(0.2 * t), -2 * std::cos(0.11 * t), 0.05 * t;
   const RankedCoefficients ranked = rank_coefficients(differences, clip.basis);
-  const int joint = clip.skeleton.find("ltibia");
-  clip.correction = CodedCorrection{
-      .solver = IkSolver::NearestPose,
-      .effectors = {effector_at(clip.skeleton, joint)},
-      .differences = code_signals(ranked, keep_per_channel(ranked, ranked.total() / 3), clip.coding)};
+  const auto words = code_signals(ranked, {1, 1, 1}, keep_per_channel(ranked, ranked.total() / 3));
+  clip.motion.insert(clip.motion.end(), words.begin(), words.end());
+  clip.correction =
+      CodedCorrection{.solver = IkSolver::NearestPose,
+                      .effectors = {effector_at(clip.skeleton, clip.skeleton.find("ltibia"))}};
   return clip;
 }
 

@@ -9,6 +9,8 @@
 #include <QTest>
 
 #include "app/studio/figures.h"
+#include "core/base/file.h"
+#include "core/compare/contender.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
 
@@ -117,6 +119,25 @@ TEST_F(Studio, ShowsACompressedClipWithItsOriginalAlreadyOpen) {
   openAndSettle(path("motion.mcpr"));
   EXPECT_TRUE(document_.original());
   EXPECT_TRUE(document_.decoded()->distortion);
+}
+
+TEST_F(Studio, ShowsAndSavesAClipOfAComparisonMethod) {
+  const QString original = writeClip("motion.bvh", 300);
+  const Motion motion = read_motion(original.toStdU16String(), {}).motion;
+  const Compression made = ContenderEncoder(motion).compress(*find_contender("pca"),
+                                                             {.target = {Target::Kind::Ratio, 5}});
+  write_bytes(path("pca.mcpr").toStdU16String(), made.file);
+  openAndSettle(path("pca.mcpr"));
+  ASSERT_TRUE(document_.decoded());
+  EXPECT_EQ(document_.decoded()->method, "pca");
+  EXPECT_EQ(document_.decoded()->clip.frames(), 300);
+  QSignalSpy settled(&session_, &Session::settled);
+  session_.compareWith(original);
+  ASSERT_TRUE(waitFor(settled));
+  ASSERT_TRUE(document_.decoded()->distortion);
+  EXPECT_TRUE(stateOf(document_).startsWith(QStringLiteral("PCA")));
+  saveAndWait(path("again.mcpr"));
+  EXPECT_EQ(read_bytes(path("again.mcpr").toStdU16String()), made.file);
 }
 
 TEST_F(Studio, DoesNotMixClipsThatDoNotBelongTogether) {

@@ -40,7 +40,7 @@ TEST(CorrectionEncoder, HoldsTheFeetForTheSameSize) {
 TEST(CorrectionEncoder, CountsInARatio) {
   const Encoding encoding =
       walk().encode(with_correction({Target::Kind::Ratio, 30}, {.ratio = 8.0}));
-  EXPECT_GT(encoding.compressed.correction->bytes(), 100u);
+  EXPECT_GT(encoding.compressed.correction_bytes(), 100u);
   EXPECT_NEAR(compression_ratio(walk().motion().clip, encoding.compressed.motion_bytes()) / 30, 1,
               0.02);
   EXPECT_EQ(encoding.correction->ratio, 8);

@@ -107,5 +107,18 @@ TEST(ErrorModel, AddingAndTakingBackLeavesNothing) {
   EXPECT_NEAR(state.gradient().cwiseAbs().maxCoeff(), 0, 1e-9);
 }
 
+TEST(ErrorModel, OfOtherSignalsScalesWithWhatTheyMove) {
+  const Motion motion = test::smooth_motion(70);
+  const Eigen::VectorXd weights = landmark_weights(motion.skeleton, Weighting::BoneEnds);
+  const ErrorModel of_channels(motion.skeleton, motion.clip, weights);
+  // The root's first translation and first rotation, which turns about the world's z axis.
+  SignalMoves moves{{{0, false}, {0, true}}, Eigen::MatrixXd(70, 6)};
+  moves.axes.rowwise() = Eigen::Matrix<double, 1, 6>{3, 0, 0, 0, 0, 0.5};
+  const ErrorModel model(motion.skeleton, motion.clip, weights, moves);
+  EXPECT_EQ(model.channels(), 2);
+  EXPECT_LT((model.curvature().col(0).array() - 9).abs().maxCoeff(), 1e-9);
+  EXPECT_LT((model.curvature().col(1) - 0.25 * of_channels.curvature().col(3)).norm(), 1e-6);
+}
+
 }  // namespace
 }  // namespace mocapress
