@@ -4,8 +4,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/correction_arguments.h"
 #include "app/cli/motion_input.h"
+#include "app/cli/option_words.h"
 #include "app/cli/report.h"
-#include "app/cli/words.h"
 #include "core/base/file.h"
 #include "core/compare/comparison_method.h"
 #include "core/compare/contender.h"
@@ -52,12 +52,6 @@ struct Compress {
   }
 };
 
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const Contender& contender : contenders()) names.emplace_back(contender.name);
-  return names;
-}
-
 }  // namespace
 
 void add_compress(CLI::App& app) {
@@ -68,14 +62,12 @@ void add_compress(CLI::App& app) {
   command->add_option("-o,--output", call->output, "Where to write; measures only without it")
       ->type_name("OUT.mcpr");
   command->add_option("--method", call->method, "Wavelets, or what they are compared with")
-      ->transform(CLI::IsMember(method_names(), CLI::ignore_case))
+      ->transform(one_of_the_methods())
       ->capture_default_str();
   command->add_option("--coding", call->options.coding, "How they are coded (deflate)")
-      ->transform(
-          CLI::CheckedTransformer(words({Coding::Rle16, Coding::Deflate}), CLI::ignore_case));
+      ->transform(one_of({Coding::Rle16, Coding::Deflate}));
   command->add_option("--weighting", call->options.weighting, "Of eps_x (bone-ends)")
-      ->transform(CLI::CheckedTransformer(words({Weighting::BoneEnds, Weighting::JointOrigins}),
-                                          CLI::ignore_case));
+      ->transform(one_of({Weighting::BoneEnds, Weighting::JointOrigins}));
   CLI::Option_group* target = command->add_option_group("target", "One of (default: --ratio 25)");
   target->require_option(0, 1);
   const auto add = [&](const char* flag, Target::Kind kind, const char* unit, const char* help) {

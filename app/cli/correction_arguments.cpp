@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/correction_arguments.h"
 
-#include "app/cli/words.h"
+#include "app/cli/option_words.h"
 
 namespace mocapress::cli {
 namespace {
@@ -27,12 +27,10 @@ void CorrectionArguments::add_options(CLI::App& command) {
       ->delimiter(',')
       ->needs(ik);
   command.add_option("--ik-solver", solver, "How joints are turned (nearest-pose)")
-      ->transform(CLI::CheckedTransformer(words({IkSolver::CyclicDescent, IkSolver::NearestPose}),
-                                          CLI::ignore_case))
+      ->transform(one_of({IkSolver::CyclicDescent, IkSolver::NearestPose}))
       ->needs(ik);
   command.add_option("--ik-at", at, "Where they are held (every-frame)")
-      ->transform(CLI::CheckedTransformer(words({CorrectAt::EveryFrame, CorrectAt::Contacts}),
-                                          CLI::ignore_case))
+      ->transform(one_of({CorrectAt::EveryFrame, CorrectAt::Contacts}))
       ->needs(ik);
 }
 

@@ -7,15 +7,7 @@
 
 namespace {
 
-// Scripts depend on these.
-enum ExitCode {
-  kDone = 0,
-  kInternal = 1,
-  kUsage = 2,
-  kBadInput = 3,
-  kTargetMissed = 4,
-  kCannotWrite = 5
-};
+using namespace mocapress::cli;
 
 int fail(ExitCode code, const std::exception& error) {
   std::fprintf(stderr, "mocapress: %s\n", error.what());
@@ -28,12 +20,13 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input, 4 quality target missed, "
-      "5 cannot write.");
-  mocapress::cli::add_info(app);
-  mocapress::cli::add_compress(app);
-  mocapress::cli::add_decompress(app);
-  mocapress::cli::add_measure(app);
-  mocapress::cli::add_bench(app);
+      "5 cannot write, 7 some clips failed; 128 + signal when stopped.");
+  add_info(app);
+  add_compress(app);
+  add_decompress(app);
+  add_measure(app);
+  add_bench(app);
+  add_study(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -50,6 +43,8 @@ int main(int argc, char** argv) {
   using namespace mocapress;
   try {
     return run(argc, argv);
+  } catch (const EndedWith& ended) {
+    return ended.exit_code;
   } catch (const InputError& error) {
     return fail(kBadInput, error);
   } catch (const FormatError& error) {

@@ -135,7 +135,9 @@ class TargetedEncode {
     while (!search.done() && (!best || best->complete)) {
       Trial trial = attempt(method, search.count());
       search.tried(trial.excess);
+      const bool complete = trial.complete;
       if (!best || !goal_.better(best->excess, trial.excess)) best = std::move(trial);
+      best->complete = complete;  // a search cut short is not, whichever trial was the best
     }
     return std::move(*best);
   }

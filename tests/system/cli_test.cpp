@@ -250,7 +250,7 @@ TEST_F(Cli, SamplesCompress) {
 TEST_F(Cli, HelpAndVersionSucceed) {
   EXPECT_EQ(mocapress({"--help"}).exit_code, 0);
   EXPECT_EQ(mocapress({"--version"}).exit_code, 0);
-  for (const char* command : {"info", "compress", "decompress", "measure", "bench"})
+  for (const char* command : {"info", "compress", "decompress", "measure", "bench", "study"})
     EXPECT_EQ(mocapress({command, "--help"}).exit_code, 0) << command;
 }
 

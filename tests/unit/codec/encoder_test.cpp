@@ -119,6 +119,18 @@ TEST(Encoder, EndsEarlyWithTheBestSoFarWhenToldTo) {
   EXPECT_GT(encoding.decoded.frames(), 0);
 }
 
+TEST(Encoder, ASearchCutShortIsNotCompleteEvenIfAnEarlierTrialWasBetter) {
+  for (const double error_cm : {0.1, 0.3, 0.5, 1.0, 2.0}) {
+    bool reached = false;
+    const Encoding encoding = encoder().encode({.target = {Target::Kind::Error, error_cm}},
+                                               [&](const EncodeProgress& progress) {
+                                                 reached = reached || progress.pass > 0;
+                                                 return progress.pass == 0;
+                                               });
+    EXPECT_EQ(encoding.complete, !reached) << error_cm;
+  }
+}
+
 TEST(Encoder, TakesClipsOfAnyLength) {
   for (const int frames : {0, 1, 2, 3, 4, 5, 7}) {
     const Encoder tiny(test::smooth_motion(frames));

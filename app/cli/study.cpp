@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <tbb/global_control.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/motion_input.h"
+#include "app/cli/option_words.h"
+#include "app/cli/report.h"
+#include "core/compare/contender.h"
+#include "core/study/published_figures.h"
+#include "core/study/results.h"
+#include "core/study/row_json.h"
+#include "core/study/study_folder.h"
+
+namespace mocapress::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+volatile std::sig_atomic_t stop_signal = 0;
+
+/// Asks the study to stop when the user or the system does; a second signal ends the program.
+class StopOnSignals {
+ public:
+  StopOnSignals() {
+    struct sigaction action = {};
+    action.sa_handler = [](int signal) { stop_signal = signal; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+  }
+};
+
+/// "0:42", "1:05:10".
+std::string clock_text(double seconds) {
+  const int whole = static_cast<int>(seconds);
+  char text[32];
+  if (whole < 3600)
+    std::snprintf(text, sizeof text, "%d:%02d", whole / 60, whole % 60);
+  else
+    std::snprintf(text, sizeof text, "%d:%02d:%02d", whole / 3600, whole / 60 % 60, whole % 60);
+  return text;
+}
+
+std::string described(const StudyRow& row) {
+  std::string text = fs::path(row.clip).stem().string() + " " + row.method;
+  char figures[64];
+  if (row.measured)
+    std::snprintf(figures, sizeof figures, " %.1f:1 %.3f cm", row.measured->ratio,
+                  row.measured->eps_cm(row.weighting));
+  else
+    std::snprintf(figures, sizeof figures, ": %.50s", row.error.c_str());
+  return text + figures;
+}
+
+/// Progress on standard error: one line that changes on a terminal, else one every few seconds.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+  void show(const StudyProgress& progress) {
+    if (progress.finished) last_ = described(*progress.finished);
+    const double now = elapsed();
+    if (quiet_ || now < next_) return;
+    next_ = now + (terminal_ ? 0.1 : 5.0);
+    std::string line = std::to_string(progress.done) + " of " + std::to_string(progress.jobs) +
+                       ", " + clock_text(now) + remaining(progress, now) + "   " + last_;
+    if (!terminal_) {
+      std::fprintf(stderr, "%s\n", line.c_str());
+      return;
+    }
+    constexpr std::size_t kWidth = 78;
+    line.resize(kWidth, ' ');
+    std::fprintf(stderr, "\r%s", line.c_str());
+    shown_ = true;
+  }
+
+  void clear() const {
+    if (shown_) std::fprintf(stderr, "\r%78s\r", "");
+  }
+
+ private:
+  double elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  static std::string remaining(const StudyProgress& progress, double now) {
+    const int anew = progress.done - progress.kept;
+    if (progress.done == progress.jobs) return ", drawing";
+    if (anew < 3) return "";
+    return ", about " + clock_text(now / anew * (progress.jobs - progress.done)) + " left";
+  }
+
+  bool quiet_;
+  bool terminal_;
+  bool shown_ = false;
+  double next_ = 0.3;  // s: what is done at once needs no progress
+  std::string last_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+struct Study {
+  std::vector<std::string> inputs;
+  MotionInput source;
+  std::string folder;
+  std::vector<std::string> methods;
+  std::vector<double> ratios;
+  std::vector<double> errors;
+  std::vector<double> ik_ratios;
+  bool paper = false;
+  std::optional<Weighting> weighting;
+  Coding coding = Coding::Deflate;
+  std::uint64_t seed = 1;
+  int jobs = 0;
+  bool again = false;
+  bool json_progress = false;
+
+  StudyPlan plan() const {
+    StudyPlan plan{.methods = methods, .coding = coding, .seed = seed, .ik_ratios = ik_ratios};
+    if (plan.ik_ratios.empty() && errors.empty() && ratios.empty())
+      plan.ik_ratios = {kPublishedVideoIkRatio};
+    if (source.skeleton) plan.skeleton = *source.skeleton;
+    plan.reading = source.options;
+    plan.weighting = weighting.value_or(paper ? Weighting::JointOrigins : Weighting::BoneEnds);
+    if (plan.methods.empty())
+      for (const Contender& contender : contenders()) plan.methods.emplace_back(contender.name);
+    for (const fs::path& clip : find_clips({inputs.begin(), inputs.end()}))
+      plan.clips.push_back({clip, targets_of(clip)});
+    return plan;
+  }
+
+  std::vector<Target> targets_of(const fs::path& clip) const {
+    std::vector<Target> targets;
+    for (const double ratio : ratios) targets.push_back({Target::Kind::Ratio, ratio});
+    for (const double error : errors) targets.push_back({Target::Kind::Error, error});
+    if (paper)
+      for (const Target& target : paper_targets(clip)) targets.push_back(target);
+    if (targets.empty()) targets = usual_targets();
+    std::vector<Target> once;
+    for (const Target& target : targets)
+      if (std::find(once.begin(), once.end(), target) == once.end()) once.push_back(target);
+    return once;
+  }
+
+  void run() const {
+    const StudyPlan asked = plan();
+    if (again) {
+      std::error_code ignored;
+      fs::remove(fs::path(folder) / kRowsSoFar, ignored);
+    }
+    const StopOnSignals signals;
+    ProgressLine line(json_progress);
+    std::optional<tbb::global_control> threads;
+    if (jobs > 0)
+      threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(jobs));
+    StudyProgress last;
+    const StudyOutcome outcome = run_study_in(folder, asked, [&](const StudyProgress& progress) {
+      last = progress;
+      line.show(progress);
+      if (json_progress && progress.finished) {
+        std::printf("%s\n", to_json_line(*progress.finished).c_str());
+        std::fflush(stdout);
+      }
+      return stop_signal == 0;
+    });
+    line.clear();
+    print_warnings(outcome.warnings);
+    if (!outcome.complete) {
+      std::fprintf(stderr,
+                   "Stopped after %zu of %d. What is done is kept in %s: the same command goes on "
+                   "from there.\n",
+                   outcome.rows.size(), last.jobs, folder.c_str());
+      throw EndedWith{128 + stop_signal};
+    }
+    summarise(outcome, last.kept);
+  }
+
+  void summarise(const StudyOutcome& outcome, int kept) const {
+    const Results results(outcome.rows);
+    std::size_t unread = 0;
+    std::string last_unread;
+    for (const StudyRow& row : outcome.rows)
+      if (row.fingerprint.empty() && row.clip != last_unread) {
+        std::fprintf(stderr, "not read: %s\n", row.error.c_str());
+        last_unread = row.clip;
+        ++unread;
+      }
+    std::fprintf(stderr, "%zu compressions of %zu clips, %d of them from before\n",
+                 outcome.rows.size(), results.clips().size(), kept);
+    std::fprintf(stderr, "%s\n", (fs::path(folder) / kReport).c_str());
+    if (unread > 0) throw EndedWith{kSomeFailed};
+  }
+};
+
+}  // namespace
+
+void add_study(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "study", "Compress clips by many methods at many targets: tables and a report");
+  const auto call = std::make_shared<Study>();
+  command->add_option("input", call->inputs, "Clips, and folders of clips")
+      ->required()
+      ->type_name("INPUT...");
+  command->add_option("-o,--output", call->folder, "Where report.html, rows.csv, rows.json go")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--methods", call->methods, "Which, separated by commas (all there are)")
+      ->delimiter(',')
+      ->transform(one_of_the_methods())
+      ->type_name("a,b,...");
+  const auto add_targets = [&](const char* flag, std::vector<double>& values, const char* unit,
+                               const char* help) {
+    command->add_option(flag, values, help)
+        ->delimiter(',')
+        ->check(CLI::PositiveNumber)
+        ->type_name(unit);
+  };
+  add_targets("--ratios", call->ratios, "r,r,...", "float32 bytes / motion bytes");
+  add_targets("--errors", call->errors, "CM,CM,...", "eps_x not above these");
+  command
+      ->add_option("--ik", call->ik_ratios,
+                   "IK ratios at which annealed also holds the feet (16 unless targets are named)")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->type_name("r,r,...");
+  command->add_flag("--paper", call->paper,
+                    "The paper's evaluation: its weighting, ratios and errors, its figures beside");
+  command
+      ->add_option("--weighting", call->weighting,
+                   "Of eps_x (bone-ends; the paper's: joint-origins)")
+      ->transform(one_of({Weighting::BoneEnds, Weighting::JointOrigins}));
+  command->add_option("--coding", call->coding, "How wavelets are coded (deflate)")
+      ->transform(one_of({Coding::Rle16, Coding::Deflate}));
+  command->add_option("--seed", call->seed, "Of the annealing; same seed, same figures");
+  command->add_option("--jobs", call->jobs, "Compressions at a time (as many as processors)")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--again", call->again, "Measure anew what DIR already holds");
+  command->add_flag("--json-progress", call->json_progress,
+                    "Print each finished row as a line of JSON");
+  call->source.add_options(*command);
+  command->callback([call] { call->run(); });
+}
+
+}  // namespace mocapress::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "core/study/clip_in_hand.h"
+
+#include "core/metrics/rate.h"
+#include "core/study/fingerprint.h"
+
+namespace mocapress {
+
+ClipInHand::ClipInHand(const StudyPlan& plan, const std::filesystem::path& path)
+    : ClipInHand(read_motion(path, plan.skeleton, plan.reading)) {}
+
+ClipInHand::ClipInHand(MotionFile file)
+    : warnings_(std::move(file.warnings)),
+      fingerprint_(mocapress::fingerprint(file.motion)),
+      encoder_(std::move(file.motion)) {}
+
+Measurement ClipInHand::measure(const Compression& compression) const {
+  const Clip& clip = motion().clip;
+  const Distortion& distortion = compression.distortion;
+  Measurement m;
+  m.frames = clip.frames();
+  m.channels = static_cast<int>(clip.channels.cols());
+  m.sample_rate_hz = clip.sample_rate_hz;
+  m.raw_bytes = raw_bytes(clip);
+  m.motion_bytes = compression.motion_bytes;
+  m.file_bytes = compression.file.size();
+  m.ratio = compression_ratio(clip, compression.motion_bytes);
+  m.coefficient_ratio = compression.coefficient_ratio;
+  m.eps_bone_ends_cm = distortion.eps_bone_ends;
+  m.eps_joint_origins_cm = distortion.eps_joint_origins;
+  m.max_error_cm = distortion.max.cm;
+  m.p95_error_cm = distortion.p95;
+  m.p99_error_cm = distortion.p99;
+  m.worst_frame = distortion.max.frame;
+  m.iterations = compression.iterations;
+  m.encode_seconds = compression.seconds;
+  m.contacts = static_cast<int>(contacts().size());
+  if (m.contacts > 0) m.footskate_cm = compression.footskate.total_cm;
+  if (compression.correction) {
+    m.ik_bytes = compression.correction->bytes;
+    m.knee_speed_ratio =
+        compression.correction->fastest_knee / compression.correction->fastest_knee_of_original;
+  }
+  return m;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/compare/contender.h"
+#include "core/study/plan.h"
+#include "core/study/row.h"
+
+namespace mocapress {
+
+/// A clip of a study with all that its rows have in common.
+class ClipInHand {
+ public:
+  /// Throws InputError when it cannot be read.
+  ClipInHand(const StudyPlan& plan, const std::filesystem::path& path);
+
+  const ContenderEncoder& encoder() const { return encoder_; }
+  const Motion& motion() const { return encoder_.wavelets().motion(); }
+  const std::string& fingerprint() const { return fingerprint_; }
+  const Warnings& warnings() const { return warnings_; }
+
+  /// Spans in which a foot is planted, in the original.
+  const std::vector<ContactSpan>& contacts() const { return encoder_.wavelets().contacts(); }
+
+  Measurement measure(const Compression& compression) const;
+
+ private:
+  explicit ClipInHand(MotionFile file);
+
+  Warnings warnings_;
+  std::string fingerprint_;
+  ContenderEncoder encoder_;
+};
+
+}  // namespace mocapress

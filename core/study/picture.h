@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", Figures 1, 3 and 4.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/codec/encoder.h"
+#include "core/study/figure_shape.h"
+#include "core/study/plan.h"
+
+namespace mocapress {
+
+/// World positions (cm) of all landmarks at one frame.
+using PosePoints = std::vector<Eigen::Vector3d>;
+
+/// One compression of the pictured clip.
+struct PicturedMethod {
+  std::string method;
+  double ratio = 0;
+  double eps_cm = 0;
+  double max_error_cm = 0;
+};
+
+/// One frame, as it was and as each method left it.
+struct PicturedFrame {
+  int frame = 0;
+  PosePoints original;
+  std::vector<PosePoints> decoded;  // one a method
+};
+
+/// The contact in which the first method let a foot slide most.
+struct PicturedFoot {
+  int landmark = 0;
+  PicturedFrame pose;  // at the end of the contact
+  std::vector<Eigen::Vector3d> original_trail;
+  std::vector<std::vector<Eigen::Vector3d>> trails;  // one a method
+  std::vector<double> slid_cm;                       // one a method, beyond the original's own
+};
+
+/// A clip compressed by several methods to one ratio, in poses worth looking at.
+struct Picture {
+  std::string clip;  // path
+  double ratio = 0;  // asked of every method
+  double sample_rate_hz = 120;
+  std::vector<DrawnBone> bones;
+  std::vector<std::string> landmark_names;
+  double ground_cm = 0;    // height of the floor
+  Eigen::Vector3d facing;  // at the worst frame
+  std::vector<PicturedMethod> methods;
+  PicturedFrame worst;                  // where the first method is furthest off
+  std::vector<PicturedFrame> sequence;  // evenly over the clip
+  std::optional<PicturedFoot> foot;     // unset: no foot slides
+};
+
+/// Compresses a clip of the plan to `ratio` by each of `methods` and picks the frames. Unset when
+/// the observer ended it. Throws InputError; TargetMissed when a method does not reach the ratio.
+std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem::path& clip,
+                                    const std::vector<std::string>& methods, double ratio,
+                                    const Observer<EncodeProgress>& observer = {});
+
+}  // namespace mocapress

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/codec/compressed_clip.h"
+#include "core/codec/target.h"
+#include "core/formats/motion_file.h"
+
+namespace mocapress {
+
+/// "ratio", "coefficient-ratio", "size", "error", "max-error".
+std::string_view name(Target::Kind kind);
+
+/// The inverse; unset when it is none of them.
+std::optional<Target::Kind> target_kind(std::string_view name);
+
+inline bool operator==(const Target& a, const Target& b) {
+  return a.kind == b.kind && a.value == b.value;
+}
+
+/// A clip and what each method is asked to make of it.
+struct StudyClip {
+  std::filesystem::path path;
+  std::vector<Target> targets;
+};
+
+/// Every clip by every method at every target of the clip.
+struct StudyPlan {
+  std::vector<StudyClip> clips;
+  std::vector<std::string> methods;               // names of contenders()
+  std::optional<std::filesystem::path> skeleton;  // of clips that have none beside them
+  ReadOptions reading;
+  Weighting weighting = Weighting::BoneEnds;
+  Coding coding = Coding::Deflate;
+  std::uint64_t seed = 1;
+  std::vector<double> ik_ratios;  // r_IK of "annealed" with the feet held, besides without
+};
+
+/// The ratios and the errors (cm) of a study of which nothing else was asked.
+std::vector<Target> usual_targets();
+
+/// The paper's evaluation of a clip: a grid of ratios that holds those of Table 2, the coefficient
+/// ratio of its video, and for the clips of Table 1 the errors of their rows.
+std::vector<Target> paper_targets(const std::filesystem::path& clip);
+
+/// The clips a user names: files as they are, and of folders every .bvh and .amc below them, in the
+/// order of their names. Throws InputError when one is not there or holds no clip.
+std::vector<std::filesystem::path> find_clips(const std::vector<std::filesystem::path>& inputs);
+
+/// One compression of a plan, by its places there.
+struct StudyJob {
+  std::size_t clip;
+  std::size_t method;
+  Target target;
+  std::optional<double> ik_ratio;  // unset: without IK correction
+};
+
+/// Clip by clip, method by method, in the order of the plan. What a method does not know is left
+/// out: the comparison methods have no coefficient ratio. Feet are held at ratios only, which say
+/// what is compared: the same size.
+std::vector<StudyJob> jobs_of(const StudyPlan& plan);
+
+}  // namespace mocapress

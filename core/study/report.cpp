@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "core/study/report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/compare/contender.h"
+#include "core/study/chart_svg.h"
+#include "core/study/markup.h"
+#include "core/study/plan.h"
+#include "core/study/report_feet.h"
+#include "core/study/report_pictures.h"
+#include "core/study/report_style.h"
+#include "core/study/report_tables.h"
+
+namespace mocapress {
+namespace {
+
+std::string paragraph(std::string_view text) {
+  return element("p", attribute("class", "muted"), text);
+}
+
+std::string section(std::string_view title, std::string_view content) {
+  if (content.empty()) return "";
+  return element("section", "", element("h2", "", title) + std::string(content));
+}
+
+/// "3 clips", "1 clip".
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// A colour and marker a method keeps in every study; those without one of their own share what is
+/// left by their order.
+int style_of(const Results& results, const Series& series) {
+  constexpr std::string_view kOwn[] = {"annealed",     "standard", "per-channel", "haar",
+                                       "linear",       "pca",      "subsample",   "quaternion",
+                                       "liu-mcmillan", "arikan",   "closed-loop"};
+  const auto own = std::find(std::begin(kOwn), std::end(kOwn), series.method);
+  if (own != std::end(kOwn) && !series.ik_ratio) return static_cast<int>(own - std::begin(kOwn));
+  std::vector<bool> taken(kChartStyles, false);
+  for (const Series& other : results.series())
+    if (const auto at = std::find(std::begin(kOwn), std::end(kOwn), other.method);
+        at != std::end(kOwn) && !other.ik_ratio)
+      taken[static_cast<std::size_t>(at - std::begin(kOwn))] = true;
+  for (const Series& other : results.series()) {
+    if (std::find(std::begin(kOwn), std::end(kOwn), other.method) != std::end(kOwn) &&
+        !other.ik_ratio)
+      continue;
+    const auto free = std::find(taken.begin(), taken.end(), false);
+    const auto style = static_cast<int>(free - taken.begin()) % kChartStyles;
+    if (&other == &series) return style;
+    if (free != taken.end()) *free = true;
+  }
+  return 0;
+}
+
+std::string legend(const Results& results) {
+  std::string items;
+  for (const Series& series : results.series())
+    items += element("li", "", legend_mark(style_of(results, series)) + escaped(series.title));
+  return element("ul", attribute("class", "legend"), items);
+}
+
+Chart mean_chart(const Results& results) {
+  Chart chart{.label = "Error against compression ratio, averaged over the clips",
+              .width = 1060,
+              .height = 520,
+              .direct_labels = true};
+  for (const Series& series : results.series()) {
+    ChartSeries line{.title = series.title, .style = style_of(results, series)};
+    line.line = results.mean_curve(series);
+    chart.series.push_back(std::move(line));
+  }
+  return chart;
+}
+
+/// The paper's points as hollow markers.
+void add_published(Chart& chart, const Results& results, const PublishedClip& clip) {
+  const auto add = [&](const char* method, auto size_of) {
+    const Series* series = results.find_series(method);
+    if (!series) return;
+    ChartSeries points{
+        .title = "The paper: " + series->title, .style = style_of(results, *series), .paper = true};
+    for (const PublishedSizes& row : clip.sizes)
+      points.markers.push_back({size_of(row).ratio, row.eps_cm});
+    chart.series.push_back(std::move(points));
+  };
+  add("pca", [](auto& row) { return row.pca; });
+  add("standard", [](auto& row) { return row.standard; });
+  add("annealed", [](auto& row) { return row.annealed; });
+}
+
+std::string clip_chart(const Results& results, const StudiedClip& clip) {
+  Chart chart{
+      .label = clip.title + ": error against compression ratio", .width = 350, .height = 270};
+  for (const Series& series : results.series()) {
+    ChartSeries one{.title = series.title, .style = style_of(results, series)};
+    one.line = one.markers = results.curve(clip, series);
+    chart.series.push_back(std::move(one));
+  }
+  if (clip.published) add_published(chart, results, *clip.published);
+  const std::string title =
+      clip.published ? clip.title + ", " + std::string(clip.published->title) : clip.title;
+  return element("figure", attribute("class", "clip"),
+                 element("h3", "",
+                         escaped(title) + " " +
+                             element("small", "", std::to_string(clip.frames) + " frames")) +
+                     draw(chart));
+}
+
+std::string tile(const std::string& value, const std::string& text) {
+  return element("div", attribute("class", "tile"),
+                 element("b", "", value) + element("span", "", text));
+}
+
+std::string mean_of(const MeanRatio& mean) {
+  return mean.clips == 1 ? "one clip"
+                         : "geometric mean of " + std::to_string(mean.clips) + " clips";
+}
+
+std::string tiles(const Results& results) {
+  if (results.series().empty()) return "";
+  const double eps_cm = headline_eps_cm(results);
+  const Series* annealed = results.find_series("annealed");
+  const Series& first = annealed ? *annealed : results.series().front();
+  const auto ratio = results.mean_ratio_at(first, eps_cm);
+  std::string all;
+  if (ratio)
+    all += tile(
+        ratio_text(ratio->ratio),
+        escaped(first.title) + " at &#949;<sub>x</sub> = " + plain(eps_cm) + " cm, " +
+            mean_of(*ratio) +
+            (results.weighting() == Weighting::JointOrigins && eps_cm == kPublishedInvisibleEpsCm
+                 ? " (the paper: about " + plain(kPublishedMeanRatio) + ":1)"
+                 : ""));
+  const Series* standard = results.find_series("standard");
+  if (annealed && standard && ratio)
+    if (const auto other = results.mean_ratio_at(*standard, eps_cm);
+        other && other->clips == ratio->clips)
+      all += tile(fixed(ratio->ratio / other->ratio, 2) + "&#215;",
+                  "smaller than " + escaped(standard->title) + " at the same error");
+  std::vector<double> ms;
+  for (const StudyRow& row : results.rows())
+    if (row.measured && row.method == "annealed" && row.target == Target{Target::Kind::Ratio, 30} &&
+        row.measured->ms_per_frame() > 0)
+      ms.push_back(row.measured->ms_per_frame());
+  if (const auto mean = geometric_mean(ms))
+    all += tile(figure(*mean) + " ms",
+                "a frame to anneal to 30:1, search for the ratio included (the paper: 254 and "
+                "391 ms)");
+  return element("div", attribute("class", "tiles"), all);
+}
+
+std::string subtitle(const Results& results) {
+  return counted(results.clips().size(), "clip") + ", " +
+         counted(results.series().size(), "method") + ", " +
+         counted(results.rows().size(), "compression") + ". Errors weighted by " +
+         std::string(name(results.weighting())) + ".";
+}
+
+std::string coding_text(const Results& results) {
+  for (const StudyRow& row : results.rows())
+    if (row.coding) return "wavelets by " + std::string(name(*row.coding));
+  return "no wavelets";
+}
+
+std::string measuring_notes(const Results& results) {
+  const StudyRow& row = results.rows().front();
+  std::string notes;
+  const auto add = [&](std::string_view term, const std::string& text) {
+    notes += element("dt", "", term) + element("dd", "", text);
+  };
+  add("Ratio",
+      "The channels as 32-bit floats over the coded motion, the skeleton left out on both "
+      "sides, as in the paper. 1 KB = 1024 bytes.");
+  add("&#949;<sub>x</sub>",
+      "The paper&#8217;s positional distortion (section 3.1), weighted by " +
+          std::string(name(results.weighting())) +
+          ": the weighted root mean square distance of points of the body from where they should "
+          "be. The paper&#8217;s own figures are joint-origins.");
+  add("Mean",
+      "Geometric mean over the clips of the ratio at equal &#949;<sub>x</sub>, read from "
+      "each clip&#8217;s curve, straight between measured points in the logarithms of "
+      "both; only over the errors that every clip has. &#8776; marks a figure read from a "
+      "curve, others were measured at that very error.");
+  add("Coding", coding_text(results) + ", seed " + std::to_string(row.seed));
+  int jobs = 0;
+  for (const StudyRow& one : results.rows()) jobs = std::max(jobs, one.jobs);
+  add("Time", "Wall time of the compression, search for the target included, with up to " +
+                  counted(static_cast<std::size_t>(jobs), "compression") +
+                  " at a time; what compressions of a clip share counts where it was first needed. "
+                  "The paper&#8217;s: a 2 GHz Athlon 64.");
+  for (const Series& series : results.series())
+    if (const Contender* contender = find_contender(series.method))
+      add(escaped(series.title), escaped(contender->note));
+  add("The paper",
+      "Figures marked as the paper&#8217;s are those it published: Adapting Wavelet "
+      "Compression to Human Motion Capture Clips, Tables 1 and 2.");
+  return element("dl", "", notes);
+}
+
+std::string curves_section(const Results& results) {
+  std::string drawn = draw(mean_chart(results));
+  std::string missing;
+  for (const Series& series : results.series())
+    if (results.mean_curve(series).empty())
+      missing += (missing.empty() ? "" : ", ") + escaped(series.title);
+  if (!missing.empty())
+    drawn += paragraph("Without a mean, for no error is common to all clips: " + missing + ".");
+  return section("How small, at what error",
+                 paragraph("Further right is smaller, further down is better. Geometric mean of "
+                           "the ratio at equal error; the dotted line is 0.5 cm, up to which the "
+                           "paper saw no artifact.") +
+                     drawn + mean_size_table(results));
+}
+
+std::string clips_section(const Results& results) {
+  std::string charts;
+  bool published = false;
+  for (const StudiedClip& clip : results.clips()) {
+    charts += clip_chart(results, clip);
+    published = published || clip.published;
+  }
+  return section("Every clip",
+                 (published ? paragraph("Hollow marks are the paper&#8217;s Table 1.") : "") +
+                     legend(results) + element("div", attribute("class", "multiples"), charts) +
+                     clip_table(results));
+}
+
+}  // namespace
+
+std::string report_html(const Results& results, const std::vector<Picture>& pictures) {
+  std::string body =
+      element("header", "", element("h1", "", "Compression study") + paragraph(subtitle(results)));
+  if (!results.clips().empty()) {
+    body += tiles(results) + curves_section(results);
+    for (const Picture& picture : pictures) body += picture_section(picture);
+    body += section("Size at equal error", size_table(results));
+    body += section("Time to anneal", time_table(results));
+    body += section("Feet held by inverse kinematics", held_feet_table(results));
+    body += section("Sliding feet", footskate_table(results));
+    body += clips_section(results);
+  }
+  body += section("Not reached", failure_table(results));
+  if (!results.clips().empty()) body += section("How it was measured", measuring_notes(results));
+  return "<!DOCTYPE html>\n" +
+         element("html", attribute("lang", "en"),
+                 "<head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+                 "content=\"width=device-width, initial-scale=1\">" +
+                     element("title", "", "Compression study") +
+                     element("style", "", kReportStyle) + "</head>" +
+                     element("body", "", element("main", "", body))) +
+         "\n";
+}
+
+}  // namespace mocapress

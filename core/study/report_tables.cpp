@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+#include "core/study/report_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/study/html_table.h"
+#include "core/study/markup.h"
+#include "core/study/plan.h"
+
+namespace mocapress {
+
+using namespace html;
+
+namespace {
+
+std::string eps_text(double eps_cm) {
+  return plain(eps_cm) + " cm";
+}
+
+/// The series that have anything to show, in order.
+template <typename HasAny>
+std::vector<const Series*> series_with(const Results& results, const HasAny& has_any) {
+  std::vector<const Series*> chosen;
+  for (const Series& series : results.series())
+    if (has_any(series)) chosen.push_back(&series);
+  return chosen;
+}
+
+using Errors = std::set<double, std::greater<>>;  // cm, the largest first
+
+constexpr double kUsualErrors[] = {1, 0.5, 0.26, 0.1};
+
+/// What a study asked of a clip; usual ones where it asked for none.
+Errors asked_errors(const Results& results, const StudiedClip& clip) {
+  Errors errors;
+  for (const StudyRow& row : results.rows())
+    if (row.clip == clip.path && row.target.kind == Target::Kind::Error)
+      errors.insert(row.target.value);
+  if (errors.empty()) errors.insert(std::begin(kUsualErrors), std::end(kUsualErrors));
+  return errors;
+}
+
+/// What it asked of every clip, and the usual ones.
+Errors common_errors(const Results& results) {
+  Errors errors(std::begin(kUsualErrors), std::end(kUsualErrors));
+  if (results.clips().empty()) return errors;
+  for (const double eps_cm : asked_errors(results, results.clips().front()))
+    if (std::all_of(results.clips().begin(), results.clips().end(), [&](const StudiedClip& clip) {
+          return asked_errors(results, clip).contains(eps_cm);
+        }))
+      errors.insert(eps_cm);
+  return errors;
+}
+
+/// Of at most `most` clips: those of the paper, else the first.
+std::vector<const StudiedClip*> shown_clips(const Results& results, std::size_t most) {
+  std::vector<const StudiedClip*> shown;
+  for (const StudiedClip& clip : results.clips())
+    if (clip.published) shown.push_back(&clip);
+  if (!shown.empty()) return shown;
+  for (const StudiedClip& clip : results.clips())
+    if (shown.size() < most) shown.push_back(&clip);
+  return shown;
+}
+
+std::string clip_head(const StudiedClip& clip) {
+  std::string text = clip.title;
+  if (clip.published) text = std::string(clip.published->title) + " (" + clip.title + ")";
+  return text;
+}
+
+const PublishedSize* published_size(const PublishedSizes* row, std::string_view method) {
+  if (!row) return nullptr;
+  if (method == "pca") return &row->pca;
+  if (method == "standard") return &row->standard;
+  if (method == "annealed") return &row->annealed;
+  return nullptr;
+}
+
+std::string size_text(double kb, double ratio) {
+  return figure(kb) + " (" + ratio_text(ratio) + ")";
+}
+
+/// "≈" where the figure comes from the curve.
+std::string size_cell(const Results& results, const StudiedClip& clip, const Series& series,
+                      double eps_cm) {
+  const auto size = results.size_at(clip, series, eps_cm);
+  if (!size) return cell(kNothing);
+  const double kb = static_cast<double>(clip.raw_bytes) / 1024 / size->ratio;
+  return cell((size->measured ? "" : "&#8776; ") + size_text(kb, size->ratio));
+}
+
+std::string size_lines(const Results& results, const StudiedClip& clip,
+                       const std::vector<const Series*>& series, bool with_paper) {
+  struct Level {
+    double eps_cm;
+    const PublishedSizes* published;
+  };
+  std::vector<Level> levels;
+  if (clip.published)
+    for (const PublishedSizes& row : clip.published->sizes) levels.push_back({row.eps_cm, &row});
+  else
+    for (const double eps_cm : asked_errors(results, clip)) levels.push_back({eps_cm, nullptr});
+  std::string body;
+  for (const Level& level : levels) {
+    std::string cells = row_head(&level == &levels.front() ? clip_head(clip) : "");
+    cells += cell(plain(level.eps_cm));
+    for (const Series* one : series) {
+      cells += size_cell(results, clip, *one, level.eps_cm);
+      const PublishedSize* paper = published_size(level.published, one->method);
+      if (with_paper && !one->ik_ratio)
+        cells +=
+            cell(paper ? plain(paper->kb) + " (" + plain(paper->ratio) + ":1)" : kNothing, "paper");
+    }
+    body += line(cells);
+  }
+  return body;
+}
+
+std::vector<double> timed_ratios(const Results& results) {
+  std::set<double, std::greater<>> ratios;
+  for (const StudyRow& row : results.rows())
+    if (row.method == "annealed" && row.target.kind == Target::Kind::Ratio)
+      ratios.insert(row.target.value);
+  std::vector<double> tabled;
+  for (const PublishedTiming& timing : kPublishedClips.front().timings)
+    if (ratios.contains(timing.ratio)) tabled.push_back(timing.ratio);
+  return tabled.empty() ? std::vector<double>(ratios.begin(), ratios.end()) : tabled;
+}
+
+std::string time_cells(const StudyRow* row, const StudiedClip& clip, double ratio) {
+  std::string cells = row ? cell(figure(row->measured->ms_per_frame())) +
+                                cell(std::to_string(row->measured->iterations.value_or(0)))
+                          : cell(kNothing) + cell(kNothing);
+  if (!clip.published) return cells;
+  for (const PublishedTiming& timing : clip.published->timings)
+    if (timing.ratio == ratio)
+      return cells + cell(plain(timing.ms_per_frame), "paper") +
+             cell(std::to_string(timing.iterations), "paper");
+  return cells + cell(kNothing, "paper") + cell(kNothing, "paper");
+}
+
+/// Of one kind, the target nearest to that of the paper's video at which feet were measured.
+std::optional<Target> footskate_target(const Results& results, Target::Kind kind) {
+  std::optional<Target> nearest;
+  const auto distance = [](const Target& target) {
+    return std::abs(std::log(target.value / kPublishedVideoRatio));
+  };
+  for (const StudyRow& row : results.rows())
+    if (row.measured && row.measured->footskate_cm && row.target.kind == kind &&
+        (!nearest || distance(row.target) < distance(*nearest)))
+      nearest = row.target;
+  return nearest;
+}
+
+std::string footskate_at(const Results& results, const Target& target) {
+  const auto slides = [&](const StudiedClip& clip, const Series& series) {
+    const StudyRow* row = results.row(clip, series, target);
+    return row ? row->measured->footskate_cm : std::nullopt;
+  };
+  const auto series = series_with(results, [&](const Series& one) {
+    return std::any_of(results.clips().begin(), results.clips().end(),
+                       [&](const StudiedClip& clip) { return slides(clip, one).has_value(); });
+  });
+  std::string heads = head("Clip", attribute("class", "name")) + head("contacts");
+  for (const Series* one : series) heads += head(escaped(one->title));
+  std::string body;
+  std::map<const Series*, double> sums;
+  int all_contacts = 0;
+  for (const StudiedClip& clip : results.clips()) {
+    const StudyRow* any = nullptr;
+    for (const Series* one : series)
+      if (!any) any = results.row(clip, *one, target);
+    if (!any || !any->measured->footskate_cm || any->measured->contacts == 0) continue;
+    all_contacts += any->measured->contacts;
+    std::string cells = row_head(clip.title) + cell(std::to_string(any->measured->contacts));
+    for (const Series* one : series) {
+      const auto slid = slides(clip, *one);
+      cells += cell(slid ? fixed(*slid, 1) + " cm" : kNothing);
+      sums[one] += slid.value_or(std::nan(""));
+    }
+    body += line(cells);
+  }
+  if (all_contacts == 0) return "";
+  std::string cells = row_head("a contact") + cell(std::to_string(all_contacts));
+  for (const Series* one : series)
+    cells += cell(std::isnan(sums[one]) ? kNothing : fixed(sums[one] / all_contacts, 2) + " cm");
+  body += line(cells, attribute("class", "sum"));
+  const bool paper_ratio = target.kind == Target::Kind::CoefficientRatio;
+  return element("h3", "",
+                 paper_ratio ? "At the paper&#8217;s coefficient ratio r = " + plain(target.value)
+                             : "At the compression ratio " + plain(target.value) + ":1") +
+         table(line(heads), body);
+}
+
+}  // namespace
+
+double headline_eps_cm(const Results& results) {
+  double best = kPublishedInvisibleEpsCm;
+  int most = -1;
+  for (const double eps_cm : {0.5, 0.26, 1.0, 0.1, 2.0, 0.05, 5.0, 10.0}) {
+    int sizes = 0;
+    for (const Series& series : results.series())
+      for (const StudiedClip& clip : results.clips())
+        sizes += results.size_at(clip, series, eps_cm).has_value();
+    if (sizes > most) most = sizes, best = eps_cm;
+  }
+  return best;
+}
+
+std::string mean_size_table(const Results& results) {
+  std::string heads = head("&#949;<sub>x</sub>");
+  for (const Series& series : results.series()) heads += head(escaped(series.title));
+  std::string body;
+  const int clips = static_cast<int>(results.clips().size());
+  for (const double eps_cm : common_errors(results)) {
+    // A mean of other clips than its neighbours' would compare clips, not methods.
+    std::vector<std::optional<MeanRatio>> means;
+    double best = 0;
+    bool all = true;
+    for (const Series& series : results.series()) {
+      means.push_back(results.mean_ratio_at(series, eps_cm));
+      const bool whole = means.back() && means.back()->clips == clips;
+      if (whole) best = std::max(best, means.back()->ratio);
+      all = all && whole;
+    }
+    if (best == 0) continue;
+    std::string cells = head(eps_text(eps_cm), attribute("scope", "row"));
+    for (const auto& mean : means)
+      if (mean && mean->clips == clips)
+        cells += cell(ratio_text(mean->ratio), all && mean->ratio == best ? "best" : "");
+      else
+        cells += cell(element(
+            "small", "",
+            std::to_string(mean ? mean->clips : 0) + " of " + std::to_string(clips) + " clips"));
+    body += line(cells);
+  }
+  return body.empty() ? "" : table(line(heads), body);
+}
+
+std::string size_table(const Results& results) {
+  auto series = series_with(results, [](const Series& s) {
+    return s.method == "pca" || s.method == "standard" || s.method == "annealed";
+  });
+  if (series.empty()) series = series_with(results, [](const Series&) { return true; });
+  const auto clips = shown_clips(results, 3);
+  if (clips.empty() || series.empty()) return "";
+  const bool with_paper = clips.front()->published != nullptr;
+  std::string groups = head("", attribute("rowspan", "2")) +
+                       head("&#949;<sub>x</sub>, cm", attribute("rowspan", "2"));
+  std::string heads;
+  for (const Series* one : series) {
+    const bool beside = with_paper && !one->ik_ratio;
+    groups += group(escaped(one->title), beside ? 2 : 1);
+    heads += head("KB (ratio)");
+    if (beside) heads += head("paper", attribute("class", "paper"));
+  }
+  std::string body;
+  for (const StudiedClip* clip : clips) body += size_lines(results, *clip, series, with_paper);
+  return table(line(groups) + line(heads), body);
+}
+
+std::string time_table(const Results& results) {
+  const Series* annealed = results.find_series("annealed");
+  const auto ratios = timed_ratios(results);
+  const auto clips = shown_clips(results, 2);
+  if (!annealed || ratios.empty() || clips.empty()) return "";
+  std::string groups = head("Ratio", attribute("rowspan", "2"));
+  std::string heads;
+  for (const StudiedClip* clip : clips) {
+    groups += group(escaped(clip_head(*clip)) + ", " + std::to_string(clip->frames) + " frames",
+                    clip->published ? 4 : 2);
+    heads += head("ms a frame") + head("iterations");
+    if (clip->published)
+      heads += head("paper: ms", attribute("class", "paper")) +
+               head("iterations", attribute("class", "paper"));
+  }
+  std::string body;
+  for (const double ratio : ratios) {
+    std::string cells = head(plain(ratio) + ":1", attribute("scope", "row"));
+    for (const StudiedClip* clip : clips)
+      cells +=
+          time_cells(results.row(*clip, *annealed, {Target::Kind::Ratio, ratio}), *clip, ratio);
+    body += line(cells);
+  }
+  return table(line(groups) + line(heads), body);
+}
+
+std::string footskate_table(const Results& results) {
+  std::string tables;
+  for (const Target::Kind kind : {Target::Kind::CoefficientRatio, Target::Kind::Ratio})
+    if (const auto target = footskate_target(results, kind))
+      tables += footskate_at(results, *target);
+  return tables.empty() ? ""
+                        : element("p", attribute("class", "muted"),
+                                  "Horizontal way of the feet while planted, beyond the "
+                                  "original&#8217;s own. Contacts are found on the original; clips "
+                                  "without any are left out.") +
+                              tables;
+}
+
+std::string clip_table(const Results& results) {
+  const double eps_cm = headline_eps_cm(results);
+  std::string heads = head("Clip", attribute("class", "name")) + head("frames") + head("seconds");
+  for (const Series& series : results.series()) heads += head(escaped(series.title));
+  std::string body;
+  for (const StudiedClip& clip : results.clips()) {
+    std::string cells = row_head(clip_head(clip)) + cell(std::to_string(clip.frames)) +
+                        cell(fixed(clip.frames / clip.sample_rate_hz, 1));
+    for (const Series& series : results.series()) {
+      const auto size = results.size_at(clip, series, eps_cm);
+      cells += cell(size ? (size->measured ? "" : "&#8776; ") + ratio_text(size->ratio)
+                         : std::string(kNothing));
+    }
+    body += line(cells);
+  }
+  return body.empty()
+             ? ""
+             : element("p", attribute("class", "muted"),
+                       "Compression ratio at &#949;<sub>x</sub> = " + eps_text(eps_cm) + ".") +
+                   table(line(heads), body);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "core/study/results.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "core/compare/contender.h"
+#include "core/study/plan.h"
+
+namespace mocapress {
+namespace {
+
+std::string stem_of(const std::string& path) {
+  return std::filesystem::path(path).stem().string();
+}
+
+std::string title_of(const StudyRow& row) {
+  const Contender* contender = find_contender(row.method);
+  std::string title = contender ? std::string(contender->title) : row.method;
+  if (!row.ik_ratio) return title;
+  char text[32];
+  std::snprintf(text, sizeof text, " + IK %g:1", *row.ik_ratio);
+  return title + text;
+}
+
+StudiedClip studied(const StudyRow& row) {
+  const Measurement& m = *row.measured;
+  StudiedClip clip{.path = row.clip,
+                   .title = stem_of(row.clip),
+                   .frames = m.frames,
+                   .channels = m.channels,
+                   .sample_rate_hz = m.sample_rate_hz,
+                   .raw_bytes = m.raw_bytes};
+  const PublishedClip* published = find_published(clip.title);
+  if (published && published->frames == m.frames) clip.published = published;
+  return clip;
+}
+
+/// Clips of the same name in different folders go by their paths.
+void make_titles_unique(std::vector<StudiedClip>& clips) {
+  for (StudiedClip& clip : clips) {
+    const std::string stem = stem_of(clip.path);
+    const auto same = [&](const StudiedClip& other) { return stem_of(other.path) == stem; };
+    if (std::count_if(clips.begin(), clips.end(), same) > 1) clip.title = clip.path;
+  }
+}
+
+}  // namespace
+
+Results::Results(std::vector<StudyRow> rows) : rows_(std::move(rows)) {
+  for (const StudyRow& row : rows_) {
+    weighting_ = row.weighting;
+    if (std::none_of(series_.begin(), series_.end(), [&](auto& s) { return s.has(row); }))
+      series_.push_back({row.method, row.ik_ratio, title_of(row)});
+    if (row.measured &&
+        std::none_of(clips_.begin(), clips_.end(), [&](auto& c) { return c.path == row.clip; }))
+      clips_.push_back(studied(row));
+  }
+  make_titles_unique(clips_);
+}
+
+const Series* Results::find_series(std::string_view method) const {
+  for (const Series& series : series_)
+    if (series.method == method && !series.ik_ratio) return &series;
+  return nullptr;
+}
+
+const StudyRow* Results::row(const StudiedClip& clip, const Series& series,
+                             const Target& target) const {
+  for (const StudyRow& row : rows_)
+    if (row.measured && row.clip == clip.path && series.has(row) && row.target == target)
+      return &row;
+  return nullptr;
+}
+
+Curve Results::curve(const StudiedClip& clip, const Series& series) const {
+  std::vector<CurvePoint> points;
+  for (const StudyRow& row : rows_)
+    if (row.measured && row.clip == clip.path && series.has(row))
+      points.push_back({row.measured->ratio, row.measured->eps_cm(row.weighting)});
+  return best_of(std::move(points));
+}
+
+std::optional<SizeAtError> Results::size_at(const StudiedClip& clip, const Series& series,
+                                            double eps_cm) const {
+  const StudyRow* exact = row(clip, series, {Target::Kind::Error, eps_cm});
+  if (exact && exact->reached()) return SizeAtError{exact->measured->ratio, true};
+  const auto ratio = ratio_at(curve(clip, series), eps_cm);
+  if (!ratio) return std::nullopt;
+  return SizeAtError{*ratio, false};
+}
+
+std::optional<MeanRatio> Results::mean_ratio_at(const Series& series, double eps_cm) const {
+  std::vector<double> ratios;
+  for (const StudiedClip& clip : clips_)
+    if (const auto size = size_at(clip, series, eps_cm)) ratios.push_back(size->ratio);
+  const auto mean = geometric_mean(ratios);
+  if (!mean) return std::nullopt;
+  return MeanRatio{*mean, static_cast<int>(ratios.size())};
+}
+
+Curve Results::mean_curve(const Series& series) const {
+  std::vector<Curve> curves;
+  for (const StudiedClip& clip : clips_) curves.push_back(curve(clip, series));
+  return mean_at_equal_error(curves);
+}
+
+}  // namespace mocapress

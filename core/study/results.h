@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/study/curve.h"
+#include "core/study/published_figures.h"
+#include "core/study/row.h"
+
+namespace mocapress {
+
+/// What is one line of a chart: a method, with IK correction or without.
+struct Series {
+  std::string method;
+  std::optional<double> ik_ratio;
+  std::string title;  // for a legend
+
+  bool has(const StudyRow& row) const { return row.method == method && row.ik_ratio == ik_ratio; }
+};
+
+/// A clip that could be read.
+struct StudiedClip {
+  std::string path;
+  std::string title;  // the file's name, or the path where that is not one clip's only
+  int frames = 0;
+  int channels = 0;
+  double sample_rate_hz = 0;
+  std::size_t raw_bytes = 0;
+  const PublishedClip* published = nullptr;  // what the paper says about it
+};
+
+/// The smallest a series makes a clip at some error.
+struct SizeAtError {
+  double ratio;
+  bool measured;  // false: read from the curve between measured points
+};
+
+/// A mean that says of how many.
+struct MeanRatio {
+  double ratio;
+  int clips;
+};
+
+/// The rows of one finished study, looked up by clip and series.
+class Results {
+ public:
+  explicit Results(std::vector<StudyRow> rows);
+
+  const std::vector<StudyRow>& rows() const { return rows_; }
+  const std::vector<StudiedClip>& clips() const { return clips_; }
+  const std::vector<Series>& series() const { return series_; }
+  Weighting weighting() const { return weighting_; }
+
+  /// nullptr when no row has that method.
+  const Series* find_series(std::string_view method) const;
+
+  /// nullptr when there is none, or none that was measured.
+  const StudyRow* row(const StudiedClip& clip, const Series& series, const Target& target) const;
+
+  Curve curve(const StudiedClip& clip, const Series& series) const;
+
+  /// The row that was asked for this error, else the curve.
+  std::optional<SizeAtError> size_at(const StudiedClip& clip, const Series& series,
+                                     double eps_cm) const;
+
+  /// Geometric mean of the clips that have a size at this error.
+  std::optional<MeanRatio> mean_ratio_at(const Series& series, double eps_cm) const;
+
+  /// Over all clips; empty where there is no error that all of them have.
+  Curve mean_curve(const Series& series) const;
+
+ private:
+  std::vector<StudyRow> rows_;
+  std::vector<StudiedClip> clips_;
+  std::vector<Series> series_;
+  Weighting weighting_ = Weighting::BoneEnds;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/codec/compressed_clip.h"
+#include "core/codec/target.h"
+
+namespace mocapress {
+
+/// What a compression came to.
+struct Measurement {
+  int frames = 0;
+  int channels = 0;
+  double sample_rate_hz = 0;
+  std::size_t raw_bytes = 0;  // as 32-bit floats, skeleton left out
+  std::size_t motion_bytes = 0;
+  std::size_t file_bytes = 0;
+  double ratio = 0;                         // raw_bytes / motion_bytes
+  std::optional<double> coefficient_ratio;  // of wavelets
+  double eps_bone_ends_cm = 0;
+  double eps_joint_origins_cm = 0;
+  double max_error_cm = 0;
+  double p95_error_cm = 0;
+  double p99_error_cm = 0;
+  int worst_frame = 0;
+  int contacts = 0;                    // of the feet with the ground, in the original
+  std::optional<double> footskate_cm;  // over all contacts; unset: there are none
+  std::optional<std::size_t> ik_bytes;
+  std::optional<double> knee_speed_ratio;  // with IK: its speed over the original's
+  std::optional<int> iterations;           // of the last annealing
+  double encode_seconds = 0;               // search for the target and all
+
+  double eps_cm(Weighting weighting) const {
+    return weighting == Weighting::BoneEnds ? eps_bone_ends_cm : eps_joint_origins_cm;
+  }
+  double ms_per_frame() const { return frames > 0 ? 1000 * encode_seconds / frames : 0; }
+
+  bool operator==(const Measurement&) const = default;
+};
+
+/// One compression of a study: what was asked, and what came of it or why nothing did.
+struct StudyRow {
+  std::string clip;         // the path as given
+  std::string fingerprint;  // of the motion that was read; empty: it could not be
+  std::string method;       // name of a contender
+  Target target;
+  Weighting weighting = Weighting::BoneEnds;
+  std::optional<Coding> coding = Coding::Deflate;  // of wavelets
+  std::uint64_t seed = 1;
+  std::optional<double> ik_ratio;  // unset: without IK correction
+  int jobs = 1;                    // compressions at a time, which seconds depend on
+  std::optional<Measurement> measured;
+  std::string error;  // why there is no measurement
+
+  /// Whether the target was met: a ratio within 2 %, a bound not exceeded.
+  bool reached() const;
+
+  /// What makes it the same compression in another run: all that was asked and the motion itself,
+  /// wherever its file is.
+  std::string key() const;
+};
+
+}  // namespace mocapress

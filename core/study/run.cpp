@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "core/study/run.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <unordered_map>
+
+#include "core/compare/comparison_method.h"
+#include "core/study/clip_in_hand.h"
+
+namespace mocapress {
+namespace {
+
+/// A clip shared by its jobs: read by the first, given back by the last, so that only as many are
+/// in memory as are worked on.
+class SharedClip {
+ public:
+  explicit SharedClip(int jobs) : jobs_left_(jobs) {}
+
+  /// nullptr, and error(), when it cannot be read.
+  const ClipInHand* get(const StudyPlan& plan, const std::filesystem::path& path) {
+    const std::lock_guard lock(mutex_);
+    if (!clip_ && error_.empty()) {
+      try {
+        clip_ = std::make_unique<const ClipInHand>(plan, path);
+        warnings_ = clip_->warnings();
+      } catch (const std::exception& error) {
+        error_ = error.what();
+      }
+    }
+    return clip_.get();
+  }
+
+  void job_done() {
+    const std::lock_guard lock(mutex_);
+    if (--jobs_left_ == 0) clip_.reset();
+  }
+
+  const std::string& error() const { return error_; }
+  const Warnings& warnings() const { return warnings_; }
+
+ private:
+  std::mutex mutex_;
+  int jobs_left_;
+  std::unique_ptr<const ClipInHand> clip_;
+  Warnings warnings_;
+  std::string error_;
+};
+
+class Run {
+ public:
+  Run(const StudyPlan& plan, std::span<const StudyRow> earlier, const RowSink& sink,
+      const Observer<StudyProgress>& observer)
+      : plan_(plan), sink_(sink), observer_(observer), jobs_(jobs_of(plan)), rows_(jobs_.size()) {
+    std::vector<int> count(plan.clips.size(), 0);
+    for (const StudyJob& job : jobs_) ++count[job.clip];
+    for (const int jobs : count) clips_.push_back(std::make_unique<SharedClip>(jobs));
+    for (const StudyRow& row : earlier) earlier_[row.key()] = &row;
+    progress_.jobs = static_cast<int>(jobs_.size());
+    const auto allowed =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    workers_ = std::min({tbb::this_task_arena::max_concurrency(), static_cast<int>(allowed),
+                         std::max(1, progress_.jobs)});
+  }
+
+  StudyOutcome run() {
+    // Jobs are taken one by one in the plan's order: that keeps few clips in hand.
+    tbb::parallel_for(0, workers_, [this](int) {
+      for (std::size_t job = next_++; job < jobs_.size() && !stopped_; job = next_++)
+        // Isolated: a thread that waits inside a job must not take up another.
+        tbb::this_task_arena::isolate([&] { do_job(job); });
+    });
+    StudyOutcome outcome;
+    for (auto& row : rows_)
+      if (row) outcome.rows.push_back(std::move(*row));
+    outcome.complete = outcome.rows.size() == jobs_.size();
+    for (const auto& clip : clips_)
+      outcome.warnings.insert(outcome.warnings.end(), clip->warnings().begin(),
+                              clip->warnings().end());
+    return outcome;
+  }
+
+ private:
+  void do_job(std::size_t index) {
+    const StudyJob& job = jobs_[index];
+    SharedClip& shared = *clips_[job.clip];
+    StudyRow row{.clip = plan_.clips[job.clip].path.string(),
+                 .method = plan_.methods[job.method],
+                 .target = job.target,
+                 .weighting = plan_.weighting,
+                 .coding = coding_of(job),
+                 .seed = plan_.seed,
+                 .ik_ratio = job.ik_ratio,
+                 .jobs = workers_};
+    bool kept = false;
+    bool complete = true;
+    if (const ClipInHand* clip = shared.get(plan_, plan_.clips[job.clip].path)) {
+      row.fingerprint = clip->fingerprint();
+      kept = keep_earlier(row);
+      if (!kept) complete = compress(*clip, row);
+    } else {
+      row.error = shared.error();
+    }
+    shared.job_done();
+    if (complete) finish(index, std::move(row), kept);
+  }
+
+  std::optional<Coding> coding_of(const StudyJob& job) const {
+    if (find_comparison_method(plan_.methods[job.method])) return std::nullopt;
+    return plan_.coding;
+  }
+
+  bool keep_earlier(StudyRow& row) const {
+    const auto found = earlier_.find(row.key());
+    if (found == earlier_.end()) return false;
+    std::string path = std::move(row.clip);
+    row = *found->second;
+    row.clip = std::move(path);  // the same motion may be elsewhere now
+    return true;
+  }
+
+  /// False when the observer ended it.
+  bool compress(const ClipInHand& clip, StudyRow& row) {
+    bool told_to_stop = false;
+    try {
+      const Contender* contender = find_contender(row.method);
+      if (!contender) throw Error("there is no method \"" + row.method + "\"");
+      EncodeOptions options{.coding = plan_.coding,
+                            .weighting = row.weighting,
+                            .target = row.target,
+                            .seed = row.seed};
+      if (row.ik_ratio) options.correction = CorrectionOptions{.ratio = row.ik_ratio};
+      const Compression compression = clip.encoder().compress(
+          *contender, options, [&](const EncodeProgress&) { return !(told_to_stop = !ask()); });
+      if (!compression.complete) return false;
+      row.measured = clip.measure(compression);
+    } catch (const std::exception& error) {
+      row.error = error.what();
+    }
+    return !told_to_stop;
+  }
+
+  bool ask() {
+    const std::lock_guard lock(mutex_);
+    progress_.finished = nullptr;
+    return observe();
+  }
+
+  void finish(std::size_t index, StudyRow row, bool kept) {
+    const std::lock_guard lock(mutex_);
+    if (!kept && sink_) hand_over(row);
+    rows_[index] = std::move(row);
+    ++progress_.done;
+    progress_.kept += kept;
+    progress_.finished = &*rows_[index];
+    observe();
+  }
+
+  void hand_over(const StudyRow& row) {
+    try {
+      sink_(row);
+    } catch (...) {
+      stopped_ = true;
+      throw;
+    }
+  }
+
+  bool observe() {
+    if (!stopped_ && !go_on(observer_, progress_)) stopped_ = true;
+    return !stopped_;
+  }
+
+  const StudyPlan& plan_;
+  const RowSink& sink_;
+  const Observer<StudyProgress>& observer_;
+  std::vector<StudyJob> jobs_;
+  std::vector<std::unique_ptr<SharedClip>> clips_;
+  std::unordered_map<std::string, const StudyRow*> earlier_;
+  int workers_ = 1;
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<bool> stopped_ = false;
+  std::mutex mutex_;  // of what follows, and of the calls out
+  StudyProgress progress_;
+  std::vector<std::optional<StudyRow>> rows_;
+};
+
+}  // namespace
+
+StudyOutcome run_study(const StudyPlan& plan, std::span<const StudyRow> earlier,
+                       const RowSink& sink, const Observer<StudyProgress>& observer) {
+  return Run(plan, earlier, sink, observer).run();
+}
+
+}  // namespace mocapress

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "core/study/study_folder.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+
+#include "core/base/file.h"
+#include "core/study/picture.h"
+#include "core/study/report.h"
+#include "core/study/results.h"
+#include "core/study/row_json.h"
+#include "core/study/rows_file.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kPictures = 2;
+constexpr double kPicturedRatio = 50;  // aggressive enough to be seen
+
+/// The paper's pair where both were studied, else the first two.
+std::vector<std::string> pictured_methods(const Results& results) {
+  if (results.find_series("standard") && results.find_series("annealed"))
+    return {"standard", "annealed"};
+  std::vector<std::string> methods;
+  for (const Series& series : results.series())
+    if (methods.size() < 2 && !series.ik_ratio) methods.push_back(series.method);
+  return methods;
+}
+
+/// A clip and a ratio at which all of some methods were measured.
+struct Pictured {
+  std::string path;
+  bool published;
+  double ratio;
+  double eps_cm;  // of the first method
+};
+
+std::optional<Pictured> pictured(const Results& results, const StudiedClip& clip,
+                                 const std::vector<std::string>& methods) {
+  std::optional<Pictured> best;
+  for (const StudyRow& row : results.rows()) {
+    if (row.clip != clip.path || row.method != methods.front() ||
+        row.target.kind != Target::Kind::Ratio || !row.reached())
+      continue;
+    const bool by_all = std::all_of(methods.begin(), methods.end(), [&](const std::string& name) {
+      const StudyRow* other = results.row(clip, *results.find_series(name), row.target);
+      return other && other->reached();
+    });
+    const auto distance = [](double ratio) { return std::abs(std::log(ratio / kPicturedRatio)); };
+    if (by_all && (!best || distance(row.target.value) < distance(best->ratio)))
+      best = Pictured{clip.path, clip.published != nullptr, row.target.value,
+                      row.measured->eps_cm(row.weighting)};
+  }
+  return best;
+}
+
+/// The paper's clips first, then those that suffer most.
+std::vector<Pictured> pictured_clips(const Results& results,
+                                     const std::vector<std::string>& methods) {
+  std::vector<Pictured> clips;
+  if (methods.empty()) return clips;
+  for (const StudiedClip& clip : results.clips())
+    if (const auto found = pictured(results, clip, methods)) clips.push_back(*found);
+  std::stable_sort(clips.begin(), clips.end(), [](const Pictured& a, const Pictured& b) {
+    if (a.published != b.published) return a.published;
+    return !a.published && a.eps_cm > b.eps_cm;
+  });
+  clips.resize(std::min(clips.size(), kPictures));
+  return clips;
+}
+
+/// Unset when the observer ended it.
+std::optional<std::vector<Picture>> take_pictures(const StudyPlan& plan, const Results& results,
+                                                  const Observer<EncodeProgress>& observer) {
+  const std::vector<std::string> methods = pictured_methods(results);
+  const std::vector<Pictured> clips = pictured_clips(results, methods);
+  std::vector<std::optional<Picture>> taken(clips.size());
+  tbb::parallel_for(std::size_t{0}, clips.size(), [&](std::size_t i) {
+    tbb::this_task_arena::isolate(
+        [&] { taken[i] = take_picture(plan, clips[i].path, methods, clips[i].ratio, observer); });
+  });
+  std::vector<Picture> pictures;
+  for (auto& picture : taken) {
+    if (!picture) return std::nullopt;
+    pictures.push_back(std::move(*picture));
+  }
+  return pictures;
+}
+
+}  // namespace
+
+StudyOutcome run_study_in(const fs::path& folder, const StudyPlan& plan,
+                          const Observer<StudyProgress>& observer) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw WriteError(folder.string() + ": cannot be made: " + error.message());
+  StudyProgress last;
+  StudyOutcome outcome;
+  {
+    RowsFile file(folder / kRowsSoFar);
+    outcome = run_study(
+        plan, file.rows(), [&](const StudyRow& row) { file.append(row); },
+        [&](const StudyProgress& progress) {
+          last = progress;
+          return go_on(observer, progress);
+        });
+  }
+  if (!outcome.complete) return outcome;
+
+  last.finished = nullptr;
+  std::mutex mutex;
+  const Results results(outcome.rows);
+  const auto pictures = take_pictures(plan, results, [&](const EncodeProgress&) {
+    const std::lock_guard lock(mutex);
+    return go_on(observer, last);
+  });
+  outcome.complete = pictures.has_value();
+  if (!outcome.complete) return outcome;
+  write_text(folder / kRowsCsv, rows_csv(outcome.rows));
+  write_text(folder / kRowsJson, rows_json(outcome.rows));
+  write_text(folder / kReport, report_html(results, *pictures));
+  return outcome;
+}
+
+}  // namespace mocapress
