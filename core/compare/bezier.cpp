@@ -27,6 +27,7 @@ Eigen::MatrixXd fit_bezier(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
   const Eigen::RowVectorXd end = rows.row(steps);
   Eigen::MatrixXd controls(3, rows.cols());
   controls << start + (end - start) / 3, end - (end - start) / 3, end;
+  if (rows.cols() == 0) return controls;
   const Eigen::MatrixX2d inner = bernstein(steps).middleCols<2>(1);
   const Eigen::MatrixXd missed = rows.bottomRows(steps) - bezier_curve(start, controls, steps);
   const Eigen::Matrix2d normal =

@@ -118,22 +118,23 @@ SegmentDatabase::Cutting SegmentDatabase::cut(const std::vector<Eigen::MatrixXd>
 }
 
 SegmentDatabase::Encoding SegmentDatabase::encode(double tolerance_cm) const {
-  // Of the squared error, some 0.3 for the curves, 0.5 for the components, the rest for the steps.
+  // Of the squared error a fifth is for the steps; what the curves leave is for the components. An
+  // error of a control point is in sight for about half a segment.
   const double markers = static_cast<double>(coordinates_) / 3;
-  const double curves_may_miss = 0.55 * tolerance_cm;
-  const double components_may_miss = 3 * markers * tolerance_cm * tolerance_cm;
+  const double may_miss = 0.8 * tolerance_cm * tolerance_cm;
   Encoding best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t cutting = 0; cutting < cuttings_.size(); ++cutting) {
     const Cutting& cut = cuttings_[cutting];
-    if (cut.error > curves_may_miss && cut.length > kShortestCurve) continue;
+    const double left = may_miss - cut.error * cut.error;
+    if (left < 0 && cut.length > kShortestCurve) continue;
     for (std::size_t way = 0; way < cut.clusterings.size(); ++way) {
       const Clustering& clustering = cut.clusterings[way];
       constexpr double kBytes = 1.3;  // of a number, deflated
       double bytes = 0;
       std::vector<int> components;
       for (const PrincipalComponents& parts : clustering.parts) {
-        components.push_back(parts.enough_for(components_may_miss));
+        components.push_back(parts.enough_for(6 * markers * std::max(left, 0.0)));
         bytes += kBytes * (static_cast<double>(parts.mean.size()) * (1 + components.back()) +
                            static_cast<double>(parts.projections.rows()) * components.back());
       }
