@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/signal_coder.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/base/parallel.h"
 #include "core/codec/deflate.h"
 #include "core/codec/rle16.h"
 
@@ -56,7 +55,7 @@ Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int co
   Eigen::MatrixXd values = rle16_decode(words, samples, count);
   const Lifting lifting(basis, samples);
   const Eigen::VectorXd gains = gains_of(lifting);
-  tbb::parallel_for(Eigen::Index{0}, values.cols(), [&](Eigen::Index s) {
+  parallel_for(Eigen::Index{0}, values.cols(), [&](Eigen::Index s) {
     values.col(s).array() /= gains.array();
     const std::span<double> signal(values.col(s).data(), static_cast<std::size_t>(samples));
     lifting.inverse(signal, signal);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/ik/correction.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cassert>
+#include <mutex>
 
+#include "core/base/parallel.h"
 #include "core/ik/limb.h"
 
 namespace mocapress {
@@ -73,15 +72,16 @@ CorrectionReport apply_correction(const Skeleton& skeleton, const std::vector<Ef
                                   IkSolver solver, const Eigen::MatrixXd& differences, Clip& clip) {
   assert(differences.rows() == clip.channels.rows());
   assert(differences.cols() == 3 * std::ssize(effectors));
-  return tbb::parallel_reduce(
-      tbb::blocked_range<int>(0, clip.frames(), 64), CorrectionReport{},
-      [&](const auto& range, CorrectionReport report) {
-        Corrector corrector(skeleton, effectors, solver);
-        for (int t = range.begin(); t < range.end(); ++t)
-          corrector.correct(differences, t, clip, report);
-        return report;
-      },
-      both);
+  CorrectionReport all;
+  std::mutex mutex;  // of the report
+  parallel_ranges(0, clip.frames(), 64, [&](int first, int end) {
+    Corrector corrector(skeleton, effectors, solver);
+    CorrectionReport report;
+    for (int t = first; t < end; ++t) corrector.correct(differences, t, clip, report);
+    const std::lock_guard lock(mutex);
+    all = both(all, report);
+  });
+  return all;
 }
 
 }  // namespace mocapress

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/motion/landmarks.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "core/base/parallel.h"
 #include "core/motion/forward_kinematics.h"
 
 namespace mocapress {
@@ -43,9 +41,9 @@ Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting) 
 Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip) {
   const std::vector<Landmark> points = landmarks(skeleton);
   Eigen::MatrixXd tracks(clip.frames(), 3 * static_cast<Eigen::Index>(points.size()));
-  tbb::parallel_for(tbb::blocked_range<int>(0, clip.frames(), 64), [&](const auto& range) {
+  parallel_ranges(0, clip.frames(), 64, [&](int first, int end) {
     Pose pose;
-    for (int t = range.begin(); t < range.end(); ++t) {
+    for (int t = first; t < end; ++t) {
       compute_pose(skeleton, clip.channels.row(t), pose);
       for (std::size_t p = 0; p < points.size(); ++p)
         tracks.block<1, 3>(t, 3 * static_cast<Eigen::Index>(p)) =

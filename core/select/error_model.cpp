@@ -2,13 +2,11 @@
 // Based on: R. Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapter 5 (the inward pass).
 #include "core/select/error_model.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
 
+#include "core/base/parallel.h"
 #include "core/motion/forward_kinematics.h"
 
 namespace mocapress {
@@ -64,9 +62,9 @@ SignalMoves channel_moves(const Skeleton& skeleton, const Clip& original) {
   for (int c = 0; c < skeleton.channel_count(); ++c)
     moves.places.push_back({skeleton.channel_joint(c), is_rotation(skeleton.channel_kind(c))});
   moves.axes.resize(original.frames(), 3 * static_cast<Eigen::Index>(skeleton.channel_count()));
-  tbb::parallel_for(tbb::blocked_range<int>(0, original.frames(), 64), [&](const auto& range) {
+  parallel_ranges(0, original.frames(), 64, [&](int first, int end) {
     Pose pose;
-    for (int t = range.begin(); t < range.end(); ++t) {
+    for (int t = first; t < end; ++t) {
       compute_pose(skeleton, original.channels.row(t), pose);
       for (int j = 0; j < skeleton.joint_count(); ++j) {
         const Joint& joint = skeleton.joint(j);
@@ -126,7 +124,7 @@ ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
 void ErrorModel::compute_curvature() {
   const auto channels = static_cast<int>(places_.size());
   curvature_ = Eigen::MatrixXd::Zero(axes_.rows(), channels);
-  tbb::parallel_for(0, channels, [&](int c) {
+  parallel_for(0, channels, [&](int c) {
     const auto [joint, rotates] = places_[static_cast<std::size_t>(c)];
     for (Eigen::Index first = 0; first < axes_.rows(); first += kBlock) {
       const Eigen::Index frames = std::min(kBlock, axes_.rows() - first);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/select/ranking.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <numeric>
 #include <span>
+
+#include "core/base/parallel.h"
 
 namespace mocapress {
 namespace {
@@ -22,7 +22,7 @@ RankedCoefficients rank_coefficients(const Clip& clip, Basis basis) {
   const Eigen::Map<const Eigen::VectorXd> norm(norms.data(), clip.frames());
   ranked.importance.resizeLike(ranked.values);
   ranked.by_importance.resize(static_cast<std::size_t>(ranked.channels()));
-  tbb::parallel_for(0, ranked.channels(), [&](int c) {
+  parallel_for(0, ranked.channels(), [&](int c) {
     const auto column = span_of(ranked.values.col(c));
     ranked.lifting.forward(column, column);
     ranked.importance.col(c) = ranked.values.col(c).cwiseAbs().cwiseProduct(norm);

@@ -2,7 +2,6 @@
 #include "core/study/run.h"
 
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "core/base/parallel.h"
 #include "core/compare/comparison_method.h"
 #include "core/study/clip_in_hand.h"
 
@@ -72,7 +72,7 @@ class Run {
 
   StudyOutcome run() {
     // Jobs are taken one by one in the plan's order: that keeps few clips in hand.
-    tbb::parallel_for(0, workers_, [this](int) {
+    parallel_for(0, workers_, [this](int) {
       for (std::size_t job = next_++; job < jobs_.size() && !stopped_; job = next_++)
         // Isolated: a thread that waits inside a job must not take up another.
         tbb::this_task_arena::isolate([&] { do_job(job); });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/study/study_folder.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <mutex>
 
 #include "core/base/file.h"
+#include "core/base/parallel.h"
 #include "core/study/picture.h"
 #include "core/study/report.h"
 #include "core/study/results.h"
@@ -82,7 +82,7 @@ std::optional<std::vector<Picture>> take_pictures(const StudyPlan& plan, const R
   const std::vector<std::string> methods = pictured_methods(results);
   const std::vector<Pictured> clips = pictured_clips(results, methods);
   std::vector<std::optional<Picture>> taken(clips.size());
-  tbb::parallel_for(std::size_t{0}, clips.size(), [&](std::size_t i) {
+  parallel_for(std::size_t{0}, clips.size(), [&](std::size_t i) {
     tbb::this_task_arena::isolate(
         [&] { taken[i] = take_picture(plan, clips[i].path, methods, clips[i].ratio, observer); });
   });
