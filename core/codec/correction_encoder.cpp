@@ -37,6 +37,23 @@ Eigen::VectorXd window_of(int joint, const std::vector<ContactSpan>& contacts, E
   return window;
 }
 
+/// Ranks the coefficients of one signal anew: a foot that stands is seen to be off the sooner.
+void prefer_contacts(RankedCoefficients& ranked, int signal, const Eigen::VectorXd& in_contact) {
+  constexpr double kInContact = 2;  // times as important
+  const auto frames = static_cast<double>(ranked.per_channel());
+  auto importance = ranked.importance.col(signal);
+  for (const Band& band : ranked.lifting.bands())
+    for (int i = 0; i < band.size; ++i) {
+      const auto first = static_cast<Eigen::Index>(frames * i / band.size);
+      const auto end = static_cast<Eigen::Index>(std::ceil(frames * (i + 1) / band.size));
+      importance(band.first + i) *=
+          1 + (kInContact - 1) * in_contact.segment(first, end - first).maxCoeff();
+    }
+  auto& order = ranked.by_importance[static_cast<std::size_t>(signal)];
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return importance(a) > importance(b); });
+}
+
 }  // namespace
 
 std::string_view name(CorrectAt at) {
@@ -50,26 +67,28 @@ CorrectionEncoder::CorrectionEncoder(const Skeleton& skeleton,
                                      double sample_rate_hz)
     : skeleton_(skeleton),
       solver_(options.solver),
+      at_(options.at),
       effectors_(effectors_for(skeleton, options.joints)) {
   if (effectors_.empty())
     throw Error("no feet were found on this skeleton: name the joints to be corrected");
   check_effectors(skeleton, effectors_);
   original_ = effector_tracks(original_tracks, effectors_);
-  windows_.setOnes(original_.rows(), std::ssize(effectors_));
-  if (options.at == CorrectAt::EveryFrame) return;
+  contacts_.resize(original_.rows(), std::ssize(effectors_));
   for (Eigen::Index e = 0; e < std::ssize(effectors_); ++e)
-    windows_.col(e) = window_of(effectors_[static_cast<std::size_t>(e)].joint, contacts,
-                                original_.rows(), sample_rate_hz);
+    contacts_.col(e) = window_of(effectors_[static_cast<std::size_t>(e)].joint, contacts,
+                                 original_.rows(), sample_rate_hz);
 }
 
 std::vector<std::byte> CorrectionEncoder::code(const Clip& reconstructed, double ratio,
                                                Basis basis) const {
   Clip differences{reconstructed.sample_rate_hz, original_};
   differences.channels -= effector_tracks(landmark_tracks(skeleton_, reconstructed), effectors_);
-  for (Eigen::Index s = 0; s < differences.channels.cols(); ++s)
-    differences.channels.col(s).array() *= windows_.col(s / 3).array();
+  if (at_ == CorrectAt::Contacts)
+    for (Eigen::Index s = 0; s < differences.channels.cols(); ++s)
+      differences.channels.col(s).array() *= contacts_.col(s / 3).array();
 
-  const RankedCoefficients ranked = rank_coefficients(differences, basis);
+  RankedCoefficients ranked = rank_coefficients(differences, basis);
+  for (int s = 0; s < ranked.channels(); ++s) prefer_contacts(ranked, s, contacts_.col(s / 3));
   const std::vector<double> alike(static_cast<std::size_t>(ranked.channels()), 1.0);
   const double total = ranked.total();
   const auto count = static_cast<int>(std::lround(std::clamp(total / ratio, 0.0, total)));

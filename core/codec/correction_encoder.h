@@ -30,7 +30,8 @@ struct CorrectionOptions {
 /// Encodes what a reconstruction lacks at its effectors.
 class CorrectionEncoder {
  public:
-  /// `original_tracks` as landmark_tracks() gives them; `contacts` matter for CorrectAt::Contacts.
+  /// `original_tracks` as landmark_tracks() gives them; in `contacts` the
+  /// effectors are held better, or nowhere else.
   /// Throws Error when there is nothing to correct or a joint cannot be moved.
   CorrectionEncoder(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                     const CorrectionOptions& options, const std::vector<ContactSpan>& contacts,
@@ -44,9 +45,10 @@ class CorrectionEncoder {
  private:
   const Skeleton& skeleton_;
   IkSolver solver_;
+  CorrectAt at_;
   std::vector<Effector> effectors_;
   Eigen::MatrixXd original_;  // frames x 3 * effectors, cm
-  Eigen::MatrixXd windows_;   // frames x effectors: how much of the difference counts, 0 ... 1
+  Eigen::MatrixXd contacts_;  // frames x effectors: 1 in contact, falling smoothly to 0 beside it
 };
 
 }  // namespace mocapress
