@@ -26,6 +26,7 @@ void add_info(CLI::App& app);
 void add_compress(CLI::App& app);
 void add_decompress(CLI::App& app);
 void add_measure(CLI::App& app);
+void add_contacts(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_study(CLI::App& app);
 

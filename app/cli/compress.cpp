@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/contact_input.h"
 #include "app/cli/correction_arguments.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/option_words.h"
@@ -20,6 +21,7 @@ struct Compress {
   std::string method = "annealed";
   EncodeOptions options;
   CorrectionArguments correction;
+  ContactInput contacts;
   bool json = false;
 
   void run() {
@@ -31,6 +33,8 @@ struct Compress {
     options.correction = correction.options(encoder.wavelets().motion().skeleton);
     if (options.correction && !of_wavelets)
       throw CLI::ValidationError("--ik", "corrects wavelets only");
+    options.contacts =
+        contacts.spans(encoder.wavelets().motion(), encoder.wavelets().original_tracks());
     Compression made = encoder.compress(contender, options);
     if (!output.empty()) write_bytes(output, made.file);
     const Report report{
@@ -42,7 +46,7 @@ struct Compress {
         .motion_bytes = made.motion_bytes,
         .file_bytes = made.file.size(),
         .distortion = std::move(made.distortion),
-        .footskate_cm = footskate_of(encoder.wavelets().contacts(), made.footskate),
+        .footskate_cm = footskate_of(*options.contacts, made.footskate),
         .correction_bytes = made.correction ? std::optional(made.correction->bytes) : std::nullopt,
         .correction = std::move(made.correction),
         .coefficient_ratio = made.coefficient_ratio,
@@ -87,6 +91,7 @@ void add_compress(CLI::App& app) {
   add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes not above this");
   add("--max-error", Target::Kind::MaxError, "CM", "No point further off at any frame");
   call->correction.add_options(*command);
+  call->contacts.add_options(*command);
   command->add_option("--seed", call->options.seed, "Of the annealing; same seed, same bytes");
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });

@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   add_compress(app);
   add_decompress(app);
   add_measure(app);
+  add_contacts(app);
   add_bench(app);
   add_study(app);
   try {

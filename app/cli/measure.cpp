@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/contact_input.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
 #include "core/compare/compared_file.h"
@@ -14,6 +15,7 @@ struct Measure {
   std::string original;
   std::string compressed;
   MotionInput source;
+  ContactInput contact_input;
   bool json = false;
 
   void run() const {
@@ -29,7 +31,7 @@ struct Measure {
                            std::to_string(motion.clip.frames()) + " of " +
                            std::to_string(motion.clip.channels.cols()));
     const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
-    const auto contacts = find_foot_contacts(motion.skeleton, tracks, motion.clip.sample_rate_hz);
+    const std::vector<ContactSpan> contacts = contact_input.spans(motion, tracks);
     const Footskate footskate = measure_footskate(
         contacts, tracks, landmark_tracks(motion.skeleton, decoded), decoded.sample_rate_hz);
     const Report report{
@@ -61,6 +63,7 @@ void add_measure(CLI::App& app) {
       ->required()
       ->type_name("COMPRESSED");
   call->source.add_options(*command);
+  call->contact_input.add_options(*command);
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });
 }

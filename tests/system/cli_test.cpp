@@ -94,6 +94,45 @@ TEST_F(Cli, HoldsTheFeetOfASampleAndReportsIt) {
   EXPECT_NEAR(measured["footskate_cm"], with["footskate_cm"], 0.01);
 }
 
+TEST_F(Cli, ContactsAreDataThatCanBeEditedAndTakenBack) {
+  const std::string walk = std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/human_walk.amc";
+  const std::string edited = file("contacts.json");
+  const json found = json_of({"contacts", walk, "-o", edited, "--json"});
+  ASSERT_GT(found.size(), 2u);
+  EXPECT_EQ(json::parse(read_text(edited)), found);
+  EXPECT_NE(json_of({"contacts", walk, "--contact-speed", "1,2", "--json"}), found);
+
+  const auto footskate = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command = {"compress", walk, "--method", "standard", "--ratio",
+                                        "60",       "-o", packed_,    "--json"};
+    command.insert(command.end(), more.begin(), more.end());
+    return json_of(command)["footskate_cm"].get<double>();
+  };
+  EXPECT_EQ(footskate({"--contacts", edited}), footskate({}));
+  const json findings = json_of({"contacts", walk, packed_, "--json"});
+  double sum = 0;
+  for (const json& one : findings) sum += one["slid_cm"].get<double>();
+  EXPECT_NEAR(sum, footskate({}), 0.02);  // the file's skeleton has 32-bit floats
+
+  write("contacts.json", json::array({found[0]}).dump());
+  EXPECT_LT(footskate({"--contacts", edited}), footskate({}));
+}
+
+TEST_F(Cli, SaysWhatIsWrongWithAFileOfContacts) {
+  compress({});
+  const auto message = [&](const std::string& text) {
+    const Outcome outcome =
+        mocapress({"measure", clip_, packed_, "--contacts", write("contacts.json", text)});
+    EXPECT_EQ(outcome.exit_code, 3);
+    return outcome.err;
+  };
+  EXPECT_THAT(message("[{"), testing::HasSubstr("byte"));
+  EXPECT_THAT(message("[{\"joint\": \"hips\"}]"), testing::HasSubstr("contact 1 lacks"));
+  EXPECT_THAT(message("[{\"joint\": \"nose\", \"first_frame\": 0, \"last_frame\": 3}]"),
+              testing::HasSubstr("nose"));
+  EXPECT_THAT(message("{}"), testing::HasSubstr("array"));
+}
+
 TEST_F(Cli, NamesTheEffectorThatIsNoJoint) {
   const Outcome result = mocapress({"compress", clip_, "--ik", "16", "--effectors", "nose"});
   EXPECT_EQ(result.exit_code, 2);
@@ -221,12 +260,9 @@ TEST_F(Cli, BenchReportsExactlyTheDocumentedKeys) {
   const std::set<std::string> measured = {
       "decode_us_per_frame", "copy_us_per_frame",         "annealed_seconds",
       "annealed_iterations", "annealed_us_per_iteration", "reference_us_per_iteration"};
-  std::set<std::string> keys = {"window_us_per_frame",
-                                "pose_us",
-                                "ik_us_per_frame",
-                                "ik_cyclic_descent_us_per_frame",
-                                "closed_loop_seconds",
-                                "closed_loop_frames_per_second"};
+  std::set<std::string> keys = {"window_us_per_frame", "pose_us",
+                                "ik_us_per_frame",     "ik_cyclic_descent_us_per_frame",
+                                "closed_loop_seconds", "closed_loop_frames_per_second"};
   for (const std::string& key : measured)
     EXPECT_TRUE(figures.contains(key) && figures[key].is_number() && figures[key] > 0) << key;
   keys.insert(measured.begin(), measured.end());
@@ -250,7 +286,8 @@ TEST_F(Cli, SamplesCompress) {
 TEST_F(Cli, HelpAndVersionSucceed) {
   EXPECT_EQ(mocapress({"--help"}).exit_code, 0);
   EXPECT_EQ(mocapress({"--version"}).exit_code, 0);
-  for (const char* command : {"info", "compress", "decompress", "measure", "bench", "study"})
+  for (const char* command :
+       {"info", "compress", "decompress", "measure", "contacts", "bench", "study"})
     EXPECT_EQ(mocapress({command, "--help"}).exit_code, 0) << command;
 }
 
