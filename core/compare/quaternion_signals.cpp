@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/compare/joint_rotation.h"
+#include "core/motion/joint_rotation.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/select/truncation.h"
 

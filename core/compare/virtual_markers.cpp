@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-#include "core/compare/joint_rotation.h"
+#include "core/motion/joint_rotation.h"
 
 namespace mocapress {
 namespace {

@@ -7,13 +7,10 @@
 
 #include "core/base/error.h"
 #include "core/motion/forward_kinematics.h"
+#include "core/motion/joint_rotation.h"
 
 namespace mocapress {
 namespace {
-
-bool turns(const Joint& joint) {
-  return std::any_of(joint.channels.begin(), joint.channels.end(), is_rotation);
-}
 
 std::vector<int> children_of(const Skeleton& skeleton, int joint) {
   std::vector<int> children;

@@ -4,18 +4,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "core/motion/joint_rotation.h"
+
 namespace mocapress {
 namespace {
 
 Eigen::Matrix3d local_rotation(const Skeleton& skeleton, int joint, const Clip& clip, int frame) {
-  const Joint& of = skeleton.joint(joint);
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  for (std::size_t i = 0; i < of.channels.size(); ++i)
-    if (is_rotation(of.channels[i]))
-      rotation *=
-          axis_rotation(axis_of(of.channels[i]),
-                        clip.channels(frame, skeleton.first_channel(joint) + static_cast<int>(i)));
-  return rotation;
+  const auto channels = static_cast<Eigen::Index>(skeleton.joint(joint).channels.size());
+  return joint_rotation(skeleton.joint(joint),
+                        clip.channels.row(frame).segment(skeleton.first_channel(joint), channels));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/motion/joint_rotation.h"
 
 namespace mocapress {
 
@@ -29,7 +30,7 @@ Limb::Limb(const Skeleton& skeleton, std::vector<Effector> effectors)
       if (!is_rotation(joint.channels[i])) continue;
       const int channel = skeleton.first_channel(j) + static_cast<int>(i);
       turn_of_channel_[static_cast<std::size_t>(channel)] = static_cast<int>(turns_.size());
-      turns_.push_back({channel, static_cast<int>(links_.size()) - 1});
+      turns_.push_back({channel, static_cast<int>(links_.size()) - 1, axis_of(joint.channels[i])});
     }
   }
   for (const Effector& effector : effectors_) {
@@ -42,6 +43,28 @@ Limb::Limb(const Skeleton& skeleton, std::vector<Effector> effectors)
   }
   angles_.setZero(std::ssize(turns_));
   if (!turns_.empty()) first_turning_link_ = turns_.front().link;
+  is_two_bones_ = find_two_bones();
+}
+
+bool Limb::find_two_bones() const {
+  if (effectors_.size() != 1 || turns_.size() != 4) return false;
+  return turns_[0].link == turns_[2].link && turns_[3].link != turns_[2].link &&
+         turns_[0].axis != turns_[1].axis && turns_[1].axis != turns_[2].axis &&
+         turns_[0].axis != turns_[2].axis;
+}
+
+void Limb::turn_ball(const Eigen::Matrix3d& rotation) {
+  const Link& ball = links_[static_cast<std::size_t>(turns_[0].link)];
+  Eigen::Matrix3d world_from_axes = ball.joint->joint_from_axes;
+  if (ball.parent >= 0)
+    world_from_axes =
+        links_[static_cast<std::size_t>(ball.parent)].world_from_joint * world_from_axes;
+  const std::array<int, 3> axes = {turns_[0].axis, turns_[1].axis, turns_[2].axis};
+  Eigen::Matrix3d turned = world_from_axes.transpose() * rotation * world_from_axes;
+  for (std::size_t i = 0; i < 3; ++i)
+    turned *= axis_rotation(axes[i], angles_(static_cast<Eigen::Index>(i)));
+  angles_.head<3>() = three_angles(axes, turned, angles_.head<3>());
+  update(first_turning_link_);
 }
 
 int Limb::link_of(int joint) const {

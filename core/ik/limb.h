@@ -38,6 +38,13 @@ class Limb {
   /// move it.
   Eigen::Vector3d velocity(int effector, int angle) const;
 
+  /// Whether angles 0 to 2 are those of a ball joint and angle 3 that of a hinge below it, and
+  /// there is one effector: what can be solved at once.
+  bool is_two_bones() const { return is_two_bones_; }
+
+  /// Turns the ball joint of two bones by a rotation in the world.
+  void turn_ball(const Eigen::Matrix3d& rotation);
+
   /// How much a turn of `angle` moves the limb: the mean over its joints of cm^2 / radian^2.
   double disturbance(int angle) const;
 
@@ -62,17 +69,20 @@ class Limb {
   struct Turn {
     int channel;
     int link;
+    int axis;  // 0 1 2: x y z
     Eigen::Vector3d axis_in_world = Eigen::Vector3d::Zero();
   };
 
   int link_of(int joint) const;
+  bool find_two_bones() const;
   void update(int first_link);
 
   std::vector<Effector> effectors_;
   std::vector<int> effector_links_;
-  std::vector<Link> links_;           // parents first
-  std::vector<Turn> turns_;           // in the order of links and channels
-  int first_turning_link_ = 0;        // those before it stay where the frame has them
+  std::vector<Link> links_;     // parents first
+  std::vector<Turn> turns_;     // in the order of links and channels
+  int first_turning_link_ = 0;  // those before it stay where the frame has them
+  bool is_two_bones_ = false;
   std::vector<bool> moves_;           // effectors x turns
   std::vector<int> turn_of_channel_;  // -1: keeps the frame's value
   Eigen::RowVectorXd frame_;

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace mocapress {
 namespace {
@@ -48,14 +49,53 @@ IkOutcome solve_cyclic_descent(Limb& limb, Targets targets) {
   return outcome;
 }
 
+constexpr double kLongestTurn = 0.35;  // radians in one step: beyond, a linearisation is void
+
+/// The knee's turn by which the foot comes to be `reach` from the hip: of both the shorter one. A
+/// target further off than the leg is long straightens it as far as the hinge allows.
+double bend_for(const Limb& limb, double reach) {
+  constexpr int kKnee = 3;
+  const Eigen::Vector3d thigh = limb.center(kKnee) - limb.center(0);
+  const Eigen::Vector3d shin = limb.position(0) - limb.center(kKnee);
+  const Eigen::Vector3d& axis = limb.axis(kKnee);
+  // |thigh + shin turned by t|^2 = constant + 2 (along cos t + across sin t)
+  const double fixed = axis.dot(shin) * axis.dot(thigh);
+  const double along = thigh.dot(shin) - fixed;
+  const double across = thigh.dot(axis.cross(shin));
+  const double size = std::hypot(along, across);
+  if (size == 0) return 0;
+  const double wanted = (reach * reach - thigh.squaredNorm() - shin.squaredNorm()) / 2 - fixed;
+  const double spread = std::acos(std::clamp(wanted / size, -1.0, 1.0));
+  const double middle = std::atan2(across, along);
+  const double one = std::remainder(middle + spread, 2 * std::numbers::pi);
+  const double other = std::remainder(middle - spread, 2 * std::numbers::pi);
+  return std::abs(one) < std::abs(other) ? one : other;
+}
+
+/// Two bones in closed form: the knee gives the foot its distance, the hip its direction by the
+/// shortest way. False, and nothing done, where the knee would jump: a leg that is almost straight
+/// bends a lot for a millimetre.
+bool solve_two_bones(Limb& limb, const Eigen::Vector3d& target) {
+  const Eigen::Vector3d wanted = target - limb.center(0);
+  const double bend = bend_for(limb, wanted.norm());
+  if (std::abs(bend) > kLongestTurn) return false;
+  limb.turn(3, bend);
+  const Eigen::Vector3d reached = limb.position(0) - limb.center(0);
+  if (reached.norm() > 0 && wanted.norm() > 0)
+    limb.turn_ball(Eigen::Quaterniond::FromTwoVectors(reached, wanted).toRotationMatrix());
+  return true;
+}
+
 /// Newton's method with the step that moves the limb least, damped. An angle is turned the more the
 /// less its turning moves: an ankle that is off is not made good by the hip. From a start a few
 /// centimetres off it ends within a fraction of the nearest pose in two or three steps. The damping
 /// keeps a leg that is almost straight from jerking at the knee.
 IkOutcome solve_nearest_pose(Limb& limb, Targets targets) {
+  if (limb.is_two_bones() && miss(limb, targets) > kReachedCm &&
+      solve_two_bones(limb, targets.front()))
+    return {miss(limb, targets), 1};
   constexpr int kMostSteps = 12;
-  constexpr double kDamping = 0.01;      // beside values of the normal matrix of about 1
-  constexpr double kLongestTurn = 0.35;  // radians in one step: beyond, the linearisation is void
+  constexpr double kDamping = 0.01;  // beside values of the normal matrix of about 1
   using Stacked = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3 * kMostEffectors, 1>;
   using Jacobian =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3 * kMostEffectors, kMostAngles>;

@@ -13,7 +13,7 @@ namespace mocapress {
 /// The values are part of the file format.
 enum class IkSolver : std::uint8_t {
   CyclicDescent = 1,  // the paper's: one joint after the other, over and over
-  NearestPose = 2,    // all joints together, the least turning that reaches the targets
+  NearestPose = 2,    // what moves the limb least: two bones in closed form, else damped steps
 };
 
 /// "cyclic-descent", "nearest-pose".

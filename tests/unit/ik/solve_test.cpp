@@ -143,6 +143,49 @@ TEST(Solve, NearestPoseChangesSmoothlyWithItsTargetEvenWithTheLegNearlyStraight)
   }
 }
 
+/// The ankle, which a ball joint and a hinge carry.
+Limb two_bones(const Skeleton& skeleton, const Eigen::RowVectorXd& frame) {
+  Limb limb(skeleton, {effector_at(skeleton, 4)});
+  limb.set_frame(frame);
+  return limb;
+}
+
+TEST(TwoBones, AreReachedExactlyInOneStep) {
+  const Skeleton skeleton = leg();
+  Random random(3);
+  for (int round = 0; round < 200; ++round) {
+    Limb limb = two_bones(skeleton, bent_frame(0.7 + 0.005 * round));
+    ASSERT_TRUE(limb.is_two_bones());
+    const auto offset = [&] { return 6 * random.unit() - 3; };
+    const Eigen::Vector3d targets[] = {limb.position(0) +
+                                       Eigen::Vector3d(offset(), offset(), offset())};
+    const IkOutcome outcome = solve(IkSolver::NearestPose, limb, targets);
+    EXPECT_LT(outcome.miss_cm, 1e-9);
+    EXPECT_EQ(outcome.iterations, 1);
+    Pose pose;
+    compute_pose(skeleton, with_angles(bent_frame(0.7 + 0.005 * round), limb), pose);
+    EXPECT_LT((pose.origin[4] - targets[0]).norm(), 1e-9);
+  }
+}
+
+TEST(TwoBones, DoNotJerkAKneeThatIsAlmostStraight) {
+  const Skeleton skeleton = leg();
+  for (double knee = 0.0; knee < 0.2; knee += 0.01) {
+    Limb limb = two_bones(skeleton, bent_frame(knee));
+    const Eigen::Vector3d hip = limb.center(0);
+    // A centimetre nearer to the hip, along the leg.
+    const Eigen::Vector3d targets[] = {limb.position(0) - (limb.position(0) - hip).normalized()};
+    solve(IkSolver::NearestPose, limb, targets);
+    EXPECT_LT(std::abs(limb.angles()(3) - knee), 0.36) << knee;
+  }
+}
+
+TEST(TwoBones, AreNoLimbWithAnAnkleThatTurnsOrTwoEffectors) {
+  const Skeleton skeleton = leg();
+  EXPECT_FALSE(limb_at(skeleton, bent_frame()).is_two_bones());
+  EXPECT_FALSE(Limb(skeleton, {effector_at(skeleton, 4), effector_at(skeleton, 3)}).is_two_bones());
+}
+
 TEST(Solve, HoldsSeveralEffectorsOfOneLimbAtOnce) {
   const Skeleton skeleton = leg();
   for (const IkSolver solver : kSolvers) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/compare/joint_rotation.h"
+#include "core/motion/joint_rotation.h"
 
 #include <gtest/gtest.h>
 

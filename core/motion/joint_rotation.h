@@ -3,7 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
+#include <array>
 
 #include "core/motion/skeleton.h"
 
@@ -17,6 +17,11 @@ Eigen::Matrix3d joint_rotation(const Joint& joint, const Eigen::RowVectorXd& val
 /// as the joint can: exactly with three different axes. `values` holds the frame before, from which
 /// angles go on without jumps.
 void turn_joint(const Joint& joint, const Eigen::Matrix3d& rotation, Eigen::RowVectorXd& values);
+
+/// Angles with rotation = R_i(a) R_j(b) R_k(c) about three different axes (0 1 2: x y z): of both
+/// solutions the one nearer to `previous`.
+Eigen::Vector3d three_angles(const std::array<int, 3>& axes, const Eigen::Matrix3d& rotation,
+                             const Eigen::Vector3d& previous);
 
 /// Whether the joint turns at all.
 bool turns(const Joint& joint);

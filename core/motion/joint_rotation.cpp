@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/compare/joint_rotation.h"
+#include "core/motion/joint_rotation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,28 +30,9 @@ struct Turns {
   }
 };
 
-Eigen::VectorXd nearest_turn(const Eigen::VectorXd& angles, const Eigen::VectorXd& previous) {
+template <typename Angles>
+Angles nearest_turn(const Angles& angles, const Angles& previous) {
   return angles - 2 * kPi * ((angles - previous) / (2 * kPi)).array().round().matrix();
-}
-
-/// Angles with rotation = R_i(a) R_j(b) R_k(c) for three different axes: of both solutions the one
-/// nearer to `previous`.
-Eigen::Vector3d three_angles(const std::vector<int>& axes, const Eigen::Matrix3d& rotation,
-                             const Eigen::Vector3d& previous) {
-  constexpr double kGimbalLock = 1e-9;
-  const int i = axes[0];
-  const int j = axes[1];
-  const int k = axes[2];
-  const double sign = (i + 1) % 3 == j ? 1 : -1;  // an even or odd order of the axes
-  const double cos_b = std::hypot(rotation(i, i), rotation(i, j));
-  const double a =
-      cos_b > kGimbalLock ? std::atan2(-sign * rotation(j, k), rotation(k, k)) : previous(0);
-  const Eigen::Matrix3d rest = axis_rotation(i, a).transpose() * rotation;
-  const double b = std::atan2(sign * rest(i, k), rest(k, k));
-  const double c = std::atan2(sign * rest(j, i), rest(j, j));
-  const Eigen::Vector3d first = nearest_turn(Eigen::Vector3d(a, b, c), previous);
-  const Eigen::Vector3d second = nearest_turn(Eigen::Vector3d(a + kPi, kPi - b, c + kPi), previous);
-  return (first - previous).norm() <= (second - previous).norm() ? first : second;
 }
 
 /// The angle about `axis` that comes nearest to `rotation`.
@@ -87,6 +68,25 @@ void approach(Turns& turns, const Eigen::Matrix3d& rotation) {
 
 }  // namespace
 
+Eigen::Vector3d three_angles(const std::array<int, 3>& axes, const Eigen::Matrix3d& rotation,
+                             const Eigen::Vector3d& previous) {
+  constexpr double kGimbalLock = 1e-9;
+  const int i = axes[0];
+  const int j = axes[1];
+  const int k = axes[2];
+  const double sign = (i + 1) % 3 == j ? 1 : -1;  // an even or odd order of the axes
+  const double cos_b = std::hypot(rotation(i, i), rotation(i, j));
+  const double a =
+      cos_b > kGimbalLock ? std::atan2(-sign * rotation(j, k), rotation(k, k)) : previous(0);
+  const Eigen::Matrix3d rest = axis_rotation(i, a).transpose() * rotation;
+  const double b = std::atan2(sign * rest(i, k), rest(k, k));
+  const double c = std::atan2(sign * rest(j, i), rest(j, j));
+  const Eigen::Vector3d first = nearest_turn<Eigen::Vector3d>({a, b, c}, previous);
+  const Eigen::Vector3d second =
+      nearest_turn<Eigen::Vector3d>({a + kPi, kPi - b, c + kPi}, previous);
+  return (first - previous).norm() <= (second - previous).norm() ? first : second;
+}
+
 Eigen::Matrix3d joint_rotation(const Joint& joint, const Eigen::RowVectorXd& values) {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   for (std::size_t i = 0; i < joint.channels.size(); ++i)
@@ -99,7 +99,8 @@ void turn_joint(const Joint& joint, const Eigen::Matrix3d& rotation, Eigen::RowV
   Turns turns(joint, values);
   if (turns.axes.empty()) return;
   if (turns.has_three_axes())
-    turns.angles = three_angles(turns.axes, rotation, turns.angles);
+    turns.angles =
+        three_angles({turns.axes[0], turns.axes[1], turns.axes[2]}, rotation, turns.angles);
   else
     approach(turns, rotation);
   values(turns.places) = turns.angles.transpose();
