@@ -29,6 +29,57 @@
     </message>
 </context>
 <context>
+    <name>mocapress::StudyResults</name>
+    <message numerus="yes">
+        <source>Average over %Ln clip(s)</source>
+        <translation>
+            <numerusform>Average over %Ln clip</numerusform>
+            <numerusform>Average over %Ln clips</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyRowsModel</name>
+    <message numerus="yes">
+        <source>%1 cm of footskate in %Ln contact(s)</source>
+        <translation>
+            <numerusform>%1 cm of footskate in %Ln contact</numerusform>
+            <numerusform>%1 cm of footskate in %Ln contacts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyStatus</name>
+    <message numerus="yes">
+        <source>%Ln compression(s) to run</source>
+        <translation>
+            <numerusform>%Ln compression to run</numerusform>
+            <numerusform>%Ln compressions to run</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln out of reach</source>
+        <translation>
+            <numerusform>, %Ln out of reach</numerusform>
+            <numerusform>, %Ln out of reach</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln of clips that cannot be read</source>
+        <translation>
+            <numerusform>, %Ln of clips that cannot be read</numerusform>
+            <numerusform>, %Ln of clips that cannot be read</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln compression(s)%1</source>
+        <translation>
+            <numerusform>%Ln compression%1</numerusform>
+            <numerusform>%Ln compressions%1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mocapress::WarningsPanel</name>
     <message numerus="yes">
         <source>%n note(s) on reading this clip</source>

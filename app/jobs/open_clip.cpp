@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/compare/contender.h"
 #include "core/formats/motion_file.h"
 
 namespace mocapress {
@@ -22,7 +23,8 @@ OpenedClip openCompressed(const OpenRequest& request) {
   return {original, decodedClip(std::move(opened), original.get())};
 }
 
-OpenedClip openOriginal(const OpenRequest& request) {
+OriginalPtr readOriginal(const OpenRequest& request) {
+  if (request.original && request.original->path == request.path) return request.original;
   std::optional<std::filesystem::path> skeleton;
   if (!request.skeleton.isEmpty()) skeleton = toPath(request.skeleton);
   MotionFile file = read_motion(toPath(request.path), skeleton);
@@ -31,18 +33,32 @@ OpenedClip openOriginal(const OpenRequest& request) {
   original.path = request.path;
   original.warnings = std::move(file.warnings);
   original.encoder = std::make_shared<const Encoder>(std::move(file.motion));
+  return std::make_shared<const OriginalClip>(std::move(original));
+}
+
+OpenedClip openOriginal(const OpenRequest& request) {
+  const OriginalPtr original = readOriginal(request);
   const bool together =
-      request.decoded && comparable(original.motion(), request.decoded->compressed);
+      request.decoded && comparable(original->motion(), request.decoded->compressed);
   if (request.compare && !together)
     throw Error(QCoreApplication::translate("mocapress::OpenClip",
                                             "%1 is not the original of the compressed clip: "
                                             "joints, frames or sample rate differ.")
                     .arg(request.path)
                     .toStdString());
-  OpenedClip opened;
-  if (together) opened.decoded = measured(*request.decoded, original);
-  opened.original = std::make_shared<const OriginalClip>(std::move(original));
-  return opened;
+  return {original, together ? measured(*request.decoded, *original) : nullptr};
+}
+
+/// The clip as a comparison method leaves it.
+OpenedClip openCompared(const OpenRequest& request, const Job& job) {
+  const OriginalPtr original = readOriginal(request);
+  const Contender* contender = find_contender(request.comparison);
+  if (!contender) throw Error("there is no method \"" + request.comparison + "\"");
+  const Compression made =
+      ContenderEncoder(original->motion())
+          .compress(*contender, request.options.value_or(EncodeOptions()),
+                    [&](const EncodeProgress&) { return !job.stopRequested(); });
+  return {original, decodedClip(read_mcpr(made.file), original.get())};
 }
 
 }  // namespace
@@ -51,7 +67,8 @@ bool isCompressedFile(const QString& path) {
   return path.endsWith(QStringLiteral(".mcpr"), Qt::CaseInsensitive);
 }
 
-OpenedClip openClip(const OpenRequest& request) {
+OpenedClip openClip(const OpenRequest& request, const Job& job) {
+  if (!request.comparison.empty()) return openCompared(request, job);
   return isCompressedFile(request.path) ? openCompressed(request) : openOriginal(request);
 }
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <QString>
+#include <optional>
+#include <string>
 
 #include "app/jobs/clips.h"
+#include "app/jobs/job_runner.h"
 
 namespace mocapress {
 
@@ -15,6 +18,10 @@ struct OpenRequest {
   OriginalPtr original;  // open now, or null
   DecodedPtr decoded;    // open now from a .mcpr, or null
   bool compare = false;  // refuse what does not belong to `decoded`
+
+  /// By what to compress it; unset: as the last clip was.
+  std::optional<EncodeOptions> options;
+  std::string comparison;  // of a motion: the comparison method to show, by `options`; else empty
 };
 
 /// Either may be null, not both.
@@ -25,8 +32,8 @@ struct OpenedClip {
 
 bool isCompressedFile(const QString& path);
 
-/// Reads and prepares. Throws what the readers throw, and Error where `compare` finds two clips
-/// that do not belong together.
-OpenedClip openClip(const OpenRequest& request);
+/// Reads and prepares. Throws what the readers throw, Error where `compare` finds two clips that do
+/// not belong together, and what the comparison method throws.
+OpenedClip openClip(const OpenRequest& request, const Job& job);
 
 }  // namespace mocapress

@@ -64,6 +64,8 @@ Actions makeActions(Playback* playback, QMainWindow* window) {
   actions.reset_camera = make(window, Texts::tr("&Reset Camera"), Qt::Key_R, QStringLiteral("fit"));
   actions.reset_camera->setToolTip(Texts::tr("Look at the whole figure again (R)"));
   actions.reset_layout = make(window, Texts::tr("Reset &Layout"));
+  actions.study = make(window, Texts::tr("&Study…"), Qt::CTRL | Qt::Key_T);
+  actions.study->setToolTip(Texts::tr("Compare methods on many clips: size against error"));
   actions.about = make(window, Texts::tr("&About Mocapress"));
   actions.transport = TransportBar::makeActions(playback, window);
   return actions;
@@ -92,6 +94,8 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
   for (const QDockWidget* dock : docks) view->addAction(dock->toggleViewAction());
   view->addSeparator();
   view->addAction(actions.reset_layout);
+
+  window->menuBar()->addMenu(Texts::tr("&Tools"))->addAction(actions.study);
 
   window->menuBar()->addMenu(Texts::tr("&Help"))->addAction(actions.about);
   addToolBar(window, actions);

@@ -26,6 +26,7 @@ struct Actions {
   QAction* follow = nullptr;
   QAction* reset_camera = nullptr;
   QAction* reset_layout = nullptr;
+  QAction* study = nullptr;
   QAction* about = nullptr;
   TransportActions transport;
 };

@@ -11,6 +11,7 @@
 #include "app/studio/recent_files.h"
 #include "app/studio/sample_clip.h"
 #include "app/studio/session.h"
+#include "core/compare/comparison_method.h"
 
 namespace mocapress {
 namespace {
@@ -44,6 +45,13 @@ void ClipFiles::openFirst() {
 
 void ClipFiles::open(const QString& path, const QString& skeleton) {
   leave([=, this] { session_->open(path, skeleton); });
+}
+
+void ClipFiles::openRow(const StudyRow& row) {
+  const QString path = QString::fromStdString(row.clip);
+  // Other settings for the clip that is open are no more than a slider does.
+  if (session_->isOpen(path) && !find_comparison_method(row.method)) return session_->openRow(row);
+  leave([=, this] { session_->openRow(row, rememberedSkeleton(path)); });
 }
 
 void ClipFiles::chooseClip() {

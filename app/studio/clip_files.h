@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "app/jobs/open_clip.h"
+#include "core/study/row.h"
 
 class QMenu;
 class QWidget;
@@ -26,6 +27,9 @@ class ClipFiles : public QObject {
 
   void open(const QString& path, const QString& skeleton = {});
   void chooseClip();
+
+  /// A row of a study, see Session::openRow().
+  void openRow(const StudyRow& row);
 
   /// For what could not be opened last.
   void chooseSkeleton();

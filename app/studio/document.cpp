@@ -87,6 +87,12 @@ void Document::setOptions(const EncodeOptions& options) {
   emit optionsChanged();
 }
 
+void Document::loadOptions(EncodeOptions options) {
+  options.contacts = options_.contacts;
+  options_ = std::move(options);
+  emit optionsChanged();
+}
+
 void Document::setContactSettings(const ContactSettings& settings) {
   contact_settings_ = settings;
   findContacts();

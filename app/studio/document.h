@@ -63,6 +63,9 @@ class Document : public QObject {
   /// By the user.
   void setOptions(const EncodeOptions& options);
 
+  /// From elsewhere: nothing of the user's that would be lost.
+  void loadOptions(EncodeOptions options);
+
   /// Finds the contacts of the clip anew; options() have them.
   void setContactSettings(const ContactSettings& settings);
 

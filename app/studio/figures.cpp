@@ -14,7 +14,8 @@ struct Figures {
 };
 
 QString displayMethod(const DecodedClip& decoded) {
-  if (decoded.of_wavelets) return displayName(decoded.compressed.provenance.method);
+  if (decoded.of_wavelets && decoded.compressed.basis == Basis::Cubic)
+    return displayName(decoded.compressed.provenance.method);
   const std::string_view title = find_contender(decoded.method)->title;
   return QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
 }
@@ -58,6 +59,8 @@ QString stateOf(const Document& document) {
   const DecodedClip& decoded = *document.decoded();
   const Method method = decoded.compressed.provenance.method;
   if (!decoded.distortion) return Figures::tr("As recorded in the file");
+  if (!decoded.coefficient_ratio && document.savedPath().isEmpty())
+    return Figures::tr("%1, as in the study").arg(displayMethod(decoded));
   if (!decoded.coefficient_ratio)
     return Figures::tr("%1, from the file, measured against the original")
         .arg(displayMethod(decoded));
@@ -68,7 +71,9 @@ QString stateOf(const Document& document) {
   if (method == Method::Annealed)
     return Figures::tr("Annealed, %Ln iteration(s), %L1 s", nullptr, decoded.iterations)
         .arg(decoded.encode_seconds, 0, 'f', 1);
-  return Figures::tr("%1, %L2 s").arg(displayName(method)).arg(decoded.encode_seconds, 0, 'f', 2);
+  return Figures::tr("%1, %L2 s")
+      .arg(displayMethod(decoded))
+      .arg(decoded.encode_seconds, 0, 'f', 2);
 }
 
 QString footskateSummary(const Document& document) {

@@ -12,7 +12,10 @@
 #include <QMimeData>
 #include <QVBoxLayout>
 
+#include "app/studio/recent_files.h"
 #include "app/studio/sample_clip.h"
+#include "app/studio/study_memory.h"
+#include "app/studio/study_window.h"
 #include "app/studio/trace.h"
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/compression_panel.h"
@@ -135,7 +138,36 @@ void MainWindow::connectViewActions() {
           &QCheckBox::toggle);
   connect(actions_.reset_camera, &QAction::triggered, views_.viewport, &Viewport::resetCamera);
   connect(actions_.reset_layout, &QAction::triggered, this, [this] { layout_.reset(); });
+  connect(actions_.study, &QAction::triggered, this, &MainWindow::showStudy);
   connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
+}
+
+StudyWindow* MainWindow::showStudy() {
+  if (!study_) {
+    study_session_ = new StudySession(studyCache(), this);
+    study_session_->setSettings(rememberedStudySettings());
+    study_ = new StudyWindow(study_session_, this);
+    connect(study_, &StudyWindow::rowChosen, files_, &ClipFiles::openRow);
+    connect(study_session_, &StudySession::rowsCleared, this, &MainWindow::showHere);
+    connect(&session_->document(), &Document::decodedChanged, this, &MainWindow::showHere);
+  }
+  if (const OriginalPtr& original = session_->document().original())
+    study_->offerClip(original->path, rememberedSkeleton(original->path));
+  showHere();
+  study_->show();
+  study_->raise();
+  study_->activateWindow();
+  return study_;
+}
+
+/// Where the open clip is on the curves of the study.
+void MainWindow::showHere() {
+  const Document& document = session_->document();
+  std::optional<CurvePoint> here;
+  if (document.original() && document.decoded() && document.decoded()->distortion)
+    here = {document.decoded()->ratio,
+            document.decoded()->distortion->eps(study_session_->weighting())};
+  study_->setHere(document.original() ? document.original()->path : QString(), here);
 }
 
 void MainWindow::connectMessages() {
@@ -176,6 +208,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   layout_.remember();
+  if (study_) study_->close();
   event->accept();
 }
 

@@ -7,12 +7,14 @@
 #include "app/studio/clip_files.h"
 #include "app/studio/presenter.h"
 #include "app/studio/session.h"
+#include "app/studio/study_session.h"
 #include "app/studio/window_layout.h"
 #include "widgets/timeline/playback.h"
 
 namespace mocapress {
 
 class MessageBar;
+class StudyWindow;
 class Trace;
 
 /// The studio's window: 3D view and transport in the middle, settings and figures to the right,
@@ -31,6 +33,9 @@ class MainWindow : public QMainWindow {
   MessageBar& messages() { return *messages_; }
   Trace& trace() { return *trace_; }
 
+  /// Opens, or brings to the front, the window that compares methods. It lives as long as this one.
+  StudyWindow* showStudy();
+
  protected:
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -44,6 +49,7 @@ class MainWindow : public QMainWindow {
   void connectViewActions();
   void connectMessages();
   void updateTitle();
+  void showHere();
   void about();
 
   // Children, not members: what the widgets show has to outlive their being hidden by ~QWidget().
@@ -57,6 +63,8 @@ class MainWindow : public QMainWindow {
   MessageBar* messages_;
   QMenu* recent_;
   Trace* trace_;
+  StudySession* study_session_ = nullptr;  // none before it is asked for, nor its window
+  StudyWindow* study_ = nullptr;
   bool may_close_ = false;  // nothing would be lost
 };
 

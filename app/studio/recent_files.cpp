@@ -27,6 +27,12 @@ QList<RecentFile> recentFiles() {
   return files;
 }
 
+QString rememberedSkeleton(const QString& path) {
+  for (const RecentFile& file : recentFiles())
+    if (file.path == QFileInfo(path).absoluteFilePath()) return file.skeleton;
+  return {};
+}
+
 void rememberRecentFile(const RecentFile& file) {
   const RecentFile absolute{QFileInfo(file.path).absoluteFilePath(), file.skeleton};
   QList<RecentFile> files = recentFiles();

@@ -15,6 +15,9 @@ struct RecentFile {
 /// Newest first, those that still exist, kept in the user's settings.
 QList<RecentFile> recentFiles();
 
+/// The .asf that was chosen by hand for this clip; empty: none.
+QString rememberedSkeleton(const QString& path);
+
 void rememberRecentFile(const RecentFile& file);
 
 }  // namespace mocapress

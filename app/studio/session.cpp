@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/session.h"
 
+#include <QFileInfo>
 #include <algorithm>
 #include <numeric>
 
+#include "app/studio/study_row_request.h"
 #include "core/base/file.h"
 #include "core/motion/landmarks.h"
 
@@ -21,6 +23,10 @@ std::vector<int> worstFirst(const Eigen::MatrixXf& distances) {
   return order;
 }
 
+QString absolute(const QString& path) {
+  return QFileInfo(path).absoluteFilePath();
+}
+
 }  // namespace
 
 Session::Session(QObject* parent) : QObject(parent) {
@@ -36,15 +42,31 @@ Session::Session(QObject* parent) : QObject(parent) {
 void Session::open(const QString& path, const QString& skeleton) {
   // Only a .mcpr still waiting for its original takes one in.
   const bool waits = document_.decoded() && !document_.original();
-  start({path, skeleton, document_.original(), waits ? document_.decoded() : nullptr, false});
+  start({absolute(path), skeleton, document_.original(), waits ? document_.decoded() : nullptr,
+         false});
+}
+
+bool Session::isOpen(const QString& path) const {
+  return document_.original() && document_.original()->path == absolute(path);
 }
 
 void Session::compareWith(const QString& path, const QString& skeleton) {
-  start({path, skeleton, nullptr, document_.decoded(), true});
+  start({absolute(path), skeleton, nullptr, document_.decoded(), true});
+}
+
+void Session::openRow(const StudyRow& row, const QString& skeleton) {
+  OpenRequest request = requestOf(row);
+  request.skeleton = skeleton;
+  request.original = document_.original();
+  if (!isOpen(request.path) || !request.comparison.empty()) return start(request);
+  opening_.abandon();
+  document_.loadOptions(*request.options);
+  emit recompressing();
+  compressor_.request(document_.options());
 }
 
 void Session::start(const OpenRequest& request) {
-  opening_.start([request](const Job&) { return openClip(request); },
+  opening_.start([request](const Job& job) { return openClip(request, job); },
                  [this, request](const OpenedClip& opened) { show(opened, request); },
                  [this, request](const QString& message) { emit openFailed(request, message); });
 }
@@ -55,6 +77,7 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
                              : together                     ? document_.savedPath()
                                                             : QString();
   compressor_.setEncoder(opened.original ? opened.original->encoder : nullptr);
+  if (request.options) document_.loadOptions(*request.options);
   document_.setClip(opened.original, opened.decoded, saved_path);
   chooseCurves();
   emit this->opened(request);

@@ -8,6 +8,7 @@
 #include "app/jobs/job_runner.h"
 #include "app/jobs/open_clip.h"
 #include "app/studio/document.h"
+#include "core/study/row.h"
 
 namespace mocapress {
 
@@ -25,8 +26,15 @@ class Session : public QObject {
   /// original, where that is open or is opened next.
   void open(const QString& path, const QString& skeleton = {});
 
+  /// Whether this is the motion that is open.
+  bool isOpen(const QString& path) const;
+
   /// Opens the original of the .mcpr shown, and refuses another.
   void compareWith(const QString& path, const QString& skeleton = {});
+
+  /// Opens a clip as it is compressed in a study: by its options, which then stand, or by a
+  /// comparison method. Its clip may be open already.
+  void openRow(const StudyRow& row, const QString& skeleton = {});
 
   void setOptions(const EncodeOptions& options);
   void setContactSettings(const ContactSettings& settings);

@@ -67,10 +67,8 @@ std::vector<Contender> all_contenders() {
   return all;
 }
 
-Compression compress_wavelets(const Encoder& encoder, const WaveletContender& wavelets,
-                              EncodeOptions options, const Observer<EncodeProgress>& observer) {
-  options.method = wavelets.method;
-  options.basis = wavelets.basis;
+Compression compress_wavelets(const Encoder& encoder, const EncodeOptions& options,
+                              const Observer<EncodeProgress>& observer) {
   Encoding encoding = encoder.encode(options, observer);
   Compression compression;
   compression.file = write_container(encoding.compressed);
@@ -80,7 +78,7 @@ Compression compress_wavelets(const Encoder& encoder, const WaveletContender& wa
   compression.footskate = std::move(encoding.footskate);
   compression.correction = std::move(encoding.correction);
   compression.coefficient_ratio = encoding.coefficient_ratio;
-  if (wavelets.method == Method::Annealed) compression.iterations = encoding.iterations;
+  if (options.method == Method::Annealed) compression.iterations = encoding.iterations;
   compression.seconds = encoding.seconds;
   compression.complete = encoding.complete;
   return compression;
@@ -172,6 +170,14 @@ const Contender* find_contender(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+bool choose_wavelets(const Contender& contender, EncodeOptions& options) {
+  const WaveletContender* wavelets = find_wavelets(contender.name);
+  if (!wavelets) return false;
+  options.method = wavelets->method;
+  options.basis = wavelets->basis;
+  return true;
+}
+
 struct ContenderEncoder::Parts {
   explicit Parts(Motion motion) : wavelets(std::move(motion)) {}
 
@@ -199,8 +205,8 @@ const Encoder& ContenderEncoder::wavelets() const {
 
 Compression ContenderEncoder::compress(const Contender& contender, const EncodeOptions& options,
                                        const Observer<EncodeProgress>& observer) const {
-  if (const WaveletContender* wavelets = find_wavelets(contender.name))
-    return compress_wavelets(parts_->wavelets, *wavelets, options, observer);
+  if (EncodeOptions chosen = options; choose_wavelets(contender, chosen))
+    return compress_wavelets(parts_->wavelets, chosen, observer);
   const ComparisonMethod* method = find_comparison_method(contender.name);
   if (method == nullptr)
     throw Error("there is no method of compression called " + std::string(contender.name));

@@ -9,6 +9,9 @@
 
 namespace mocapress {
 
+/// The whole rows in such a file; what is none is passed over. Throws InputError.
+std::vector<StudyRow> read_rows(const std::filesystem::path& path);
+
 /// The rows a study has so far, on disk as lines of JSON: what makes a run that was stopped, or
 /// died, go on where it was.
 class RowsFile {

@@ -82,50 +82,61 @@ std::optional<std::vector<Picture>> take_pictures(const StudyPlan& plan, const R
   const std::vector<std::string> methods = pictured_methods(results);
   const std::vector<Pictured> clips = pictured_clips(results, methods);
   std::vector<std::optional<Picture>> taken(clips.size());
+  std::atomic<bool> stopped = false;
   parallel_for(std::size_t{0}, clips.size(), [&](std::size_t i) {
-    tbb::this_task_arena::isolate(
-        [&] { taken[i] = take_picture(plan, clips[i].path, methods, clips[i].ratio, observer); });
+    tbb::this_task_arena::isolate([&] {
+      try {
+        taken[i] = take_picture(plan, clips[i].path, methods, clips[i].ratio, observer);
+        if (!taken[i]) stopped = true;
+      } catch (const InputError&) {  // gone since it was measured: the figures stand without it
+      }
+    });
   });
+  if (stopped) return std::nullopt;
   std::vector<Picture> pictures;
-  for (auto& picture : taken) {
-    if (!picture) return std::nullopt;
-    pictures.push_back(std::move(*picture));
-  }
+  for (auto& picture : taken)
+    if (picture) pictures.push_back(std::move(*picture));
   return pictures;
 }
 
 }  // namespace
 
-StudyOutcome run_study_in(const fs::path& folder, const StudyPlan& plan,
-                          const Observer<StudyProgress>& observer) {
+StudyOutcome run_study_kept(const fs::path& folder, const StudyPlan& plan,
+                            const Observer<StudyProgress>& observer) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw WriteError(folder.string() + ": cannot be made: " + error.message());
+  RowsFile file(folder / kRowsSoFar);
+  return run_study(plan, file.rows(), [&](const StudyRow& row) { file.append(row); }, observer);
+}
+
+std::optional<std::string> study_report(const StudyPlan& plan, const Results& results,
+                                        const Observer<EncodeProgress>& observer) {
+  const auto pictures = take_pictures(plan, results, observer);
+  if (!pictures) return std::nullopt;
+  return report_html(results, *pictures);
+}
+
+StudyOutcome run_study_in(const fs::path& folder, const StudyPlan& plan,
+                          const Observer<StudyProgress>& observer) {
   StudyProgress last;
-  StudyOutcome outcome;
-  {
-    RowsFile file(folder / kRowsSoFar);
-    outcome = run_study(
-        plan, file.rows(), [&](const StudyRow& row) { file.append(row); },
-        [&](const StudyProgress& progress) {
-          last = progress;
-          return go_on(observer, progress);
-        });
-  }
+  StudyOutcome outcome = run_study_kept(folder, plan, [&](const StudyProgress& progress) {
+    last = progress;
+    return go_on(observer, progress);
+  });
   if (!outcome.complete) return outcome;
 
   last.finished = nullptr;
   std::mutex mutex;
-  const Results results(outcome.rows);
-  const auto pictures = take_pictures(plan, results, [&](const EncodeProgress&) {
+  const auto report = study_report(plan, Results(outcome.rows), [&](const EncodeProgress&) {
     const std::lock_guard lock(mutex);
     return go_on(observer, last);
   });
-  outcome.complete = pictures.has_value();
+  outcome.complete = report.has_value();
   if (!outcome.complete) return outcome;
   write_text(folder / kRowsCsv, rows_csv(outcome.rows));
   write_text(folder / kRowsJson, rows_json(outcome.rows));
-  write_text(folder / kReport, report_html(results, *pictures));
+  write_text(folder / kReport, *report);
   return outcome;
 }
 

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
+#include "core/codec/encoder.h"
+#include "core/study/results.h"
 #include "core/study/run.h"
 
 namespace mocapress {
@@ -15,8 +19,17 @@ inline constexpr const char* kReport = "report.html";
 
 /// Runs a study whose rows are kept in `folder` as they come, so that a run that was stopped, or
 /// died, is gone on with by running it again; rows of other targets and methods stay for later.
-/// When all are there, writes the tables and the report, each beside and renamed; an observer that
-/// says no before leaves those of an earlier run. Makes the folder. Throws InputError, WriteError.
+/// Makes the folder. Throws InputError, WriteError.
+StudyOutcome run_study_kept(const std::filesystem::path& folder, const StudyPlan& plan,
+                            const Observer<StudyProgress>& observer = {});
+
+/// The report of rows, be they all of the plan's or not: its pictures are compressed anew, from the
+/// clips that can be read. Unset when the observer, which several threads call, ended it.
+std::optional<std::string> study_report(const StudyPlan& plan, const Results& results,
+                                        const Observer<EncodeProgress>& observer = {});
+
+/// run_study_kept(), and when all rows are there the tables and the report, each written beside and
+/// renamed; an observer that says no before leaves those of an earlier run.
 StudyOutcome run_study_in(const std::filesystem::path& folder, const StudyPlan& plan,
                           const Observer<StudyProgress>& observer = {});
 

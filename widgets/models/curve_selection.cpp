@@ -2,17 +2,10 @@
 #include "widgets/models/curve_selection.h"
 
 #include <algorithm>
-#include <array>
+
+#include "widgets/models/palette.h"
 
 namespace mocapress {
-namespace {
-
-// Okabe and Ito's colours, told apart by all kinds of colour vision; those that hold on white and
-// on black.
-constexpr std::array<QRgb, 7> kColours = {0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7,
-                                          0xffe69f00, 0xff56b4e9, 0xff999999};
-
-}  // namespace
 
 bool CurveSelection::contains(const QString& name) const {
   return colour(name).isValid();
@@ -34,7 +27,8 @@ void CurveSelection::remove(const QString& name) {
 QColor CurveSelection::colour(const QString& name) const {
   const auto slot = std::find(slots_.begin(), slots_.end(), name);
   if (name.isEmpty() || slot == slots_.end()) return {};
-  return QColor(kColours[static_cast<std::size_t>(slot - slots_.begin()) % kColours.size()]);
+  return QColor(
+      kCurveColours[static_cast<std::size_t>(slot - slots_.begin()) % kCurveColours.size()]);
 }
 
 QStringList CurveSelection::names() const {

@@ -83,7 +83,11 @@ CompressionPanel::CompressionPanel(QWidget* parent)
     options_.coding = chosen<Coding>(coding_);
     emit optionsChanged(options_);
   };
-  for (QComboBox* box : {method_, weighting_, coding_})
+  connect(method_, &QComboBox::activated, this, [this, combo_chosen] {
+    options_.basis = Basis::Cubic;  // no longer that of a study's Haar or linear wavelets
+    combo_chosen();
+  });
+  for (QComboBox* box : {weighting_, coding_})
     connect(box, &QComboBox::activated, this, combo_chosen);
   setOptions({});
 }

@@ -6,7 +6,8 @@
 namespace mocapress {
 
 void applyPalette(QCustomPlot* plot) {
-  const QPalette palette = plot->palette();
+  // Of the widget around it, which hears of a change first.
+  const QPalette palette = plot->parentWidget()->palette();
   const QColor text = palette.color(QPalette::Text);
   QColor faint = text;
   faint.setAlphaF(0.12F);

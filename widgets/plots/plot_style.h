@@ -5,7 +5,8 @@ class QCustomPlot;
 
 namespace mocapress {
 
-/// Axes, grid and background in the plot's own palette: call again when that changes.
+/// Axes, grid and background in the palette of the widget the plot is in: call again when that
+/// changes.
 void applyPalette(QCustomPlot* plot);
 
 }  // namespace mocapress

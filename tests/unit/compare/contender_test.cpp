@@ -43,6 +43,15 @@ TEST(Contenders, AreNamedInTheOrderOfThePaper) {
   EXPECT_EQ(find_contender("magic"), nullptr);
 }
 
+TEST(Contenders, OfWaveletsSetMethodAndBasisAndOthersNothing) {
+  EncodeOptions options;
+  EXPECT_TRUE(choose_wavelets(*find_contender("haar"), options));
+  EXPECT_EQ(options.method, Method::Standard);
+  EXPECT_EQ(options.basis, Basis::Haar);
+  EXPECT_FALSE(choose_wavelets(*find_contender("pca"), options));
+  EXPECT_EQ(options.basis, Basis::Haar);
+}
+
 TEST_F(EveryContender, ComesNearARatio) {
   for (const Contender& contender : contenders()) {
     const Compression made = compress(contender, {Target::Kind::Ratio, 6});

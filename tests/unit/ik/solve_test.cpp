@@ -156,7 +156,7 @@ TEST(TwoBones, AreReachedExactlyInOneStep) {
   for (int round = 0; round < 200; ++round) {
     Limb limb = two_bones(skeleton, bent_frame(0.7 + 0.005 * round));
     ASSERT_TRUE(limb.is_two_bones());
-    const auto offset = [&] { return 6 * random.unit() - 3; };
+    const auto offset = [&] { return 4 * random.unit() - 2; };
     const Eigen::Vector3d targets[] = {limb.position(0) +
                                        Eigen::Vector3d(offset(), offset(), offset())};
     const IkOutcome outcome = solve(IkSolver::NearestPose, limb, targets);

@@ -212,5 +212,35 @@ TEST(StudyPlanTargets, ComparisonMethodsAreNotAskedForACoefficientRatio) {
   }
 }
 
+TEST_F(Study, KeptWithoutAReportGoesOnLikeAnyOther) {
+  const fs::path out = folder_ / "kept";
+  ASSERT_TRUE(run_study_kept(out, plan()).complete);
+  EXPECT_FALSE(fs::exists(out / kReport));
+  EXPECT_EQ(read_rows(out / kRowsSoFar).size(), 12u);
+  int kept = 0;
+  run_study_in(out, plan(), [&](const StudyProgress& progress) {
+    kept = progress.kept;
+    return true;
+  });
+  EXPECT_EQ(kept, 12);
+  EXPECT_TRUE(fs::exists(out / kReport));
+}
+
+TEST_F(Study, ReportStandsWithoutPicturesOfClipsThatAreGone) {
+  const Results results(run_study(plan()).rows);
+  const auto with = study_report(plan(), results);
+  fs::remove(folder_ / "one.bvh");
+  fs::remove(folder_ / "two.bvh");
+  const auto without = study_report(plan(), results);
+  ASSERT_TRUE(with && without);
+  EXPECT_LT(without->size(), with->size());
+  EXPECT_NE(without->find("Standard wavelets"), std::string::npos);
+}
+
+TEST_F(Study, ReportIsEndedByItsObserver) {
+  const Results results(run_study(plan()).rows);
+  EXPECT_FALSE(study_report(plan(), results, [](const EncodeProgress&) { return false; }));
+}
+
 }  // namespace
 }  // namespace mocapress

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/study_row_request.h"
+
+#include <QFileInfo>
+
+#include "core/compare/contender.h"
+
+namespace mocapress {
+namespace {
+
+/// The studio asks for ratios and errors only: other targets by the ratio they came to.
+Target targetOf(const StudyRow& row) {
+  const bool asked =
+      row.target.kind == Target::Kind::Ratio || row.target.kind == Target::Kind::Error;
+  if (asked || !row.measured) return row.target;
+  return {Target::Kind::Ratio, row.measured->ratio};
+}
+
+}  // namespace
+
+OpenRequest requestOf(const StudyRow& row) {
+  OpenRequest request;
+  request.path = QFileInfo(QString::fromStdString(row.clip)).absoluteFilePath();
+  EncodeOptions options{.weighting = row.weighting, .target = targetOf(row), .seed = row.seed};
+  if (row.coding) options.coding = *row.coding;
+  if (row.ik_ratio) options.correction = CorrectionOptions{.ratio = row.ik_ratio};
+  const Contender* contender = find_contender(row.method);
+  if (!contender || !choose_wavelets(*contender, options)) request.comparison = row.method;
+  request.options = options;
+  return request;
+}
+
+}  // namespace mocapress

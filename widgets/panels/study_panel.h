@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/models/study_settings.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+
+namespace mocapress {
+
+class NumberListEdit;
+class StudyClips;
+
+/// What a study compresses and how, and how far it is.
+class StudyPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StudyPanel(QWidget* parent = nullptr);
+
+  void setSettings(const StudySettings& settings);
+
+  /// Where the rows are kept; empty: wherever the program does.
+  void setFolder(const QString& folder);
+
+  /// `canRun`: there is something to do.
+  void setRunning(bool running, bool canRun);
+
+  /// `jobs` 0: it is not known how much there is to do.
+  void setProgress(int done, int jobs);
+
+  void setStatus(const QString& status);
+
+  StudyClips* clips() { return clips_; }
+  QListWidget* methods() { return methods_; }
+  QPushButton* runButton() { return run_; }
+
+ signals:
+  void settingsChanged(const StudySettings& settings);
+  void folderRequested();
+  void runRequested();
+  void cancelRequested();
+
+ private:
+  QWidget* makeFeet();
+  QWidget* makeTargets();
+  void fillMethods();
+  void change();
+
+  StudySettings settings_;
+  bool running_ = false;
+  bool filling_ = false;
+  StudyClips* clips_;
+  QListWidget* methods_;
+  QCheckBox* hold_feet_;
+  QDoubleSpinBox* ik_ratio_;
+  NumberListEdit* ratios_;
+  NumberListEdit* errors_;
+  QComboBox* weighting_;
+  QPushButton* folder_;
+  QPushButton* run_;
+  QProgressBar* progress_;
+  QLabel* status_;
+};
+
+}  // namespace mocapress
