@@ -62,19 +62,19 @@ CorrectionEncoder::CorrectionEncoder(const Skeleton& skeleton,
                                 original_.rows(), sample_rate_hz);
 }
 
-std::vector<std::byte> CorrectionEncoder::code(const Clip& reconstructed, double ratio,
-                                               Basis basis) const {
+CorrectionEncoder::Selection CorrectionEncoder::select(const Clip& reconstructed, double ratio,
+                                                       Basis basis) const {
   Clip differences{reconstructed.sample_rate_hz, original_};
   differences.channels -= effector_tracks(landmark_tracks(skeleton_, reconstructed), effectors_);
   for (Eigen::Index s = 0; s < differences.channels.cols(); ++s)
     differences.channels.col(s).array() *= windows_.col(s / 3).array();
 
-  const RankedCoefficients ranked = rank_coefficients(differences, basis);
-  const std::vector<double> alike(static_cast<std::size_t>(ranked.channels()), 1.0);
+  RankedCoefficients ranked = rank_coefficients(differences, basis);
+  std::vector<double> alike(static_cast<std::size_t>(ranked.channels()), 1.0);
   const double total = ranked.total();
   const auto count = static_cast<int>(std::lround(std::clamp(total / ratio, 0.0, total)));
-  const Kept kept = StandardOrder(ranked, alike).keep(count);
-  return code_signals(ranked, alike, kept);
+  Kept kept = StandardOrder(ranked, alike).keep(count);
+  return {std::move(ranked), std::move(kept), std::move(alike)};
 }
 
 }  // namespace mocapress

@@ -134,6 +134,21 @@ TEST_F(Cli, SolvesTheRatioWithinTwoPercent) {
       }
 }
 
+TEST_F(Cli, ClosesTheLoopToEveryTarget) {
+  const auto closed = [this](std::vector<std::string> target) {
+    target.insert(target.begin(), {"--method", "closed-loop"});
+    return compress(target);
+  };
+  const json report = closed({"--ratio", "40", "--coding", "adaptive"});
+  EXPECT_NEAR(report["ratio"].get<double>() / 40, 1, 0.02);
+  EXPECT_EQ(report["coding"], "adaptive");
+  EXPECT_LE(closed({"--target-error", "0.5"})["eps_x_cm"], 0.5);
+  EXPECT_LE(closed({"--max-error", "1.5"})["max_error_cm"], 1.5);
+  EXPECT_LE(closed({"--target-size", "800"})["motion_bytes"], 800);
+  EXPECT_GT(compress({"--target-error", "0.5"})["motion_bytes"],
+            2 * closed({"--target-error", "0.5"})["motion_bytes"].get<int>());
+}
+
 TEST_F(Cli, KeepsEveryOtherTarget) {
   EXPECT_LE(compress({"--target-error", "0.5"})["eps_x_cm"], 0.5);
   EXPECT_LE(compress({"--max-error", "1.5"})["max_error_cm"], 1.5);
@@ -221,12 +236,9 @@ TEST_F(Cli, BenchReportsExactlyTheDocumentedKeys) {
   const std::set<std::string> measured = {
       "decode_us_per_frame", "copy_us_per_frame",         "annealed_seconds",
       "annealed_iterations", "annealed_us_per_iteration", "reference_us_per_iteration"};
-  std::set<std::string> keys = {"window_us_per_frame",
-                                "pose_us",
-                                "ik_us_per_frame",
-                                "ik_cyclic_descent_us_per_frame",
-                                "closed_loop_seconds",
-                                "closed_loop_frames_per_second"};
+  std::set<std::string> keys = {"window_us_per_frame", "pose_us",
+                                "ik_us_per_frame",     "ik_cyclic_descent_us_per_frame",
+                                "closed_loop_seconds", "closed_loop_frames_per_second"};
   for (const std::string& key : measured)
     EXPECT_TRUE(figures.contains(key) && figures[key].is_number() && figures[key] > 0) << key;
   keys.insert(measured.begin(), measured.end());
