@@ -22,13 +22,18 @@ struct Compress {
   EncodeOptions options;
   CorrectionArguments correction;
   ContactInput contacts;
+  std::optional<Coding> coding;
   bool json = false;
 
   void run() {
     const Contender& contender = *find_contender(method);
+    const bool is_closed_loop = method == name(Method::ClosedLoop);
     const bool of_wavelets = find_comparison_method(method) == nullptr;
     if (options.target.kind == Target::Kind::CoefficientRatio && !of_wavelets)
       throw CLI::ValidationError("--coefficient-ratio", "is a target for wavelets only");
+    if (is_closed_loop && coding.value_or(Coding::Adaptive) != Coding::Adaptive)
+      throw CLI::ValidationError("--coding", "the closed loop is coded adaptively");
+    options.coding = is_closed_loop ? Coding::Adaptive : coding.value_or(options.coding);
     const ContenderEncoder encoder(source.read(input));
     options.correction = correction.options(encoder.wavelets().motion().skeleton);
     if (options.correction && !of_wavelets)
@@ -68,8 +73,8 @@ void add_compress(CLI::App& app) {
   command->add_option("--method", call->method, "Wavelets, or what they are compared with")
       ->transform(one_of_the_methods())
       ->capture_default_str();
-  command->add_option("--coding", call->options.coding, "How they are coded (deflate)")
-      ->transform(one_of({Coding::Rle16, Coding::Deflate}));
+  command->add_option("--coding", call->coding, "How they are coded (deflate; adaptive)")
+      ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
   command->add_option("--weighting", call->options.weighting, "Of eps_x (bone-ends)")
       ->transform(one_of({Weighting::BoneEnds, Weighting::JointOrigins}));
   CLI::Option_group* target = command->add_option_group("target", "One of (default: --ratio 25)");

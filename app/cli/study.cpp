@@ -237,7 +237,7 @@ void add_study(CLI::App& app) {
                    "Of eps_x (bone-ends; the paper's: joint-origins)")
       ->transform(one_of({Weighting::BoneEnds, Weighting::JointOrigins}));
   command->add_option("--coding", call->coding, "How wavelets are coded (deflate)")
-      ->transform(one_of({Coding::Rle16, Coding::Deflate}));
+      ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
   command->add_option("--seed", call->seed, "Of the annealing; same seed, same figures");
   command->add_option("--jobs", call->jobs, "Compressions at a time (as many as processors)")
       ->type_name("N")

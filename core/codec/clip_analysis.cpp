@@ -26,4 +26,13 @@ const ErrorModel& ClipAnalysis::model(Weighting weighting) const {
   });
 }
 
+const ClosedLoop& ClipAnalysis::closed_loop(Basis basis, Weighting weighting) const {
+  // Asked for before: one lock at a time.
+  const RankedCoefficients& transform = in(basis).ranked;
+  const ErrorModel& errors = model(weighting);
+  return closed_loops_.get(std::pair(basis, weighting), [&] {
+    return std::make_unique<ClosedLoop>(transform, motion_.clip, errors);
+  });
+}
+
 }  // namespace mocapress

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 
+#include "core/codec/closed_loop.h"
 #include "core/contact/contact_spans.h"
 #include "core/select/error_model.h"
 #include "core/select/truncation.h"
@@ -35,6 +36,7 @@ class ClipAnalysis {
   const Eigen::MatrixXd& original_tracks() const { return original_tracks_; }
   const BasisAnalysis& in(Basis basis) const;
   const ErrorModel& model(Weighting weighting) const;
+  const ClosedLoop& closed_loop(Basis basis, Weighting weighting) const;
 
   /// Of the feet, as found on the original; empty where there are no feet.
   const std::vector<ContactSpan>& contacts() const { return contacts_; }
@@ -62,6 +64,7 @@ class ClipAnalysis {
   std::vector<ContactSpan> contacts_;
   OnDemand<Basis, BasisAnalysis> bases_;
   OnDemand<Weighting, ErrorModel> models_;
+  OnDemand<std::pair<Basis, Weighting>, ClosedLoop> closed_loops_;
 };
 
 }  // namespace mocapress

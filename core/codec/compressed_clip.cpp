@@ -13,12 +13,22 @@ std::string_view name(Method method) {
       return "standard";
     case Method::Annealed:
       return "annealed";
+    case Method::ClosedLoop:
+      return "closed-loop";
   }
   return "unknown";
 }
 
 std::size_t CompressedClip::correction_bytes() const {
   if (!correction) return 0;
+  if (!is_of_words(coding)) {
+    CompressedClip alone = *this;
+    alone.correction.reset();
+    QuantisedSignals coded = unpack_adaptive(*this);
+    coded.fineness.resize(static_cast<std::size_t>(skeleton.channel_count()));
+    coded.values = coded.values.leftCols(skeleton.channel_count()).eval();
+    return motion_bytes() - pack_adaptive(coded, alone).size();
+  }
   std::vector<std::byte> words = unpack_motion(*this);
   ByteReader reader(words);
   rle16_decode(reader, frames, skeleton.channel_count());
@@ -31,6 +41,24 @@ std::vector<std::byte> unpack_motion(const CompressedClip& clip) {
   std::size_t most = rle16_bound(clip.frames, channels);
   if (clip.correction) most += rle16_bound(clip.frames, clip.correction->signal_count());
   return unpack(clip.motion, clip.coding, most);
+}
+
+namespace {
+
+std::vector<SignalKin> kin_of(const CompressedClip& clip) {
+  std::vector<SignalKin> kin = channel_kin(clip.skeleton);
+  if (clip.correction) append_correction_kin(clip.correction->signal_count(), kin);
+  return kin;
+}
+
+}  // namespace
+
+QuantisedSignals unpack_adaptive(const CompressedClip& clip) {
+  return adaptive_decode(clip.motion, kin_of(clip), Lifting(clip.basis, clip.frames).bands());
+}
+
+std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const CompressedClip& clip) {
+  return adaptive_encode(coded, kin_of(clip), Lifting(clip.basis, clip.frames).bands());
 }
 
 }  // namespace mocapress

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/codec/adaptive.h"
 #include "core/codec/signal_coder.h"
 #include "core/ik/correction.h"
 #include "core/motion/clip.h"
@@ -20,9 +21,10 @@ enum class Method : std::uint8_t {
   PerChannel = 1,  // as many from every channel
   Standard = 2,    // the largest of all
   Annealed = 3,    // the paper's Algorithm 1
+  ClosedLoop = 4,  // quantised by what each step does to eps_x; always of Coding::Adaptive
 };
 
-/// "per-channel", "standard", "annealed".
+/// "per-channel", "standard", "annealed", "closed-loop".
 std::string_view name(Method method);
 
 /// How a clip was made and what it promises: for people and tools, not for the decoder.
@@ -64,7 +66,12 @@ struct CompressedClip {
   std::size_t correction_bytes() const;
 };
 
-/// The words of `clip.motion`. Throws FormatError when its bytes are not valid.
+/// The words of `clip.motion`; requires a coding of words. Throws FormatError when its bytes are
+/// not valid.
 std::vector<std::byte> unpack_motion(const CompressedClip& clip);
+
+/// The same of Coding::Adaptive: the motion's coefficients, then the correction's.
+QuantisedSignals unpack_adaptive(const CompressedClip& clip);
+std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const CompressedClip& clip);
 
 }  // namespace mocapress

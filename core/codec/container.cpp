@@ -81,7 +81,7 @@ void read_description(std::span<const std::byte> payload, std::size_t offset,
     reader.fail("more than 2^26 samples");
   clip.frames = static_cast<int>(frames);
   clip.basis = read_enum(reader, Basis::Haar, Basis::Cubic, "basis");
-  const auto coding = read_enum(reader, kNoCoding, Coding::Deflate, "coding");
+  const auto coding = read_enum(reader, kNoCoding, Coding::Adaptive, "coding");
   container.of_comparison = coding == kNoCoding;
   if (container.of_comparison) {
     if (clip.basis != Basis{}) reader.fail("a basis without wavelets");
@@ -89,7 +89,7 @@ void read_description(std::span<const std::byte> payload, std::size_t offset,
     clip.basis = CompressedClip().basis;
   } else {
     clip.coding = coding;
-    clip.provenance.method = read_enum(reader, Method::PerChannel, Method::Annealed, "method");
+    clip.provenance.method = read_enum(reader, Method::PerChannel, Method::ClosedLoop, "method");
   }
   clip.provenance.weighting =
       read_enum(reader, Weighting::BoneEnds, Weighting::JointOrigins, "weighting");

@@ -79,8 +79,8 @@ CorrectionEncoder::CorrectionEncoder(const Skeleton& skeleton,
                                  original_.rows(), sample_rate_hz);
 }
 
-std::vector<std::byte> CorrectionEncoder::code(const Clip& reconstructed, double ratio,
-                                               Basis basis) const {
+CorrectionEncoder::Selection CorrectionEncoder::select(const Clip& reconstructed, double ratio,
+                                                       Basis basis) const {
   Clip differences{reconstructed.sample_rate_hz, original_};
   differences.channels -= effector_tracks(landmark_tracks(skeleton_, reconstructed), effectors_);
   if (at_ == CorrectAt::Contacts)
@@ -89,11 +89,11 @@ std::vector<std::byte> CorrectionEncoder::code(const Clip& reconstructed, double
 
   RankedCoefficients ranked = rank_coefficients(differences, basis);
   for (int s = 0; s < ranked.channels(); ++s) prefer_contacts(ranked, s, contacts_.col(s / 3));
-  const std::vector<double> alike(static_cast<std::size_t>(ranked.channels()), 1.0);
+  std::vector<double> alike(static_cast<std::size_t>(ranked.channels()), 1.0);
   const double total = ranked.total();
   const auto count = static_cast<int>(std::lround(std::clamp(total / ratio, 0.0, total)));
-  const Kept kept = StandardOrder(ranked, alike).keep(count);
-  return code_signals(ranked, alike, kept);
+  Kept kept = StandardOrder(ranked, alike).keep(count);
+  return {std::move(ranked), std::move(kept), std::move(alike)};
 }
 
 }  // namespace mocapress

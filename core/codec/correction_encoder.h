@@ -7,6 +7,7 @@
 
 #include "core/codec/compressed_clip.h"
 #include "core/contact/contact_spans.h"
+#include "core/select/ranking.h"
 
 namespace mocapress {
 
@@ -39,8 +40,13 @@ class CorrectionEncoder {
 
   CodedCorrection correction() const { return {solver_, effectors_}; }
 
-  /// The words of the differences, total / ratio coefficients kept.
-  std::vector<std::byte> code(const Clip& reconstructed, double ratio, Basis basis) const;
+  /// The coefficients of the differences, and the largest of them: total / ratio in all.
+  struct Selection {
+    RankedCoefficients ranked;
+    Kept kept;
+    std::vector<double> scales;  // all alike
+  };
+  Selection select(const Clip& reconstructed, double ratio, Basis basis) const;
 
  private:
   const Skeleton& skeleton_;

@@ -6,6 +6,13 @@
 namespace mocapress {
 
 Uncorrected decode_uncorrected(const CompressedClip& compressed) {
+  if (!is_of_words(compressed.coding)) {
+    const Eigen::MatrixXd signals =
+        reconstruct(unpack_adaptive(compressed), Lifting(compressed.basis, compressed.frames));
+    const int channels = compressed.skeleton.channel_count();
+    return {.clip = {compressed.sample_rate_hz, signals.leftCols(channels)},
+            .differences = signals.rightCols(signals.cols() - channels)};
+  }
   const std::vector<std::byte> words = unpack_motion(compressed);
   ByteReader reader(words);
   const auto next = [&](int count) {

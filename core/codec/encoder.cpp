@@ -52,6 +52,7 @@ class TargetedEncode {
   Trial run() {
     const int guess = count_for(goal_.likely_coefficient_ratio());
     if (correction_ && !options_.correction->ratio) correction_ratio_ = find_split(guess);
+    if (options_.method == Method::ClosedLoop) return search_scale();
     if (options_.target.kind == Target::Kind::CoefficientRatio)
       return attempt(options_.method, guess);
     if (options_.method != Method::Annealed) return search(options_.method, guess, kCheapTrials);
@@ -64,7 +65,9 @@ class TargetedEncode {
   /// less space than asked for keeps the promise too.
   void check(const Trial& trial) const {
     const bool everything_kept = trial.count == basis_.ranked.total();
-    if (options_.target.kind == Target::Kind::CoefficientRatio || goal_.met(trial.excess) ||
+    const bool by_count = options_.target.kind == Target::Kind::CoefficientRatio &&
+                          options_.method != Method::ClosedLoop;  // met by construction
+    if (by_count || goal_.met(trial.excess) ||
         (options_.target.kind == Target::Kind::Ratio && everything_kept && trial.excess < 0))
       return;
     char text[160];
@@ -77,6 +80,7 @@ class TargetedEncode {
  private:
   static constexpr int kCheapTrials = 24;
   static constexpr int kAnnealings = 10;
+  static constexpr int kClosedLoops = 12;
   static constexpr double kUsualCorrectionRatio = 16;  // of the paper's video
 
   int count_for(double coefficient_ratio) const {
@@ -146,17 +150,80 @@ class TargetedEncode {
     Trial trial;
     trial.count = count;
     const Kept kept = choose(method, trial);
+    trial.compressed = empty_clip();
     CompressedClip& compressed = trial.compressed;
-    compressed.skeleton = analysis_.motion().skeleton;
-    compressed.sample_rate_hz = analysis_.motion().clip.sample_rate_hz;
-    compressed.frames = analysis_.motion().clip.frames();
-    compressed.basis = options_.basis;
-    compressed.coding = options_.coding;
-    std::vector<std::byte> words = code_signals(basis_.ranked, basis_.scales, kept);
-    if (correction_ && correcting_) append_correction(words, compressed);
-    compressed.motion = pack(words, options_.coding);
-    trial.achieved = goal_.achieved(compressed.motion_bytes(), [&] { return decode(compressed); });
+    if (is_of_words(compressed.coding)) {
+      std::vector<std::byte> words = code_signals(basis_.ranked, basis_.scales, kept);
+      if (correction_ && correcting_) append_correction(words, compressed);
+      compressed.motion = pack(words, compressed.coding);
+    } else {
+      finish(quantise_kept(basis_.ranked, basis_.scales, kept, 1), compressed);
+    }
+    weigh(trial);
+    return trial;
+  }
+
+  /// Codes quantised channels, with the correction they need.
+  void finish(QuantisedSignals coded, CompressedClip& compressed) const {
+    if (correction_ && correcting_) {
+      const Clip reconstructed{compressed.sample_rate_hz,
+                               reconstruct(coded, basis_.ranked.lifting)};
+      const auto lacking = correction_->select(reconstructed, correction_ratio_, options_.basis);
+      append(quantise_kept(lacking.ranked, lacking.scales, lacking.kept, coded.scale), coded);
+      compressed.correction = correction_->correction();
+    }
+    compressed.motion = pack_adaptive(coded, compressed);
+  }
+
+  void weigh(Trial& trial) const {
+    const CompressedClip& compressed = trial.compressed;
+    trial.achieved =
+        options_.target.kind == Target::Kind::CoefficientRatio
+            ? static_cast<double>(basis_.ranked.total()) / std::max(trial.count, 1)
+            : goal_.achieved(compressed.motion_bytes(), [&] { return decode(compressed); });
     trial.excess = goal_.excess(trial.achieved);
+  }
+
+  CompressedClip empty_clip() const {
+    const Motion& motion = analysis_.motion();
+    return {.skeleton = motion.skeleton,
+            .sample_rate_hz = motion.clip.sample_rate_hz,
+            .frames = motion.clip.frames(),
+            .basis = options_.basis,
+            .coding = options_.coding};
+  }
+
+  /// The scale of quantisation that meets the target, sought as a count of steps in a length.
+  Trial search_scale() {
+    constexpr double kLength = 1e4;  // cm
+    const ClosedLoop& loop = analysis_.closed_loop(options_.basis, options_.weighting);
+    const auto most = static_cast<int>(std::min(kLength / loop.finest_scale(), 1e9));
+    const auto guess = static_cast<int>(kLength / loop.likely_scale(options_.target));
+    std::optional<Trial> best;
+    CountSearch search(most, guess, goal_.window(), kClosedLoops);
+    while (!search.done() && (!best || best->complete)) {
+      Trial trial = attempt_scale(loop, kLength / std::max(search.count(), 1));
+      search.tried(trial.excess);
+      const bool complete = trial.complete;
+      if (!best || !goal_.better(best->excess, trial.excess)) best = std::move(trial);
+      best->complete = complete;
+    }
+    return std::move(*best);
+  }
+
+  Trial attempt_scale(const ClosedLoop& loop, double scale) {
+    Trial trial{.compressed = empty_clip()};
+    const auto observe = [&](const ClosedLoopProgress& p) {
+      return go_on(observer_,
+                   EncodeProgress{.pass = pass_, .iteration = p.sweep, .eps_cm = p.eps_cm});
+    };
+    ClosedLoop::Result result = loop.quantise(scale, {}, observe);
+    ++pass_;
+    trial.iterations = result.sweeps;
+    trial.complete = result.complete;
+    trial.count = static_cast<int>((result.coded.values.array() != 0).count());
+    finish(std::move(result.coded), trial.compressed);
+    weigh(trial);
     return trial;
   }
 
@@ -167,7 +234,8 @@ class TargetedEncode {
     const Clip reconstructed{motion.clip.sample_rate_hz,
                              read_signals(reader, options_.basis, motion.clip.frames(),
                                           motion.skeleton.channel_count())};
-    const auto differences = correction_->code(reconstructed, correction_ratio_, options_.basis);
+    const auto lacking = correction_->select(reconstructed, correction_ratio_, options_.basis);
+    const auto differences = code_signals(lacking.ranked, lacking.scales, lacking.kept);
     words.insert(words.end(), differences.begin(), differences.end());
     compressed.correction = correction_->correction();
   }
@@ -230,6 +298,10 @@ CorrectionResult apply(const CompressedClip& compressed, const Clip& original, d
 
 }  // namespace
 
+Coding effective_coding(const EncodeOptions& options) {
+  return options.method == Method::ClosedLoop ? Coding::Adaptive : options.coding;
+}
+
 Encoder::Encoder(Motion motion) : analysis_(std::make_unique<ClipAnalysis>(std::move(motion))) {}
 Encoder::~Encoder() = default;
 
@@ -247,7 +319,9 @@ const std::vector<ContactSpan>& Encoder::contacts() const {
 Encoding Encoder::encode(const EncodeOptions& options,
                          const Observer<EncodeProgress>& observer) const {
   const auto start = std::chrono::steady_clock::now();
-  TargetedEncode targeted(*analysis_, options, observer);
+  EncodeOptions effective = options;
+  effective.coding = effective_coding(options);
+  TargetedEncode targeted(*analysis_, effective, observer);
   Trial trial = targeted.run();
   if (trial.complete) targeted.check(trial);
 

@@ -27,11 +27,14 @@ struct EncodeOptions {
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
 };
 
+/// The coding that will be used: the closed loop has one of its own, whatever was asked for.
+Coding effective_coding(const EncodeOptions& options);
+
 /// The state of a running encode. A target other than the coefficient ratio takes several passes.
 struct EncodeProgress {
   int pass = 0;        // from 0
-  int iteration = 0;   // of this pass's annealing
-  int step = 0;        // coefficients moved at a time: halves until it is 0
+  int iteration = 0;   // of this pass's annealing, or sweeps of a closed loop
+  int step = 0;        // coefficients moved at a time: halves until it is 0; 0 in a closed loop
   int first_step = 0;  // the step the pass began with
   double eps_cm = 0;   // by the quadratic model, in the chosen weighting
 };
@@ -54,7 +57,7 @@ struct Encoding {
   Footskate footskate;
   std::optional<CorrectionResult> correction;
   double coefficient_ratio = 0;  // the paper's r
-  int iterations = 0;            // of the last annealing
+  int iterations = 0;            // of the last annealing, or sweeps of the closed loop
   double seconds = 0;
   bool complete = true;  // false: the observer ended it early
 };

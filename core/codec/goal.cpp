@@ -17,7 +17,7 @@ constexpr double kTolerance = 0.02;
 double Goal::achieved(std::size_t motion_bytes, const std::function<Clip()>& decoded) const {
   switch (target_.kind) {
     case Target::Kind::CoefficientRatio:
-      return target_.value;  // met by construction
+      return target_.value;  // the encoder's to count
     case Target::Kind::Ratio:
       return compression_ratio(motion_.clip, motion_bytes);
     case Target::Kind::Size:
@@ -39,6 +39,7 @@ double Goal::excess(double achieved) const {
 bool Goal::met(double excess) const {
   switch (target_.kind) {
     case Target::Kind::Ratio:
+    case Target::Kind::CoefficientRatio:
       return std::abs(excess) <= kTolerance;
     case Target::Kind::Size:
       return excess <= 0;
@@ -54,6 +55,7 @@ bool Goal::better(double excess, double other) const {
 CountSearch::Window Goal::window() const {
   switch (target_.kind) {
     case Target::Kind::Ratio:
+    case Target::Kind::CoefficientRatio:
       return {-kTolerance / 4, kTolerance / 4};
     case Target::Kind::Size:
       return {-kTolerance / 2, 0};

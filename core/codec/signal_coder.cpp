@@ -17,9 +17,23 @@ Eigen::VectorXd gains_of(const Lifting& lifting) {
   return Eigen::Map<const Eigen::VectorXd>(gains.data(), lifting.length());
 }
 
-/// The largest coefficient each signal drops, in the units it is coded in.
+}  // namespace
+
+std::string_view name(Coding coding) {
+  switch (coding) {
+    case Coding::Rle16:
+      return "rle16";
+    case Coding::Deflate:
+      return "deflate";
+    case Coding::Adaptive:
+      return "adaptive";
+  }
+  return "unknown";
+}
+
 Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const std::vector<double>& scales,
-                                const Kept& kept, const Eigen::VectorXd& gains) {
+                                const Kept& kept) {
+  const Eigen::VectorXd gains = gains_of(ranked.lifting);
   constexpr double kNothing = 1e-9;  // radians or cm: the rounding of the transform
   Eigen::VectorXd dropped = Eigen::VectorXd::Zero(ranked.channels());
   double finest = std::numeric_limits<double>::infinity();
@@ -38,17 +52,11 @@ Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const std::vec
   return dropped;
 }
 
-}  // namespace
-
-std::string_view name(Coding coding) {
-  return coding == Coding::Rle16 ? "rle16" : "deflate";
-}
-
 std::vector<std::byte> code_signals(const RankedCoefficients& ranked,
                                     const std::vector<double>& scales, const Kept& kept) {
   const Eigen::VectorXd gains = gains_of(ranked.lifting);
   return rle16_encode(gains.asDiagonal() * truncate(ranked, kept),
-                      largest_dropped(ranked, scales, kept, gains));
+                      largest_dropped(ranked, scales, kept));
 }
 
 Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int count) {

@@ -15,22 +15,34 @@ namespace mocapress {
 
 /// How chosen coefficients become bytes. The values are part of the file format.
 enum class Coding : std::uint8_t {
-  Rle16 = 1,    // 16-bit words with runs of zeros
-  Deflate = 2,  // the same words, DEFLATE over all of them
+  Rle16 = 1,     // 16-bit words with runs of zeros
+  Deflate = 2,   // the same words, DEFLATE over all of them
+  Adaptive = 3,  // range coded, each bit predicted from what was coded before: adaptive.h
 };
 
-/// "rle16", "deflate".
+/// "rle16", "deflate", "adaptive".
 std::string_view name(Coding coding);
+
+/// Words, as opposed to Coding::Adaptive.
+constexpr bool is_of_words(Coding coding) {
+  return coding != Coding::Adaptive;
+}
 
 /// The kept coefficients as words: MOTN in FORMAT.md. A signal's digits need not be finer than what
 /// it drops. `scales` make signals comparable, as for StandardOrder.
 std::vector<std::byte> code_signals(const RankedCoefficients& ranked,
                                     const std::vector<double>& scales, const Kept& kept);
 
+/// The largest coefficient each signal drops, times its gain. Of a signal that is kept whole: a
+/// quarter of the least of the others.
+Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const std::vector<double>& scales,
+                                const Kept& kept);
+
 /// The next signals, samples x count. Throws FormatError when the words are not valid.
 Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int count);
 
-/// Words as bytes of a file, and back. unpack() throws FormatError for more than `most_bytes`.
+/// Words as bytes of a file, and back. Require is_of_words(coding). unpack() throws FormatError for
+/// more than `most_bytes`.
 std::vector<std::byte> pack(const std::vector<std::byte>& words, Coding coding);
 std::vector<std::byte> unpack(std::span<const std::byte> bytes, Coding coding,
                               std::size_t most_bytes);

@@ -50,6 +50,12 @@ constexpr std::array kWavelets = {
         {"linear", "Linear wavelets", "Standard selection in the interpolating linear basis."},
         Method::Standard,
         Basis::Linear},
+    WaveletContender{
+        {"closed-loop", "Closed-loop wavelets",
+         "Cubic wavelets, each coefficient quantised by what its step does to the "
+         "error in the world, channels making good what others lost; adaptive coding."},
+        Method::ClosedLoop,
+        Basis::Cubic},
 };
 
 const WaveletContender* find_wavelets(std::string_view name) {

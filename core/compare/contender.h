@@ -19,7 +19,7 @@ struct Contender {
   std::string_view note;   // what it is, whose, and what is simplified
 };
 
-/// annealed, standard, per-channel, haar, linear, then comparison_methods().
+/// annealed, standard, per-channel, haar, linear, closed-loop, then comparison_methods().
 std::span<const Contender> contenders();
 
 /// nullptr when there is none of that name.

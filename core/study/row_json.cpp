@@ -113,7 +113,7 @@ StudyRow row_from(const Json& json) {
   row.weighting = value_named(json.at("weighting"), {Weighting::BoneEnds, Weighting::JointOrigins});
   row.coding.reset();
   if (!json.at("coding").is_null())
-    row.coding = value_named(json.at("coding"), {Coding::Rle16, Coding::Deflate});
+    row.coding = value_named(json.at("coding"), {Coding::Rle16, Coding::Deflate, Coding::Adaptive});
   json.at("seed").get_to(row.seed);
   row.ik_ratio = optional_at<double>(json, "ik_ratio");
   json.at("jobs").get_to(row.jobs);

@@ -114,7 +114,7 @@ class Run {
 
   std::optional<Coding> coding_of(const StudyJob& job) const {
     if (find_comparison_method(plan_.methods[job.method])) return std::nullopt;
-    return plan_.coding;
+    return plan_.methods[job.method] == name(Method::ClosedLoop) ? Coding::Adaptive : plan_.coding;
   }
 
   bool keep_earlier(StudyRow& row) const {

@@ -173,6 +173,21 @@ TEST_F(Cli, SolvesTheRatioWithinTwoPercent) {
       }
 }
 
+TEST_F(Cli, ClosesTheLoopToEveryTarget) {
+  const auto closed = [this](std::vector<std::string> target) {
+    target.insert(target.begin(), {"--method", "closed-loop"});
+    return compress(target);
+  };
+  const json report = closed({"--ratio", "40", "--coding", "adaptive"});
+  EXPECT_NEAR(report["ratio"].get<double>() / 40, 1, 0.02);
+  EXPECT_EQ(report["coding"], "adaptive");
+  EXPECT_LE(closed({"--target-error", "0.5"})["eps_x_cm"], 0.5);
+  EXPECT_LE(closed({"--max-error", "1.5"})["max_error_cm"], 1.5);
+  EXPECT_LE(closed({"--target-size", "800"})["motion_bytes"], 800);
+  EXPECT_GT(compress({"--target-error", "0.5"})["motion_bytes"],
+            2 * closed({"--target-error", "0.5"})["motion_bytes"].get<int>());
+}
+
 TEST_F(Cli, KeepsEveryOtherTarget) {
   EXPECT_LE(compress({"--target-error", "0.5"})["eps_x_cm"], 0.5);
   EXPECT_LE(compress({"--max-error", "1.5"})["max_error_cm"], 1.5);

@@ -37,7 +37,7 @@ CompressionPanel::CompressionPanel(QWidget* parent)
       method_(new QComboBox(this)),
       weighting_(new QComboBox(this)),
       coding_(new QComboBox(this)) {
-  addChoices(method_, {Method::Annealed, Method::Standard, Method::PerChannel});
+  addChoices(method_, {Method::Annealed, Method::Standard, Method::PerChannel, Method::ClosedLoop});
   method_->setAccessibleName(tr("Method"));
   method_->setToolTip(tr(
       "Which wavelet coefficients are kept: annealed moves them to the channels where they lower "
@@ -48,7 +48,7 @@ CompressionPanel::CompressionPanel(QWidget* parent)
   weighting_->setToolTip(
       tr("Which points the error eps_x counts, each by bone length: the far end of every bone, or "
          "joint origins as in the paper."));
-  addChoices(coding_, {Coding::Deflate, Coding::Rle16});
+  addChoices(coding_, {Coding::Deflate, Coding::Rle16, Coding::Adaptive});
   coding_->setAccessibleName(tr("Coding"));
   coding_->setToolTip(
       tr("How kept coefficients become bytes: 16-bit words with runs of zeros, optionally packed "

@@ -20,12 +20,22 @@ QString displayName(Method method) {
       return Names::tr("Standard");
     case Method::Annealed:
       return Names::tr("Annealed");
+    case Method::ClosedLoop:
+      return Names::tr("Closed loop");
   }
   return {};
 }
 
 QString displayName(Coding coding) {
-  return coding == Coding::Rle16 ? Names::tr("16-bit runs") : Names::tr("16-bit runs + DEFLATE");
+  switch (coding) {
+    case Coding::Rle16:
+      return Names::tr("16-bit runs");
+    case Coding::Deflate:
+      return Names::tr("16-bit runs + DEFLATE");
+    case Coding::Adaptive:
+      return Names::tr("Adaptive");
+  }
+  return {};
 }
 
 QString displayName(Weighting weighting) {

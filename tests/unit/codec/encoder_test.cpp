@@ -23,7 +23,8 @@ double ratio_of(const Encoding& encoding) {
   return compression_ratio(encoder().motion().clip, encoding.compressed.motion_bytes());
 }
 
-constexpr Method kMethods[] = {Method::PerChannel, Method::Standard, Method::Annealed};
+constexpr Method kMethods[] = {Method::PerChannel, Method::Standard, Method::Annealed,
+                               Method::ClosedLoop};
 
 TEST(Encoder, MeetsARatioWithinTwoPercentWithEveryMethodAndCoding) {
   for (const Method method : kMethods)

@@ -37,9 +37,9 @@ TEST(Contenders, AreNamedInTheOrderOfThePaper) {
     EXPECT_FALSE(contender.title.empty());
     EXPECT_FALSE(contender.note.empty());
   }
-  EXPECT_THAT(names,
-              testing::ElementsAre("annealed", "standard", "per-channel", "haar", "linear", "pca",
-                                   "subsample", "quaternion", "liu-mcmillan", "arikan"));
+  EXPECT_THAT(names, testing::ElementsAre("annealed", "standard", "per-channel", "haar", "linear",
+                                          "closed-loop", "pca", "subsample", "quaternion",
+                                          "liu-mcmillan", "arikan"));
   EXPECT_EQ(find_contender("magic"), nullptr);
 }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "core/wavelet/synthesis.h"
+
+#include <gtest/gtest.h>
+
+namespace mocapress {
+namespace {
+
+TEST(Synthesis, FunctionsAreWhatTheInverseMakesOfOneCoefficient) {
+  for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
+    for (const int length : {1, 3, 4, 7, 50, 137, 300}) {
+      const Lifting lifting(basis, length);
+      const Synthesis synthesis(lifting);
+      for (int c = 0; c < length; ++c) {
+        Eigen::VectorXd expected = Eigen::VectorXd::Unit(length, c);
+        const std::span<double> samples(expected.data(), static_cast<std::size_t>(length));
+        lifting.inverse(samples, samples);
+        const SynthesisFunction function = synthesis[c];
+        ASSERT_GE(function.first, 0);
+        ASSERT_LE(function.first + function.values.size(), length);
+        expected.segment(function.first, function.values.size()) -= function.values;
+        ASSERT_LT(expected.cwiseAbs().maxCoeff(), 1e-12) << length << ' ' << c;
+      }
+    }
+}
+
+TEST(Synthesis, FunctionsAreShort) {
+  const Lifting lifting(Basis::Cubic, 1000);
+  const Synthesis synthesis(lifting);
+  const Band& finest = lifting.bands().back();
+  EXPECT_LE(synthesis[finest.first + finest.size / 2].values.size(), 15);
+}
+
+}  // namespace
+}  // namespace mocapress
