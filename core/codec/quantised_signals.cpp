@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/quantised_signals.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/parallel.h"
 #include "core/codec/signal_coder.h"
 
 namespace mocapress {
@@ -61,7 +60,7 @@ Eigen::MatrixXd reconstruct(const QuantisedSignals& coded, const Lifting& liftin
   const std::vector<double> gains = lifting.gains();
   const Eigen::Map<const Eigen::VectorXd> gain(gains.data(), lifting.length());
   Eigen::MatrixXd samples(coded.values.rows(), coded.values.cols());
-  tbb::parallel_for(Eigen::Index{0}, samples.cols(), [&](Eigen::Index s) {
+  parallel_for(Eigen::Index{0}, samples.cols(), [&](Eigen::Index s) {
     samples.col(s) = coded.values.col(s).cast<double>() * coded.step(static_cast<int>(s));
     samples.col(s).array() /= gain.array();
     const std::span<double> signal(samples.col(s).data(), static_cast<std::size_t>(samples.rows()));
