@@ -34,7 +34,7 @@ class Rate {
       p = 2 * (k < up.size ? std::abs(par[k]) : 0) + (l >= 0 && l < up.size ? std::abs(par[l]) : 0);
     }
     const int level = std::min(static_cast<int>(bands_.size()) - 1 - b, kLevels - 1);
-    return (level * kB + bucket(a)) * kB + bucket(p);
+    return (level * kSizes + size_of(a)) * kSizes + size_of(p);
   }
   double of(int context, int value) const {
     const int m = std::abs(value);
@@ -46,7 +46,7 @@ class Rate {
 
   void learn(const Eigen::MatrixXi& values) {
     std::vector<double> counts(static_cast<std::size_t>(kContexts * kSymbols), 0);
-    std::vector<double> level_counts(static_cast<std::size_t>(kLevels * kB * kSymbols), 0);
+    std::vector<double> level_counts(static_cast<std::size_t>(kLevels * kSizes * kSymbols), 0);
     for (int s = 0; s < values.cols(); ++s) {
       const int* q = values.col(s).data();
       for (int b = 1; b < static_cast<int>(bands_.size()); ++b) {
@@ -61,7 +61,7 @@ class Rate {
     }
     // Contexts seen little fall back on a geometric law.
     for (int c = 0; c < kContexts; ++c) {
-      const int a = c / kB % kB, p = c % kB;
+      const int a = c / kSizes % kSizes, p = c % kSizes;
       const double mean = 0.02 + 0.2 * a + 0.15 * p;
       const double r = mean / (1 + mean);
       double total = 0;
@@ -77,7 +77,7 @@ class Rate {
   }
 
  private:
-  static constexpr int kContexts = kLevels * kB * kB;
+  static constexpr int kContexts = kLevels * kSizes * kSizes;
   const std::vector<Band>& bands_;
   std::vector<double> bits_;
 };

@@ -50,6 +50,10 @@ constexpr std::array<std::int32_t, kSlowest + 1> kRates = rate_table();
 
 }  // namespace
 
+std::uint16_t probability_of_log_odds(int log_odds) {
+  return static_cast<std::uint16_t>(squash(log_odds));
+}
+
 void AdaptiveBit::follow(bool bit) {
   const std::int32_t target = bit ? 65535 : 0;
   const std::int64_t step = static_cast<std::int64_t>(target - one) * kRates[seen];
@@ -76,7 +80,7 @@ void MixedBit::follow(bool bit) {
   for (std::size_t i = 0; i < contexts_.size(); ++i) {
     // 65536ths of weight; the product fits 64 bits by far.
     const std::int64_t step = static_cast<std::int64_t>(surprise) * evidence_[i] * kRate;
-    const auto weight = weights_.of[i] + ((step + (1 << 13)) >> 14);
+    const auto weight = weights_.of[i] + ((step + (1 << 16)) >> 17);
     weights_.of[i] = static_cast<std::int32_t>(std::clamp<std::int64_t>(weight, -kMost, kMost));
     contexts_[i]->follow(bit);
   }

@@ -20,6 +20,9 @@ struct AdaptiveBit {
   void follow(bool bit);
 };
 
+/// The probability of log odds in 256ths, -2048 ... 2048.
+std::uint16_t probability_of_log_odds(int log_odds);
+
 /// How much each of several contexts is to be believed. Integers, 65536 = once.
 struct MixingWeights {
   static constexpr std::size_t kMost = 8;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Based on: R. Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapter 5 (the inward pass).
+// Based on: R. Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapter 6 (composite rigid
+// bodies).
 #include "core/select/error_model.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 
 #include "core/base/parallel.h"
@@ -14,46 +14,61 @@ namespace {
 
 constexpr Eigen::Index kBlock = 64;  // frames at a time: what is in flight stays in the first cache
 
-/// A 3-vector for each frame of a block, one array a coordinate.
-struct VectorBlock {
-  using Values = Eigen::Array<double, Eigen::Dynamic, 1, 0, kBlock, 1>;
-  std::array<Values, 3> at;
+/// Some numbers for each frame of a block.
+template <int count>
+using Block = Eigen::Array<double, Eigen::Dynamic, count, Eigen::ColMajor, kBlock, count>;
 
-  static VectorBlock zero(Eigen::Index frames) {
-    return {{Values::Zero(frames), Values::Zero(frames), Values::Zero(frames)}};
-  }
-  /// Columns 3 * index ... of a frames x 3 * count matrix.
-  static VectorBlock of(const Eigen::MatrixXd& matrix, int index, Eigen::Index first,
-                        Eigen::Index frames) {
-    const auto column = [&](int axis) {
-      return matrix.col(3 * static_cast<Eigen::Index>(index) + axis).segment(first, frames).array();
-    };
-    return {{column(0), column(1), column(2)}};
-  }
-  VectorBlock operator-(const VectorBlock& b) const {
-    return {{at[0] - b.at[0], at[1] - b.at[1], at[2] - b.at[2]}};
-  }
-  VectorBlock& operator+=(const VectorBlock& b) {
-    for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += b.at[axis];
-    return *this;
-  }
-  VectorBlock& operator*=(const Values& factor) {
-    for (auto& values : at) values *= factor;
-    return *this;
-  }
-  VectorBlock cross(const VectorBlock& b) const {
-    return {{at[1] * b.at[2] - at[2] * b.at[1], at[2] * b.at[0] - at[0] * b.at[2],
-             at[0] * b.at[1] - at[1] * b.at[0]}};
-  }
-  Values dot(const VectorBlock& b) const {
-    return at[0] * b.at[0] + at[1] * b.at[1] + at[2] * b.at[2];
-  }
-};
+/// Columns count * index ... of a matrix with as many a thing.
+template <int count>
+auto columns(const Eigen::MatrixXd& matrix, int index, Eigen::Index first, Eigen::Index frames) {
+  return matrix.block(first, static_cast<Eigen::Index>(index) * count, frames, count).array();
+}
 
-/// Force and moment (about the world's origin) summed over the landmarks of a subtree.
-struct Wrench {
-  VectorBlock force;
-  VectorBlock moment;
+Block<3> cross(const Block<3>& a, const Block<3>& b) {
+  Block<3> product(a.rows(), 3);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    product.col(i) = a.col(j) * b.col(k) - a.col(k) * b.col(j);
+  }
+  return product;
+}
+
+/// Weighted landmarks that move as one: the sums of w, w x (3) and of w x x^T (xx yy zz yz zx xy).
+struct Inertia {
+  double mass = 0;
+  Block<3> moment;
+  Block<6> square;
+
+  static Inertia none(Eigen::Index frames) {
+    return {0, Block<3>::Zero(frames, 3), Block<6>::Zero(frames, 6)};
+  }
+  void add(double weight, const Block<3>& place) {
+    mass += weight;
+    moment += weight * place;
+    for (int i = 0; i < 3; ++i) {
+      square.col(i) += weight * place.col(i).square();
+      square.col(3 + i) += weight * place.col((i + 1) % 3) * place.col((i + 2) % 3);
+    }
+  }
+  void add(const Inertia& other) {
+    mass += other.mass;
+    moment += other.moment;
+    square += other.square;
+  }
+
+  /// Of the displacement v + w x x: the sum of forces, and of their moments about the origin.
+  Block<3> force(const Block<3>& w, const Block<3>& v) const { return mass * v + cross(w, moment); }
+  Block<3> torque(const Block<3>& w, const Block<3>& v) const {
+    Block<3> sum = cross(moment, v);
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      sum.col(i) += (square.col(j) + square.col(k)) * w.col(i) - square.col(3 + k) * w.col(j) -
+                    square.col(3 + j) * w.col(k);
+    }
+    return sum;
+  }
 };
 
 /// Of the skeleton's own channels: unit axes.
@@ -97,92 +112,89 @@ ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
 
 ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
                        const Eigen::VectorXd& weights, SignalMoves moves)
-    : places_(std::move(moves.places)),
-      weights_(weights),
-      tracks_(landmark_tracks(skeleton, original)),
-      axes_(std::move(moves.axes)) {
+    : above_(moves.places.size()), below_(moves.places.size()) {
   const auto joints = static_cast<std::size_t>(skeleton.joint_count());
-  subtrees_.resize(joints);
-  joint_channels_.resize(joints);
-  joint_landmarks_.resize(joints);
-  for (int j = 0; j < skeleton.joint_count(); ++j) {
-    parents_.push_back(skeleton.joint(j).parent);
-    for (int root = j; root >= 0; root = skeleton.joint(root).parent)
-      subtrees_[static_cast<std::size_t>(root)].push_back(j);
+  std::vector<std::vector<int>> joint_channels(joints);
+  for (std::size_t c = 0; c < moves.places.size(); ++c)
+    joint_channels[static_cast<std::size_t>(moves.places[c].joint)].push_back(static_cast<int>(c));
+  for (std::size_t c = 0; c < moves.places.size(); ++c) {
+    int joint = moves.places[c].joint;
+    const auto& beside = joint_channels[static_cast<std::size_t>(joint)];
+    below_[c].insert(below_[c].end(), beside.begin(), beside.end());
+    while ((joint = skeleton.joint(joint).parent) >= 0)
+      for (const int other : joint_channels[static_cast<std::size_t>(joint)]) {
+        above_[c].push_back(other);
+        below_[static_cast<std::size_t>(other)].push_back(static_cast<int>(c));
+      }
   }
-  for (std::size_t c = 0; c < places_.size(); ++c)
-    joint_channels_[static_cast<std::size_t>(places_[c].joint)].push_back(static_cast<int>(c));
-  const std::vector<Landmark> points = landmarks(skeleton);
-  assert(weights.size() == static_cast<Eigen::Index>(points.size()));
-  for (int p = 0; p < weights.size(); ++p)
-    if (weights(p) > 0)
-      joint_landmarks_[static_cast<std::size_t>(points[static_cast<std::size_t>(p)].joint)]
-          .push_back(p);
-  compute_curvature();
+  compute_motions(skeleton, original, weights, moves);
 }
 
-void ErrorModel::compute_curvature() {
-  const auto channels = static_cast<int>(places_.size());
-  curvature_ = Eigen::MatrixXd::Zero(axes_.rows(), channels);
-  parallel_for(0, channels, [&](int c) {
-    const auto [joint, rotates] = places_[static_cast<std::size_t>(c)];
-    for (Eigen::Index first = 0; first < axes_.rows(); first += kBlock) {
-      const Eigen::Index frames = std::min(kBlock, axes_.rows() - first);
-      const VectorBlock axis = VectorBlock::of(axes_, c, first, frames);
-      const VectorBlock origin = VectorBlock::of(tracks_, joint, first, frames);
-      auto sum = curvature_.col(c).segment(first, frames).array();
-      for (const int below : subtrees_[static_cast<std::size_t>(joint)])
-        for (const int p : joint_landmarks_[static_cast<std::size_t>(below)]) {
-          const VectorBlock arm = VectorBlock::of(tracks_, p, first, frames) - origin;
-          const VectorBlock way = rotates ? axis.cross(arm) : axis;
-          sum += weights_(p) * way.dot(way);
-        }
+void ErrorModel::compute_motions(const Skeleton& skeleton, const Clip& original,
+                                 const Eigen::VectorXd& weights, const SignalMoves& moves) {
+  const std::vector<Landmark> points = landmarks(skeleton);
+  assert(weights.size() == static_cast<Eigen::Index>(points.size()));
+  const Eigen::MatrixXd tracks = landmark_tracks(skeleton, original);
+  const Eigen::Index rows = moves.axes.rows();
+  const auto channels = static_cast<Eigen::Index>(moves.places.size());
+  motions_.resize(rows, 6 * channels);
+  forces_.resize(rows, 6 * channels);
+  curvature_.resize(rows, channels);
+  const Eigen::Index blocks = (rows + kBlock - 1) / kBlock;
+  parallel_for(Eigen::Index{0}, blocks, [&](Eigen::Index block) {
+    const Eigen::Index first = block * kBlock;
+    const Eigen::Index frames = std::min(kBlock, rows - first);
+    // Seen from the first joint, lest far places cost digits.
+    const auto place = [&](int point) -> Block<3> {
+      return columns<3>(tracks, point, first, frames) - columns<3>(tracks, 0, first, frames);
+    };
+    std::vector<Inertia> inertias(static_cast<std::size_t>(skeleton.joint_count()),
+                                  Inertia::none(frames));
+    for (int p = 0; p < weights.size(); ++p)
+      if (weights(p) > 0)
+        inertias[static_cast<std::size_t>(points[static_cast<std::size_t>(p)].joint)].add(
+            weights(p), place(p));
+    for (int j = skeleton.joint_count() - 1; j >= 0; --j)
+      if (const int parent = skeleton.joint(j).parent; parent >= 0)
+        inertias[static_cast<std::size_t>(parent)].add(inertias[static_cast<std::size_t>(j)]);
+
+    for (int c = 0; c < static_cast<int>(channels); ++c) {
+      const auto [joint, rotates] = moves.places[static_cast<std::size_t>(c)];
+      const Inertia& inertia = inertias[static_cast<std::size_t>(joint)];
+      const Block<3> axis = columns<3>(moves.axes, c, first, frames);
+      const Block<3> still = Block<3>::Zero(frames, 3);
+      const Block<3> turn = rotates ? axis : still;
+      const Block<3> shift = rotates ? cross(place(joint), axis) : axis;
+      auto motion = motions_.block(first, Eigen::Index{6} * c, frames, 6).array();
+      auto force = forces_.block(first, Eigen::Index{6} * c, frames, 6).array();
+      motion.leftCols<3>() = turn;
+      motion.rightCols<3>() = shift;
+      force.leftCols<3>() = inertia.torque(turn, shift);
+      force.rightCols<3>() = inertia.force(turn, shift);
+      curvature_.col(c).segment(first, frames) = (motion * force).rowwise().sum().matrix();
     }
   });
 }
 
 void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
                                  Eigen::MatrixXd& gradient) const {
-  const auto [joint, rotates] = places_[static_cast<std::size_t>(channel)];
-  const std::vector<int>& subtree = subtrees_[static_cast<std::size_t>(joint)];
-  std::vector<Wrench> wrenches(parents_.size());
-  for (Eigen::Index first = 0; first < axes_.rows(); first += kBlock) {
-    const Eigen::Index frames = std::min(kBlock, axes_.rows() - first);
-    const auto project = [&](int on_joint, const Wrench& wrench) {
-      const VectorBlock origin = VectorBlock::of(tracks_, on_joint, first, frames);
-      const VectorBlock moment_at_origin = wrench.moment - origin.cross(wrench.force);
-      for (const int c : joint_channels_[static_cast<std::size_t>(on_joint)]) {
-        const VectorBlock axis = VectorBlock::of(axes_, c, first, frames);
-        const bool turns = places_[static_cast<std::size_t>(c)].rotates;
-        gradient.col(c).segment(first, frames).array() +=
-            axis.dot(turns ? moment_at_origin : wrench.force);
-      }
+  const auto c = static_cast<std::size_t>(channel);
+  for (Eigen::Index first = 0; first < delta.size(); first += kBlock) {
+    const Eigen::Index frames = std::min(kBlock, delta.size() - first);
+    const auto step = delta.segment(first, frames).array();
+    if ((step == 0).all()) continue;
+    // The force that one channel calls up does work along the motion of the other: that of the
+    // lower one is of all landmarks that both move.
+    const auto add = [&](const Block<6>& mine, const Eigen::MatrixXd& theirs, int other) {
+      const auto them = columns<6>(theirs, other, first, frames);
+      gradient.col(other).segment(first, frames).array() +=
+          mine.col(0) * them.col(0) + mine.col(1) * them.col(1) + mine.col(2) * them.col(2) +
+          mine.col(3) * them.col(3) + mine.col(4) * them.col(4) + mine.col(5) * them.col(5);
     };
-
-    VectorBlock motion = VectorBlock::of(axes_, channel, first, frames);
-    motion *= VectorBlock::Values(delta.segment(first, frames).array());
-    const VectorBlock center = VectorBlock::of(tracks_, joint, first, frames);
-    for (const int j : subtree)
-      wrenches[static_cast<std::size_t>(j)] = {VectorBlock::zero(frames),
-                                               VectorBlock::zero(frames)};
-    for (auto j = subtree.rbegin(); j != subtree.rend(); ++j) {
-      Wrench& wrench = wrenches[static_cast<std::size_t>(*j)];
-      for (const int p : joint_landmarks_[static_cast<std::size_t>(*j)]) {
-        const VectorBlock position = VectorBlock::of(tracks_, p, first, frames);
-        VectorBlock force = rotates ? motion.cross(position - center) : motion;
-        force *= VectorBlock::Values::Constant(frames, weights_(p));
-        wrench.force += force;
-        wrench.moment += position.cross(force);
-      }
-      project(*j, wrench);
-      if (*j == joint) continue;
-      Wrench& above = wrenches[static_cast<std::size_t>(parents_[static_cast<std::size_t>(*j)])];
-      above.force += wrench.force;
-      above.moment += wrench.moment;
-    }
-    for (int j = parents_[static_cast<std::size_t>(joint)]; j >= 0;
-         j = parents_[static_cast<std::size_t>(j)])
-      project(j, wrenches[static_cast<std::size_t>(joint)]);
+    const Block<6> motion = columns<6>(motions_, channel, first, frames).colwise() * step;
+    for (const int other : below_[c]) add(motion, forces_, other);
+    const Block<6> force = columns<6>(forces_, channel, first, frames).colwise() * step;
+    for (const int other : above_[c]) add(force, motions_, other);
   }
 }
 

@@ -25,9 +25,11 @@ struct SignalMoves {
 ///
 ///   eps_x^2 ~ (1/n) sum_t e_t^T G_t e_t,   G_t = J_t^T W J_t.
 ///
-/// No matrix is formed: a channel's error is carried outward to the landmarks of its subtree as a
-/// displacement, weighted to a force, and the forces and their moments are summed inward, as in
-/// the recursive dynamics of linkages. Immutable, shared by any number of states.
+/// No G_t is formed. Its entry for two channels is the work that the force called up by one does
+/// along the motion of the other; motion and force are 6-vectors (turn and shift; torque and force)
+/// and the force is that on all landmarks below the lower channel, as in the composite rigid body
+/// algorithm for linkages. Immutable, shared by any number of states. 13 numbers a channel and
+/// frame.
 class ErrorModel {
  public:
   ErrorModel(const Skeleton& skeleton, const Clip& original, Weighting weighting);
@@ -37,7 +39,7 @@ class ErrorModel {
   ErrorModel(const Skeleton& skeleton, const Clip& original, const Eigen::VectorXd& weights,
              SignalMoves moves);
 
-  int frames() const { return static_cast<int>(axes_.rows()); }
+  int frames() const { return static_cast<int>(curvature_.rows()); }
   int channels() const { return static_cast<int>(curvature_.cols()); }
 
   /// D: the diagonal of G_t, frames x channels. (cm per unit of the channel)^2.
@@ -48,16 +50,13 @@ class ErrorModel {
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
 
  private:
-  void compute_curvature();
+  void compute_motions(const Skeleton& skeleton, const Clip& original,
+                       const Eigen::VectorXd& weights, const SignalMoves& moves);
 
-  std::vector<int> parents_;
-  std::vector<std::vector<int>> subtrees_;  // joints, parents first, for each joint
-  std::vector<std::vector<int>> joint_channels_;
-  std::vector<std::vector<int>> joint_landmarks_;  // with weight > 0
-  std::vector<SignalMoves::Place> places_;
-  Eigen::VectorXd weights_;  // of the landmarks
-  Eigen::MatrixXd tracks_;   // landmark_tracks(): frames x 3 * landmarks, cm
-  Eigen::MatrixXd axes_;     // frames x 3 * channels: as SignalMoves has them
+  std::vector<std::vector<int>> above_;  // channels of the joints above each channel's own
+  std::vector<std::vector<int>> below_;  // of its own joint and of those below
+  Eigen::MatrixXd motions_;              // frames x 6 * channels
+  Eigen::MatrixXd forces_;               // frames x 6 * channels
   Eigen::MatrixXd curvature_;
 };
 

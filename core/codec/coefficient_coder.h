@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+// The order of the adaptive coding, the same for writing, reading and counting: FORMAT.md,
+// "Adaptive coding".
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <initializer_list>
+
+#include "core/codec/adaptive.h"
+#include "core/codec/coefficient_model.h"
+
+namespace mocapress {
+
+/// Walks through signals in the order of the file. `Bits` either writes the bits it is given or
+/// ignores and replaces them: bool code(bool bit, Probability one); and refuse(), which does not
+/// return when reading. What is read replaces what `coded` holds.
+template <typename Bits>
+class CoefficientCoder {
+ public:
+  CoefficientCoder(Bits& bits, const std::vector<SignalKin>& kin, const std::vector<Band>& bands,
+                   CoefficientModel& model, QuantisedSignals& coded, ContextTally* tally = nullptr)
+      : bits_(bits),
+        kin_(kin),
+        bands_(bands),
+        model_(model),
+        at_(model.layout),
+        coded_(coded),
+        tally_(tally),
+        sums_(bands.size(), std::vector<std::int64_t>(kin.size(), 0)) {}
+
+  void run() {
+    code_fineness();
+    const auto count = static_cast<int>(kin_.size());
+    for (int s = 0; s < count; ++s) code_coarse(s);
+    for (std::size_t b = 1; b < bands_.size(); ++b) {
+      activity_.assign(static_cast<std::size_t>(bands_[b].size) + 2, 0);
+      for (int s = 0; s < count; ++s) code_band(b, s);
+    }
+  }
+
+ private:
+  /// What is around a coefficient, in the terms of the contexts.
+  struct Surroundings {
+    int level;
+    int near;      // own + above, as size
+    int own;       // size of the two before
+    int above;     // size of the two parents
+    int sibling;   // size of the three beside it
+    int crowd;     // degree of what all signals so far did at that time
+    int recent;    // degree of the running mean of the band
+    int density;   // degree of the band above
+    int expected;  // half octaves of a weighted sum of all
+  };
+
+  bool code(bool bit, std::initializer_list<int> contexts, int set) {
+    std::array<AdaptiveBit*, MixingWeights::kMost> believed;
+    std::size_t count = 0;
+    for (const int context : contexts) believed[count++] = &context_at(context);
+    MixedBit mixed(std::span<AdaptiveBit* const>(believed.data(), count),
+                   model_.weights[static_cast<std::size_t>(set)]);
+    bit = bits_.code(bit, mixed.one());
+    mixed.follow(bit);
+    for (const int context : contexts) tally(context, bit);
+    return bit;
+  }
+
+  bool code(bool bit, int context) {
+    constexpr Probability kLeast = 64;
+    AdaptiveBit& believed = context_at(context);
+    bit = bits_.code(bit, std::clamp<Probability>(believed.one, kLeast, 65536 - kLeast));
+    believed.follow(bit);
+    tally(context, bit);
+    return bit;
+  }
+
+  AdaptiveBit& context_at(int context) {
+    return model_.contexts[static_cast<std::size_t>(context)];
+  }
+
+  void tally(int context, bool bit) {
+    if (tally_ == nullptr || context >= at_.shared) return;
+    auto& seen = (*tally_)[static_cast<std::size_t>(context)];
+    ++seen[0];
+    seen[1] += bit;
+  }
+
+  /// Exp-Golomb: the digits of v + 1 in unary, then those below the first. Relations are 0 ... 15.
+  int code_number(int v, int kind, int first, int second, int third) {
+    constexpr int kMostDigits = 30;
+    const int wanted = digits_of(v + 1) - 1;
+    int digits = 0;
+    for (;; ++digits) {
+      const int n = std::min(digits, 15);
+      if (!code(digits < wanted,
+                {at_.number_plain.at(kind, digits), at_.number_first.at(kind, first, n),
+                 at_.number_second.at(kind, second, n), at_.number_third.at(kind, third, n)},
+                MixingSets::kNumber + kind))
+        break;
+      if (digits == kMostDigits) bits_.refuse();
+    }
+    int number = 1;
+    for (int d = digits - 1; d >= 0; --d) {
+      const bool digit = ((v + 1) >> d & 1) != 0;
+      const bool top = d == digits - 1;
+      number = 2 * number +
+               (top ? code(digit, at_.number_top.at(kind, digits)) : bits_.code(digit, kEvenOdds));
+    }
+    return number - 1;
+  }
+
+  int code_signed(int v, int kind, int first, int second, int third) {
+    const int folded = code_number(v > 0 ? 2 * v - 1 : -2 * v, kind, first, second, third);
+    return folded % 2 != 0 ? (folded + 1) / 2 : -(folded / 2);
+  }
+
+  void code_fineness();
+  void code_coarse(int s);
+  bool code_alive(std::size_t b, int s, int density);
+  void code_band(std::size_t b, int s);
+  int code_magnitude(int magnitude, int s, const Surroundings& around);
+
+  Bits& bits_;
+  const std::vector<SignalKin>& kin_;
+  const std::vector<Band>& bands_;
+  CoefficientModel& model_;
+  const ContextLayout& at_;
+  QuantisedSignals& coded_;
+  ContextTally* tally_;
+  std::vector<int> activity_;                    // of one band, from its coefficient -1
+  std::vector<std::vector<std::int64_t>> sums_;  // of magnitudes, by band and signal
+};
+
+template <typename Bits>
+void CoefficientCoder<Bits>::code_fineness() {
+  int before = 0;  // how far the last one was from what was expected of it
+  for (int s = 0; s < static_cast<int>(kin_.size()); ++s) {
+    const SignalKin& kin = kin_[static_cast<std::size_t>(s)];
+    const bool mirrored = kin.mirror >= 0;
+    const int model = mirrored ? kin.mirror : s - 1;
+    const int expected = model < 0 ? 0 : coded_.fineness[static_cast<std::size_t>(model)];
+    int& fineness = coded_.fineness[static_cast<std::size_t>(s)];
+    before = code_signed(fineness - expected, mirrored ? 1 : 0, kin.sibling == s - 1 ? 1 : 0,
+                         std::min(std::abs(before), 15), 8 + std::clamp(before, -7, 7));
+    fineness = expected + before;
+    if (fineness < kLeastFineness || fineness > kMostFineness) bits_.refuse();
+  }
+}
+
+template <typename Bits>
+void CoefficientCoder<Bits>::code_coarse(int s) {
+  const SignalKin& kin = kin_[static_cast<std::size_t>(s)];
+  const auto difference = [&](int signal, int i) {
+    return coded_.values(i, signal) - (i > 0 ? coded_.values(i - 1, signal) : 0);
+  };
+  const auto size = [&](int signal, int i) {
+    return signal < 0 ? 0 : std::min(1 + digits_of(std::abs(difference(signal, i))), 15);
+  };
+  for (int i = 0; i < bands_[0].size; ++i) {
+    const int before = i > 0 ? coded_.values(i - 1, s) : 0;
+    const int kind = (i == 0 ? 2 : 3) + (s < 3 ? 2 : 0);
+    const int second = i == 0 ? size(kin.sibling, 0) : i == 1 ? 0 : size(s, i - 1);
+    int& value = coded_.values(i, s);
+    value = before + code_signed(value - before, kind, size(kin.mirror, i), second, size(s - 1, i));
+    if (std::abs(value) > kMostSteps) bits_.refuse();
+  }
+}
+
+/// Whether a signal has anything but zeros in a band.
+template <typename Bits>
+bool CoefficientCoder<Bits>::code_alive(std::size_t b, int s, int density) {
+  const Band& band = bands_[b];
+  const SignalKin& kin = kin_[static_cast<std::size_t>(s)];
+  const int level = std::min(static_cast<int>(bands_.size() - 1 - b), kLevels - 1);
+  const auto state = [&](int signal) {
+    return signal < 0 ? 2 : sums_[b][static_cast<std::size_t>(signal)] > 0 ? 1 : 0;
+  };
+  const auto values = coded_.values.col(s).segment(band.first, band.size).array();
+  return code((values != 0).any(),
+              {at_.alive_level.at(level, density),
+               at_.alive_kin.at(state(kin.sibling), state(kin.mirror), density),
+               at_.alive_length.at(level, std::min(digits_of(band.size), 7), density)},
+              MixingSets::kAlive);
+}
+
+template <typename Bits>
+void CoefficientCoder<Bits>::code_band(std::size_t b, int s) {
+  const Band& band = bands_[b];
+  const Band& upper = bands_[b - 1];
+  const bool has_parents = b > 1;
+  const auto signal = static_cast<std::size_t>(s);
+  const SignalKin& kin = kin_[signal];
+  const auto column = [&](int of, const Band& in) {
+    return of < 0 ? nullptr : coded_.values.col(of).data() + in.first;
+  };
+  int* const own = column(s, band);
+  const int* const parents = column(s, upper);
+  const int* const sibling = column(kin.sibling, band);
+  const int* const mirror = column(kin.mirror, band);
+  const int* const before = column(s - 2, band);
+  const auto at = [](const int* values, int i, int size) {
+    return values == nullptr || i < 0 || i >= size ? 0 : values[i];
+  };
+  const auto magnitude_at = [&](const int* values, int i, int size) {
+    return std::abs(at(values, i, size));
+  };
+
+  const std::int64_t above_sum = has_parents ? sums_[b - 1][signal] : upper.size;
+  const auto mean = static_cast<int>(16 * above_sum / std::max(upper.size, 1));  // 16ths
+  const int density = above_sum == 0 ? 0 : std::min(1 + digits_of(mean), kDegrees - 1);
+  if (!code_alive(b, s, density)) {
+    std::fill_n(own, band.size, 0);
+    return;
+  }
+  Surroundings around{};
+  around.level = std::min(static_cast<int>(bands_.size() - 1 - b), kLevels - 1);
+  around.density = density;
+  int recent = 0;  // 64ths
+  for (int i = 0; i < band.size; ++i) {
+    const int own1 = magnitude_at(own, i - 1, band.size);
+    const int own2 = magnitude_at(own, i - 2, band.size);
+    const int own3 = magnitude_at(own, i - 3, band.size);
+    const int k = i / 2;  // the parent nearest in time, and the next
+    const int l = i % 2 != 0 ? k + 1 : k - 1;
+    const int above1 = has_parents ? magnitude_at(parents, k, upper.size) : 0;
+    const int above2 = has_parents ? magnitude_at(parents, l, upper.size) : 0;
+    const int beside = magnitude_at(sibling, i, band.size);
+    int* const activity = activity_.data() + i + 1;
+    const int busy = 2 * activity[0] + activity[-1] + activity[1];
+
+    around.own = size_of(2 * own1 + own2);
+    around.above = size_of(2 * above1 + above2);
+    around.near = size_of(2 * own1 + own2 + above1 + (above1 + above2 + 1) / 2);
+    around.sibling = size_of(2 * beside + magnitude_at(sibling, i - 1, band.size) +
+                             magnitude_at(sibling, i + 1, band.size));
+    around.crowd = s == 0 ? 0 : degree_of(8 * busy / s);
+    around.recent = degree_of(recent / 4);
+    const auto capped = [](int magnitude) { return std::min(magnitude, 255); };
+    around.expected = half_octave_of(20 * capped(own1) + 5 * capped(own2) + 3 * capped(own3) +
+                                     7 * capped(above1) + 2 * capped(above2) + 7 * capped(beside) +
+                                     14 * capped(magnitude_at(mirror, i, band.size)) +
+                                     (s == 0 ? 0 : 16 * activity[0] / s) + recent / 4);
+
+    int& value = own[i];
+    const bool some = code(
+        value != 0,
+        {at_.zero_near.at(around.level, around.own, around.above),
+         at_.zero_crowd.at(around.crowd, around.own, around.above),
+         at_.zero_recent.at(around.recent, density, around.level / 2),
+         at_.zero_expected.at(around.level, around.expected), at_.zero_own.at(s, around.level)},
+        MixingSets::kZero + around.level);
+    const int magnitude = some ? code_magnitude(std::abs(value), s, around) : 0;
+    if (some) {
+      const int own1_sign = sign_of(at(own, i - 1, band.size));
+      const int own2_sign = sign_of(at(own, i - 2, band.size));
+      const int above1_sign = has_parents ? sign_of(at(parents, k, upper.size)) : 0;
+      const int above2_sign = has_parents ? sign_of(at(parents, l, upper.size)) : 0;
+      const int sibling_sign = sign_of(at(sibling, i, band.size));
+      const bool minus =
+          code(value < 0,
+               {at_.sign_near.at(around.level, own1_sign * kSigns + own2_sign, above1_sign),
+                at_.sign_above.at(above1_sign * kSigns + above2_sign, own1_sign, i % 2),
+                at_.sign_kin.at(s, sibling_sign, sign_of(at(mirror, i, band.size))),
+                at_.sign_before.at(s, sibling_sign, sign_of(at(before, i, band.size)))},
+               MixingSets::kSign);
+      value = minus ? -magnitude : magnitude;
+    } else {
+      value = 0;
+    }
+    recent += (64 * std::min(magnitude, 255) - recent) / 8;
+    activity[0] += std::min(magnitude, 8);
+    sums_[b][signal] += std::min(magnitude, 255);
+  }
+}
+
+/// The number of digits in unary, then the digits below the first.
+template <typename Bits>
+int CoefficientCoder<Bits>::code_magnitude(int magnitude, int s, const Surroundings& around) {
+  constexpr int kMostDigits = 29;  // kMostSteps has as many
+  const int wanted = digits_of(magnitude);
+  int digits = 1;
+  for (; digits < kMostDigits; ++digits) {
+    const int k = std::min(digits, kClasses) - 1;
+    if (!code(digits < wanted,
+              {at_.class_near.at(k, around.level, around.near),
+               at_.class_kin.at(k, around.sibling, around.own),
+               at_.class_crowd.at(k, around.crowd, std::min(around.above, 3)),
+               at_.class_recent.at(k, around.recent, around.density),
+               at_.class_expected.at(k, around.expected), at_.class_own.at(s, k)},
+              MixingSets::kClass + k))
+      break;
+  }
+  const int k = std::min(digits, kClasses) - 1;
+  int made = 1;
+  for (int d = digits - 2; d >= 0; --d) {
+    bool digit = (magnitude >> d & 1) != 0;
+    if (d == digits - 2)
+      digit = code(digit,
+                   {at_.top_expected.at(k, around.expected), at_.top_level.at(k, around.level),
+                    at_.top_recent.at(k, around.recent, around.own)},
+                   MixingSets::kTop);
+    else if (d == digits - 3)
+      digit = code(digit, at_.next_digit.at(k, made & 1, around.expected / 4));
+    else
+      digit = bits_.code(digit, kEvenOdds);
+    made = 2 * made + digit;
+  }
+  if (made > kMostSteps) bits_.refuse();
+  return made;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Fits what the adaptive coding knows beforehand to other clips than those it is judged by:
+//   mocapress-fit-priors CORPUS/train > core/codec/coefficient_priors.cpp
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <vector>
+
+#include "core/codec/clip_analysis.h"
+#include "core/codec/coefficient_coder.h"
+#include "core/codec/coefficient_priors.h"
+#include "core/formats/motion_file.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kScales[] = {2.4, 1.2, 0.5, 0.15, 0.07};  // cm; eps_x is about half of it
+
+struct Sample {
+  std::vector<SignalKin> kin;
+  std::vector<Band> bands;
+  QuantisedSignals coded;
+};
+
+struct IgnoredBits {
+  bool code(bool bit, Probability) { return bit; }
+  void refuse() {}
+};
+
+std::vector<Sample> samples_of(const fs::path& folder) {
+  std::vector<fs::path> clips;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".amc") clips.push_back(entry.path());
+  std::sort(clips.begin(), clips.end());
+  std::vector<Sample> samples;
+  for (const fs::path& path : clips) {
+    const ClipAnalysis analysis(read_motion(path).motion);
+    const ClosedLoop& loop = analysis.closed_loop(Basis::Cubic, Weighting::BoneEnds);
+    for (const double scale : kScales)
+      samples.push_back({channel_kin(analysis.motion().skeleton),
+                         analysis.in(Basis::Cubic).ranked.lifting.bands(),
+                         loop.quantise(scale).coded});
+    std::fprintf(stderr, "%s\n", path.stem().c_str());
+  }
+  return samples;
+}
+
+void code(Sample& sample, CoefficientModel& model, ContextTally* tally) {
+  IgnoredBits bits;
+  CoefficientCoder(bits, sample.kin, sample.bands, model, sample.coded, tally).run();
+}
+
+/// Letters of the shared contexts, by how often their bits were set in all samples.
+std::string fit_contexts(std::vector<Sample>& samples) {
+  constexpr std::uint32_t kFewest = 4;
+  ContextTally tally(static_cast<std::size_t>(ContextLayout(0).shared));
+  for (Sample& sample : samples) {
+    auto model = CoefficientModel::untaught(static_cast<int>(sample.kin.size()));
+    code(sample, model, &tally);
+  }
+  std::string letters;
+  for (const auto& [seen, ones] : tally) {
+    const double odds = (ones + 0.3) / (seen - ones + 0.3);
+    const auto steps = std::clamp(std::lround(5.5 * std::log(odds)), -44L, 44L);
+    letters += seen < kFewest ? ' ' : letter_of_prior(static_cast<int>(steps));
+  }
+  return letters;
+}
+
+/// The weights that the mixing has come to after all samples.
+std::vector<int> fit_weights(std::vector<Sample>& samples, const std::string& letters) {
+  auto taught = CoefficientModel::untaught(0).weights;
+  for (Sample& sample : samples) {
+    auto model = CoefficientModel::untaught(static_cast<int>(sample.kin.size()));
+    model.teach(letters);
+    model.weights = taught;
+    code(sample, model, nullptr);
+    taught = model.weights;
+  }
+  std::vector<int> shares;
+  for (const MixingWeights& set : taught)
+    for (const std::int32_t weight : set.of)
+      shares.push_back(static_cast<int>(std::lround(weight / 64.0)));
+  return shares;
+}
+
+void print(const std::string& letters, const std::vector<int>& shares) {
+  constexpr std::size_t kLine = 90;
+  std::printf(
+      "// SPDX-License-Identifier: MIT\n// Made by tests/bench/fit_priors.cpp.\n"
+      "#include \"core/codec/coefficient_priors.h\"\n\n#include <array>\n\n"
+      "namespace mocapress {\nnamespace {\n\n// clang-format off\n"
+      "constexpr std::string_view kContexts =\n");
+  for (std::size_t i = 0; i < letters.size(); i += kLine)
+    std::printf("    \"%s\"%s\n", letters.substr(i, kLine).c_str(),
+                i + kLine < letters.size() ? "" : ";");
+  std::printf("\nconstexpr std::array<std::int16_t, %zu> kWeights = {", shares.size());
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    std::printf("%s%d,", i % MixingWeights::kMost == 0 ? "\n    " : " ", shares[i]);
+  std::printf(
+      "\n};\n// clang-format on\n\n}  // namespace\n\n"
+      "std::string_view context_priors() {\n  return kContexts;\n}\n\n"
+      "std::span<const std::int16_t> weight_priors() {\n  return kWeights;\n}\n\n"
+      "}  // namespace mocapress\n");
+}
+
+}  // namespace
+}  // namespace mocapress
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "Usage: mocapress-fit-priors CORPUS/train\n");
+    return 2;
+  }
+  try {
+    auto samples = mocapress::samples_of(argv[1]);
+    const std::string letters = mocapress::fit_contexts(samples);
+    mocapress::print(letters, mocapress::fit_weights(samples, letters));
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "mocapress-fit-priors: %s\n", error.what());
+    return 1;
+  }
+}
