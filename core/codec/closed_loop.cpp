@@ -1,86 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/closed_loop.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "core/codec/coefficient_model.h"
+#include "core/codec/rate_table.h"
+#include "core/metrics/rate.h"
 
 namespace mocapress {
 namespace {
 
-constexpr int kSymbols = 16;
-
-/// What a coefficient costs, in bits, by its neighbours.
-class Rate {
- public:
-  explicit Rate(const std::vector<Band>& bands) : bands_(bands) {
-    bits_.assign(kContexts * kSymbols, 0);
-  }
-
-  struct Spot {
-    int first, size, index, parent_first, parent_size, level;
-  };
-
-  int context(const int* q, int b, int i) const {
-    const Band& band = bands_[static_cast<std::size_t>(b)];
-    const int* own = q + band.first;
-    const int a = 2 * (i > 0 ? std::abs(own[i - 1]) : 0) + (i > 1 ? std::abs(own[i - 2]) : 0);
-    int p = 0;
-    if (b > 1) {
-      const Band& up = bands_[static_cast<std::size_t>(b - 1)];
-      const int* par = q + up.first;
-      const int k = i >> 1, l = i % 2 ? k + 1 : k - 1;
-      p = 2 * (k < up.size ? std::abs(par[k]) : 0) + (l >= 0 && l < up.size ? std::abs(par[l]) : 0);
-    }
-    const int level = std::min(static_cast<int>(bands_.size()) - 1 - b, kLevels - 1);
-    return (level * kSizes + size_of(a)) * kSizes + size_of(p);
-  }
-  double of(int context, int value) const {
-    const int m = std::abs(value);
-    const double* const row = bits_.data() + context * kSymbols;
-    if (m < kSymbols - 1) return row[m];
-    return row[kSymbols - 1] + 2 * std::log2(m - kSymbols + 2.0);
-  }
-  static double coarse(int difference) { return 2 * std::log2(1.0 + 2 * std::abs(difference)) + 1; }
-
-  void learn(const Eigen::MatrixXi& values) {
-    std::vector<double> counts(static_cast<std::size_t>(kContexts * kSymbols), 0);
-    std::vector<double> level_counts(static_cast<std::size_t>(kLevels * kSizes * kSymbols), 0);
-    for (int s = 0; s < values.cols(); ++s) {
-      const int* q = values.col(s).data();
-      for (int b = 1; b < static_cast<int>(bands_.size()); ++b) {
-        const Band& band = bands_[static_cast<std::size_t>(b)];
-        if (std::all_of(q + band.first, q + band.first + band.size, [](int v) { return v == 0; }))
-          continue;
-        for (int i = 0; i < band.size; ++i)
-          counts[static_cast<std::size_t>(context(q, b, i) * kSymbols +
-                                          std::min(std::abs(q[band.first + i]), kSymbols - 1))] +=
-              1;
-      }
-    }
-    // Contexts seen little fall back on a geometric law.
-    for (int c = 0; c < kContexts; ++c) {
-      const int a = c / kSizes % kSizes, p = c % kSizes;
-      const double mean = 0.02 + 0.2 * a + 0.15 * p;
-      const double r = mean / (1 + mean);
-      double total = 0;
-      std::array<double, kSymbols> row;
-      for (int k = 0; k < kSymbols; ++k) {
-        row[k] = counts[static_cast<std::size_t>(c * kSymbols + k)] + 4 * (1 - r) * std::pow(r, k) +
-                 0.002;
-        total += row[k];
-      }
-      for (int k = 0; k < kSymbols; ++k)
-        bits_[static_cast<std::size_t>(c * kSymbols + k)] = -std::log2(row[k] / total) + (k > 0);
-    }
-  }
-
- private:
-  static constexpr int kContexts = kLevels * kSizes * kSizes;
-  const std::vector<Band>& bands_;
-  std::vector<double> bits_;
-};
+constexpr double kDeadZone = 0.1;  // what is added before details are cut to whole steps
+constexpr double kLambda = 0.04;   // squared steps of error that a bit is worth
+constexpr int kSweeps = 5;
+constexpr double kLeastMoved =
+    1e-4;  // of the mean curvature: what moves no landmark counts so much
 
 }  // namespace
 
@@ -90,262 +26,244 @@ ClosedLoop::ClosedLoop(const RankedCoefficients& transform, const Clip& original
       original_(original),
       model_(model),
       synthesis_(transform.lifting),
-      gains_(transform.lifting.gains()),
       curvature_(model.curvature()) {
-  const int channels = transform.channels();
-  // What moves no landmark is still to be somewhere.
-  const double least = curvature_.size() == 0 ? 1 : std::max(1e-4 * curvature_.mean(), 1e-12);
-  curvature_ = curvature_.cwiseMax(least);
-  coefficient_curvature_.resize(transform.per_channel(), channels);
-  mean_curvature_ = curvature_.colwise().mean();
-  for (int j = 0; j < channels; ++j)
-    for (int c = 0; c < transform.per_channel(); ++c) {
-      const SynthesisFunction phi = synthesis_[c];
-      coefficient_curvature_(c, j) =
-          (phi.values.array().square() *
-           curvature_.col(j).segment(phi.first, phi.values.size()).array())
-              .sum();
-    }
+  const std::vector<double> gains = transform.lifting.gains();
+  gains_ = Eigen::Map<const Eigen::VectorXd>(gains.data(), std::ssize(gains));
+  if (curvature_.size() > 0)
+    curvature_ = curvature_.cwiseMax(std::max(kLeastMoved * curvature_.mean(), 1e-12)).eval();
+  mean_curvature_ = curvature_.colwise().sum() / std::max(original.frames(), 1);
+  mean_curvature_ = mean_curvature_.cwiseMax(1e-12).eval();
+  coefficient_curvature_ = coefficient_curvature(curvature_);
 }
 
+Eigen::MatrixXd ClosedLoop::coefficient_curvature(const Eigen::MatrixXd& curvature) const {
+  Eigen::MatrixXd of_coefficients(curvature.rows(), curvature.cols());
+  tbb::parallel_for(Eigen::Index{0}, curvature.cols(), [&](Eigen::Index j) {
+    for (int c = 0; c < transform_.per_channel(); ++c) {
+      const SynthesisFunction function = synthesis_[c];
+      of_coefficients(c, j) = function.values.cwiseAbs2().dot(
+          curvature.col(j).segment(function.first, function.values.size()));
+    }
+  });
+  return of_coefficients;
+}
+
+double ClosedLoop::finest_scale() const {
+  double largest = 1e-6;
+  for (int j = 0; j < transform_.channels(); ++j)
+    if (original_.frames() > 0)
+      largest =
+          std::max(largest, transform_.values.col(j).cwiseProduct(gains_).cwiseAbs().maxCoeff() *
+                                std::sqrt(mean_curvature_(j)));
+  return 16 * largest / kMostSteps;
+}
+
+double ClosedLoop::likely_scale(const Target& target) const {
+  // As the study clips have it, roughly.
+  const auto for_error = [](double eps_cm) { return 1.8 * std::pow(eps_cm / 0.5, 1.35); };
+  const auto for_ratio = [&](double ratio) { return for_error(0.5 * std::pow(ratio / 130, 1.25)); };
+  switch (target.kind) {
+    case Target::Kind::Error:
+      return for_error(target.value);
+    case Target::Kind::MaxError:
+      return for_error(target.value / 8);
+    case Target::Kind::Ratio:
+      return for_ratio(target.value);
+    case Target::Kind::Size:
+      return for_ratio(static_cast<double>(raw_bytes(original_)) / std::max(target.value, 1.0));
+    case Target::Kind::CoefficientRatio:
+      return for_ratio(2 * target.value);
+  }
+  return 1;
+}
+
+/// One quantisation.
 class ClosedLoopRun {
  public:
-  ClosedLoopRun(const ClosedLoop& loop, double scale, const ClosedLoopEffort& effort)
+  ClosedLoopRun(const ClosedLoop& loop, double scale, const Eigen::VectorXd& frame_weights)
       : loop_(loop),
-        effort_(effort),
         bands_(loop.transform_.lifting.bands()),
-        rate_(bands_),
-        state_(loop.model_) {
-    const int channels = loop.transform_.channels();
-    const int n = loop.transform_.per_channel();
-    out_.scale = file_scale(scale);
-    lambda_ = effort.lambda * out_.scale * out_.scale;
-    out_.values.resize(n, channels);
-    errors_.resize(n, channels);
-    for (int j = 0; j < channels; ++j) {
-      const double d = loop.mean_curvature_(j);
-      out_.fineness.push_back(static_cast<int>(std::lround(std::log2(d))));
+        frame_weights_(frame_weights),
+        rates_(bands_),
+        gradient_(Eigen::MatrixXd::Zero(loop.curvature_.rows(), loop.curvature_.cols())) {
+    if (weighted()) {
+      weighted_curvature_ = frame_weights.asDiagonal() * loop.curvature_;
+      weighted_coefficient_curvature_ = loop.coefficient_curvature(weighted_curvature_);
     }
-    for (int j = 0; j < channels; ++j)
-      quantise_channel(j, loop.transform_.values.col(j), out_.values.col(j));
+    coded_.scale = file_scale(scale);
+    lambda_ = kLambda * coded_.scale * coded_.scale;
+    for (int j = 0; j < channels(); ++j)
+      coded_.fineness.push_back(
+          std::clamp(static_cast<int>(std::lround(std::log2(loop.mean_curvature_(j)))),
+                     kLeastFineness, kMostFineness));
+    coded_.values.resize(loop.transform_.per_channel(), channels());
+    for (int j = 0; j < channels(); ++j)
+      coded_.values.col(j) = quantised(j, loop.transform_.values.col(j));
+    errors_ = reconstruct(coded_, loop.transform_.lifting) - loop.original_.channels;
+    for (int j = 0; j < channels(); ++j) apply(j, errors_.col(j));
   }
 
   ClosedLoop::Result run(const Observer<ClosedLoopProgress>& observer) {
-    const int channels = loop_.transform_.channels();
-    for (int j = 0; j < channels; ++j) {
-      errors_.col(j) = synth(j, out_.values.col(j)) - loop_.original_.channels.col(j);
-      state_.add(j, errors_.col(j));
-    }
-    for (int k = 0; k < effort_.compensations; ++k) {
-      rate_.learn(out_.values);
-      for (int j = 0; j < channels; ++j) compensate(j, k == 0 ? 1.0 : 0.5);
-    }
     ClosedLoop::Result result;
-    for (int k = 0; k < effort_.sweeps && result.complete; ++k) {
-      rate_.learn(out_.values);
-      for (int j = 0; j < channels; ++j) sweep(j);
+    rates_.learn(coded_.values);
+    for (int j = 0; j < channels(); ++j) compensate(j);
+    while (result.sweeps < kSweeps && result.complete) {
+      rates_.learn(coded_.values);
+      for (int j = 0; j < channels(); ++j) sweep(j);
       ++result.sweeps;
-      result.eps_cm = std::sqrt(std::max(state_.squared_eps(), 0.0));
+      result.eps_cm = eps_cm();
       result.complete = go_on(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
     }
-    result.coded = std::move(out_);
+    result.coded = std::move(coded_);
     return result;
   }
 
  private:
-  double step(int j, int c) const {
-    return out_.step(j) / loop_.gains_[static_cast<std::size_t>(c)];
+  int channels() const { return loop_.transform_.channels(); }
+  bool weighted() const { return frame_weights_.size() > 0; }
+  const Eigen::MatrixXd& curvature() const {
+    return weighted() ? weighted_curvature_ : loop_.curvature_;
+  }
+  const Eigen::MatrixXd& coefficient_curvature() const {
+    return weighted() ? weighted_coefficient_curvature_ : loop_.coefficient_curvature_;
   }
 
-  template <typename In, typename Out>
-  void quantise_channel(int j, const In& coefficients, Out&& q) const {
-    const double s = out_.step(j);
-    for (int c = 0; c < coefficients.size(); ++c) {
-      const double v = coefficients(c) * loop_.gains_[static_cast<std::size_t>(c)] / s;
-      if (c < bands_[0].size)
-        q(c) = static_cast<int>(std::lround(v));
-      else {
-        const int m = static_cast<int>(std::abs(v) + effort_.dead_zone);
-        q(c) = v < 0 ? -m : m;
-      }
+  Eigen::VectorXi quantised(int j, const Eigen::VectorXd& coefficients) const {
+    const Eigen::ArrayXd steps = coefficients.cwiseProduct(loop_.gains_) / coded_.step(j);
+    Eigen::VectorXi values(steps.size());
+    for (Eigen::Index c = 0; c < steps.size(); ++c) {
+      const double limited = std::clamp<double>(steps(c), -kMostSteps, kMostSteps);
+      const auto cut = static_cast<int>(std::abs(limited) + (c < bands_[0].size ? 0.5 : kDeadZone));
+      values(c) = limited < 0 ? -cut : cut;
     }
-  }
-  template <typename In>
-  Eigen::VectorXd synth(int j, const In& q) const {
-    Eigen::VectorXd v(q.size());
-    const double s = out_.step(j);
-    for (int c = 0; c < q.size(); ++c) v(c) = q(c) * s / loop_.gains_[static_cast<std::size_t>(c)];
-    const std::span<double> span(v.data(), static_cast<std::size_t>(v.size()));
-    loop_.transform_.lifting.inverse(span, span);
-    return v;
+    return values;
   }
 
-  double channel_bits(const Eigen::VectorXi& q) const {
-    double bits = 0;
-    int before = 0;
-    for (int i = 0; i < bands_[0].size; ++i) {
-      bits += Rate::coarse(q(i) - before);
-      before = q(i);
-    }
-    for (int b = 1; b < static_cast<int>(bands_.size()); ++b) {
-      const Band& band = bands_[static_cast<std::size_t>(b)];
-      if ((q.segment(band.first, band.size).array() == 0).all()) continue;
-      for (int i = 0; i < band.size; ++i)
-        bits += rate_.of(rate_.context(q.data(), b, i), q(band.first + i));
-    }
-    return bits;
+  double eps_cm() const {
+    return std::sqrt(std::max(errors_.cwiseProduct(gradient_).sum(), 0.0) /
+                     std::max(loop_.original_.frames(), 1));
   }
 
-  void compensate(int j, double a) {
-    const auto d = loop_.curvature_.col(j).array();
-    const auto g = state_.gradient().col(j).array();
-    const auto e = errors_.col(j).array();
-    Eigen::VectorXd target = loop_.original_.channels.col(j).array() -
-                             a * (g - d * e) / (d + 0.1 * loop_.mean_curvature_(j));
-    const std::span<double> span(target.data(), static_cast<std::size_t>(target.size()));
-    loop_.transform_.lifting.forward(span, span);
-    Eigen::VectorXi q(target.size());
-    quantise_channel(j, target, q);
-    const Eigen::VectorXi now = out_.values.col(j);
-    if (q == now) return;
-    const Eigen::VectorXd error = synth(j, q) - loop_.original_.channels.col(j);
-    const Eigen::VectorXd delta = error - errors_.col(j);
-    const double energy = static_cast<double>(delta.size()) * state_.change(j, delta);
-    if (energy + lambda_ * (channel_bits(q) - channel_bits(now)) >= 0) return;
-    out_.values.col(j) = q;
-    errors_.col(j) = error;
-    state_.add(j, delta);
+  /// What `delta` in channel j would add to the sum of squared errors.
+  double energy_of(int j, const Eigen::VectorXd& delta) const {
+    return delta.dot(2 * gradient_.col(j) + curvature().col(j).cwiseProduct(delta));
   }
 
-  /// The bits of coefficient i and of those it is a neighbour of.
-  double local_bits(int* q, int b, int i, int value) const {
-    const Band& band = bands_[static_cast<std::size_t>(b)];
-    int& mine = q[band.first + i];
-    const int kept = mine;
-    mine = value;
-    double bits = rate_.of(rate_.context(q, b, i), value);
-    for (int k = i + 1; k <= i + 2 && k < band.size; ++k)
-      bits += rate_.of(rate_.context(q, b, k), q[band.first + k]);
-    if (b + 1 < static_cast<int>(bands_.size())) {
-      const Band& below = bands_[static_cast<std::size_t>(b + 1)];
-      if (alive_[static_cast<std::size_t>(b + 1)] != 0)
-        for (int k = std::max(2 * i - 1, 0); k <= 2 * i + 2 && k < below.size; ++k)
-          bits += rate_.of(rate_.context(q, b + 1, k), q[below.first + k]);
-    }
-    mine = kept;
-    return bits;
+  void apply(int j, const Eigen::VectorXd& delta) {
+    loop_.model_.add_to_gradient(j, weighted() ? delta.cwiseProduct(frame_weights_) : delta,
+                                 gradient_);
   }
 
-  void sweep(int j) {
-    Eigen::VectorXd g = state_.gradient().col(j);
-    const auto d = loop_.curvature_.col(j);
-    int* const q = out_.values.col(j).data();
-    Eigen::VectorXd delta = Eigen::VectorXd::Zero(g.size());
-    bool changed = false;
-    alive_.assign(bands_.size(), 0);
-    for (std::size_t b = 0; b < bands_.size(); ++b)
-      for (int i = 0; i < bands_[b].size; ++i) alive_[b] += q[bands_[b].first + i] != 0;
-    for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
-      const Band& band = bands_[static_cast<std::size_t>(b)];
-      for (int i = 0; i < band.size; ++i) {
-        const int c = band.first + i;
-        const SynthesisFunction phi = loop_.synthesis_[c];
-        const auto size = phi.values.size();
-        const double inner = phi.values.dot(g.segment(phi.first, size));
-        const double h = loop_.coefficient_curvature_(c, j);
-        const double s = step(j, c);
-        const int now = q[c];
-        if (now == 0 && std::abs(inner) <= 0.5 * s * h) continue;
-        const double best_real = now - inner / (h * s);
-        if (!(std::abs(best_real) < kMostSteps)) continue;
-        const int nearest = static_cast<int>(std::lround(best_real));
-        const int toward = nearest > 0 ? nearest - 1 : nearest < 0 ? nearest + 1 : 0;
-        int best = now;
-        double least = 0;
-        const auto bits = [&](int v) {
-          if (b == 0) {
-            const int before = i > 0 ? q[c - 1] : 0;
-            return Rate::coarse(v - before) +
-                   (i + 1 < band.size ? Rate::coarse(q[c + 1] - v) : 0.0);
-          }
-          return local_bits(q, b, i, v);
-        };
-        const double bits_now = bits(now);
-        int tried = 0;
-        std::array<int, 3> candidates{};
-        for (const int v : {nearest, toward, 0})
-          if (v != now && std::find(candidates.begin(), candidates.begin() + tried, v) ==
-                              candidates.begin() + tried)
-            candidates[static_cast<std::size_t>(tried++)] = v;
-        for (int k = 0; k < tried; ++k) {
-          const int v = candidates[static_cast<std::size_t>(k)];
-          const double dx = (v - now) * s;
-          double price = bits(v) - bits_now;
-          if (b > 0 && alive_[static_cast<std::size_t>(b)] == 0) price += 4 + 0.05 * band.size;
-          if (b > 0 && v == 0 && alive_[static_cast<std::size_t>(b)] == 1)
-            price -= 4 + 0.05 * band.size;
-          const double cost = dx * (2 * inner + dx * h) + lambda_ * price;
-          if (cost < least) {
-            least = cost;
-            best = v;
-          }
-        }
-        if (best == now) continue;
-        alive_[static_cast<std::size_t>(b)] += (best != 0) - (now != 0);
-        q[c] = best;
-        const double dx = (best - now) * s;
-        delta.segment(phi.first, size) += dx * phi.values;
-        g.segment(phi.first, size).array() +=
-            dx * phi.values.array() * d.segment(phi.first, size).array();
-        changed = true;
-      }
-    }
-    if (!changed) return;
+  /// Moves a channel to where it should be, given everyone else's error, if that pays.
+  void compensate(int j) {
+    constexpr double kDamping = 0.1;
+    const auto curve = curvature().col(j).array();
+    const double mean = curve.mean();
+    Eigen::VectorXd target =
+        loop_.original_.channels.col(j).array() -
+        (gradient_.col(j).array() - curve * errors_.col(j).array()) / (curve + kDamping * mean);
+    const std::span<double> samples(target.data(), static_cast<std::size_t>(target.size()));
+    loop_.transform_.lifting.forward(samples, samples);
+    const Eigen::VectorXi values = quantised(j, target);
+    if (values == coded_.values.col(j)) return;
+    target = values.cast<double>() * coded_.step(j);
+    target.array() /= loop_.gains_.array();
+    loop_.transform_.lifting.inverse(samples, samples);
+    const Eigen::VectorXd delta = target - loop_.original_.channels.col(j) - errors_.col(j);
+    const double saved = rates_.bits(coded_.values.col(j).data()) - rates_.bits(values.data());
+    if (energy_of(j, delta) >= lambda_ * saved) return;
+    coded_.values.col(j) = values;
     errors_.col(j) += delta;
-    state_.add(j, delta);
+    apply(j, delta);
+  }
+
+  /// Moves each coefficient of a channel to the cheapest of the values around its best one.
+  void sweep(int j) {
+    Eigen::VectorXd gradient = gradient_.col(j);
+    Eigen::VectorXd delta = Eigen::VectorXd::Zero(gradient.size());
+    int* const values = coded_.values.col(j).data();
+    count_alive(values);
+    for (int b = 0; b < static_cast<int>(bands_.size()); ++b)
+      for (int i = 0; i < bands_[static_cast<std::size_t>(b)].size; ++i) {
+        const int c = bands_[static_cast<std::size_t>(b)].first + i;
+        const SynthesisFunction function = loop_.synthesis_[c];
+        const auto size = function.values.size();
+        const double slope = function.values.dot(gradient.segment(function.first, size));
+        const double curve = coefficient_curvature()(c, j);
+        const double step = coded_.step(j) / loop_.gains_(c);
+        const int moved = best_move(values, b, i, slope * step, curve * step * step);
+        if (moved == 0) continue;
+        alive_[static_cast<std::size_t>(b)] += (values[c] + moved != 0) - (values[c] != 0);
+        values[c] += moved;
+        delta.segment(function.first, size) += moved * step * function.values;
+        gradient.segment(function.first, size) +=
+            moved * step *
+            function.values.cwiseProduct(curvature().col(j).segment(function.first, size));
+      }
+    if (delta.isZero(0)) return;
+    errors_.col(j) += delta;
+    apply(j, delta);
+  }
+
+  void count_alive(const int* values) {
+    alive_.clear();
+    for (const Band& band : bands_)
+      alive_.push_back(static_cast<int>(
+          band.size - std::count(values + band.first, values + band.first + band.size, 0)));
+  }
+
+  /// By how many steps to move a coefficient; a move of x costs 2 slope x + curve x^2 in error.
+  int best_move(int* values, int b, int i, double slope, double curve) const {
+    const int now = values[bands_[static_cast<std::size_t>(b)].first + i];
+    if (now == 0 && std::abs(slope) <= 0.5 * curve) return 0;
+    const double best = now - slope / curve;
+    if (!(std::abs(best) < kMostSteps)) return 0;
+    const auto nearest = static_cast<int>(std::lround(best));
+    const int smaller = nearest - (nearest > 0) + (nearest < 0);
+    const double bits_now = bits_with(values, b, i, now);
+    int move = 0;
+    double least = 0;
+    for (const int value : {nearest, smaller}) {
+      if (value == now) continue;
+      const double x = value - now;
+      const double cost =
+          x * (2 * slope + x * curve) + lambda_ * (bits_with(values, b, i, value) - bits_now);
+      if (cost >= least) continue;
+      least = cost;
+      move = value - now;
+    }
+    return move;
+  }
+
+  /// The bits that depend on a coefficient, were it `value`.
+  double bits_with(int* values, int b, int i, int value) const {
+    const Band& band = bands_[static_cast<std::size_t>(b)];
+    if (b == 0)
+      return RateTable::coarse_bits(value - (i > 0 ? values[i - 1] : 0)) +
+             (i + 1 < band.size ? RateTable::coarse_bits(values[i + 1] - value) : 0);
+    // A band that is zero throughout takes next to nothing.
+    const bool was_something = values[band.first + i] != 0;
+    const bool others = alive_[static_cast<std::size_t>(b)] > (was_something ? 1 : 0);
+    const double waking = others || value == 0 ? 0 : 4 + 0.05 * band.size;
+    return waking + rates_.bits_around(values, b, i, value);
   }
 
   const ClosedLoop& loop_;
-  ClosedLoopEffort effort_;
   const std::vector<Band>& bands_;
-  Rate rate_;
-  ErrorState state_;
-  QuantisedSignals out_;
-  Eigen::MatrixXd errors_;
-  double lambda_ = 0;
-  std::vector<int> alive_;
+  const Eigen::VectorXd& frame_weights_;
+  Eigen::MatrixXd weighted_curvature_;
+  Eigen::MatrixXd weighted_coefficient_curvature_;
+  RateTable rates_;
+  QuantisedSignals coded_;
+  Eigen::MatrixXd errors_;    // frames x channels: decoded minus original
+  Eigen::MatrixXd gradient_;  // G times that, frames weighted
+  double lambda_ = 0;         // of it that a bit is worth
+  std::vector<int> alive_;    // how many of each band are not zero, of the channel being swept
 };
 
-ClosedLoop::Result ClosedLoop::quantise(double scale, const ClosedLoopEffort& effort,
+ClosedLoop::Result ClosedLoop::quantise(double scale, const Eigen::VectorXd& frame_weights,
                                         const Observer<ClosedLoopProgress>& observer) const {
-  return ClosedLoopRun(*this, scale, effort).run(observer);
-}
-
-double ClosedLoop::finest_scale() const {
-  const Eigen::Map<const Eigen::VectorXd> gain(gains_.data(), std::ssize(gains_));
-  double largest = 1e-6;
-  for (int j = 0; j < transform_.channels(); ++j)
-    largest =
-        std::max(largest, (gain.asDiagonal() * transform_.values.col(j)).cwiseAbs().maxCoeff() *
-                              std::sqrt(mean_curvature_(j)));
-  return largest / (kMostSteps / 16);
-}
-
-double ClosedLoop::likely_scale(const Target& target) const {
-  switch (target.kind) {
-    case Target::Kind::Error:
-      return 2 * target.value;
-    case Target::Kind::MaxError:
-      return 0.4 * target.value;
-    case Target::Kind::Ratio:
-      return 0.01 * target.value;
-    case Target::Kind::Size:
-      return 0.01 * 4 * static_cast<double>(original_.channels.size()) /
-             std::max(target.value, 1.0);
-    case Target::Kind::CoefficientRatio:
-      break;
-  }
-  return 1;
+  return ClosedLoopRun(*this, scale, frame_weights).run(observer);
 }
 
 }  // namespace mocapress

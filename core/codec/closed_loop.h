@@ -1,41 +1,40 @@
 // SPDX-License-Identifier: MIT
-// Quantisation and channel trade-offs decided together, by what they do to eps_x.
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/codec/adaptive.h"
+#include "core/codec/quantised_signals.h"
 #include "core/codec/target.h"
 #include "core/select/error_model.h"
-#include "core/select/ranking.h"
 #include "core/wavelet/synthesis.h"
 
 namespace mocapress {
 
 struct ClosedLoopProgress {
   int sweep = 0;
-  double eps_cm = 0;  // by the quadratic model
+  double eps_cm = 0;  // by the quadratic model, frames weighted
 };
 
-struct ClosedLoopEffort {
-  int compensations = 1;
-  int sweeps = 4;
-  double dead_zone = 0.32;
-  double lambda = 0.04;
-};
-
+/// Quantisation and the trade between channels decided together, by what they do to eps_x.
+///
+/// Each channel's step is in inverse proportion to how far it moves the landmarks. From there on
+/// every change of a coefficient is judged by what it costs in eps_x^2, given the errors of all
+/// others, against what it saves in bits; so a knee makes good what the hip lost. Const and safe to
+/// use from several threads at a time; the outcome is always the same.
 class ClosedLoop {
  public:
+  /// All must outlive this.
   ClosedLoop(const RankedCoefficients& transform, const Clip& original, const ErrorModel& model);
 
   struct Result {
     QuantisedSignals coded;
-    double eps_cm = 0;  // by the quadratic model
+    double eps_cm = 0;  // by the quadratic model, frames weighted
     int sweeps = 0;
     bool complete = true;  // false: the observer ended it
   };
 
-  /// Quantised in steps of about `scale` cm, as they move the landmarks.
-  Result quantise(double scale, const ClosedLoopEffort& effort = {},
+  /// Quantised in steps of about `scale` cm, as they move the landmarks. Errors of a frame count by
+  /// its weight, one for each, or all alike where there are none.
+  Result quantise(double scale, const Eigen::VectorXd& frame_weights = {},
                   const Observer<ClosedLoopProgress>& observer = {}) const;
 
   /// Of finer scales the largest coefficients would not fit.
@@ -46,13 +45,17 @@ class ClosedLoop {
 
  private:
   friend class ClosedLoopRun;
+
+  /// |synthesis function|^2 weighted by a curvature, coefficients x channels.
+  Eigen::MatrixXd coefficient_curvature(const Eigen::MatrixXd& curvature) const;
+
   const RankedCoefficients& transform_;
   const Clip& original_;
   const ErrorModel& model_;
   Synthesis synthesis_;
-  std::vector<double> gains_;
-  Eigen::MatrixXd curvature_;              // frames x channels
-  Eigen::MatrixXd coefficient_curvature_;  // H
+  Eigen::VectorXd gains_;
+  Eigen::MatrixXd curvature_;              // of the model, nowhere zero
+  Eigen::MatrixXd coefficient_curvature_;  // all frames alike
   Eigen::VectorXd mean_curvature_;
 };
 

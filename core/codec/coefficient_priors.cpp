@@ -9,94 +9,94 @@ namespace {
 
 // clang-format off
 constexpr std::string_view kContexts =
-    ",<=@DHLTDEFGILPYJKKLOQSWHKJKLPRWKNNNOQTXLOMOQQUYMSQRSUV[NVMSSWZ_/>?BEHLTJHJKMOQWKKLMNPRUKM"
-    "LMOQSXONOPQRTYQQRRRTVZUTVTTVX] V X^Z[_1>@CFIMUKJJKMNQWLLMNNPRWMNNNPQSWOPQQRSTXTRTSTUVZWTWW"
-    "VWY] __U]]]b4=@CFINWHIJJMNQWLLKMMOSWMMMMPQSXOPPQQSUYTTRTUTW[UUWWVWY^UZWXX]^d:ADFILPZJHIJLN"
-    "RWMLMNOQSXMMMONQTXQQQQSSUZTTTTUUX[VVYVWWZ_[`[Z^]^eEEHJLQVbIJJLNQSYNLMNPRUZOOOOPSU[TQQRSTW]"
-    "XTUUTVX^]ZXY[ZZ`gcjec`agMEJLOSXjJNMMOSU]OLLMORW[QPOPQSW[TPSRSUX[[SUTVXY^_[YWYZ[al fb^caiVH"
-    "ORTX^jKJMOQSTYPLLNRTW_UOORQTW^XUPUUVZa_aWVVWZ`cX]Y]]]aqehZ`aci'79<?BHTDDEEGIMVFGHIKMOWGHIJ"
-    "KMQVIHLMMORYOMMOPRT[[VXSPUX^r    W_h-:;>ACFNDCCDGGJQJGIJKMMQEGGGHKOUGKKKMLQUJHMKMNQU  QQOP"
-    "RT       S.=>@DFJPGFHGIKPPIIIKKMOUFHHIJLOVKJJKMNQWISKLOOSV  VSPPSV      UV2>@BEHLRJHIHKLOV"
-    "LIKLMNOTIJJKLMOTKKKMLOQVLMLMONQXISORQRT[    QTVX3?ACGIMSKIJJLMPULLLMNPQUKMLLMOQUNNNNOPRWOO"
-    "NPPQSWPVRQQSTY    RXTX5@BEHKOTJJKKMOQVLLMNOPRVLMMNOQSWOPPPRRSWQRQQRSUXSSSRSTVZ  VRZUZ`7ACF"
-    "ILQWJJKLNPRWMMMNOQSWMONOPRTXQPQRSTUXUSTSTUVYVSVVUWX]QRWXYZ[a@CEGJNS]JJKLNPSYNMMNOQTYNNNOPR"
-    "UYRRRRSTVZVTUVVVX[ZWWXXXZ^ef_W]`_dOFJLNRWeKMLNORUZPNNOQRV[RPPQQTV]USSTTUX][UVUVWY_aX[YZZ[a"
-    "mic```af      __              Z[`   TWd]a    OYf^   XV_ad `Tg^`dy `Vcbbl4;GK08< 47>C49?G8;"
-    "AG;>EI=ALXAELSFHPYGOWd+4DG-18?138C55;B79>E;;@H=>CL?@EO@BHQ=GLVBDHGAAB=@AE@AAEDBBDECDFJDEHO"
-    "FGJQGHMTGLQY?JJKBAC@CCDFEEEGFEGHGGHKHIJPIJLPJKNSJNR[ MMVD   GIJ HHILHJKMJKMMKLMRMMORNNPTNP"
-    "SZ    H   IJ  KG  KKO MNPPNOQVPQQSRRSURSUZ    J       J   L   OMQ PSV`RSTVTUUXUVW[        "
-    "        J   LM  OPbjTUVZVWXYXYZ^                    H   R doQ[_ XWXZY]_a                  "
-    "        kxW   VVbZ]adi##/2378<?CGJMPRTWXZ]][baclk     %$0347:=@CGJMPRUVXYZ]Yaeebc     )&/2"
-    "569<?BFIMPRUWYZ]^[bdklob    ,)0/468;=@DHKORUWY[^``dhim|s    5-458;;<?BEGJNQTWY[^`adfilnsg "
-    "  H68<:??A@CEGJNQTWZ]_abeglloxr   V=8;HD@BBDFGKNRUXZ]`bcgjlrrsw   n     JOOGIJMPTWY]_`cefl"
-    "kptvt   KJHIKNRYJGGILOSZIFHJLNSYIGHIKNS[JGHJLOT^RHJLNQVaUJMMORVcXLOPQTYeCGGGHJNUFDEEGINVDD"
-    "DEGINUECEFGJNWIBGFHKOYVIIIJLQ]WIKKLNR_YKNNOQUaEFFGFFJR?CBEDFJSGEDBCEIRGFGEDFJSKDIEEGKVWFKI"
-    "JJMXV9MKKLOZXGNONOQ^?@=BEDFO =9CBDEO@=E<@CEO @EFEDFPQ JHHEGSW?IGHIJUU KKKJLWWTNONNOZ   >F@"
-    "FN   =:ADN    =BCN   FHEEOP JPLHGQV OQHHITU NNMJKVW PQNNNX      BL     @AN     @AN     ICN"
-    "J  @=MBPU QOFLHRU JSKMKTU KMRLOV       M       L      JN      <M     HIOS  T NKQR  LOKKST "
-    "FNOQMT       M       M       M       M      OMP  M PINO   M@LPR  MMMORJKLNQTYcJKLNPSV_KLMO"
-    "QTV_KLMOQTW_LMNPRTX_NNOQSUX_PPPRTWZ`XQSTVY^fIIIJLOU_HIHIKNR[IIIKLOSZIIIJLOSZJIJKMOSZLKKLMP"
-    "TZOLMNPRU[YOPQSUXbMFGHJLQZIFEFHJNXKFGGIJOXJGGHHKOWKGGHIKOWLGGIJKOVPJJKKMQWXLMNOQT^SEHGIJMW"
-    "LCEGGGKUKEBCEHKUKEDFFGJSLCHFFHKSOEGFFHKSOFGHHILSWKKLLMPYTIJIIKLUN FAGHJSKO=DJHKSM<ACDGIRMD"
-    "GEEEJPNDDGFFIPPFFHHGIQVHJJKKMVUFEGHIKSN   GHIRO   DFJQL  ?IFJRN IHFDHQM LAEGGOO=JHEFGOUEKI"
-    "IJKTT JFJIIRS     PPQ     KOK    ?KQL    OBPK   JCHON GGLFENS GKJJJRR   GBHOQ     KOM     "
-    "=OG     FNL     HNI     FOK   GIHNQ JIKHJPLHGOFGGLEGGLGHGLJJINJKJPLLKROLLUXNOZh XhQEEPCFCH"
-    "FBEKBEDJDCDJGGGMHIIOPIKRYMMWh ZcYDGR@F=H:<CICDEJCD@JEDBMFFFMSJJPXKMU` S_Z@DS   K   J @FIF="
-    "=JD@>NEBELRIINXLMT^ P[X  T   C   L   K   J   OOJCMRFFOWNLS^ OYX  S       C   L   K   N   M"
-    "Q =OVNLRZ  VV  S       J   J   I   N   MM  NTLQQW  TR  P           F   L   M   MK  LRJLOS "
-    " QGIIHHISNQ[EHHHGHHILNEGIGHHJKMQKGJJJJKLNQOTLMLLMMOQ bQNOOPPQS   TQQUSTV    `S_UVY      nV"
-    "X]      rRWcADEEDFUKOY9CDDDDFFILCEEFFFHGJOCEEEFFHHJOEHAFHHIIKO RFOMJLKLP    LORNOR    QQ]R"
-    "RU      fUUX      oUV`?:AFCEWGLW EF;@CEEHK KJEFEHFHN JFDGCIFHN   EFDIFHM M GHFLGHM    LLRJ"
-    "JN     NZNNQ      bQRU      jTT]   @ GWFFV    @9GHIH  M=@BJEEM   ?HFKFHL   @DHLEFL    KCNE"
-    "EL    ?KRFFL     MZKIM      ^KMQ      fFPX      VHFU      ?@?I      Q<CK    >=M@IL     IOH"
-    "FK    L>OGEL     JRFEK      ULFL      ZTKN      b LV      U KT                N  J      P "
-    ";J      KE8K      PKIJ      OGCK      QGCK      VLKL      ^ QT      T  S                K "
-    " G      Q  J      P  K      M<;J      MMJJ      OLHJ      P=HK      Z KR      Q  Q        "
-    "        M         M  I      M  E      N  K      N  J      M  I      M @I      S JPQGDGFFEF"
-    "FGHJLNPSUXZ]_`cfilov{   W@?>BDBBBBCEFHKMPSUWZ]_behlps   ]   <G=ADABCDEFHKNPSUXZ^adhmk   ] "
-    "     @GEHCIIFFGIKNQTVY[`dhl   X         FMNOMJHHIJLORUX[`ei   W          HPSNMLJIHILNQSWZa"
-    "d   U           NUPNMMKJIMKMOSV[_   R           IQLPLMNMKPKNLOQSS                         "
-    "          HGDEFEFFFGGHIJKMNNNOONOOOOOK    R   ECDEDDFEGHIJKMMNNNOOOOOPQ   N      @IBEGGGHH"
-    "IJLMNNNOOPOPO   L         PJLHHHHIJKLMNNOOOON   M          TPLILHGIIIKLMNOONO   N         "
-    "  PLKLKIIGIIJKMNNOR   N           MMIJIJJJIKJKKLLMM           KKLLMMMNJKKLLMMNKKKLLMMNJKKL"
-    "LMMMKJKKLLMMMJKKLLLMKJKKKKLL                                                              "
-    "                  K       HK      HIJK    IIJJL   JJJJKMP KKKLLMN LLLLMNNOMMMMNNNOKLJLNOOO"
-    "NLLNLOOOL       FI      HIJI    HIHJJ   HHHIIKM IIIIJKM JKJKKKMNKLLLLMMNMLMLMMNOMMLLNNNOM "
-    "      JH      IFJH    IKHKK   HFFIJKL IGHIIJL JHIIIJKNKKJKJKLNMMKLLLMNMIMMLNNOM       JL  "
-    "    LJJM    HKGJM   GFJHHKL FIHFGJK JIJGIIJMHKIHIIJMHJLJJKKMMMLLLKMNM                 K   "
-    "     KH   H O=GKM   JEJIJ  FJHFEJK?JFHIHIKG=FGIJILMLKMLKKMM                 K        PH   "
-    "    ?JK     @CM     ?OJI   @AIFK@ ONIJIK  FDGJKLL                 H        DO        MP   "
-    "   MI       IK    H=GK     =GK   >JJIL                                PLJLNOO KMKLNOO NFIK"
-    "MOO O PMNOP H ILLNOJO PNMNO N  MKMONL JMLNOSK  LLMNOI  PMMNOJ  LLLMMO  LMMNLOPNOPLOROLMKON"
-    "LJLKRTRSSRPRQOPNNOMOQOMNMNNMNNMQRPOQPOQPOPNOPMPQONNLOOMMNLPRPPQPPQPOPNOPMOQNLMKMNLMMKQTQRR"
-    "PPRPNOONPMPQNLMKNNLLMKQSQQSQQRPPMQNOOPPOONLMMMNNLOQQOQQQQPOKSOMMPQOONONMNNNNPPPQOPRPQOMQON"
-    "NPQQOPPKPOMOQPNNPMOROOOONOPPNNNMRPOPLNPQMONKQONPNMQPQSNOSRROMOPSMKKLPPPNMNPQ2LRW^dlrok1INP"
-    "TW]but3DIMQUZ`j|4@EJPT[fo|9EEIOT[hm|>IKMPVWly|? MGKTTfl|E MOPSXiq|1FGFJKDSV BJQUVVZbox4IJL"
-    "NQP]fy=GLMNPL`d KOTXY_cit|@JOQSX[hp|                    6GOIRQbemx                        "
-    "                                    + EHR_gfb_2LSX`ekrnk                                  "
-    "                          1G2AHNU[pq1IQUY`hmrp                                            "
-    "      3 >@FMRWdx4JIMQT`qpr3DJPU_ivuv                                        :  GNOV_iz3 CC"
-    "LQWcsy4?7JMXfngu-@GLSXhvuy                              A   KPXii{4  DFNVah|2  >OWemow3KGK"
-    "SVdpqv'DELT_ctt{                    C    OUghr@   OSZhs|;  KPXammx8 EKOSYhqy9JJMR`hqr{:HQQ"
-    "Y]lllv                    ?    LTZ]rD   GPZfnx?  ECQYbpz8 NDN[bpq|> JKV_jklv              "
-    "                E    LXkkxF   NQYen|C  PRWcrr|= MLQ^kklw                    UUOI'         "
-    "                  KF.                             X^[ZYXVUTSRPNKJJJ               UZYXWVUT"
-    "SRQPONNSRNO             wwolhdc_^ZWUUSOKJ@              efbb^[YYXVUTRSPNKH              wV"
+    "-<=@CFJRDDFGHKNVIKJLMPQTGJHJLNQVJMLLNPRWLMLMOPSWNRPQRRTZOPUOQUX^0>?ADGJQIHIJLNOVJKJLMNPSIL"
+    "KLMOQVLMNNOPSWNPPPPQTXPSSSRTUZ SXVXXY^2>@BEGLTJJJKKMOVKKLLMNPTLLLMNOQUNNPOQQSVRRPQRSTXTVSU"
+    "UUVZ  _QYZZ`5>?BEHMUHIIJLMPVKKLKMOQVKMLMNORVNNPNPQSWRRRQRSUYTSVUUVW[TX[V_[[b;ACEHKOXIIJJKN"
+    "QVLMLLNPRVLMNNNPSWQPPPQSTYSSRSSSVYRTWVVVX]ZUW[Y[]cDEGILPT_JJKNKOSVLLLMOPSYNMNOPRTZSQPRQRVZ"
+    "URUTTUV[[[VWXXY_fc^_b`_eLFJKNRVeKJLLOOVZMLLLOQUZONNOPRUXSQQQSTW[XSTSTUW]^XWXVXZ_k ^c[_`hUI"
+    "NQSV[hIKMNSQSTNKMNQSU[SONPQUW`VSPSSSX][VTVUVY^bVVZZY[_ne_cZbch(89<>AFQCDEFGIKUEEFHILMTCGFG"
+    "IKNUHIJILNQWJKIKNORXX_NSPSU]r   `d^g/;<>ACFOFDGFFGJNFFHHJKMOEHGHHHMTHGKIILORHNKJLLOSNVKKQO"
+    "RU      PS0<>@BEIPGDEGHJMSIIIJLLMRFIGHIKMTIJIJLLOUGJFKLLPVOOJRKNQU      SX3>?BDGJPHHHIIKMT"
+    "JKIJLLNQHJJIJKNRIKJKLMOSLLIJLMOUERQPORRW     OVW5@ACEHKQIIJJJKNUKKJLLNORIKKLLMPTMLLLMNPUMN"
+    "MMNOQUNQPORQRW    UQUY6ABDGJMSJIIKLMPUKLKMMOQTJLLNNOQUMNONPPRUOPOOPQRVNQPRQRTXRTUPUUX^8BCF"
+    "HKOVJJKLMOQULLMMNPRULMMNOPSVOOPOQRSVRRRRRSUXTUTTTUVZSNVYXYY_@CEGJMQYJIJKMORXLMMMNPSWMMMNPQ"
+    "SXQPQPRSUYTTTSTUVYXVWWVWX[dW_XY^]bNFIKNQVbKLLNOQTYMNNMPQUZQNPPPRVZTRQRSTV[XTTTUUW]_VWYXYZ_"
+    "kb_^]__e       a       _      Zea    aS]_   aUX`_   V]^`g aU]]_cp  bb]bk3=CJ05<L48=B5:?D8:"
+    "AF:=EI<ALX?DKQDGOWENVc+5?F-/8=14:@45;D78>F:;@H=>BK>@DO?AGP=GJW?DEF?@BO@AB=@ACEABDFBCEIDEGN"
+    "EFIOFGKSFKPWAFHKA@D BCAGDCGGDEGHFFHKGHJPHIKOIJMRILQYGKKODH> GJI GHIKGIKJIILMJKMRKLNQLMOSMO"
+    "RX  YUGN  I   IJ  JHL LMPNMNPVNOPROPQTPQTY    K   M   I   J@  MMM OPT_PQSTRSTVSTVZ        "
+    "        K   LO  PS`hRUTYTUWXVWY]                    J   R dmPUb_VVX]WZ]`                  "
+    "        iuU   UUUYZ_bh$#02368;?BEILNQSUVXZ[Zb_dlk     ''0457:=?BFIKNQRUWXY[X_db^i     )'13"
+    "579<>AEHKNQSUWXZ]Z`cfloa    .)-2368:<@CGJMPSUWY[^^beijts    4/6668;=>ADFIMPSUWY[^_begjlsg "
+    "  F7;3>:>?AADFIMPSVXZ]_`deijlrr   R99@CE>DBDEGJMPTVX[^`behknrrw   f  Q  JLLKHJLORUWZ[_abek"
+    "kmsvt   NLJKMOSYNJJLMPTZLJJKMPSZLJJKMOT[KIKLMPT_RKLMORVaUJMNPRWcWKPPRUYeFIHIIKNUEEFGHJOVDD"
+    "FFHJNUEDGFHJNWIDFGHKPYUGJJKMQ]VHKLMNR_XLNNOQUaBHFHGGJRDGDEEGJSEECCDFJREHFEFGJSKBHEFHKVWFJI"
+    "JJMXVFLLLLOZXLNONOQ^=>AFFDGO<@AEBBFO><DABCFOHEHCEDFPM MIIEHSV=IJHIKUU LLKJLWXMMMONOZ   :D="
+    "FN   ;:CEN    CACO  J@IFEOO IKKGGQV OOFHITU MPLKKVWJOPONNX      BM     @CN     @AN    @KAN"
+    "J   FJCPU `K>LHRU RNMLKTU MMPMOV       M      ?M      JN      =M      JOS VT OJQR TJJOJST "
+    "KQNOMT       M       M       M       M      NMP LO OJNO MO KKPR MKMMORMMMPRUYcLLNPQTWaMMNP"
+    "RTX`NNNQRUX_OOOQSUX_POQRSVY_RQRTUWZaXRTVWY^fJIJKMPU_IIJLLOS[JJJKMOS[JJJKMOSZKJJLNPSZLLKMNP"
+    "TZOMNOPRU[XOQQSUYbLHHIJLQ[IFGGHKNWIGGIIKOXKHIHJKOWKHHIJKOWLIIIJLPWOJJKLMQWXMNOPQT^QEFIIJNW"
+    "L?DCIGKUMBFGGHKTJEGFFHKSLEEGGHKSNEHGFHLSOHHGIJLTWJKLMNPYTGIIJKLUN I;GJKSNJAEFGKSM;EABGJRNF"
+    "EFGFJQNFFEFHIQPFFHHHJQVKJKKLMVTFJGIHKSQ   GDJSR  @=IHRO O >EJRL JDDGHPM@IEHEGOO;IFEFHOUALJ"
+    "IIKTT =KHGJRQ     KQR    JKQM    @IQK    JFPK   MCFPN FDKHENS KKJIJRQ  J?<HOQ     MOQ     "
+    "FOM     DNM     LOH     COK   HIGNQ KJJHIPMIIQKKJMKJJNKJJNLLLPMLMRMMMSPMNVXOOZh_ZhPFGPDEBJ"
+    "EFDLBFEKFFEKHHHNIJJOPKKSXMMXfJZcWGERD=EJB@BJGBCJBEDKFEEMGGFMRJJPXLMVa U_YG;S   K   I> >J;D"
+    "BJBBDNFDCLRHHOXKMT] N[Y  T   F   N   K   K  ?OLJEMREHOWMLS^  YX  S   O   G   N   J   OJ  M"
+    "Q <OVPLRZ  VV  S       P   I   H   N   MN  NTKOQW  TR  P       G   K   L   M   MK  LRJMOS "
+    " QHNLKKKTOR[DKKJJJKLMOFIIJJKLMORKIJKKLMMORROLONNNOPSSWTPPQQQRTa  TQQVTUW    `T`VWY     _lX"
+    "Y]      yQXcCDFFEFUKOY7DDDEEFGIM@GEFGGIHJOFECFHGIIKONHCHIIJJKOQPONMKMLMPO   MPSOPR    HL[R"
+    "SU     _hUUY      mYW`M?DDDDWGLW EFBBAGGGK FDEHEIGGMGH<EDFJGIN=H?BCEJGHMGM?KHGMHIM    PMRJ"
+    "KO     NZNNQ     @cQRU      jRT]?  ?JGWFGV  J@<:FHGI   >BDIFGM   >LFKEGL    JFLDFL   ?JFNE"
+    "FL    =LRFGL     LYLIN      ^MMQ      fGPX      WGFU      F<?I     ?O9AK    L;MGIL    OIOH"
+    "EL    ?MOFFL     IRFFK      UKGL      YQLN      c LV      U JT                O  J      P="
+    ":K      LD9K     _PNHJ     @OHEK      QFCK      VMKL      ^ RT      T  S                M "
+    " I      Q  J      P  K     @M;;I      MLHJ      ONJJ      P=GK      Z MR      Q  Q        "
+    "        L  J      L  F      L  H      O  J      N  J      M MI      M @I      S @PRKIIIIHI"
+    "IJJLMOQTVXZ]_`cfimpw{   TACABEACBDEFGIKNPSUWZ]_begkpo   YF?=BBBCCABCEFGIKNQSVXZ^adhml   [ "
+    "     =E@FEHIFGGIKNQTVY[`dhm   Y         GKNPLJHHIJLORUX[`eh   X          FQRNMLJIIILNQSWZa"
+    "d   U           OUONMMKJIMKMOSV[`   R           JQLPLMNMKPKNLOQSS                         "
+    "          GADDGIGGGGHIJKKLNNNNONOOOPMP    L>M=CFHHGFGGHHIJLMMNNOOOOOORT   N      IJ@FHGGHI"
+    "IKLMNNONOPOQ    M         SLJHHHIIJKLMNNOOOOI   M          WQLHKHHIIJKLMNOONO   N         "
+    "  PKKLKHIHIIJKMNNOR   N           MMIIJJJKIKJKKLLMM           LKLLMMMMKKKLLMMMKKKLMMMNJKKL"
+    "MMMMKKKKLLMMLJKKKLLMKJKKKKLL                                                              "
+    "                  K       HK      HIJL    IJJKL   JJKKKMM KLLLLMN LLMMMNNNKMNMNNONMLMMMNOO"
+    "KIMLMNNOL       HJ      HGJJ    IHHJK   HIIIJKN IIIJJKM KKKKKLMNLLLLLMMNMMMMMMNOKLNMMNNOM "
+    "      HJ      FCKI    HIJJK   HHGIIKL HIHIIJL JJJJJJKNMJKKKKLNNMLLKLMNNLJNLNNOM       IP  "
+    "    I JF    CHGKL   FJCHKKM FIJIIIK JGIHHIJMFIIJIJKMLKJIKKLMJNMILLMNM                 LO  "
+    "  I  KI   G?@KKKL  JI@JIJ HFGGFGJKIILHHGIKHFIHIJILKFMKMKKMM                 K        OI   "
+    "    HJJ     >@M    HQKKI   =FIFK> MMHIIK? HKKIKLL                 F        KM        ML   "
+    "    H       JK    G HJ     DGK   LFKIL                                HKJLNOO KNLLNOO TGJK"
+    "MOO V OMNOP L JKLNOGL MLMNO K  LKMNNL >LLNNPM  KLMNOI  QMMNOJ  LLLMMO  LMMNLOQNOOLORNMNLON"
+    "MLLLQSQSSQORPOPNNONPPPMNMMNMNNMQRPOQPOQPOQNOPMPQOMNLONMMNLPRPPRPOQPOPNOPMOQNKMJMNLMMKRTQRS"
+    "QPSPNOONPMPPOLMJNNKLMKQSQRSQQRPOMQNOOPPOONLMMMNMLOQQPQQQQPOKROMNQPPONOOMNNNNPPPPOPRPQOMQQN"
+    "OOQPOPPLPOMOQPNNPMOROOOONOPPNNNLSPPPKNPQMONKQONPNMQQQSNNSSROMOPSMKKKPPPNMNPR4MSVZdsrmk3HNP"
+    "SVZ_it5EIMPTX_gp7EGINTZck|<FJLOSZbkwAKJMPTVly|AOKJNRTcjyF OQPTXdq|5FFJHHENa AKPTUTY^dx5IIJ"
+    "MPNZcp@HLLNRMZ` JOSXW^bkt|CLPQSW[en{                    9FDMPR_adx                        "
+    "                                    + <DSYff`_5MSX[gsqmk                                  "
+    "                          3:?CGLSYhp3HOTW_eiip                                            "
+    "      3 BDELOVal6HJMQS_epr4EJNUZfvtv                                        >  ;JPVZcz5 AD"
+    "JQVary1>CDMVfnou5EHLRXavuy                              B   NPU`i{9  JIMUZdp2 ?EMUamnw6GHM"
+    "NT_ppv;GKMSZftt{                    E    PThhrB   NRXkr|@  LPUallx= GINPVdqyALKMRZbqr{DJNU"
+    "T^klkv                    =    NTX[jC   KPU`exB  JHNXdpz; KIPX^hq|BOLMS^jklv              "
+    "                F    OXakxG   PQYanyF  RPZ`qr|D OOTfkjlw                    UUOI'         "
+    "                  KF.                             X][ZYXWUTSRPNKJJJ               UYYXWVUT"
+    "SRQPONNSRNO             wwolhdb_^ZWUUSOKJ@              feca^[YYXVUTRSPNKH              wV"
     "YQ-           TUOG*                                                                       "
     "                                                                                          "
     "                                                                          MF7             "
     "JF/                                                                                       "
     "                                                                                          "
-    "                                                            X][ZXWVUTSRQNMLIGPPOPPJ       "
-    "  UQNNRQO         ZXPMMOO         ^_XNOMNO        da[VNOLOH       fe__UPLIO       tlaa`VOJ"
-    "HO      tttc_`VKIG      ssskka_VJKD     rrrrgac`UKHF    qqqqqqab`VJG?   pppppphcddWHJ?  oo"
-    "ooooogdddTGD  kkkkkkkkk`c]XF? ddddddddddZcZS> UYYXWVUTSRQQOOPRINOPNTMH        RRPONOMO    "
-    "    ZXTQPONK        _[VQPOOSMQ      dc]WQOPKOG      nf`[WQMQPQK     iif`^VPMNNQG    mfmf`]"
-    "VOLONN    ttlgia^WNKPRTH  sssshh^ZVOKPQL  qqqqfi`_]TNJRQ  ooooogogc[VLHO  llllllladlZWMJO "
-    "hhhhhhhhh_g_TH                  wwolhdc_^ZWUUSOJ                                          "
+    "                                                            X][ZXWVUTSRQNMLIHNQRPUN       "
+    "  TQMLSL          ZXPMMOO         _^WNONMO        bb]UNOLOH       he_^VPLIO       tlab_UOJ"
+    "HO      tttc``VLIG      ssskh``VJKD     rrrrgae_UKHF    qqqqqqab`VJG?   pppppphcedWHJ?  oo"
+    "ooooogdddTGD  kkkkkkkkk`c]XF? ddddddddddZcZS> VYYXWVUTSRQPOOPRIOOOPTMJ        QQOPLMG     "
+    "    YWSPPOONM       _]WROOORJ       dc]WROPKOG      ki`]XQMQPQK     gkf`]VQLONQG    jhmf`]"
+    "VOLONN    ttlgia^WNKPRTH  sssshg_[VOKPQL  qqqqfi`_]TNJRQ  ooooogogc[VLHO  llllllladlZWMJO "
+    "hhhhhhhhh_g_TH                  wwolhdb_^ZWUUSOJ                                          "
     "                                                                                          "
     "                                                                                          "
-    "                  efbb^[YYXVUTRSPM                                                        "
+    "                  feca^[YYXVUTRSPM                                                        "
     "                                                                                          "
     "                                                                                          "
     "    PTSQ*           RPMI4           [XNH0           xYID<           f^R-            R^RA< "
@@ -104,65 +104,65 @@ constexpr std::string_view kContexts =
     "XQA?            oZ1                                                             HC5       "
     "      OG2             UL7             fS<             J5                                  "
     "                                                                                          "
-    "                                                                                  PXXYZZ]Y"
-    "WUURNK< SWUTSSQOLRJ     UWWTTRPSQMJ     XXWVUSPOONNO    YZXWVUSRNOROG   Y_YXWVTSQMPRO?  [`"
-    "]XXVTRQOLPF   ]_^ZXXVSSSNLKJ  ]c`_YXWTSRSNIJ  ^fc^^XXVSRPOOF  `lb_]ZYWUTQONJ@ dneab[ZWWWRN"
-    "LPF ummeaaYZUVVQMG  qqqff^e[[XVRLLH pppphh][YYWVTQQJUZZYXVUTSRQPNLNPHMNNTQOQ        QPOLJN"
-    "          TSRNPNKH        YVTQPNOON       ^[VSQPMLQL      a^ZVRPONLR?     gb^[VRQMOMOO    "
-    "iha[ZVRPNNKVJ   nik_[YTROOLK    umjd_]XVROPPMVJ ssksh^[YUOQKMJ  qqqiif^YZUORJL Onnnnnf_]ZU"
-    "RRPNORllllllldZYUSNO@ hhhhhhhhh__ZZWQRqqqqd_]XVURQQMH                                     "
-    "                                            bbbbbbbbbRQ     cccccccccZK     fffffffff^YH  "
+    "                                                                                  QWYXYZ[Z"
+    "WTURNK< RVUUSSTOHT      UXVTTRPQROI     XXXVUSPPOOMO    YZXWVVTRNNSNG   Z_YXWVTSPMPSO?  [`"
+    "]WXVTRRPKPF   [`_ZXXVSSSOLKJ  ]d`^XXWTSRSNJJ  ^gb^^XXVSRPOOF  _iaa[ZYWUTQONJ@ dkfba[ZWWWRN"
+    "LPF uufgbaZZUVVQMG  qqqff^e[[XVRLLH pppphh][YYWVTQQJUZYYWVUTSRQPNLNPIMMQPPQRT       PNNJKQ"
+    "          USRNNOML        XVSQPNMNM       _ZVTQPLMPL      b_ZURPOMKT?     ha][VRQMOMOO    "
+    "jj`]ZVRPONKVJ   kng_[YTROOKK    umje_]XVROPPMVJ ssksh^[YUOQJNJ  qqqiif^YZUORJL Onnnnnf_]ZU"
+    "RRPNORllllllldZYUSNO@ hhhhhhhhh__ZZWQRqqqqd_[YVURQQMH                                     "
+    "                                            bbbbbbbbbRQ     dddddddddZMT    fffffffff^YF  "
     "  ggggggggg_WYPP@ iiiiiiiiiXRTdNQ kkckkbkkb_WQWTKPkkk_jjb_^^]XQUVHhhhh_ggg[Z^^TRTNiiiia`hh"
-    "```__UJ@lllllldadd]^YWSJgfca^]ZXXWVSRTRMaaO             ``V_T           TV_O            cV"
-    "XbJ           ^ff]VRTQ        _g^f^USUO       [g__gXSTOJ      iaaaXWTXQTM     iia``XXTWMO "
+    "```__UJ@lllllldadd]^YWSJgfd`_]ZXXWVSRTRMaWVT            ``Q             WQ              d["
+    "ZZNT          f]e]USTQ        _^ffYVSUO       [_g_gXSTOJ      aiaaWWTXQTM     ii```YVUWMO "
     "    ai`hhhXXWPOT    gg__g_g^^^MRO   iiiiii``XUTLO   hhh__ggg_VTPG   cccccYbbbbbXTM  hhhhhh"
     "hhhhhhhYPK                cSKE?           bbb-            Oq].            rbb-            "
     "vWLD<           {[QH0           UOOL4           PTSQ*           PQJ4            TQ=?      "
     "      qq.             aYC<            pXGS<           XWXC<           XO-                 "
     "                                                            J5                            "
     "  ?               JM9             HC5             PE4             WL7             fS<     "
-    "                                                                                        PX"
-    "XXZZ[XWUURNK< SXWURSQONOM     TXXUURPSPMK     WYXWWUQPPNPL    ZZXXWWTROOQNF   [`YXWWUURNPO"
-    "O>  ]_]XXVTSRQMRF   __^ZXYVSSSOMLG  bc`_YXXSTRSNKI  eec^^XWWSSPOPF  hlb_]ZYWVTQONK@ nvebb["
-    "ZWWWROLPF tllgacY[UVWQMG  qqqep^e[]WVRLMH oooogg`^XYVZTRQJ                NTVUUUTSTTROOLH "
-    "PTTSRONPMOT     SUTTTRPOPMNO    VWWUSSQPQPLN    XZXVUSSPONQMM   Z]ZWVTRROPJSN  O]`]YVTSRQO"
-    "MHO   ab_[YVTSQONL;   fd`^ZYVTSPOMKG  lfe`_YXUSRQOMI  jlea^]ZYTQPSLK@ muuca_ZWYUSPPHO sskh"
-    "da^ZXVTROQMNphphhb^[XWXSPJQRqqqhee_^YWUXVSRSqqqqd_]XVURQQMH                               "
-    "                                                  bbbbbbbbbRQ     cccccccccZK     ffffffff"
-    "f^YH    ggggggggg_WYPP@ iiiiiiiiiXRTdNQ kkckkbkkb_WQWTKPkkk_jjb_^^]XQUVHhhhh_ggg[Z^^TRTNii"
-    "iia`hh```__UJ@lllllldadd]^YWSJldcb]ZXXUSSSNQTNbXaaaWVT        YXT`VT          W]UVXbXW``Q "
-    "    XYY[[ZVbbbUL    jjW]ZYVUWcQWH   dl^[XWWVWVZQRO  emm[]XWV[R]XRXO dlld]ZYVXYR[SUWJdlll_]"
+    "                                                                                        QX"
+    "XXYZZYWTURNK< RWVVRRTOLPM     UYWUURPRPOK     WXXWVTQQPOOL    ZZXXWWTROOQMF   Z_YXWVUTQNPP"
+    "O>  ]`]WXVTSRQMRF   _`_ZXYVTSSOMLG  cc`^XXXSTRSNKI  dfb^^XWWSSQOOF  fjba[YYWUTQONK@ nngba["
+    "ZWWWROLPF ttigbbYZUVWQMG  qqqep^e[]WVRLMH oooogg`^XYVZTRQJ                NTUUUUTTTTROOKJ "
+    "QTTTSPQPPRQL    SVTTTRPOPMPQ    VWVUSSQPQPLN    X[WVURSPONQMM   Z]ZWVTRROPJSN  O^_]YVTSRPO"
+    "MHO   bb^[YVTRQONL<   de`_ZYVTSPOMKG  lgd`_YXUSRQOMI  jlfa^]ZXUQPSLK@ mumdb^ZWYURPPHO sskh"
+    "da^ZXVUROQMNhpphhb^[XWXSPJQRqqhpee_^YWUWVSRSqqqqd_[YVURQQMH                               "
+    "                                                  bbbbbbbbbRQ     dddddddddZMT    ffffffff"
+    "f^YF    ggggggggg_WYPP@ iiiiiiiiiXRTdNQ kkckkbkkb_WQWTKPkkk_jjb_^^]XQUVHhhhh_ggg[Z^^TRTNii"
+    "iia`hh```__UJ@lllllldadd]^YWSJide`^ZXXUSSSNQTNaaaaWVT         WQWV_T          [[WUbXW```H "
+    "    [[XY][WZccYI    bbXaZXVUWcQWH   ll`ZXXWVWVZQRO  emm[[YWU[R]XRXO dlld[ZYWXYR[SUWJdlll_^"
     "XZSYUScZI lllll__ZZTSTSSaFbjajjjaY`UVScOVNiaiaiiiiX[ZSUYOQgggg_gggZWXWNT RbbbbbbbbbTVT    "
-    "ccccccYXbbbXaRJ  PJLG                            GD                              NNMNMNNML"
-    "MMLIEJ                 OMMMMMLMLLKLKLQFJ                  QSOLNRONMMNOKJ               ROO"
-    "OONNLNNMJOLGH@              ";
+    "ccccccYXbbbXaRJ  PJLG                            GD                              NMNNMNNML"
+    "MMLIEJ                 OMMMMMLMLLLLKLQFJ                  QSPMNRONMMNOKJ               RPN"
+    "OPNNLNNMJOLGH@              ";
 
 constexpr std::array<std::int16_t, 200> kWeights = {
-    -443, 742, 1071, 307, 307, 307, 307, 307,
-    -103, 991, 150, 650, 163, 307, 307, 307,
-    331, 406, -41, 514, -167, 307, 307, 307,
-    311, 195, 135, 610, 6, 307, 307, 307,
-    435, 170, 123, 426, -30, 307, 307, 307,
-    517, 67, 278, 225, -148, 307, 307, 307,
-    283, 174, -15, 507, -111, 307, 307, 307,
-    379, 137, -113, 708, -231, 307, 307, 307,
-    -64, 176, 263, 481, -190, 307, 307, 307,
-    388, 323, 198, 159, 522, -320, 307, 307,
-    322, 395, 45, 25, 603, -322, 307, 307,
-    357, 289, -47, 72, 677, -296, 307, 307,
-    -12, 211, -211, 147, 857, -195, 307, 307,
-    -130, 314, -253, 160, 1060, -89, 307, 307,
-    -73, 151, -458, 10, 1115, -39, 307, 307,
-    -61, -134, -671, -101, 922, 168, 307, 307,
-    347, -384, -580, 52, 568, 429, 307, 307,
-    904, 20, 574, 307, 307, 307, 307, 307,
-    842, 990, 900, 938, 307, 307, 307, 307,
+    -541, 682, 1029, 307, 307, 307, 307, 307,
+    -304, 1190, 20, 718, 78, 307, 307, 307,
+    224, 689, -74, 459, -168, 307, 307, 307,
+    231, 281, 179, 627, -136, 307, 307, 307,
+    504, 332, 115, 312, -101, 307, 307, 307,
+    588, 8, 326, 255, -189, 307, 307, 307,
+    345, 131, 44, 511, -156, 307, 307, 307,
+    371, 174, -62, 724, -63, 307, 307, 307,
+    -181, 154, 331, 405, 53, 307, 307, 307,
+    408, 375, 88, 138, 550, -399, 307, 307,
+    345, 329, 77, -10, 679, -322, 307, 307,
+    341, 277, -133, 85, 657, -266, 307, 307,
+    0, 185, -169, 154, 845, -183, 307, 307,
+    -108, 349, -283, 150, 1049, -107, 307, 307,
+    -84, 113, -463, 30, 1120, -19, 307, 307,
+    -103, -156, -654, -82, 921, 194, 307, 307,
+    326, -361, -568, 39, 548, 421, 307, 307,
+    817, -15, 567, 307, 307, 307, 307, 307,
+    810, 1070, 780, 1046, 307, 307, 307, 307,
     -647, 643, 231, 829, 307, 307, 307, 307,
     16, 66, 428, 616, 307, 307, 307, 307,
-    -554, 868, 217, 653, 307, 307, 307, 307,
-    -969, 795, 998, 765, 307, 307, 307, 307,
-    131, 113, 449, 449, 307, 307, 307, 307,
-    9, -3, 786, 704, 307, 307, 307, 307,
+    -593, 863, 245, 677, 307, 307, 307, 307,
+    -942, 778, 1002, 773, 307, 307, 307, 307,
+    127, 108, 452, 452, 307, 307, 307, 307,
+    20, 7, 769, 704, 307, 307, 307, 307,
 };
 // clang-format on
 

@@ -22,6 +22,7 @@ namespace {
 struct Trial {
   CompressedClip compressed;
   int count = 0;
+  double scale = 0;  // of a closed loop
   int iterations = 0;
   bool complete = true;
   double achieved = 0;  // the quantity of the target
@@ -81,6 +82,7 @@ class TargetedEncode {
   static constexpr int kCheapTrials = 24;
   static constexpr int kAnnealings = 10;
   static constexpr int kClosedLoops = 12;
+  static constexpr double kCoarser = 1.3;
   static constexpr double kUsualCorrectionRatio = 16;  // of the paper's video
 
   int count_for(double coefficient_ratio) const {
@@ -198,26 +200,58 @@ class TargetedEncode {
     constexpr double kLength = 1e4;  // cm
     const ClosedLoop& loop = analysis_.closed_loop(options_.basis, options_.weighting);
     const auto most = static_cast<int>(std::min(kLength / loop.finest_scale(), 1e9));
-    const auto guess = static_cast<int>(kLength / loop.likely_scale(options_.target));
+    const double guess = kLength / loop.likely_scale(options_.target);
     std::optional<Trial> best;
-    CountSearch search(most, guess, goal_.window(), kClosedLoops);
+    CountSearch search(most, static_cast<int>(std::min(guess, 1e9)), goal_.window(), kClosedLoops);
     while (!search.done() && (!best || best->complete)) {
-      Trial trial = attempt_scale(loop, kLength / std::max(search.count(), 1));
+      Trial trial = attempt_scale(loop, kLength / std::max(search.count(), 1), {});
       search.tried(trial.excess);
       const bool complete = trial.complete;
       if (!best || !goal_.better(best->excess, trial.excess)) best = std::move(trial);
       best->complete = complete;
     }
+    if (options_.target.kind == Target::Kind::MaxError && best->complete)
+      hold_worst_frames(loop, *best);
     return std::move(*best);
   }
 
-  Trial attempt_scale(const ClosedLoop& loop, double scale) {
-    Trial trial{.compressed = empty_clip()};
+  /// Few frames decide the scale that a hard bound needs: larger scales may do where those frames
+  /// weigh more.
+  void hold_worst_frames(const ClosedLoop& loop, Trial& best) {
+    constexpr int kRounds = 5;
+    for (double scale = kCoarser * best.scale;; scale *= kCoarser) {
+      Eigen::VectorXd weights = Eigen::VectorXd::Ones(analysis_.motion().clip.frames());
+      bool held = false;
+      for (int round = 0; round < kRounds && !held; ++round) {
+        Trial trial = attempt_scale(loop, scale, weights);
+        best.complete = trial.complete;
+        if (!trial.complete) return;
+        held = goal_.met(trial.excess);
+        if (!held) raise_where_exceeded(decode(trial.compressed), weights);
+        if (!held || trial.compressed.motion_bytes() >= best.compressed.motion_bytes()) continue;
+        best = std::move(trial);
+      }
+      if (!held || scale > 1.01 * best.scale) return;
+    }
+  }
+
+  void raise_where_exceeded(const Clip& decoded, Eigen::VectorXd& weights) const {
+    constexpr double kMostWeight = 1e4;
+    const Distortion distortion =
+        measure(analysis_.motion().skeleton, analysis_.original_tracks(), decoded);
+    const Eigen::VectorXd excess =
+        distortion.distances.rowwise().maxCoeff().cast<double>() / (0.95 * options_.target.value);
+    for (Eigen::Index t = 0; t < weights.size(); ++t)
+      if (excess(t) > 1) weights(t) = std::min(weights(t) * excess(t) * excess(t), kMostWeight);
+  }
+
+  Trial attempt_scale(const ClosedLoop& loop, double scale, const Eigen::VectorXd& frame_weights) {
+    Trial trial{.compressed = empty_clip(), .scale = scale};
     const auto observe = [&](const ClosedLoopProgress& p) {
       return go_on(observer_,
                    EncodeProgress{.pass = pass_, .iteration = p.sweep, .eps_cm = p.eps_cm});
     };
-    ClosedLoop::Result result = loop.quantise(scale, {}, observe);
+    ClosedLoop::Result result = loop.quantise(scale, frame_weights, observe);
     ++pass_;
     trial.iterations = result.sweeps;
     trial.complete = result.complete;

@@ -73,6 +73,18 @@ CompressedClip golden_clip(Coding coding) {
                          .max_error_cm = 1.5F}};
 }
 
+CompressedClip golden_adaptive_clip() {
+  const Motion motion = golden_motion();
+  const RankedCoefficients ranked = rank_coefficients(motion.clip, Basis::Cubic);
+  CompressedClip clip = golden_clip(Coding::Rle16);
+  clip.coding = Coding::Adaptive;
+  const std::vector<double> alike(static_cast<std::size_t>(ranked.channels()), 1.0);
+  clip.motion = pack_adaptive(
+      quantise_kept(ranked, alike, keep_per_channel(ranked, ranked.total() / 4), file_scale(0.75)),
+      clip);
+  return clip;
+}
+
 CompressedClip golden_corrected_clip() {
   CompressedClip clip = golden_clip(Coding::Rle16);
   Clip differences{clip.sample_rate_hz, Eigen::MatrixXd(clip.frames, 3)};

@@ -14,6 +14,9 @@ Motion golden_motion();
 /// so that better selections leave the bytes alone.
 CompressedClip golden_clip(Coding coding);
 
+/// The same in steps as Coding::Adaptive has them, one scale for all.
+CompressedClip golden_adaptive_clip();
+
 /// golden_clip(Coding::Rle16) with a correction at ltibia.
 CompressedClip golden_corrected_clip();
 

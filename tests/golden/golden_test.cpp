@@ -111,6 +111,19 @@ TEST(GoldenCorrection, Version1ReadsAsItAlwaysDid) {
   EXPECT_LT((decode(clip).channels - expected).cwiseAbs().maxCoeff(), kSolvedTolerance);
 }
 
+TEST(GoldenAdaptive, Version1ReadsAsItAlwaysDid) {
+  const CompressedClip clip = load_mcpr(golden("v1_adaptive.mcpr"));
+  EXPECT_EQ(clip.coding, Coding::Adaptive);
+  const Eigen::MatrixXd expected = values_of_csv(read_text(golden("v1_adaptive_expected.csv")), 50,
+                                                 clip.skeleton.channel_count());
+  EXPECT_LT((decode(clip).channels - expected).cwiseAbs().maxCoeff(), kValueTolerance);
+}
+
+TEST(GoldenAdaptive, TheWriterStillMakesTheSameFile) {
+  EXPECT_TRUE(without_skeleton(write_container(golden_adaptive_clip())) ==
+              without_skeleton(read_bytes(golden("v1_adaptive.mcpr"))));
+}
+
 TEST(GoldenBytes, TheWriterStillMakesTheSameRle16Files) {
   EXPECT_TRUE(without_skeleton(write_container(golden_clip(Coding::Rle16))) ==
               without_skeleton(read_bytes(golden("v1_rle16.mcpr"))));
@@ -125,6 +138,8 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
     write_text(golden(file), csv_text({clip.skeleton, decode(clip)}));
   };
   write_expected("v1_expected.csv", golden_clip(Coding::Rle16));
+  save_mcpr(golden("v1_adaptive.mcpr"), golden_adaptive_clip());
+  write_expected("v1_adaptive_expected.csv", golden_adaptive_clip());
   save_mcpr(golden("v1_correction.mcpr"), golden_corrected_clip());
   write_expected("v1_correction_expected.csv", golden_corrected_clip());
 }
