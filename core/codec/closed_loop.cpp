@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/closed_loop.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/codec/rate_table.h"
 #include "core/metrics/rate.h"
 
@@ -38,7 +37,7 @@ ClosedLoop::ClosedLoop(const RankedCoefficients& transform, const Clip& original
 
 Eigen::MatrixXd ClosedLoop::coefficient_curvature(const Eigen::MatrixXd& curvature) const {
   Eigen::MatrixXd of_coefficients(curvature.rows(), curvature.cols());
-  tbb::parallel_for(Eigen::Index{0}, curvature.cols(), [&](Eigen::Index j) {
+  parallel_for(Eigen::Index{0}, curvature.cols(), [&](Eigen::Index j) {
     for (int c = 0; c < transform_.per_channel(); ++c) {
       const SynthesisFunction function = synthesis_[c];
       of_coefficients(c, j) = function.values.cwiseAbs2().dot(
