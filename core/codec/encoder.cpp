@@ -200,22 +200,24 @@ class TargetedEncode {
   Trial search_scale() {
     constexpr double kLength = 1e6;  // cm
     constexpr double kPower = 0.7;
-    constexpr int kEnough = 3;  // trials, once the target is met as nearly as this
+    constexpr int kEnough = 3;  // trials, where the target is met within kNear
     constexpr double kNear = 0.015;
+    constexpr int kMany = 6;  // where it is met at all
     const auto count_of = [](double scale) {
       return static_cast<int>(std::clamp(std::pow(kLength / scale, kPower), 1.0, 1e9));
     };
     const ClosedLoop& loop = analysis_.closed_loop(options_.basis, options_.weighting);
     // Neighbouring scales differ by chance as much as by their size: a narrow window may stay
     // empty.
-    const auto near = [&](const Trial& trial) {
-      return goal_.met(trial.excess) && std::abs(trial.excess) < kNear;
-    };
     std::optional<Trial> best;
     int tried = 0;
+    const auto will_do = [&] {
+      const bool near = best && std::abs(best->excess) < kNear;
+      return best && goal_.met(best->excess) && tried >= (near ? kEnough : kMany);
+    };
     CountSearch search(count_of(loop.finest_scale()), count_of(loop.likely_scale(options_.target)),
                        goal_.window(), kClosedLoops);
-    while (!search.done() && (!best || best->complete) && !(tried >= kEnough && near(*best))) {
+    while (!search.done() && (!best || best->complete) && !will_do()) {
       const double count = std::max(search.count(), 1);
       Trial trial = attempt_scale(loop, kLength / std::pow(count, 1 / kPower), {});
       search.tried(trial.excess);
