@@ -178,18 +178,27 @@ class ClosedLoopRun {
 
   /// Moves each coefficient of a channel to the cheapest of the values around its best one.
   void sweep(int j) {
+    // A zero that needs less than half a step stays one; moves of its neighbours change that
+    // little.
+    constexpr double kPromising = 0.4;
     Eigen::VectorXd gradient = gradient_.col(j);
     Eigen::VectorXd delta = Eigen::VectorXd::Zero(gradient.size());
     int* const values = coded_.values.col(j).data();
+    const double channel_step = coded_.step(j);
     count_alive(values);
+    Eigen::VectorXd slopes(gradient.size());
+    loop_.transform_.lifting.correlate(
+        std::span(gradient.data(), static_cast<std::size_t>(gradient.size())),
+        std::span(slopes.data(), static_cast<std::size_t>(slopes.size())));
     for (int b = 0; b < static_cast<int>(bands_.size()); ++b)
       for (int i = 0; i < bands_[static_cast<std::size_t>(b)].size; ++i) {
         const int c = bands_[static_cast<std::size_t>(b)].first + i;
+        const double curve = coefficient_curvature()(c, j);
+        const double step = channel_step / loop_.gains_(c);
+        if (values[c] == 0 && std::abs(slopes(c)) < kPromising * curve * step) continue;
         const SynthesisFunction function = loop_.synthesis_[c];
         const auto size = function.values.size();
         const double slope = function.values.dot(gradient.segment(function.first, size));
-        const double curve = coefficient_curvature()(c, j);
-        const double step = coded_.step(j) / loop_.gains_(c);
         const int moved = best_move(values, b, i, slope * step, curve * step * step);
         if (moved == 0) continue;
         alive_[static_cast<std::size_t>(b)] += (values[c] + moved != 0) - (values[c] != 0);

@@ -195,17 +195,33 @@ class TargetedEncode {
             .coding = options_.coding};
   }
 
-  /// The scale of quantisation that meets the target, sought as a count of steps in a length.
+  /// The scale of quantisation that meets the target, sought as a count that grows as it gets
+  /// finer: by a power with which 1 / error and bytes grow about in proportion.
   Trial search_scale() {
-    constexpr double kLength = 1e4;  // cm
+    constexpr double kLength = 1e6;  // cm
+    constexpr double kPower = 0.7;
+    constexpr int kEnough = 3;  // trials, where the target is met within kNear
+    constexpr double kNear = 0.015;
+    constexpr int kMany = 6;  // where it is met at all
+    const auto count_of = [](double scale) {
+      return static_cast<int>(std::clamp(std::pow(kLength / scale, kPower), 1.0, 1e9));
+    };
     const ClosedLoop& loop = analysis_.closed_loop(options_.basis, options_.weighting);
-    const auto most = static_cast<int>(std::min(kLength / loop.finest_scale(), 1e9));
-    const double guess = kLength / loop.likely_scale(options_.target);
+    // Neighbouring scales differ by chance as much as by their size: a narrow window may stay
+    // empty.
     std::optional<Trial> best;
-    CountSearch search(most, static_cast<int>(std::min(guess, 1e9)), goal_.window(), kClosedLoops);
-    while (!search.done() && (!best || best->complete)) {
-      Trial trial = attempt_scale(loop, kLength / std::max(search.count(), 1), {});
+    int tried = 0;
+    const auto will_do = [&] {
+      const bool near = best && std::abs(best->excess) < kNear;
+      return best && goal_.met(best->excess) && tried >= (near ? kEnough : kMany);
+    };
+    CountSearch search(count_of(loop.finest_scale()), count_of(loop.likely_scale(options_.target)),
+                       goal_.window(), kClosedLoops);
+    while (!search.done() && (!best || best->complete) && !will_do()) {
+      const double count = std::max(search.count(), 1);
+      Trial trial = attempt_scale(loop, kLength / std::pow(count, 1 / kPower), {});
       search.tried(trial.excess);
+      ++tried;
       const bool complete = trial.complete;
       if (!best || !goal_.better(best->excess, trial.excess)) best = std::move(trial);
       best->complete = complete;

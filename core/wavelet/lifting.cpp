@@ -76,6 +76,54 @@ void update(Basis basis, double* even, int evens, const double* detail, int deta
   if (evens > details) even[evens - 1] += quarter * 2 * detail[details - 1];
 }
 
+/// even += the transpose of predict() with +1, of the odd samples.
+void predict_transposed(Basis basis, const double* odd, int odds, double* even, int evens) {
+  if (basis == Basis::Haar) {
+    for (int i = 0; i < odds; ++i) even[i] += odd[i];
+    return;
+  }
+  const int neighbours = basis == Basis::Cubic ? 4 : 2;
+  const int reach = neighbours / 2;
+  const int inner_first = std::min(reach - 1, odds);
+  const int inner_last = std::clamp(evens - reach, inner_first, odds);
+  const auto border = [&](int i) {
+    const int count = std::min(neighbours, evens);
+    const int first = std::clamp(i + 1 - count / 2, 0, evens - count);
+    for (int k = 0; k < count; ++k) {
+      std::array<double, 4> unit{};
+      unit[static_cast<std::size_t>(k)] = 1;
+      even[first + k] += odd[i] * interpolate(unit.data(), count, i + 0.5 - first);
+    }
+  };
+  for (int i = 0; i < inner_first; ++i) border(i);
+  for (int i = inner_first; i < inner_last; ++i) {
+    if (basis == Basis::Linear) {
+      even[i] += 0.5 * odd[i];
+      even[i + 1] += 0.5 * odd[i];
+      continue;
+    }
+    even[i - 1] -= odd[i] / 16.0;
+    even[i] += 9.0 / 16.0 * odd[i];
+    even[i + 1] += 9.0 / 16.0 * odd[i];
+    even[i + 2] -= odd[i] / 16.0;
+  }
+  for (int i = inner_last; i < odds; ++i) border(i);
+}
+
+/// detail += the transpose of update() with -1, of the even samples.
+void update_transposed(Basis basis, const double* even, int evens, double* detail, int details) {
+  if (basis == Basis::Haar) {
+    for (int i = 0; i < details; ++i) detail[i] -= 0.5 * even[i];
+    return;
+  }
+  detail[0] -= 0.5 * even[0];
+  for (int i = 1; i < details; ++i) {
+    detail[i - 1] -= 0.25 * even[i];
+    detail[i] -= 0.25 * even[i];
+  }
+  if (evens > details) detail[details - 1] -= 0.5 * even[evens - 1];
+}
+
 }  // namespace
 
 Lifting::Lifting(Basis basis, int length) : basis_(basis), length_(length) {
@@ -130,6 +178,28 @@ void Lifting::inverse(std::span<const double> coefficients, std::span<double> sa
       signal[2 * i + 1] = odd[static_cast<std::size_t>(i)];
     }
     if (evens > odds) signal[*length - 1] = even[static_cast<std::size_t>(odds)];
+  }
+}
+
+void Lifting::correlate(std::span<const double> samples, std::span<double> products) const {
+  assert(std::ssize(samples) == length_ && std::ssize(products) == length_);
+  if (samples.data() != products.data())
+    std::copy(samples.begin(), samples.end(), products.begin());
+  std::vector<double> even(static_cast<std::size_t>(evens_in(length_)));
+  std::vector<double> odd(static_cast<std::size_t>(odds_in(length_)));
+  for (const int length : lengths_) {
+    const int evens = evens_in(length);
+    const int odds = odds_in(length);
+    double* const signal = products.data();
+    for (int i = 0; i < odds; ++i) {
+      even[static_cast<std::size_t>(i)] = signal[2 * i];
+      odd[static_cast<std::size_t>(i)] = signal[2 * i + 1];
+    }
+    if (evens > odds) even[static_cast<std::size_t>(odds)] = signal[length - 1];
+    predict_transposed(basis_, odd.data(), odds, even.data(), evens);
+    update_transposed(basis_, even.data(), evens, odd.data(), odds);
+    std::copy_n(even.data(), evens, signal);
+    std::copy_n(odd.data(), odds, signal + evens);
   }
 }
 

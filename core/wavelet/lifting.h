@@ -36,6 +36,9 @@ class Lifting {
   void forward(std::span<const double> samples, std::span<double> coefficients) const;
   void inverse(std::span<const double> coefficients, std::span<double> samples) const;
 
+  /// The transpose of inverse(): the inner product of a signal with each synthesis function.
+  void correlate(std::span<const double> samples, std::span<double> products) const;
+
   /// L2 norm of each coefficient's synthesis function: what one unit of it adds to the signal.
   std::vector<double> norms() const;
 

@@ -46,6 +46,23 @@ TEST(CorrectionEncoder, CountsInARatio) {
   EXPECT_EQ(encoding.correction->ratio, 8);
 }
 
+TEST(CorrectionEncoder, CombinesWithTheClosedLoopInOneStream) {
+  const Target target = {Target::Kind::Ratio, 200};
+  const auto closed = [&](std::optional<CorrectionOptions> correction) {
+    return walk().encode(
+        {.method = Method::ClosedLoop, .target = target, .correction = std::move(correction)});
+  };
+  const Encoding with = closed(CorrectionOptions{.ratio = 16.0});
+  EXPECT_NEAR(compression_ratio(walk().motion().clip, with.compressed.motion_bytes()) / 200, 1,
+              0.02);
+  EXPECT_GT(with.compressed.correction_bytes(), 50u);
+  EXPECT_LT(with.compressed.correction_bytes(), with.compressed.motion_bytes() / 2);
+  EXPECT_LT(with.footskate.total_cm, 0.5 * closed({}).footskate.total_cm);
+  EXPECT_EQ(decode(with.compressed).channels, with.decoded.channels);
+  const CompressedClip again = read_container(write_container(with.compressed));
+  EXPECT_EQ(decode_uncorrected(again).clip.channels, with.correction->uncorrected.channels);
+}
+
 TEST(CorrectionEncoder, FindsASplitThatHoldsTheFeetAndSparesTheRest) {
   const Target target = {Target::Kind::Ratio, 40};
   const Encoding without = walk().encode({.method = Method::Standard, .target = target});

@@ -24,6 +24,25 @@ TEST(Synthesis, FunctionsAreWhatTheInverseMakesOfOneCoefficient) {
     }
 }
 
+TEST(Synthesis, CorrelationIsTheInnerProductWithEachFunction) {
+  for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
+    for (const int length : {1, 2, 3, 4, 5, 6, 7, 8, 50, 137}) {
+      const Lifting lifting(basis, length);
+      const Synthesis synthesis(lifting);
+      const Eigen::VectorXd samples = Eigen::ArrayXd::LinSpaced(length, 0, 5).sin() + 0.3;
+      Eigen::VectorXd products(length);
+      lifting.correlate(std::span(samples.data(), static_cast<std::size_t>(length)),
+                        std::span(products.data(), static_cast<std::size_t>(length)));
+      for (int c = 0; c < length; ++c) {
+        const SynthesisFunction function = synthesis[c];
+        ASSERT_NEAR(products(c),
+                    function.values.dot(samples.segment(function.first, function.values.size())),
+                    1e-11)
+            << length << ' ' << c;
+      }
+    }
+}
+
 TEST(Synthesis, FunctionsAreShort) {
   const Lifting lifting(Basis::Cubic, 1000);
   const Synthesis synthesis(lifting);
