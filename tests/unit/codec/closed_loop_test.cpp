@@ -88,7 +88,7 @@ TEST(ClosedLoop, TakesAThirdLessThanAnnealingForTheSameError) {
   EXPECT_LT(bytes(Method::ClosedLoop), 0.67 * bytes(Method::Annealed));
 }
 
-TEST(ClosedLoop, HoldsAHardBoundForLessThanItsScaleAloneWould) {
+TEST(ClosedLoop, HoldsAHardBound) {
   const Encoder encoder(test::smooth_motion(300));
   const Encoding bounded =
       encoder.encode({.method = Method::ClosedLoop, .target = {Target::Kind::MaxError, 1}});
