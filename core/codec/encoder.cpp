@@ -3,336 +3,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <optional>
 
-#include "core/base/error.h"
 #include "core/codec/clip_analysis.h"
-#include "core/codec/count_search.h"
 #include "core/codec/decoder.h"
-#include "core/codec/goal.h"
+#include "core/codec/targeted_encode.h"
 #include "core/ik/knee.h"
-#include "core/select/annealing.h"
 
 namespace mocapress {
 namespace {
-
-/// Some number of coefficients, chosen and coded.
-struct Trial {
-  CompressedClip compressed;
-  int count = 0;
-  double scale = 0;  // of a closed loop
-  int iterations = 0;
-  bool complete = true;
-  double achieved = 0;  // the quantity of the target
-  double excess = 0;
-};
-
-/// Searches the number of coefficients that meets the target of one encode() call.
-class TargetedEncode {
- public:
-  TargetedEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
-                 const Observer<EncodeProgress>& observer)
-      : analysis_(analysis),
-        basis_(analysis.in(options.basis)),
-        options_(options),
-        observer_(observer),
-        contacts_(options.contacts ? *options.contacts : analysis.contacts()),
-        goal_(analysis.motion(), analysis.original_tracks(), options.target, options.weighting) {
-    if (!options.correction) return;
-    const Motion& motion = analysis.motion();
-    correction_.emplace(motion.skeleton, analysis.original_tracks(), *options.correction, contacts_,
-                        motion.clip.sample_rate_hz);
-    correction_ratio_ = options.correction->ratio.value_or(kUsualCorrectionRatio);
-  }
-
-  const std::vector<ContactSpan>& contacts() const { return contacts_; }
-  double correction_ratio() const { return correction_ratio_; }
-
-  Trial run() {
-    const int guess = count_for(goal_.likely_coefficient_ratio());
-    if (correction_ && !options_.correction->ratio) correction_ratio_ = find_split(guess);
-    if (options_.method == Method::ClosedLoop) return search_scale();
-    if (options_.target.kind == Target::Kind::CoefficientRatio)
-      return attempt(options_.method, guess);
-    if (options_.method != Method::Annealed) return search(options_.method, guess, kCheapTrials);
-    // Standard selection costs next to nothing and needs about as many coefficients.
-    return search(Method::Annealed, search(Method::Standard, guess, kCheapTrials).count,
-                  kAnnealings);
-  }
-
-  /// Throws TargetMissed unless the trial is as good as was promised. Coding every coefficient in
-  /// less space than asked for keeps the promise too.
-  void check(const Trial& trial) const {
-    const bool everything_kept = trial.count == basis_.ranked.total();
-    const bool by_count = options_.target.kind == Target::Kind::CoefficientRatio &&
-                          options_.method != Method::ClosedLoop;  // met by construction
-    if (by_count || goal_.met(trial.excess) ||
-        (options_.target.kind == Target::Kind::Ratio && everything_kept && trial.excess < 0))
-      return;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the target of %.4g is out of reach with this method: the nearest is %.4g",
-                  options_.target.value, trial.achieved);
-    throw TargetMissed(text);
-  }
-
- private:
-  static constexpr int kCheapTrials = 24;
-  static constexpr int kAnnealings = 10;
-  static constexpr int kClosedLoops = 12;
-  static constexpr double kCoarser = 1.3;
-  static constexpr double kUsualCorrectionRatio = 16;  // of the paper's video
-
-  int count_for(double coefficient_ratio) const {
-    const double total = basis_.ranked.total();
-    return static_cast<int>(std::lround(std::clamp(total / coefficient_ratio, 0.0, total)));
-  }
-
-  /// The r_IK of the least footskate among those that cost no more than a fifth: of the error where
-  /// the size is asked for, of the size where the error is. Where both would follow from r, the
-  /// usual one.
-  double find_split(int guess) {
-    constexpr double kDearest = 1.2;
-    if (options_.target.kind == Target::Kind::CoefficientRatio) return kUsualCorrectionRatio;
-    correcting_ = false;
-    const Split without = measure_split(guess);
-    correcting_ = true;
-    double found = 0;
-    double least_cost = std::numeric_limits<double>::infinity();
-    for (const double ratio : {64.0, 45.0, 32.0, 23.0, 16.0, 11.0, 8.0, 5.6, 4.0}) {
-      correction_ratio_ = ratio;
-      const Split split = measure_split(guess);
-      const double dearer = split.price / without.price;
-      // Beyond what may be paid the cheapest is best, after all that may be.
-      const double cost = dearer <= kDearest ? split.footskate_cm : 1e6 * dearer;
-      if (cost >= least_cost) continue;
-      found = ratio;
-      least_cost = cost;
-    }
-    return found;
-  }
-
-  struct Split {
-    double price;  // eps_x in cm, or bytes where eps_x is the target
-    double footskate_cm;
-  };
-
-  /// With the present r_IK and standard selection.
-  Split measure_split(int guess) {
-    const Trial trial = search(Method::Standard, guess, kCheapTrials);
-    const Motion& motion = analysis_.motion();
-    const Clip decoded = decode(trial.compressed);
-    const bool size_is_asked =
-        options_.target.kind == Target::Kind::Ratio || options_.target.kind == Target::Kind::Size;
-    const double price = size_is_asked ? exact_eps(motion.skeleton, analysis_.original_tracks(),
-                                                   decoded, options_.weighting)
-                                       : static_cast<double>(trial.compressed.motion_bytes());
-    return {std::max(price, 1e-9),
-            measure_footskate(contacts_, analysis_.original_tracks(),
-                              landmark_tracks(motion.skeleton, decoded), decoded.sample_rate_hz)
-                .total_cm};
-  }
-
-  Trial search(Method method, int first_guess, int most_trials) {
-    std::optional<Trial> best;
-    CountSearch search(basis_.ranked.total(), first_guess, goal_.window(), most_trials);
-    while (!search.done() && (!best || best->complete)) {
-      Trial trial = attempt(method, search.count());
-      search.tried(trial.excess);
-      const bool complete = trial.complete;
-      if (!best || !goal_.better(best->excess, trial.excess)) best = std::move(trial);
-      best->complete = complete;  // a search cut short is not, whichever trial was the best
-    }
-    return std::move(*best);
-  }
-
-  Trial attempt(Method method, int count) {
-    Trial trial;
-    trial.count = count;
-    const Kept kept = choose(method, trial);
-    trial.compressed = empty_clip();
-    CompressedClip& compressed = trial.compressed;
-    if (is_of_words(compressed.coding)) {
-      std::vector<std::byte> words = code_signals(basis_.ranked, basis_.scales, kept);
-      if (correction_ && correcting_) append_correction(words, compressed);
-      compressed.motion = pack(words, compressed.coding);
-    } else {
-      finish(quantise_kept(basis_.ranked, basis_.scales, kept, 1), compressed);
-    }
-    weigh(trial);
-    return trial;
-  }
-
-  /// Codes quantised channels, with the correction they need.
-  void finish(QuantisedSignals coded, CompressedClip& compressed) const {
-    if (correction_ && correcting_) {
-      const Clip reconstructed{compressed.sample_rate_hz,
-                               reconstruct(coded, basis_.ranked.lifting)};
-      const auto lacking = correction_->select(reconstructed, correction_ratio_, options_.basis);
-      append(quantise_kept(lacking.ranked, lacking.scales, lacking.kept, coded.scale), coded);
-      compressed.correction = correction_->correction();
-    }
-    compressed.motion = pack_adaptive(coded, compressed);
-  }
-
-  void weigh(Trial& trial) const {
-    const CompressedClip& compressed = trial.compressed;
-    trial.achieved =
-        options_.target.kind == Target::Kind::CoefficientRatio
-            ? static_cast<double>(basis_.ranked.total()) / std::max(trial.count, 1)
-            : goal_.achieved(compressed.motion_bytes(), [&] { return decode(compressed); });
-    trial.excess = goal_.excess(trial.achieved);
-  }
-
-  CompressedClip empty_clip() const {
-    const Motion& motion = analysis_.motion();
-    return {.skeleton = motion.skeleton,
-            .sample_rate_hz = motion.clip.sample_rate_hz,
-            .frames = motion.clip.frames(),
-            .basis = options_.basis,
-            .coding = options_.coding};
-  }
-
-  /// The scale of quantisation that meets the target, sought as a count that grows as it gets
-  /// finer: by a power with which 1 / error and bytes grow about in proportion.
-  Trial search_scale() {
-    constexpr double kLength = 1e6;  // cm
-    constexpr double kPower = 0.7;
-    constexpr int kEnough = 3;  // trials, where the target is met within kNear
-    constexpr double kNear = 0.015;
-    constexpr int kMany = 6;  // where it is met at all
-    const auto count_of = [](double scale) {
-      return static_cast<int>(std::clamp(std::pow(kLength / scale, kPower), 1.0, 1e9));
-    };
-    const ClosedLoop& loop = analysis_.closed_loop(options_.basis, options_.weighting);
-    // Neighbouring scales differ by chance as much as by their size: a narrow window may stay
-    // empty.
-    std::optional<Trial> best;
-    int tried = 0;
-    const auto will_do = [&] {
-      const bool near = best && std::abs(best->excess) < kNear;
-      return best && goal_.met(best->excess) && tried >= (near ? kEnough : kMany);
-    };
-    CountSearch search(count_of(loop.finest_scale()), count_of(loop.likely_scale(options_.target)),
-                       goal_.window(), kClosedLoops);
-    while (!search.done() && (!best || best->complete) && !will_do()) {
-      const double count = std::max(search.count(), 1);
-      Trial trial = attempt_scale(loop, kLength / std::pow(count, 1 / kPower), {});
-      search.tried(trial.excess);
-      ++tried;
-      const bool complete = trial.complete;
-      if (!best || !goal_.better(best->excess, trial.excess)) best = std::move(trial);
-      best->complete = complete;
-    }
-    if (options_.target.kind == Target::Kind::MaxError && best->complete)
-      hold_worst_frames(loop, *best);
-    return std::move(*best);
-  }
-
-  /// Few frames decide the scale that a hard bound needs: larger scales may do where those frames
-  /// weigh more.
-  void hold_worst_frames(const ClosedLoop& loop, Trial& best) {
-    constexpr int kRounds = 5;
-    for (double scale = kCoarser * best.scale;; scale *= kCoarser) {
-      Eigen::VectorXd weights = Eigen::VectorXd::Ones(analysis_.motion().clip.frames());
-      bool held = false;
-      for (int round = 0; round < kRounds && !held; ++round) {
-        Trial trial = attempt_scale(loop, scale, weights);
-        best.complete = trial.complete;
-        if (!trial.complete) return;
-        held = goal_.met(trial.excess);
-        if (!held) raise_where_exceeded(decode(trial.compressed), weights);
-        if (!held || trial.compressed.motion_bytes() >= best.compressed.motion_bytes()) continue;
-        best = std::move(trial);
-      }
-      if (!held || scale > 1.01 * best.scale) return;
-    }
-  }
-
-  void raise_where_exceeded(const Clip& decoded, Eigen::VectorXd& weights) const {
-    constexpr double kMostWeight = 1e4;
-    const Distortion distortion =
-        measure(analysis_.motion().skeleton, analysis_.original_tracks(), decoded);
-    const Eigen::VectorXd excess =
-        distortion.distances.rowwise().maxCoeff().cast<double>() / (0.95 * options_.target.value);
-    for (Eigen::Index t = 0; t < weights.size(); ++t)
-      if (excess(t) > 1) weights(t) = std::min(weights(t) * excess(t) * excess(t), kMostWeight);
-  }
-
-  Trial attempt_scale(const ClosedLoop& loop, double scale, const Eigen::VectorXd& frame_weights) {
-    Trial trial{.compressed = empty_clip(), .scale = scale};
-    const auto observe = [&](const ClosedLoopProgress& p) {
-      return go_on(observer_,
-                   EncodeProgress{.pass = pass_, .iteration = p.sweep, .eps_cm = p.eps_cm});
-    };
-    ClosedLoop::Result result = loop.quantise(scale, frame_weights, observe);
-    ++pass_;
-    trial.iterations = result.sweeps;
-    trial.complete = result.complete;
-    trial.count = static_cast<int>((result.coded.values.array() != 0).count());
-    finish(std::move(result.coded), trial.compressed);
-    weigh(trial);
-    return trial;
-  }
-
-  /// What is corrected is the motion as it will be decoded.
-  void append_correction(std::vector<std::byte>& words, CompressedClip& compressed) const {
-    const Motion& motion = analysis_.motion();
-    ByteReader reader(words);
-    const Clip reconstructed{motion.clip.sample_rate_hz,
-                             read_signals(reader, options_.basis, motion.clip.frames(),
-                                          motion.skeleton.channel_count())};
-    const auto lacking = correction_->select(reconstructed, correction_ratio_, options_.basis);
-    const auto differences = code_signals(lacking.ranked, lacking.scales, lacking.kept);
-    words.insert(words.end(), differences.begin(), differences.end());
-    compressed.correction = correction_->correction();
-  }
-
-  Kept choose(Method method, Trial& trial) {
-    if (method == Method::PerChannel) return keep_per_channel(basis_.ranked, trial.count);
-    const Kept standard = basis_.standard.keep(trial.count);
-    if (method == Method::Standard) return standard;
-    const AnnealingReport report = best_annealing(standard);
-    trial.iterations = report.iterations;
-    trial.complete = report.complete;
-    return report.kept;
-  }
-
-  /// Where one annealing ends depends on chance by some 10 %. Short clips, whose annealings take
-  /// next to no time, get several.
-  AnnealingReport best_annealing(const Kept& standard) {
-    constexpr int kMost = 8;
-    constexpr int kSamples = 80'000;  // of all of them together
-    const int annealings = std::clamp(kSamples / std::max(basis_.ranked.total(), 1), 1, kMost);
-    const auto observe = [&](const AnnealingProgress& p) {
-      return go_on(observer_, EncodeProgress{pass_, p.iteration, p.step, p.first_step, p.eps_cm});
-    };
-    AnnealingReport best;
-    for (int i = 0; i < annealings && best.complete; ++i, ++pass_) {
-      AnnealingReport report =
-          anneal(basis_.ranked, analysis_.model(options_.weighting), standard,
-                 {.seed = options_.seed + static_cast<std::uint64_t>(i)}, observe);
-      if (i > 0 && report.eps_cm >= best.eps_cm)
-        best.complete = report.complete;
-      else
-        best = std::move(report);
-    }
-    return best;
-  }
-
-  const ClipAnalysis& analysis_;
-  const BasisAnalysis& basis_;
-  const EncodeOptions& options_;
-  const Observer<EncodeProgress>& observer_;
-  std::vector<ContactSpan> contacts_;
-  std::optional<CorrectionEncoder> correction_;
-  double correction_ratio_ = 0;
-  bool correcting_ = true;  // false: to know the price without
-  Goal goal_;
-  int pass_ = 0;
-};
 
 /// Corrects `decoded` and says what came of it.
 CorrectionResult apply(const CompressedClip& compressed, const Clip& original, double ratio,
@@ -371,28 +49,25 @@ Encoding Encoder::encode(const EncodeOptions& options,
   const auto start = std::chrono::steady_clock::now();
   EncodeOptions effective = options;
   effective.coding = effective_coding(options);
-  TargetedEncode targeted(*analysis_, effective, observer);
-  Trial trial = targeted.run();
-  if (trial.complete) targeted.check(trial);
+  TargetedEncoding found = encode_to_target(*analysis_, effective, observer);
 
   Encoding encoding;
-  Uncorrected decoded = decode_uncorrected(trial.compressed);
-  if (trial.compressed.correction)
-    encoding.correction =
-        apply(trial.compressed, motion().clip, targeted.correction_ratio(), decoded);
+  Uncorrected decoded = decode_uncorrected(found.compressed);
+  if (found.compressed.correction)
+    encoding.correction = apply(found.compressed, motion().clip, found.correction_ratio, decoded);
   encoding.decoded = std::move(decoded.clip);
   encoding.distortion = measure(motion().skeleton, original_tracks(), encoding.decoded);
-  encoding.footskate = measure_footskate(targeted.contacts(), original_tracks(),
+  encoding.footskate = measure_footskate(contacts_for(*analysis_, options), original_tracks(),
                                          landmark_tracks(motion().skeleton, encoding.decoded),
                                          encoding.decoded.sample_rate_hz);
-  encoding.compressed = std::move(trial.compressed);
+  encoding.compressed = std::move(found.compressed);
   encoding.compressed.provenance = {options.method, options.weighting, options.seed,
                                     static_cast<float>(encoding.distortion.eps(options.weighting)),
                                     static_cast<float>(encoding.distortion.max.cm)};
   encoding.coefficient_ratio =
-      static_cast<double>(motion().clip.channels.size()) / std::max(trial.count, 1);
-  encoding.iterations = trial.iterations;
-  encoding.complete = trial.complete;
+      static_cast<double>(motion().clip.channels.size()) / std::max(found.count, 1);
+  encoding.iterations = found.iterations;
+  encoding.complete = found.complete;
   encoding.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return encoding;
