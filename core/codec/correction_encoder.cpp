@@ -6,12 +6,23 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "core/select/truncation.h"
+#include "core/codec/difference_fit.h"
+#include "core/ik/response.h"
 
 namespace mocapress {
 namespace {
 
 constexpr double kBlendSeconds = 0.15;  // before and after a contact
+
+// What errors of the effectors cost, beside a squared cm of a difference. A foot that stands is
+// seen to be off the sooner, and sooner still to slide.
+constexpr double kPlaceInContact = 4;
+constexpr double kStepInContact = 300;
+
+// Beside a squared cm of eps_x: what an effector's place costs the motion, though the correction
+// will mend it. Dearer than that, the motion pays for what is paid twice; cheaper, the differences
+// take more than they are given.
+constexpr double kCorrected = 0.02;
 
 std::vector<Effector> effectors_for(const Skeleton& skeleton, const std::vector<int>& joints) {
   if (joints.empty()) return find_feet(skeleton);
@@ -35,23 +46,6 @@ Eigen::VectorXd window_of(int joint, const std::vector<ContactSpan>& contacts, E
     }
   }
   return window;
-}
-
-/// Ranks the coefficients of one signal anew: a foot that stands is seen to be off the sooner.
-void prefer_contacts(RankedCoefficients& ranked, int signal, const Eigen::VectorXd& in_contact) {
-  constexpr double kInContact = 2;  // times as important
-  const auto frames = static_cast<double>(ranked.per_channel());
-  auto importance = ranked.importance.col(signal);
-  for (const Band& band : ranked.lifting.bands())
-    for (int i = 0; i < band.size; ++i) {
-      const auto first = static_cast<Eigen::Index>(frames * i / band.size);
-      const auto end = static_cast<Eigen::Index>(std::ceil(frames * (i + 1) / band.size));
-      importance(band.first + i) *=
-          1 + (kInContact - 1) * in_contact.segment(first, end - first).maxCoeff();
-    }
-  auto& order = ranked.by_importance[static_cast<std::size_t>(signal)];
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return importance(a) > importance(b); });
 }
 
 }  // namespace
@@ -79,21 +73,54 @@ CorrectionEncoder::CorrectionEncoder(const Skeleton& skeleton,
                                  original_.rows(), sample_rate_hz);
 }
 
-CorrectionEncoder::Selection CorrectionEncoder::select(const Clip& reconstructed, double ratio,
-                                                       Basis basis) const {
+std::vector<PointResponse> CorrectionEncoder::responses(
+    const Clip& original, const Eigen::MatrixXd& original_tracks) const {
+  std::vector<PointResponse> responses;
+  for (LimbResponse& limb : limb_responses(skeleton_, effectors_, solver_, original)) {
+    PointResponse& response = responses.emplace_back();
+    for (const Effector& effector : limb.effectors) response.joints.push_back(effector.joint);
+    response.places = effector_tracks(original_tracks, limb.effectors);
+    response.angles = std::move(limb.channels);
+    response.turns = std::move(limb.turns);
+    response.weights.setConstant(original.frames(), std::ssize(limb.effectors), kCorrected);
+    if (at_ == CorrectAt::Contacts) limit_to_contacts(limb.effectors, response);
+  }
+  return responses;
+}
+
+/// Elsewhere a point stays where the motion leaves it.
+void CorrectionEncoder::limit_to_contacts(const std::vector<Effector>& effectors,
+                                          PointResponse& response) const {
+  const Eigen::Index points = std::ssize(effectors);
+  for (Eigen::Index p = 0; p < points; ++p) {
+    const auto joint = effectors[static_cast<std::size_t>(p)].joint;
+    const auto found = std::find_if(effectors_.begin(), effectors_.end(),
+                                    [&](const Effector& e) { return e.joint == joint; });
+    const auto contact = contacts_.col(found - effectors_.begin()).array();
+    response.weights.col(p).array() *= contact;
+    for (Eigen::Index a = 0; a < std::ssize(response.angles); ++a)
+      response.turns.middleCols(3 * (points * a + p), 3).array().colwise() *= contact;
+  }
+}
+
+CoefficientFit CorrectionEncoder::select(const Clip& reconstructed, double ratio,
+                                         Basis basis) const {
   Clip differences{reconstructed.sample_rate_hz, original_};
   differences.channels -= effector_tracks(landmark_tracks(skeleton_, reconstructed), effectors_);
   if (at_ == CorrectAt::Contacts)
     for (Eigen::Index s = 0; s < differences.channels.cols(); ++s)
       differences.channels.col(s).array() *= contacts_.col(s / 3).array();
 
-  RankedCoefficients ranked = rank_coefficients(differences, basis);
-  for (int s = 0; s < ranked.channels(); ++s) prefer_contacts(ranked, s, contacts_.col(s / 3));
-  std::vector<double> alike(static_cast<std::size_t>(ranked.channels()), 1.0);
-  const double total = ranked.total();
+  std::vector<FitWeights> weights;
+  for (Eigen::Index s = 0; s < differences.channels.cols(); ++s) {
+    const auto contact = contacts_.col(s / 3).array();
+    const bool up = s % 3 == 1;  // what rises and falls does not slide
+    weights.push_back({.place = 1 + (kPlaceInContact - 1) * contact,
+                       .step = (up ? 0 : kStepInContact) * (contact == 1).cast<double>()});
+  }
+  const auto total = static_cast<double>(differences.channels.size());
   const auto count = static_cast<int>(std::lround(std::clamp(total / ratio, 0.0, total)));
-  Kept kept = StandardOrder(ranked, alike).keep(count);
-  return {std::move(ranked), std::move(kept), std::move(alike)};
+  return fit_coefficients(differences, weights, basis, count);
 }
 
 }  // namespace mocapress

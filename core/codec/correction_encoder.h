@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "core/codec/compressed_clip.h"
+#include "core/codec/difference_fit.h"
 #include "core/contact/contact_spans.h"
-#include "core/select/ranking.h"
+#include "core/select/point_term.h"
 
 namespace mocapress {
 
@@ -38,17 +39,18 @@ class CorrectionEncoder {
                     const CorrectionOptions& options, const std::vector<ContactSpan>& contacts,
                     double sample_rate_hz);
 
+  /// How errors of the motion count when this correction follows: for each limb.
+  std::vector<PointResponse> responses(const Clip& original,
+                                       const Eigen::MatrixXd& original_tracks) const;
+
   CodedCorrection correction() const { return {solver_, effectors_}; }
 
-  /// The coefficients of the differences, and the largest of them: total / ratio in all.
-  struct Selection {
-    RankedCoefficients ranked;
-    Kept kept;
-    std::vector<double> scales;  // all alike
-  };
-  Selection select(const Clip& reconstructed, double ratio, Basis basis) const;
+  /// The coefficients that the differences get: total / ratio in all.
+  CoefficientFit select(const Clip& reconstructed, double ratio, Basis basis) const;
 
  private:
+  void limit_to_contacts(const std::vector<Effector>& effectors, PointResponse& response) const;
+
   const Skeleton& skeleton_;
   IkSolver solver_;
   CorrectAt at_;

@@ -43,6 +43,10 @@ class TargetedEncode {
     correction_.emplace(motion.skeleton, analysis.original_tracks(), *options.correction, contacts_,
                         motion.clip.sample_rate_hz);
     correction_ratio_ = options.correction->ratio.value_or(kUsualCorrectionRatio);
+    if (options.method != Method::Annealed && options.method != Method::ClosedLoop) return;
+    corrected_model_ = analysis.model(options.weighting);
+    for (const auto& response : correction_->responses(motion.clip, analysis.original_tracks()))
+      corrected_model_->add(response);
   }
 
   double correction_ratio() const { return correction_ratio_; }
@@ -81,6 +85,11 @@ class TargetedEncode {
   static constexpr int kClosedLoops = 12;
   static constexpr double kCoarser = 1.3;
   static constexpr double kUsualCorrectionRatio = 16;  // of the paper's video
+
+  /// What errors of the motion cost; a correction that follows makes some of them good.
+  const ErrorModel& model() const {
+    return corrected_model_ ? *corrected_model_ : analysis_.model(options_.weighting);
+  }
 
   int count_for(double coefficient_ratio) const {
     const double total = basis_.ranked.total();
@@ -168,7 +177,7 @@ class TargetedEncode {
       const Clip reconstructed{compressed.sample_rate_hz,
                                reconstruct(coded, basis_.ranked.lifting)};
       const auto lacking = correction_->select(reconstructed, correction_ratio_, options_.basis);
-      append(quantise_kept(lacking.ranked, lacking.scales, lacking.kept, coded.scale), coded);
+      append(quantise_kept(lacking.ranked, lacking.scales(), lacking.kept, coded.scale), coded);
       compressed.correction = correction_->correction();
     }
     compressed.motion = pack_adaptive(coded, compressed);
@@ -200,29 +209,40 @@ class TargetedEncode {
     constexpr int kEnough = 3;  // trials, where the target is met within kNear
     constexpr double kNear = 0.015;
     constexpr int kMany = 6;  // where it is met at all
+    constexpr double kBeside = 0.01;
     const auto count_of = [](double scale) {
       return static_cast<int>(std::clamp(std::pow(kLength / scale, kPower), 1.0, 1e9));
     };
-    const ClosedLoop& loop = analysis_.closed_loop(options_.basis, options_.weighting);
+    std::optional<ClosedLoop> corrected;
+    if (corrected_model_)
+      corrected.emplace(basis_.ranked, analysis_.motion().clip, *corrected_model_);
+    const ClosedLoop& loop =
+        corrected ? *corrected : analysis_.closed_loop(options_.basis, options_.weighting);
     // Neighbouring scales differ by chance as much as by their size: a narrow window may stay
     // empty.
     std::optional<Trial> best;
     int tried = 0;
+    const auto try_scale = [&](double scale) {
+      Trial trial = attempt_scale(loop, scale, {});
+      ++tried;
+      const double excess = trial.excess;
+      const bool complete = trial.complete;
+      if (!best || !goal_.better(best->excess, trial.excess)) best = std::move(trial);
+      best->complete = complete;
+      return excess;
+    };
     const auto will_do = [&] {
       const bool near = best && std::abs(best->excess) < kNear;
       return best && goal_.met(best->excess) && tried >= (near ? kEnough : kMany);
     };
     CountSearch search(count_of(loop.finest_scale()), count_of(loop.likely_scale(options_.target)),
                        goal_.window(), kClosedLoops);
-    while (!search.done() && (!best || best->complete) && !will_do()) {
-      const double count = std::max(search.count(), 1);
-      Trial trial = attempt_scale(loop, kLength / std::pow(count, 1 / kPower), {});
-      search.tried(trial.excess);
-      ++tried;
-      const bool complete = trial.complete;
-      if (!best || !goal_.better(best->excess, trial.excess)) best = std::move(trial);
-      best->complete = complete;
-    }
+    while (!search.done() && (!best || best->complete) && !will_do())
+      search.tried(try_scale(kLength / std::pow(std::max(search.count(), 1), 1 / kPower)));
+    // The search may have closed in on a jump: beside it chance has more to offer.
+    const double middle = best->scale;
+    for (int i = 1; i <= kClosedLoops && best->complete && !goal_.met(best->excess); ++i)
+      try_scale(middle * (1 + (i % 2 == 0 ? -kBeside : kBeside) * ((i + 1) / 2)));
     if (options_.target.kind == Target::Kind::MaxError && best->complete)
       hold_worst_frames(loop, *best);
     return std::move(*best);
@@ -282,7 +302,7 @@ class TargetedEncode {
                              read_signals(reader, options_.basis, motion.clip.frames(),
                                           motion.skeleton.channel_count())};
     const auto lacking = correction_->select(reconstructed, correction_ratio_, options_.basis);
-    const auto differences = code_signals(lacking.ranked, lacking.scales, lacking.kept);
+    const auto differences = code_signals(lacking.ranked, lacking.scales(), lacking.kept);
     words.insert(words.end(), differences.begin(), differences.end());
     compressed.correction = correction_->correction();
   }
@@ -309,7 +329,7 @@ class TargetedEncode {
     AnnealingReport best;
     for (int i = 0; i < annealings && best.complete; ++i, ++pass_) {
       AnnealingReport report =
-          anneal(basis_.ranked, analysis_.model(options_.weighting), standard,
+          anneal(basis_.ranked, model(), standard,
                  {.seed = options_.seed + static_cast<std::uint64_t>(i)}, observe);
       if (i > 0 && report.eps_cm >= best.eps_cm)
         best.complete = report.complete;
@@ -326,6 +346,7 @@ class TargetedEncode {
   std::vector<ContactSpan> contacts_;
   std::optional<CorrectionEncoder> correction_;
   double correction_ratio_ = 0;
+  std::optional<ErrorModel> corrected_model_;
   bool correcting_ = true;  // false: to know the price without
   Goal goal_;
   int pass_ = 0;

@@ -112,8 +112,9 @@ ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
 
 ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
                        const Eigen::VectorXd& weights, SignalMoves moves)
-    : above_(moves.places.size()), below_(moves.places.size()) {
+    : places_(moves.places), above_(moves.places.size()), below_(moves.places.size()) {
   const auto joints = static_cast<std::size_t>(skeleton.joint_count());
+  for (int j = 0; j < skeleton.joint_count(); ++j) parents_.push_back(skeleton.joint(j).parent);
   std::vector<std::vector<int>> joint_channels(joints);
   for (std::size_t c = 0; c < moves.places.size(); ++c)
     joint_channels[static_cast<std::size_t>(moves.places[c].joint)].push_back(static_cast<int>(c));
@@ -136,6 +137,7 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const Clip& original,
   assert(weights.size() == static_cast<Eigen::Index>(points.size()));
   const Eigen::MatrixXd tracks = landmark_tracks(skeleton, original);
   const Eigen::Index rows = moves.axes.rows();
+  origin_ = tracks.leftCols(3);
   const auto channels = static_cast<Eigen::Index>(moves.places.size());
   motions_.resize(rows, 6 * channels);
   forces_.resize(rows, 6 * channels);
@@ -176,8 +178,50 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const Clip& original,
   });
 }
 
+bool ErrorModel::are_related(int a, int b) const {
+  const int upper = places_[static_cast<std::size_t>(a)].joint;
+  const int lower = places_[static_cast<std::size_t>(b)].joint;
+  return moves(a, lower) || moves(b, upper);
+}
+
+Eigen::VectorXd ErrorModel::entry(int a, int b) const {
+  const bool a_is_upper = moves(a, places_[static_cast<std::size_t>(b)].joint);
+  const int upper = a_is_upper ? a : b;
+  const int lower = a_is_upper ? b : a;
+  return motions_.middleCols(Eigen::Index{6} * upper, 6)
+      .cwiseProduct(forces_.middleCols(Eigen::Index{6} * lower, 6))
+      .rowwise()
+      .sum();
+}
+
+bool ErrorModel::moves(int channel, int joint) const {
+  while (joint > places_[static_cast<std::size_t>(channel)].joint)
+    joint = parents_[static_cast<std::size_t>(joint)];
+  return joint == places_[static_cast<std::size_t>(channel)].joint;
+}
+
+Eigen::MatrixXd ErrorModel::velocity(int channel, const Eigen::MatrixXd& places) const {
+  const auto turn = columns<6>(motions_, channel, 0, frames()).leftCols<3>();
+  const auto shift = columns<6>(motions_, channel, 0, frames()).rightCols<3>();
+  const Eigen::ArrayXXd arm = places - origin_;
+  Eigen::MatrixXd moved(arm.rows(), 3);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    moved.col(i) = shift.col(i) + turn.col(j) * arm.col(k) - turn.col(k) * arm.col(j);
+  }
+  return moved;
+}
+
+void ErrorModel::add(const PointResponse& response) {
+  PointTerm term(*this, response);
+  term.add_curvature(curvature_);
+  terms_.push_back(std::move(term));
+}
+
 void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
                                  Eigen::MatrixXd& gradient) const {
+  for (const PointTerm& term : terms_) term.add_to_gradient(channel, delta, gradient);
   const auto c = static_cast<std::size_t>(channel);
   for (Eigen::Index first = 0; first < delta.size(); first += kBlock) {
     const Eigen::Index frames = std::min(kBlock, delta.size() - first);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/motion/landmarks.h"
+#include "core/select/point_term.h"
 
 namespace mocapress {
 
@@ -45,6 +46,18 @@ class ErrorModel {
   /// D: the diagonal of G_t, frames x channels. (cm per unit of the channel)^2.
   const Eigen::MatrixXd& curvature() const { return curvature_; }
 
+  /// Whether G_t has an entry for two channels, and what it is at each frame.
+  bool are_related(int a, int b) const;
+  Eigen::VectorXd entry(int a, int b) const;
+
+  /// Whether a channel moves a joint's origin, and how it moves what is at `places` (frames x 3,
+  /// cm, in the world): cm per unit.
+  bool moves(int channel, int joint) const;
+  Eigen::MatrixXd velocity(int channel, const Eigen::MatrixXd& places) const;
+
+  /// Lets errors of some points count otherwise.
+  void add(const PointResponse& response);
+
   /// gradient += G times an error of `delta` (one value a frame) in `channel` alone.
   /// Touches only the channels that share landmarks with it.
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
@@ -53,11 +66,15 @@ class ErrorModel {
   void compute_motions(const Skeleton& skeleton, const Clip& original,
                        const Eigen::VectorXd& weights, const SignalMoves& moves);
 
+  std::vector<SignalMoves::Place> places_;
+  std::vector<int> parents_;             // of joints
+  Eigen::MatrixXd origin_;               // what places are seen from: frames x 3, cm
   std::vector<std::vector<int>> above_;  // channels of the joints above each channel's own
   std::vector<std::vector<int>> below_;  // of its own joint and of those below
   Eigen::MatrixXd motions_;              // frames x 6 * channels
   Eigen::MatrixXd forces_;               // frames x 6 * channels
   Eigen::MatrixXd curvature_;
+  std::vector<PointTerm> terms_;
 };
 
 /// The error of a set of channels so far, and what it costs.

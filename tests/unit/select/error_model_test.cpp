@@ -5,27 +5,14 @@
 
 #include "core/base/random.h"
 #include "core/metrics/distortion.h"
+#include "tests/support/landmark_jacobian.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
 namespace {
 
-/// G_t by finite differences of forward kinematics: slow, and sharing nothing with the model.
 Eigen::MatrixXd brute_force_form(const Motion& motion, int frame, const Eigen::VectorXd& weights) {
-  const int channels = motion.skeleton.channel_count();
-  const auto positions = [&](const Clip& clip) {
-    return Eigen::VectorXd(landmark_tracks(motion.skeleton, clip).row(0).transpose());
-  };
-  Clip one_frame{120, motion.clip.channels.row(frame)};
-  Eigen::MatrixXd jacobian(3 * weights.size(), channels);
-  constexpr double kStep = 1e-5;
-  for (int c = 0; c < channels; ++c) {
-    Clip ahead = one_frame;
-    Clip behind = one_frame;
-    ahead.channels(0, c) += kStep;
-    behind.channels(0, c) -= kStep;
-    jacobian.col(c) = (positions(ahead) - positions(behind)) / (2 * kStep);
-  }
+  const Eigen::MatrixXd jacobian = test::landmark_jacobian(motion, frame);
   Eigen::VectorXd each_coordinate(3 * weights.size());
   for (int p = 0; p < weights.size(); ++p)
     each_coordinate.segment<3>(3 * p).setConstant(weights(p));

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "core/select/point_term.h"
+
+#include <cassert>
+
+#include "core/select/error_model.h"
+
+namespace mocapress {
+namespace {
+
+/// The channels that share landmarks with any of `these`, and these.
+std::vector<int> related(const ErrorModel& model, const std::vector<int>& these) {
+  std::vector<int> channels;
+  for (int c = 0; c < model.channels(); ++c)
+    for (const int one : these)
+      if (model.are_related(c, one)) {
+        channels.push_back(c);
+        break;
+      }
+  return channels;
+}
+
+}  // namespace
+
+PointTerm::PointTerm(const ErrorModel& model, const PointResponse& response)
+    : place_(static_cast<std::size_t>(model.channels()), -1) {
+  const Eigen::Index frames = model.frames();
+  const Eigen::Index rows = 3 * std::ssize(response.joints);
+  assert(response.turns.cols() == std::ssize(response.angles) * rows);
+  assert(response.weights.rows() == frames && 3 * response.weights.cols() == rows);
+  std::vector<int> movers = response.angles;
+  for (const int joint : response.joints)
+    for (int c = 0; c < model.channels(); ++c)
+      if (model.moves(c, joint)) movers.push_back(c);
+  channels_ = related(model, movers);
+  const auto count = std::ssize(channels_);
+  width_ = 2 * rows;
+  motions_ = Eigen::MatrixXd::Zero(frames, width_ * count);
+  forces_.resize(frames, width_ * count);
+
+  const auto jacobian = [&](Eigen::Index i) { return motions_.middleCols(width_ * i, rows); };
+  const auto coupling = [&](Eigen::Index i) {
+    return motions_.middleCols(width_ * i + rows, rows);
+  };
+  const auto turns = [&](Eigen::Index a) { return response.turns.middleCols(rows * a, rows); };
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const int channel = channels_[static_cast<std::size_t>(i)];
+    place_[static_cast<std::size_t>(channel)] = static_cast<int>(i);
+    for (Eigen::Index p = 0; p < std::ssize(response.joints); ++p) {
+      const int joint = response.joints[static_cast<std::size_t>(p)];
+      if (model.moves(channel, joint))
+        jacobian(i).middleCols<3>(3 * p) =
+            model.velocity(channel, response.places.middleCols(3 * p, 3));
+    }
+    for (Eigen::Index a = 0; a < std::ssize(response.angles); ++a) {
+      const int angle = response.angles[static_cast<std::size_t>(a)];
+      if (model.are_related(angle, channel))
+        coupling(i) += model.entry(angle, channel).asDiagonal() * turns(a);
+    }
+  }
+
+  // C: rows x rows numbers a frame.
+  Eigen::MatrixXd costs = Eigen::MatrixXd::Zero(frames, rows * rows);
+  for (Eigen::Index r = 0; r < rows; ++r)
+    for (Eigen::Index s = 0; s < rows; ++s) {
+      auto cost = costs.col(rows * r + s);
+      if (r == s) cost = response.weights.col(r / 3);
+      for (Eigen::Index a = 0; a < std::ssize(response.angles); ++a) {
+        const int place =
+            place_[static_cast<std::size_t>(response.angles[static_cast<std::size_t>(a)])];
+        cost += coupling(place).col(r).cwiseProduct(turns(a).col(s));
+      }
+    }
+  for (Eigen::Index i = 0; i < count; ++i) {
+    auto force = forces_.middleCols(width_ * i, width_);
+    force.leftCols(rows) = -coupling(i);
+    force.rightCols(rows) = -jacobian(i);
+    for (Eigen::Index r = 0; r < rows; ++r)
+      for (Eigen::Index s = 0; s < rows; ++s)
+        force.col(r) += costs.col(rows * r + s).cwiseProduct(jacobian(i).col(s));
+  }
+}
+
+void PointTerm::add_curvature(Eigen::MatrixXd& curvature) const {
+  for (Eigen::Index i = 0; i < std::ssize(channels_); ++i)
+    curvature.col(channels_[static_cast<std::size_t>(i)]) +=
+        motions_.middleCols(width_ * i, width_)
+            .cwiseProduct(forces_.middleCols(width_ * i, width_))
+            .rowwise()
+            .sum();
+}
+
+void PointTerm::add_to_gradient(int channel, const Eigen::VectorXd& delta,
+                                Eigen::MatrixXd& gradient) const {
+  const Eigen::Index place = place_[static_cast<std::size_t>(channel)];
+  if (place < 0) return;
+  for (Eigen::Index i = 0; i < std::ssize(channels_); ++i) {
+    auto sum = gradient.col(channels_[static_cast<std::size_t>(i)]).array();
+    for (Eigen::Index n = 0; n < width_; ++n)
+      sum += delta.array() * forces_.col(width_ * place + n).array() *
+             motions_.col(width_ * i + n).array();
+  }
+}
+
+}  // namespace mocapress

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace mocapress {
+
+class ErrorModel;
+
+/// Points of the body whose errors count otherwise than eps_x has it: because they weigh more, or
+/// because the decoder will put them where they belong.
+struct PointResponse {
+  std::vector<int> joints;  // whose origins the points are
+  Eigen::MatrixXd places;   // where the original has them: frames x 3 * points, cm, in the world
+  std::vector<int> angles;  // the channels that the decoder turns to move them; none: it does not
+  // What it turns them by, radians a cm that a point is to move: frames x 3 * points * angles.
+  Eigen::MatrixXd turns;
+  // What a squared error of each point costs beside that, before the decoder moves it: frames x
+  // points. Multiples of the squared cm of eps_x.
+  Eigen::MatrixXd weights;
+};
+
+/// What that adds to G_t of an ErrorModel. With J the movement of the points by all channels and K
+/// the turns, an error e of the channels leaves (1 - K J) e behind, so that
+///
+///   G' = (1 - K J)^T G (1 - K J) + J^T W J = G - J^T B - B^T J + J^T C J,
+///   B = K^T G,   C = B K + W.
+///
+/// Of rank 6 a point, and zero but for the channels that move the points and what is moved with
+/// them.
+class PointTerm {
+ public:
+  PointTerm(const ErrorModel& model, const PointResponse& response);
+
+  /// Adds its diagonal, frames x channels.
+  void add_curvature(Eigen::MatrixXd& curvature) const;
+
+  /// Adds it times an error of `delta` (one value a frame) in `channel` alone.
+  void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
+
+ private:
+  std::vector<int> channels_;  // for which it is not zero
+  std::vector<int> place_;     // of each channel among them, or -1
+  Eigen::Index width_ = 0;     // numbers a channel and frame
+  Eigen::MatrixXd motions_;    // J and B: frames x width * channels_
+  Eigen::MatrixXd forces_;     // C J - B and -J
+};
+
+}  // namespace mocapress
