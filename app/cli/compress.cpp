@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/contact_input.h"
 #include "app/cli/correction_arguments.h"
+#include "app/cli/importance_arguments.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/option_words.h"
 #include "app/cli/report.h"
@@ -18,10 +19,11 @@ struct Compress {
   std::string input;
   MotionInput source;
   std::string output;
-  std::string method = "annealed";
+  std::string method{name(Method::ClosedLoop)};
   EncodeOptions options;
   CorrectionArguments correction;
   ContactInput contacts;
+  ImportanceArguments importance;
   std::optional<Coding> coding;
   bool json = false;
 
@@ -38,6 +40,7 @@ struct Compress {
     options.correction = correction.options(encoder.wavelets().motion().skeleton);
     if (options.correction && !of_wavelets)
       throw CLI::ValidationError("--ik", "corrects wavelets only");
+    options.importance = importance.importance(encoder.wavelets().motion().skeleton);
     options.contacts =
         contacts.spans(encoder.wavelets().motion(), encoder.wavelets().original_tracks());
     Compression made = encoder.compress(contender, options);
@@ -73,7 +76,7 @@ void add_compress(CLI::App& app) {
   command->add_option("--method", call->method, "Wavelets, or what they are compared with")
       ->transform(one_of_the_methods())
       ->capture_default_str();
-  command->add_option("--coding", call->coding, "How they are coded (deflate; adaptive)")
+  command->add_option("--coding", call->coding, "How they are coded (closed-loop: adaptive, others: deflate)")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
   command->add_option("--weighting", call->options.weighting, "Of eps_x (bone-ends)")
       ->transform(one_of({Weighting::BoneEnds, Weighting::JointOrigins}));
@@ -97,6 +100,9 @@ void add_compress(CLI::App& app) {
   add("--max-error", Target::Kind::MaxError, "CM", "No point further off at any frame");
   call->correction.add_options(*command);
   call->contacts.add_options(*command);
+  call->importance.add_options(*command);
+  command->add_option("--effort", call->options.effort, "Of the closed loop (default)")
+      ->transform(one_of({Effort::Draft, Effort::Default, Effort::Best}));
   command->add_option("--seed", call->options.seed, "Of the annealing; same seed, same bytes");
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kDeadZone = 0.1;  // what is added before details are cut to whole steps
 constexpr double kLambda = 0.04;   // squared steps of error that a bit is worth
-constexpr int kSweeps = 5;
 constexpr double kLeastMoved =
     1e-4;  // of the mean curvature: what moves no landmark counts so much
 
@@ -102,11 +101,12 @@ class ClosedLoopRun {
     for (int j = 0; j < channels(); ++j) apply(j, errors_.col(j));
   }
 
-  ClosedLoop::Result run(const Observer<ClosedLoopProgress>& observer) {
+  ClosedLoop::Result run(const ClosedLoopWork& work, const Observer<ClosedLoopProgress>& observer) {
     ClosedLoop::Result result;
     rates_.learn(coded_.values);
-    for (int j = 0; j < channels(); ++j) compensate(j);
-    while (result.sweeps < kSweeps && result.complete) {
+    for (int j = 0; j < channels() && work.compensate; ++j) compensate(j);
+    result.eps_cm = eps_cm();
+    while (result.sweeps < work.sweeps && result.complete) {
       rates_.learn(coded_.values);
       for (int j = 0; j < channels(); ++j) sweep(j);
       ++result.sweeps;
@@ -269,9 +269,10 @@ class ClosedLoopRun {
   std::vector<int> alive_;    // how many of each band are not zero, of the channel being swept
 };
 
-ClosedLoop::Result ClosedLoop::quantise(double scale, const Eigen::VectorXd& frame_weights,
+ClosedLoop::Result ClosedLoop::quantise(double scale, const ClosedLoopWork& work,
+                                        const Eigen::VectorXd& frame_weights,
                                         const Observer<ClosedLoopProgress>& observer) const {
-  return ClosedLoopRun(*this, scale, frame_weights).run(observer);
+  return ClosedLoopRun(*this, scale, frame_weights).run(work, observer);
 }
 
 }  // namespace mocapress

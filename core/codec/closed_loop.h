@@ -9,6 +9,12 @@
 
 namespace mocapress {
 
+/// How hard it tries.
+struct ClosedLoopWork {
+  bool compensate = true;  // each channel for the others, once
+  int sweeps = 5;          // over all coefficients
+};
+
 struct ClosedLoopProgress {
   int sweep = 0;
   double eps_cm = 0;  // by the quadratic model, frames weighted
@@ -34,7 +40,8 @@ class ClosedLoop {
 
   /// Quantised in steps of about `scale` cm, as they move the landmarks. Errors of a frame count by
   /// its weight, one for each, or all alike where there are none.
-  Result quantise(double scale, const Eigen::VectorXd& frame_weights = {},
+  Result quantise(double scale, const ClosedLoopWork& work = {},
+                  const Eigen::VectorXd& frame_weights = {},
                   const Observer<ClosedLoopProgress>& observer = {}) const;
 
   /// Of finer scales the largest coefficients would not fit.

@@ -26,6 +26,18 @@ CorrectionResult apply(const CompressedClip& compressed, const Clip& original, d
 
 }  // namespace
 
+std::string_view name(Effort effort) {
+  switch (effort) {
+    case Effort::Draft:
+      return "draft";
+    case Effort::Default:
+      return "default";
+    case Effort::Best:
+      return "best";
+  }
+  return "unknown";
+}
+
 Coding effective_coding(const EncodeOptions& options) {
   return options.method == Method::ClosedLoop ? Coding::Adaptive : options.coding;
 }
@@ -56,10 +68,10 @@ Encoding Encoder::encode(const EncodeOptions& options,
   if (found.compressed.correction)
     encoding.correction = apply(found.compressed, motion().clip, found.correction_ratio, decoded);
   encoding.decoded = std::move(decoded.clip);
-  encoding.distortion = measure(motion().skeleton, original_tracks(), encoding.decoded);
+  const Eigen::MatrixXd tracks = landmark_tracks(motion().skeleton, encoding.decoded);
+  encoding.distortion = measure(motion().skeleton, original_tracks(), tracks);
   encoding.footskate = measure_footskate(contacts_for(*analysis_, options), original_tracks(),
-                                         landmark_tracks(motion().skeleton, encoding.decoded),
-                                         encoding.decoded.sample_rate_hz);
+                                         tracks, encoding.decoded.sample_rate_hz);
   encoding.compressed = std::move(found.compressed);
   encoding.compressed.provenance = {options.method, options.weighting, options.seed,
                                     static_cast<float>(encoding.distortion.eps(options.weighting)),

@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/codec/correction_encoder.h"
+#include "core/codec/importance.h"
 #include "core/codec/target.h"
 #include "core/contact/footskate.h"
 #include "core/metrics/distortion.h"
@@ -16,6 +17,16 @@ namespace mocapress {
 
 class ClipAnalysis;
 
+/// How long a closed loop may look for something smaller. The others know one effort only.
+enum class Effort {
+  Draft,    // while a slider moves: about the target, which is not promised
+  Default,  // the target is met
+  Best,     // a few per cent smaller, for five times the time
+};
+
+/// "draft", "default", "best".
+std::string_view name(Effort effort);
+
 struct EncodeOptions {
   Method method = Method::Annealed;
   Coding coding = Coding::Deflate;
@@ -23,6 +34,8 @@ struct EncodeOptions {
   Weighting weighting = Weighting::BoneEnds;
   Target target;
   std::uint64_t seed = 1;  // of the annealing; the same seed gives the same bytes
+  Effort effort = Effort::Default;
+  Importance importance;                             // heeded by annealing and the closed loop
   std::optional<CorrectionOptions> correction;       // its size counts in ratio and size
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
 };

@@ -11,21 +11,12 @@
 #include "core/codec/count_search.h"
 #include "core/codec/decoder.h"
 #include "core/codec/goal.h"
+#include "core/codec/scale_search.h"
+#include "core/codec/trial.h"
 #include "core/select/annealing.h"
 
 namespace mocapress {
 namespace {
-
-/// Some number of coefficients, chosen and coded.
-struct Trial {
-  CompressedClip compressed;
-  int count = 0;
-  double scale = 0;  // of a closed loop
-  int iterations = 0;
-  bool complete = true;
-  double achieved = 0;  // the quantity of the target
-  double excess = 0;
-};
 
 /// Searches the number of coefficients that meets the target of one encode() call.
 class TargetedEncode {
@@ -38,15 +29,18 @@ class TargetedEncode {
         observer_(observer),
         contacts_(contacts_for(analysis, options)),
         goal_(analysis.motion(), analysis.original_tracks(), options.target, options.weighting) {
-    if (!options.correction) return;
     const Motion& motion = analysis.motion();
+    const bool heeds_model =
+        options.method == Method::Annealed || options.method == Method::ClosedLoop;
+    if (heeds_model && !options.importance.is_even()) emphasise(options.importance);
+    if (!options.correction) return;
     correction_.emplace(motion.skeleton, analysis.original_tracks(), *options.correction, contacts_,
                         motion.clip.sample_rate_hz);
     correction_ratio_ = options.correction->ratio.value_or(kUsualCorrectionRatio);
-    if (options.method != Method::Annealed && options.method != Method::ClosedLoop) return;
-    corrected_model_ = analysis.model(options.weighting);
+    if (!heeds_model) return;
+    if (!own_model_) own_model_ = analysis.model(options.weighting);
     for (const auto& response : correction_->responses(motion.clip, analysis.original_tracks()))
-      corrected_model_->add(response);
+      own_model_->add(response);
   }
 
   double correction_ratio() const { return correction_ratio_; }
@@ -54,7 +48,7 @@ class TargetedEncode {
   Trial run() {
     const int guess = count_for(goal_.likely_coefficient_ratio());
     if (correction_ && !options_.correction->ratio) correction_ratio_ = find_split(guess);
-    if (options_.method == Method::ClosedLoop) return search_scale();
+    if (options_.method == Method::ClosedLoop) return closed_loop();
     if (options_.target.kind == Target::Kind::CoefficientRatio)
       return attempt(options_.method, guess);
     if (options_.method != Method::Annealed) return search(options_.method, guess, kCheapTrials);
@@ -63,9 +57,10 @@ class TargetedEncode {
                   kAnnealings);
   }
 
-  /// Throws TargetMissed unless the trial is as good as was promised. Coding every coefficient in
-  /// less space than asked for keeps the promise too.
+  /// Throws TargetMissed unless the trial is as good as was promised; a draft promises nothing.
+  /// Coding every coefficient in less space than asked for keeps the promise too.
   void check(const Trial& trial) const {
+    if (options_.method == Method::ClosedLoop && options_.effort == Effort::Draft) return;
     const bool everything_kept = trial.count == basis_.ranked.total();
     const bool by_count = options_.target.kind == Target::Kind::CoefficientRatio &&
                           options_.method != Method::ClosedLoop;  // met by construction
@@ -82,13 +77,21 @@ class TargetedEncode {
  private:
   static constexpr int kCheapTrials = 24;
   static constexpr int kAnnealings = 10;
-  static constexpr int kClosedLoops = 12;
-  static constexpr double kCoarser = 1.3;
   static constexpr double kUsualCorrectionRatio = 16;  // of the paper's video
 
-  /// What errors of the motion cost; a correction that follows makes some of them good.
+  /// What errors of the motion cost: some joints more, what a correction makes good less.
   const ErrorModel& model() const {
-    return corrected_model_ ? *corrected_model_ : analysis_.model(options_.weighting);
+    return own_model_ ? *own_model_ : analysis_.model(options_.weighting);
+  }
+
+  void emphasise(const Importance& importance) {
+    const Motion& motion = analysis_.motion();
+    own_model_.emplace(motion.skeleton, motion.clip,
+                       important_weights(motion.skeleton, options_.weighting, importance));
+    if (importance.contacts == 0) return;
+    for (const auto& point : standing_points(motion.skeleton, analysis_.original_tracks(),
+                                             contacts_, importance.contacts))
+      own_model_->add(point);
   }
 
   int count_for(double coefficient_ratio) const {
@@ -201,71 +204,24 @@ class TargetedEncode {
             .coding = options_.coding};
   }
 
-  /// The scale of quantisation that meets the target, sought as a count that grows as it gets
-  /// finer: by a power with which 1 / error and bytes grow about in proportion.
-  Trial search_scale() {
-    constexpr double kLength = 1e6;  // cm
-    constexpr double kPower = 0.7;
-    constexpr int kEnough = 3;  // trials, where the target is met within kNear
-    constexpr double kNear = 0.015;
-    constexpr int kMany = 6;  // where it is met at all
-    constexpr double kBeside = 0.01;
-    const auto count_of = [](double scale) {
-      return static_cast<int>(std::clamp(std::pow(kLength / scale, kPower), 1.0, 1e9));
+  Trial closed_loop() {
+    std::optional<ClosedLoop> own;
+    if (own_model_) own.emplace(basis_.ranked, analysis_.motion().clip, *own_model_);
+    const ClosedLoop& loop = own ? *own : analysis_.closed_loop(options_.basis, options_.weighting);
+    const auto attempt = [&](double scale, const ClosedLoopWork& work,
+                             const Eigen::VectorXd& frame_weights) {
+      return attempt_scale(loop, scale, work, frame_weights);
     };
-    std::optional<ClosedLoop> corrected;
-    if (corrected_model_)
-      corrected.emplace(basis_.ranked, analysis_.motion().clip, *corrected_model_);
-    const ClosedLoop& loop =
-        corrected ? *corrected : analysis_.closed_loop(options_.basis, options_.weighting);
-    // Neighbouring scales differ by chance as much as by their size: a narrow window may stay
-    // empty.
-    std::optional<Trial> best;
-    int tried = 0;
-    const auto try_scale = [&](double scale) {
-      Trial trial = attempt_scale(loop, scale, {});
-      ++tried;
-      const double excess = trial.excess;
-      const bool complete = trial.complete;
-      if (!best || !goal_.better(best->excess, trial.excess)) best = std::move(trial);
-      best->complete = complete;
-      return excess;
-    };
-    const auto will_do = [&] {
-      const bool near = best && std::abs(best->excess) < kNear;
-      return best && goal_.met(best->excess) && tried >= (near ? kEnough : kMany);
-    };
-    CountSearch search(count_of(loop.finest_scale()), count_of(loop.likely_scale(options_.target)),
-                       goal_.window(), kClosedLoops);
-    while (!search.done() && (!best || best->complete) && !will_do())
-      search.tried(try_scale(kLength / std::pow(std::max(search.count(), 1), 1 / kPower)));
-    // The search may have closed in on a jump: beside it chance has more to offer.
-    const double middle = best->scale;
-    for (int i = 1; i <= kClosedLoops && best->complete && !goal_.met(best->excess); ++i)
-      try_scale(middle * (1 + (i % 2 == 0 ? -kBeside : kBeside) * ((i + 1) / 2)));
-    if (options_.target.kind == Target::Kind::MaxError && best->complete)
-      hold_worst_frames(loop, *best);
-    return std::move(*best);
-  }
-
-  /// Few frames decide the scale that a hard bound needs: larger scales may do where those frames
-  /// weigh more.
-  void hold_worst_frames(const ClosedLoop& loop, Trial& best) {
-    constexpr int kRounds = 5;
-    for (double scale = kCoarser * best.scale;; scale *= kCoarser) {
-      Eigen::VectorXd weights = Eigen::VectorXd::Ones(analysis_.motion().clip.frames());
-      bool held = false;
-      for (int round = 0; round < kRounds && !held; ++round) {
-        Trial trial = attempt_scale(loop, scale, weights);
-        best.complete = trial.complete;
-        if (!trial.complete) return;
-        held = goal_.met(trial.excess);
-        if (!held) raise_where_exceeded(decode(trial.compressed), weights);
-        if (!held || trial.compressed.motion_bytes() >= best.compressed.motion_bytes()) continue;
-        best = std::move(trial);
-      }
-      if (!held || scale > 1.01 * best.scale) return;
-    }
+    Trial best = search_scale(loop, options_.target, goal_, options_.effort, attempt);
+    if (options_.target.kind == Target::Kind::MaxError && options_.effort != Effort::Draft &&
+        best.complete)
+      hold_worst_frames(
+          goal_, analysis_.motion().clip.frames(), options_.effort, attempt,
+          [&](const Trial& trial, Eigen::VectorXd& weights) {
+            raise_where_exceeded(decode(trial.compressed), weights);
+          },
+          best);
+    return best;
   }
 
   void raise_where_exceeded(const Clip& decoded, Eigen::VectorXd& weights) const {
@@ -278,19 +234,27 @@ class TargetedEncode {
       if (excess(t) > 1) weights(t) = std::min(weights(t) * excess(t) * excess(t), kMostWeight);
   }
 
-  Trial attempt_scale(const ClosedLoop& loop, double scale, const Eigen::VectorXd& frame_weights) {
+  Trial attempt_scale(const ClosedLoop& loop, double scale, const ClosedLoopWork& work,
+                      const Eigen::VectorXd& frame_weights) {
     Trial trial{.compressed = empty_clip(), .scale = scale};
     const auto observe = [&](const ClosedLoopProgress& p) {
       return go_on(observer_,
                    EncodeProgress{.pass = pass_, .iteration = p.sweep, .eps_cm = p.eps_cm});
     };
-    ClosedLoop::Result result = loop.quantise(scale, frame_weights, observe);
+    ClosedLoop::Result result = loop.quantise(scale, work, frame_weights, observe);
     ++pass_;
     trial.iterations = result.sweeps;
+    trial.eps_cm = result.eps_cm;
     trial.complete = result.complete;
     trial.count = static_cast<int>((result.coded.values.array() != 0).count());
     finish(std::move(result.coded), trial.compressed);
-    weigh(trial);
+    if (options_.effort == Effort::Draft && options_.target.kind == Target::Kind::Error &&
+        !own_model_) {
+      trial.achieved = trial.eps_cm;  // near enough, and there already
+      trial.excess = goal_.excess(trial.achieved);
+    } else {
+      weigh(trial);
+    }
     return trial;
   }
 
@@ -346,8 +310,8 @@ class TargetedEncode {
   std::vector<ContactSpan> contacts_;
   std::optional<CorrectionEncoder> correction_;
   double correction_ratio_ = 0;
-  std::optional<ErrorModel> corrected_model_;
-  bool correcting_ = true;  // false: to know the price without
+  std::optional<ErrorModel> own_model_;  // where importance or a correction change it
+  bool correcting_ = true;               // false: to know the price without
   Goal goal_;
   int pass_ = 0;
 };

@@ -42,8 +42,12 @@ Distortion measure(const Skeleton& skeleton, const Clip& original, const Clip& d
 
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                    const Clip& decoded) {
-  const Eigen::MatrixXd squared =
-      squared_distances(original_tracks, landmark_tracks(skeleton, decoded));
+  return measure(skeleton, original_tracks, landmark_tracks(skeleton, decoded));
+}
+
+Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
+                   const Eigen::MatrixXd& decoded_tracks) {
+  const Eigen::MatrixXd squared = squared_distances(original_tracks, decoded_tracks);
   Distortion distortion;
   distortion.eps_bone_ends = eps_from(squared, landmark_weights(skeleton, Weighting::BoneEnds));
   distortion.eps_joint_origins =

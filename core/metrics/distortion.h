@@ -36,6 +36,10 @@ Distortion measure(const Skeleton& skeleton, const Clip& original, const Clip& d
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                    const Clip& decoded);
 
+/// The same of two landmark_tracks().
+Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
+                   const Eigen::MatrixXd& decoded_tracks);
+
 /// eps_x alone, by full forward kinematics: the exact value the quadratic model approximates.
 double exact_eps(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                  const Clip& decoded, Weighting weighting);

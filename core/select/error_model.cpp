@@ -15,12 +15,12 @@ namespace {
 constexpr Eigen::Index kBlock = 64;  // frames at a time: what is in flight stays in the first cache
 
 /// Some numbers for each frame of a block.
-template <int count>
-using Block = Eigen::Array<double, Eigen::Dynamic, count, Eigen::ColMajor, kBlock, count>;
+template <int count, typename Number = double>
+using Block = Eigen::Array<Number, Eigen::Dynamic, count, Eigen::ColMajor, kBlock, count>;
 
 /// Columns count * index ... of a matrix with as many a thing.
-template <int count>
-auto columns(const Eigen::MatrixXd& matrix, int index, Eigen::Index first, Eigen::Index frames) {
+template <int count, typename Matrix>
+auto columns(const Matrix& matrix, int index, Eigen::Index first, Eigen::Index frames) {
   return matrix.block(first, static_cast<Eigen::Index>(index) * count, frames, count).array();
 }
 
@@ -167,12 +167,12 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const Clip& original,
       const Block<3> still = Block<3>::Zero(frames, 3);
       const Block<3> turn = rotates ? axis : still;
       const Block<3> shift = rotates ? cross(place(joint), axis) : axis;
-      auto motion = motions_.block(first, Eigen::Index{6} * c, frames, 6).array();
-      auto force = forces_.block(first, Eigen::Index{6} * c, frames, 6).array();
-      motion.leftCols<3>() = turn;
-      motion.rightCols<3>() = shift;
-      force.leftCols<3>() = inertia.torque(turn, shift);
-      force.rightCols<3>() = inertia.force(turn, shift);
+      Block<6> motion(frames, 6);
+      Block<6> force(frames, 6);
+      motion << turn, shift;
+      force << inertia.torque(turn, shift), inertia.force(turn, shift);
+      motions_.block(first, Eigen::Index{6} * c, frames, 6) = motion.cast<float>();
+      forces_.block(first, Eigen::Index{6} * c, frames, 6) = force.cast<float>();
       curvature_.col(c).segment(first, frames) = (motion * force).rowwise().sum().matrix();
     }
   });
@@ -191,7 +191,8 @@ Eigen::VectorXd ErrorModel::entry(int a, int b) const {
   return motions_.middleCols(Eigen::Index{6} * upper, 6)
       .cwiseProduct(forces_.middleCols(Eigen::Index{6} * lower, 6))
       .rowwise()
-      .sum();
+      .sum()
+      .cast<double>();
 }
 
 bool ErrorModel::moves(int channel, int joint) const {
@@ -201,8 +202,9 @@ bool ErrorModel::moves(int channel, int joint) const {
 }
 
 Eigen::MatrixXd ErrorModel::velocity(int channel, const Eigen::MatrixXd& places) const {
-  const auto turn = columns<6>(motions_, channel, 0, frames()).leftCols<3>();
-  const auto shift = columns<6>(motions_, channel, 0, frames()).rightCols<3>();
+  const Eigen::ArrayXXd motion = columns<6>(motions_, channel, 0, frames()).cast<double>();
+  const auto turn = motion.leftCols<3>();
+  const auto shift = motion.rightCols<3>();
   const Eigen::ArrayXXd arm = places - origin_;
   Eigen::MatrixXd moved(arm.rows(), 3);
   for (int i = 0; i < 3; ++i) {
@@ -225,19 +227,20 @@ void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
   const auto c = static_cast<std::size_t>(channel);
   for (Eigen::Index first = 0; first < delta.size(); first += kBlock) {
     const Eigen::Index frames = std::min(kBlock, delta.size() - first);
-    const auto step = delta.segment(first, frames).array();
+    const Eigen::ArrayXf step = delta.segment(first, frames).cast<float>();
     if ((step == 0).all()) continue;
     // The force that one channel calls up does work along the motion of the other: that of the
     // lower one is of all landmarks that both move.
-    const auto add = [&](const Block<6>& mine, const Eigen::MatrixXd& theirs, int other) {
+    const auto add = [&](const Block<6, float>& mine, const Eigen::MatrixXf& theirs, int other) {
       const auto them = columns<6>(theirs, other, first, frames);
-      gradient.col(other).segment(first, frames).array() +=
+      const Block<1, float> work =
           mine.col(0) * them.col(0) + mine.col(1) * them.col(1) + mine.col(2) * them.col(2) +
           mine.col(3) * them.col(3) + mine.col(4) * them.col(4) + mine.col(5) * them.col(5);
+      gradient.col(other).segment(first, frames).array() += work.cast<double>();
     };
-    const Block<6> motion = columns<6>(motions_, channel, first, frames).colwise() * step;
+    const Block<6, float> motion = columns<6>(motions_, channel, first, frames).colwise() * step;
     for (const int other : below_[c]) add(motion, forces_, other);
-    const Block<6> force = columns<6>(forces_, channel, first, frames).colwise() * step;
+    const Block<6, float> force = columns<6>(forces_, channel, first, frames).colwise() * step;
     for (const int other : above_[c]) add(force, motions_, other);
   }
 }

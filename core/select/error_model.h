@@ -71,8 +71,8 @@ class ErrorModel {
   Eigen::MatrixXd origin_;               // what places are seen from: frames x 3, cm
   std::vector<std::vector<int>> above_;  // channels of the joints above each channel's own
   std::vector<std::vector<int>> below_;  // of its own joint and of those below
-  Eigen::MatrixXd motions_;              // frames x 6 * channels
-  Eigen::MatrixXd forces_;               // frames x 6 * channels
+  Eigen::MatrixXf motions_;              // frames x 6 * channels
+  Eigen::MatrixXf forces_;               // frames x 6 * channels
   Eigen::MatrixXd curvature_;
   std::vector<PointTerm> terms_;
 };

@@ -62,7 +62,7 @@ void expect_report(const json& report, bool encoded) {
 }
 
 TEST_F(Cli, CompressReportsExactlyTheDocumentedKeys) {
-  const json report = compress({});
+  const json report = compress({"--method", "annealed"});
   expect_report(report, true);
   EXPECT_EQ(report["input"], clip_);
   EXPECT_EQ(report["method"], "annealed");
@@ -184,7 +184,7 @@ TEST_F(Cli, ClosesTheLoopToEveryTarget) {
   EXPECT_LE(closed({"--target-error", "0.5"})["eps_x_cm"], 0.5);
   EXPECT_LE(closed({"--max-error", "1.5"})["max_error_cm"], 1.5);
   EXPECT_LE(closed({"--target-size", "800"})["motion_bytes"], 800);
-  EXPECT_GT(compress({"--target-error", "0.5"})["motion_bytes"],
+  EXPECT_GT(compress({"--method", "annealed", "--target-error", "0.5"})["motion_bytes"],
             2 * closed({"--target-error", "0.5"})["motion_bytes"].get<int>());
 }
 
@@ -255,6 +255,28 @@ TEST_F(Cli, DecompressedCsvHasALineForEachFrame) {
   EXPECT_EQ(std::count(text.begin(), text.end(), ','), (1 + 600) * 14);
 }
 
+TEST_F(Cli, UsesTheBestThereIsUnlessTold) {
+  const json report = compress({});
+  EXPECT_EQ(report["method"], "closed-loop");
+  EXPECT_EQ(report["coding"], "adaptive");
+  EXPECT_TRUE(report["iterations"].is_null());
+}
+
+TEST_F(Cli, TakesMoreCareOfWhatIsImportant) {
+  const std::string walk = std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/human_walk.amc";
+  const auto footskate = [&](std::vector<std::string> importance) {
+    std::vector<std::string> words = {"compress", walk, "--ratio", "150", "--json"};
+    words.insert(words.end(), importance.begin(), importance.end());
+    return json_of(words)["footskate_cm"].get<double>();
+  };
+  EXPECT_LT(footskate({"--importance", "contacts=20"}), 0.5 * footskate({}));
+  for (const char* wrong : {"feat=2", "feet", "feet=much", "feet=-1"}) {
+    const auto refused = mocapress({"compress", walk, "--importance", wrong});
+    EXPECT_EQ(refused.exit_code, 2) << wrong;
+    EXPECT_NE(refused.err.find("--importance"), std::string::npos) << refused.err;
+  }
+}
+
 TEST_F(Cli, InfoDescribesEveryKindOfFile) {
   compress({});
   ASSERT_EQ(mocapress({"decompress", packed_, "-o", file("back.amc")}).exit_code, 0);
@@ -264,7 +286,7 @@ TEST_F(Cli, InfoDescribesEveryKindOfFile) {
     EXPECT_EQ(one["frames"], 600) << one;
     EXPECT_NEAR(one["sample_rate_hz"].get<double>(), 120, 1e-3) << one;
   }
-  EXPECT_EQ(all[1]["method"], "annealed");
+  EXPECT_EQ(all[1]["method"], "closed-loop");
   EXPECT_EQ(all[1]["basis"], "cubic");
   EXPECT_EQ(all[1]["file_bytes"], std::filesystem::file_size(packed_));
   EXPECT_TRUE(all[0]["warnings"].is_array());

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "core/codec/importance.h"
+
+namespace mocapress::cli {
+
+/// What the user wants more care taken of.
+struct ImportanceArguments {
+  std::vector<std::string> words;  // "NAME=FACTOR"
+
+  void add_options(CLI::App& command);
+
+  /// Throws CLI::ValidationError when a name is neither part, joint nor "contacts", or a factor no
+  /// number of 0 or more.
+  Importance importance(const Skeleton& skeleton) const;
+};
+
+}  // namespace mocapress::cli

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/scale_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/codec/count_search.h"
+
+namespace mocapress {
+namespace {
+
+bool is_by_error(const Target& target) {
+  return target.kind == Target::Kind::Error || target.kind == Target::Kind::MaxError;
+}
+
+/// Trials of one search, of which the best is kept: what is nearest to the target or, of what meets
+/// it, the cheapest.
+class ScaleSearch {
+ public:
+  ScaleSearch(const Goal& goal, const Target& target, const AttemptScale& attempt)
+      : goal_(goal), target_(target), attempt_(attempt) {}
+
+  /// Returns the excess.
+  double try_scale(double scale, const ClosedLoopWork& work) {
+    Trial trial = attempt_(scale, work, {});
+    ++tried_;
+    const double excess = trial.excess;
+    const bool complete = trial.complete;
+    if (!best_ || is_better(trial)) best_ = std::move(trial);
+    best_->complete = complete;  // a search cut short is not, whichever trial was the best
+    return excess;
+  }
+
+  void prefer_cheap() { cheapest_ = true; }
+  int tried() const { return tried_; }
+  bool may_go_on() const { return !best_ || best_->complete; }
+  bool met() const { return best_ && goal_.met(best_->excess); }
+  bool is_near(double distance) const { return met() && std::abs(best_->excess) < distance; }
+  Trial& best() { return *best_; }
+
+ private:
+  bool is_better(const Trial& trial) const {
+    if (cheapest_ && goal_.met(trial.excess) && goal_.met(best_->excess))
+      return price(trial) < price(*best_);
+    return !goal_.better(best_->excess, trial.excess);
+  }
+
+  /// Of what the target does not say.
+  double price(const Trial& trial) const {
+    return is_by_error(target_) ? static_cast<double>(trial.compressed.motion_bytes())
+                                : trial.eps_cm;
+  }
+
+  const Goal& goal_;
+  const Target& target_;
+  const AttemptScale& attempt_;
+  bool cheapest_ = false;
+  std::optional<Trial> best_;
+  int tried_ = 0;
+};
+
+ClosedLoopWork work_of(Effort effort) {
+  switch (effort) {
+    case Effort::Draft:
+      return {.sweeps = 0};
+    case Effort::Best:
+      return {.sweeps = 12};
+    default:
+      return {};
+  }
+}
+
+/// About the scale at which `work` meets the target, by a rough trial. How much more error and
+/// bytes that has than work would leave differs little from clip to clip (measured on
+/// corpus/train).
+double likely_scale(const ClosedLoop& loop, const Target& target, const ClosedLoopWork& work,
+                    const AttemptScale& attempt) {
+  const bool by_error = is_by_error(target);
+  const bool swept = work.sweeps > 0;
+  const double more = by_error ? (swept ? -0.52 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
+  const double power = by_error ? 1.35 : 1.7;  // with which the scale follows the target
+  const double guess = loop.likely_scale(target);
+  const Trial rough = attempt(guess, {.compensate = false, .sweeps = 0}, {});
+  return guess * std::exp(power * std::clamp(rough.excess - more, -3.0, 3.0));
+}
+
+/// Tries scales until the target is met. The scale is sought as a count that grows as it gets
+/// finer: by a power with which 1 / error and bytes grow about in proportion.
+void seek(const ClosedLoop& loop, const Goal& goal, double first_scale, const ClosedLoopWork& work,
+          ScaleSearch& trials) {
+  constexpr double kLength = 1e6;  // cm
+  constexpr double kPower = 0.7;
+  constexpr double kNear = 0.015;  // so near, one trial is enough
+  constexpr double kNearEnough = 0.02;
+  constexpr int kMany = 4;
+  constexpr int kManyMore = 6;  // where it is met at all
+  constexpr int kMost = 12;
+  constexpr double kBeside = 0.01;
+  const auto count_of = [](double scale) {
+    return static_cast<int>(std::clamp(std::pow(kLength / scale, kPower), 1.0, 1e9));
+  };
+  // Neighbouring scales differ by chance as much as by their size: a narrow window may stay empty.
+  const auto will_do = [&] {
+    return trials.is_near(kNear) || (trials.is_near(kNearEnough) && trials.tried() >= kMany) ||
+           (trials.met() && trials.tried() >= kManyMore);
+  };
+  CountSearch search(count_of(loop.finest_scale()), count_of(first_scale), goal.window(), kMost);
+  while (!search.done() && trials.may_go_on() && !will_do()) {
+    const double scale = kLength / std::pow(std::max(search.count(), 1), 1 / kPower);
+    search.tried(trials.try_scale(scale, work));
+  }
+  // The search may have closed in on a jump: beside it chance has more to offer.
+  const double middle = trials.best().scale;
+  for (int i = 1; i <= kMost && trials.may_go_on() && !trials.met(); ++i)
+    trials.try_scale(middle * (1 + (i % 2 == 0 ? -kBeside : kBeside) * ((i + 1) / 2)), work);
+}
+
+}  // namespace
+
+Trial search_scale(const ClosedLoop& loop, const Target& target, const Goal& goal, Effort effort,
+                   const AttemptScale& attempt) {
+  const ClosedLoopWork work = work_of(effort);
+  const double first_scale = likely_scale(loop, target, work, attempt);
+  if (effort == Effort::Draft) return attempt(first_scale, work, {});
+  ScaleSearch trials(goal, target, attempt);
+  seek(loop, goal, first_scale, work_of(Effort::Default), trials);
+  if (effort != Effort::Best || !trials.met()) return std::move(trials.best());
+  // A few more around there, each with more work.
+  trials.prefer_cheap();
+  const double middle = trials.best().scale;
+  for (const double coarser : {1.01, 1.02, 1.03, 1.0, 1.04})
+    if (trials.may_go_on()) trials.try_scale(coarser * middle, work);
+  return std::move(trials.best());
+}
+
+void hold_worst_frames(const Goal& goal, int frames, Effort effort, const AttemptScale& attempt,
+                       const std::function<void(const Trial&, Eigen::VectorXd& weights)>& raise,
+                       Trial& best) {
+  constexpr int kRounds = 5;
+  constexpr double kLeastStep = 1.04;
+  for (double step = 1.3; step > kLeastStep;) {
+    const double scale = step * best.scale;
+    Eigen::VectorXd weights = Eigen::VectorXd::Ones(frames);
+    bool held = false;
+    for (int round = 0; round < kRounds && !held; ++round) {
+      Trial trial = attempt(scale, work_of(effort), weights);
+      best.complete = trial.complete;
+      if (!trial.complete) return;
+      held = goal.met(trial.excess);
+      if (!held) raise(trial, weights);
+      if (!held) continue;
+      held = trial.compressed.motion_bytes() < best.compressed.motion_bytes();
+      if (held) best = std::move(trial);
+      break;
+    }
+    if (!held) step = std::sqrt(step);
+  }
+}
+
+}  // namespace mocapress

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "core/motion/body_part.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string>
+
+namespace mocapress {
+namespace {
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool contains_any(const std::string& text, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return text.find(word) != std::string::npos; });
+}
+
+std::optional<BodyPart> part_of(const std::string& joint) {
+  const std::string name = lower(joint);
+  if (contains_any(name, {"spine", "back"})) return std::nullopt;  // "middle" is no finger there
+  if (contains_any(name, {"foot", "ankle", "toe", "ball"})) return BodyPart::Feet;
+  if (contains_any(name, {"finger", "thumb", "index", "middle", "ring", "pinky", "little"}))
+    return BodyPart::Fingers;
+  if (contains_any(name, {"hand", "wrist", "palm"})) return BodyPart::Hands;
+  if (contains_any(name, {"head", "neck", "jaw", "eye"})) return BodyPart::Head;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view name(BodyPart part) {
+  switch (part) {
+    case BodyPart::Feet:
+      return "feet";
+    case BodyPart::Hands:
+      return "hands";
+    case BodyPart::Fingers:
+      return "fingers";
+    case BodyPart::Head:
+      return "head";
+  }
+  return "unknown";
+}
+
+std::vector<int> joints_of(const Skeleton& skeleton, BodyPart part) {
+  std::vector<int> joints;
+  for (int j = 0; j < skeleton.joint_count(); ++j)
+    if (part_of(skeleton.joint(j).name) == part) joints.push_back(j);
+  return joints;
+}
+
+}  // namespace mocapress

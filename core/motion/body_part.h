@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/motion/skeleton.h"
+
+namespace mocapress {
+
+/// Groups of joints that animators think in.
+enum class BodyPart { Feet, Hands, Fingers, Head };
+
+inline constexpr BodyPart kBodyParts[] = {BodyPart::Feet, BodyPart::Hands, BodyPart::Fingers,
+                                          BodyPart::Head};
+
+/// "feet", "hands", "fingers", "head".
+std::string_view name(BodyPart part);
+
+/// The joints of a part by their names, in the usual spellings (rfoot, LeftToeBase, mixamorig:Head,
+/// wrist.R, lthumb, RightHandIndex1). Joints with none of these names belong to no part.
+std::vector<int> joints_of(const Skeleton& skeleton, BodyPart part);
+
+}  // namespace mocapress

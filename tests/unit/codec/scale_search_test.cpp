@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/scale_search.h"
+
+#include <gtest/gtest.h>
+
+#include "core/metrics/rate.h"
+#include "resources/samples/generator/samples.h"
+
+namespace mocapress {
+namespace {
+
+const Encoder& run() {
+  static const Encoder shared(samples::run_clip());
+  return shared;
+}
+
+Encoding encoded(Target target, Effort effort) {
+  return run().encode({.method = Method::ClosedLoop, .target = target, .effort = effort});
+}
+
+TEST(ScaleSearch, MeetsEveryKindOfTargetWithinTwoPercent) {
+  const auto raw = static_cast<double>(raw_bytes(run().motion().clip));
+  for (const Effort effort : {Effort::Default, Effort::Best}) {
+    const auto bytes = [&](Target target) {
+      return static_cast<double>(encoded(target, effort).compressed.motion_bytes());
+    };
+    for (const double ratio : {20, 60, 150})
+      EXPECT_NEAR(raw / bytes({Target::Kind::Ratio, ratio}) / ratio, 1, 0.02);
+    const double size = bytes({Target::Kind::Size, 3000});
+    EXPECT_LE(size, 3000);
+    EXPECT_GT(size, 0.96 * 3000);
+    for (const double eps : {0.05, 0.2, 1.0}) {
+      const double achieved = encoded({Target::Kind::Error, eps}, effort).distortion.eps_bone_ends;
+      EXPECT_LE(achieved, eps);
+      EXPECT_GT(achieved, 0.96 * eps);
+    }
+    EXPECT_LE(encoded({Target::Kind::MaxError, 1.5}, effort).distortion.max.cm, 1.5);
+  }
+}
+
+TEST(ScaleSearch, FindsSomethingSmallerWithTheBestEffort) {
+  const auto bytes = [](Effort effort) {
+    return encoded({Target::Kind::Error, 0.3}, effort).compressed.motion_bytes();
+  };
+  EXPECT_LT(bytes(Effort::Best), bytes(Effort::Default));
+}
+
+TEST(ScaleSearch, ADraftIsNearTheTarget) {
+  const Encoding by_error = encoded({Target::Kind::Error, 0.3}, Effort::Draft);
+  EXPECT_NEAR(by_error.distortion.eps_bone_ends / 0.3, 1, 0.35);
+  const Encoding by_ratio = encoded({Target::Kind::Ratio, 60}, Effort::Draft);
+  EXPECT_NEAR(compression_ratio(run().motion().clip, by_ratio.compressed.motion_bytes()) / 60, 1,
+              0.35);
+}
+
+}  // namespace
+}  // namespace mocapress
