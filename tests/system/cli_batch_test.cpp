@@ -14,9 +14,8 @@
 #include <thread>
 
 #include "core/base/file.h"
-#include "core/formats/motion_file.h"
-#include "resources/samples/generator/samples.h"
 #include "tests/system/command.h"
+#include "tests/system/sample_clips.h"
 
 namespace mocapress::test {
 namespace {
@@ -56,18 +55,7 @@ class Running {
 
 class CliBatch : public CommandLine {
  protected:
-  /// Variations of the bundled samples, of different lengths, as small as clips are: their starts.
-  void write_clips(int count) const {
-    fs::create_directories(file("in"));
-    const std::vector<Motion> samples = {samples::walk_clip(), samples::run_clip(),
-                                         samples::jump_clip()};
-    for (int i = 0; i < count; ++i) {
-      Motion motion = samples[static_cast<std::size_t>(i) % samples.size()];
-      const int frames = std::min(motion.clip.frames(), 90 + 12 * i);
-      motion.clip.channels = motion.clip.channels.topRows(frames).eval();
-      write_motion(file("in") / ("clip_" + std::to_string(100 + i) + ".bvh"), motion);
-    }
-  }
+  void write_clips(int count) const { write_sample_clips(file("in"), count); }
 
   std::vector<std::string> batch(const std::string& out, std::vector<std::string> more = {}) const {
     std::vector<std::string> words = {"batch", file("in").string(), "-o", file(out).string()};
@@ -79,13 +67,8 @@ class CliBatch : public CommandLine {
     return json::parse(read_text(file(out) / "report.json"));
   }
 
-  /// Of everything but journals, which have clocks in them.
   std::map<std::string, std::string> contents(const std::string& out) const {
-    std::map<std::string, std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(file(out)))
-      if (entry.is_regular_file() && entry.path().extension() != ".jsonl")
-        files[entry.path().lexically_relative(file(out))] = read_text(entry.path());
-    return files;
+    return batch_contents(file(out));
   }
 
   static std::vector<json> lines(const std::string& text) {
