@@ -77,12 +77,12 @@ struct BatchCommand {
     for (const std::string& format : formats)
       if (std::count(batch.formats.begin(), batch.formats.end(), *output_format(format)) == 0)
         batch.formats.push_back(*output_format(format));
-    const std::vector<SourceClip> sources = find_sources(inputs);
+    std::vector<SourceClip> sources = find_sources(inputs);
     if (std::all_of(sources.begin(), sources.end(),
                     [](const SourceClip& clip) { return !clip.problem.empty(); }))
       throw InputError(inputs.front(), 0, 0, "there is no clip: " + sources.front().problem);
     try {
-      add_items(batch, sources, 0, names);
+      add_items(batch, std::move(sources), 0, names);
     } catch (const Error& error) {
       throw CLI::ValidationError("--name", error.what());
     }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/batch.h"
 
+#include <algorithm>
 #include <charconv>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "core/base/error.h"
 #include "core/base/fnv1a.h"
+#include "core/formats/text_cursor.h"
 
 namespace mocapress {
 namespace {
@@ -15,14 +17,48 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 4> kFormatNames = {"mcpr", "bvh", "amc", "csv"};
 
-/// "walks/slow" for walks/slow/a.bvh found by "../walks" or by "." in walks.
-std::string folder_of(const fs::path& input, const fs::path& clip) {
+bool is_clip(const fs::path& path) {
+  const std::string extension = path.extension().string();
+  return equals_ignoring_case(extension, ".bvh") || equals_ignoring_case(extension, ".amc");
+}
+
+/// "walks", for "../walks", "walks/", and "." in walks.
+std::string name_of_folder(const fs::path& folder) {
   std::error_code error;
-  if (!fs::is_directory(input, error)) return "";
-  fs::path folder = fs::weakly_canonical(input, error);
-  if (!folder.has_filename()) folder = folder.parent_path();  // of "walks/"
-  const fs::path below = clip.lexically_relative(input).parent_path();
-  return (below.empty() ? folder.filename() : folder.filename() / below).generic_string();
+  const fs::path canonical = fs::weakly_canonical(folder, error);
+  return (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();
+}
+
+/// The clips below a folder in the order of their names; what cannot be looked into is left out.
+std::vector<SourceClip> sources_below(const fs::path& folder) {
+  const std::string found_by = name_of_folder(folder);
+  std::vector<SourceClip> sources;
+  std::error_code error;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator at(folder, options, error), end; !error && at != end;
+       at.increment(error)) {
+    if (!is_clip(at->path()) || !at->is_regular_file(error)) continue;
+    const fs::path below = at->path().lexically_relative(folder).parent_path();
+    sources.push_back(
+        {at->path().string(), below.empty() ? found_by : (found_by / below).generic_string(), {}});
+  }
+  if (error) throw InputError(folder.string(), 0, 0, error.message());
+  if (sources.empty()) throw InputError(folder.string(), 0, 0, "holds no .bvh and no .amc");
+  std::sort(sources.begin(), sources.end(),
+            [](const SourceClip& a, const SourceClip& b) { return a.path < b.path; });
+  return sources;
+}
+
+std::vector<SourceClip> sources_of(const std::string& input) {
+  std::error_code error;
+  const fs::file_status status = fs::status(input, error);
+  if (!fs::exists(status)) return {{input, "", input + ": No such file or directory"}};
+  if (!fs::is_directory(status)) return {{input, "", ""}};
+  try {
+    return sources_below(input);
+  } catch (const InputError& problem) {
+    return {{input, "", problem.what()}};
+  }
 }
 
 std::string value_of(std::string_view word, const SourceClip& source, const Preset& preset) {
@@ -55,17 +91,10 @@ std::optional<OutputFormat> output_format(std::string_view name) {
 std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs) {
   std::vector<SourceClip> sources;
   std::unordered_set<std::string> found;
-  const auto add = [&](SourceClip source) {
-    if (found.insert(source.path).second) sources.push_back(std::move(source));
-  };
-  for (const std::string& input : inputs) {
-    try {
-      for (const fs::path& clip : find_clips({input}))
-        add({clip.string(), folder_of(input, clip), {}});
-    } catch (const InputError& error) {
-      add({input, "", error.what()});
-    }
-  }
+  for (const std::string& input : inputs)
+    for (SourceClip& source : sources_of(input))
+      if (inputs.size() == 1 || found.insert(source.path).second)
+        sources.push_back(std::move(source));
   return sources;
 }
 
@@ -88,28 +117,30 @@ std::string output_name(std::string_view pattern, const SourceClip& source, cons
   return path.generic_string();
 }
 
-void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t preset,
+void add_items(Batch& batch, std::vector<SourceClip> sources, std::size_t preset,
                std::string_view pattern) {
-  for (const SourceClip& source : sources)
-    batch.items.push_back({.input = source.path,
-                           .output = output_name(pattern, source, batch.presets[preset]),
+  batch.items.reserve(batch.items.size() + sources.size());
+  for (SourceClip& source : sources) {
+    std::string output = output_name(pattern, source, batch.presets[preset]);
+    batch.items.push_back({.input = std::move(source.path),
+                           .output = std::move(output),
                            .preset = preset,
-                           .problem = source.problem});
+                           .problem = std::move(source.problem)});
+  }
 }
 
 void mark_collisions(Batch& batch) {
-  std::unordered_map<std::string, const BatchItem*> first;
+  std::unordered_map<std::string_view, const BatchItem*> first;
   for (BatchItem& item : batch.items) {
     const auto [at, is_first] = first.emplace(item.output, &item);
     if (is_first) continue;
     if (item.problem.empty())
       item.problem = item.input + " would be written to " + item.output + " as " +
                      at->second->input + " is: a name pattern with {folder} may keep them apart";
-    std::string other;
-    for (int n = 2;
-         !first.emplace(other = item.output + " (" + std::to_string(n) + ")", &item).second;)
-      ++n;
-    item.output = other;
+    const std::string taken = item.output;
+    for (int n = 2; first.contains(item.output); ++n)
+      item.output = taken + " (" + std::to_string(n) + ")";
+    first.emplace(item.output, &item);
   }
 }
 

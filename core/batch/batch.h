@@ -65,7 +65,7 @@ inline constexpr const char* kUsualNames = "{folder}/{stem}";
 std::string output_name(std::string_view pattern, const SourceClip& source, const Preset& preset);
 
 /// An item of each, with the preset of that index.
-void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t preset,
+void add_items(Batch& batch, std::vector<SourceClip> sources, std::size_t preset,
                std::string_view pattern);
 
 /// Gives every item that would be written where an earlier one is a problem that says so, and
