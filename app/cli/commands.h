@@ -29,5 +29,6 @@ void add_measure(CLI::App& app);
 void add_contacts(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_study(CLI::App& app);
+void add_batch(CLI::App& app);
 
 }  // namespace mocapress::cli

@@ -46,4 +46,10 @@ std::optional<CorrectionOptions> CorrectionArguments::options(const Skeleton& sk
   return options;
 }
 
+PresetCorrection CorrectionArguments::of_preset() const {
+  PresetCorrection correction{.effectors = effectors, .solver = solver, .at = at};
+  if (ratio != kFound) correction.ratio = std::stod(ratio);
+  return correction;
+}
+
 }  // namespace mocapress::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/batch/preset.h"
 #include "core/codec/correction_encoder.h"
 
 namespace mocapress::cli {
@@ -21,6 +22,9 @@ struct CorrectionArguments {
 
   /// Unset without --ik. Throws CLI::ValidationError when an effector is no joint of the skeleton.
   std::optional<CorrectionOptions> options(const Skeleton& skeleton) const;
+
+  /// The same before there is a skeleton; wants --ik.
+  PresetCorrection of_preset() const;
 };
 
 }  // namespace mocapress::cli

@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
   add_contacts(app);
   add_bench(app);
   add_study(app);
+  add_batch(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tbb/global_control.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,7 +9,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/option_words.h"
+#include "app/cli/progress_line.h"
 #include "app/cli/report.h"
+#include "app/cli/stop_on_signals.h"
 #include "core/compare/contender.h"
 #include "core/study/published_figures.h"
 #include "core/study/results.h"
@@ -23,31 +22,6 @@ namespace mocapress::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-volatile std::sig_atomic_t stop_signal = 0;
-
-/// Asks the study to stop when the user or the system does; a second signal ends the program.
-class StopOnSignals {
- public:
-  StopOnSignals() {
-    struct sigaction action = {};
-    action.sa_handler = [](int signal) { stop_signal = signal; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-  }
-};
-
-/// "0:42", "1:05:10".
-std::string clock_text(double seconds) {
-  const int whole = static_cast<int>(seconds);
-  char text[32];
-  if (whole < 3600)
-    std::snprintf(text, sizeof text, "%d:%02d", whole / 60, whole % 60);
-  else
-    std::snprintf(text, sizeof text, "%d:%02d:%02d", whole / 3600, whole / 60 % 60, whole % 60);
-  return text;
-}
 
 std::string described(const StudyRow& row) {
   std::string text = fs::path(row.clip).stem().string() + " " + row.method;
@@ -60,51 +34,12 @@ std::string described(const StudyRow& row) {
   return text + figures;
 }
 
-/// Progress on standard error: one line that changes on a terminal, else one every few seconds.
-class ProgressLine {
- public:
-  explicit ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
-
-  void show(const StudyProgress& progress) {
-    if (progress.finished) last_ = described(*progress.finished);
-    const double now = elapsed();
-    if (quiet_ || now < next_) return;
-    next_ = now + (terminal_ ? 0.1 : 5.0);
-    std::string line = std::to_string(progress.done) + " of " + std::to_string(progress.jobs) +
-                       ", " + clock_text(now) + remaining(progress, now) + "   " + last_;
-    if (!terminal_) {
-      std::fprintf(stderr, "%s\n", line.c_str());
-      return;
-    }
-    constexpr std::size_t kWidth = 78;
-    line.resize(kWidth, ' ');
-    std::fprintf(stderr, "\r%s", line.c_str());
-    shown_ = true;
-  }
-
-  void clear() const {
-    if (shown_) std::fprintf(stderr, "\r%78s\r", "");
-  }
-
- private:
-  double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-  static std::string remaining(const StudyProgress& progress, double now) {
-    const int anew = progress.done - progress.kept;
-    if (progress.done == progress.jobs) return ", drawing";
-    if (anew < 3) return "";
-    return ", about " + clock_text(now / anew * (progress.jobs - progress.done)) + " left";
-  }
-
-  bool quiet_;
-  bool terminal_;
-  bool shown_ = false;
-  double next_ = 0.3;  // s: what is done at once needs no progress
-  std::string last_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
+std::string remaining(const StudyProgress& progress, double now) {
+  const int anew = progress.done - progress.kept;
+  if (progress.done == progress.jobs) return ", drawing";
+  if (anew < 3) return "";
+  return ", about " + clock_text(now / anew * (progress.jobs - progress.done)) + " left";
+}
 
 struct Study {
   std::vector<std::string> inputs;
@@ -161,9 +96,15 @@ struct Study {
     if (jobs > 0)
       threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(jobs));
     StudyProgress last;
+    std::string last_done;
     const StudyOutcome outcome = run_study_in(folder, asked, [&](const StudyProgress& progress) {
       last = progress;
-      line.show(progress);
+      if (progress.finished) last_done = described(*progress.finished);
+      if (line.due()) {
+        const double now = line.elapsed_seconds();
+        line.show(std::to_string(progress.done) + " of " + std::to_string(progress.jobs) + ", " +
+                  clock_text(now) + remaining(progress, now) + "   " + last_done);
+      }
       if (json_progress && progress.finished) {
         std::printf("%s\n", to_json_line(*progress.finished).c_str());
         std::fflush(stdout);

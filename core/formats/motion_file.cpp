@@ -17,8 +17,9 @@ bool has_extension(const path& file, std::string_view extension) {
   return equals_ignoring_case(file.extension().string(), extension);
 }
 
-/// 09_01.amc: 09_01.asf or 09.asf, whatever the case of the extension.
-path skeleton_beside(const path& amc) {
+}  // namespace
+
+path find_skeleton(const path& amc) {
   const std::string stem = amc.stem().string();
   const std::string subject = stem.substr(0, stem.find('_'));
   for (const std::string& name : {stem, subject})
@@ -32,8 +33,6 @@ path skeleton_beside(const path& amc) {
       "needs its skeleton, but neither " + stem + ".asf nor " + subject + ".asf is beside it");
 }
 
-}  // namespace
-
 MotionFile read_motion(const path& file, const std::optional<path>& skeleton_path,
                        const ReadOptions& options) {
   if (has_extension(file, ".bvh")) return read_bvh(file.string(), read_text(file), options);
@@ -43,7 +42,7 @@ MotionFile read_motion(const path& file, const std::optional<path>& skeleton_pat
   if (!has_extension(file, ".amc"))
     throw InputError(file.string(), 0, 0, "is neither .bvh nor .amc");
   const std::string motion_text = read_text(file);
-  const path asf = skeleton_path ? *skeleton_path : skeleton_beside(file);
+  const path asf = skeleton_path ? *skeleton_path : find_skeleton(file);
   const AsfSkeleton skeleton = read_asf(asf.string(), read_text(asf), options.cm_per_unit);
   return read_amc(file.string(), motion_text, skeleton, options);
 }

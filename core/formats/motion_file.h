@@ -21,9 +21,12 @@ struct MotionFile {
   Warnings warnings;
 };
 
-/// Reads .bvh or .amc by its extension. An .amc needs its skeleton: `skeleton_path`, or else the
-/// .asf beside it of the same name or of the part before '_' (09_01.amc: 09_01.asf, 09.asf).
-/// Throws InputError.
+/// The .asf beside an .amc, of the same name or of the part before '_' (09_01.amc: 09_01.asf,
+/// 09.asf), whatever the case of the extension. Throws InputError when there is none.
+std::filesystem::path find_skeleton(const std::filesystem::path& amc);
+
+/// Reads .bvh or .amc by its extension. An .amc needs its skeleton: `skeleton_path`, or else what
+/// find_skeleton() finds. Throws InputError.
 MotionFile read_motion(const std::filesystem::path& path,
                        const std::optional<std::filesystem::path>& skeleton_path = {},
                        const ReadOptions& options = {});

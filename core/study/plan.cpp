@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
 #include <utility>
 
 #include "core/base/error.h"
@@ -84,8 +85,9 @@ std::vector<Target> paper_targets(const fs::path& clip) {
 
 std::vector<fs::path> find_clips(const std::vector<fs::path>& inputs) {
   std::vector<fs::path> clips;
+  std::set<fs::path> found;
   const auto add = [&](const fs::path& clip) {
-    if (std::find(clips.begin(), clips.end(), clip) == clips.end()) clips.push_back(clip);
+    if (found.insert(clip).second) clips.push_back(clip);
   };
   for (const fs::path& input : inputs) {
     std::error_code error;

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/batch_progress.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/batch/preset_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace mocapress::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kStepInterval = 0.25;  // s
+
+void print_line(const Json& json) {
+  std::printf("%s\n", dumped(json).c_str());
+  std::fflush(stdout);  // for who reads along, and what a signal would cut off
+}
+
+std::string described(const BatchRow& row) {
+  std::string text = std::filesystem::path(row.input).filename().string();
+  if (!row.done()) return text + ": " + row.error;
+  char figures[64];
+  std::snprintf(figures, sizeof figures, " %.1f:1 %.3f cm", row.measured->ratio,
+                row.measured->eps_cm(row.preset.weighting));
+  return text + figures;
+}
+
+Json counts_json(const BatchCounts& counts, double elapsed) {
+  const auto left = counts.seconds_left(elapsed);
+  return {{"done", counts.done},
+          {"kept", counts.kept},
+          {"failed", counts.failed},
+          {"clips", counts.clips},
+          {"seconds_left", left ? Json(*left) : Json()}};
+}
+
+}  // namespace
+
+BatchReporter::BatchReporter(const Batch& batch, bool json)
+    : batch_(batch), json_(json), line_(json) {}
+
+void BatchReporter::begin(const std::filesystem::path& folder, const Shard& shard) const {
+  if (!json_) return;
+  print_line({{"event", "begin"},
+              {"folder", folder.string()},
+              {"clips_in_all", batch_.items.size()},
+              {"shard", shard.index},
+              {"shards", shard.count}});
+}
+
+void BatchReporter::tell(const BatchProgress& progress) {
+  const bool ended = progress.row != nullptr;
+  if (json_) {
+    ended ? print_row(progress) : print_step(progress);
+    return;
+  }
+  if (ended) last_ = described(*progress.row);
+  if (ended && !progress.row->done()) {
+    line_.clear();
+    std::fprintf(stderr, "failed: %s: %s\n", progress.row->input.c_str(),
+                 progress.row->error.c_str());
+  }
+  if (!line_.due()) return;
+  const double now = line_.elapsed_seconds();
+  const auto left = progress.counts.seconds_left(now);
+  line_.show(std::to_string(progress.counts.done) + " of " + std::to_string(progress.counts.clips) +
+             ", " + clock_text(now) + (left ? ", about " + clock_text(*left) + " left" : "") +
+             "   " + last_);
+}
+
+void BatchReporter::print_step(const BatchProgress& progress) {
+  const bool is_new = std::find(begun_.begin(), begun_.end(), progress.index) == begun_.end();
+  if (is_new) begun_.push_back(progress.index);
+  const double now = line_.elapsed_seconds();
+  if (!is_new && now < next_step_) return;
+  next_step_ = now + kStepInterval;
+  print_line({{"event", is_new ? "clip-begun" : "clip-step"},
+              {"index", progress.index},
+              {"input", batch_.items[progress.index].input},
+              {"stage", name(progress.clip.stage)},
+              {"fraction", progress.clip.fraction}});
+}
+
+void BatchReporter::print_row(const BatchProgress& progress) const {
+  const BatchRow& row = *progress.row;
+  Json json = {{"event", !row.done()     ? "clip-failed"
+                         : progress.kept ? "clip-kept"
+                                         : "clip-done"},
+               {"index", row.index},
+               {"batch", counts_json(progress.counts, line_.elapsed_seconds())}};
+  json.update(Json::parse(to_report_line(row)));
+  json["encode_seconds"] = row.measured ? Json(row.measured->encode_seconds) : Json();
+  print_line(json);
+}
+
+void BatchReporter::end(const BatchOutcome& outcome, const std::filesystem::path& report) const {
+  const BatchCounts& counts = outcome.counts;
+  if (json_) {
+    print_line({{"event", outcome.complete ? "end" : "stopped"},
+                {"batch", counts_json(counts, line_.elapsed_seconds())},
+                {"report", outcome.complete ? Json(report.string()) : Json()}});
+    return;
+  }
+  line_.clear();
+  std::fprintf(stderr, "%zu of %zu clips done", counts.done - counts.failed, counts.clips);
+  if (counts.kept > 0) std::fprintf(stderr, ", %zu of them before", counts.kept);
+  if (counts.failed > 0) std::fprintf(stderr, "; %zu failed", counts.failed);
+  std::fprintf(stderr, "\n");
+  if (outcome.complete) std::fprintf(stderr, "%s\n", report.c_str());
+}
+
+}  // namespace mocapress::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/progress_line.h"
+#include "core/batch/run.h"
+
+namespace mocapress::cli {
+
+/// What a batch says while it runs: a line on standard error, or lines of JSON on standard output.
+class BatchReporter {
+ public:
+  BatchReporter(const Batch& batch, bool json);
+
+  void begin(const std::filesystem::path& folder, const Shard& shard) const;
+  void tell(const BatchProgress& progress);
+  void end(const BatchOutcome& outcome, const std::filesystem::path& report) const;
+
+ private:
+  void print_step(const BatchProgress& progress);
+  void print_row(const BatchProgress& progress) const;
+
+  const Batch& batch_;
+  bool json_;
+  ProgressLine line_;
+  std::string last_;                // that ended
+  double next_step_ = 0;            // s, when steps within clips are told again
+  std::vector<std::size_t> begun_;  // clips that are being worked on
+};
+
+}  // namespace mocapress::cli

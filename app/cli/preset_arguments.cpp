@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/preset_arguments.h"
+
+#include "app/cli/option_words.h"
+#include "core/base/error.h"
+#include "core/batch/preset_json.h"
+
+namespace mocapress::cli {
+
+void PresetArguments::add_options(CLI::App& command) {
+  std::string known;
+  for (const Preset& one : built_in_presets())
+    known += (known.empty() ? "" : ", ") + slug(one.name);
+  command.add_option("--preset", preset, known + ", or a file (gameplay)")->type_name("P|FILE");
+  command.add_option("--method", method, "Instead of the preset's")
+      ->transform(one_of_the_methods());
+  command.add_option("--coding", coding, "How wavelets are coded")
+      ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
+  command.add_option("--weighting", weighting, "Of eps_x")
+      ->transform(one_of({Weighting::BoneEnds, Weighting::JointOrigins}));
+  CLI::Option_group* targets =
+      command.add_option_group("target", "One of, instead of the preset's");
+  targets->require_option(0, 1);
+  const auto add = [&](const char* flag, Target::Kind kind, const char* unit, const char* help) {
+    targets
+        ->add_option_function<double>(
+            flag,
+            [this, kind](const double& value) {
+              target = Target{kind, value};
+            },
+            help)
+        ->type_name(unit)
+        ->check(CLI::PositiveNumber);
+  };
+  add("--ratio", Target::Kind::Ratio, "R", "float32 bytes / motion bytes, met within 2 %");
+  add("--coefficient-ratio", Target::Kind::CoefficientRatio, "r", "The paper's r: all / kept");
+  add("--target-error", Target::Kind::Error, "CM", "eps_x not above this");
+  add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes not above this");
+  add("--max-error", Target::Kind::MaxError, "CM", "No point further off at any frame");
+  correction.add_options(command);
+  command.add_option("--seed", seed, "Of the annealing; same seed, same bytes");
+}
+
+Preset PresetArguments::read() const {
+  Preset read = find_preset(preset);
+  if (!method.empty()) {
+    read.method = method;
+    read.coding.reset();
+  }
+  if (coding) read.coding = coding;
+  if (weighting) read.weighting = *weighting;
+  if (target) read.target = *target;
+  if (seed) read.seed = *seed;
+  if (!correction.ratio.empty()) read.correction = correction.of_preset();
+  try {
+    check(read);
+  } catch (const Error& error) {
+    throw CLI::ValidationError(error.what());
+  }
+  return read;
+}
+
+}  // namespace mocapress::cli

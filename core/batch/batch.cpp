@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/batch.h"
+
+#include <algorithm>
+#include <charconv>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/base/error.h"
+#include "core/base/fnv1a.h"
+#include "core/formats/text_cursor.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 4> kFormatNames = {"mcpr", "bvh", "amc", "csv"};
+
+bool is_clip(const fs::path& path) {
+  const std::string extension = path.extension().string();
+  return equals_ignoring_case(extension, ".bvh") || equals_ignoring_case(extension, ".amc");
+}
+
+/// "walks", for "../walks", "walks/", and "." in walks.
+std::string name_of_folder(const fs::path& folder) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(folder, error);
+  return (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();
+}
+
+/// The clips below a folder in the order of their names; what cannot be looked into is left out.
+std::vector<SourceClip> sources_below(const fs::path& folder) {
+  const std::string found_by = name_of_folder(folder);
+  std::vector<SourceClip> sources;
+  std::error_code error;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator at(folder, options, error), end; !error && at != end;
+       at.increment(error)) {
+    if (!is_clip(at->path()) || !at->is_regular_file(error)) continue;
+    const fs::path below = at->path().lexically_relative(folder).parent_path();
+    sources.push_back(
+        {at->path().string(), below.empty() ? found_by : (found_by / below).generic_string(), {}});
+  }
+  if (error) throw InputError(folder.string(), 0, 0, error.message());
+  if (sources.empty()) throw InputError(folder.string(), 0, 0, "holds no .bvh and no .amc");
+  std::sort(sources.begin(), sources.end(),
+            [](const SourceClip& a, const SourceClip& b) { return a.path < b.path; });
+  return sources;
+}
+
+std::vector<SourceClip> sources_of(const std::string& input) {
+  std::error_code error;
+  const fs::file_status status = fs::status(input, error);
+  if (!fs::exists(status)) return {{input, "", input + ": No such file or directory"}};
+  if (!fs::is_directory(status)) return {{input, "", ""}};
+  try {
+    return sources_below(input);
+  } catch (const InputError& problem) {
+    return {{input, "", problem.what()}};
+  }
+}
+
+std::string value_of(std::string_view word, const SourceClip& source, const Preset& preset) {
+  if (word == "stem") return fs::path(source.path).stem().string();
+  if (word == "folder") return source.folder.empty() ? "." : source.folder;
+  if (word == "preset") return slug(preset.name);
+  if (word == "method") return preset.method;
+  throw Error("{" + std::string(word) +
+              "} means nothing in a name: there are {folder}, {stem}, {preset} and {method}");
+}
+
+std::string_view without_format(std::string_view pattern) {
+  const std::size_t dot = pattern.rfind('.');
+  if (dot != pattern.npos && output_format(pattern.substr(dot + 1))) return pattern.substr(0, dot);
+  return pattern;
+}
+
+}  // namespace
+
+std::string_view name(OutputFormat format) {
+  return kFormatNames[static_cast<std::size_t>(format)];
+}
+
+std::optional<OutputFormat> output_format(std::string_view name) {
+  for (const OutputFormat format : kOutputFormats)
+    if (mocapress::name(format) == name) return format;
+  return std::nullopt;
+}
+
+std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs) {
+  std::vector<SourceClip> sources;
+  std::unordered_set<std::string> found;
+  for (const std::string& input : inputs)
+    for (SourceClip& source : sources_of(input))
+      if (inputs.size() == 1 || found.insert(source.path).second)
+        sources.push_back(std::move(source));
+  return sources;
+}
+
+std::string output_name(std::string_view pattern, const SourceClip& source, const Preset& preset) {
+  const std::string_view kept = without_format(pattern);
+  std::string text;
+  for (std::size_t at = 0; at < kept.size();) {
+    const std::size_t open = kept.find('{', at);
+    text.append(kept.substr(at, open - at));
+    if (open == kept.npos) break;
+    const std::size_t close = kept.find('}', open);
+    if (close == kept.npos) throw Error("a name has a { without its }: " + std::string(pattern));
+    text += value_of(kept.substr(open + 1, close - open - 1), source, preset);
+    at = close + 1;
+  }
+  const fs::path path = fs::path(text).lexically_normal();
+  const bool leaves = path.is_absolute() || (!path.empty() && *path.begin() == "..");
+  if (leaves || !path.has_filename() || path == ".")
+    throw Error("is no name of a file below the batch's folder: " + text);
+  return path.generic_string();
+}
+
+void add_items(Batch& batch, std::vector<SourceClip> sources, std::size_t preset,
+               std::string_view pattern) {
+  batch.items.reserve(batch.items.size() + sources.size());
+  for (SourceClip& source : sources) {
+    std::string output = output_name(pattern, source, batch.presets[preset]);
+    batch.items.push_back({.input = std::move(source.path),
+                           .output = std::move(output),
+                           .preset = preset,
+                           .problem = std::move(source.problem)});
+  }
+}
+
+void mark_collisions(Batch& batch) {
+  std::unordered_map<std::string_view, const BatchItem*> first;
+  for (BatchItem& item : batch.items) {
+    const auto [at, is_first] = first.emplace(item.output, &item);
+    if (is_first) continue;
+    if (item.problem.empty())
+      item.problem = item.input + " would be written to " + item.output + " as " +
+                     at->second->input + " is: a name pattern with {folder} may keep them apart";
+    const std::string taken = item.output;
+    for (int n = 2; first.contains(item.output); ++n)
+      item.output = taken + " (" + std::to_string(n) + ")";
+    first.emplace(item.output, &item);
+  }
+}
+
+bool Shard::has(const BatchItem& item) const {
+  Fnv1a hash;
+  hash.add(item.output);
+  return hash.state() % static_cast<std::uint64_t>(count) == static_cast<std::uint64_t>(index - 1);
+}
+
+Shard parse_shard(std::string_view text) {
+  Shard shard;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, shard.index);
+  if (first.ec == std::errc() && first.ptr != end && *first.ptr == '/') {
+    const auto second = std::from_chars(first.ptr + 1, end, shard.count);
+    if (second.ec == std::errc() && second.ptr == end && shard.index >= 1 &&
+        shard.index <= shard.count)
+      return shard;
+  }
+  throw Error("a shard is written i/n, i from 1 to n, not " + std::string(text));
+}
+
+std::string fingerprint(const Batch& batch) {
+  Fnv1a hash;
+  for (const BatchItem& item : batch.items) hash.add(item.output + '\n');
+  return hash.text();
+}
+
+}  // namespace mocapress

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/batch/preset.h"
+#include "core/formats/motion_file.h"
+
+namespace mocapress {
+
+/// What is made of a clip. All but the first are the motion as it comes out of the .mcpr.
+enum class OutputFormat { Mcpr, Bvh, Amc, Csv };
+
+inline constexpr std::array<OutputFormat, 4> kOutputFormats = {
+    OutputFormat::Mcpr, OutputFormat::Bvh, OutputFormat::Amc, OutputFormat::Csv};
+
+/// "mcpr", "bvh", "amc" (with its .asf beside it), "csv": the extension too.
+std::string_view name(OutputFormat format);
+
+/// Unset when it is none of them.
+std::optional<OutputFormat> output_format(std::string_view name);
+
+/// A clip as it was found. Paths are texts: a long list of std::filesystem::path is heavy.
+struct SourceClip {
+  std::string path;
+  std::string folder;   // the folder it was found by, by name, and those between: "walks/slow"
+  std::string problem;  // why it cannot be read, known beforehand; else empty
+
+  bool operator==(const SourceClip&) const = default;
+};
+
+/// Files as they are, and every .bvh and .amc below the folders, in the order of their names, each
+/// once. What is not there, or holds no clip, is a clip with a problem.
+std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs);
+
+/// One clip of a batch.
+struct BatchItem {
+  std::string input;
+  std::string skeleton;    // .asf; empty: beside the .amc
+  std::string output;      // below the batch's folder, without extension
+  std::size_t preset = 0;  // index into Batch::presets
+  std::string problem;     // why it cannot be done; else empty
+
+  bool operator==(const BatchItem&) const = default;
+};
+
+/// Everything that is asked for, but where it goes.
+struct Batch {
+  std::vector<Preset> presets;
+  std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
+  ReadOptions reading;
+  std::vector<BatchItem> items;
+};
+
+inline constexpr const char* kUsualNames = "{folder}/{stem}";
+
+/// The output of a clip by a pattern of {folder}, {stem}, {preset} and {method}. An extension of
+/// one of the formats at its end is left out: each file gets its own. Throws Error on any other
+/// {word}, an empty name and one that leaves the folder.
+std::string output_name(std::string_view pattern, const SourceClip& source, const Preset& preset);
+
+/// An item of each, with the preset of that index.
+void add_items(Batch& batch, std::vector<SourceClip> sources, std::size_t preset,
+               std::string_view pattern);
+
+/// Gives every item that would be written where an earlier one is a problem that says so, and
+/// another output: no two items have the same.
+void mark_collisions(Batch& batch);
+
+/// The part of a batch that one of several machines does: clips belong to a shard by their output's
+/// name alone, so that a clip more or less moves no other.
+struct Shard {
+  int index = 1;  // from 1
+  int count = 1;
+
+  bool has(const BatchItem& item) const;
+  bool operator==(const Shard&) const = default;
+};
+
+/// "2/8". Throws Error.
+Shard parse_shard(std::string_view text);
+
+/// Changes with any output's name or their order: tells shards of one batch from others.
+std::string fingerprint(const Batch& batch);
+
+}  // namespace mocapress

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/clip_export.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/fnv1a.h"
+#include "core/batch/staged_file.h"
+#include "core/compare/compared_file.h"
+#include "core/formats/amc.h"
+#include "core/formats/asf.h"
+#include "core/formats/bvh.h"
+#include "core/formats/csv.h"
+#include "core/study/clip_in_hand.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The observer said no.
+struct Stopped {};
+
+using Bytes = std::vector<std::byte>;
+
+Bytes bytes_of(const std::string& text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string hash_of_bytes(const Bytes& bytes) {
+  Fnv1a hash;
+  hash.add(bytes);
+  return hash.text();
+}
+
+/// A search for a target has no known end: every pass is taken for a fifth of what is left.
+double encoding_fraction(const EncodeProgress& progress) {
+  double within = 0;
+  if (progress.first_step > 1)
+    within = 1 - std::log2(std::max(progress.step, 1)) / std::log2(progress.first_step);
+  else if (progress.iteration > 0)
+    within = 1 - std::pow(0.7, progress.iteration);
+  return 0.1 + 0.75 * (1 - std::pow(0.8, progress.pass + within));
+}
+
+/// Names of the files of an output, by format; an .amc has its .asf with it.
+std::vector<std::string> file_names(const std::string& output, OutputFormat format) {
+  std::vector<std::string> names = {output + '.' + std::string(name(format))};
+  if (format == OutputFormat::Amc) names.insert(names.begin(), output + ".asf");
+  return names;
+}
+
+/// Throws Error unless a motion file says what was meant, within what its decimals can hold.
+void compare(const Motion& meant, const Motion& found, const std::vector<std::string>& names,
+             const std::string& file) {
+  constexpr double kMost = 0.02;  // cm
+  if (meant.clip.frames() != found.clip.frames())
+    throw Error(file + ": reads back with another number of frames");
+  if (std::set<std::string>(names.begin(), names.end()).size() != names.size()) return;  // which?
+  const Eigen::MatrixXd tracks = landmark_tracks(meant.skeleton, meant.clip);
+  const Eigen::MatrixXd found_tracks = landmark_tracks(found.skeleton, found.clip);
+  for (int joint = 0; joint < meant.skeleton.joint_count(); ++joint) {
+    const int same = found.skeleton.find(names[static_cast<std::size_t>(joint)]);
+    if (same < 0)
+      throw Error(file + ": reads back without " + names[static_cast<std::size_t>(joint)]);
+    const double off = (tracks.middleCols<3>(3 * joint) - found_tracks.middleCols<3>(3 * same))
+                           .rowwise()
+                           .norm()
+                           .maxCoeff();
+    if (!(off <= kMost))
+      throw Error(file + ": reads back " + std::to_string(off) + " cm off at " +
+                  names[static_cast<std::size_t>(joint)]);
+  }
+}
+
+std::vector<std::string> joint_names(const Skeleton& skeleton) {
+  std::vector<std::string> names;
+  for (int joint = 0; joint < skeleton.joint_count(); ++joint)
+    names.push_back(skeleton.joint(joint).name);
+  return names;
+}
+
+/// One clip on its way.
+class Export {
+ public:
+  Export(const Batch& batch, std::size_t index, const fs::path& folder, const ExportRights& rights,
+         const Observer<ClipProgress>& observer)
+      : batch_(batch),
+        item_(batch.items[index]),
+        preset_(batch.presets[item_.preset]),
+        folder_(folder),
+        rights_(rights),
+        observer_(observer) {
+    row_.index = index;
+    row_.input = item_.input;
+    row_.output = item_.output;
+    row_.preset = preset_;
+    row_.formats = batch.formats;
+  }
+
+  std::optional<BatchRow> run() {
+    try {
+      if (!item_.problem.empty()) throw Error(item_.problem);
+      check(preset_);
+      report(ClipProgress::Stage::Reading, 0);
+      look_at_places();
+      row_.stamp = stamp(item_);
+      work();
+    } catch (const Stopped&) {
+      return std::nullopt;
+    } catch (const std::exception& error) {
+      row_.error = error.what();
+      row_.files.clear();
+    }
+    return std::move(row_);
+  }
+
+ private:
+  void report(ClipProgress::Stage stage, double fraction) const {
+    if (!go_on(observer_, ClipProgress{stage, fraction})) throw Stopped{};
+  }
+
+  /// Before any work: files that may not be replaced, and the clip's own.
+  void look_at_places() const {
+    for (const OutputFormat format : batch_.formats)
+      for (const std::string& name : file_names(item_.output, format)) {
+        const fs::path place = folder_ / name;
+        std::error_code error;
+        if (!fs::exists(place, error)) continue;
+        for (const std::string& source : {item_.input, item_.skeleton})
+          if (!source.empty() && fs::equivalent(place, source, error))
+            throw Error(place.string() + " is what it would be made from");
+        if (!rights_.resumed && !may_replace(name)) refuse(place);
+      }
+  }
+
+  [[noreturn]] static void refuse(const fs::path& place) {
+    throw Error(place.string() + " is there already, and not of this batch: not overwritten");
+  }
+
+  bool may_replace(const std::string& name) const {
+    if (rights_.overwrite) return true;
+    if (!rights_.earlier) return false;
+    const auto& files = rights_.earlier->files;
+    const auto own = std::find_if(files.begin(), files.end(),
+                                  [&](const WrittenFile& file) { return file.name == name; });
+    return own != files.end() && hash_of(folder_ / name) == own->hash;
+  }
+
+  void work() {
+    StudyPlan reading{.reading = batch_.reading};
+    if (!item_.skeleton.empty()) reading.skeleton = item_.skeleton;
+    const ClipInHand clip(reading, item_.input);
+    for (const Warning& warning : clip.warnings()) row_.warnings.push_back(warning.text());
+    row_.joints = clip.motion().skeleton.joint_count();
+    report(ClipProgress::Stage::Encoding, 0.1);
+    Compression made = clip.encoder().compress(
+        *find_contender(preset_.method), encode_options(preset_, clip.motion().skeleton),
+        [&](const EncodeProgress& progress) {
+          return go_on(observer_,
+                       ClipProgress{ClipProgress::Stage::Encoding, encoding_fraction(progress)});
+        });
+    if (!made.complete) throw Stopped{};
+    report(ClipProgress::Stage::Verifying, 0.85);
+    // It is measured whether it is among the outputs or not.
+    StagedFile mcpr(folder_ / (item_.output + ".mcpr"), made.file);
+    verify(clip, mcpr.read_back(), made);
+    std::vector<StagedFile> files;
+    for (const OutputFormat format : batch_.formats) {
+      if (format != OutputFormat::Mcpr) {
+        stage(format, {clip.motion().skeleton, made.decoded}, files);
+        continue;
+      }
+      row_.files.push_back({item_.output + ".mcpr", made.file.size(), hash_of_bytes(made.file)});
+      files.push_back(std::move(mcpr));
+    }
+    report(ClipProgress::Stage::Verifying, 0.95);
+    put_in_place(files);
+  }
+
+  /// Measures what the disk gave back; the decoded motion is from there on.
+  void verify(const ClipInHand& clip, const Bytes& bytes, Compression& made) {
+    OpenedMcpr opened;
+    try {
+      opened = read_mcpr(bytes);
+    } catch (const FormatError& error) {
+      throw Error(std::string("verification: what was written cannot be read: ") + error.what());
+    }
+    const Motion& original = clip.motion();
+    if (opened.decoded.frames() != original.clip.frames() ||
+        opened.decoded.channels.cols() != original.clip.channels.cols())
+      throw Error("verification: what was written has another shape");
+    const Eigen::MatrixXd& tracks = clip.encoder().wavelets().original_tracks();
+    made.distortion = measure(original.skeleton, tracks, opened.decoded);
+    made.decoded = std::move(opened.decoded);
+    row_.measured = clip.measure(made);
+    row_.worst = worst_pose(original.skeleton, tracks,
+                            landmark_tracks(original.skeleton, made.decoded), made.distortion.max);
+    if (!keeps_promise(preset_, *row_.measured))
+      throw Error("verification: " + target_text(preset_.target) +
+                  " was asked for, but it came to " + came_to());
+  }
+
+  std::string came_to() const {
+    const Measurement& m = *row_.measured;
+    Target found = preset_.target;
+    switch (found.kind) {
+      case Target::Kind::Ratio:
+        found.value = m.ratio;
+        break;
+      case Target::Kind::CoefficientRatio:
+        found.value = m.coefficient_ratio.value_or(0);
+        break;
+      case Target::Kind::Size:
+        found.value = static_cast<double>(m.motion_bytes);
+        break;
+      case Target::Kind::Error:
+        found.value = m.eps_cm(preset_.weighting);
+        break;
+      case Target::Kind::MaxError:
+        found.value = m.max_error_cm;
+        break;
+    }
+    return target_text(found);
+  }
+
+  void stage(OutputFormat format, const Motion& motion, std::vector<StagedFile>& files) {
+    switch (format) {
+      case OutputFormat::Mcpr:
+        return;  // staged already
+      case OutputFormat::Csv:
+        return stage_file(".csv", bytes_of(csv_text(motion)), files);
+      case OutputFormat::Bvh: {
+        const std::string text = bvh_text(motion);
+        stage_file(".bvh", bytes_of(text), files);
+        const ReadOptions as_written{motion.clip.sample_rate_hz, 1};
+        compare(motion, read_bvh(item_.output + ".bvh", text, as_written).motion,
+                joint_names(motion.skeleton), item_.output + ".bvh");
+        return;
+      }
+      case OutputFormat::Amc: {
+        const Motion acclaim = acclaim_motion(motion);
+        const std::string asf = asf_text(acclaim.skeleton);
+        const std::string amc = amc_text(acclaim);
+        stage_file(".asf", bytes_of(asf), files);
+        stage_file(".amc", bytes_of(amc), files);
+        const AsfSkeleton skeleton = read_asf(item_.output + ".asf", asf);
+        const ReadOptions as_written{motion.clip.sample_rate_hz, {}};
+        compare(motion, read_amc(item_.output + ".amc", amc, skeleton, as_written).motion,
+                asf_names(motion.skeleton), item_.output + ".amc");
+        return;
+      }
+    }
+  }
+
+  /// Written, read back and the same; it is what will be put in place.
+  void stage_file(const char* extension, const Bytes& bytes, std::vector<StagedFile>& files) {
+    const std::string name = item_.output + extension;
+    files.emplace_back(folder_ / name, bytes);
+    if (files.back().read_back() != bytes)
+      throw Error("verification: " + name + " does not read back as it was written");
+    row_.files.push_back({name, bytes.size(), hash_of_bytes(bytes)});
+  }
+
+  void put_in_place(std::vector<StagedFile>& files) {
+    std::vector<bool> replaced;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      std::error_code error;
+      const bool is_there = fs::exists(files[i].path(), error);
+      const bool same =
+          is_there && rights_.resumed && hash_of(files[i].path()) == row_.files[i].hash;
+      if (is_there && !same && !may_replace(row_.files[i].name)) refuse(files[i].path());
+      replaced.push_back(is_there);
+    }
+    for (std::size_t i = 0; i < files.size(); ++i) files[i].put_in_place(replaced[i]);
+  }
+
+  const Batch& batch_;
+  const BatchItem& item_;
+  const Preset& preset_;
+  const fs::path& folder_;
+  const ExportRights& rights_;
+  const Observer<ClipProgress>& observer_;
+  BatchRow row_;
+};
+
+}  // namespace
+
+std::string_view name(ClipProgress::Stage stage) {
+  switch (stage) {
+    case ClipProgress::Stage::Reading:
+      return "reading";
+    case ClipProgress::Stage::Encoding:
+      return "encoding";
+    case ClipProgress::Stage::Verifying:
+      return "verifying";
+  }
+  return "";
+}
+
+bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
+                const fs::path& folder) {
+  if (!row.done() || !item.problem.empty() || row.input != item.input ||
+      row.preset != batch.presets[item.preset] || row.formats != batch.formats)
+    return false;
+  try {
+    for (const WrittenFile& file : row.files) {
+      std::error_code error;
+      if (fs::file_size(folder / file.name, error) != file.bytes || error) return false;
+      if (hash_of(folder / file.name) != file.hash) return false;
+    }
+  } catch (const InputError&) {
+    return false;
+  }
+  return unchanged(item, row.stamp);
+}
+
+std::optional<BatchRow> export_clip(const Batch& batch, std::size_t index, const fs::path& folder,
+                                    const ExportRights& rights,
+                                    const Observer<ClipProgress>& observer) {
+  return Export(batch, index, folder, rights, observer).run();
+}
+
+}  // namespace mocapress

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What a batch has done so far, on disk as lines of JSON: a header, then a row a clip as clips end.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/batch/row.h"
+
+namespace mocapress {
+
+/// Which batch a journal is of, and which part of it.
+struct JournalHeader {
+  std::size_t clips = 0;  // of the whole batch
+  std::string list;       // fingerprint() of the batch
+  Shard shard;
+
+  bool operator==(const JournalHeader&) const = default;
+};
+
+/// The whole rows of a journal. Only their places are in memory.
+class JournalReader {
+ public:
+  /// Throws InputError when it cannot be read or has no header.
+  explicit JournalReader(const std::filesystem::path& path);
+
+  const JournalHeader& header() const { return header_; }
+
+  /// The last row of each output, in the order of their index.
+  void for_each(const std::function<void(const BatchRow&)>& visit);
+
+  std::size_t rows() const { return places_.size(); }
+
+  /// The same one by one.
+  std::size_t index_at(std::size_t place) const { return places_[place].index; }
+  std::optional<BatchRow> row_at(std::size_t place);
+
+ private:
+  struct Place {
+    std::size_t index;
+    std::streamoff offset;
+  };
+
+  std::ifstream stream_;
+  JournalHeader header_;
+  std::vector<Place> places_;
+};
+
+/// The journal of a run, which nobody else may have open at a time.
+class Journal {
+ public:
+  enum class Start { New, Resume, Anew };
+
+  /// New: throws WriteError where there is one already. Resume: its rows are kept as far as they
+  /// are of `batch` and `shard`, whatever is left half-written. Anew: it is emptied. Throws
+  /// WriteError, also when another run has it open.
+  Journal(const std::filesystem::path& path, const Batch& batch, const Shard& shard, Start start);
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+  ~Journal();
+
+  /// The row of an output, if there is one. Throws nothing: what cannot be read is not there.
+  std::optional<BatchRow> find(const std::string& output) const;
+
+  /// Appends a row and hands it to the system at once. Throws WriteError.
+  void append(const BatchRow& row);
+
+ private:
+  struct Place {
+    std::uint64_t offset;
+    std::size_t length;
+  };
+
+  void open(bool create);
+  void write_line(const std::string& line);
+  void keep_rows_of(const Batch& batch, const JournalHeader& header);
+  [[noreturn]] void fail(const std::string& why) const;
+
+  std::filesystem::path path_;
+  int file_ = -1;
+  std::uint64_t end_ = 0;
+  std::unordered_map<std::uint64_t, Place> places_;  // by the hash of the output
+};
+
+}  // namespace mocapress

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/queue_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/batch/preset_json.h"
+
+namespace mocapress {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+template <typename T>
+std::optional<T> optional_at(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end() || found->is_null()) return std::nullopt;
+  return found->get<T>();
+}
+
+BatchItem item_from(const Json& json, std::size_t presets) {
+  BatchItem item;
+  json.at("input").get_to(item.input);
+  item.skeleton = optional_at<std::string>(json, "skeleton").value_or("");
+  json.at("output").get_to(item.output);
+  json.at("preset").get_to(item.preset);
+  if (item.preset >= presets) throw Error(item.input + " has a preset that is not there");
+  // The same rules as for a name that a pattern makes.
+  item.output = output_name(item.output, {item.input, {}, {}}, {});
+  return item;
+}
+
+}  // namespace
+
+std::string queue_text(const Batch& batch) {
+  Json json = {{"mocapress_queue", 1},
+               {"presets", Json::array()},
+               {"formats", Json::array()},
+               {"rate_hz", or_null(batch.reading.sample_rate_hz)},
+               {"cm_per_unit", or_null(batch.reading.cm_per_unit)},
+               {"clips", Json::array()}};
+  for (const Preset& preset : batch.presets) json["presets"].push_back(to_json(preset));
+  for (const OutputFormat format : batch.formats) json["formats"].push_back(name(format));
+  for (const BatchItem& item : batch.items)
+    json["clips"].push_back({{"input", item.input},
+                             {"skeleton", item.skeleton.empty() ? Json() : Json(item.skeleton)},
+                             {"output", item.output},
+                             {"preset", item.preset}});
+  return dumped(json, 1) + '\n';
+}
+
+Batch parse_queue(const std::string& file, const std::string& text) {
+  const Json json = parse_json(file, text);
+  try {
+    if (!json.is_object() || json.value("mocapress_queue", 0) != 1)
+      throw Error("is not a queue of clips");
+    Batch batch;
+    for (const Json& preset : json.at("presets")) batch.presets.push_back(preset_from(preset));
+    batch.formats.clear();
+    for (const Json& format : json.at("formats")) {
+      const auto known = output_format(format.get<std::string>());
+      if (!known) throw Error("has a format that is not known: " + format.get<std::string>());
+      batch.formats.push_back(*known);
+    }
+    batch.reading = {optional_at<double>(json, "rate_hz"),
+                     optional_at<double>(json, "cm_per_unit")};
+    for (const Json& clip : json.at("clips"))
+      batch.items.push_back(item_from(clip, batch.presets.size()));
+    mark_collisions(batch);
+    return batch;
+  } catch (const Json::exception& error) {
+    throw InputError(file, 0, 0, std::string("is not a queue of clips: ") + error.what());
+  } catch (const Error& error) {
+    throw InputError(file, 0, 0, error.what());
+  }
+}
+
+}  // namespace mocapress

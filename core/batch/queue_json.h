@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A queue as a file, for another machine to do: presets, formats and every clip with its own.
+#pragma once
+
+#include <string>
+
+#include "core/batch/batch.h"
+
+namespace mocapress {
+
+std::string queue_text(const Batch& batch);
+
+/// Throws InputError.
+Batch parse_queue(const std::string& file, const std::string& text);
+
+}  // namespace mocapress

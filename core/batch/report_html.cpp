@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <ostream>
+
+#include "core/batch/report.h"
+#include "core/study/html_table.h"
+#include "core/study/markup.h"
+#include "core/study/report_style.h"
+
+namespace mocapress {
+
+using namespace html;
+
+namespace {
+
+constexpr std::size_t kPictures = 6;
+
+/// What the whole batch came to.
+struct Totals {
+  std::size_t done = 0;
+  std::size_t failed = 0;
+  std::size_t warned = 0;
+  double raw_bytes = 0;
+  double motion_bytes = 0;
+  double worst_eps_cm = 0;
+  double worst_cm = 0;
+  std::vector<BatchRow> worst;  // of those done, the furthest off first
+
+  void add(const BatchRow& row) {
+    warned += !row.warnings.empty();
+    if (!row.done() || !row.measured) {
+      failed += !row.done();
+      return;
+    }
+    ++done;
+    raw_bytes += static_cast<double>(row.measured->raw_bytes);
+    motion_bytes += static_cast<double>(row.measured->motion_bytes);
+    worst_eps_cm = std::max(worst_eps_cm, row.measured->eps_cm(row.preset.weighting));
+    worst_cm = std::max(worst_cm, row.measured->max_error_cm);
+    if (row.worst) add_worst(row);
+  }
+
+ private:
+  void add_worst(const BatchRow& row) {
+    const auto further = [](const BatchRow& a, const BatchRow& b) {
+      return a.measured->max_error_cm > b.measured->max_error_cm;
+    };
+    worst.insert(std::upper_bound(worst.begin(), worst.end(), row, further), row);
+    if (worst.size() > kPictures) worst.pop_back();
+  }
+};
+
+std::string muted(std::string_view text) {
+  return element("p", attribute("class", "muted"), text);
+}
+
+std::string tile(const std::string& value, const std::string& text) {
+  return element("div", attribute("class", "tile"),
+                 element("b", "", value) + element("span", "", text));
+}
+
+std::string tiles(const Totals& totals, std::size_t waiting) {
+  std::string all = tile(std::to_string(totals.done), "clips done, each read back and measured");
+  if (totals.failed > 0) all += tile(std::to_string(totals.failed), "failed");
+  if (waiting > 0) all += tile(std::to_string(waiting), "still waiting");
+  if (totals.motion_bytes > 0)
+    all += tile(
+        ratio_text(totals.raw_bytes / totals.motion_bytes),
+        "all channels as 32-bit floats over all coded motion: " + figure(totals.raw_bytes / 1024) +
+            " KB to " + figure(totals.motion_bytes / 1024) + " KB");
+  if (totals.done > 0)
+    all += tile(figure(totals.worst_cm) + " cm",
+                "the furthest any point is off at any frame; &#949;<sub>x</sub> at most " +
+                    figure(totals.worst_eps_cm) + " cm");
+  return element("div", attribute("class", "tiles"), all);
+}
+
+std::string pictures(const Totals& totals) {
+  std::string figures;
+  for (const BatchRow& row : totals.worst) {
+    const WorstPose& pose = *row.worst;
+    const std::string scene =
+        worst_scene(pose, row.output + " over its original at its worst frame");
+    figures += element(
+        "figure", "",
+        scene + element("figcaption", "",
+                        element("b", "", escaped(row.output)) + ", frame " +
+                            std::to_string(pose.frame) + ", " +
+                            fixed(pose.frame / row.measured->sample_rate_hz, 2) + " s: the " +
+                            escaped(pose.landmark) + " is " + figure(row.measured->max_error_cm) +
+                            " cm off. " + escaped(row.preset.name) + ", " +
+                            ratio_text(row.measured->ratio) + "."));
+  }
+  if (figures.empty()) return "";
+  return element("section", "",
+                 element("h2", "", "Worst frames") +
+                     muted("The frame at which one point is furthest off, of the clips where that "
+                           "is most: grey as captured, red as compressed.") +
+                     element("div", attribute("class", "multiples"), figures));
+}
+
+void write_failures(std::ostream& out, const BatchRows& rows) {
+  const auto left = attribute("class", "name");
+  out << "<section><h2>Failed</h2>"
+      << muted("Nothing was put in place for these; files that were there before still are.")
+      << "<div class=\"scroll\"><table><thead>"
+      << line(head("Clip", left) + head("preset", left) + head("why", left)) << "</thead><tbody>";
+  rows([&](const BatchRow& row) {
+    if (!row.done())
+      out << line(row_head(row.output) + cell(escaped(row.preset.name), "name") +
+                  cell(escaped(row.error), "wrap"))
+          << '\n';
+  });
+  out << "</tbody></table></div></section>\n";
+}
+
+std::string clip_line(const BatchRow& row) {
+  const Measurement& m = *row.measured;
+  std::string method = row.preset.method;
+  if (row.preset.correction) method += ", feet held";
+  return line(row_head(row.output) + cell(escaped(row.preset.name), "name") +
+              cell(escaped(method), "name") +
+              cell(escaped(target_text(row.preset.target)), "name") +
+              cell(std::to_string(m.frames)) + cell(ratio_text(m.ratio)) +
+              cell(figure(static_cast<double>(m.motion_bytes) / 1024)) +
+              cell(figure(m.eps_cm(row.preset.weighting))) + cell(figure(m.p95_error_cm)) +
+              cell(figure(m.p99_error_cm)) + cell(figure(m.max_error_cm)) +
+              cell(std::to_string(m.worst_frame)) +
+              cell(m.footskate_cm ? figure(*m.footskate_cm) : std::string(kNothing)));
+}
+
+void write_clips(std::ostream& out, const BatchRows& rows) {
+  const auto left = attribute("class", "name");
+  out << "<section><h2>Every clip</h2>"
+      << muted("Errors in centimetres, of the file as it was read back, against the original.")
+      << "<div class=\"scroll\"><table><thead>"
+      << line(head("Clip", left) + head("preset", left) + head("method", left) +
+              head("asked", left) + head("frames") + head("ratio") + head("KB") +
+              head("&#949;<sub>x</sub>") + head("p95") + head("p99") + head("max") +
+              head("at frame") + head("foot slide"))
+      << "</thead><tbody>\n";
+  rows([&](const BatchRow& row) {
+    if (row.done() && row.measured) out << clip_line(row) << '\n';
+  });
+  out << "</tbody></table></div></section>\n";
+}
+
+void write_warnings(std::ostream& out, const BatchRows& rows) {
+  const auto left = attribute("class", "name");
+  out << "<section><h2>Repaired or guessed on reading</h2><div class=\"scroll\"><table><thead>"
+      << line(head("Clip", left) + head("what", left)) << "</thead><tbody>\n";
+  rows([&](const BatchRow& row) {
+    std::string what;
+    for (const std::string& warning : row.warnings)
+      what += (what.empty() ? "" : "<br>") + escaped(warning);
+    if (!what.empty()) out << line(row_head(row.output) + cell(what, "wrap")) << '\n';
+  });
+  out << "</tbody></table></div></section>\n";
+}
+
+std::string notes() {
+  std::string all;
+  const auto add = [&](std::string_view term, std::string_view text) {
+    all += element("dt", "", term) + element("dd", "", text);
+  };
+  add("Ratio",
+      "The channels as 32-bit floats over the coded motion, the skeleton left out on both sides. "
+      "1 KB = 1024 bytes.");
+  add("&#949;<sub>x</sub>",
+      "Weighted root mean square distance of points of the body from where they should be; "
+      "report.csv has both weightings.");
+  add("p95, p99, max", "Over all points and frames, unweighted.");
+  add("Foot slide", "While a foot stands in the original, beyond its own slide there.");
+  return element("section", "", element("h2", "", "How it was measured") + element("dl", "", all));
+}
+
+}  // namespace
+
+void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting) {
+  Totals totals;
+  rows([&](const BatchRow& row) { totals.add(row); });
+  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+         "content=\"width=device-width, initial-scale=1\">"
+      << element("title", "", "Batch export") << element("style", "", kReportStyle)
+      << "</head><body><main>" << element("header", "", element("h1", "", "Batch export"))
+      << tiles(totals, waiting) << '\n';
+  if (totals.failed > 0) write_failures(out, rows);
+  out << pictures(totals) << '\n';
+  if (totals.done > 0) write_clips(out, rows);
+  if (totals.warned > 0) write_warnings(out, rows);
+  out << notes() << "</main></body></html>\n";
+}
+
+}  // namespace mocapress

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/batch/batch.h"
+#include "core/batch/input_stamp.h"
+#include "core/batch/worst_pose.h"
+#include "core/study/row.h"
+
+namespace mocapress {
+
+/// A file of a batch, read back and found right before it got its name.
+struct WrittenFile {
+  std::string name;  // below the batch's folder
+  std::uintmax_t bytes = 0;
+  std::string hash;
+
+  bool operator==(const WrittenFile&) const = default;
+};
+
+/// What became of one clip.
+struct BatchRow {
+  std::size_t index = 0;  // in the whole batch
+  std::string input;
+  std::string output;
+  Preset preset;
+  std::vector<OutputFormat> formats;
+  InputStamp stamp;
+  int joints = 0;
+  std::optional<Measurement> measured;  // of the file as read back
+  std::vector<WrittenFile> files;
+  std::vector<std::string> warnings;  // what the reader repaired or guessed
+  std::optional<WorstPose> worst;
+  std::string error;  // why it failed; empty: it is done
+
+  bool done() const { return error.empty(); }
+};
+
+/// Whether a measurement keeps what a preset promises: a ratio within 2 %, a bound not exceeded.
+bool keeps_promise(const Preset& preset, const Measurement& measured);
+
+/// One line of JSON without its end, with everything.
+std::string to_journal_line(const BatchRow& row);
+
+/// The inverse; unset on anything that is not a whole row.
+std::optional<BatchRow> parse_batch_row(std::string_view line);
+
+/// One line of JSON for reports and programs: keys as `mocapress compress --json` has them, null
+/// where a value does not apply. The same for the same clip and preset: nothing a clock said.
+std::string to_report_line(const BatchRow& row);
+
+/// The same as comma-separated values (RFC 4180), with a line feed.
+std::string to_csv_line(const BatchRow& row);
+std::string csv_head();
+
+}  // namespace mocapress

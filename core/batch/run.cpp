@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/run.h"
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+
+#include "core/base/parallel.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uint64_t size_of(const BatchItem& item) {
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(item.input, error);
+  return error ? 0 : bytes;
+}
+
+int workers_for(int jobs) {
+  const auto allowed =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const int processors =
+      std::min(tbb::this_task_arena::max_concurrency(), static_cast<int>(allowed));
+  return jobs > 0 ? std::min(jobs, processors) : processors;
+}
+
+class Run {
+ public:
+  Run(const Batch& batch, const fs::path& folder, Journal& journal, const BatchRunOptions& options,
+      BatchControl& control, const Observer<BatchProgress>& observer)
+      : batch_(batch),
+        folder_(folder),
+        journal_(journal),
+        options_(options),
+        control_(control),
+        observer_(observer) {
+    for (std::size_t i = 0; i < batch.items.size(); ++i)
+      if (options.shard.has(batch.items[i])) queue_.push_back({i, size_of(batch.items[i])});
+    for (const Waiting& clip : queue_) counts_.bytes += clip.bytes;
+    counts_.clips = queue_.size();
+    // Long clips at the end would leave the other threads idle.
+    std::stable_sort(queue_.begin(), queue_.end(),
+                     [](const Waiting& a, const Waiting& b) { return a.bytes > b.bytes; });
+  }
+
+  BatchOutcome run() {
+    const int workers = workers_for(options_.jobs);
+    tbb::task_arena arena(workers);
+    arena.execute([&] {
+      parallel_for(0, workers, [this](int) {
+        while (control_.may_begin()) {
+          const std::size_t next = next_++;
+          if (next >= queue_.size()) return;
+          // Isolated: a thread that waits inside a clip must not take up another.
+          tbb::this_task_arena::isolate([&] { do_clip(queue_[next]); });
+        }
+      });
+    });
+    if (failure_) std::rethrow_exception(failure_);
+    return {counts_, counts_.done == counts_.clips};
+  }
+
+ private:
+  struct Waiting {
+    std::size_t index;
+    std::uint64_t bytes;
+  };
+
+  void do_clip(const Waiting& clip) {
+    const BatchItem& item = batch_.items[clip.index];
+    const std::optional<BatchRow> earlier = find(item.output);
+    if (earlier && options_.resumed && still_done(*earlier, batch_, item, folder_))
+      return finish(clip, *earlier, true);
+    const ExportRights rights{.overwrite = options_.overwrite,
+                              .resumed = options_.resumed,
+                              .earlier = earlier ? &*earlier : nullptr};
+    const auto row =
+        export_clip(batch_, clip.index, folder_, rights, [&](const ClipProgress& progress) {
+          if (!control_.may_continue()) return false;
+          BatchProgress step;
+          step.index = clip.index;
+          step.clip = progress;
+          return tell(step);
+        });
+    if (row) finish(clip, *row, false);
+  }
+
+  std::optional<BatchRow> find(const std::string& output) {
+    const std::lock_guard lock(mutex_);
+    return journal_.find(output);
+  }
+
+  void finish(const Waiting& clip, const BatchRow& row, bool kept) {
+    const std::lock_guard lock(mutex_);
+    try {
+      if (!kept) journal_.append(row);
+    } catch (...) {
+      failure_ = std::current_exception();
+      control_.cancel();
+      return;
+    }
+    ++counts_.done;
+    counts_.kept += kept;
+    counts_.failed += !row.done();
+    counts_.bytes_done += clip.bytes;
+    if (kept) counts_.bytes_kept += clip.bytes;
+    if (!row.done() && !options_.keep_going) control_.cancel();
+    BatchProgress step;
+    step.index = clip.index;
+    step.row = &row;
+    step.kept = kept;
+    observe(step);
+  }
+
+  bool tell(BatchProgress& step) {
+    const std::lock_guard lock(mutex_);
+    return observe(step);
+  }
+
+  bool observe(BatchProgress& step) {
+    step.counts = counts_;
+    if (go_on(observer_, step)) return true;
+    control_.cancel();
+    return false;
+  }
+
+  const Batch& batch_;
+  const fs::path& folder_;
+  Journal& journal_;
+  const BatchRunOptions& options_;
+  BatchControl& control_;
+  const Observer<BatchProgress>& observer_;
+  std::vector<Waiting> queue_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;  // of what follows, the journal, and the calls out
+  BatchCounts counts_;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+std::optional<double> BatchCounts::seconds_left(double elapsed_seconds) const {
+  const std::uint64_t worked = bytes_done - bytes_kept;
+  if (done == clips) return 0;
+  if (worked == 0 || elapsed_seconds <= 0) return std::nullopt;
+  return elapsed_seconds * static_cast<double>(bytes - bytes_done) / static_cast<double>(worked);
+}
+
+BatchOutcome run_batch(const Batch& batch, const fs::path& folder, Journal& journal,
+                       const BatchRunOptions& options, BatchControl& control,
+                       const Observer<BatchProgress>& observer) {
+  return Run(batch, folder, journal, options, control, observer).run();
+}
+
+}  // namespace mocapress

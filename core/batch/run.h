@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "core/base/progress.h"
+#include "core/batch/clip_export.h"
+#include "core/batch/control.h"
+#include "core/batch/journal.h"
+
+namespace mocapress {
+
+struct BatchCounts {
+  std::size_t clips = 0;  // of this shard
+  std::size_t done = 0;   // ended, one way or the other
+  std::size_t kept = 0;   // of those, done by an earlier run
+  std::size_t failed = 0;
+  std::uint64_t bytes = 0;  // of the clips' files, which time goes by
+  std::uint64_t bytes_done = 0;
+  std::uint64_t bytes_kept = 0;
+
+  /// Unset while too little is done to tell.
+  std::optional<double> seconds_left(double elapsed_seconds) const;
+};
+
+/// One step of one clip.
+struct BatchProgress {
+  BatchCounts counts;
+  std::size_t index = 0;          // of the clip in the batch
+  ClipProgress clip;              // while it is being worked on
+  const BatchRow* row = nullptr;  // when it has ended
+  bool kept = false;              // by an earlier run
+};
+
+struct BatchRunOptions {
+  Shard shard;
+  int jobs = 0;  // clips at a time; 0: as many as processors
+  bool overwrite = false;
+  bool resumed = false;
+  bool keep_going = true;  // false: the first clip that fails ends it
+};
+
+struct BatchOutcome {
+  BatchCounts counts;
+  bool complete = true;  // false: some clips are still waiting
+};
+
+/// Does the clips of a shard into `folder`, each on one thread while there are others to do, the
+/// largest first: as many clips are in memory as threads work. Each row is in the journal before
+/// the next clip begins. The observer is called by one thread at a time; when it says no, or the
+/// control is told to, clips that are not done are waiting again. Throws WriteError when the
+/// journal cannot be written; all else is in the rows.
+BatchOutcome run_batch(const Batch& batch, const std::filesystem::path& folder, Journal& journal,
+                       const BatchRunOptions& options, BatchControl& control,
+                       const Observer<BatchProgress>& observer = {});
+
+}  // namespace mocapress

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// A batch from outside: files, reports, exit codes, signals and being killed.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <thread>
+
+#include "core/base/file.h"
+#include "tests/system/command.h"
+#include "tests/system/sample_clips.h"
+
+namespace mocapress::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A program that runs while the test looks on.
+class Running {
+ public:
+  Running(const std::vector<std::string>& words, const fs::path& out) {
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    EXPECT_EQ(posix_spawn(&pid_, words[0].c_str(), &files, nullptr, arguments.data(), environ), 0);
+    posix_spawn_file_actions_destroy(&files);
+  }
+
+  void send(int signal) const { kill(pid_, signal); }
+
+  /// The exit code, or the number of the signal that ended it, negative.
+  int wait() const {
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+ private:
+  pid_t pid_ = -1;
+};
+
+class CliBatch : public CommandLine {
+ protected:
+  void write_clips(int count) const { write_sample_clips(file("in"), count); }
+
+  std::vector<std::string> batch(const std::string& out, std::vector<std::string> more = {}) const {
+    std::vector<std::string> words = {"batch", file("in").string(), "-o", file(out).string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
+  json report(const std::string& out) const {
+    return json::parse(read_text(file(out) / "report.json"));
+  }
+
+  std::map<std::string, std::string> contents(const std::string& out) const {
+    return batch_contents(file(out));
+  }
+
+  static std::vector<json> lines(const std::string& text) {
+    std::vector<json> all;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) all.push_back(json::parse(line));
+    return all;
+  }
+};
+
+TEST_F(CliBatch, OfFifteenClipsIsVerifiedAndTheSameBytesOnOneThreadAndTwo) {
+  write_clips(15);
+  const Outcome two = mocapress(batch("two", {"--jobs", "2", "--json-progress"}));
+  ASSERT_EQ(two.exit_code, 0) << two.err;
+  EXPECT_EQ(two.err, "");
+  ASSERT_EQ(mocapress(batch("one", {"--jobs", "1"})).exit_code, 0);
+  EXPECT_EQ(contents("one"), contents("two"));
+  const json rows = report("two");
+  ASSERT_EQ(rows.size(), 15u);
+  for (const json& row : rows) {
+    EXPECT_TRUE(row["done"]) << row;
+    EXPECT_LE(row["eps_x_cm"], 0.5);
+    const std::string made = file("two") / row["files"][0].get<std::string>();
+    const json measured = json_of({"measure", row["input"], made, "--json"});
+    for (const char* key : {"eps_x_cm", "max_error_cm", "motion_bytes", "ratio"})
+      EXPECT_EQ(measured[key], row[key]) << key;
+  }
+  const std::vector<json> told = lines(two.out);
+  EXPECT_EQ(told.front()["event"], "begin");
+  EXPECT_EQ(told.back()["event"], "end");
+  EXPECT_EQ(std::count_if(told.begin(), told.end(),
+                          [](const json& line) { return line["event"] == "clip-done"; }),
+            15);
+}
+
+TEST_F(CliBatch, KilledAnywhereAndResumedIsTheSameBytesAsUndisturbed) {
+  write_clips(12);
+  ASSERT_EQ(mocapress(batch("whole", {"--max-error", "0.3"})).exit_code, 0);
+  const auto undisturbed = contents("whole");
+  int kills = 0;
+  int code = 0;
+  for (int run = 0; run < 60; ++run) {
+    const Running running(
+        [&] {
+          auto words = batch("killed", {"--max-error", "0.3", "--resume", "--json-progress"});
+          words.insert(words.begin(), MOCAPRESS_EXECUTABLE);
+          return words;
+        }(),
+        file("progress"));
+    if (kills < 6) {
+      // As soon as it has done something more, and at another moment of that each time.
+      while (fs::file_size(file("progress")) < 600) std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::milliseconds(7 * kills));
+      running.send(SIGKILL);
+    }
+    code = running.wait();
+    kills += code == -SIGKILL;
+    if (code == 0) break;
+  }
+  EXPECT_EQ(code, 0);
+  EXPECT_GE(kills, 2);
+  EXPECT_EQ(contents("killed"), undisturbed);
+}
+
+TEST_F(CliBatch, AskedToTerminateLeavesWhatCanBeResumed) {
+  write_clips(12);
+  auto words = batch("out", {"--max-error", "0.1", "--jobs", "1", "--json-progress"});
+  words.insert(words.begin(), MOCAPRESS_EXECUTABLE);
+  const Running running(words, file("progress"));
+  while (!(read_text(file("progress")).find("clip-done") != std::string::npos))
+    std::this_thread::yield();
+  running.send(SIGTERM);
+  EXPECT_EQ(running.wait(), 128 + SIGTERM);
+  EXPECT_EQ(lines(read_text(file("progress"))).back()["event"], "stopped");
+  EXPECT_FALSE(fs::exists(file("out") / "report.html"));
+  const Outcome resumed =
+      mocapress(batch("out", {"--max-error", "0.1", "--resume", "--json-progress"}));
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_GE(lines(resumed.out).back()["batch"]["kept"], 1);
+  EXPECT_EQ(report("out").size(), 12u);
+}
+
+TEST_F(CliBatch, ABadFileAmongGoodOnesIsARowAndSeven) {
+  write_clips(3);
+  write_text(file("in") / "broken.bvh", "HIERARCHY\nnonsense\n");
+  auto words = batch("out", {"--json-progress"});
+  words.insert(words.begin() + 1, file("missing.bvh").string());
+  const Outcome outcome = mocapress(words);
+  EXPECT_EQ(outcome.exit_code, 7);
+  const json rows = report("out");
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_THAT(rows[0]["error"].get<std::string>(), HasSubstr("No such file"));
+  EXPECT_THAT(rows[1]["error"].get<std::string>(), HasSubstr("broken.bvh:2"));
+  for (std::size_t i = 2; i < 5; ++i) EXPECT_TRUE(rows[i]["error"].is_null()) << rows[i];
+  write_clips(4);  // and mended: only what failed and what is new is done
+  fs::remove(file("in") / "broken.bvh");
+  const Outcome mended = mocapress(batch("out", {"--resume", "--json-progress"}));
+  EXPECT_EQ(mended.exit_code, 0);
+  EXPECT_EQ(lines(mended.out).back()["batch"]["kept"], 3);
+}
+
+TEST_F(CliBatch, OverwritesNothingUnasked) {
+  write_clips(2);
+  fs::create_directories(file("out") / "in");
+  write_text(file("out/in/clip_100.mcpr"), "mine");
+  EXPECT_EQ(mocapress(batch("out")).exit_code, 7);
+  EXPECT_EQ(read_text(file("out/in/clip_100.mcpr")), "mine");
+  EXPECT_EQ(mocapress(batch("out")).exit_code, 5) << "there is a batch already";
+  EXPECT_EQ(mocapress(batch("out", {"--overwrite"})).exit_code, 0);
+  EXPECT_NE(read_text(file("out/in/clip_100.mcpr")), "mine");
+}
+
+TEST_F(CliBatch, WritesTheFormatsAndNamesAskedFor) {
+  write_clips(1);
+  const Outcome outcome = mocapress(batch(
+      "out", {"--format", "mcpr,bvh,amc,csv", "--name", "{stem}_{preset}", "--preset", "crowd"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* extension : {"mcpr", "bvh", "asf", "amc", "csv"})
+    EXPECT_TRUE(fs::exists(file("out") / ("clip_100_crowd." + std::string(extension))));
+  const Outcome info = mocapress({"info", file("out/clip_100_crowd.amc").string()});
+  EXPECT_EQ(info.exit_code, 0) << info.err;
+}
+
+TEST_F(CliBatch, ShardsAndTheirMergeAreAsOneRun) {
+  write_clips(6);
+  ASSERT_EQ(mocapress(batch("whole")).exit_code, 0);
+  for (const char* shard : {"2/3", "1/3"})
+    ASSERT_EQ(mocapress(batch("parts", {"--shard", shard})).exit_code, 0);
+  const std::string parts = file("parts").string();
+  EXPECT_EQ(mocapress({"batch", "--merge", parts}).exit_code, 7) << "a shard is missing";
+  ASSERT_EQ(mocapress(batch("parts", {"--shard", "3/3"})).exit_code, 0);
+  EXPECT_EQ(mocapress({"batch", "--merge", parts}).exit_code, 0);
+  const auto together = contents("parts");
+  for (const auto& [name, text] : contents("whole")) EXPECT_EQ(together.at(name), text) << name;
+}
+
+TEST_F(CliBatch, OwnPresetsAreReadAndWrongOnesRefused) {
+  write_clips(1);
+  const std::string preset =
+      write("mine.json", R"({"name": "Mine", "target": {"kind": "max-error", "value": 1.5}})");
+  ASSERT_EQ(mocapress(batch("out", {"--preset", preset})).exit_code, 0);
+  EXPECT_EQ(report("out")[0]["preset"], "Mine");
+  EXPECT_LE(report("out")[0]["max_error_cm"], 1.5);
+  const std::string wrong = write("wrong.json", R"({"name": "Mine", "tarket": 3})");
+  const Outcome refused = mocapress(batch("other", {"--preset", wrong}));
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("tarket"));
+}
+
+TEST_F(CliBatch, WrongUseIsTwoAndNoInputThree) {
+  write_clips(1);
+  EXPECT_EQ(mocapress({"batch"}).exit_code, 2);
+  EXPECT_EQ(mocapress({"batch", file("in")}).exit_code, 2);
+  EXPECT_EQ(mocapress(batch("out", {"--shard", "3/2"})).exit_code, 2);
+  EXPECT_EQ(mocapress(batch("out", {"--format", "exe"})).exit_code, 2);
+  EXPECT_EQ(mocapress(batch("out", {"--name", "{nothing}"})).exit_code, 2);
+  EXPECT_EQ(mocapress(batch("out", {"--coding", "deflate"})).exit_code, 2);
+  EXPECT_EQ(mocapress(batch("out", {"--ratio", "2", "--max-error", "1"})).exit_code, 2);
+  EXPECT_EQ(mocapress(batch("out", {"--preset", "nothing"})).exit_code, 3);
+  EXPECT_EQ(mocapress({"batch", file("none"), "-o", file("out")}).exit_code, 3);
+  EXPECT_EQ(mocapress({"batch", "--merge", file("in")}).exit_code, 3);
+  const std::string occupied = write("occupied", "");
+  EXPECT_EQ(mocapress({"batch", file("in"), "-o", occupied}).exit_code, 5);
+}
+
+}  // namespace
+}  // namespace mocapress::test

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/batch.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/batch/queue_json.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::string named(const char* pattern) {
+  return output_name(pattern, {"/a/b/walk.one.bvh", "b/slow", {}}, built_in_presets().front());
+}
+
+TEST(OutputName, FillsInWhatThePatternNames) {
+  EXPECT_EQ(named(kUsualNames), "b/slow/walk.one");
+  EXPECT_EQ(named("{folder}/{stem}_{preset}"), "b/slow/walk.one_hero-close-up");
+  EXPECT_EQ(named("{stem}.mcpr"), "walk.one");
+  EXPECT_EQ(named("x/{method}-{stem}.v2"), "x/closed-loop-walk.one.v2");
+  EXPECT_EQ(output_name(kUsualNames, {"walk.bvh", "", {}}, {}), "walk");
+}
+
+TEST(OutputName, RefusesWhatIsNoNameInTheFolder) {
+  for (const char* pattern : {"../{stem}", "/tmp/{stem}", "{stem", "{sten}", "", "{folder}/", "."})
+    EXPECT_THROW(named(pattern), Error) << pattern;
+}
+
+TEST(Shards, PutEveryClipIntoExactlyOneWhateverElseIsInTheBatch) {
+  constexpr int kShards = 7;
+  std::set<int> used;
+  for (int clip = 0; clip < 200; ++clip) {
+    const BatchItem item{.output = "walks/" + std::to_string(clip)};
+    int owners = 0;
+    for (int i = 1; i <= kShards; ++i)
+      if (Shard{i, kShards}.has(item)) ++owners, used.insert(i);
+    EXPECT_EQ(owners, 1) << item.output;
+  }
+  EXPECT_EQ(used.size(), 7u);
+}
+
+TEST(Shards, AreWrittenAsIOfN) {
+  EXPECT_EQ(parse_shard("2/8"), (Shard{2, 8}));
+  for (const char* text : {"", "2", "0/3", "4/3", "1/0", "a/b", "1/2/3", "-1/2", "1/2 "})
+    EXPECT_THROW(parse_shard(text), Error) << text;
+}
+
+class Sources : public testing::Test {
+ protected:
+  Sources() {
+    fs::remove_all(folder_);
+    for (const char* file : {"b.bvh", "a.AMC", "deep/er/c.bvh", "notes.txt", "a.asf"}) {
+      fs::create_directories((folder_ / file).parent_path());
+      write_text(folder_ / file, "");
+    }
+  }
+  ~Sources() override { fs::remove_all(folder_); }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("walks-" + std::to_string(getpid()));
+};
+
+TEST_F(Sources, AreTheClipsBelowAFolderEachOnceWithTheFoldersBetween) {
+  for (const std::string& spelt : {folder_.string(), folder_.string() + "/"})
+    EXPECT_EQ(find_sources({spelt})[1].folder, folder_.filename());
+  const auto sources = find_sources({folder_, folder_ / "b.bvh"});
+  const std::string folder = folder_.filename();
+  ASSERT_EQ(sources.size(), 3u);
+  EXPECT_EQ(sources[0], (SourceClip{folder_ / "a.AMC", folder, {}}));
+  EXPECT_EQ(sources[1], (SourceClip{folder_ / "b.bvh", folder, {}}));
+  EXPECT_EQ(sources[2], (SourceClip{folder_ / "deep/er/c.bvh", folder + "/deep/er", {}}));
+}
+
+TEST_F(Sources, WhatIsNotThereIsAClipWithAProblemAndStopsNoOther) {
+  const auto sources = find_sources({folder_ / "none.bvh", folder_ / "b.bvh"});
+  ASSERT_EQ(sources.size(), 2u);
+  EXPECT_THAT(sources[0].problem, HasSubstr("No such file"));
+  EXPECT_EQ(sources[1].problem, "");
+}
+
+TEST_F(Sources, ThatWouldBeWrittenToOnePlaceAreToldApart) {
+  Batch batch{.presets = {{.name = "p"}}};
+  add_items(batch, {{"x/walk.bvh", "", {}}, {"y/walk.bvh", "", {}}, {"z/walk.bvh", "", {}}}, 0,
+            "{stem}");
+  mark_collisions(batch);
+  EXPECT_EQ(batch.items[0].problem, "");
+  EXPECT_THAT(batch.items[1].problem, HasSubstr("as x/walk.bvh is"));
+  EXPECT_NE(batch.items[2].problem, "");
+  std::set<std::string> outputs;
+  for (const BatchItem& item : batch.items) outputs.insert(item.output);
+  EXPECT_EQ(outputs.size(), 3u);
+}
+
+TEST(Queue, ComesBackFromItsFileAsItWas) {
+  Batch batch{.presets = {built_in_presets().begin(), built_in_presets().end()},
+              .formats = {OutputFormat::Bvh, OutputFormat::Mcpr},
+              .reading = {.sample_rate_hz = 60.0}};
+  batch.items = {{.input = "/a/ü \"x\".bvh", .output = "a/x", .preset = 2},
+                 {.input = "/b.amc", .skeleton = "/c.asf", .output = "b", .preset = 0}};
+  const Batch read = parse_queue("", queue_text(batch));
+  EXPECT_EQ(read.presets, batch.presets);
+  EXPECT_EQ(read.formats, batch.formats);
+  EXPECT_EQ(read.items, batch.items);
+  EXPECT_EQ(read.reading.sample_rate_hz, 60.0);
+  EXPECT_FALSE(read.reading.cm_per_unit);
+}
+
+TEST(Queue, ThatIsNoneOrLeavesItsFolderIsRefused) {
+  const Batch batch{.presets = {{.name = "p"}}, .items = {{.input = "i", .output = "../o"}}};
+  EXPECT_THROW(parse_queue("", queue_text(batch)), InputError);
+  for (const char* text : {"", "{}", "[]", R"({"mocapress_queue": 1})",
+                           R"({"mocapress_queue": 1, "presets": [], "formats": ["exe"]})",
+                           R"({"mocapress_queue": 1, "presets": [], "formats": [],
+                               "clips": [{"input": "a", "output": "b", "preset": 0}]})"})
+    EXPECT_THROW(parse_queue("", text), InputError) << text;
+}
+
+}  // namespace
+}  // namespace mocapress

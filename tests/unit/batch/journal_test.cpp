@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/journal.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "core/base/error.h"
+#include "tests/unit/batch/batch_clips.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+class JournalTest : public test::BatchTest {
+ protected:
+  static BatchRow row(const Batch& batch, std::size_t index) {
+    BatchRow row;
+    row.index = index;
+    row.input = batch.items[index].input;
+    row.output = batch.items[index].output;
+    row.preset = batch.presets[0];
+    row.formats = {OutputFormat::Mcpr, OutputFormat::Csv};
+    row.stamp = {123, 456, "abc"};
+    row.joints = 8;
+    row.measured = Measurement{.frames = 7, .eps_bone_ends_cm = 0.1, .encode_seconds = 2};
+    row.files = {{"in/one.mcpr", 12, "0f"}};
+    row.warnings = {"a, \"warning\""};
+    row.worst = WorstPose{.frame = 3,
+                          .landmark = "head",
+                          .point = 1,
+                          .ground_cm = -1.5,
+                          .facing = Eigen::Vector3d::UnitX(),
+                          .bones = {{0, 1, 2.5, 1.25}},
+                          .original = {{0, 1, 2}, {3, 4, 5.25}},
+                          .decoded = {{0, 1, 2}, {3, 4, 5.5}}};
+    return row;
+  }
+
+  const fs::path path_ = folder_ / "batch.jsonl";
+};
+
+TEST_F(JournalTest, ARowComesBackAsItWas) {
+  const BatchRow written = row(batch(), 1);
+  const auto read = parse_batch_row(to_journal_line(written));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(to_journal_line(*read), to_journal_line(written));
+  EXPECT_EQ(to_report_line(*read), to_report_line(written));
+  EXPECT_EQ(read->preset, written.preset);
+  EXPECT_EQ(read->stamp, written.stamp);
+  EXPECT_EQ(read->files, written.files);
+  EXPECT_EQ(read->measured, written.measured);
+  EXPECT_EQ(read->worst->decoded[1].z(), 5.5);
+}
+
+TEST_F(JournalTest, WhatIsNoWholeRowIsNone) {
+  const std::string line = to_journal_line(row(batch(), 0));
+  for (std::size_t length = 0; length < line.size(); length += 7)
+    EXPECT_FALSE(parse_batch_row(line.substr(0, length)));
+  EXPECT_FALSE(parse_batch_row("[]"));
+}
+
+TEST_F(JournalTest, APoseThatPointsOutsideItsPointsIsNone) {
+  BatchRow wrong = row(batch(), 0);
+  wrong.worst->bones[0].to = 2;
+  EXPECT_FALSE(parse_batch_row(to_journal_line(wrong)));
+  wrong = row(batch(), 0);
+  wrong.worst->decoded.pop_back();
+  EXPECT_FALSE(parse_batch_row(to_journal_line(wrong)));
+}
+
+TEST_F(JournalTest, CutOffAtAnyByteKeepsTheWholeRowsAndCanBeAppendedTo) {
+  const Batch all = batch();
+  {
+    Journal journal(path_, all, {}, Journal::Start::New);
+    journal.append(row(all, 0));
+    journal.append(row(all, 1));
+  }
+  const std::string whole = read_text(path_);
+  const std::size_t first = whole.find('\n', whole.find('\n') + 1) + 1;  // behind the first row
+  for (const std::size_t size : {whole.size() - 1, whole.size() - 9, first + 1, first}) {
+    write_text(path_, whole.substr(0, size));
+    {
+      Journal journal(path_, all, {}, Journal::Start::Resume);
+      EXPECT_TRUE(journal.find(all.items[0].output));
+      EXPECT_EQ(journal.find(all.items[1].output).has_value(), size == whole.size() - 1);
+      journal.append(row(all, 2));
+    }
+    EXPECT_EQ(JournalReader(path_).rows(), size == whole.size() - 1 ? 3u : 2u);
+  }
+}
+
+TEST_F(JournalTest, TheLastRowOfAClipCounts) {
+  const Batch all = batch();
+  Journal journal(path_, all, {}, Journal::Start::New);
+  BatchRow failed = row(all, 0);
+  failed.error = "no";
+  journal.append(failed);
+  journal.append(row(all, 0));
+  EXPECT_TRUE(journal.find(all.items[0].output)->done());
+  EXPECT_EQ(JournalReader(path_).rows(), 1u);
+}
+
+TEST_F(JournalTest, ResumedWithOtherClipsDropsWhatIsGoneAndMovesTheRest) {
+  Batch all = batch();
+  {
+    Journal journal(path_, all, {}, Journal::Start::New);
+    for (std::size_t i = 0; i < 3; ++i) journal.append(row(all, i));
+  }
+  all.items.erase(all.items.begin());
+  Journal journal(path_, all, {}, Journal::Start::Resume);
+  std::vector<std::size_t> indices;
+  JournalReader reader(path_);
+  reader.for_each([&](const BatchRow& one) { indices.push_back(one.index); });
+  EXPECT_EQ(indices, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(reader.header().clips, 2u);
+}
+
+TEST_F(JournalTest, OfARunningBatchIsNobodyElses) {
+  const Batch all = batch();
+  const Journal journal(path_, all, {}, Journal::Start::New);
+  EXPECT_THROW(Journal(path_, all, {}, Journal::Start::Resume), WriteError);
+  EXPECT_THROW(Journal(path_, all, {}, Journal::Start::Anew), WriteError);
+}
+
+TEST_F(JournalTest, ThatIsNoneIsRefusedToReaders) {
+  write_text(path_, "hello\n");
+  EXPECT_THROW(JournalReader reader(path_), InputError);
+  EXPECT_THROW(JournalReader reader(folder_ / "none"), InputError);
+}
+
+}  // namespace
+}  // namespace mocapress

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/preset.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/batch/preset_json.h"
+#include "core/compare/contender.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+using testing::HasSubstr;
+
+Preset unusual_preset() {
+  return {.name = "Böss, \"held\"",
+          .method = "annealed",
+          .coding = Coding::Rle16,
+          .weighting = Weighting::JointOrigins,
+          .target = {Target::Kind::Size, 12345},
+          .seed = 0xffffffffffffffff,
+          .correction = PresetCorrection{.ratio = 12.5,
+                                         .effectors = {"lhand", "rhand"},
+                                         .solver = IkSolver::CyclicDescent,
+                                         .at = CorrectAt::Contacts}};
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    parse_presets("mine.json", text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Preset, ComesBackFromItsFileAsItWas) {
+  std::vector<Preset> presets(built_in_presets().begin(), built_in_presets().end());
+  presets.push_back(unusual_preset());
+  EXPECT_EQ(parse_presets("", presets_text(presets)), presets);
+  EXPECT_EQ(parse_presets("", presets_text({&presets.back(), 1})).front(), presets.back());
+}
+
+TEST(Preset, WhatAFileLeavesOutIsAsUsual) {
+  EXPECT_EQ(parse_presets("", R"({"name": "mine"})").front(), Preset{.name = "mine"});
+}
+
+TEST(Preset, EveryBuiltInOneIsValidSaysWhatForAndIsFoundByNameAndSlug) {
+  ASSERT_EQ(built_in_presets().size(), 4u);
+  for (const Preset& preset : built_in_presets()) {
+    EXPECT_NO_THROW(check(preset));
+    EXPECT_NE(purpose(preset), "");
+    EXPECT_EQ(find_preset(preset.name), preset);
+    EXPECT_EQ(find_preset(slug(preset.name)), preset);
+  }
+  EXPECT_EQ(slug("Hero close-up"), "hero-close-up");
+}
+
+TEST(Preset, AFileThatIsWrongIsRefusedWithThePlaceOrTheKey) {
+  EXPECT_THAT(complaint("{\n \"name\": \"a\",\n  oops}"), HasSubstr("mine.json:3:3: "));
+  EXPECT_THAT(complaint("[]"), HasSubstr("no preset"));
+  EXPECT_THAT(complaint("7"), HasSubstr("not a JSON object"));
+  EXPECT_THAT(complaint(R"({"method": "annealed"})"), HasSubstr("no \"name\""));
+  EXPECT_THAT(complaint(R"({"name": "a", "taget": 1})"), HasSubstr("\"taget\" is not known"));
+  EXPECT_THAT(complaint(R"({"name": "a", "method": 3})"), HasSubstr("\"method\" is not a text"));
+  EXPECT_THAT(complaint(R"({"name": "a", "method": "magic"})"), HasSubstr("magic"));
+  EXPECT_THAT(complaint(R"({"name": "a", "weighting": "even"})"), HasSubstr("bone-ends"));
+  EXPECT_THAT(complaint(R"({"name": "a", "target": {"kind": "error", "value": -1}})"),
+              HasSubstr("not above 0"));
+  EXPECT_THAT(complaint(R"({"name": "a", "target": {"kind": "size", "value": "big"}})"),
+              HasSubstr("\"value\" is not a number"));
+  EXPECT_THAT(complaint(R"({"name": "a", "method": "pca", "ik": {}})"), HasSubstr("wavelets only"));
+  EXPECT_THAT(complaint(R"({"name": "a", "coding": "deflate"})"), HasSubstr("closed loop"));
+  EXPECT_THAT(complaint(R"({"name": "a", "ik": {"ratio": "some"}})"), HasSubstr("auto"));
+  EXPECT_THROW(find_preset("no-such-preset"), InputError);
+}
+
+TEST(Preset, BecomesOptionsForASkeleton) {
+  const Skeleton skeleton = test::small_skeleton();
+  const EncodeOptions options = encode_options(unusual_preset(), skeleton);
+  EXPECT_EQ(options.method, Method::Annealed);
+  EXPECT_EQ(options.coding, Coding::Rle16);
+  ASSERT_TRUE(options.correction);
+  EXPECT_EQ(options.correction->joints,
+            (std::vector{skeleton.find("lhand"), skeleton.find("rhand")}));
+  EXPECT_EQ(options.correction->ratio, 12.5);
+  EXPECT_EQ(encode_options({}, skeleton).coding, Coding::Adaptive);
+  Preset other = unusual_preset();
+  other.correction->effectors = {"tail"};
+  EXPECT_THROW(encode_options(other, skeleton), Error);
+}
+
+}  // namespace
+}  // namespace mocapress

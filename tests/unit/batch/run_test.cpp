@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/run.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/batch/merge.h"
+#include "core/compare/compared_file.h"
+#include "tests/unit/batch/batch_clips.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class BatchRun : public test::BatchTest {
+ protected:
+  std::vector<BatchRow> rows() const {
+    std::vector<BatchRow> all;
+    JournalReader(out() / "batch.jsonl").for_each([&](const BatchRow& row) { all.push_back(row); });
+    return all;
+  }
+};
+
+TEST_F(BatchRun, MakesTheFilesOfEveryClipAndMeasuresWhatItWrote) {
+  Batch asked = batch();
+  asked.formats = {kOutputFormats.begin(), kOutputFormats.end()};
+  const BatchOutcome outcome = run(asked);
+  EXPECT_TRUE(outcome.complete);
+  EXPECT_EQ(outcome.counts.done, 3u);
+  EXPECT_EQ(outcome.counts.failed, 0u);
+  ASSERT_EQ(rows().size(), 3u);
+  for (const BatchRow& row : rows()) {
+    ASSERT_TRUE(row.done()) << row.error;
+    ASSERT_EQ(row.files.size(), 5u);
+    const Motion original = read_motion(row.input).motion;
+    const OpenedMcpr opened = open_mcpr(out() / (row.output + ".mcpr"));
+    const Distortion found = measure(original.skeleton, original.clip, opened.decoded);
+    EXPECT_EQ(row.measured->eps_bone_ends_cm, found.eps_bone_ends);
+    EXPECT_LE(found.eps_bone_ends, 2);
+    EXPECT_EQ(row.measured->max_error_cm, found.max.cm);
+    ASSERT_TRUE(row.worst);
+    EXPECT_EQ(row.worst->frame, found.max.frame);
+    for (const char* extension : {".bvh", ".amc"})
+      EXPECT_EQ(read_motion(out() / (row.output + extension)).motion.clip.frames(),
+                original.clip.frames());
+  }
+  EXPECT_EQ(rows()[1].output, "in/one");
+}
+
+TEST_F(BatchRun, OfOneThreadOrManyIsTheSameBytes) {
+  run(batch(), {.jobs = 1});
+  const auto by_one = contents(out());
+  EXPECT_EQ(by_one.size(), 6u);
+  fs::remove_all(out());
+  run(batch(), {.jobs = 3});
+  EXPECT_EQ(contents(out()), by_one);
+}
+
+TEST_F(BatchRun, WhatFailsIsARowWithItsReasonAndTheRestGoesOn) {
+  write_text(folder_ / "in/broken.bvh", "HIERARCHY\nnonsense");
+  write_motion(folder_ / "in/lonely.amc", test::smooth_motion(20));
+  fs::remove(folder_ / "in/lonely.asf");
+  Batch asked = batch();
+  asked.presets.push_back({.name = "never", .target = {Target::Kind::Error, 1e-12}});
+  asked.items.back().preset = 1;
+  const BatchOutcome outcome = run(asked);
+  EXPECT_TRUE(outcome.complete);
+  EXPECT_EQ(outcome.counts.done, 5u);
+  EXPECT_EQ(outcome.counts.failed, 3u);
+  EXPECT_THAT(rows()[0].error, HasSubstr("broken.bvh:"));
+  EXPECT_THAT(rows()[1].error, HasSubstr("neither lonely.asf"));
+  EXPECT_THAT(rows()[4].error, HasSubstr("out of reach"));
+  EXPECT_FALSE(fs::exists(out() / "in/broken.mcpr"));
+  EXPECT_THAT(read_text(out() / "report.html"), HasSubstr("neither lonely.asf"));
+}
+
+TEST_F(BatchRun, CanEndAtTheFirstFailure) {
+  write_text(folder_ / "in/broken.bvh", std::string(1 << 20, 'x'));  // the largest goes first
+  const BatchOutcome outcome = run(batch(), {.jobs = 1, .keep_going = false});
+  EXPECT_FALSE(outcome.complete);
+  EXPECT_EQ(outcome.counts.done, 1u);
+}
+
+TEST_F(BatchRun, NeverOverwritesWhatItDidNotWriteUnlessTold) {
+  fs::create_directories(out() / "in");
+  write_text(out() / "in/one.mcpr", "somebody's");
+  EXPECT_EQ(run(batch()).counts.failed, 1u);
+  EXPECT_EQ(read_text(out() / "in/one.mcpr"), "somebody's");
+  EXPECT_THAT(rows()[1].error, HasSubstr("there already"));
+  EXPECT_EQ(run(batch(), {.resumed = true}).counts.failed, 1u);
+  EXPECT_EQ(read_text(out() / "in/one.mcpr"), "somebody's");
+  EXPECT_EQ(run(batch(), {.overwrite = true}).counts.failed, 0u);
+  EXPECT_NE(read_text(out() / "in/one.mcpr"), "somebody's");
+}
+
+TEST_F(BatchRun, NeverWritesOverItsOwnSourceEvenWhenToldToOverwrite) {
+  const std::string before = read_text(folder_ / "in/one.bvh");
+  Batch asked = batch();
+  asked.formats = {OutputFormat::Bvh};
+  BatchControl control;
+  const auto outcome = run_batch_in(folder_, asked, {.overwrite = true}, control);
+  EXPECT_EQ(outcome.counts.failed, 2u);  // not that of the .amc
+  EXPECT_EQ(read_text(folder_ / "in/one.bvh"), before);
+}
+
+TEST_F(BatchRun, WantsToBeToldToResumeOrToBeginAnew) {
+  run(batch());
+  EXPECT_THROW(run(batch()), WriteError);
+  EXPECT_EQ(run(batch(), {.resumed = true}).counts.kept, 3u);
+  EXPECT_EQ(run(batch(), {.overwrite = true}).counts.kept, 0u);
+}
+
+TEST_F(BatchRun, CancelledAtAnyStepAndResumedIsAsIfUndisturbed) {
+  run(batch());
+  const auto undisturbed = contents(out());
+  for (int steps = 0;; steps += 9) {
+    fs::remove_all(out());
+    int left = steps;
+    const auto first = run(batch(), {.jobs = 2}, [&](const BatchProgress&) { return left-- > 0; });
+    if (first.complete) break;
+    const auto second = run(batch(), {.jobs = 2, .resumed = true});
+    EXPECT_TRUE(second.complete);
+    EXPECT_EQ(second.counts.kept, first.counts.done);
+    ASSERT_EQ(contents(out()), undisturbed) << "stopped after " << steps;
+  }
+}
+
+TEST_F(BatchRun, ResumedRedoesWhatChangedAndKeepsTheRest) {
+  run(batch());
+  write_motion(folder_ / "in/one.bvh", test::smooth_motion(120, 9));              // another motion
+  fs::last_write_time(folder_ / "in/two.amc", fs::file_time_type::clock::now());  // the same
+  fs::remove(out() / "in/more/three.mcpr");
+  const auto resumed = run(batch(), {.resumed = true});
+  EXPECT_EQ(resumed.counts.failed, 0u);
+  EXPECT_EQ(resumed.counts.kept, 1u);
+  EXPECT_TRUE(fs::exists(out() / "in/more/three.mcpr"));
+  Batch finer = batch();
+  finer.presets[0].target.value = 1;
+  EXPECT_EQ(run(finer, {.resumed = true}).counts.kept, 0u);
+  for (const BatchRow& row : rows()) EXPECT_LE(row.measured->eps_bone_ends_cm, 1) << row.error;
+}
+
+TEST_F(BatchRun, ShardsMergedAreAsOneRun) {
+  run(batch());
+  const auto whole = contents(out());
+  fs::remove_all(out());
+  for (const int index : {2, 1, 3}) run(batch(), {.shard = {index, 3}});
+  const MergedBatch merged = merge_batch({out()}, out());
+  EXPECT_EQ(merged.clips, 3u);
+  EXPECT_EQ(merged.waiting, 0u);
+  const auto together = contents(out());
+  for (const auto& [name, text] : whole) EXPECT_EQ(together.at(name), text) << name;
+}
+
+TEST_F(BatchRun, ShardsOfDifferentBatchesAreNotMerged) {
+  run(batch(), {.shard = {1, 2}});
+  Batch other = batch();
+  other.items.pop_back();
+  run(other, {.shard = {2, 2}});
+  EXPECT_THROW(merge_batch({out()}, out()), InputError);
+  fs::remove(out() / "batch-2-of-2.jsonl");
+  const MergedBatch merged = merge_batch({out()}, out());
+  EXPECT_GT(merged.waiting, 0u);
+}
+
+TEST_F(BatchRun, StoppedAfterCurrentFinishesWhatItBegan) {
+  BatchControl control;
+  const auto outcome =
+      run_batch_in(out(), batch(), {.jobs = 1}, control, [&](const BatchProgress& progress) {
+        if (!progress.row) control.stop_after_current();
+        return true;
+      });
+  EXPECT_FALSE(outcome.complete);
+  EXPECT_EQ(outcome.counts.done, 1u);
+  EXPECT_EQ(outcome.counts.failed, 0u);
+}
+
+TEST_F(BatchRun, PausedDoesNothingUntilItMayGoOn) {
+  BatchControl control;
+  control.pause();
+  std::atomic<int> steps = 0;
+  BatchOutcome outcome;
+  std::thread worker([&] {
+    outcome = run_batch_in(out(), batch(), {}, control, [&](const BatchProgress&) {
+      ++steps;
+      return true;
+    });
+  });
+  EXPECT_TRUE(control.paused());
+  EXPECT_EQ(steps, 0);
+  control.go_on();
+  worker.join();
+  EXPECT_GT(steps, 0);
+  EXPECT_TRUE(outcome.complete);
+}
+
+TEST_F(BatchRun, TellsOneAtATimeAndCountsToTheEnd) {
+  std::atomic<int> inside = 0;
+  std::size_t ended = 0;
+  run(batch(), {.jobs = 2}, [&](const BatchProgress& progress) {
+    EXPECT_EQ(++inside, 1);
+    ended += progress.row != nullptr;
+    EXPECT_EQ(progress.counts.done, ended);
+    EXPECT_EQ(progress.counts.clips, 3u);
+    EXPECT_GE(progress.clip.fraction, 0);
+    EXPECT_LE(progress.clip.fraction, 1);
+    --inside;
+    return true;
+  });
+  EXPECT_EQ(ended, 3u);
+}
+
+TEST_F(BatchRun, LeavesNothingBesideWhatItWrote) {
+  write_text(folder_ / "in/broken.bvh", "nonsense");
+  run(batch());
+  for (const auto& entry : fs::recursive_directory_iterator(out()))
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+}
+
+TEST_F(BatchRun, TheReportDrawsTheWorstFramesAndNeedsNothingElse) {
+  run(batch());
+  const std::string page = read_text(out() / "report.html");
+  EXPECT_THAT(page, HasSubstr("<svg"));
+  EXPECT_THAT(page, HasSubstr("Worst frames"));
+  EXPECT_THAT(page, HasSubstr("in/more/three"));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, Not(HasSubstr("<link")));
+  EXPECT_THAT(page, Not(HasSubstr("<img")));
+}
+
+}  // namespace
+}  // namespace mocapress
