@@ -31,10 +31,12 @@ void addToolBar(QMainWindow* window, const Actions& actions) {
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
   bar->setIconSize({20, 20});
-  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
   bar->addActions({actions.open, actions.save});
   bar->addSeparator();
-  bar->addActions({actions.follow, actions.reset_camera, actions.without_ik});
+  addInGroups(bar, actions.view);
+  bar->addSeparator();
+  bar->addAction(actions.without_ik);
 }
 
 }  // namespace
@@ -51,9 +53,6 @@ Actions makeActions(Playback* playback, QMainWindow* window) {
   actions.save->setToolTip(Texts::tr("Save the compressed clip as .mcpr"));
   actions.save_as = make(window, Texts::tr("Save &As…"), QKeySequence::SaveAs);
   actions.quit = make(window, Texts::tr("&Quit"), QKeySequence::Quit);
-  actions.follow = make(window, Texts::tr("&Follow"), Qt::Key_F, QStringLiteral("follow"));
-  actions.follow->setCheckable(true);
-  actions.follow->setToolTip(Texts::tr("The camera moves with the figure (F)"));
   actions.hold_feet = make(window, Texts::tr("&Hold Feet"), Qt::Key_I);
   actions.hold_feet->setToolTip(Texts::tr("Compress with or without inverse kinematics (I)"));
   actions.without_ik =
@@ -61,12 +60,11 @@ Actions makeActions(Playback* playback, QMainWindow* window) {
   actions.without_ik->setCheckable(true);
   actions.without_ik->setToolTip(
       Texts::tr("See the compressed figure before its feet are held (B)"));
-  actions.reset_camera = make(window, Texts::tr("&Reset Camera"), Qt::Key_R, QStringLiteral("fit"));
-  actions.reset_camera->setToolTip(Texts::tr("Look at the whole figure again (R)"));
   actions.reset_layout = make(window, Texts::tr("Reset &Layout"));
   actions.study = make(window, Texts::tr("&Study…"), Qt::CTRL | Qt::Key_T);
   actions.study->setToolTip(Texts::tr("Compare methods on many clips: size against error"));
   actions.about = make(window, Texts::tr("&About Mocapress"));
+  actions.view = makeViewActions(window);
   actions.transport = TransportBar::makeActions(playback, window);
   return actions;
 }
@@ -87,7 +85,7 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
                     transport.last, transport.loop});
 
   QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
-  view->addActions({actions.follow, actions.reset_camera});
+  addInGroups(view, actions.view);
   view->addSeparator();
   view->addActions({actions.hold_feet, actions.without_ik});
   view->addSeparator();

@@ -3,6 +3,7 @@
 
 #include <QList>
 
+#include "app/studio/view_actions.h"
 #include "widgets/timeline/transport_bar.h"
 
 class QAction;
@@ -23,11 +24,10 @@ struct Actions {
   QAction* quit = nullptr;
   QAction* hold_feet = nullptr;
   QAction* without_ik = nullptr;  // A/B
-  QAction* follow = nullptr;
-  QAction* reset_camera = nullptr;
   QAction* reset_layout = nullptr;
   QAction* study = nullptr;
   QAction* about = nullptr;
+  ViewActions view;
   TransportActions transport;
 };
 

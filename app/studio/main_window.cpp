@@ -61,7 +61,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   // After the presenter: an answer counts once the view has it.
   trace_ = new Trace(session_, views_.viewport, this);
   connectFileActions();
-  connectViewActions();
+  connectWindowActions();
   connectMessages();
   updateTitle();
 }
@@ -130,13 +130,11 @@ void MainWindow::connectFileActions() {
   actions_.open_sample->setEnabled(!sampleClip().isEmpty());
 }
 
-void MainWindow::connectViewActions() {
-  connect(actions_.follow, &QAction::toggled, views_.viewport, &Viewport::setFollow);
-  actions_.follow->setChecked(true);
+void MainWindow::connectWindowActions() {
+  connectViewActions(actions_.view, views_.viewport);
   connect(actions_.without_ik, &QAction::toggled, &session_->document(), &Document::setUncorrected);
   connect(actions_.hold_feet, &QAction::triggered, views_.compression->correction()->hold(),
           &QCheckBox::toggle);
-  connect(actions_.reset_camera, &QAction::triggered, views_.viewport, &Viewport::resetCamera);
   connect(actions_.reset_layout, &QAction::triggered, this, [this] { layout_.reset(); });
   connect(actions_.study, &QAction::triggered, this, &MainWindow::showStudy);
   connect(actions_.about, &QAction::triggered, this, &MainWindow::about);

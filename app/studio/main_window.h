@@ -46,7 +46,7 @@ class MainWindow : public QMainWindow {
   QWidget* makeSidebar();
   void addDocks();
   void connectFileActions();
-  void connectViewActions();
+  void connectWindowActions();
   void connectMessages();
   void updateTitle();
   void showHere();

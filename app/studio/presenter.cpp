@@ -84,6 +84,7 @@ void Presenter::showClip() {
   const OriginalPtr& original = document.original();
   const Skeleton& skeleton = *document.skeleton();
   views_.viewport->setSkeleton(skeleton);
+  views_.viewport->setSampleRate(document.sampleRate());
   views_.viewport->setOriginal(original ? original->tracks() : nullptr);
   views_.warnings->setWarnings(original ? original->warnings : Warnings());
   views_.compression->setEnabled(original != nullptr);
@@ -106,6 +107,7 @@ void Presenter::showDecoded() {
   models_.joints->setDistances(distances ? *distances : Eigen::MatrixXf());
   models_.joints->setSelection(document.curves());
   views_.graph->setDistances(distances, document.sampleRate(), curvesOf(document));
+  views_.viewport->setErrors(distances, errorScaleFor(measured ? decoded->distortion->p99 : 0));
 }
 
 void Presenter::showShown() {
@@ -116,6 +118,7 @@ void Presenter::showShown() {
       footskate ? footskate->findings : std::vector<SlideFinding>();
   const std::vector<QString> names = landmarkNames(document);
   views_.viewport->setCompressed(document.shownTracks());
+  views_.viewport->setContacts(contacts);
   views_.viewport->setSlides(slides);
   views_.contacts->setContacts(contacts, names, document.frames());
   views_.contacts->setFindings(slides);
