@@ -10,6 +10,7 @@ class QAction;
 class QDockWidget;
 class QMainWindow;
 class QMenu;
+class QUndoStack;
 
 namespace mocapress {
 
@@ -22,6 +23,10 @@ struct Actions {
   QAction* save = nullptr;
   QAction* save_as = nullptr;
   QAction* quit = nullptr;
+  QAction* undo = nullptr;
+  QAction* redo = nullptr;
+  QAction* next_worst = nullptr;
+  QAction* previous_worst = nullptr;
   QAction* hold_feet = nullptr;
   QAction* without_ik = nullptr;  // A/B
   QAction* reset_layout = nullptr;
@@ -32,7 +37,7 @@ struct Actions {
 };
 
 /// With texts, icons and shortcuts; connecting is the window's part.
-Actions makeActions(Playback* playback, QMainWindow* window);
+Actions makeActions(Playback* playback, QUndoStack* history, QMainWindow* window);
 
 /// Menus and tool bar. Returns the menu that the window fills with recent files.
 QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWidget*>& docks);

@@ -11,7 +11,6 @@
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/warnings_panel.h"
 #include "widgets/plots/error_graph.h"
-#include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/playback.h"
 #include "widgets/viewport/viewport.h"
 
@@ -70,11 +69,9 @@ void Presenter::connectViews() {
           &Document::setCurrentJoint);
   connect(views_.viewport, &Viewport::jointClicked, this, &Presenter::toggleJoint);
   connect(views_.graph, &ErrorGraph::seekRequested, playback_, &Playback::seek);
-  connect(views_.contacts, &ContactStrip::seekRequested, playback_, &Playback::seek);
   connect(views_.footskate, &FootskatePanel::findingChosen, this, &Presenter::showFinding);
   connect(views_.footskate, &FootskatePanel::settingsChanged, session_,
           &Session::setContactSettings);
-  connect(playback_, &Playback::frameChanged, views_.contacts, &ContactStrip::setFrame);
   connect(playback_, &Playback::frameChanged, views_.graph, &ErrorGraph::setFrame);
   connect(playback_, &Playback::frameChanged, views_.viewport, &Viewport::setFrame);
 }
@@ -120,8 +117,6 @@ void Presenter::showShown() {
   views_.viewport->setCompressed(document.shownTracks());
   views_.viewport->setContacts(contacts);
   views_.viewport->setSlides(slides);
-  views_.contacts->setContacts(contacts, names, document.frames());
-  views_.contacts->setFindings(slides);
   models_.slides->setFindings(slides, names);
   views_.footskate->setSummary(footskateSummary(document));
 }

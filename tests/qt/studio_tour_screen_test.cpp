@@ -5,12 +5,14 @@
 
 #include <QAction>
 #include <QDir>
+#include <QDockWidget>
 #include <QImage>
 #include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <set>
 
 #include "app/studio/main_window.h"
 #include "app/studio/sample_clip.h"
@@ -91,6 +93,27 @@ TEST_F(StudioTour, SeesTheSampleInEveryWay) {
   looksDifferent(view.mode[2], "view-wipe");
   looksDifferent(view.swap, "view-wipe-swapped");
   looksDifferent(view.floor, "view-floor");
+}
+
+TEST_F(StudioTour, InspectsTheWorstFrame) {
+  Studio studio;
+  studio.open(sampleClip());
+  studio->actions().next_worst->trigger();
+  const Distortion& distortion = *studio->session().document().decoded()->distortion;
+  EXPECT_EQ(studio->playback().frame(), distortion.max.frame);
+  for (const char* id : {"heat-map", "channel", "rate-distortion"}) {
+    auto* dock = studio->findChild<QDockWidget*>(QString::fromLatin1(id));
+    ASSERT_TRUE(dock);
+    dock->raise();
+    QTest::qWait(id == std::string("rate-distortion") ? 1500 : 100);
+    const QImage picture = studio.picture(QStringLiteral("inspect-") + QString::fromLatin1(id));
+    EXPECT_TRUE(dock->widget()->isVisible());
+    const QRect area(dock->widget()->mapTo(studio.operator->(), QPoint()), dock->widget()->size());
+    std::set<QRgb> colours;
+    for (int y = area.top(); y < area.bottom(); y += 2)
+      for (int x = area.left(); x < area.right(); x += 2) colours.insert(picture.pixel(x, y));
+    EXPECT_GT(colours.size(), 12u) << id;
+  }
 }
 
 }  // namespace
