@@ -39,13 +39,14 @@ void complete(DecodedClip& decoded) {
                      : write_compared(*find_comparison_method(decoded.method), decoded.compressed);
 }
 
-void measureFootskate(DecodedClip& decoded, const Encoder& encoder,
-                      const std::vector<ContactSpan>& contacts) {
+void findArtifacts(DecodedClip& decoded, const Encoder& encoder,
+                   const std::vector<ContactSpan>& contacts) {
   const auto measure = [&](const Eigen::MatrixXd& tracks) {
     return measure_footskate(contacts, encoder.original_tracks(), tracks,
                              decoded.clip.sample_rate_hz);
   };
   decoded.footskate = measure(*decoded.tracks);
+  decoded.glitches = find_glitches(encoder.original_tracks(), *decoded.tracks);
   if (decoded.uncorrected_tracks)
     decoded.uncorrected_footskate = measure(*decoded.uncorrected_tracks);
 }
@@ -72,7 +73,7 @@ DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder,
   decoded.encode_seconds = encoding.seconds;
   decoded.complete = encoding.complete;
   complete(decoded);
-  measureFootskate(decoded, encoder, contacts ? *contacts : encoder.contacts());
+  findArtifacts(decoded, encoder, contacts ? *contacts : encoder.contacts());
   return std::make_shared<const DecodedClip>(std::move(decoded));
 }
 
@@ -91,7 +92,7 @@ DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original) {
   DecodedClip result = decoded;
   result.distortion =
       measure(original.motion().skeleton, original.encoder->original_tracks(), result.clip);
-  measureFootskate(result, *original.encoder, original.encoder->contacts());
+  findArtifacts(result, *original.encoder, original.encoder->contacts());
   return std::make_shared<const DecodedClip>(std::move(result));
 }
 

@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/codec/encoder.h"
 #include "core/compare/compared_file.h"
+#include "core/metrics/glitches.h"
 
 namespace mocapress {
 
@@ -42,6 +43,7 @@ struct DecodedClip {
   double bits_per_joint_sample = 0;
   std::optional<Distortion> distortion;  // none: its original is not there to compare with
   std::optional<Footskate> footskate;    // none: as for distortion
+  std::vector<Glitch> glitches;          // likewise
   Tracks uncorrected_tracks;             // null: there is no correction
   std::optional<Footskate> uncorrected_footskate;
   std::optional<CorrectionResult> correction;  // known for what was encoded here

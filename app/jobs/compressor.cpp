@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include "app/jobs/settings_key.h"
+
 namespace mocapress {
 namespace {
 
@@ -30,6 +32,7 @@ Compressor::Compressor(QObject* parent) : QObject(parent) {
 
 void Compressor::setEncoder(std::shared_ptr<const Encoder> encoder) {
   abandon();
+  results_.clear();
   encoder_ = std::move(encoder);
 }
 
@@ -38,6 +41,12 @@ void Compressor::request(const EncodeOptions& options) {
   refine_later_.stop();
   refine_.abandon();
   wanted_ = options;
+  if (const DecodedPtr known = results_.find(settingsKey(wanted_))) {
+    quick_.abandon();
+    newer_wanted_ = false;
+    emit answered(known, true);
+    return;
+  }
   newer_wanted_ = true;
   if (!quick_.busy()) startQuick();
 }
@@ -45,7 +54,7 @@ void Compressor::request(const EncodeOptions& options) {
 void Compressor::stopEarly() {
   if (refine_later_.isActive()) {
     refine_later_.stop();
-    emit answered(quick_answer_, true);
+    if (quick_answer_) emit answered(quick_answer_, true);
   }
   refine_.stopEarly();
 }
@@ -64,7 +73,7 @@ bool Compressor::busy() const {
 void Compressor::startQuick() {
   newer_wanted_ = false;
   EncodeOptions options = wanted_;
-  if (options.method == Method::Annealed) options.method = Method::Standard;
+  if (refines()) options.method = Method::Standard;
   const auto work = [encoder = encoder_, options](const Job& job) {
     return decodedClip(
         encoder->encode(options, [&job](const EncodeProgress&) { return !job.stopRequested(); }),
@@ -73,19 +82,30 @@ void Compressor::startQuick() {
   quick_.start(
       work, [this](const DecodedPtr& decoded) { quickDone(decoded); },
       [this](const QString& message) {
-        emit failed(message);
-        if (newer_wanted_) startQuick();
+        quick_answer_ = nullptr;
+        if (newer_wanted_)
+          startQuick();
+        else if (refines())
+          refine_later_.start();  // it may reach what the standard selection does not
+        else
+          emit failed(message);
       });
 }
 
 void Compressor::quickDone(const DecodedPtr& decoded) {
   quick_answer_ = decoded;
-  const bool refines = wanted_.method == Method::Annealed;
   if (newer_wanted_)
     startQuick();
-  else if (refines)
+  else if (refines())
     refine_later_.start();
-  emit answered(decoded, !busy());
+  else
+    return answerFinally(decoded);
+  emit answered(decoded, false);
+}
+
+void Compressor::answerFinally(const DecodedPtr& decoded) {
+  if (decoded->complete) results_.add(settingsKey(wanted_), decoded);
+  emit answered(decoded, true);
 }
 
 void Compressor::startRefining() {
@@ -111,8 +131,8 @@ void Compressor::startRefining() {
 }
 
 void Compressor::refined(const DecodedPtr& decoded) {
-  const bool keep = decoded->complete || worthKeeping(*decoded, *quick_answer_);
-  emit answered(keep ? decoded : quick_answer_, true);
+  const bool keep = decoded->complete || !quick_answer_ || worthKeeping(*decoded, *quick_answer_);
+  keep ? answerFinally(decoded) : emit answered(quick_answer_, true);
 }
 
 }  // namespace mocapress

@@ -8,13 +8,14 @@
 
 #include "app/jobs/clips.h"
 #include "app/jobs/job_runner.h"
+#include "app/jobs/result_cache.h"
 
 namespace mocapress {
 
 /// Turns settings into answers, the newest settings only. The quick answer (standard selection
-/// where annealing is asked for) comes at once; annealing then refines it. New settings abandon a
-/// running annealing at once, but let a quick answer finish: while a slider is dragged pictures
-/// keep coming.
+/// where annealing or a closed loop is asked for) comes at once; that then refines it. New settings
+/// abandon a running annealing at once, but let a quick answer finish: while a slider is dragged
+/// pictures keep coming. Settings answered before are answered at once.
 class Compressor : public QObject {
   Q_OBJECT
 
@@ -46,6 +47,10 @@ class Compressor : public QObject {
   void failed(const QString& message);
 
  private:
+  void answerFinally(const DecodedPtr& decoded);
+  bool refines() const {
+    return wanted_.method == Method::Annealed || wanted_.method == Method::ClosedLoop;
+  }
   void startQuick();
   void quickDone(const DecodedPtr& decoded);
   void startRefining();
@@ -57,7 +62,8 @@ class Compressor : public QObject {
   std::shared_ptr<const Encoder> encoder_;
   EncodeOptions wanted_;
   bool newer_wanted_ = false;  // than what the quick job answers
-  DecodedPtr quick_answer_;
+  DecodedPtr quick_answer_;    // null: there is none to these settings
+  ResultCache results_;        // of the encoder's clip
 };
 
 }  // namespace mocapress

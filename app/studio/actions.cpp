@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
+#include <QUndoStack>
 
 #include "widgets/icons/themed_icon.h"
 
@@ -31,15 +32,19 @@ void addToolBar(QMainWindow* window, const Actions& actions) {
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
   bar->setIconSize({20, 20});
-  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
   bar->addActions({actions.open, actions.save});
   bar->addSeparator();
-  bar->addActions({actions.follow, actions.reset_camera, actions.without_ik});
+  bar->addActions({actions.undo, actions.redo});
+  bar->addSeparator();
+  addInGroups(bar, actions.view);
+  bar->addSeparator();
+  bar->addActions({actions.next_worst, actions.without_ik});
 }
 
 }  // namespace
 
-Actions makeActions(Playback* playback, QMainWindow* window) {
+Actions makeActions(Playback* playback, QUndoStack* history, QMainWindow* window) {
   Actions actions;
   actions.open =
       make(window, Texts::tr("&Open…"), QKeySequence::Open, QStringLiteral("folder-open"));
@@ -51,9 +56,17 @@ Actions makeActions(Playback* playback, QMainWindow* window) {
   actions.save->setToolTip(Texts::tr("Save the compressed clip as .mcpr"));
   actions.save_as = make(window, Texts::tr("Save &As…"), QKeySequence::SaveAs);
   actions.quit = make(window, Texts::tr("&Quit"), QKeySequence::Quit);
-  actions.follow = make(window, Texts::tr("&Follow"), Qt::Key_F, QStringLiteral("follow"));
-  actions.follow->setCheckable(true);
-  actions.follow->setToolTip(Texts::tr("The camera moves with the figure (F)"));
+  actions.undo = history->createUndoAction(window, Texts::tr("&Undo"));
+  actions.undo->setShortcut(QKeySequence::Undo);
+  actions.undo->setIcon(themedIcon(QStringLiteral("undo")));
+  actions.redo = history->createRedoAction(window, Texts::tr("&Redo"));
+  actions.redo->setShortcut(QKeySequence::Redo);
+  actions.redo->setIcon(themedIcon(QStringLiteral("redo")));
+  actions.next_worst =
+      make(window, Texts::tr("Next &Worst Frame"), Qt::Key_N, QStringLiteral("worst"));
+  actions.next_worst->setToolTip(
+      Texts::tr("Go to the frame with the greatest error, again: to the next worst (N)"));
+  actions.previous_worst = make(window, Texts::tr("P&revious Worst Frame"), Qt::SHIFT | Qt::Key_N);
   actions.hold_feet = make(window, Texts::tr("&Hold Feet"), Qt::Key_I);
   actions.hold_feet->setToolTip(Texts::tr("Compress with or without inverse kinematics (I)"));
   actions.without_ik =
@@ -61,12 +74,11 @@ Actions makeActions(Playback* playback, QMainWindow* window) {
   actions.without_ik->setCheckable(true);
   actions.without_ik->setToolTip(
       Texts::tr("See the compressed figure before its feet are held (B)"));
-  actions.reset_camera = make(window, Texts::tr("&Reset Camera"), Qt::Key_R, QStringLiteral("fit"));
-  actions.reset_camera->setToolTip(Texts::tr("Look at the whole figure again (R)"));
   actions.reset_layout = make(window, Texts::tr("Reset &Layout"));
   actions.study = make(window, Texts::tr("&Study…"), Qt::CTRL | Qt::Key_T);
   actions.study->setToolTip(Texts::tr("Compare methods on many clips: size against error"));
   actions.about = make(window, Texts::tr("&About Mocapress"));
+  actions.view = makeViewActions(window);
   actions.transport = TransportBar::makeActions(playback, window);
   return actions;
 }
@@ -81,13 +93,22 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
   file->addSeparator();
   file->addAction(actions.quit);
 
+  window->menuBar()->addMenu(Texts::tr("&Edit"))->addActions({actions.undo, actions.redo});
+
   QMenu* play = window->menuBar()->addMenu(Texts::tr("&Play"));
   const TransportActions& transport = actions.transport;
-  play->addActions({transport.play, transport.previous, transport.next, transport.first,
-                    transport.last, transport.loop});
+  play->addActions({transport.play, transport.backwards, transport.halt, transport.forwards});
+  play->addSeparator();
+  play->addActions({transport.previous, transport.next, transport.ten_back, transport.ten_on,
+                    transport.first, transport.last});
+  play->addSeparator();
+  play->addActions({actions.next_worst, actions.previous_worst});
+  play->addSeparator();
+  play->addActions(
+      {transport.loop, transport.range_from, transport.range_to, transport.whole_clip});
 
   QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
-  view->addActions({actions.follow, actions.reset_camera});
+  addInGroups(view, actions.view);
   view->addSeparator();
   view->addActions({actions.hold_feet, actions.without_ik});
   view->addSeparator();

@@ -3,12 +3,14 @@
 
 #include <QList>
 
+#include "app/studio/view_actions.h"
 #include "widgets/timeline/transport_bar.h"
 
 class QAction;
 class QDockWidget;
 class QMainWindow;
 class QMenu;
+class QUndoStack;
 
 namespace mocapress {
 
@@ -21,18 +23,21 @@ struct Actions {
   QAction* save = nullptr;
   QAction* save_as = nullptr;
   QAction* quit = nullptr;
+  QAction* undo = nullptr;
+  QAction* redo = nullptr;
+  QAction* next_worst = nullptr;
+  QAction* previous_worst = nullptr;
   QAction* hold_feet = nullptr;
   QAction* without_ik = nullptr;  // A/B
-  QAction* follow = nullptr;
-  QAction* reset_camera = nullptr;
   QAction* reset_layout = nullptr;
   QAction* study = nullptr;
   QAction* about = nullptr;
+  ViewActions view;
   TransportActions transport;
 };
 
 /// With texts, icons and shortcuts; connecting is the window's part.
-Actions makeActions(Playback* playback, QMainWindow* window);
+Actions makeActions(Playback* playback, QUndoStack* history, QMainWindow* window);
 
 /// Menus and tool bar. Returns the menu that the window fills with recent files.
 QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWidget*>& docks);

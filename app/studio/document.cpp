@@ -65,7 +65,7 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
     options_ = optionsOf(*decoded_);
   else if (options_.correction)
     options_.correction->joints.clear();  // they were another skeleton's
-  findContacts();
+  options_.contacts = contactsBy(contact_settings_);
   emit clipChanged();
   emit optionsChanged();
   emit decodedChanged();
@@ -93,17 +93,17 @@ void Document::loadOptions(EncodeOptions options) {
   emit optionsChanged();
 }
 
-void Document::setContactSettings(const ContactSettings& settings) {
-  contact_settings_ = settings;
-  findContacts();
+void Document::setSettings(const ClipSettings& settings) {
+  contact_settings_ = settings.contacts;
+  setOptions(settings.encode);
 }
 
-void Document::findContacts() {
-  options_.contacts.reset();
-  if (!original_ || contact_settings_ == ContactSettings()) return;
+std::optional<std::vector<ContactSpan>> Document::contactsBy(
+    const ContactSettings& settings) const {
+  if (!original_ || settings == ContactSettings()) return {};
   const Motion& motion = original_->motion();
-  options_.contacts = find_foot_contacts(motion.skeleton, original_->encoder->original_tracks(),
-                                         motion.clip.sample_rate_hz, contact_settings_);
+  return find_foot_contacts(motion.skeleton, original_->encoder->original_tracks(),
+                            motion.clip.sample_rate_hz, settings);
 }
 
 std::vector<ContactSpan> Document::contacts() const {

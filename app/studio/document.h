@@ -9,6 +9,12 @@
 
 namespace mocapress {
 
+/// By what a clip is compressed, and by what its contacts are found.
+struct ClipSettings {
+  EncodeOptions encode;
+  ContactSettings contacts;
+};
+
 /// What is open: values and their changes, no work and no widgets. Curves, current joint and
 /// options outlive the clip.
 class Document : public QObject {
@@ -42,8 +48,13 @@ class Document : public QObject {
   /// By which contacts are found on the original.
   const ContactSettings& contactSettings() const { return contact_settings_; }
 
+  ClipSettings settings() const { return {options_, contact_settings_}; }
+
   /// On the original; none without it.
   std::vector<ContactSpan> contacts() const;
+
+  /// Those found by other settings, as EncodeOptions takes them.
+  std::optional<std::vector<ContactSpan>> contactsBy(const ContactSettings& settings) const;
 
   /// The user looks at the motion without its IK correction, to compare.
   bool uncorrected() const { return uncorrected_ && decoded_ && decoded_->uncorrected_tracks; }
@@ -62,12 +73,10 @@ class Document : public QObject {
 
   /// By the user.
   void setOptions(const EncodeOptions& options);
+  void setSettings(const ClipSettings& settings);
 
   /// From elsewhere: nothing of the user's that would be lost.
   void loadOptions(EncodeOptions options);
-
-  /// Finds the contacts of the clip anew; options() have them.
-  void setContactSettings(const ContactSettings& settings);
 
   void setUncorrected(bool uncorrected);
 
@@ -89,8 +98,6 @@ class Document : public QObject {
   void titleChanged();
 
  private:
-  void findContacts();
-
   OriginalPtr original_;
   DecodedPtr decoded_;
   bool final_ = true;

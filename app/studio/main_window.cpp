@@ -10,7 +10,9 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QStatusBar>
 #include <QVBoxLayout>
+#include <tuple>
 
 #include "app/studio/recent_files.h"
 #include "app/studio/sample_clip.h"
@@ -20,13 +22,17 @@
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/correction_control.h"
+#include "widgets/panels/figures_bar.h"
 #include "widgets/panels/footskate_panel.h"
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/warnings_panel.h"
+#include "widgets/plots/channel_graph.h"
 #include "widgets/plots/error_graph.h"
-#include "widgets/timeline/contact_strip.h"
+#include "widgets/plots/heat_map.h"
+#include "widgets/plots/rate_plot.h"
+#include "widgets/timeline/timeline.h"
 #include "widgets/timeline/transport_bar.h"
 #include "widgets/viewport/viewport.h"
 
@@ -52,16 +58,17 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowIcon(QIcon(QStringLiteral(":/icons/app.svg")));
   setAcceptDrops(true);
   resize(kFirstSize);
-  actions_ = makeActions(playback_, this);
+  actions_ = makeActions(playback_, session_->history(), this);
   setCentralWidget(makeCentre());
   addDocks();
   recent_ = addMenus(this, actions_, layout_.docks());
   layout_.restore();
   new Presenter(session_, playback_, models_, views_, this);
+  inspector_ = new Inspector(session_, playback_, inspection_, this);
   // After the presenter: an answer counts once the view has it.
   trace_ = new Trace(session_, views_.viewport, this);
   connectFileActions();
-  connectViewActions();
+  connectWindowActions();
   connectMessages();
   updateTitle();
 }
@@ -77,8 +84,8 @@ QWidget* MainWindow::makeCentre() {
   column->addWidget(messages_);
   column->addWidget(views_.warnings);
   column->addWidget(views_.viewport, 1);
-  views_.contacts = new ContactStrip(centre);
-  column->addWidget(views_.contacts);
+  inspection_.timeline = new Timeline(centre);
+  column->addWidget(inspection_.timeline);
   column->addWidget(new TransportBar(playback_, actions_.transport, centre));
   return centre;
 }
@@ -111,6 +118,23 @@ void MainWindow::addDocks() {
   views_.graph = new ErrorGraph(this);
   QDockWidget* graph =
       layout_.addBelow(views_.graph, QStringLiteral("error-over-time"), tr("Error over time"));
+  inspection_.heat_map = new HeatMap(this);
+  inspection_.channel = new ChannelGraph(this);
+  inspection_.curve = new RatePlot(this);
+  QDockWidget* before = graph;
+  for (const auto& [panel, id, title] :
+       {std::tuple<QWidget*, const char*, QString>(inspection_.heat_map, "heat-map",
+                                                   tr("Heat map")),
+        {inspection_.channel, "channel", tr("Channel")},
+        {inspection_.curve, "rate-distortion", tr("Rate-distortion")}}) {
+    QDockWidget* dock = layout_.addBelow(panel, QString::fromLatin1(id), title);
+    tabifyDockWidget(before, dock);
+    before = dock;
+  }
+  graph->raise();
+  inspection_.figures = new FiguresBar(this);
+  statusBar()->addWidget(inspection_.figures, 1);
+  statusBar()->setSizeGripEnabled(false);
   resizeDocks({sidebar}, {kSidebarWidth}, Qt::Horizontal);
   const int rest = kFirstSize.width() - kSidebarWidth - kJointsWidth - kFootskateWidth;
   resizeDocks({joints, footskate, graph}, {kJointsWidth, kFootskateWidth, rest}, Qt::Horizontal);
@@ -130,13 +154,15 @@ void MainWindow::connectFileActions() {
   actions_.open_sample->setEnabled(!sampleClip().isEmpty());
 }
 
-void MainWindow::connectViewActions() {
-  connect(actions_.follow, &QAction::toggled, views_.viewport, &Viewport::setFollow);
-  actions_.follow->setChecked(true);
+void MainWindow::connectWindowActions() {
+  connectViewActions(actions_.view, views_.viewport);
   connect(actions_.without_ik, &QAction::toggled, &session_->document(), &Document::setUncorrected);
   connect(actions_.hold_feet, &QAction::triggered, views_.compression->correction()->hold(),
           &QCheckBox::toggle);
-  connect(actions_.reset_camera, &QAction::triggered, views_.viewport, &Viewport::resetCamera);
+  connect(actions_.next_worst, &QAction::triggered, inspector_,
+          [this] { inspector_->showNextWorst(1); });
+  connect(actions_.previous_worst, &QAction::triggered, inspector_,
+          [this] { inspector_->showNextWorst(-1); });
   connect(actions_.reset_layout, &QAction::triggered, this, [this] { layout_.reset(); });
   connect(actions_.study, &QAction::triggered, this, &MainWindow::showStudy);
   connect(actions_.about, &QAction::triggered, this, &MainWindow::about);

@@ -5,6 +5,7 @@
 
 #include "app/studio/actions.h"
 #include "app/studio/clip_files.h"
+#include "app/studio/inspector.h"
 #include "app/studio/presenter.h"
 #include "app/studio/session.h"
 #include "app/studio/study_session.h"
@@ -29,6 +30,7 @@ class MainWindow : public QMainWindow {
   Playback& playback() { return *playback_; }
   ClipFiles& files() { return *files_; }
   const Views& views() const { return views_; }
+  const InspectionViews& inspection() const { return inspection_; }
   const Actions& actions() const { return actions_; }
   MessageBar& messages() { return *messages_; }
   Trace& trace() { return *trace_; }
@@ -46,7 +48,7 @@ class MainWindow : public QMainWindow {
   QWidget* makeSidebar();
   void addDocks();
   void connectFileActions();
-  void connectViewActions();
+  void connectWindowActions();
   void connectMessages();
   void updateTitle();
   void showHere();
@@ -60,6 +62,8 @@ class MainWindow : public QMainWindow {
   WindowLayout layout_{this};
   Actions actions_;
   Views views_;
+  InspectionViews inspection_;
+  Inspector* inspector_;
   MessageBar* messages_;
   QMenu* recent_;
   Trace* trace_;

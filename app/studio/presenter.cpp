@@ -11,7 +11,6 @@
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/warnings_panel.h"
 #include "widgets/plots/error_graph.h"
-#include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/playback.h"
 #include "widgets/viewport/viewport.h"
 
@@ -70,11 +69,9 @@ void Presenter::connectViews() {
           &Document::setCurrentJoint);
   connect(views_.viewport, &Viewport::jointClicked, this, &Presenter::toggleJoint);
   connect(views_.graph, &ErrorGraph::seekRequested, playback_, &Playback::seek);
-  connect(views_.contacts, &ContactStrip::seekRequested, playback_, &Playback::seek);
   connect(views_.footskate, &FootskatePanel::findingChosen, this, &Presenter::showFinding);
   connect(views_.footskate, &FootskatePanel::settingsChanged, session_,
           &Session::setContactSettings);
-  connect(playback_, &Playback::frameChanged, views_.contacts, &ContactStrip::setFrame);
   connect(playback_, &Playback::frameChanged, views_.graph, &ErrorGraph::setFrame);
   connect(playback_, &Playback::frameChanged, views_.viewport, &Viewport::setFrame);
 }
@@ -84,6 +81,7 @@ void Presenter::showClip() {
   const OriginalPtr& original = document.original();
   const Skeleton& skeleton = *document.skeleton();
   views_.viewport->setSkeleton(skeleton);
+  views_.viewport->setSampleRate(document.sampleRate());
   views_.viewport->setOriginal(original ? original->tracks() : nullptr);
   views_.warnings->setWarnings(original ? original->warnings : Warnings());
   views_.compression->setEnabled(original != nullptr);
@@ -106,6 +104,7 @@ void Presenter::showDecoded() {
   models_.joints->setDistances(distances ? *distances : Eigen::MatrixXf());
   models_.joints->setSelection(document.curves());
   views_.graph->setDistances(distances, document.sampleRate(), curvesOf(document));
+  views_.viewport->setErrors(distances, errorScaleFor(measured ? decoded->distortion->p99 : 0));
 }
 
 void Presenter::showShown() {
@@ -116,9 +115,8 @@ void Presenter::showShown() {
       footskate ? footskate->findings : std::vector<SlideFinding>();
   const std::vector<QString> names = landmarkNames(document);
   views_.viewport->setCompressed(document.shownTracks());
+  views_.viewport->setContacts(contacts);
   views_.viewport->setSlides(slides);
-  views_.contacts->setContacts(contacts, names, document.frames());
-  views_.contacts->setFindings(slides);
   models_.slides->setFindings(slides, names);
   views_.footskate->setSummary(footskateSummary(document));
 }

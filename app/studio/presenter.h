@@ -10,7 +10,6 @@ namespace mocapress {
 
 class AnnealingPanel;
 class CompressionPanel;
-class ContactStrip;
 class ErrorGraph;
 class FootskatePanel;
 class JointsPanel;
@@ -29,7 +28,6 @@ struct Views {
   JointsPanel* joints = nullptr;
   ErrorGraph* graph = nullptr;
   WarningsPanel* warnings = nullptr;
-  ContactStrip* contacts = nullptr;
   FootskatePanel* footskate = nullptr;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "app/studio/settings_change.h"
 #include "app/studio/study_row_request.h"
 #include "core/base/file.h"
 #include "core/motion/landmarks.h"
@@ -79,6 +80,7 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   compressor_.setEncoder(opened.original ? opened.original->encoder : nullptr);
   if (request.options) document_.loadOptions(*request.options);
   document_.setClip(opened.original, opened.decoded, saved_path);
+  history_.clear();
   chooseCurves();
   emit this->opened(request);
   if (opened.decoded)
@@ -88,14 +90,31 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
 }
 
 void Session::setOptions(const EncodeOptions& options) {
-  document_.setOptions(options);
-  emit recompressing();
-  compressor_.request(options);
+  change({options, document_.contactSettings()});
 }
 
 void Session::setContactSettings(const ContactSettings& settings) {
-  document_.setContactSettings(settings);
-  if (document_.original()) setOptions(document_.options());
+  EncodeOptions options = document_.options();
+  options.contacts = document_.contactsBy(settings);
+  change({options, settings});
+}
+
+void Session::setContacts(const std::vector<ContactSpan>& contacts) {
+  EncodeOptions options = document_.options();
+  options.contacts = contacts;
+  change({options, document_.contactSettings()});
+}
+
+void Session::change(const ClipSettings& settings) {
+  history_.push(new SettingsChange(document_.settings(), settings,
+                                   [this](const ClipSettings& those) { apply(those); }));
+}
+
+void Session::apply(const ClipSettings& settings) {
+  document_.setSettings(settings);
+  if (!document_.original()) return;
+  emit recompressing();
+  compressor_.request(settings.encode);
 }
 
 void Session::answer(const DecodedPtr& decoded, bool final) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QUndoStack>
 #include <vector>
 
 #include "app/jobs/compressor.h"
@@ -36,8 +37,13 @@ class Session : public QObject {
   /// comparison method. Its clip may be open already.
   void openRow(const StudyRow& row, const QString& skeleton = {});
 
+  /// Each of these can be undone.
   void setOptions(const EncodeOptions& options);
   void setContactSettings(const ContactSettings& settings);
+  void setContacts(const std::vector<ContactSpan>& contacts);
+
+  /// Of the clip that is open.
+  QUndoStack* history() { return &history_; }
   void cancelAnnealing() { compressor_.stopEarly(); }
 
   /// Saves what is shown now.
@@ -63,11 +69,14 @@ class Session : public QObject {
 
  private:
   void start(const OpenRequest& request);
+  void change(const ClipSettings& settings);
+  void apply(const ClipSettings& settings);
   void show(const OpenedClip& opened, const OpenRequest& request);
   void answer(const DecodedPtr& decoded, bool final);
   void chooseCurves();
 
   Document document_;
+  QUndoStack history_;
   Compressor compressor_;
   JobRunner opening_;
   JobRunner saving_;

@@ -8,11 +8,9 @@
 namespace mocapress {
 namespace {
 
-/// The studio asks for ratios and errors only: other targets by the ratio they came to.
+/// The studio does not ask for coefficient ratios: they become the ratio they came to.
 Target targetOf(const StudyRow& row) {
-  const bool asked =
-      row.target.kind == Target::Kind::Ratio || row.target.kind == Target::Kind::Error;
-  if (asked || !row.measured) return row.target;
+  if (row.target.kind != Target::Kind::CoefficientRatio || !row.measured) return row.target;
   return {Target::Kind::Ratio, row.measured->ratio};
 }
 

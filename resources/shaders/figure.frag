@@ -5,11 +5,14 @@ in vec3 positionInView;
 in vec3 normalInView;
 in float highlighted;
 in float alerted;
+in vec4 tint;
+in vec2 sideways;
 
 uniform mat4 viewMatrix;
 uniform vec3 colour;
 uniform vec3 highlightColour;
 uniform vec3 alertColour;
+uniform vec3 pane;
 uniform float opacity;  // facing the eye; the rim of a translucent figure is denser, like glass
 
 out vec4 fragment;
@@ -17,10 +20,13 @@ out vec4 fragment;
 const vec3 kKeyInView = normalize(vec3(-0.45, 0.65, 0.6));
 
 void main() {
+  float device = sideways.x / sideways.y;
+  if (device < pane.y || device > pane.z) discard;
   vec3 normal = normalize(normalInView);
   vec3 toEye = normalize(-positionInView);
   vec3 up = mat3(viewMatrix) * vec3(0.0, 1.0, 0.0);
-  vec3 base = mix(mix(colour, alertColour, alerted), highlightColour, highlighted);
+  vec3 plain = mix(mix(colour, alertColour, alerted), tint.rgb, tint.a);
+  vec3 base = mix(plain, highlightColour, highlighted);
 
   float ambient = mix(0.4, 0.64, 0.5 + 0.5 * dot(normal, up));
   float key = pow(0.5 + 0.5 * dot(normal, kKeyInView), 2.0);

@@ -8,15 +8,22 @@ in vec4 start;           // xyz in the world, radius (cm)
 in vec4 end;
 in float highlight;
 in float alert;
+in vec4 startTint;       // rgb, and how much of it
+in vec4 endTint;
 
 uniform mat4 viewMatrix;
 uniform mat4 viewProjectionMatrix;
 uniform float thickness;
+uniform float flatness;  // 1: round, less: pressed flat onto the ground
+uniform vec3 offset;     // cm
+uniform vec3 pane;       // sideways shift, left and right end, in normalised device coordinates
 
 out vec3 positionInView;
 out vec3 normalInView;
 out float highlighted;
 out float alerted;
+out vec4 tint;
+out vec2 sideways;  // x and w in clip space
 
 // The depth pass and the shading pass of the ghost must agree to the last bit.
 invariant gl_Position;
@@ -29,12 +36,16 @@ void main() {
                                           : cross(axis, vec3(1.0, 0.0, 0.0)));
   vec3 outwards = mat3(side, axis, cross(side, axis)) * vertexPosition;
   vec4 ball = mix(start, end, along);
-  vec4 position = vec4(ball.xyz + thickness * ball.w * outwards, 1.0);
+  vec3 swell = thickness * ball.w * outwards;
+  vec4 position = vec4(ball.xyz + offset + vec3(swell.x, flatness * swell.y, swell.z), 1.0);
 
   float taper = size > 0.0 ? thickness * (start.w - end.w) / size : 0.0;
   positionInView = vec3(viewMatrix * position);
   normalInView = mat3(viewMatrix) * normalize(outwards + taper * axis);
   highlighted = highlight;
   alerted = alert;
+  tint = mix(startTint, endTint, along);
   gl_Position = viewProjectionMatrix * position;
+  gl_Position.x += pane.x * gl_Position.w;
+  sideways = gl_Position.xw;
 }

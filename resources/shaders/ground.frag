@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 in vec2 ground;
+in vec2 sideways;
 
+uniform vec3 pane;
 uniform vec2 centre;
 uniform float reach;
 uniform float cell;  // cm between lines
@@ -25,6 +27,8 @@ vec2 coverage(float pitch, float pixels) {
 float either(vec2 alphas) { return max(alphas.x, alphas.y); }
 
 void main() {
+  float device = sideways.x / sideways.y;
+  if (device < pane.y || device > pane.z) discard;
   float fine = 0.28 * either(coverage(cell, 1.0));
   float coarse = 0.55 * either(coverage(2.0 * cell, 1.2));
   vec2 onAxis = clamp(1.4 - abs(ground.yx) / fwidth(ground.yx), 0.0, 1.0);  // the x axis is z = 0

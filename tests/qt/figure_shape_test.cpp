@@ -23,7 +23,7 @@ Joint joint(int parent, const Eigen::Vector3d& offset,
 std::vector<Capsule> posed(const FigureShape& shape, const Eigen::MatrixXd& tracks, int frame,
                            int selected_joint) {
   std::vector<Capsule> capsules(static_cast<std::size_t>(shape.capsuleCount()));
-  shape.pose(tracks, frame, {selected_joint, {}}, capsules);
+  shape.pose(tracks, frame, {selected_joint, {}, {}}, capsules);
   return capsules;
 }
 

@@ -40,7 +40,7 @@ TEST(TargetControl, SliderAndNumberSayTheSame) {
   EXPECT_EQ(control.slider()->value(), control.slider()->maximum());
 }
 
-TEST(TargetControl, RemembersTheValueOfTheOtherKind) {
+TEST(TargetControl, RemembersTheValuesOfTheOtherKinds) {
   TargetControl control;
   control.setTarget({Target::Kind::Ratio, 33});
   auto* kind = control.findChild<QComboBox*>();
@@ -48,8 +48,14 @@ TEST(TargetControl, RemembersTheValueOfTheOtherKind) {
     kind->setCurrentIndex(index);
     emit kind->activated(index);
   };
-  choose(1);
-  EXPECT_EQ(control.target().kind, Target::Kind::Error);
+  std::vector<Target::Kind> kinds;
+  for (int index = 0; index < kind->count(); ++index) {
+    choose(index);
+    kinds.push_back(control.target().kind);
+    EXPECT_GT(control.target().value, 0);
+  }
+  using enum Target::Kind;
+  EXPECT_EQ(kinds, (std::vector{Ratio, Size, Error, MaxError}));
   choose(0);
   EXPECT_EQ(control.target().kind, Target::Kind::Ratio);
   EXPECT_DOUBLE_EQ(control.target().value, 33);

@@ -109,5 +109,64 @@ TEST_F(Playing, NothingPlaysWithoutAClip) {
   EXPECT_EQ(playback_.frame(), 0);
 }
 
+TEST_F(Playing, StaysInTheRangeWhereThereIsOne) {
+  playback_.setClip(1000, 100);
+  playback_.setRange(std::pair(200, 299));
+  playback_.play();
+  EXPECT_EQ(playback_.frame(), 200);
+  passAndTick(0.5);
+  EXPECT_EQ(playback_.frame(), 250);
+  passAndTick(0.75);
+  EXPECT_EQ(playback_.frame(), 225);  // looped
+  playback_.setLoops(false);
+  passAndTick(5);
+  EXPECT_EQ(playback_.frame(), 299);
+  EXPECT_FALSE(playback_.playing());
+  playback_.setRange(std::nullopt);
+  playback_.play();
+  passAndTick(0.5);
+  EXPECT_EQ(playback_.frame(), 349);
+}
+
+TEST_F(Playing, ARangeIsKeptInTheClipAndForgottenWithIt) {
+  playback_.setClip(100, 100);
+  playback_.setRange(std::pair(90, 400));
+  EXPECT_EQ(playback_.range(), (std::pair(90, 99)));
+  playback_.setRange(std::pair(-5, -2));
+  EXPECT_EQ(playback_.range(), (std::pair(0, 1)));
+  playback_.setClip(50, 100);
+  EXPECT_FALSE(playback_.range());
+}
+
+TEST_F(Playing, ShuttlesEitherWayAndFasterEachTime) {
+  playback_.setClip(1000, 100);
+  playback_.seek(500);
+  playback_.shuttle(-1);
+  passAndTick(1);
+  EXPECT_EQ(playback_.frame(), 400);
+  playback_.shuttle(-1);
+  passAndTick(1);
+  EXPECT_EQ(playback_.frame(), 200);
+  playback_.shuttle(1);  // turns round at the usual pace
+  passAndTick(1);
+  EXPECT_EQ(playback_.frame(), 300);
+  playback_.pause();
+  playback_.play();
+  passAndTick(1);
+  EXPECT_EQ(playback_.frame(), 400);
+}
+
+TEST_F(Playing, BackwardsItLoopsOrStopsAtTheStart) {
+  playback_.setClip(100, 100);
+  playback_.seek(10);
+  playback_.shuttle(-1);
+  passAndTick(0.2);
+  EXPECT_EQ(playback_.frame(), 90);
+  playback_.setLoops(false);
+  passAndTick(2);
+  EXPECT_EQ(playback_.frame(), 0);
+  EXPECT_FALSE(playback_.playing());
+}
+
 }  // namespace
 }  // namespace mocapress

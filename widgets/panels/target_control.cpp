@@ -8,33 +8,51 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <cassert>
-#include <utility>
 
 #include "widgets/models/log_scale.h"
 
 namespace mocapress {
 namespace {
 
-constexpr double kFirstError = 0.5;  // cm
+/// How a kind of target is shown, and what it begins with.
+struct Unit {
+  LogScale scale;
+  double first;
+  int decimals;
+  QString suffix;
+};
 
-LogScale scaleOf(Target::Kind kind) {
-  return kind == Target::Kind::Ratio ? LogScale{2, 200} : LogScale{0.05, 10};  // cm
+Unit unitOf(Target::Kind kind) {
+  switch (kind) {
+    case Target::Kind::Size:
+      return {{100, 1e6}, 10e3, 0, TargetControl::tr(" bytes")};
+    case Target::Kind::Error:
+      return {{0.05, 10}, 0.5, 3, TargetControl::tr(" cm")};
+    case Target::Kind::MaxError:
+      return {{0.1, 20}, 2, 2, TargetControl::tr(" cm")};
+    case Target::Kind::Ratio:
+    case Target::Kind::CoefficientRatio:
+      break;
+  }
+  return {{2, 200}, 25, 1, TargetControl::tr(" : 1")};
 }
 
 }  // namespace
 
 TargetControl::TargetControl(QWidget* parent)
     : QWidget(parent),
-      other_value_(kFirstError),
       kind_(new QComboBox(this)),
       slider_(new QSlider(Qt::Horizontal, this)),
       value_(new QDoubleSpinBox(this)) {
   kind_->setAccessibleName(tr("Target"));
   kind_->addItem(tr("Compression ratio"), static_cast<int>(Target::Kind::Ratio));
+  kind_->addItem(tr("Size in bytes"), static_cast<int>(Target::Kind::Size));
   kind_->addItem(tr("Error (eps_x)"), static_cast<int>(Target::Kind::Error));
+  kind_->addItem(tr("Greatest error"), static_cast<int>(Target::Kind::MaxError));
   kind_->setToolTip(
       tr("Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the "
-         "compressed motion bytes) or for a quality (weighted mean error eps_x)."));
+         "compressed motion bytes; or these bytes themselves) or for a quality (weighted mean "
+         "error eps_x; or a distance that no joint exceeds at any frame)."));
   slider_->setAccessibleName(tr("Target on a slider"));
   slider_->setRange(0, LogScale().steps);
   slider_->setPageStep(50);
@@ -56,10 +74,12 @@ TargetControl::TargetControl(QWidget* parent)
 
   connect(kind_, &QComboBox::activated, this, [this](int index) {
     const auto kind = static_cast<Target::Kind>(kind_->itemData(index).toInt());
-    if (kind != target_.kind) choose({kind, std::exchange(other_value_, target_.value)});
+    if (kind == target_.kind) return;
+    values_[target_.kind] = target_.value;
+    choose({kind, values_.contains(kind) ? values_[kind] : unitOf(kind).first});
   });
   connect(slider_, &QSlider::valueChanged, this, [this](int position) {
-    choose({target_.kind, scaleOf(target_.kind).value(position)});
+    choose({target_.kind, unitOf(target_.kind).scale.value(position)});
   });
   connect(value_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     choose({target_.kind, value});
@@ -68,8 +88,8 @@ TargetControl::TargetControl(QWidget* parent)
 }
 
 void TargetControl::setTarget(const Target& target) {
-  assert(target.kind == Target::Kind::Ratio || target.kind == Target::Kind::Error);
-  if (target.kind != target_.kind) other_value_ = target_.value;
+  assert(target.kind != Target::Kind::CoefficientRatio);
+  if (target.kind != target_.kind) values_[target_.kind] = target_.value;
   target_ = target;
   show();
 }
@@ -84,13 +104,12 @@ void TargetControl::show() {
   const QSignalBlocker block_kind(kind_);
   const QSignalBlocker block_slider(slider_);
   const QSignalBlocker block_value(value_);
-  const bool ratio = target_.kind == Target::Kind::Ratio;
-  const LogScale scale = scaleOf(target_.kind);
+  const Unit unit = unitOf(target_.kind);
   kind_->setCurrentIndex(kind_->findData(static_cast<int>(target_.kind)));
-  slider_->setValue(scale.position(target_.value));
-  value_->setRange(scale.lowest, scale.highest);
-  value_->setDecimals(ratio ? 1 : 3);
-  value_->setSuffix(ratio ? tr(" : 1") : tr(" cm"));
+  slider_->setValue(unit.scale.position(target_.value));
+  value_->setRange(unit.scale.lowest, unit.scale.highest);
+  value_->setDecimals(unit.decimals);
+  value_->setSuffix(unit.suffix);
   value_->setValue(target_.value);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <map>
 
 #include "core/codec/encoder.h"
 
@@ -11,7 +12,7 @@ class QSlider;
 
 namespace mocapress {
 
-/// What is asked for, a ratio or an error, on a slider of equal factors with a spin box beside it.
+/// What is asked for, a size or a quality, on a slider of equal factors with a spin box beside it.
 class TargetControl : public QWidget {
   Q_OBJECT
 
@@ -20,7 +21,7 @@ class TargetControl : public QWidget {
 
   const Target& target() const { return target_; }
 
-  /// Of kind Ratio or Error. Emits nothing.
+  /// Of any kind but CoefficientRatio. Emits nothing.
   void setTarget(const Target& target);
 
   QSlider* slider() const { return slider_; }
@@ -33,7 +34,7 @@ class TargetControl : public QWidget {
   void show();
 
   Target target_;
-  double other_value_;  // of the kind not shown, for when it is chosen again
+  std::map<Target::Kind, double> values_;  // of kinds not shown, for when they are chosen again
   QComboBox* kind_;
   QSlider* slider_;
   QDoubleSpinBox* value_;

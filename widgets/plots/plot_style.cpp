@@ -5,26 +5,28 @@
 
 namespace mocapress {
 
-void applyPalette(QCustomPlot* plot) {
-  // Of the widget around it, which hears of a change first.
-  const QPalette palette = plot->parentWidget()->palette();
+void applyPalette(QCPAxis* axis, const QPalette& palette, const QFont& font) {
   const QColor text = palette.color(QPalette::Text);
   QColor faint = text;
   faint.setAlphaF(0.12F);
   QColor line = text;
   line.setAlphaF(0.45F);
+  axis->setBasePen(QPen(line, 1));
+  axis->setTickPen(QPen(line, 1));
+  axis->setSubTickPen(Qt::NoPen);
+  axis->setTickLabelColor(text);
+  axis->setLabelColor(text);
+  axis->setTickLabelFont(font);
+  axis->setLabelFont(font);
+  axis->grid()->setPen(QPen(faint, 1));
+  axis->grid()->setZeroLinePen(QPen(faint, 1));
+}
+
+void applyPalette(QCustomPlot* plot) {
+  // Of the widget around it, which hears of a change first.
+  const QPalette palette = plot->parentWidget()->palette();
   plot->setBackground(palette.brush(QPalette::Base));
-  for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) {
-    axis->setBasePen(QPen(line, 1));
-    axis->setTickPen(QPen(line, 1));
-    axis->setSubTickPen(Qt::NoPen);
-    axis->setTickLabelColor(text);
-    axis->setLabelColor(text);
-    axis->setTickLabelFont(plot->font());
-    axis->setLabelFont(plot->font());
-    axis->grid()->setPen(QPen(faint, 1));
-    axis->grid()->setZeroLinePen(QPen(faint, 1));
-  }
+  for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) applyPalette(axis, palette, plot->font());
 }
 
 }  // namespace mocapress

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+class QCPAxis;
 class QCustomPlot;
+class QFont;
+class QPalette;
 
 namespace mocapress {
 
 /// Axes, grid and background in the palette of the widget the plot is in: call again when that
 /// changes.
 void applyPalette(QCustomPlot* plot);
+
+/// The same for one axis of a plot that has more.
+void applyPalette(QCPAxis* axis, const QPalette& palette, const QFont& font);
 
 }  // namespace mocapress

@@ -72,7 +72,7 @@ RatePlot::RatePlot(QWidget* parent)
 
   hint_->position->setType(QCPItemPosition::ptAxisRectRatio);
   hint_->position->setCoords(0.5, 0.5);
-  here_label_->setText(tr("open now"));
+  here_label_->setText(tr("you are here"));
   here_label_->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
   here_label_->setPadding(QMargins(9, 6, 0, 0));
   connectMouse();

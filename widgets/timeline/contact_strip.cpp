@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/timeline/contact_strip.h"
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -15,32 +17,37 @@ namespace {
 
 constexpr int kLaneHeight = 13;  // pixels
 constexpr int kLaneGap = 2;
-constexpr int kMargin = 8;
 constexpr double kCorner = 2;
+constexpr double kHandleReach = 5;  // pixels to either side of an end
 
 }  // namespace
 
 ContactStrip::ContactStrip(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Contacts"));
+  setMouseTracking(true);
   hide();
 }
 
 void ContactStrip::setContacts(std::vector<ContactSpan> contacts, const std::vector<QString>& names,
                                int frames) {
+  // A foot whose last contact is removed keeps its lane: one can be added again.
+  if (names != names_ || frames != frames_) lanes_.clear();
   contacts_ = std::move(contacts);
   names_ = names;
   frames_ = frames;
   findings_.clear();
-  lanes_.clear();
-  label_width_ = 0;
+  dragged_.reset();
   for (const ContactSpan& span : contacts_) {
     if (std::find(lanes_.begin(), lanes_.end(), span.landmark) != lanes_.end()) continue;
     lanes_.push_back(span.landmark);
-    label_width_ =
-        std::max(label_width_,
-                 fontMetrics().horizontalAdvance(names_[static_cast<std::size_t>(span.landmark)]));
   }
+  std::sort(lanes_.begin(), lanes_.end());
+  names_width_ = 0;
+  for (const int lane : lanes_)
+    names_width_ = std::max(
+        names_width_, fontMetrics().horizontalAdvance(names_[static_cast<std::size_t>(lane)]));
+  label_width_ = names_width_;
   setVisible(!lanes_.empty());
   updateGeometry();
   update();
@@ -61,21 +68,52 @@ QSize ContactStrip::sizeHint() const {
   return {200, lanes * (kLaneHeight + kLaneGap) + kLaneGap + 4};
 }
 
-double ContactStrip::xOf(double frame) const {
-  const double left = 2 * kMargin + label_width_;
-  return left + (width() - kMargin - left) * frame / std::max(frames_, 1);
+void ContactStrip::setLabelWidth(int pixels) {
+  label_width_ = pixels;
+  update();
 }
 
-int ContactStrip::frameAt(double x) const {
-  const double share = (x - xOf(0)) / (xOf(frames_) - xOf(0));
-  return std::clamp(static_cast<int>(std::floor(share * frames_)), 0, std::max(frames_ - 1, 0));
+TimeAxis ContactStrip::axis() const {
+  return {static_cast<double>(2 * kStripMargin + label_width_),
+          static_cast<double>(width() - kStripMargin), frames_};
+}
+
+std::optional<ContactStrip::Handle> ContactStrip::handleAt(const QPointF& position) const {
+  std::optional<Handle> nearest;
+  double least = kHandleReach;
+  for (int i = 0; i < static_cast<int>(contacts_.size()); ++i) {
+    const QRectF bar = barOf(contacts_[static_cast<std::size_t>(i)]);
+    if (position.y() < bar.top() || position.y() > bar.bottom()) continue;
+    for (const auto& [x, end] :
+         {std::pair(bar.left(), SpanEnd::First), std::pair(bar.right(), SpanEnd::Last)}) {
+      const double away = std::abs(position.x() - x);
+      if (away > least) continue;
+      least = away;
+      nearest = Handle{i, end};
+    }
+  }
+  return nearest;
+}
+
+int ContactStrip::contactAt(const QPointF& position) const {
+  for (int i = 0; i < static_cast<int>(contacts_.size()); ++i)
+    if (barOf(contacts_[static_cast<std::size_t>(i)]).contains(position)) return i;
+  return -1;
+}
+
+int ContactStrip::laneAt(double y) const {
+  for (const int landmark : lanes_) {
+    const QRectF lane = barOf({landmark, 0, std::max(frames_ - 1, 0)});
+    if (y >= lane.top() && y <= lane.bottom()) return landmark;
+  }
+  return -1;
 }
 
 QRectF ContactStrip::barOf(const ContactSpan& span) const {
   const auto lane = std::find(lanes_.begin(), lanes_.end(), span.landmark) - lanes_.begin();
-  const double left = xOf(span.first_frame);
+  const double left = axis().xOf(span.first_frame);
   const double top = kLaneGap + 2 + static_cast<double>(lane) * (kLaneHeight + kLaneGap);
-  return {left, top, std::max(xOf(span.last_frame + 1) - left, 1.0), kLaneHeight};
+  return {left, top, std::max(axis().xOf(span.last_frame + 1) - left, 1.0), kLaneHeight};
 }
 
 double ContactStrip::slideOf(const ContactSpan& span) const {
@@ -85,7 +123,9 @@ double ContactStrip::slideOf(const ContactSpan& span) const {
 }
 
 QString ContactStrip::describe(const ContactSpan& span) const {
-  return tr("%1 on the ground, frames %L2–%L3; slides %L4 cm further than the original")
+  return tr("%1 on the ground, frames %L2–%L3; slides %L4 cm further than the original. Drag an "
+            "end "
+            "to move it.")
       .arg(names_[static_cast<std::size_t>(span.landmark)])
       .arg(span.first_frame + 1)
       .arg(span.last_frame + 1)
@@ -98,7 +138,7 @@ void ContactStrip::paintEvent(QPaintEvent*) {
   for (const int landmark : lanes_) {
     const QRectF lane = barOf({landmark, 0, std::max(frames_ - 1, 0)});
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(QRectF(kMargin, lane.top(), label_width_, lane.height()),
+    painter.drawText(QRectF(kStripMargin, lane.top(), label_width_, lane.height()),
                      Qt::AlignLeft | Qt::AlignVCenter, names_[static_cast<std::size_t>(landmark)]);
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().color(QPalette::AlternateBase));
@@ -110,7 +150,7 @@ void ContactStrip::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(barOf(span), kCorner, kCorner);
   }
   painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
-  const double x = xOf(frame_ + 0.5);
+  const double x = axis().xOf(frame_ + 0.5);
   painter.drawLine(QPointF(x, 0), QPointF(x, height()));
 }
 
@@ -127,11 +167,48 @@ bool ContactStrip::event(QEvent* event) {
 }
 
 void ContactStrip::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) emit seekRequested(frameAt(event->position().x()));
+  if (event->button() != Qt::LeftButton) return;
+  dragged_ = handleAt(event->position());
+  before_drag_ = contacts_;
+  if (!dragged_) emit seekRequested(axis().frameAt(event->position().x()));
 }
 
 void ContactStrip::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons() & Qt::LeftButton) emit seekRequested(frameAt(event->position().x()));
+  const double x = event->position().x();
+  if (!(event->buttons() & Qt::LeftButton)) {
+    handleAt(event->position()) ? setCursor(Qt::SplitHCursor) : unsetCursor();
+    return;
+  }
+  if (!dragged_) return emit seekRequested(axis().frameAt(x));
+  // An end is between frames: the nearest border counts.
+  const double half_frame = (axis().xOf(1) - axis().xOf(0)) / 2;
+  const int frame = dragged_->end == SpanEnd::First ? axis().frameAt(x + half_frame)
+                                                    : axis().frameAt(x - half_frame);
+  contacts_ = withEndAt(before_drag_, dragged_->contact, dragged_->end, frame, frames_);
+  update();
+}
+
+void ContactStrip::mouseReleaseEvent(QMouseEvent*) {
+  if (!dragged_) return;
+  dragged_.reset();
+  if (contacts_ != before_drag_) emit contactsEdited(contacts_);
+}
+
+void ContactStrip::contextMenuEvent(QContextMenuEvent* event) {
+  const int contact = contactAt(event->pos());
+  const int landmark = laneAt(event->pos().y());
+  if (landmark < 0) return;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (contact >= 0)
+    menu->addAction(tr("Remove Contact"), this,
+                    [=, this] { emit contactsEdited(withoutContact(contacts_, contact)); });
+  else
+    menu->addAction(tr("Add Contact Here"), this, [=, this, x = event->pos().x()] {
+      emit contactsEdited(
+          withContactAt(contacts_, landmark, axis().frameAt(x), usual_length_, frames_));
+    });
+  menu->popup(event->globalPos());
 }
 
 }  // namespace mocapress

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "core/contact/footskate.h"
+#include "widgets/models/contact_edit.h"
+#include "widgets/timeline/time_axis.h"
 
 namespace mocapress {
 
 /// The contacts of a clip over time, one lane a foot, each bar coloured by how far the foot slides
-/// in it; a click seeks.
+/// in it. A click seeks, an end of a bar can be dragged, the right button adds and removes.
 class ContactStrip : public QWidget {
   Q_OBJECT
 
@@ -22,21 +25,39 @@ class ContactStrip : public QWidget {
   void setFindings(const std::vector<SlideFinding>& findings);
   void setFrame(int frame);
 
+  /// What its names take, and what they are given.
+  int labelWidth() const { return names_width_; }
+  void setLabelWidth(int pixels);
+
+  /// Frames of a contact that is added.
+  void setUsualLength(int frames) { usual_length_ = frames; }
+
   QSize sizeHint() const override;
 
  signals:
   void seekRequested(int frame);
+  void contactsEdited(const std::vector<mocapress::ContactSpan>& contacts);
 
  protected:
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
+  /// An end of a contact under the mouse.
+  struct Handle {
+    int contact;
+    SpanEnd end;
+  };
+
+  TimeAxis axis() const;
   QRectF barOf(const ContactSpan& span) const;
-  double xOf(double frame) const;
-  int frameAt(double x) const;
+  std::optional<Handle> handleAt(const QPointF& position) const;
+  int contactAt(const QPointF& position) const;   // -1: none
+  int laneAt(double y) const;                     // its landmark, -1: none
   double slideOf(const ContactSpan& span) const;  // cm
   QString describe(const ContactSpan& span) const;
 
@@ -46,7 +67,11 @@ class ContactStrip : public QWidget {
   std::vector<QString> names_;
   int frames_ = 0;
   int frame_ = 0;
-  int label_width_ = 0;  // pixels
+  int names_width_ = 0;  // pixels
+  int label_width_ = 0;
+  int usual_length_ = 30;
+  std::optional<Handle> dragged_;
+  std::vector<ContactSpan> before_drag_;
 };
 
 }  // namespace mocapress

@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace mocapress {
+namespace {
+
+constexpr double kFastest = 8;  // of the shuttle
+
+}  // namespace
 
 Playback::Seconds Playback::steadyClock() {
   return [] {
@@ -25,14 +30,37 @@ void Playback::setClip(int frames, double sample_rate_hz) {
   frames_ = frames;
   sample_rate_hz_ = sample_rate_hz;
   frame_ = 0;
+  range_.reset();
   emit clipChanged();
+  emit rangeChanged();
   emit frameChanged(frame_);
 }
 
-void Playback::play() {
-  if (playing() || frames_ < 2) return;
-  if (frame_ == frames_ - 1) show(0);
+void Playback::setRange(const std::optional<std::pair<int, int>>& range) {
+  range_.reset();
+  if (range && frames_ > 1) {
+    const int from = std::clamp(range->first, 0, frames_ - 2);
+    range_.emplace(from, std::clamp(range->second, from + 1, frames_ - 1));
+  }
   restartFrom(frame_);
+  emit rangeChanged();
+}
+
+void Playback::play() {
+  if (!playing()) startFrom(frame_ == last() ? first() : frame_, 1);
+}
+
+void Playback::shuttle(int direction) {
+  const bool faster = playing() && pace_ * direction > 0;
+  startFrom(frame_, faster ? std::clamp(2 * pace_, -kFastest, kFastest) : direction);
+}
+
+void Playback::startFrom(int frame, double pace) {
+  if (frames_ < 2) return;
+  pace_ = pace;
+  show(std::clamp(frame, first(), last()));
+  restartFrom(frame_);
+  if (playing()) return;
   timer_.start();
   emit playingChanged(true);
 }
@@ -69,12 +97,16 @@ void Playback::setSpeed(double speed) {
 
 void Playback::tick() {
   if (!playing()) return;
-  const double passed = (clock_() - start_seconds_) * sample_rate_hz_ * speed_;
-  const auto frame = start_frame_ + static_cast<long long>(std::floor(passed));
-  if (frame < frames_ || loops_) {
-    show(static_cast<int>(frame % frames_));
+  const double passed = (clock_() - start_seconds_) * sample_rate_hz_ * speed_ * pace_;
+  const auto frame = start_frame_ + static_cast<long long>(passed);
+  if (loops_) {
+    const long long length = last() - first() + 1;
+    const long long into = ((frame - first()) % length + length) % length;
+    show(first() + static_cast<int>(into));
+  } else if (frame >= first() && frame <= last()) {
+    show(static_cast<int>(frame));
   } else {
-    show(frames_ - 1);
+    show(pace_ > 0 ? last() : first());
     pause();
   }
 }

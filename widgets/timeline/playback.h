@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QTimer>
 #include <functional>
+#include <optional>
+#include <utility>
 
 namespace mocapress {
 
@@ -28,8 +30,16 @@ class Playback : public QObject {
   bool playing() const { return timer_.isActive(); }
   bool loops() const { return loops_; }
 
+  /// The part of the clip that is played; unset: all of it. A new clip has none.
+  const std::optional<std::pair<int, int>>& range() const { return range_; }
+  void setRange(const std::optional<std::pair<int, int>>& range);
+
   /// From the start again when it stands at the end.
   void play();
+
+  /// As the keys J and L of an editing desk: plays that way (1 or -1), twice as fast each time it
+  /// is asked for again.
+  void shuttle(int direction);
   void pause();
   void toggle();
 
@@ -51,8 +61,12 @@ class Playback : public QObject {
   void frameChanged(int frame);
   void playingChanged(bool playing);
   void clipChanged();
+  void rangeChanged();
 
  private:
+  void startFrom(int frame, double pace);
+  int first() const { return range_ ? range_->first : 0; }
+  int last() const { return range_ ? range_->second : frames_ - 1; }
   void show(int frame);
   void restartFrom(int frame);
 
@@ -62,6 +76,8 @@ class Playback : public QObject {
   double sample_rate_hz_ = 120;
   int frame_ = 0;
   double speed_ = 1;
+  double pace_ = 1;  // of the shuttle, on top of the speed; negative: backwards
+  std::optional<std::pair<int, int>> range_;
   bool loops_ = true;
   int start_frame_ = 0;  // where the clock read start_seconds_
   double start_seconds_ = 0;

@@ -17,6 +17,7 @@
 namespace mocapress {
 namespace {
 
+constexpr int kJump = 10;  // frames
 constexpr std::array kSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
 QAction* makeAction(QObject* parent, const QString& icon, const QString& text,
@@ -57,9 +58,38 @@ TransportActions TransportBar::makeActions(Playback* playback, QObject* parent) 
   actions.play = make("play", tr("Play or pause"), Qt::Key_Space);
   actions.next = make("frame-next", tr("Next frame"), Qt::Key_Right);
   actions.last = make("frame-last", tr("Last frame"), Qt::Key_End);
-  actions.loop = make("loop", tr("Loop"), Qt::Key_L);
+  actions.loop = make("loop", tr("Loop"), Qt::CTRL | Qt::Key_L);
   actions.loop->setCheckable(true);
   actions.loop->setChecked(playback->loops());
+
+  const auto plain = [parent](const QString& text, const QKeySequence& shortcut) {
+    auto* action = new QAction(text, parent);
+    action->setShortcut(shortcut);
+    return action;
+  };
+  actions.backwards = plain(tr("Play backwards, again: faster"), Qt::Key_J);
+  actions.halt = plain(tr("Pause"), Qt::Key_K);
+  actions.forwards = plain(tr("Play forwards, again: faster"), Qt::Key_L);
+  actions.ten_back = plain(tr("Ten frames back"), Qt::SHIFT | Qt::Key_Left);
+  actions.ten_on = plain(tr("Ten frames on"), Qt::SHIFT | Qt::Key_Right);
+  actions.range_from = plain(tr("Play from here"), Qt::Key_BracketLeft);
+  actions.range_to = plain(tr("Play to here"), Qt::Key_BracketRight);
+  actions.whole_clip = plain(tr("Play the whole clip"), Qt::Key_Backslash);
+  connect(actions.backwards, &QAction::triggered, playback, [=] { playback->shuttle(-1); });
+  connect(actions.halt, &QAction::triggered, playback, &Playback::pause);
+  connect(actions.forwards, &QAction::triggered, playback, [=] { playback->shuttle(1); });
+  connect(actions.ten_back, &QAction::triggered, playback, [=] { playback->step(-kJump); });
+  connect(actions.ten_on, &QAction::triggered, playback, [=] { playback->step(kJump); });
+  connect(actions.range_from, &QAction::triggered, playback, [=] {
+    const int last = playback->range() ? playback->range()->second : playback->frames() - 1;
+    playback->setRange(std::pair(playback->frame(), last));
+  });
+  connect(actions.range_to, &QAction::triggered, playback, [=] {
+    playback->setRange(
+        std::pair(playback->range() ? playback->range()->first : 0, playback->frame()));
+  });
+  connect(actions.whole_clip, &QAction::triggered, playback,
+          [=] { playback->setRange(std::nullopt); });
 
   connect(actions.first, &QAction::triggered, playback, [=] { playback->seek(0); });
   connect(actions.previous, &QAction::triggered, playback, [=] { playback->step(-1); });

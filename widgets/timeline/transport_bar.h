@@ -20,6 +20,14 @@ struct TransportActions {
   QAction* next = nullptr;
   QAction* last = nullptr;
   QAction* loop = nullptr;
+  QAction* backwards = nullptr;  // J, K and L of an editing desk
+  QAction* halt = nullptr;
+  QAction* forwards = nullptr;
+  QAction* ten_back = nullptr;
+  QAction* ten_on = nullptr;
+  QAction* range_from = nullptr;  // the part that is played begins here
+  QAction* range_to = nullptr;
+  QAction* whole_clip = nullptr;
 };
 
 /// Buttons, scrub slider, read-outs of time and frame, and speed, below the 3D view.

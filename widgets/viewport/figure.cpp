@@ -44,11 +44,14 @@ Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
   perInstance("end", 4, offsetof(Capsule, end));
   perInstance("highlight", 1, offsetof(Capsule, highlight));
   perInstance("alert", 1, offsetof(Capsule, alert));
+  perInstance("startTint", 4, offsetof(Capsule, start_tint));
+  perInstance("endTint", 4, offsetof(Capsule, end_tint));
 
-  const bool ghost = look == Look::Ghost;
   material_ = new ShaderMaterial("figure", passes(look), this);
-  material_->set("thickness", ghost ? kGhostThickness : 1.0f);
-  material_->set("opacity", ghost ? kGhostOpacity : 1.0f);
+  setGhost(look == Look::Ghost);
+  setPane({});
+  setOffset({});
+  setFlatness(1);
   addComponent(mesh_);
   addComponent(material_);
   hide();
@@ -70,6 +73,23 @@ void Figure::show(std::span<const Capsule> capsules) {
 
 void Figure::hide() {
   setEnabled(false);
+}
+
+void Figure::setGhost(bool ghost) {
+  material_->set("thickness", ghost ? kGhostThickness : 1.0f);
+  material_->set("opacity", ghost ? kGhostOpacity : 1.0f);
+}
+
+void Figure::setPane(const Pane& pane) {
+  material_->set("pane", QVector3D(pane.shift, pane.from, pane.to));
+}
+
+void Figure::setOffset(const QVector3D& offset) {
+  material_->set("offset", offset);
+}
+
+void Figure::setFlatness(float flatness) {
+  material_->set("flatness", flatness);
 }
 
 void Figure::setColours(const QColor& figure, const QColor& selected, const QColor& alert) {

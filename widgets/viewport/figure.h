@@ -8,6 +8,7 @@
 
 #include "widgets/viewport/figure_shape.h"
 #include "widgets/viewport/shader_material.h"
+#include "widgets/viewport/view_arrangement.h"
 
 namespace mocapress {
 
@@ -25,6 +26,17 @@ class Figure : public Qt3DCore::QEntity {
   /// Shows these alone.
   void show(std::span<const Capsule> capsules);
   void hide();
+
+  /// A figure made as a ghost may stand solid, and be one again.
+  void setGhost(bool ghost);
+
+  void setPane(const Pane& pane);
+
+  /// Draws everything that far (cm) from where it is.
+  void setOffset(const QVector3D& offset);
+
+  /// 1: round; less: pressed flat onto the ground.
+  void setFlatness(float flatness);
 
   void setColours(const QColor& figure, const QColor& selected, const QColor& alert);
 

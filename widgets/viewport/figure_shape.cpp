@@ -47,6 +47,10 @@ float longestSide(const Box& box) {
 
 }  // namespace
 
+QVector4D tintOf(const QColor& colour) {
+  return {colour.redF(), colour.greenF(), colour.blueF(), 1};
+}
+
 QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark) {
   const auto at = [&](int axis) { return static_cast<float>(tracks(frame, 3 * landmark + axis)); };
   return {at(0), at(1), at(2)};
@@ -77,13 +81,18 @@ void FigureShape::pose(const Eigen::MatrixXd& tracks, int frame, const FigureMar
     const auto j = static_cast<std::size_t>(landmark);
     return j < marks.alerts.size() ? marks.alerts[j] : 0.0f;
   };
+  const auto tintAt = [&](int landmark) {
+    const auto p = static_cast<std::size_t>(landmark);
+    return p < marks.tints.size() ? marks.tints[p] : QVector4D();
+  };
   auto capsule = capsules.begin();
   for (int j = 0; j < jointCount(); ++j) {
     const bool selected = j == marks.selected_joint;
     const QVector3D centre = landmarkAt(tracks, frame, j);
     const float radius =
         ball_radii_[static_cast<std::size_t>(j)] * (selected ? kSelectedGrowth : 1);
-    *capsule++ = {centre, radius, centre, radius, selected ? 1.0f : 0.0f, alertOf(j)};
+    *capsule++ = {centre,     radius,    centre,   radius, selected ? 1.0f : 0.0f,
+                  alertOf(j), tintAt(j), tintAt(j)};
   }
   for (const Bone& bone : bones_)
     *capsule++ = {landmarkAt(tracks, frame, bone.start),
@@ -91,7 +100,9 @@ void FigureShape::pose(const Eigen::MatrixXd& tracks, int frame, const FigureMar
                   landmarkAt(tracks, frame, bone.end),
                   kTaper * bone.radius,
                   0,
-                  std::max(alertOf(bone.start), alertOf(bone.end))};
+                  std::max(alertOf(bone.start), alertOf(bone.end)),
+                  tintAt(bone.start),
+                  tintAt(bone.end)};
 }
 
 QVector3D FigureShape::centre(const Eigen::MatrixXd& tracks, int frame) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <QColor>
 #include <QVector3D>
+#include <QVector4D>
 #include <span>
 #include <vector>
 
@@ -16,15 +18,21 @@ struct Capsule {
   float start_radius;  // cm
   QVector3D end;
   float end_radius;
-  float highlight;  // 0 or 1
-  float alert;      // 0 ... 1
+  float highlight;       // 0 or 1
+  float alert;           // 0 ... 1
+  QVector4D start_tint;  // red, green, blue, and how much of them, each 0 ... 1
+  QVector4D end_tint;
 };
-static_assert(sizeof(Capsule) == 10 * sizeof(float));
+static_assert(sizeof(Capsule) == 18 * sizeof(float));
+
+/// A tint that covers what is under it.
+QVector4D tintOf(const QColor& colour);
 
 /// What is marked on a figure at a frame.
 struct FigureMarks {
   int selected_joint = -1;
-  std::vector<float> alerts;  // of each joint, 0 ... 1; empty: none
+  std::vector<float> alerts;     // of each joint, 0 ... 1; empty: none
+  std::vector<QVector4D> tints;  // of each landmark; empty: none
 };
 
 /// A point of a frame of landmark_tracks().

@@ -19,6 +19,11 @@ Ground::Ground(QNode* parent) : QEntity(parent) {
   addComponent(makeRenderer(groundMesh(), this));
   addComponent(material_);
   setCell(cell_);
+  setPane({});
+}
+
+void Ground::setPane(const Pane& pane) {
+  material_->set("pane", QVector3D(pane.shift, pane.from, pane.to));
 }
 
 void Ground::setCell(float cell) {

@@ -6,6 +6,7 @@
 #include "widgets/viewport/orbit_camera.h"
 #include "widgets/viewport/scene_colours.h"
 #include "widgets/viewport/shader_material.h"
+#include "widgets/viewport/view_arrangement.h"
 
 namespace mocapress {
 
@@ -19,6 +20,7 @@ class Ground : public Qt3DCore::QEntity {
   explicit Ground(QNode* parent);
 
   void setCell(float cell);
+  void setPane(const Pane& pane);
   void lookFrom(const OrbitCamera& camera);
   void setColours(const SceneColours& colours);
 

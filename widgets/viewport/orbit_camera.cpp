@@ -10,6 +10,7 @@ namespace {
 
 constexpr float kRadiansPerPixel = 0.007f;
 constexpr float kDistancePerNotch = 0.85f;
+constexpr float kSteepest = 89;  // degrees
 constexpr QVector3D kUp{0, 1, 0};
 
 constexpr float radians(float degrees) {
@@ -37,10 +38,15 @@ void OrbitCamera::lookAt(const QVector3D& centre, float radius) {
   elevation_ = radians(12);
 }
 
+void OrbitCamera::lookDown() {
+  azimuth_ = 0;
+  elevation_ = radians(kSteepest);
+}
+
 void OrbitCamera::orbit(const QPointF& pixels) {
   azimuth_ -= kRadiansPerPixel * static_cast<float>(pixels.x());
   elevation_ += kRadiansPerPixel * static_cast<float>(pixels.y());
-  elevation_ = std::clamp(elevation_, radians(-89), radians(89));
+  elevation_ = std::clamp(elevation_, radians(-kSteepest), radians(kSteepest));
 }
 
 void OrbitCamera::pan(const QPointF& pixels) {

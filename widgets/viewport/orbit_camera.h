@@ -20,6 +20,9 @@ class OrbitCamera {
   /// Looks at a sphere from the front right, so that the whole of it is in sight.
   void lookAt(const QVector3D& centre, float radius);
 
+  /// The same sphere from above, as on a floor plan.
+  void lookDown();
+
   /// A drag: the scene turns with the hand. Stops short of the poles.
   void orbit(const QPointF& pixels);
 

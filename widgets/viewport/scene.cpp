@@ -36,6 +36,8 @@ constexpr std::chrono::seconds kCaptureTimeout{5};
 // a frame may already be on its way when the change is made, hence one more.
 constexpr int kFramesUntilDrawn = 2;
 
+constexpr float kDiscFlatness = 0.05f;
+
 /// A leaf of the frame graph: one pass of the materials of one entity.
 void addStep(Qt3DRender::QFrameGraphNode* parent, Qt3DCore::QEntity* entity, const QString& pass) {
   auto* layer = new Qt3DRender::QLayer(entity);
@@ -79,14 +81,25 @@ Scene::Scene(OpenGl open_gl) {
   backdrop_ = new ShaderMaterial("backdrop", {{"shade", {new Qt3DRender::QNoDepthMask}}}, backdrop);
   backdrop->addComponent(makeRenderer(backdropMesh(), backdrop));
   backdrop->addComponent(backdrop_);
-  ground_ = new Ground(root);
-  compressed_ = new Figure(Figure::Look::Solid, root);
-  original_ = new Figure(Figure::Look::Ghost, root);
+  for (Ground*& ground : grounds_) ground = new Ground(root);
+  body_ = new Figure(Figure::Look::Solid, root);
+  shell_ = new Figure(Figure::Look::Ghost, root);
+  body_path_ = new Figure(Figure::Look::Solid, root);
+  shell_path_ = new Figure(Figure::Look::Solid, root);
   trails_ = new Figure(Figure::Look::Solid, root);
+  discs_ = new Figure(Figure::Look::Solid, root);
+  discs_->setFlatness(kDiscFlatness);
+  overlay_ = new Overlay(root);
   auto* frame_action = new Qt3DLogic::QFrameAction(root);
   root->addComponent(frame_action);
   connect(frame_action, &Qt3DLogic::QFrameAction::triggered, this, &Scene::frameBegins);
 
+  makeFrameGraph(backdrop);
+  renderSettings()->setRenderPolicy(Qt3DRender::QRenderSettings::OnDemand);
+  setRootEntity(root);
+}
+
+void Scene::makeFrameGraph(Qt3DCore::QEntity* backdrop) {
   auto* surface = new Qt3DRender::QRenderSurfaceSelector;
   surface->setSurface(this);
   auto* viewport = new Qt3DRender::QViewport(surface);
@@ -97,32 +110,39 @@ Scene::Scene(OpenGl open_gl) {
   new Qt3DRender::QNoDraw(clear);
   // Steps are drawn in this order: what is translucent comes over what is solid.
   addStep(camera_selector, backdrop, "shade");
-  addStep(camera_selector, compressed_, "shade");
-  addStep(camera_selector, trails_, "shade");
-  addStep(camera_selector, ground_, "shade");
-  addStep(camera_selector, original_, "depth");
-  addStep(camera_selector, original_, "shade");
+  for (Figure* figure : {body_, body_path_, shell_path_, trails_, discs_})
+    addStep(camera_selector, figure, "shade");
+  for (Ground* ground : grounds_) addStep(camera_selector, ground, "shade");
+  addStep(camera_selector, shell_, "depth");
+  addStep(camera_selector, shell_, "shade");
+  for (Qt3DCore::QEntity* label : overlay_->labels()) addStep(camera_selector, label, "shade");
   capture_ = new Qt3DRender::QRenderCapture(new Qt3DRender::QNoDraw(camera_selector));
 
   setActiveFrameGraph(surface);
-  renderSettings()->setRenderPolicy(Qt3DRender::QRenderSettings::OnDemand);
-  setRootEntity(root);
 }
 
-void Scene::setCamera(const OrbitCamera& orbit) {
-  camera()->lens()->setPerspectiveProjection(OrbitCamera::kFieldOfView, orbit.aspectRatio(),
+void Scene::setCamera(const OrbitCamera& orbit, int panes) {
+  const auto parts = static_cast<float>(panes);
+  camera()->lens()->setPerspectiveProjection(OrbitCamera::kFieldOfView, parts * orbit.aspectRatio(),
                                              orbit.nearPlane(), orbit.farPlane());
   camera()->setUpVector({0, 1, 0});
   camera()->setPosition(orbit.eye());
   camera()->setViewCenter(orbit.target());
-  ground_->lookFrom(orbit);
+  grounds_[0]->setPane(panes > 1 ? Pane{-0.5f, -1, 0} : Pane{});
+  grounds_[1]->setPane({0.5f, 0, 1});
+  grounds_[1]->setEnabled(panes > 1);
+  for (Ground* ground : grounds_) ground->lookFrom(orbit);
+}
+
+void Scene::setCell(float cell) {
+  for (Ground* ground : grounds_) ground->setCell(cell);
 }
 
 void Scene::setColours(const SceneColours& colours) {
-  original_->setColours(colours.original, colours.selected, colours.alert);
-  compressed_->setColours(colours.compressed, colours.selected, colours.alert);
   trails_->setColours(colours.trail, colours.selected, colours.alert);
-  ground_->setColours(colours);
+  discs_->setColours(colours.trail, colours.selected, colours.alert);
+  for (Ground* ground : grounds_) ground->setColours(colours);
+  overlay_->setColours(colours);
   backdrop_->setColour("centreColour", colours.backdrop_centre);
   backdrop_->setColour("edgeColour", colours.backdrop_edge);
 }

@@ -8,6 +8,7 @@
 #include "widgets/viewport/figure.h"
 #include "widgets/viewport/ground.h"
 #include "widgets/viewport/orbit_camera.h"
+#include "widgets/viewport/overlay.h"
 #include "widgets/viewport/scene_colours.h"
 
 namespace mocapress {
@@ -26,11 +27,18 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   explicit Scene(OpenGl open_gl);
 
   // After changing one of these, announce() it.
-  Figure& original() { return *original_; }
-  Figure& compressed() { return *compressed_; }
+  /// Drawn first; the shell, which can be translucent, comes over it.
+  Figure& body() { return *body_; }
+  Figure& shell() { return *shell_; }
+  Figure& bodyPath() { return *body_path_; }
+  Figure& shellPath() { return *shell_path_; }
   Figure& trails() { return *trails_; }
-  Ground& ground() { return *ground_; }
-  void setCamera(const OrbitCamera& camera);
+  Figure& discs() { return *discs_; }
+  Overlay& overlay() { return *overlay_; }
+  void setCell(float cell);  // cm, of the ground
+
+  /// `panes`: equal parts of the window, each seen by the camera.
+  void setCamera(const OrbitCamera& camera, int panes);
   void setColours(const SceneColours& colours);
 
   /// Starts the wait for drawn() anew.
@@ -47,11 +55,16 @@ class Scene : public Qt3DExtras::Qt3DWindow {
 
  private:
   void frameBegins();
+  void makeFrameGraph(Qt3DCore::QEntity* backdrop);
 
-  Figure* original_;
-  Figure* compressed_;
+  Figure* body_;
+  Figure* shell_;
+  Figure* body_path_;
+  Figure* shell_path_;
   Figure* trails_;
-  Ground* ground_;
+  Figure* discs_;
+  std::array<Ground*, 2> grounds_;  // the second is that of the second pane
+  Overlay* overlay_;
   ShaderMaterial* backdrop_;
   Qt3DRender::QRenderCapture* capture_;
   int frames_until_drawn_ = 0;

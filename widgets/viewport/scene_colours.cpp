@@ -18,6 +18,8 @@ SceneColours sceneColours(const QPalette& palette) {
   colours.selected = QColor(0xffb526);
   colours.trail = slideColour(0);
   colours.alert = slideColour(100);
+  colours.plate = dark ? QColor(0x202327) : QColor(0xffffff);
+  colours.text = dark ? QColor(0xe8eaec) : QColor(0x1c2024);
   return colours;
 }
 

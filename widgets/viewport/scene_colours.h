@@ -15,6 +15,8 @@ struct SceneColours {
   QColor selected;
   QColor trail;  // of a foot that hardly slides
   QColor alert;  // of a foot that does, and its trail
+  QColor plate;  // what is written over the scene
+  QColor text;
 };
 
 /// Light or dark, as the palette's window is.

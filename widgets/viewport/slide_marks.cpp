@@ -46,4 +46,22 @@ std::vector<Capsule> slideTrails(const std::vector<SlideFinding>& slides,
   return trails;
 }
 
+std::vector<Capsule> footDiscs(const std::vector<ContactSpan>& contacts,
+                               const std::vector<SlideFinding>& slides,
+                               const Eigen::MatrixXd& tracks, int frame, float radius) {
+  const auto slideOf = [&](const ContactSpan& span) {
+    const auto found = std::find_if(slides.begin(), slides.end(),
+                                    [&](const SlideFinding& slide) { return slide.span == span; });
+    return found == slides.end() ? 0.0 : found->slid_cm;
+  };
+  std::vector<Capsule> discs;
+  for (const ContactSpan& span : contacts) {
+    if (frame < span.first_frame || frame > span.last_frame) continue;
+    const QVector3D centre = onGround(tracks, frame, span.landmark);
+    const QVector4D tint = tintOf(slideColour(slideOf(span)));
+    discs.push_back({centre, radius, centre, radius, 0, 0, tint, tint});
+  }
+  return discs;
+}
+
 }  // namespace mocapress

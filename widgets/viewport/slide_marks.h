@@ -17,4 +17,10 @@ std::vector<float> slideAlerts(const std::vector<SlideFinding>& slides, int join
 std::vector<Capsule> slideTrails(const std::vector<SlideFinding>& slides,
                                  const Eigen::MatrixXd& tracks, float radius);
 
+/// A ball under each point that stands on the ground at a frame, to be pressed flat, in the colour
+/// of how far it slides. Where each stands is taken from `tracks`.
+std::vector<Capsule> footDiscs(const std::vector<ContactSpan>& contacts,
+                               const std::vector<SlideFinding>& slides,
+                               const Eigen::MatrixXd& tracks, int frame, float radius);
+
 }  // namespace mocapress

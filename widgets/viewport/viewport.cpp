@@ -8,7 +8,10 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
+#include "widgets/viewport/joint_path.h"
 #include "widgets/viewport/joint_picker.h"
 #include "widgets/viewport/scene.h"
 #include "widgets/viewport/slide_marks.h"
@@ -18,7 +21,12 @@ namespace {
 
 constexpr float kRadiusPerSize = 0.56f;  // of the ball in sight, per size of the figure
 constexpr float kTrailPerSize = 0.006f;  // radius of a trail, per size of the figure
+constexpr float kPathPerSize = 0.006f;   // radius of a joint's path, likewise
+constexpr float kDiscPerSize = 0.055f;   // radius of a foot's disc, likewise
+constexpr double kPathSeconds = 0.5;     // to either side of now
 constexpr double kWheelStep = 120;       // Qt's angle delta of one notch
+constexpr double kDividerReach = 10;     // pixels to either side at which it is taken
+constexpr auto kBlinkTime = std::chrono::milliseconds(400);
 
 bool isEmpty(const Viewport::Tracks& tracks) {
   return !tracks || tracks->size() == 0;
@@ -39,6 +47,11 @@ void prepareViewport() {
 Viewport::Viewport(QWidget* parent) : QWidget(parent) {
   setMinimumSize(160, 120);
   camera_.lookAt({0, 90, 0}, 100);
+  blink_.setInterval(kBlinkTime);
+  connect(&blink_, &QTimer::timeout, this, [this] {
+    blink_turn_ = !blink_turn_;
+    arrangeFigures();
+  });
   showSceneOrNotice();
 }
 
@@ -56,7 +69,8 @@ void Viewport::showSceneOrNotice() {
     return;
   }
   scene_ = new Scene(open_gl);
-  scene_->setColours(sceneColours(palette()));
+  colours_ = sceneColours(palette());
+  scene_->setColours(colours_);
   scene_->installEventFilter(this);
   connect(scene_, &Scene::captured, this, &Viewport::captured);
   connect(scene_, &Scene::drawn, this, &Viewport::drawn);
@@ -68,27 +82,59 @@ void Viewport::setSkeleton(const Skeleton& skeleton) {
   shape_.emplace(skeleton);
   original_.reset();
   compressed_.reset();
-  setSlides({});
+  errors_.reset();
+  contacts_.clear();
+  slides_.clear();
   selected_joint_ = -1;
   camera_is_framed_ = false;
-  if (scene_) scene_->ground().setCell(gridCell(shape_->size()));
-  showFigures();
+  if (scene_) scene_->setCell(gridCell(shape_->size()));
+  arrangeFigures();
 }
 
 void Viewport::setOriginal(Tracks tracks) {
   original_ = isEmpty(tracks) ? nullptr : std::move(tracks);
-  showFigures();
+  arrangeFigures();
 }
 
 void Viewport::setCompressed(Tracks tracks) {
   compressed_ = isEmpty(tracks) ? nullptr : std::move(tracks);
-  showFigures();
+  arrangeFigures();
 }
 
 void Viewport::setSlides(std::vector<SlideFinding> slides) {
   slides_ = std::move(slides);
   showTrails();
   showFigures();
+}
+
+void Viewport::setContacts(std::vector<ContactSpan> contacts) {
+  contacts_ = std::move(contacts);
+  showFigures();
+}
+
+void Viewport::setErrors(std::shared_ptr<const Eigen::MatrixXf> errors, const ErrorScale& scale) {
+  errors_ = std::move(errors);
+  error_scale_ = scale;
+  showFigures();
+  showOverlay();
+}
+
+void Viewport::setOptions(const ViewOptions& options) {
+  if (options == options_) return;
+  options_ = options;
+  blink_turn_ = false;
+  options_.blinking ? blink_.start() : blink_.stop();
+  arrangeFigures();
+}
+
+/// The camera may see another part of the window then.
+void Viewport::arrangeFigures() {
+  const int panes = arrangement_.panes;
+  arrangement_ = arrange(options_, original_ && compressed_, blink_turn_);
+  if (arrangement_.panes != panes) sizeCamera();
+  showTrails();
+  showFigures();
+  showOverlay();
 }
 
 void Viewport::setFrame(int frame) {
@@ -105,13 +151,19 @@ void Viewport::setFollow(bool follow) {
   follow_ = follow;
   const Eigen::MatrixXd* tracks = leadingTracks();
   if (!follow || !tracks) return;
-  camera_.moveBy(FigureShape::centre(*tracks, frameOf(*tracks)) - camera_.target());
+  camera_.moveBy(FigureShape::centre(*tracks, frameOf(*tracks)) + offset() - camera_.target());
   showCamera();
 }
 
 void Viewport::resetCamera() {
   if (const Eigen::MatrixXd* tracks = leadingTracks())
-    camera_.lookAt(FigureShape::centre(*tracks, frameOf(*tracks)), kRadiusPerSize * shape_->size());
+    camera_.lookAt(FigureShape::centre(*tracks, frameOf(*tracks)) + offset(),
+                   kRadiusPerSize * shape_->size());
+  showCamera();
+}
+
+void Viewport::lookDown() {
+  camera_.lookDown();
   showCamera();
 }
 
@@ -124,7 +176,7 @@ void Viewport::capture() {
 
 void Viewport::showFigures() {
   if (const Eigen::MatrixXd* tracks = leadingTracks()) {
-    const QVector3D root = landmarkAt(*tracks, frameOf(*tracks), 0);
+    const QVector3D root = landmarkAt(*tracks, frameOf(*tracks), 0) + offset();
     if (!std::exchange(camera_is_framed_, true)) {
       resetCamera();
     } else if (follow_) {
@@ -134,27 +186,105 @@ void Viewport::showFigures() {
     root_ = root;
   }
   if (!scene_) return;
-  const auto show = [&](Figure& figure, const Tracks& tracks, std::vector<float> alerts) {
-    if (!tracks) return figure.hide();
-    figure.show(*shape_, *tracks, frameOf(*tracks), {selected_joint_, std::move(alerts)});
-  };
-  show(scene_->original(), original_, {});
-  show(scene_->compressed(), compressed_,
-       shape_ ? slideAlerts(slides_, shape_->jointCount(), frame_) : std::vector<float>());
+  const Role original{original_, arrangement_.original, colours_.original};
+  const Role compressed{compressed_, arrangement_.compressed, colours_.compressed};
+  // The ghost is the one that is drawn over the other.
+  const bool turned = arrangement_.compressed.ghost;
+  FigureMarks plain;
+  plain.selected_joint = selected_joint_;
+  showFigure(turned ? scene_->body() : scene_->shell(),
+             turned ? scene_->bodyPath() : scene_->shellPath(), original, plain);
+  showFigure(turned ? scene_->shell() : scene_->body(),
+             turned ? scene_->shellPath() : scene_->bodyPath(), compressed, compressedMarks());
+  showMarks();
   scene_->announce();
 }
 
+void Viewport::showFigure(Figure& figure, Figure& path, const Role& role,
+                          const FigureMarks& marks) {
+  if (!role.tracks || !role.placement.shown) {
+    figure.hide();
+    path.hide();
+    return;
+  }
+  const int frame = frameOf(*role.tracks);
+  for (Figure* each : {&figure, &path}) {
+    each->setColours(role.colour, colours_.selected, colours_.alert);
+    each->setPane(role.placement.pane);
+    each->setOffset(offset());
+  }
+  figure.setGhost(role.placement.ghost);
+  figure.show(*shape_, *role.tracks, frame, marks);
+  if (!options_.path) return path.hide();
+  const auto reach = std::max(1, static_cast<int>(kPathSeconds * sample_rate_hz_));
+  path.show(jointPath(*role.tracks, std::max(selected_joint_, 0), frame, reach,
+                      kPathPerSize * shape_->size()));
+}
+
+FigureMarks Viewport::compressedMarks() const {
+  FigureMarks marks;
+  marks.selected_joint = selected_joint_;
+  if (!shape_ || !compressed_) return marks;
+  const int frame = frameOf(*compressed_);
+  const bool coloured = options_.by_error && errors_ && errors_->rows() == compressed_->rows();
+  if (!coloured) {
+    marks.alerts = slideAlerts(slides_, shape_->jointCount(), frame);
+    return marks;
+  }
+  for (Eigen::Index landmark = 0; landmark < errors_->cols(); ++landmark) {
+    const auto cm = static_cast<double>((*errors_)(frame, landmark));
+    marks.tints.push_back(tintOf(error_scale_.colour(cm)));
+  }
+  return marks;
+}
+
+/// On the ground below the compressed figure: where feet stand and how they slid.
+void Viewport::showMarks() {
+  const bool shown = shape_ && compressed_ && arrangement_.compressed.shown;
+  for (Figure* marks : {&scene_->trails(), &scene_->discs()}) {
+    marks->setPane(arrangement_.compressed.pane);
+    marks->setOffset(offset());
+    if (!shown) marks->hide();
+  }
+  if (!shown) return;
+  scene_->discs().show(footDiscs(contacts_, slides_, *compressed_, frameOf(*compressed_),
+                                 kDiscPerSize * shape_->size()));
+}
+
+/// They do not change from frame to frame.
 void Viewport::showTrails() {
-  if (!scene_) return;
-  const bool shown = shape_ && compressed_ && !slides_.empty();
-  scene_->trails().show(shown ? slideTrails(slides_, *compressed_, kTrailPerSize * shape_->size())
-                              : std::vector<Capsule>());
+  if (!scene_ || !shape_ || !compressed_ || !arrangement_.compressed.shown) return;
+  scene_->trails().show(slideTrails(slides_, *compressed_, kTrailPerSize * shape_->size()));
 }
 
 void Viewport::showCamera() {
   if (!scene_) return;
-  scene_->setCamera(camera_);
+  scene_->setCamera(camera_, arrangement_.panes);
   scene_->announce();
+}
+
+void Viewport::sizeCamera() {
+  if (!scene_) return;
+  camera_.setViewSize({static_cast<double>(scene_->width()) / arrangement_.panes,
+                       static_cast<double>(scene_->height())});
+  showCamera();
+}
+
+void Viewport::showOverlay() {
+  if (!scene_) return;
+  const bool coloured = options_.by_error && errors_ && compressed_;
+  scene_->overlay().show({arrangement_, original_ != nullptr, compressed_ != nullptr,
+                          coloured ? std::optional(error_scale_) : std::nullopt, scene_->size(),
+                          devicePixelRatioF()});
+  scene_->announce();
+}
+
+QVector3D Viewport::offset() const {
+  const Eigen::MatrixXd* tracks = leadingTracks();
+  if (!options_.in_place || !tracks) return {};
+  QVector3D away = landmarkAt(*tracks, 0, 0) - landmarkAt(*tracks, frameOf(*tracks), 0);
+  away.setY(0);
+  return away;
 }
 
 const Eigen::MatrixXd* Viewport::leadingTracks() const {
@@ -169,8 +299,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
   if (watched != scene_) return QWidget::eventFilter(watched, event);
   switch (event->type()) {
     case QEvent::MouseButtonPress:
-      pressed_at_ = dragged_to_ = static_cast<QMouseEvent*>(event)->position();
-      is_click_ = static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton;
+      press(*static_cast<QMouseEvent*>(event));
       break;
     case QEvent::MouseMove:
       drag(*static_cast<QMouseEvent*>(event));
@@ -184,8 +313,8 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       showCamera();
       break;
     case QEvent::Resize:
-      camera_.setViewSize(scene_->size());
-      showCamera();
+      sizeCamera();
+      showOverlay();
       break;
     default:
       break;
@@ -195,14 +324,37 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
 
 void Viewport::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && scene_) {
-    scene_->setColours(sceneColours(palette()));
-    scene_->announce();
+    colours_ = sceneColours(palette());
+    scene_->setColours(colours_);
+    showFigures();
+    showOverlay();
   }
   QWidget::changeEvent(event);
 }
 
+void Viewport::press(const QMouseEvent& event) {
+  pressed_at_ = dragged_to_ = event.position();
+  drags_divider_ = event.button() == Qt::LeftButton && isOnDivider(event.position());
+  is_click_ = event.button() == Qt::LeftButton && !drags_divider_;
+}
+
+bool Viewport::isOnDivider(const QPointF& position) const {
+  if (!arrangement_.has_divider || arrangement_.panes > 1) return false;
+  const double divider = (1 + static_cast<double>(arrangement_.dividerAt())) / 2 * scene_->width();
+  return std::abs(position.x() - divider) <= kDividerReach;
+}
+
 void Viewport::drag(const QMouseEvent& event) {
-  if (event.buttons() == Qt::NoButton) return;
+  if (event.buttons() == Qt::NoButton) {
+    scene_->setCursor(isOnDivider(event.position()) ? Qt::SplitHCursor : Qt::ArrowCursor);
+    return;
+  }
+  if (drags_divider_) {
+    options_.divider = std::clamp(event.position().x() / scene_->width(), 0.0, 1.0);
+    arrangeFigures();
+    emit dividerMoved(options_.divider);
+    return;
+  }
   const QPointF away = event.position() - pressed_at_;
   if (is_click_ && away.manhattanLength() < QApplication::startDragDistance()) return;
   is_click_ = false;
@@ -216,12 +368,20 @@ void Viewport::drag(const QMouseEvent& event) {
 }
 
 void Viewport::release(const QMouseEvent& event) {
+  drags_divider_ = false;
   if (!std::exchange(is_click_, false)) return;
+  OrbitCamera camera = camera_;
+  camera.moveBy(-offset());  // to where the figures are as recorded
+  const double width = scene_->width();
   std::optional<PickedJoint> nearest;
-  for (const Tracks& tracks : {compressed_, original_}) {
-    if (!tracks) continue;
-    const auto picked =
-        pickJoint(camera_, *tracks, frameOf(*tracks), shape_->jointCount(), event.position());
+  for (const auto& [tracks, placement] : {std::pair(compressed_, arrangement_.compressed),
+                                          std::pair(original_, arrangement_.original)}) {
+    const auto device_x = static_cast<float>(2 * event.position().x() / width - 1);
+    if (!tracks || !placement.shown || !placement.pane.contains(device_x)) continue;
+    const double pane_left = (width - width / arrangement_.panes) / 2 +
+                             static_cast<double>(placement.pane.shift) * width / 2;
+    const auto picked = pickJoint(camera, *tracks, frameOf(*tracks), shape_->jointCount(),
+                                  event.position() - QPointF(pane_left, 0));
     if (picked && (!nearest || picked->distance < nearest->distance)) nearest = picked;
   }
   if (nearest) emit jointClicked(nearest->joint);

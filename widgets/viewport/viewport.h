@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <QImage>
 #include <QPointF>
+#include <QTimer>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -11,22 +12,27 @@
 
 #include "core/contact/footskate.h"
 #include "core/motion/skeleton.h"
+#include "widgets/models/error_colour.h"
 #include "widgets/viewport/figure_shape.h"
 #include "widgets/viewport/orbit_camera.h"
+#include "widgets/viewport/scene_colours.h"
+#include "widgets/viewport/view_arrangement.h"
 
 class QMouseEvent;
 
 namespace mocapress {
 
+class Figure;
 class Scene;
 
 /// Chooses Qt3D's OpenGL renderer and the surface format. Call before QApplication is made.
 void prepareViewport();
 
-/// The 3D view: ground grid, the original as a translucent grey ghost and the compressed figure in
-/// red, both at the same frame. It shows values and starts no work. Mouse: left drag orbits, right
-/// or middle drag pans, wheel zooms, a click on a joint selects it. Without OpenGL it says so in
-/// words, takes every call and never emits drawn().
+/// The 3D view: ground grid, the original in grey and the compressed figure in red, both at the
+/// same frame, one over the other, side by side or with a divider to drag between them. It shows
+/// values and starts no work. Mouse: left drag orbits, right or middle drag pans, wheel zooms, a
+/// click on a joint selects it. Without OpenGL it says so in words, takes every call and never
+/// emits drawn().
 class Viewport : public QWidget {
   Q_OBJECT
 
@@ -48,6 +54,19 @@ class Viewport : public QWidget {
   /// Feet of the compressed figure that slide: coloured, with their trails on the ground.
   void setSlides(std::vector<SlideFinding> slides);
 
+  /// A disc under each foot that stands.
+  void setContacts(std::vector<ContactSpan> contacts);
+
+  /// Distance of the compressed figure's landmarks from the original (frames x landmarks, cm), for
+  /// ViewOptions::by_error. Null: unknown.
+  void setErrors(std::shared_ptr<const Eigen::MatrixXf> errors, const ErrorScale& scale);
+
+  /// Frames a second, for the length of a path.
+  void setSampleRate(double sample_rate_hz) { sample_rate_hz_ = sample_rate_hz; }
+
+  void setOptions(const ViewOptions& options);
+  const ViewOptions& options() const { return options_; }
+
   void setFrame(int frame);
 
   /// The joint drawn highlighted; -1: none.
@@ -59,7 +78,10 @@ class Viewport : public QWidget {
   /// Looks at the whole figure again.
   void resetCamera();
 
-  /// Where the view is seen from, in the view's logical pixels.
+  /// The floor as on a plan.
+  void lookDown();
+
+  /// Where a pane is seen from, in its logical pixels: a half of the view side by side, else all.
   const OrbitCamera& camera() const { return camera_; }
 
   /// Renders the 3D scene and delivers it by captured(); null image when it could not.
@@ -67,6 +89,9 @@ class Viewport : public QWidget {
 
  signals:
   void jointClicked(int joint);
+
+  /// The divider of the wipe was dragged; options() have it.
+  void dividerMoved(double share);
   void captured(const QImage& image);
 
   /// A picture with the newest tracks, frame and camera has been rendered and shown. A view that is
@@ -78,21 +103,48 @@ class Viewport : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  /// One of the two figures.
+  struct Role {
+    const Tracks& tracks;
+    const Placement& placement;
+    const QColor& colour;
+  };
+
   void showSceneOrNotice();
   void showFigures();
+  void showFigure(Figure& figure, Figure& path, const Role& role, const FigureMarks& marks);
+  void showMarks();
   void showTrails();
   void showCamera();
+  void showOverlay();
+  void arrangeFigures();
+  void sizeCamera();
+  void press(const QMouseEvent& event);
   void drag(const QMouseEvent& event);
   void release(const QMouseEvent& event);
+  bool isOnDivider(const QPointF& position) const;
 
   /// The figure the camera looks at: the original, or the compressed one without it.
   const Eigen::MatrixXd* leadingTracks() const;
   int frameOf(const Eigen::MatrixXd& tracks) const;
+  FigureMarks compressedMarks() const;
+
+  /// How far everything is moved so that the root stays in its place, cm.
+  QVector3D offset() const;
 
   std::optional<FigureShape> shape_;
   Tracks original_;
   Tracks compressed_;
   std::vector<SlideFinding> slides_;
+  std::vector<ContactSpan> contacts_;
+  std::shared_ptr<const Eigen::MatrixXf> errors_;
+  ErrorScale error_scale_;
+  double sample_rate_hz_ = 120;
+  ViewOptions options_;
+  Arrangement arrangement_;
+  SceneColours colours_;
+  QTimer blink_;
+  bool blink_turn_ = false;  // the compressed figure's
   int frame_ = 0;
   int selected_joint_ = -1;
   bool follow_ = false;
@@ -104,6 +156,7 @@ class Viewport : public QWidget {
   QPointF pressed_at_;
   QPointF dragged_to_;
   bool is_click_ = false;
+  bool drags_divider_ = false;
 
   Scene* scene_ = nullptr;  // a child; null without OpenGL
 };

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/curve_filler.h"
+
+#ifdef Q_OS_LINUX
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
+#include "core/base/error.h"
+#include "core/base/one_thread.h"
+#include "core/metrics/rate.h"
+
+namespace mocapress {
+namespace {
+
+/// On Linux a thread has a niceness of its own.
+void giveWayToOthers() {
+#ifdef Q_OS_LINUX
+  constexpr int kNicest = 19;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNicest);
+#endif
+}
+
+}  // namespace
+
+CurveFiller::CurveFiller(QObject* parent) : QObject(parent) {}
+
+void CurveFiller::start(const CurveTask& task) {
+  const auto work = [this, task](const Job& job) {
+    giveWayToOthers();
+    for (const double ratio : task.ratios) {
+      if (job.stopRequested()) break;
+      EncodeOptions options = task.options;
+      options.target = {Target::Kind::Ratio, ratio};
+      on_one_thread([&] {
+        try {
+          const Encoding encoding = task.encoder->encode(
+              options, [&job](const EncodeProgress&) { return !job.stopRequested(); });
+          if (!encoding.complete) return;
+          const CurvePoint point{
+              compression_ratio(encoding.decoded, encoding.compressed.motion_bytes()),
+              encoding.distortion.eps(options.weighting)};
+          job.post([this, ratio, point] { emit measured(ratio, point); });
+        } catch (const Error&) {
+          // A ratio that this clip cannot have is no point of its curve.
+        }
+      });
+    }
+    return true;
+  };
+  runner_.start(
+      work, [this](bool) { emit ended(); }, [this](const QString&) { emit ended(); });
+}
+
+}  // namespace mocapress

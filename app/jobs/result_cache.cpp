@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/result_cache.h"
+
+#include <algorithm>
+
+namespace mocapress {
+namespace {
+
+std::size_t bytesOf(const Eigen::MatrixXd& matrix) {
+  return static_cast<std::size_t>(matrix.size()) * sizeof(double);
+}
+
+/// What counts: the arrays with a value a frame.
+std::size_t bytesOf(const DecodedClip& decoded) {
+  std::size_t bytes = decoded.file.size() + bytesOf(decoded.clip.channels);
+  for (const Tracks& tracks : {decoded.tracks, decoded.uncorrected_tracks})
+    if (tracks) bytes += bytesOf(*tracks);
+  if (decoded.correction) bytes += bytesOf(decoded.correction->uncorrected.channels);
+  if (decoded.distortion)
+    bytes += static_cast<std::size_t>(decoded.distortion->distances.size()) * sizeof(float);
+  return bytes;
+}
+
+}  // namespace
+
+DecodedPtr ResultCache::find(const std::string& key) {
+  const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& entry) { return entry.key == key; });
+  if (found == entries_.end()) return nullptr;
+  entries_.splice(entries_.begin(), entries_, found);
+  return found->decoded;
+}
+
+void ResultCache::add(const std::string& key, DecodedPtr decoded) {
+  if (find(key)) {
+    bytes_ -= entries_.front().bytes;
+    entries_.pop_front();
+  }
+  const std::size_t bytes = bytesOf(*decoded);
+  entries_.push_front({key, std::move(decoded), bytes});
+  bytes_ += bytes;
+  while (bytes_ > kMostBytes && entries_.size() > 1) {
+    bytes_ -= entries_.back().bytes;
+    entries_.pop_back();
+  }
+}
+
+void ResultCache::clear() {
+  entries_.clear();
+  bytes_ = 0;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+namespace mocapress {
+
+class ChannelGraph;
+class ClipCurve;
+class FiguresBar;
+class HeatMap;
+class Playback;
+class RatePlot;
+class Session;
+class Timeline;
+
+/// The views that say when, where and how much.
+struct InspectionViews {
+  Timeline* timeline = nullptr;
+  HeatMap* heat_map = nullptr;
+  ChannelGraph* channel = nullptr;
+  RatePlot* curve = nullptr;
+  FiguresBar* figures = nullptr;
+};
+
+/// Keeps those views showing what the session's document holds, and passes on what is done in them.
+class Inspector : public QObject {
+  Q_OBJECT
+
+ public:
+  Inspector(Session* session, Playback* playback, const InspectionViews& views,
+            QObject* parent = nullptr);
+
+  /// Plays from the worst frame to the next worst, or back.
+  void showNextWorst(int step);
+
+  const ClipCurve& curve() const { return *curve_; }
+
+ private:
+  void connectViews();
+  void showErrors();
+  void showContacts();
+  void showJoint();
+  void showChannel();
+  void showCurve();
+  void chooseCell(int frame, int landmark);
+  void chooseRatio(int point);
+
+  Session* session_;
+  Playback* playback_;
+  InspectionViews views_;
+  ClipCurve* curve_;
+  std::vector<int> worst_;  // frames, the worst first
+  int channel_ = 0;         // among those of the current joint
+};
+
+}  // namespace mocapress

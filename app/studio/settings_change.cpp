@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/settings_change.h"
+
+#include <QCoreApplication>
+
+#include "app/jobs/settings_key.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kOneStep = 1000;  // ms between changes that are one
+
+struct Texts {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::SettingsChange)
+};
+
+QString nameOf(SettingsField field) {
+  switch (field) {
+    case SettingsField::Target:
+      return Texts::tr("Target");
+    case SettingsField::Method:
+      return Texts::tr("Method");
+    case SettingsField::Weighting:
+      return Texts::tr("Weighting");
+    case SettingsField::Coding:
+      return Texts::tr("Coding");
+    case SettingsField::Correction:
+      return Texts::tr("Held Feet");
+    case SettingsField::Contacts:
+      return Texts::tr("Contacts");
+    case SettingsField::None:
+    case SettingsField::Other:
+      break;
+  }
+  return Texts::tr("Settings");
+}
+
+/// Whether one is the other but for what `copy` takes over.
+template <typename Copy>
+bool differIn(const EncodeOptions& a, EncodeOptions b, const Copy& copy) {
+  if (settingsKey(a) == settingsKey(b)) return false;
+  copy(b);
+  return settingsKey(a) == settingsKey(b);
+}
+
+}  // namespace
+
+SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
+  const EncodeOptions& one = a.encode;
+  const EncodeOptions& other = b.encode;
+  if (!(a.contacts == b.contacts) || one.contacts != other.contacts) return SettingsField::Contacts;
+  if (settingsKey(one) == settingsKey(other)) return SettingsField::None;
+  const auto only = [&](auto member) {
+    return differIn(one, other, [&](EncodeOptions& copy) { copy.*member = one.*member; });
+  };
+  if (only(&EncodeOptions::target)) return SettingsField::Target;
+  if (one.method != other.method) return SettingsField::Method;
+  if (only(&EncodeOptions::weighting)) return SettingsField::Weighting;
+  if (only(&EncodeOptions::coding)) return SettingsField::Coding;
+  if (only(&EncodeOptions::correction)) return SettingsField::Correction;
+  return SettingsField::Other;
+}
+
+SettingsChange::SettingsChange(ClipSettings before, ClipSettings after, Apply apply)
+    : before_(std::move(before)),
+      after_(std::move(after)),
+      field_(firstDifference(before_, after_)),
+      apply_(std::move(apply)) {
+  setText(nameOf(field_));
+  made_.start();
+}
+
+bool SettingsChange::mergeWith(const QUndoCommand* newer) {
+  const auto* change = static_cast<const SettingsChange*>(newer);
+  // Edits of contacts are steps of their own however quickly they are made.
+  const bool dragged = field_ == SettingsField::Target || field_ == SettingsField::Correction;
+  if (!dragged || change->field_ != field_ || made_.elapsed() > kOneStep) return false;
+  if (before_.encode.target.kind != change->after_.encode.target.kind) return false;
+  after_ = change->after_;
+  made_.restart();
+  return true;
+}
+
+}  // namespace mocapress

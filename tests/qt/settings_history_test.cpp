@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/jobs/result_cache.h"
+#include "app/jobs/settings_key.h"
+#include "app/studio/clip_curve.h"
+#include "app/studio/session.h"
+#include "app/studio/settings_change.h"
+#include "core/formats/motion_file.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+EncodeOptions standard(double ratio) {
+  return {.method = Method::Standard, .target = {Target::Kind::Ratio, ratio}};
+}
+
+TEST(SettingsKey, DiffersInEverythingThatChangesTheAnswer) {
+  const EncodeOptions plain;
+  std::vector<EncodeOptions> others(9, plain);
+  others[0].method = Method::Standard;
+  others[1].coding = Coding::Rle16;
+  others[2].weighting = Weighting::JointOrigins;
+  others[3].target.value = 26;
+  others[4].target.kind = Target::Kind::Size;
+  others[5].seed = 2;
+  others[6].correction = CorrectionOptions{};
+  others[7].correction = CorrectionOptions{.ratio = 16};
+  others[8].contacts = std::vector<ContactSpan>{{1, 2, 3}};
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    EXPECT_NE(settingsKey(others[i]), settingsKey(plain)) << i;
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(settingsKey(others[i]), settingsKey(others[j]));
+  }
+  EXPECT_EQ(settingsKey(plain), settingsKey(EncodeOptions()));
+}
+
+TEST(ResultCache, ForgetsWhatWasNotAskedForLongestWhenItIsFull) {
+  ResultCache cache;
+  const auto entry = [](std::size_t bytes) {
+    DecodedClip clip;
+    clip.file.resize(bytes);
+    return std::make_shared<const DecodedClip>(std::move(clip));
+  };
+  const std::size_t third = ResultCache::kMostBytes / 3;
+  for (const char* key : {"a", "b", "c"}) cache.add(key, entry(third));
+  ASSERT_TRUE(cache.find("a"));
+  cache.add("d", entry(third));
+  EXPECT_TRUE(cache.find("a"));
+  EXPECT_FALSE(cache.find("b"));
+  EXPECT_LE(cache.bytes(), ResultCache::kMostBytes);
+  cache.add("a", entry(1));
+  EXPECT_EQ(cache.size(), 3u);
+}
+
+TEST(SettingsChange, NamesWhatChanged) {
+  const ClipSettings plain;
+  const auto fieldOf = [&](auto edit) {
+    ClipSettings edited = plain;
+    edit(edited);
+    return firstDifference(plain, edited);
+  };
+  using enum SettingsField;
+  EXPECT_EQ(firstDifference(plain, plain), None);
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.target.value = 3; }), Target);
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.method = mocapress::Method::ClosedLoop; }),
+            Method);
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.correction = CorrectionOptions{}; }),
+            Correction);
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.contacts.begin_height = 9; }), Contacts);
+}
+
+class History : public testing::Test {
+ protected:
+  History() {
+    session_.setOptions(standard(10));
+    const QString path = directory_.filePath(QStringLiteral("clip.bvh"));
+    write_motion(path.toStdU16String(), test::smooth_motion(120));
+    settleAfter([&] { session_.open(path); });
+  }
+
+  template <typename Act>
+  void settleAfter(Act act) {
+    QSignalSpy settled(&session_, &Session::settled);
+    act();
+    ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+  }
+
+  double target() { return session_.document().options().target.value; }
+
+  QTemporaryDir directory_;
+  Session session_;
+};
+
+TEST_F(History, UndoAndRedoBringSettingsAndTheirAnswersBackAtOnce) {
+  settleAfter([&] { session_.setOptions(standard(20)); });
+  EncodeOptions per_channel = standard(20);
+  per_channel.method = Method::PerChannel;
+  settleAfter([&] { session_.setOptions(per_channel); });
+  const DecodedPtr last = session_.document().decoded();
+
+  QSignalSpy settled(&session_, &Session::settled);
+  session_.history()->undo();
+  EXPECT_EQ(session_.document().options().method, Method::Standard);
+  EXPECT_EQ(settled.count(), 1);  // from the cache
+  EXPECT_NE(session_.document().decoded(), last);
+  session_.history()->redo();
+  EXPECT_EQ(session_.document().decoded(), last);
+}
+
+TEST_F(History, ADragOfTheSliderIsOneStep) {
+  for (int ratio = 11; ratio <= 30; ++ratio) session_.setOptions(standard(ratio));
+  EXPECT_EQ(session_.history()->count(), 1);
+  session_.history()->undo();
+  EXPECT_DOUBLE_EQ(target(), 10);
+  session_.history()->redo();
+  EXPECT_DOUBLE_EQ(target(), 30);
+}
+
+TEST_F(History, EveryContactEditIsAStepOfItsOwn) {
+  session_.setContacts({{4, 10, 20}});
+  session_.setContacts({{4, 10, 25}});
+  EXPECT_EQ(session_.history()->count(), 2);
+  session_.history()->undo();
+  EXPECT_EQ(session_.document().contacts(), (std::vector<ContactSpan>{{4, 10, 20}}));
+  session_.history()->undo();
+  EXPECT_FALSE(session_.document().options().contacts);
+}
+
+TEST_F(History, BeginsAnewWithAnotherClip) {
+  session_.setOptions(standard(20));
+  const QString path = directory_.filePath(QStringLiteral("other.bvh"));
+  write_motion(path.toStdU16String(), test::smooth_motion(100, 2));
+  settleAfter([&] { session_.open(path); });
+  EXPECT_FALSE(session_.history()->canUndo());
+}
+
+TEST_F(History, TheCurveOfTheClipFillsAndOutlivesAnotherTarget) {
+  ClipCurve curve(&session_);
+  QSignalSpy changed(&curve, &ClipCurve::changed);
+  settleAfter([&] { session_.setOptions(standard(20)); });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return changed.count() > 0 && !curve.busy(); }, kPatience));
+  const std::size_t points = curve.ratios().size();
+  EXPECT_GE(points, 8u);
+  ASSERT_EQ(curve.curves().size(), 1u);
+  EXPECT_GE(curve.curves().front().line.size(), 4u);
+  settleAfter([&] { session_.setOptions(standard(33)); });
+  EXPECT_GT(curve.ratios().size(), points);
+  EncodeOptions joints = standard(33);
+  joints.weighting = Weighting::JointOrigins;
+  settleAfter([&] { session_.setOptions(joints); });
+  EXPECT_LE(curve.ratios().size(), 2u);  // others were of another weighting
+}
+
+}  // namespace
+}  // namespace mocapress

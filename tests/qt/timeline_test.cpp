@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/timeline/timeline.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QImage>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "widgets/panels/figures_bar.h"
+#include "widgets/plots/channel_graph.h"
+#include "widgets/plots/heat_map.h"
+#include "widgets/timeline/contact_strip.h"
+#include "widgets/timeline/error_strip.h"
+
+namespace mocapress {
+namespace {
+
+const std::vector<QString> kNames = {QStringLiteral("hip"), QStringLiteral("toe")};
+constexpr int kFrames = 100;
+
+int countOf(const QImage& picture, const QColor& colour, const QRect& area) {
+  int count = 0;
+  for (int y = area.top(); y <= area.bottom(); ++y)
+    for (int x = area.left(); x <= area.right(); ++x)
+      count += picture.pixelColor(x, y).rgb() == colour.rgb();
+  return count;
+}
+
+class TimelineStrips : public testing::Test {
+ protected:
+  TimelineStrips() {
+    timeline_.setContacts({{1, 20, 59}}, kNames, kFrames);
+    ErrorProfile profile{Eigen::VectorXf::Zero(kFrames), Eigen::VectorXf::Zero(kFrames)};
+    profile.max.segment(70, 10).setConstant(2);
+    timeline_.errors()->setErrors(profile, {2}, kFrames);
+    timeline_.resize(500, timeline_.sizeHint().height());
+    timeline_.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&timeline_));
+    left_ = 2 * kStripMargin +
+            std::max(timeline_.errors()->labelWidth(), timeline_.contacts()->labelWidth());
+  }
+
+  int xOf(double frame) const {
+    return static_cast<int>(
+        TimeAxis{static_cast<double>(left_), 500.0 - kStripMargin, kFrames}.xOf(frame));
+  }
+
+  QPoint onLane(double frame) const { return {xOf(frame), timeline_.contacts()->height() / 2}; }
+
+  Timeline timeline_;
+  int left_;
+};
+
+TEST_F(TimelineStrips, ShowTheWorstFramesHighAndYellowWhereTheyAre) {
+  const QImage picture = timeline_.errors()->grab().toImage();
+  const int height = timeline_.errors()->height();
+  const QRect bad(xOf(71), 10, xOf(79) - xOf(71), height - 14);
+  const QRect good(xOf(81), 10, xOf(99) - xOf(81), height - 14);
+  EXPECT_GT(countOf(picture, viridis(1), bad), bad.width() * bad.height() / 2);
+  EXPECT_EQ(countOf(picture, viridis(1), good), 0);
+}
+
+TEST_F(TimelineStrips, MarkJumpsOfOneFrame) {
+  const QColor mark(0xd5, 0x5e, 0x00);
+  const QRect above(0, 0, 500, 8);
+  EXPECT_EQ(countOf(timeline_.errors()->grab().toImage(), mark, above), 0);
+  timeline_.errors()->setGlitches({{30, 1, 2.0}}, kNames);
+  const QRect there(xOf(30) - 4, 0, 12, 8);
+  EXPECT_GT(countOf(timeline_.errors()->grab().toImage(), mark, there), 10);
+}
+
+TEST_F(TimelineStrips, AClickSeeksAndShiftDragChoosesTheRange) {
+  QSignalSpy seek(&timeline_, &Timeline::seekRequested);
+  QTest::mouseClick(timeline_.errors(), Qt::LeftButton, {}, {xOf(40) + 2, 20});
+  ASSERT_EQ(seek.count(), 1);
+  EXPECT_EQ(seek[0][0].toInt(), 40);
+  FrameRange range;
+  QObject::connect(timeline_.errors(), &ErrorStrip::rangeChosen,
+                   [&](const FrameRange& chosen) { range = chosen; });
+  QTest::mousePress(timeline_.errors(), Qt::LeftButton, Qt::ShiftModifier, {xOf(60) + 2, 20});
+  QMouseEvent move(QEvent::MouseMove, QPointF(xOf(30) + 2, 20), QPointF(), Qt::NoButton,
+                   Qt::LeftButton, Qt::ShiftModifier);
+  QCoreApplication::sendEvent(timeline_.errors(), &move);
+  EXPECT_EQ(range, FrameRange(30, 60));
+}
+
+TEST_F(TimelineStrips, AContactsEndCanBeDragged) {
+  std::vector<ContactSpan> edited;
+  QObject::connect(timeline_.contacts(), &ContactStrip::contactsEdited,
+                   [&](const std::vector<ContactSpan>& contacts) { edited = contacts; });
+  QSignalSpy seek(&timeline_, &Timeline::seekRequested);
+  const auto drag = [&](double from, double to) {
+    QTest::mousePress(timeline_.contacts(), Qt::LeftButton, {}, onLane(from));
+    QMouseEvent move(QEvent::MouseMove, QPointF(onLane(to)), QPointF(), Qt::NoButton,
+                     Qt::LeftButton, {});
+    QCoreApplication::sendEvent(timeline_.contacts(), &move);
+    QTest::mouseRelease(timeline_.contacts(), Qt::LeftButton, {}, onLane(to));
+  };
+  drag(60, 80);  // the last frame ends where frame 60 begins
+  EXPECT_EQ(edited, (std::vector<ContactSpan>{{1, 20, 79}}));
+  drag(20, 5);
+  EXPECT_EQ(edited, (std::vector<ContactSpan>{{1, 5, 79}}));
+  EXPECT_EQ(seek.count(), 0);
+  drag(40, 45);  // between the ends: nothing is edited
+  EXPECT_EQ(edited, (std::vector<ContactSpan>{{1, 5, 79}}));
+  EXPECT_GT(seek.count(), 0);
+}
+
+TEST(HeatImage, HasARowALandmarkAndKeepsTheWorstOfFramesThatShareAColumn) {
+  Eigen::MatrixXf distances = Eigen::MatrixXf::Zero(1000, 3);
+  distances(437, 1) = 2;
+  const QImage image = heatImage(distances, {2}, 100);
+  ASSERT_EQ(image.size(), QSize(100, 3));
+  for (int column = 0; column < 100; ++column)
+    for (int row = 0; row < 3; ++row)
+      EXPECT_EQ(image.pixelColor(column, row), viridis(column == 43 && row == 1 ? 1 : 0));
+}
+
+TEST(HeatMap, AClickTellsFrameAndLandmark) {
+  HeatMap map;
+  map.setDistances(std::make_shared<Eigen::MatrixXf>(Eigen::MatrixXf::Ones(kFrames, 2)), kNames,
+                   {2});
+  map.resize(600, 240);
+  QSignalSpy chosen(&map, &HeatMap::chosen);
+  QTest::mouseClick(&map, Qt::LeftButton, {}, {600 - 8 - 1, 100 + 60});
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen[0][0].toInt(), kFrames - 1);
+  EXPECT_EQ(chosen[0][1].toInt(), 1);
+  map.setFrame(kFrames - 1);
+  map.setCurrentLandmark(1);
+  QTest::keyClick(&map, Qt::Key_Up);
+  ASSERT_EQ(chosen.count(), 2);
+  EXPECT_EQ(chosen[1][1].toInt(), 0);
+}
+
+TEST(FiguresBar, NamesTheWeightingAndShowsEveryFigure) {
+  FiguresBar bar;
+  ResultFigures figures{.ratio = 25,
+                        .motion_bytes = 7100,
+                        .weighting = Weighting::JointOrigins,
+                        .eps_cm = 0.12,
+                        .p95_cm = 0.34,
+                        .p99_cm = 0.56,
+                        .max_cm = 0.78,
+                        .bits_per_joint_sample = 2.5};
+  bar.setFigures(figures);
+  QString all;
+  for (const QLabel* label : bar.findChildren<QLabel*>()) all += label->text() + QLatin1Char('|');
+  for (const char* text :
+       {"joint origins", "0.12 cm", "0.34 cm", "0.56 cm", "0.78 cm", "7.1 kB", "25.0 : 1", "2.50"})
+    EXPECT_TRUE(all.contains(QString::fromLatin1(text))) << text << " in " << qPrintable(all);
+  bar.setFigures({});
+  for (const QLabel* label : bar.findChildren<QLabel*>())
+    EXPECT_FALSE(label->text().contains(QStringLiteral("0.12")));
+}
+
+TEST(ChannelGraph, DrawsWhatItIsGivenAndSeeks) {
+  ChannelGraph graph;
+  graph.resize(700, 260);
+  graph.setChannels({QStringLiteral("hip tx"), QStringLiteral("hip ty")}, 1);
+  ChannelCurves curves;
+  curves.original = Eigen::VectorXd::LinSpaced(kFrames, 0, 1);
+  curves.compressed = curves.original.array() + 0.1;
+  curves.kept = {{2, 2}, {1, 4}};
+  graph.setCurves(curves);
+  graph.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&graph));
+  QTest::qWait(50);
+  const QImage picture = graph.grab().toImage();
+  EXPECT_GT(countOf(picture, QColor(0xd5, 0x5e, 0x00), picture.rect()), 100);  // compressed
+  EXPECT_GT(countOf(picture, QColor(0x00, 0x72, 0xb2), picture.rect()), 400);  // bars
+  EXPECT_EQ(graph.channels()->currentIndex(), 1);
+}
+
+}  // namespace
+}  // namespace mocapress

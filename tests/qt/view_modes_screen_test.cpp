@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ways to compare the figures in the 3D view: needs an X display with OpenGL (Xvfb will do).
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QWindow>
+
+#include "core/motion/landmarks.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 30'000;  // ms
+
+/// An upright stick of three joints, 60 cm apart.
+Skeleton stick() {
+  Skeleton skeleton;
+  Joint foot;
+  foot.parent = -1;
+  foot.offset = {0, 5, 25};
+  foot.channels = {ChannelKind::TranslationX};
+  skeleton.add(foot);
+  for (int above = 0; above < 2; ++above) {
+    Joint joint;
+    joint.parent = above;
+    joint.offset = {0, 60, 0};
+    skeleton.add(joint);
+  }
+  return skeleton;
+}
+
+constexpr int kMiddle = 1;
+
+/// Two frames, the second 30 cm along x.
+Viewport::Tracks stickAt(double x_cm) {
+  Clip clip;
+  clip.channels = Eigen::Vector2d(x_cm, x_cm + 30);
+  return std::make_shared<const Eigen::MatrixXd>(landmark_tracks(stick(), clip));
+}
+
+bool isRed(QRgb pixel) {
+  return qRed(pixel) > 2 * qGreen(pixel) && qRed(pixel) > 2 * qBlue(pixel);
+}
+
+bool isDarkGrey(QRgb pixel) {
+  return qGray(pixel) < 150 && std::abs(qRed(pixel) - qBlue(pixel)) < 40 &&
+         std::abs(qRed(pixel) - qGreen(pixel)) < 40;
+}
+
+class ViewModes : public testing::Test {
+ protected:
+  void SetUp() override {
+    viewport_.resize(800, 480);
+    viewport_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&viewport_));
+    viewport_.setSkeleton(stick());
+    viewport_.setOriginal(original_);
+    viewport_.setCompressed(compressed_);
+  }
+
+  QImage picture(const ViewOptions& options) {
+    viewport_.setOptions(options);
+    QSignalSpy captured(&viewport_, &Viewport::captured);
+    viewport_.capture();
+    EXPECT_TRUE(captured.wait(kPatience));
+    return captured.isEmpty() ? QImage() : captured.first().first().value<QImage>();
+  }
+
+  QPoint seen(const Viewport::Tracks& tracks, int frame = 0) const {
+    return viewport_.camera().project(landmarkAt(*tracks, frame, kMiddle))->toPoint();
+  }
+
+  QWindow* scene() {
+    for (QWindow* window : QGuiApplication::allWindows())
+      if (window->inherits("mocapress::Scene")) return window;
+    return nullptr;
+  }
+
+  const Viewport::Tracks original_ = stickAt(30);
+  const Viewport::Tracks compressed_ = stickAt(-30);
+  Viewport viewport_;
+};
+
+TEST_F(ViewModes, SideBySideShowsEachInItsHalfAndSwapExchangesThem) {
+  for (const bool swapped : {false, true}) {
+    const QImage sides = picture({.mode = ViewMode::SideBySide, .swapped = swapped});
+    const QPoint half(400, 0);
+    const QPoint grey = seen(original_) + (swapped ? half : QPoint());
+    const QPoint red = seen(compressed_) + (swapped ? QPoint() : half);
+    EXPECT_TRUE(isDarkGrey(sides.pixel(grey))) << swapped;
+    EXPECT_TRUE(isRed(sides.pixel(red))) << swapped;
+    EXPECT_FALSE(isRed(sides.pixel(red.x() < 400 ? red + half : red - half)));
+  }
+}
+
+TEST_F(ViewModes, WipeShowsTheOriginalLeftAndTheCompressedRightOfTheDivider) {
+  const QPoint grey = seen(original_);
+  const QPoint red = seen(compressed_);
+  const auto shareRightOf = [](const QPoint& point) { return (point.x() + 25) / 800.0; };
+  const auto shareLeftOf = [](const QPoint& point) { return (point.x() - 25) / 800.0; };
+  const QImage left = picture({.mode = ViewMode::Wipe, .divider = shareLeftOf(red)});
+  EXPECT_TRUE(isRed(left.pixel(red)));
+  const QImage right = picture({.mode = ViewMode::Wipe, .divider = shareRightOf(red)});
+  EXPECT_FALSE(isRed(right.pixel(red)));
+  EXPECT_TRUE(
+      isDarkGrey(picture({.mode = ViewMode::Wipe, .divider = shareRightOf(grey)}).pixel(grey)));
+  EXPECT_FALSE(
+      isDarkGrey(picture({.mode = ViewMode::Wipe, .divider = shareLeftOf(grey)}).pixel(grey)));
+}
+
+TEST_F(ViewModes, TheDividerFollowsTheMouseAndTheCameraStays) {
+  picture({.mode = ViewMode::Wipe});
+  QSignalSpy moved(&viewport_, &Viewport::dividerMoved);
+  const QVector3D eye = viewport_.camera().eye();
+  QTest::mousePress(scene(), Qt::LeftButton, {}, {402, 200});
+  QTest::mouseMove(scene(), {200, 210});
+  QTest::mouseRelease(scene(), Qt::LeftButton, {}, {200, 210});
+  ASSERT_FALSE(moved.isEmpty());
+  EXPECT_NEAR(viewport_.options().divider, 0.25, 0.01);
+  EXPECT_EQ(viewport_.camera().eye(), eye);
+}
+
+TEST_F(ViewModes, BlinkingShowsNowOneNowTheOther) {
+  const QPoint red = seen(compressed_);
+  bool with = false;
+  bool without = false;
+  for (int look = 0; look < 40 && !(with && without); ++look) {
+    const bool now = isRed(picture({.blinking = true}).pixel(red));
+    (now ? with : without) = true;
+    QTest::qWait(50);
+  }
+  EXPECT_TRUE(with && without);
+}
+
+TEST_F(ViewModes, ColoursByErrorFromVioletToYellowWithALegend) {
+  const QPoint joint = seen(compressed_);
+  const auto errors = [](float cm) {
+    return std::make_shared<const Eigen::MatrixXf>(Eigen::MatrixXf::Constant(2, 3, cm));
+  };
+  viewport_.setErrors(errors(0), {2});
+  const QRgb least = picture({.by_error = true}).pixel(joint);
+  EXPECT_GT(qBlue(least), qGreen(least) + 20);  // violet
+  viewport_.setErrors(errors(2), {2});
+  const QImage worst = picture({.by_error = true});
+  EXPECT_GT(qGreen(worst.pixel(joint)), qBlue(worst.pixel(joint)) + 60);  // yellow
+  EXPECT_GT(qRed(worst.pixel(joint)), qBlue(worst.pixel(joint)) + 60);
+  // The legend's ramp, in the lower right corner, begins violet and ends yellow.
+  const int y = 480 - 12 - 46 + 13;
+  const QRgb from = worst.pixel(800 - 12 - 252 + 20, y);
+  const QRgb to = worst.pixel(800 - 12 - 34, y);
+  EXPECT_GT(qBlue(from), qGreen(from) + 20);
+  EXPECT_GT(qGreen(to), qBlue(to) + 60);
+}
+
+TEST_F(ViewModes, NamesTheFiguresAtTheTopOfTheirPanes) {
+  const QImage sides = picture({.mode = ViewMode::SideBySide});
+  const QPoint dot(12 + 8 + 5, 12 + 13);  // in each title
+  EXPECT_TRUE(isDarkGrey(sides.pixel(dot)));
+  EXPECT_TRUE(isRed(sides.pixel(dot + QPoint(400, 0))));
+}
+
+TEST_F(ViewModes, InPlaceTheRootStays) {
+  const QPoint before = seen(compressed_, 0);
+  viewport_.setFrame(1);
+  EXPECT_FALSE(isRed(picture({}).pixel(before)));
+  EXPECT_TRUE(isRed(picture({.in_place = true}).pixel(before)));
+}
+
+TEST_F(ViewModes, TheFloorIsSeenFromAbove) {
+  viewport_.lookDown();
+  const QVector3D down = viewport_.camera().target() - viewport_.camera().eye();
+  EXPECT_LT(down.normalized().y(), -0.99f);
+  viewport_.resetCamera();
+  EXPECT_GT((viewport_.camera().target() - viewport_.camera().eye()).normalized().y(), -0.5f);
+}
+
+TEST_F(ViewModes, ThePathOfTheJointIsDrawn) {
+  viewport_.setSelectedJoint(kMiddle);
+  const QPoint ahead = (seen(compressed_, 0) + seen(compressed_, 1)) / 2;
+  EXPECT_FALSE(isRed(picture({}).pixel(ahead)));
+  EXPECT_TRUE(isRed(picture({.path = true}).pixel(ahead)));
+}
+
+TEST_F(ViewModes, AClickFindsTheJointInTheHalfItIsSeenIn) {
+  picture({.mode = ViewMode::SideBySide});
+  QSignalSpy clicked(&viewport_, &Viewport::jointClicked);
+  QTest::mouseClick(scene(), Qt::LeftButton, {}, seen(compressed_) + QPoint(400, 0));
+  QTest::mouseClick(scene(), Qt::LeftButton, {}, seen(compressed_));  // the original is elsewhere
+  QTest::mouseClick(scene(), Qt::LeftButton, {}, seen(original_));
+  ASSERT_EQ(clicked.size(), 2);
+  EXPECT_EQ(clicked[0][0].toInt(), kMiddle);
+  EXPECT_EQ(clicked[1][0].toInt(), kMiddle);
+}
+
+}  // namespace
+}  // namespace mocapress

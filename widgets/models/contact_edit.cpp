@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/contact_edit.h"
+
+#include <algorithm>
+
+namespace mocapress {
+namespace {
+
+/// The frames that no other contact of the landmark takes, around one that is free.
+struct Room {
+  int first;
+  int last;
+};
+
+Room roomAround(const std::vector<ContactSpan>& contacts, int landmark, int frame, int frames,
+                int but = -1) {
+  Room room{0, frames - 1};
+  for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
+    const ContactSpan& span = contacts[static_cast<std::size_t>(i)];
+    if (i == but || span.landmark != landmark) continue;
+    if (span.last_frame < frame) room.first = std::max(room.first, span.last_frame + 1);
+    if (span.first_frame > frame) room.last = std::min(room.last, span.first_frame - 1);
+  }
+  return room;
+}
+
+}  // namespace
+
+std::vector<ContactSpan> withEndAt(std::vector<ContactSpan> contacts, int index, SpanEnd end,
+                                   int frame, int frames) {
+  ContactSpan& span = contacts[static_cast<std::size_t>(index)];
+  const Room room = roomAround(contacts, span.landmark, span.first_frame, frames, index);
+  if (end == SpanEnd::First)
+    span.first_frame = std::clamp(frame, room.first, span.last_frame);
+  else
+    span.last_frame = std::clamp(frame, span.first_frame, room.last);
+  return contacts;
+}
+
+std::vector<ContactSpan> withoutContact(std::vector<ContactSpan> contacts, int index) {
+  contacts.erase(contacts.begin() + index);
+  return contacts;
+}
+
+std::vector<ContactSpan> withContactAt(std::vector<ContactSpan> contacts, int landmark, int frame,
+                                       int length, int frames) {
+  for (const ContactSpan& span : contacts)
+    if (span.landmark == landmark && span.first_frame <= frame && frame <= span.last_frame)
+      return contacts;
+  const Room room = roomAround(contacts, landmark, frame, frames);
+  const int first = std::max(room.first, frame - length / 2);
+  const ContactSpan added{landmark, first, std::min(room.last, first + length - 1)};
+  // Before the next of its landmark, else after the last of it, else at the end.
+  auto place = std::find_if(contacts.begin(), contacts.end(), [&](const ContactSpan& span) {
+    return span.landmark == landmark && span.first_frame > frame;
+  });
+  if (place == contacts.end()) {
+    const auto last =
+        std::find_if(contacts.rbegin(), contacts.rend(),
+                     [&](const ContactSpan& span) { return span.landmark == landmark; });
+    if (last != contacts.rend()) place = last.base();
+  }
+  contacts.insert(place, added);
+  return contacts;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/error_profile.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+namespace mocapress {
+
+ErrorProfile errorProfile(const Eigen::MatrixXf& distances) {
+  if (distances.size() == 0) return {};
+  return {distances.rowwise().maxCoeff(), distances.rowwise().mean()};
+}
+
+std::vector<int> worstFrames(const Eigen::VectorXf& max, int apart, int most) {
+  std::vector<int> order(static_cast<std::size_t>(max.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return max[a] > max[b]; });
+  std::vector<int> worst;
+  for (const int frame : order) {
+    if (static_cast<int>(worst.size()) == most) break;
+    const bool alone = std::all_of(worst.begin(), worst.end(),
+                                   [&](int worse) { return std::abs(worse - frame) >= apart; });
+    if (alone) worst.push_back(frame);
+  }
+  return worst;
+}
+
+int nextWorst(const std::vector<int>& worst, int frame, int step) {
+  const auto found = std::find(worst.begin(), worst.end(), frame);
+  if (worst.empty()) return frame;
+  if (found == worst.end()) return worst.front();
+  const auto count = static_cast<int>(worst.size());
+  const auto place = static_cast<int>(found - worst.begin());
+  return worst[static_cast<std::size_t>((place + step + count) % count)];
+}
+
+}  // namespace mocapress

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/figures_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+
+#include "widgets/panels/names.h"
+
+namespace mocapress {
+namespace {
+
+const QString kUnknown = QStringLiteral("–");
+
+QString centimetres(const std::optional<double>& cm) {
+  return cm ? FiguresBar::tr("%L1 cm").arg(*cm, 0, 'f', 2) : kUnknown;
+}
+
+}  // namespace
+
+FiguresBar::FiguresBar(QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 1, 8, 1);
+  row->setSpacing(5);
+  eps_ = add(row, tr("eps_x"),
+             tr("Root mean square distance between original and compressed, weighted by bone "
+                "length: the paper's distortion."));
+  p95_ = add(row, tr("p95"), tr("95 % of all points at all frames are nearer to the original."));
+  p99_ = add(row, tr("p99"), tr("99 % of all points at all frames are nearer to the original."));
+  max_ = add(row, tr("max"), tr("Greatest distance of any joint at any frame."));
+  footskate_ = add(row, tr("footskate"), tr("Sliding of standing feet beyond the original's own."));
+  size_ = add(row, tr("size"), tr("Compressed motion bytes, without the skeleton."));
+  ratio_ = add(row, tr("ratio"),
+               tr("Channels as 32-bit floats over the compressed motion bytes, as in the paper."));
+  bits_ = add(row, tr("bits per joint-sample"),
+              tr("Motion bits for one joint at one frame: does not depend on a baseline."));
+  row->addStretch(1);
+  setFigures({});
+}
+
+FiguresBar::Figure FiguresBar::add(QHBoxLayout* row, const QString& name,
+                                   const QString& explanation) {
+  if (row->count() > 0) row->addSpacing(14);
+  Figure figure{new QLabel(name, this), new QLabel(this)};
+  figure.caption->setForegroundRole(QPalette::PlaceholderText);
+  QFont bold = figure.value->font();
+  bold.setWeight(QFont::DemiBold);
+  figure.value->setFont(bold);
+  figure.value->setAccessibleName(name);
+  for (QLabel* label : {figure.caption, figure.value}) {
+    label->setToolTip(explanation);
+    row->addWidget(label);
+  }
+  return figure;
+}
+
+void FiguresBar::setFigures(const std::optional<ResultFigures>& figures) {
+  const ResultFigures known = figures.value_or(ResultFigures());
+  const auto show = [&](const Figure& figure, const QString& text) {
+    figure.value->setText(figures ? text : kUnknown);
+  };
+  eps_.caption->setText(figures ? tr("eps_x, %1").arg(displayName(known.weighting).toLower())
+                                : tr("eps_x"));
+  show(eps_, centimetres(known.eps_cm));
+  show(p95_, centimetres(known.p95_cm));
+  show(p99_, centimetres(known.p99_cm));
+  show(max_, centimetres(known.max_cm));
+  show(footskate_, centimetres(known.footskate_cm));
+  show(size_, QLocale().formattedDataSize(static_cast<qint64>(known.motion_bytes), 1,
+                                          QLocale::DataSizeSIFormat));
+  show(ratio_, tr("%L1 : 1").arg(known.ratio, 0, 'f', 1));
+  show(bits_, QLocale().toString(known.bits_per_joint_sample, 'f', 2));
+}
+
+}  // namespace mocapress

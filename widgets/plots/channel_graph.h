@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <QStringList>
+#include <QWidget>
+#include <vector>
+
+#include "widgets/models/kept_coefficients.h"
+
+class QComboBox;
+class QCPAxisRect;
+class QCPItemStraightLine;
+class QCustomPlot;
+class QLabel;
+
+namespace mocapress {
+
+/// One channel of the skeleton over time, as recorded and as compressed.
+struct ChannelCurves {
+  Eigen::VectorXd original;    // degrees or cm; empty: unknown
+  Eigen::VectorXd compressed;  // likewise
+  bool rotation = false;
+  std::vector<KeptBand> kept;  // of the compressed one; empty: unknown
+  double sample_rate_hz = 120;
+};
+
+/// Original, compressed and difference of one channel, and how many wavelet coefficients of each
+/// scale it keeps. A click seeks.
+class ChannelGraph : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ChannelGraph(QWidget* parent = nullptr);
+
+  /// The channels to choose from; `current` of them is shown, -1: none.
+  void setChannels(const QStringList& names, int current);
+  void setCurves(const ChannelCurves& curves);
+  void setFrame(int frame);
+
+  QComboBox* channels() const { return channels_; }
+
+ signals:
+  void channelChosen(int index);
+  void seekRequested(int frame);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void redraw();
+  void drawCurves();
+  void drawBands();
+  void applyColours();
+  void seekTo(int x_pixel);
+
+  QComboBox* channels_;
+  QLabel* hint_;
+  QCustomPlot* curves_plot_;
+  QCustomPlot* bands_plot_;
+  QCPAxisRect* difference_;
+  std::vector<QCPItemStraightLine*> playheads_;
+  ChannelCurves curves_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/heat_map.h"
+
+#include <QHelpEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mocapress {
+namespace {
+
+constexpr int kMostColumns = 2048;
+constexpr int kMargin = 8;
+constexpr int kLegendHeight = 22;
+constexpr int kRampWidth = 140;
+
+std::array<QRgb, 256> ramp() {
+  std::array<QRgb, 256> colours{};
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    colours[i] = viridis(static_cast<double>(i) / (colours.size() - 1)).rgb();
+  return colours;
+}
+
+}  // namespace
+
+QImage heatImage(const Eigen::MatrixXf& distances, const ErrorScale& scale, int most_columns) {
+  if (distances.size() == 0) return {};
+  static const std::array<QRgb, 256> kRamp = ramp();
+  const auto frames = static_cast<int>(distances.rows());
+  const auto rows = static_cast<int>(distances.cols());
+  const int columns = std::min(frames, most_columns);
+  QImage image(columns, rows, QImage::Format_RGB32);
+  for (int row = 0; row < rows; ++row) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(row));
+    for (int column = 0; column < columns; ++column) {
+      const auto first = static_cast<Eigen::Index>(column) * frames / columns;
+      const auto end = static_cast<Eigen::Index>(column + 1) * frames / columns;
+      const auto worst = static_cast<double>(
+          distances.col(row).segment(first, std::max<Eigen::Index>(end - first, 1)).maxCoeff());
+      line[column] = kRamp[static_cast<std::size_t>(std::lround(255 * scale.share(worst)))];
+    }
+  }
+  return image;
+}
+
+HeatMap::HeatMap(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Heat map of errors"));
+  setAccessibleDescription(
+      tr("Error of every joint at every frame. Arrow keys move to the next joint or frame."));
+  setFocusPolicy(Qt::StrongFocus);
+}
+
+void HeatMap::setDistances(Distances distances, std::vector<QString> names,
+                           const ErrorScale& scale) {
+  distances_ = std::move(distances);
+  names_ = std::move(names);
+  scale_ = scale;
+  image_ = distances_ ? heatImage(*distances_, scale_, kMostColumns) : QImage();
+  names_width_ = 0;
+  for (const QString& name : names_)
+    names_width_ = std::max(names_width_, fontMetrics().horizontalAdvance(name));
+  update();
+}
+
+void HeatMap::setFrame(int frame) {
+  frame_ = frame;
+  update();
+}
+
+void HeatMap::setCurrentLandmark(int landmark) {
+  current_ = landmark;
+  update();
+}
+
+QRectF HeatMap::mapArea() const {
+  const double left = 2 * kMargin + names_width_;
+  return {left, kMargin / 2.0, width() - left - kMargin, height() - kMargin / 2.0 - kLegendHeight};
+}
+
+QRectF HeatMap::rowOf(int landmark) const {
+  const QRectF area = mapArea();
+  const double height = area.height() / std::max(rows(), 1);
+  return {area.left(), area.top() + landmark * height, area.width(), height};
+}
+
+std::optional<HeatMap::Cell> HeatMap::cellAt(const QPointF& position) const {
+  const QRectF area = mapArea();
+  if (!distances_ || distances_->size() == 0) return {};
+  const auto frames = static_cast<int>(distances_->rows());
+  const auto place = [](double share, int count) {
+    return std::clamp(static_cast<int>(std::floor(share * count)), 0, count - 1);
+  };
+  return Cell{place((position.x() - area.left()) / area.width(), frames),
+              place((position.y() - area.top()) / area.height(), rows())};
+}
+
+void HeatMap::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), palette().color(QPalette::Base));
+  const QRectF area = mapArea();
+  if (image_.isNull()) {
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(rect(), Qt::AlignCenter, tr("Errors are measured against the original."));
+    return;
+  }
+  painter.drawImage(area, image_);
+  painter.setPen(palette().color(QPalette::Text));
+  // Names that do not fit beside each other are left out, but not the current one.
+  const int line = fontMetrics().height();
+  const int step = std::max(1, static_cast<int>(std::ceil(line / rowOf(0).height())));
+  const auto name = [&](int row) {
+    const QRectF at = rowOf(row);
+    painter.drawText(QRectF(kMargin, at.center().y() - line / 2.0, names_width_, line),
+                     Qt::AlignRight | Qt::AlignVCenter, names_[static_cast<std::size_t>(row)]);
+  };
+  for (int row = 0; row < rows(); row += step)
+    if (current_ < 0 || std::abs(row - current_) >= step) name(row);
+  const double x =
+      area.left() + area.width() * (frame_ + 0.5) / std::max(1, int(distances_->rows()));
+  painter.setPen(QPen(Qt::white, 1));
+  painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+  if (current_ >= 0 && current_ < rows()) {
+    painter.setPen(palette().color(QPalette::Text));
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    painter.setFont(bold);
+    name(current_);
+    painter.setFont(font());
+    painter.setPen(QPen(Qt::white, 1));
+    painter.drawRect(rowOf(current_).adjusted(0, -0.5, 0, 0.5));
+  }
+  paintLegend(painter);
+}
+
+void HeatMap::paintLegend(QPainter& painter) const {
+  const QRectF area = mapArea();
+  const QString none = tr("0 cm");
+  const QString top = tr("≥ %L1 cm").arg(scale_.top_cm);
+  const double top_width = fontMetrics().horizontalAdvance(top) + 4;
+  const double y = area.bottom() + kLegendHeight / 2.0 + 1;
+  const double left = area.right() - top_width - kRampWidth - 6;
+  for (int x = 0; x < kRampWidth; ++x)
+    painter.fillRect(QRectF(left + x, y - 4, 1, 8),
+                     viridis(static_cast<double>(x) / (kRampWidth - 1)));
+  painter.setPen(palette().color(QPalette::Text));
+  const double line = fontMetrics().height();
+  painter.drawText(QRectF(area.right() - top_width, y - line / 2, top_width, line),
+                   Qt::AlignRight | Qt::AlignVCenter, top);
+  painter.drawText(QRectF(left - 106, y - line / 2, 100, line), Qt::AlignRight | Qt::AlignVCenter,
+                   none);
+}
+
+bool HeatMap::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const std::optional<Cell> cell = cellAt(help->pos());
+  if (!cell || !mapArea().contains(help->pos())) {
+    QToolTip::hideText();
+    return true;
+  }
+  const auto cm = static_cast<double>((*distances_)(cell->frame, cell->landmark));
+  QToolTip::showText(help->globalPos(),
+                     tr("%1, frame %L2: %L3 cm")
+                         .arg(names_[static_cast<std::size_t>(cell->landmark)])
+                         .arg(cell->frame + 1)
+                         .arg(cm, 0, 'f', 2),
+                     this);
+  return true;
+}
+
+void HeatMap::choose(const QPointF& position) {
+  if (const std::optional<Cell> cell = cellAt(position)) emit chosen(cell->frame, cell->landmark);
+}
+
+void HeatMap::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) choose(event->position());
+}
+
+void HeatMap::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() & Qt::LeftButton) choose(event->position());
+}
+
+void HeatMap::keyPressEvent(QKeyEvent* event) {
+  const int down = event->key() == Qt::Key_Down ? 1 : event->key() == Qt::Key_Up ? -1 : 0;
+  if (down == 0 || rows() == 0) return QWidget::keyPressEvent(event);
+  emit chosen(frame_, std::clamp(current_ + down, 0, rows() - 1));
+}
+
+}  // namespace mocapress

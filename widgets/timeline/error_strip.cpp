@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/timeline/error_strip.h"
+
+#include <QHelpEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+namespace mocapress {
+namespace {
+
+constexpr int kAbove = 9;  // pixels for the marks
+constexpr int kBelow = 2;
+constexpr double kMarkSize = 7;
+constexpr QRgb kMark = 0xffd55e00;  // Okabe and Ito's vermilion
+
+}  // namespace
+
+ErrorStrip::ErrorStrip(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setAccessibleName(tr("Error strip"));
+  setAccessibleDescription(
+      tr("Greatest and mean error at every frame. The table of joints has the numbers."));
+}
+
+void ErrorStrip::setErrors(ErrorProfile profile, const ErrorScale& scale, int frames) {
+  profile_ = std::move(profile);
+  scale_ = scale;
+  frames_ = frames;
+  update();
+}
+
+void ErrorStrip::setGlitches(std::vector<Glitch> glitches, std::vector<QString> names) {
+  glitches_ = std::move(glitches);
+  names_ = std::move(names);
+  update();
+}
+
+void ErrorStrip::setRange(const std::optional<FrameRange>& range) {
+  range_ = range;
+  update();
+}
+
+void ErrorStrip::setFrame(int frame) {
+  frame_ = frame;
+  update();
+}
+
+void ErrorStrip::setLabelWidth(int pixels) {
+  label_width_ = pixels;
+  update();
+}
+
+int ErrorStrip::labelWidth() const {
+  return fontMetrics().horizontalAdvance(tr("Error"));
+}
+
+TimeAxis ErrorStrip::axis() const {
+  return {static_cast<double>(2 * kStripMargin + label_width_),
+          static_cast<double>(width() - kStripMargin), frames_};
+}
+
+QRectF ErrorStrip::plotArea() const {
+  const TimeAxis time = axis();
+  return {time.left, kAbove, time.right - time.left,
+          static_cast<double>(height() - kAbove - kBelow)};
+}
+
+void ErrorStrip::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const QRectF area = plotArea();
+  painter.fillRect(area, palette().color(QPalette::AlternateBase));
+  painter.setPen(palette().color(QPalette::PlaceholderText));
+  const QRectF label(kStripMargin, area.top(), label_width_, area.height());
+  painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter, tr("Error"));
+  if (profile_.frames() == frames_ && frames_ > 0) {
+    paintColumns(painter);
+    paintMean(painter);
+    paintGlitches(painter);
+  }
+  paintRange(painter);
+  const double x = axis().xOf(frame_ + 0.5);
+  painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
+  painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+}
+
+/// A column a pixel, of the worst of its frames: none that is bad is lost between pixels.
+void ErrorStrip::paintColumns(QPainter& painter) const {
+  const QRectF area = plotArea();
+  const TimeAxis time = axis();
+  for (double x = area.left(); x < area.right(); ++x) {
+    const int first = time.frameAt(x);
+    const int count = std::max(1, time.frameAt(x + 1) - first);
+    const auto cm = static_cast<double>(profile_.max.segment(first, count).maxCoeff());
+    const double height = std::max(1.0, scale_.share(cm) * area.height());
+    painter.fillRect(QRectF(x, area.bottom() - height, 1, height), scale_.colour(cm));
+  }
+}
+
+void ErrorStrip::paintMean(QPainter& painter) const {
+  const QRectF area = plotArea();
+  const TimeAxis time = axis();
+  QPolygonF line;
+  for (double x = area.left(); x < area.right(); ++x) {
+    const auto cm = static_cast<double>(profile_.mean[time.frameAt(x)]);
+    line << QPointF(x, area.bottom() - scale_.share(cm) * area.height());
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  // Light on dark violet columns, dark above them: a light line with a dark rim is seen on both.
+  painter.setPen(QPen(QColor(0, 0, 0, 130), 2.6));
+  painter.drawPolyline(line);
+  painter.setPen(QPen(Qt::white, 1.2));
+  painter.drawPolyline(line);
+}
+
+void ErrorStrip::paintGlitches(QPainter& painter) const {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(kMark));
+  for (const Glitch& glitch : glitches_) {
+    const double x = axis().xOf(glitch.frame + 0.5);
+    painter.drawPolygon(
+        QPolygonF({{x - kMarkSize / 2, 1.0}, {x + kMarkSize / 2, 1.0}, {x, 1.0 + kMarkSize}}));
+  }
+}
+
+void ErrorStrip::paintRange(QPainter& painter) const {
+  if (!range_) return;
+  const QRectF area = plotArea();
+  const double from = axis().xOf(range_->first);
+  const double to = axis().xOf(range_->second + 1);
+  QColor veil = palette().color(QPalette::Window);
+  veil.setAlphaF(0.7F);
+  painter.fillRect(QRectF(area.left(), 0, from - area.left(), height()), veil);
+  painter.fillRect(QRectF(to, 0, area.right() - to, height()), veil);
+  painter.fillRect(QRectF(from, 0, to - from, 3), palette().color(QPalette::Highlight));
+}
+
+bool ErrorStrip::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  QString text =
+      tr("Greatest error at every frame as a column, the mean as a line. Shift and drag "
+         "chooses the range that is played.");
+  for (const Glitch& glitch : glitches_)
+    if (std::abs(axis().xOf(glitch.frame + 0.5) - help->pos().x()) < kMarkSize &&
+        help->pos().y() < 2 * kAbove)
+      text = tr("A jump of one frame: %1 at frame %L2, %L3 cm")
+                 .arg(names_[static_cast<std::size_t>(glitch.landmark)])
+                 .arg(glitch.frame + 1)
+                 .arg(glitch.cm, 0, 'f', 2);
+  QToolTip::showText(help->globalPos(), text, this);
+  return true;
+}
+
+void ErrorStrip::pointAt(double x, bool chooses_range) {
+  const int frame = axis().frameAt(x);
+  if (!chooses_range) return emit seekRequested(frame);
+  if (frame != range_from_) emit rangeChosen(std::minmax(frame, range_from_));
+}
+
+void ErrorStrip::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  range_from_ = axis().frameAt(event->position().x());
+  pointAt(event->position().x(), event->modifiers() & Qt::ShiftModifier);
+}
+
+void ErrorStrip::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() & Qt::LeftButton)
+    pointAt(event->position().x(), event->modifiers() & Qt::ShiftModifier);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/metrics/glitches.h"
+#include "widgets/models/error_colour.h"
+#include "widgets/models/error_profile.h"
+#include "widgets/timeline/time_axis.h"
+
+namespace mocapress {
+
+/// First and last frame of a part of a clip.
+using FrameRange = std::pair<int, int>;
+
+/// The error over time in a narrow strip: greatest error as coloured columns, the mean as a line,
+/// one-frame glitches as marks, and the range that is played. A click or drag seeks, with Shift it
+/// chooses the range.
+class ErrorStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ErrorStrip(QWidget* parent = nullptr);
+
+  /// What a clip's strip begins and ends at. An empty profile: unknown.
+  void setErrors(ErrorProfile profile, const ErrorScale& scale, int frames);
+  void setGlitches(std::vector<Glitch> glitches, std::vector<QString> names);
+  void setRange(const std::optional<FrameRange>& range);
+  void setFrame(int frame);
+
+  /// Pixels left for names, in line with the strips below.
+  void setLabelWidth(int pixels);
+  int labelWidth() const;
+
+  QSize sizeHint() const override { return {200, 46}; }
+
+ signals:
+  void seekRequested(int frame);
+  void rangeChosen(const mocapress::FrameRange& range);
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+
+ private:
+  TimeAxis axis() const;
+  QRectF plotArea() const;
+  void paintColumns(QPainter& painter) const;
+  void paintMean(QPainter& painter) const;
+  void paintGlitches(QPainter& painter) const;
+  void paintRange(QPainter& painter) const;
+  void pointAt(double x, bool chooses_range);
+
+  ErrorProfile profile_;
+  ErrorScale scale_;
+  std::vector<Glitch> glitches_;
+  std::vector<QString> names_;
+  std::optional<FrameRange> range_;
+  int frames_ = 0;
+  int frame_ = 0;
+  int label_width_ = 0;
+  int range_from_ = 0;  // where the choice of a range began
+};
+
+}  // namespace mocapress

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/viewport/overlay.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QLocale>
+#include <QPainter>
+#include <functional>
+
+namespace mocapress {
+namespace {
+
+struct Texts {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::Overlay)
+};
+
+// Logical pixels.
+constexpr double kMargin = 12;
+constexpr double kPadding = 8;
+constexpr double kTitleHeight = 26;
+constexpr double kTitleGap = 6;
+constexpr double kDot = 10;
+constexpr QSizeF kLegendSize(252, 46);
+constexpr double kRampHeight = 10;
+constexpr double kLineWidth = 2;
+constexpr double kGripSize = 30;
+
+QImage painted(const QSizeF& size, double pixel_ratio,
+               const std::function<void(QPainter&)>& paint) {
+  QImage image((size * pixel_ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
+  image.setDevicePixelRatio(pixel_ratio);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paint(painter);
+  painter.end();
+  image.setDevicePixelRatio(1);
+  return image;
+}
+
+void paintPlate(QPainter& painter, const QSizeF& size, const SceneColours& colours) {
+  QColor plate = colours.plate;
+  plate.setAlphaF(0.82F);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(plate);
+  painter.drawRoundedRect(QRectF({}, size), 5, 5);
+}
+
+double leftOf(const Pane& pane, const QSize& view) {
+  return (1 + static_cast<double>(pane.from)) / 2 * view.width();
+}
+
+}  // namespace
+
+Overlay::Overlay(QNode* parent)
+    : QEntity(parent),
+      titles_{new SceneLabel(this), new SceneLabel(this)},
+      legend_(new SceneLabel(this)),
+      line_(new SceneLabel(this)),
+      grip_(new SceneLabel(this)) {}
+
+std::vector<Qt3DCore::QEntity*> Overlay::labels() const {
+  return {line_, grip_, titles_[0], titles_[1], legend_};
+}
+
+void Overlay::show(const OverlayContent& content) {
+  if (content.view.isEmpty()) return;
+  showTitles(content);
+  showLegend(content);
+  showDivider(content);
+}
+
+void Overlay::showTitles(const OverlayContent& content) {
+  const QFont font = QGuiApplication::font();
+  const auto title = [&](SceneLabel* label, bool exists, const Placement& placement,
+                         const QString& text, const QColor& colour, double top) {
+    if (!exists || !placement.shown) return label->hide();
+    const QSizeF size(3 * kPadding + kDot + QFontMetricsF(font).horizontalAdvance(text),
+                      kTitleHeight);
+    const QImage picture = painted(size, content.pixel_ratio, [&](QPainter& painter) {
+      paintPlate(painter, size, colours_);
+      painter.setPen(QPen(colour, 1.5));
+      painter.setBrush(placement.ghost ? QBrush(Qt::NoBrush) : QBrush(colour));
+      painter.drawEllipse(QRectF(kPadding, (kTitleHeight - kDot) / 2, kDot, kDot));
+      painter.setPen(colours_.text);
+      painter.setFont(font);
+      painter.drawText(QRectF(2 * kPadding + kDot, 0, size.width(), kTitleHeight),
+                       Qt::AlignVCenter | Qt::AlignLeft, text);
+    });
+    const double left = leftOf(placement.pane, content.view) + kMargin;
+    label->show(picture, {QPointF(left, top), size}, content.view);
+  };
+  const Arrangement& arrangement = content.arrangement;
+  const bool stacked = content.has_original && content.has_compressed &&
+                       arrangement.original.shown && arrangement.compressed.shown &&
+                       !arrangement.has_divider;
+  title(titles_[0], content.has_original, arrangement.original, Texts::tr("Original"),
+        colours_.original, kMargin);
+  title(titles_[1], content.has_compressed, arrangement.compressed, Texts::tr("Compressed"),
+        colours_.compressed, kMargin + (stacked ? kTitleHeight + kTitleGap : 0));
+}
+
+void Overlay::showLegend(const OverlayContent& content) {
+  if (!content.scale) return legend_->hide();
+  const ErrorScale scale = *content.scale;
+  const QFont font = QGuiApplication::font();
+  const QImage picture = painted(kLegendSize, content.pixel_ratio, [&](QPainter& painter) {
+    paintPlate(painter, kLegendSize, colours_);
+    const QRectF ramp(2 * kPadding, kPadding, kLegendSize.width() - 5 * kPadding, kRampHeight);
+    for (double x = ramp.left(); x < ramp.right(); ++x)
+      painter.fillRect(QRectF(x, ramp.top(), 1, ramp.height()),
+                       viridis((x - ramp.left()) / ramp.width()));
+    painter.setPen(colours_.text);
+    painter.setFont(font);
+    constexpr int kTicks = 2;
+    for (int tick = 0; tick <= kTicks; ++tick) {
+      const double share = static_cast<double>(tick) / kTicks;
+      const double x = ramp.left() + share * ramp.width();
+      painter.drawLine(QPointF(x, ramp.bottom()), QPointF(x, ramp.bottom() + 4));
+      const QString number = QLocale().toString(share * scale.top_cm, 'g', 3);
+      const QString text = tick < kTicks ? number : Texts::tr("≥ %1 cm").arg(number);
+      const QRectF around(x - 40, ramp.bottom() + 5, 80, 20);
+      const double width = QFontMetricsF(font).horizontalAdvance(text);
+      const double over = std::max(0.0, x + width / 2 - (kLegendSize.width() - 4));
+      painter.drawText(around.translated(-over, 0), Qt::AlignHCenter | Qt::AlignTop, text);
+    }
+  });
+  const QPointF corner(content.view.width() - kMargin - kLegendSize.width(),
+                       content.view.height() - kMargin - kLegendSize.height());
+  legend_->show(picture, {corner, kLegendSize}, content.view);
+}
+
+void Overlay::showDivider(const OverlayContent& content) {
+  const Arrangement& arrangement = content.arrangement;
+  if (!arrangement.has_divider) {
+    line_->hide();
+    grip_->hide();
+    return;
+  }
+  const double x = (1 + static_cast<double>(arrangement.dividerAt())) / 2 * content.view.width();
+  const QImage line =
+      painted({1, 1}, 1, [&](QPainter& painter) { painter.fillRect(0, 0, 1, 1, colours_.text); });
+  line_->show(line, {x - kLineWidth / 2, 0, kLineWidth, double(content.view.height())},
+              content.view);
+  if (arrangement.panes > 1) return grip_->hide();  // it cannot be dragged
+  const QSizeF size(kGripSize, kGripSize);
+  const QImage grip = painted(size, content.pixel_ratio, [&](QPainter& painter) {
+    painter.setPen(QPen(colours_.text, kLineWidth));
+    painter.setBrush(colours_.plate);
+    painter.drawEllipse(QRectF({}, size).adjusted(2, 2, -2, -2));
+    const double middle = kGripSize / 2;
+    for (const double side : {-1.0, 1.0}) {
+      const double tip = middle + 9 * side;
+      painter.drawPolyline(
+          QPolygonF({{tip - 4 * side, middle - 4}, {tip, middle}, {tip - 4 * side, middle + 4}}));
+    }
+  });
+  const QPointF corner(x - kGripSize / 2, (content.view.height() - kGripSize) / 2);
+  grip_->show(grip, {corner, size}, content.view);
+}
+
+}  // namespace mocapress

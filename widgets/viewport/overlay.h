@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSize>
+#include <Qt3DCore/QEntity>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "widgets/models/error_colour.h"
+#include "widgets/viewport/scene_colours.h"
+#include "widgets/viewport/scene_label.h"
+#include "widgets/viewport/view_arrangement.h"
+
+namespace mocapress {
+
+/// What the overlay says.
+struct OverlayContent {
+  Arrangement arrangement;
+  bool has_original = false;
+  bool has_compressed = false;
+  std::optional<ErrorScale> scale;  // of the colours, where the figure is coloured by error
+  QSize view;                       // logical pixels
+  double pixel_ratio = 1;           // device pixels a logical one
+};
+
+/// What is written over the scene: whose figure is where, the divider between them and the numbers
+/// of the error's colours.
+class Overlay : public Qt3DCore::QEntity {
+ public:
+  explicit Overlay(QNode* parent);
+
+  void setColours(const SceneColours& colours) { colours_ = colours; }
+  void show(const OverlayContent& content);
+
+  /// For the frame graph.
+  std::vector<Qt3DCore::QEntity*> labels() const;
+
+ private:
+  void showTitles(const OverlayContent& content);
+  void showLegend(const OverlayContent& content);
+  void showDivider(const OverlayContent& content);
+
+  SceneColours colours_;
+  std::array<SceneLabel*, 2> titles_;  // the original's, the compressed one's
+  SceneLabel* legend_;
+  SceneLabel* line_;
+  SceneLabel* grip_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace mocapress {
+
+/// How the original and the compressed figure are set against each other.
+enum class ViewMode {
+  Overlay,     // one over the other, the original as a ghost
+  SideBySide,  // each in its half
+  Wipe,        // one picture, the original to the left of a divider
+};
+
+/// What the user chose to see.
+struct ViewOptions {
+  ViewMode mode = ViewMode::Overlay;
+  bool swapped = false;   // the figures have changed places
+  bool blinking = false;  // they take turns in one place
+  bool by_error = false;  // the compressed figure is coloured by its distance from the original
+  bool path = false;      // the way of the chosen joint, or of the root
+  bool in_place = false;  // the root does not move over the ground
+  double divider = 0.5;   // of the wipe, share of the view's width
+
+  bool operator==(const ViewOptions&) const = default;
+};
+
+/// An upright strip of the view, in normalised device coordinates: what is drawn moves sideways by
+/// `shift` and is seen between `from` and `to` only.
+struct Pane {
+  float shift = 0;
+  float from = -1;
+  float to = 1;
+
+  bool contains(float device_x) const { return from <= device_x && device_x <= to; }
+  bool operator==(const Pane&) const = default;
+};
+
+struct Placement {
+  bool shown = true;
+  bool ghost = false;
+  Pane pane;
+
+  bool operator==(const Placement&) const = default;
+};
+
+/// Where and how each figure is drawn.
+struct Arrangement {
+  Placement original;
+  Placement compressed;
+  int panes = 1;             // equal parts of the view with a ground each
+  bool has_divider = false;  // between the figures, at the end of the left one's pane
+
+  const Placement& left() const;
+  float dividerAt() const { return left().pane.to; }
+};
+
+/// `both`: there are two figures to arrange, else one stands alone. `turn` of a blinking view: the
+/// compressed figure's.
+Arrangement arrange(const ViewOptions& options, bool both, bool turn);
+
+}  // namespace mocapress
