@@ -5,20 +5,26 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
+#include "core/base/error.h"
+#include "core/base/own_memory.h"
+#include "core/base/random.h"
 #include "core/codec/clip_analysis.h"
-#include "core/codec/decoder.h"
+#include "core/codec/container.h"
 #include "core/codec/encoder.h"
+#include "core/decoder/mocapress_decoder.h"
 #include "core/metrics/distortion.h"
 #include "core/select/annealing.h"
 
 namespace mocapress::cli {
 namespace {
 
-constexpr double kCoefficientRatio = 20;     // where every stage is measured
+constexpr double kErrorCm = 0.5;             // of the clip that is decoded
+constexpr double kCoefficientRatio = 20;     // where the selections are measured
 constexpr double kRatioWithCorrection = 30;  // with IK, those of the paper's video
 constexpr double kCorrectionRatio = 16;
 
@@ -36,20 +42,106 @@ double best_seconds_of(const auto& work) {
   return best;
 }
 
-/// Solving an IK correction of the feet alone, seconds; unset where there are no feet.
+/// What the runtime decoder does with a closed-loop adaptive clip; microseconds.
+struct Played {
+  double open_us = 0;
+  std::size_t resident_bytes = 0;  // without the skeleton
+  std::size_t motion_bytes = 0;    // of the file
+  double clip_us_per_frame = 0;
+  double window_us_per_frame = 0;
+  double pose_us = 0;
+  double positions_us_per_frame = 0;
+};
+
+/// A clip as an engine holds it.
+class OpenClip {
+ public:
+  explicit OpenClip(const std::vector<std::byte>& file) {
+    mcpr_info info;
+    require(mcpr_inspect(file.data(), file.size(), nullptr, &info));
+    motion_bytes_ = info.motion_bytes;
+    const AlignedBytes scratch(info.read_bytes);
+    std::size_t size = 0;
+    require(mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &size));
+    resident_.emplace(size);
+    require(mcpr_build(scratch.data(), scratch.size(), resident_->data(), size, &clip_));
+    scratch_.emplace(std::size_t{1} << 20);
+    out_.resize(frames() * values({}) * 2);
+  }
+
+  std::uint32_t frames() const { return mcpr_clip_describe(clip_).frames; }
+  std::size_t values(const mcpr_request& request) const {
+    return mcpr_frame_values(clip_, &request);
+  }
+  std::size_t motion_bytes() const { return motion_bytes_; }
+  std::size_t resident_bytes() const {
+    const mcpr_clip_info info = mcpr_clip_describe(clip_);
+    return info.resident_bytes - info.skeleton_bytes;
+  }
+
+  /// The result stays in the same memory, where the next one replaces it.
+  void decode(const mcpr_request& request, std::uint32_t first, std::uint32_t count) {
+    require(mcpr_decode_frames(clip_, &request, first, count, out_.data(), scratch_->data(),
+                               scratch_->size()));
+  }
+
+ private:
+  static void require(const mcpr_result& result) {
+    if (result.status != MCPR_OK) throw Error(result.message);
+  }
+
+  std::size_t motion_bytes_ = 0;
+  std::optional<AlignedBytes> resident_;
+  std::optional<AlignedBytes> scratch_;
+  std::vector<float> out_;
+  const mcpr_clip* clip_ = nullptr;
+};
+
+/// Seconds of decoding `count` frames at random places, for each such window.
+double seconds_of_windows(OpenClip& clip, const mcpr_request& request, std::uint32_t count) {
+  constexpr int kWindows = 200;
+  Random random(1);
+  std::vector<std::uint32_t> firsts;
+  for (int i = 0; i < kWindows; ++i)
+    firsts.push_back(static_cast<std::uint32_t>(random.below(clip.frames() - count + 1)));
+  return best_seconds_of([&] {
+           for (const std::uint32_t first : firsts) clip.decode(request, first, count);
+         }) /
+         kWindows;
+}
+
+Played bench_decoder(const Encoding& encoding) {
+  const std::vector<std::byte> file = write_container(encoding.compressed);
+  Played played;
+  played.open_us = 1e6 * best_seconds_of([&] { OpenClip{file}; });
+  OpenClip clip(file);
+  const std::uint32_t frames = clip.frames();
+  const std::uint32_t window = std::min<std::uint32_t>(64, frames);
+  const auto whole = [&](const mcpr_request& request) {
+    return 1e6 * best_seconds_of([&] { clip.decode(request, 0, frames); }) / frames;
+  };
+  played.resident_bytes = clip.resident_bytes();
+  played.motion_bytes = clip.motion_bytes();
+  played.clip_us_per_frame = whole({});
+  played.window_us_per_frame = 1e6 * seconds_of_windows(clip, {}, window) / window;
+  played.pose_us = 1e6 * seconds_of_windows(clip, {}, 1);
+  played.positions_us_per_frame = whole({.output = MCPR_POSITIONS});
+  return played;
+}
+
+/// Solving an IK correction of the feet alone, microseconds a frame; unset where there are no feet.
 std::optional<double> bench_correction(const Encoder& encoder, IkSolver solver) {
   if (find_feet(encoder.motion().skeleton).empty()) return std::nullopt;
   const Encoding encoding = encoder.encode(
       {.method = Method::Standard,
+       .coding = Coding::Adaptive,
        .target = {Target::Kind::CoefficientRatio, kRatioWithCorrection},
        .correction = CorrectionOptions{.ratio = kCorrectionRatio, .solver = solver}});
-  // The signals are decoded with the motion: here once, and what is measured is their solving.
-  const Uncorrected uncorrected = decode_uncorrected(encoding.compressed);
-  Clip clip;
-  return best_seconds_of([&] {
-    clip = uncorrected.clip;  // a copy: nothing beside what is measured
-    correct(encoding.compressed, uncorrected.differences, clip);
-  });
+  OpenClip clip(write_container(encoding.compressed));
+  const auto seconds = [&](int corrected) {
+    return best_seconds_of([&] { clip.decode({.corrected = corrected}, 0, clip.frames()); });
+  };
+  return 1e6 * (seconds(1) - seconds(0)) / clip.frames();
 }
 
 struct Annealed {
@@ -100,13 +192,14 @@ Json bench(const Motion& motion) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const ClipAnalysis analysis(motion);
   const Encoder encoder(motion);
-  const Encoding encoding = encoder.encode(
-      {.method = Method::Standard, .target = {Target::Kind::CoefficientRatio, kCoefficientRatio}});
-  const double us_per_frame = 1e6 / motion.clip.frames();
-  const auto in_us = [&](std::optional<double> seconds) {
-    return seconds ? Json(*seconds * us_per_frame) : Json();
-  };
-  const double decode_seconds = best_seconds_of([&] { (void)decode(encoding.compressed); });
+  Encoding encoding;
+  const double closed_loop_seconds = seconds_of([&] {
+    encoding = encoder.encode({.method = Method::ClosedLoop,
+                               .coding = Coding::Adaptive,
+                               .target = {Target::Kind::Error, kErrorCm}});
+  });
+  const double frames = motion.clip.frames();
+  const Played played = bench_decoder(encoding);
   const Eigen::MatrixXf raw = motion.clip.channels.cast<float>();
   Eigen::MatrixXf copy = raw;
   const double copy_seconds = best_seconds_of([&] {
@@ -115,19 +208,26 @@ Json bench(const Motion& motion) {
   });
   const Annealed annealed = bench_annealing(analysis);
   const double reference_seconds = bench_reference_iteration(analysis);
+  const auto value = [](const std::optional<double>& figure) {
+    return figure ? Json(*figure) : Json();
+  };
   return {
-      {"decode_us_per_frame", decode_seconds * us_per_frame},
-      {"copy_us_per_frame", copy_seconds * us_per_frame},
-      {"window_us_per_frame", nullptr},
-      {"pose_us", nullptr},
-      {"ik_us_per_frame", in_us(bench_correction(encoder, IkSolver::NearestPose))},
-      {"ik_cyclic_descent_us_per_frame", in_us(bench_correction(encoder, IkSolver::CyclicDescent))},
+      {"decode_us_per_frame", played.clip_us_per_frame},
+      {"copy_us_per_frame", 1e6 * copy_seconds / frames},
+      {"window_us_per_frame", played.window_us_per_frame},
+      {"pose_us", played.pose_us},
+      {"positions_us_per_frame", played.positions_us_per_frame},
+      {"ik_us_per_frame", value(bench_correction(encoder, IkSolver::NearestPose))},
+      {"ik_cyclic_descent_us_per_frame", value(bench_correction(encoder, IkSolver::CyclicDescent))},
+      {"open_us", played.open_us},
+      {"motion_bytes", played.motion_bytes},
+      {"resident_bytes", played.resident_bytes},
       {"annealed_seconds", annealed.seconds},
       {"annealed_iterations", annealed.iterations},
       {"annealed_us_per_iteration", 1e6 * annealed.seconds / std::max(annealed.iterations, 1)},
       {"reference_us_per_iteration", 1e6 * reference_seconds},
-      {"closed_loop_seconds", nullptr},
-      {"closed_loop_frames_per_second", nullptr}};
+      {"closed_loop_seconds", closed_loop_seconds},
+      {"closed_loop_frames_per_second", frames / closed_loop_seconds}};
 }
 
 }  // namespace

@@ -7,30 +7,41 @@
 #include <span>
 #include <vector>
 
+#include "core/base/own_memory.h"
 #include "core/codec/quantised_signals.h"
+#include "core/decoder/coefficient_coder.h"
+#include "core/decoder/signal_kin.h"
 #include "core/motion/skeleton.h"
 
 namespace mocapress {
 
-/// Which signals resemble one another: an earlier signal, or -1 for none.
-struct SignalKin {
-  int sibling = -1;  // turns the same joint or, for the first of a joint, the one above
-  int mirror = -1;   // on the other side of the body
-};
+using decoder::SignalKin;
 
-/// Of a skeleton's channels, found from its tree alone.
+/// Which channels resemble one another, found from the tree alone.
 std::vector<SignalKin> channel_kin(const Skeleton& skeleton);
 
 /// The same for the differences of an IK correction, which follow the channels.
 void append_correction_kin(int count, std::vector<SignalKin>& kin);
 
-/// The coded bytes. `bands` are those of the transform.
-std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
-                                       const std::vector<SignalKin>& kin,
-                                       const std::vector<Band>& bands);
+/// Walks through signals as decoder::CoefficientCoder does, with a model and memory of its own.
+template <typename Bits>
+void code_coefficients(Bits& bits, const std::vector<SignalKin>& kin,
+                       decoder::CoefficientModel& model, QuantisedSignals& coded,
+                       decoder::ContextCount* tally = nullptr) {
+  const auto length = static_cast<int>(coded.values.rows());
+  const auto signals = static_cast<int>(kin.size());
+  const decoder::Bands bands(length);
+  const decoder::QuantisedView view{length, signals, coded.fineness.data(), coded.values.data()};
+  const OwnMemory<decoder::CoderNotes> notes(bands, signals);
+  decoder::CoefficientCoder(bits, kin.data(), bands, model, view, *notes, tally).run();
+}
 
-/// The inverse. Throws FormatError unless the bytes are those of signals of that shape.
+/// The coded bytes.
+std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
+                                       const std::vector<SignalKin>& kin);
+
+/// The inverse. Throws FormatError unless the bytes are those of signals of that length.
 QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
-                                 const std::vector<SignalKin>& kin, const std::vector<Band>& bands);
+                                 const std::vector<SignalKin>& kin, int length);
 
 }  // namespace mocapress

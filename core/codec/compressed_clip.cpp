@@ -31,7 +31,7 @@ std::size_t CompressedClip::correction_bytes() const {
   }
   std::vector<std::byte> words = unpack_motion(*this);
   ByteReader reader(words);
-  rle16_decode(reader, frames, skeleton.channel_count());
+  rle16_read(reader, frames, skeleton.channel_count());
   words.resize(reader.offset());
   return motion_bytes() - pack(words, coding).size();
 }
@@ -54,11 +54,11 @@ std::vector<SignalKin> kin_of(const CompressedClip& clip) {
 }  // namespace
 
 QuantisedSignals unpack_adaptive(const CompressedClip& clip) {
-  return adaptive_decode(clip.motion, kin_of(clip), Lifting(clip.basis, clip.frames).bands());
+  return adaptive_decode(clip.motion, kin_of(clip), clip.frames);
 }
 
 std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const CompressedClip& clip) {
-  return adaptive_encode(coded, kin_of(clip), Lifting(clip.basis, clip.frames).bands());
+  return adaptive_encode(coded, kin_of(clip));
 }
 
 }  // namespace mocapress

@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::string_view kMagic = "MCPR";
 constexpr std::uint16_t kVersion = 1;
-constexpr int kMostCorrected = 32;  // effectors
 constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 26;
 
 std::span<const std::byte> bytes_of(std::string_view text) {
@@ -117,7 +116,7 @@ CodedCorrection read_correction(std::span<const std::byte> payload, std::size_t 
   correction.solver =
       read_enum(reader, IkSolver::CyclicDescent, IkSolver::NearestPose, "IK solver");
   const int effectors = reader.read<std::uint8_t>();
-  if (effectors == 0 || effectors > kMostCorrected) reader.fail("effectors: not 1 to 32");
+  if (effectors == 0 || effectors > decoder::kMostEffectors) reader.fail("effectors: not 1 to 32");
   try {
     for (int e = 0; e < effectors; ++e) {
       const int joint = reader.read<std::uint16_t>();
@@ -166,12 +165,12 @@ class SectionReader {
  public:
   SectionReader(ByteReader& file, int count) : file_(file), left_(count) {}
 
-  Section expect(std::string_view tag) {
+  Section expect(std::string_view tag, std::string_view or_tag = "") {
     while (left_ > 0) {
       --left_;
       const std::size_t start = file_.offset();
       Section section = read_section(file_);
-      if (section.tag == tag) return section;
+      if (section.tag == tag || section.tag == or_tag) return section;
       if (!is_optional(section))
         throw FormatError(start,
                           "section " + section.tag + " where " + std::string(tag) + " is expected");
@@ -214,7 +213,10 @@ std::vector<std::byte> write_container(const Container& container) {
   file.append(bytes_of(kMagic));
   file.write(kVersion);
   file.write(static_cast<std::uint16_t>(clip.correction ? 4 : 3));
-  write_section(file, "SKEL", encode_skeleton(clip.skeleton));
+  if (!container.of_comparison && clip.coding == Coding::Adaptive)
+    write_section(file, "JNTS", encode_joints(clip.skeleton));
+  else
+    write_section(file, "SKEL", encode_skeleton(clip.skeleton));
   write_section(file, "CLIP", write_description(container));
   write_section(file, motion_tag(container), clip.motion);
   if (clip.correction) write_section(file, "IKCO", write_correction(*clip.correction));
@@ -235,11 +237,16 @@ Container read(std::span<const std::byte> bytes, bool wavelets_only) {
   SectionReader sections(file, file.read<std::uint16_t>());
   Container container;
   CompressedClip& clip = container.clip;
-  clip.skeleton = decode_skeleton(sections.expect("SKEL").payload);
+  const Section joints = sections.expect("SKEL", "JNTS");
+  const bool for_adaptive = joints.tag == "JNTS";
+  clip.skeleton = for_adaptive ? decode_joints(joints.payload, joints.payload_offset)
+                               : decode_skeleton(joints.payload);
   const Section description = sections.expect("CLIP");
   read_description(description.payload, description.payload_offset, container);
   if (wavelets_only && container.of_comparison)
     file.fail("the motion is no wavelets but of a comparison method (section COMP)");
+  if (for_adaptive && (container.of_comparison || clip.coding != Coding::Adaptive))
+    file.fail("section JNTS without the coding adaptive");
   const Section motion = sections.expect(motion_tag(container));
   clip.motion.assign(motion.payload.begin(), motion.payload.end());
   if (const auto correction = sections.take_last(container.of_comparison ? "" : "IKCO"))

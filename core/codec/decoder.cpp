@@ -2,13 +2,17 @@
 #include "core/codec/decoder.h"
 
 #include "core/codec/signal_coder.h"
+#include "core/codec/signal_decoder.h"
 
 namespace mocapress {
 
 Uncorrected decode_uncorrected(const CompressedClip& compressed) {
   if (!is_of_words(compressed.coding)) {
-    const Eigen::MatrixXd signals =
-        reconstruct(unpack_adaptive(compressed), Lifting(compressed.basis, compressed.frames));
+    const QuantisedSignals coded = unpack_adaptive(compressed);
+    std::vector<float> steps;
+    for (int s = 0; s < coded.signal_count(); ++s)
+      steps.push_back(static_cast<float>(coded.step(s)));
+    const Eigen::MatrixXd signals = decode_signals(coded.values, steps, compressed.basis);
     const int channels = compressed.skeleton.channel_count();
     return {.clip = {compressed.sample_rate_hz, signals.leftCols(channels)},
             .differences = signals.rightCols(signals.cols() - channels)};

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/decoder/coefficient_coder.h"
 #include "core/select/ranking.h"
 #include "core/wavelet/lifting.h"
 
@@ -20,9 +21,9 @@ struct QuantisedSignals {
   int signal_count() const { return static_cast<int>(values.cols()); }
 };
 
-inline constexpr int kLeastFineness = -128;
-inline constexpr int kMostFineness = 127;
-inline constexpr int kMostSteps = 1 << 28;  // no value is larger
+using decoder::kLeastFineness;
+using decoder::kMostFineness;
+using decoder::kMostSteps;
 
 /// The nearest scale that a file can hold: 8 binary digits.
 float file_scale(double scale);

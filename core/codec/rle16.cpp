@@ -71,30 +71,32 @@ std::vector<std::byte> rle16_encode(const Eigen::MatrixXd& coefficients,
 
 Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, int channels) {
   ByteReader reader(bytes);
-  Eigen::MatrixXd coefficients = rle16_decode(reader, per_channel, channels);
+  const Rle16Values read = rle16_read(reader, per_channel, channels);
   reader.expect_end();
+  Eigen::MatrixXd coefficients = read.values.cast<double>();
+  for (Eigen::Index c = 0; c < coefficients.cols(); ++c)
+    coefficients.col(c) *= std::ldexp(1.0, read.exponents[static_cast<std::size_t>(c)]);
   return coefficients;
 }
 
-Eigen::MatrixXd rle16_decode(ByteReader& reader, int per_channel, int channels) {
-  std::vector<int> exponents;
-  for (int c = 0; c < channels; ++c) exponents.push_back(reader.read<std::int8_t>());
-  Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(per_channel, channels);
+Rle16Values rle16_read(ByteReader& reader, int per_channel, int channels) {
+  Rle16Values read;
+  for (int c = 0; c < channels; ++c) read.exponents.push_back(reader.read<std::int8_t>());
+  read.values = Eigen::MatrixXi::Zero(per_channel, channels);
   for (int c = 0; c < channels; ++c) {
     int next = 0;
     while (next < per_channel) {
       const int word = reader.read<Word>();
       if (word == kRestIsZero) break;
       if (word >= kWide) {
-        const std::int32_t value = word == kWide ? reader.read<std::int32_t>() : word;
-        coefficients(next++, c) = std::ldexp(value, exponents[static_cast<std::size_t>(c)]);
+        read.values(next++, c) = word == kWide ? reader.read<std::int32_t>() : word;
         continue;
       }
       next += word - kRestIsZero;
       if (next > per_channel) reader.fail("a run of zeros passes the end of its channel");
     }
   }
-  return coefficients;
+  return read;
 }
 
 std::size_t rle16_bound(int per_channel, int channels) {

@@ -24,8 +24,14 @@ std::vector<std::byte> rle16_encode(const Eigen::MatrixXd& coefficients,
 /// channels of `per_channel` coefficients.
 Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, int channels);
 
-/// The same as the next of what is being read.
-Eigen::MatrixXd rle16_decode(ByteReader& reader, int per_channel, int channels);
+/// What the words say.
+struct Rle16Values {
+  std::vector<int> exponents;  // of each channel's step: 2^exponent
+  Eigen::MatrixXi values;      // coefficients x channels, in steps
+};
+
+/// The next of what is being read. Throws FormatError as rle16_decode() does.
+Rle16Values rle16_read(ByteReader& reader, int per_channel, int channels);
 
 /// No coding of that shape has more bytes.
 std::size_t rle16_bound(int per_channel, int channels);

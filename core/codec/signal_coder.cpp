@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/parallel.h"
 #include "core/codec/deflate.h"
 #include "core/codec/rle16.h"
+#include "core/codec/signal_decoder.h"
 
 namespace mocapress {
 namespace {
@@ -60,15 +60,10 @@ std::vector<std::byte> code_signals(const RankedCoefficients& ranked,
 }
 
 Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int count) {
-  Eigen::MatrixXd values = rle16_decode(words, samples, count);
-  const Lifting lifting(basis, samples);
-  const Eigen::VectorXd gains = gains_of(lifting);
-  parallel_for(Eigen::Index{0}, values.cols(), [&](Eigen::Index s) {
-    values.col(s).array() /= gains.array();
-    const std::span<double> signal(values.col(s).data(), static_cast<std::size_t>(samples));
-    lifting.inverse(signal, signal);
-  });
-  return values;
+  const Rle16Values read = rle16_read(words, samples, count);
+  std::vector<float> steps;
+  for (const int exponent : read.exponents) steps.push_back(std::ldexp(1.0F, exponent));
+  return decode_signals(read.values, steps, basis);
 }
 
 std::vector<std::byte> pack(const std::vector<std::byte>& words, Coding coding) {

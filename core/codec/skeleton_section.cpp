@@ -6,12 +6,15 @@
 #include <cmath>
 
 #include "core/base/byte_cursor.h"
+#include "core/base/own_memory.h"
 #include "core/codec/deflate.h"
+#include "core/codec/range_coder.h"
+#include "core/decoder/joint_bytes.h"
 
 namespace mocapress {
 namespace {
 
-constexpr std::size_t kMostJoints = 4096;
+constexpr int kMostJoints = 4096;
 constexpr std::size_t kMostBytes = std::size_t{4} << 20;  // inflated
 
 enum JointFlags : std::uint8_t { kHasAxes = 1, kHasEndSite = 2 };
@@ -60,11 +63,9 @@ Joint read_joint(ByteReader& reader, int index) {
   return joint;
 }
 
-}  // namespace
-
-std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
+/// All but the number of joints.
+std::vector<std::byte> joint_bytes(const Skeleton& skeleton) {
   ByteWriter writer;
-  writer.write(static_cast<std::uint16_t>(skeleton.joint_count()));
   for (const Joint& joint : skeleton.joints()) {
     writer.write_short_string(joint.name);
     writer.write(static_cast<std::int16_t>(joint.parent));
@@ -81,6 +82,33 @@ std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
     writer.write(static_cast<std::uint8_t>(joint.channels.size()));
     for (const ChannelKind kind : joint.channels) writer.write(static_cast<std::uint8_t>(kind));
   }
+  return writer.release();
+}
+
+Skeleton read_joints(ByteReader& reader, int joints) {
+  if (joints == 0 || joints > kMostJoints) reader.fail("between 1 and 4096 joints are allowed");
+  Skeleton skeleton;
+  for (int j = 0; j < joints; ++j) skeleton.add(read_joint(reader, j));
+  reader.expect_end();
+  return skeleton;
+}
+
+struct EncodingBits {
+  static constexpr bool kWrites = true;
+  RangeEncoder encoder;
+  bool code(bool bit, Probability one) {
+    encoder.code(bit, one);
+    return bit;
+  }
+  static constexpr bool failed() { return false; }
+};
+
+}  // namespace
+
+std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
+  ByteWriter writer;
+  writer.write(static_cast<std::uint16_t>(skeleton.joint_count()));
+  writer.append(joint_bytes(skeleton));
   return deflate_bytes(writer.bytes());
 }
 
@@ -88,10 +116,37 @@ Skeleton decode_skeleton(std::span<const std::byte> payload) {
   const auto bytes = inflate_bytes(payload, kMostBytes);
   ByteReader reader(bytes);
   const auto joints = reader.read<std::uint16_t>();
-  if (joints == 0 || joints > kMostJoints) reader.fail("between 1 and 4096 joints are allowed");
-  Skeleton skeleton;
-  for (int j = 0; j < joints; ++j) skeleton.add(read_joint(reader, j));
-  reader.expect_end();
+  return read_joints(reader, joints);
+}
+
+std::vector<std::byte> encode_joints(const Skeleton& skeleton) {
+  std::vector<std::byte> bytes = joint_bytes(skeleton);
+  ByteWriter writer;
+  writer.write(static_cast<std::uint32_t>(bytes.size()));
+  writer.write(static_cast<std::uint16_t>(skeleton.joint_count()));
+  writer.write(static_cast<std::uint16_t>(skeleton.channel_count()));
+  EncodingBits bits;
+  OwnMemory<decoder::JointByteCoder>()->run(bits, reinterpret_cast<std::uint8_t*>(bytes.data()),
+                                            static_cast<std::uint32_t>(bytes.size()));
+  writer.append(bits.encoder.finish());
+  return writer.release();
+}
+
+Skeleton decode_joints(std::span<const std::byte> payload, std::size_t offset) {
+  ByteReader head(payload, offset);
+  const auto size = head.read<std::uint32_t>();
+  const int joints = head.read<std::uint16_t>();
+  const int channels = head.read<std::uint16_t>();
+  if (size > kMostBytes) head.fail("a skeleton of more than 4 MiB");
+  std::vector<std::byte> bytes(size);
+  const std::span<const std::byte> coded = head.take(head.remaining());
+  decoder::RangeDecoder bits(reinterpret_cast<const std::uint8_t*>(coded.data()), coded.size());
+  OwnMemory<decoder::JointByteCoder>()->run(bits, reinterpret_cast<std::uint8_t*>(bytes.data()),
+                                            size);
+  if (bits.failed() || !bits.is_at_end()) head.fail("the coded skeleton is damaged");
+  ByteReader reader(bytes);
+  Skeleton skeleton = read_joints(reader, joints);
+  if (skeleton.channel_count() != channels) head.fail("not as many channels as JNTS promises");
   return skeleton;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fits what the adaptive coding knows beforehand to other clips than those it is judged by:
-//   mocapress-fit-priors CORPUS/train > core/codec/coefficient_priors.cpp
+//   mocapress-fit-priors CORPUS/train > core/decoder/coefficient_priors.cpp
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "core/codec/clip_analysis.h"
-#include "core/codec/coefficient_coder.h"
-#include "core/codec/coefficient_priors.h"
+#include "core/codec/adaptive.h"
+#include "core/codec/coefficient_model.h"
+#include "core/decoder/coefficient_priors.h"
 #include "core/formats/motion_file.h"
 
 namespace mocapress {
@@ -22,13 +23,19 @@ constexpr double kScales[] = {2.4, 1.2, 0.5, 0.15, 0.07};  // cm; eps_x is about
 
 struct Sample {
   std::vector<SignalKin> kin;
-  std::vector<Band> bands;
   QuantisedSignals coded;
 };
 
+using decoder::ContextLayout;
+using decoder::letter_of_prior;
+using decoder::MixingWeights;
+using ContextTally = std::vector<decoder::ContextCount>;
+
 struct IgnoredBits {
-  bool code(bool bit, Probability) { return bit; }
+  static constexpr bool kWrites = true;
+  bool code(bool bit, decoder::Probability) { return bit; }
   void refuse() {}
+  static constexpr bool failed() { return false; }
 };
 
 std::vector<Sample> samples_of(const fs::path& folder) {
@@ -41,9 +48,7 @@ std::vector<Sample> samples_of(const fs::path& folder) {
     const ClipAnalysis analysis(read_motion(path).motion);
     const ClosedLoop& loop = analysis.closed_loop(Basis::Cubic, Weighting::BoneEnds);
     for (const double scale : kScales)
-      samples.push_back({channel_kin(analysis.motion().skeleton),
-                         analysis.in(Basis::Cubic).ranked.lifting.bands(),
-                         loop.quantise(scale).coded});
+      samples.push_back({channel_kin(analysis.motion().skeleton), loop.quantise(scale).coded});
     std::fprintf(stderr, "%s\n", path.stem().c_str());
   }
   return samples;
@@ -51,7 +56,8 @@ std::vector<Sample> samples_of(const fs::path& folder) {
 
 void code(Sample& sample, CoefficientModel& model, ContextTally* tally) {
   IgnoredBits bits;
-  CoefficientCoder(bits, sample.kin, sample.bands, model, sample.coded, tally).run();
+  code_coefficients(bits, sample.kin, *model, sample.coded,
+                    tally == nullptr ? nullptr : tally->data());
 }
 
 /// Letters of the shared contexts, by how often their bits were set in all samples.
@@ -73,13 +79,13 @@ std::string fit_contexts(std::vector<Sample>& samples) {
 
 /// The weights that the mixing has come to after all samples.
 std::vector<int> fit_weights(std::vector<Sample>& samples, const std::string& letters) {
-  auto taught = CoefficientModel::untaught(0).weights;
+  auto taught = CoefficientModel::untaught(0)->weights;
   for (Sample& sample : samples) {
     auto model = CoefficientModel::untaught(static_cast<int>(sample.kin.size()));
-    model.teach(letters);
-    model.weights = taught;
+    model->teach(letters);
+    model->weights = taught;
     code(sample, model, nullptr);
-    taught = model.weights;
+    taught = model->weights;
   }
   std::vector<int> shares;
   for (const MixingWeights& set : taught)
@@ -92,8 +98,8 @@ void print(const std::string& letters, const std::vector<int>& shares) {
   constexpr std::size_t kLine = 90;
   std::printf(
       "// SPDX-License-Identifier: MIT\n// Made by tests/bench/fit_priors.cpp.\n"
-      "#include \"core/codec/coefficient_priors.h\"\n\n#include <array>\n\n"
-      "namespace mocapress {\nnamespace {\n\n// clang-format off\n"
+      "#include \"coefficient_priors.h\"\n\n#include <array>\n\n"
+      "namespace mocapress::decoder {\nnamespace {\n\n// clang-format off\n"
       "constexpr std::string_view kContexts =\n");
   for (std::size_t i = 0; i < letters.size(); i += kLine)
     std::printf("    \"%s\"%s\n", letters.substr(i, kLine).c_str(),
@@ -105,7 +111,7 @@ void print(const std::string& letters, const std::vector<int>& shares) {
       "\n};\n// clang-format on\n\n}  // namespace\n\n"
       "std::string_view context_priors() {\n  return kContexts;\n}\n\n"
       "std::span<const std::int16_t> weight_priors() {\n  return kWeights;\n}\n\n"
-      "}  // namespace mocapress\n");
+      "}  // namespace mocapress::decoder\n");
 }
 
 }  // namespace

@@ -21,23 +21,25 @@ namespace fs = std::filesystem;
 struct RoomRules {
   std::set<std::string> may_include;  // rooms besides its own; "core" stands for all of core
   bool may_use_qt = false;
+  bool stands_alone = false;  // an engine copies the folder: its own headers go by their names
 };
 
 const std::map<std::string, RoomRules> kRooms = {
-    {"core/base", {{}}},
+    {"core/base", {{"core/decoder"}}},
     {"core/motion", {{"core/base"}}},
     {"core/formats", {{"core/base", "core/motion"}}},
+    {"core/decoder", {{}, false, true}},
     {"core/wavelet", {{"core/base"}}},
     {"core/metrics", {{"core/base", "core/motion"}}},
     {"core/select", {{"core/base", "core/motion", "core/wavelet", "core/metrics"}}},
     {"core/codec",
      {{"core/base", "core/motion", "core/wavelet", "core/select", "core/metrics", "core/contact",
-       "core/ik"}}},
+       "core/ik", "core/decoder"}}},
     {"core/compare",
      {{"core/base", "core/motion", "core/wavelet", "core/select", "core/codec", "core/metrics",
        "core/contact", "core/ik"}}},
     {"core/contact", {{"core/base", "core/motion", "core/ik"}}},
-    {"core/ik", {{"core/base", "core/motion"}}},
+    {"core/ik", {{"core/base", "core/motion", "core/decoder"}}},
     {"core/study",
      {{"core/base", "core/motion", "core/formats", "core/codec", "core/metrics", "core/contact",
        "core/ik", "core/compare"}}},
@@ -70,7 +72,12 @@ bool is_qt(const std::string& header) {
 std::string complaint(const std::string& room, const std::string& header, bool quoted) {
   const RoomRules& rules = kRooms.at(room);
   if (is_qt(header)) return rules.may_use_qt ? "" : room + " uses Qt: " + header;
-  if (!quoted) return "";
+  if (!quoted)
+    return rules.stands_alone && header.find('/') != std::string::npos
+               ? room + " uses more than the standard library: " + header
+               : "";
+  if (rules.stands_alone)
+    return header.find('/') == std::string::npos ? "" : room + " does not stand alone: " + header;
   const std::string included = room_of(header);
   const bool core = included.starts_with("core/") && rules.may_include.contains("core");
   if (included == room || core || rules.may_include.contains(included)) return "";
@@ -171,6 +178,16 @@ TEST(LayeringChecker, FindsAnIncludeThatIsNotByItsPathFromTheRoot) {
 
 TEST(LayeringChecker, FindsARoomThatTheTableDoesNotKnow) {
   EXPECT_EQ(findings_in_body("core/new/thing.h", "#include <vector>").size(), 1u);
+}
+
+TEST(LayeringChecker, KeepsTheDecoderSelfContained) {
+  for (const char* header : {"<Eigen/Core>", "\"core/motion/clip.h\"", "\"core/decoder/limb.h\""})
+    EXPECT_EQ(findings_in_body("core/decoder/limb.cpp", std::string("#include ") + header).size(),
+              1u)
+        << header;
+  for (const char* header : {"<algorithm>", "\"limb.h\""})
+    EXPECT_THAT(findings_in_body("core/decoder/limb.cpp", std::string("#include ") + header),
+                testing::IsEmpty());
 }
 
 TEST(LayeringChecker, FindsTheWrongLicenceOrNone) {

@@ -21,10 +21,6 @@ const std::vector<SignalKin>& kin() {
   return of_figure;
 }
 
-std::vector<Band> bands_of(int length) {
-  return Lifting(Basis::Cubic, length).bands();
-}
-
 /// Sparse, with values over several orders of magnitude.
 QuantisedSignals random_signals(int length, double density, std::uint64_t seed = 1) {
   Random random(seed);
@@ -48,8 +44,8 @@ TEST(Adaptive, RestoresEveryLengthAndDensity) {
   for (const int length : {0, 1, 2, 3, 4, 5, 9, 64, 131})
     for (const double density : {0.0, 0.01, 0.2, 1.0}) {
       const QuantisedSignals coded = random_signals(length, density);
-      const auto bytes = adaptive_encode(coded, kin(), bands_of(length));
-      expect_same(adaptive_decode(bytes, kin(), bands_of(length)), coded);
+      const auto bytes = adaptive_encode(coded, kin());
+      expect_same(adaptive_decode(bytes, kin(), length), coded);
     }
 }
 
@@ -60,39 +56,36 @@ TEST(Adaptive, RestoresTheLargestValues) {
   coded.values(39, 3) = -kMostSteps;
   coded.fineness.front() = kMostFineness;
   coded.fineness.back() = kLeastFineness;
-  expect_same(adaptive_decode(adaptive_encode(coded, kin(), bands_of(40)), kin(), bands_of(40)),
-              coded);
+  expect_same(adaptive_decode(adaptive_encode(coded, kin()), kin(), 40), coded);
 }
 
 TEST(Adaptive, StaticSignalsCostNextToNothing) {
   QuantisedSignals coded = random_signals(4096, 0);
   for (int& fineness : coded.fineness) fineness = 0;
-  EXPECT_LT(adaptive_encode(coded, kin(), bands_of(4096)).size(), 2 + 4 * kin().size());
+  EXPECT_LT(adaptive_encode(coded, kin()).size(), 2 + 4 * kin().size());
   const QuantisedSignals moving = random_signals(4096, 0.1);
   coded.values.col(5) = moving.values.col(5);
-  const auto one = adaptive_encode(coded, kin(), bands_of(4096)).size();
-  const auto all = adaptive_encode(moving, kin(), bands_of(4096)).size();
+  const auto one = adaptive_encode(coded, kin()).size();
+  const auto all = adaptive_encode(moving, kin()).size();
   EXPECT_LT(static_cast<double>(one),
             1.5 * static_cast<double>(all) / static_cast<double>(kin().size()));
 }
 
 TEST(Adaptive, LearnsWhatRepeats) {
   QuantisedSignals coded = random_signals(512, 0);
-  const auto silent = adaptive_encode(coded, kin(), bands_of(512)).size();
+  const auto silent = adaptive_encode(coded, kin()).size();
   for (Eigen::Index s = 0; s < coded.values.cols(); ++s)
     for (int c = 256; c < 512; c += 8) coded.values(c, s) = 1;
-  const double bits =
-      8.0 * static_cast<double>(adaptive_encode(coded, kin(), bands_of(512)).size() - silent);
+  const double bits = 8.0 * static_cast<double>(adaptive_encode(coded, kin()).size() - silent);
   EXPECT_LT(bits / static_cast<double>(coded.values.cwiseAbs().sum()), 5);
 }
 
 TEST(Adaptive, EveryTruncationIsRefusedOrDecodes) {
-  const auto bands = bands_of(60);
-  const auto bytes = adaptive_encode(random_signals(60, 0.2), kin(), bands);
+  const auto bytes = adaptive_encode(random_signals(60, 0.2), kin());
   int refused = 0;
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     try {
-      adaptive_decode(std::span(bytes).first(size), kin(), bands);
+      adaptive_decode(std::span(bytes).first(size), kin(), 60);
     } catch (const FormatError&) {
       ++refused;
     }
@@ -101,15 +94,14 @@ TEST(Adaptive, EveryTruncationIsRefusedOrDecodes) {
 }
 
 TEST(Adaptive, CorruptBytesAreRefusedOrDecodeWithinBounds) {
-  const auto bands = bands_of(60);
-  const auto bytes = adaptive_encode(random_signals(60, 0.2), kin(), bands);
+  const auto bytes = adaptive_encode(random_signals(60, 0.2), kin());
   Random random(9);
   for (int trial = 0; trial < 300; ++trial) {
     auto damaged = bytes;
     for (int hit = 0; hit < 1 + trial % 5; ++hit)
       damaged[random.below(damaged.size())] ^= static_cast<std::byte>(1 + random.below(255));
     try {
-      const QuantisedSignals decoded = adaptive_decode(damaged, kin(), bands);
+      const QuantisedSignals decoded = adaptive_decode(damaged, kin(), 60);
       EXPECT_LE(decoded.values.cwiseAbs().maxCoeff(), kMostSteps);
       EXPECT_GT(decoded.scale, 0);
     } catch (const FormatError&) {
@@ -118,11 +110,11 @@ TEST(Adaptive, CorruptBytesAreRefusedOrDecodeWithinBounds) {
 }
 
 TEST(Adaptive, RefusesAScaleThatIsNone) {
-  auto bytes = adaptive_encode(random_signals(20, 0.2), kin(), bands_of(20));
+  auto bytes = adaptive_encode(random_signals(20, 0.2), kin());
   for (const int high : {0x00, 0x7F, 0xBF}) {  // zero, not finite, negative
     bytes[0] = static_cast<std::byte>(high == 0 ? 0 : 0xC0);
     bytes[1] = static_cast<std::byte>(high);
-    EXPECT_THROW(adaptive_decode(bytes, kin(), bands_of(20)), FormatError);
+    EXPECT_THROW(adaptive_decode(bytes, kin(), 20), FormatError);
   }
 }
 

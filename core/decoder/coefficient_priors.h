@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-namespace mocapress {
+namespace mocapress::decoder {
 
 /// One character for each shared context: the log odds of a set bit, a space where nothing was
 /// seen.
@@ -30,4 +30,4 @@ constexpr char letter_of_prior(int steps) {
   return static_cast<char>(letter >= '\\' ? letter + 1 : letter);
 }
 
-}  // namespace mocapress
+}  // namespace mocapress::decoder

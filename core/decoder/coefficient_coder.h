@@ -4,38 +4,78 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <initializer_list>
+#include <utility>
 
-#include "core/codec/adaptive.h"
-#include "core/codec/coefficient_model.h"
+#include "bands.h"
+#include "coefficient_model.h"
+#include "memory.h"
+#include "signal_kin.h"
 
-namespace mocapress {
+namespace mocapress::decoder {
+
+inline constexpr int kLeastFineness = -128;
+inline constexpr int kMostFineness = 127;
+inline constexpr int kMostSteps = 1 << 28;  // no value is larger
+
+/// Quantised coefficients of some signals, in memory of whoever made it.
+struct QuantisedView {
+  int length;  // coefficients of each signal, coarse to fine
+  int signals;
+  std::int32_t* fineness;  // of each signal: its step is scale * 2^(-fineness / 2)
+  std::int32_t* values;    // signal after signal
+
+  std::int32_t* signal(int s) const { return values + static_cast<std::ptrdiff_t>(s) * length; }
+};
+
+/// What a CoefficientCoder takes notes in.
+struct CoderNotes {
+  std::int64_t* sums;  // of magnitudes, in this band and the one above, by signal
+  std::int64_t* sums_above;
+  int* activity;  // of the band, from its coefficient -1
+  std::size_t activity_size;
+
+  CoderNotes(Memory& memory, const Bands& bands, int signals)
+      : sums(memory.take<std::int64_t>(static_cast<std::uint64_t>(signals))),
+        sums_above(memory.take<std::int64_t>(static_cast<std::uint64_t>(signals))),
+        activity_size(static_cast<std::size_t>(bands[bands.count - 1].size) + 2) {
+    activity = memory.take<int>(activity_size);
+  }
+};
+
+/// How many times each context saw a bit, and how many of them were set.
+using ContextCount = std::array<std::uint32_t, 2>;
 
 /// Walks through signals in the order of the file. `Bits` either writes the bits it is given or
-/// ignores and replaces them: bool code(bool bit, Probability one); and refuse(), which does not
-/// return when reading. What is read replaces what `coded` holds.
+/// ignores and replaces them: bool code(bool bit, Probability one); refuse() when a number that was
+/// read is out of bounds, and failed(), after which nothing that was read is of use. What is read
+/// replaces what `coded` holds, which then must be zeros.
 template <typename Bits>
 class CoefficientCoder {
  public:
-  CoefficientCoder(Bits& bits, const std::vector<SignalKin>& kin, const std::vector<Band>& bands,
-                   CoefficientModel& model, QuantisedSignals& coded, ContextTally* tally = nullptr)
+  CoefficientCoder(Bits& bits, const SignalKin* kin, const Bands& bands, CoefficientModel& model,
+                   const QuantisedView& coded, const CoderNotes& notes,
+                   ContextCount* tally = nullptr)
       : bits_(bits),
         kin_(kin),
         bands_(bands),
         model_(model),
         at_(model.layout),
         coded_(coded),
-        tally_(tally),
-        sums_(bands.size(), std::vector<std::int64_t>(kin.size(), 0)) {}
+        notes_(notes),
+        tally_(tally) {}
 
   void run() {
     code_fineness();
-    const auto count = static_cast<int>(kin_.size());
-    for (int s = 0; s < count; ++s) code_coarse(s);
-    for (std::size_t b = 1; b < bands_.size(); ++b) {
-      activity_.assign(static_cast<std::size_t>(bands_[b].size) + 2, 0);
-      for (int s = 0; s < count; ++s) code_band(b, s);
+    for (int s = 0; s < coded_.signals && !bits_.failed(); ++s) code_coarse(s);
+    std::fill_n(notes_.sums, coded_.signals, 0);
+    for (int b = 1; b < bands_.count; ++b) {
+      std::swap(notes_.sums, notes_.sums_above);
+      std::fill_n(notes_.sums, coded_.signals, 0);
+      std::fill_n(notes_.activity, static_cast<std::size_t>(bands_[b].size) + 2, 0);
+      for (int s = 0; s < coded_.signals && !bits_.failed(); ++s) code_band(b, s);
     }
   }
 
@@ -74,13 +114,11 @@ class CoefficientCoder {
     return bit;
   }
 
-  AdaptiveBit& context_at(int context) {
-    return model_.contexts[static_cast<std::size_t>(context)];
-  }
+  AdaptiveBit& context_at(int context) { return model_.contexts[context]; }
 
   void tally(int context, bool bit) {
     if (tally_ == nullptr || context >= at_.shared) return;
-    auto& seen = (*tally_)[static_cast<std::size_t>(context)];
+    ContextCount& seen = tally_[context];
     ++seen[0];
     seen[1] += bit;
   }
@@ -97,7 +135,10 @@ class CoefficientCoder {
                  at_.number_second.at(kind, second, n), at_.number_third.at(kind, third, n)},
                 MixingSets::kNumber + kind))
         break;
-      if (digits == kMostDigits) bits_.refuse();
+      if (digits == kMostDigits) {
+        bits_.refuse();
+        return 0;
+      }
     }
     int number = 1;
     for (int d = digits - 1; d >= 0; --d) {
@@ -116,30 +157,30 @@ class CoefficientCoder {
 
   void code_fineness();
   void code_coarse(int s);
-  bool code_alive(std::size_t b, int s, int density);
-  void code_band(std::size_t b, int s);
+  bool code_alive(int b, int s, int density);
+  int density_of(int b, int s) const;
+  void code_band(int b, int s);
   int code_magnitude(int magnitude, int s, const Surroundings& around);
 
   Bits& bits_;
-  const std::vector<SignalKin>& kin_;
-  const std::vector<Band>& bands_;
+  const SignalKin* kin_;
+  const Bands& bands_;
   CoefficientModel& model_;
   const ContextLayout& at_;
-  QuantisedSignals& coded_;
-  ContextTally* tally_;
-  std::vector<int> activity_;                    // of one band, from its coefficient -1
-  std::vector<std::vector<std::int64_t>> sums_;  // of magnitudes, by band and signal
+  QuantisedView coded_;
+  CoderNotes notes_;
+  ContextCount* tally_;
 };
 
 template <typename Bits>
 void CoefficientCoder<Bits>::code_fineness() {
   int before = 0;  // how far the last one was from what was expected of it
-  for (int s = 0; s < static_cast<int>(kin_.size()); ++s) {
-    const SignalKin& kin = kin_[static_cast<std::size_t>(s)];
+  for (int s = 0; s < coded_.signals && !bits_.failed(); ++s) {
+    const SignalKin& kin = kin_[s];
     const bool mirrored = kin.mirror >= 0;
     const int model = mirrored ? kin.mirror : s - 1;
-    const int expected = model < 0 ? 0 : coded_.fineness[static_cast<std::size_t>(model)];
-    int& fineness = coded_.fineness[static_cast<std::size_t>(s)];
+    const int expected = model < 0 ? 0 : coded_.fineness[model];
+    std::int32_t& fineness = coded_.fineness[s];
     before = code_signed(fineness - expected, mirrored ? 1 : 0, kin.sibling == s - 1 ? 1 : 0,
                          std::min(std::abs(before), 15), 8 + std::clamp(before, -7, 7));
     fineness = expected + before;
@@ -149,18 +190,20 @@ void CoefficientCoder<Bits>::code_fineness() {
 
 template <typename Bits>
 void CoefficientCoder<Bits>::code_coarse(int s) {
-  const SignalKin& kin = kin_[static_cast<std::size_t>(s)];
+  const SignalKin& kin = kin_[s];
   const auto difference = [&](int signal, int i) {
-    return coded_.values(i, signal) - (i > 0 ? coded_.values(i - 1, signal) : 0);
+    const std::int32_t* const values = coded_.signal(signal);
+    return values[i] - (i > 0 ? values[i - 1] : 0);
   };
   const auto size = [&](int signal, int i) {
     return signal < 0 ? 0 : std::min(1 + digits_of(std::abs(difference(signal, i))), 15);
   };
-  for (int i = 0; i < bands_[0].size; ++i) {
-    const int before = i > 0 ? coded_.values(i - 1, s) : 0;
+  std::int32_t* const own = coded_.signal(s);
+  for (int i = 0; i < bands_[0].size && !bits_.failed(); ++i) {
+    const int before = i > 0 ? own[i - 1] : 0;
     const int kind = (i == 0 ? 2 : 3) + (s < 3 ? 2 : 0);
     const int second = i == 0 ? size(kin.sibling, 0) : i == 1 ? 0 : size(s, i - 1);
-    int& value = coded_.values(i, s);
+    std::int32_t& value = own[i];
     value = before + code_signed(value - before, kind, size(kin.mirror, i), second, size(s - 1, i));
     if (std::abs(value) > kMostSteps) bits_.refuse();
   }
@@ -168,55 +211,59 @@ void CoefficientCoder<Bits>::code_coarse(int s) {
 
 /// Whether a signal has anything but zeros in a band.
 template <typename Bits>
-bool CoefficientCoder<Bits>::code_alive(std::size_t b, int s, int density) {
+bool CoefficientCoder<Bits>::code_alive(int b, int s, int density) {
   const Band& band = bands_[b];
-  const SignalKin& kin = kin_[static_cast<std::size_t>(s)];
-  const int level = std::min(static_cast<int>(bands_.size() - 1 - b), kLevels - 1);
-  const auto state = [&](int signal) {
-    return signal < 0 ? 2 : sums_[b][static_cast<std::size_t>(signal)] > 0 ? 1 : 0;
-  };
-  const auto values = coded_.values.col(s).segment(band.first, band.size).array();
-  return code((values != 0).any(),
+  const SignalKin& kin = kin_[s];
+  const int level = std::min(bands_.count - 1 - b, kLevels - 1);
+  const auto state = [&](int signal) { return signal < 0 ? 2 : notes_.sums[signal] > 0 ? 1 : 0; };
+  const std::int32_t* const first = coded_.signal(s) + band.first;
+  bool alive = false;
+  if constexpr (Bits::kWrites)
+    alive = std::any_of(first, first + band.size, [](std::int32_t value) { return value != 0; });
+  return code(alive,
               {at_.alive_level.at(level, density),
                at_.alive_kin.at(state(kin.sibling), state(kin.mirror), density),
                at_.alive_length.at(level, std::min(digits_of(band.size), 7), density)},
               MixingSets::kAlive);
 }
 
+/// How much there is in the band above, as a degree.
 template <typename Bits>
-void CoefficientCoder<Bits>::code_band(std::size_t b, int s) {
+int CoefficientCoder<Bits>::density_of(int b, int s) const {
+  const int upper = bands_[b - 1].size;
+  const std::int64_t sum = b > 1 ? notes_.sums_above[s] : upper;
+  const auto mean = static_cast<int>(16 * sum / std::max(upper, 1));  // 16ths
+  return sum == 0 ? 0 : std::min(1 + digits_of(mean), kDegrees - 1);
+}
+
+template <typename Bits>
+void CoefficientCoder<Bits>::code_band(int b, int s) {
+  const int density = density_of(b, s);
+  if (!code_alive(b, s, density)) return;
   const Band& band = bands_[b];
   const Band& upper = bands_[b - 1];
   const bool has_parents = b > 1;
-  const auto signal = static_cast<std::size_t>(s);
-  const SignalKin& kin = kin_[signal];
+  const SignalKin& kin = kin_[s];
   const auto column = [&](int of, const Band& in) {
-    return of < 0 ? nullptr : coded_.values.col(of).data() + in.first;
+    return of < 0 ? nullptr : coded_.signal(of) + in.first;
   };
-  int* const own = column(s, band);
-  const int* const parents = column(s, upper);
-  const int* const sibling = column(kin.sibling, band);
-  const int* const mirror = column(kin.mirror, band);
-  const int* const before = column(s - 2, band);
-  const auto at = [](const int* values, int i, int size) {
+  std::int32_t* const own = column(s, band);
+  const std::int32_t* const parents = column(s, upper);
+  const std::int32_t* const sibling = column(kin.sibling, band);
+  const std::int32_t* const mirror = column(kin.mirror, band);
+  const std::int32_t* const before = column(s - 2, band);
+  const auto at = [](const std::int32_t* values, int i, int size) {
     return values == nullptr || i < 0 || i >= size ? 0 : values[i];
   };
-  const auto magnitude_at = [&](const int* values, int i, int size) {
+  const auto magnitude_at = [&](const std::int32_t* values, int i, int size) {
     return std::abs(at(values, i, size));
   };
 
-  const std::int64_t above_sum = has_parents ? sums_[b - 1][signal] : upper.size;
-  const auto mean = static_cast<int>(16 * above_sum / std::max(upper.size, 1));  // 16ths
-  const int density = above_sum == 0 ? 0 : std::min(1 + digits_of(mean), kDegrees - 1);
-  if (!code_alive(b, s, density)) {
-    std::fill_n(own, band.size, 0);
-    return;
-  }
   Surroundings around{};
-  around.level = std::min(static_cast<int>(bands_.size() - 1 - b), kLevels - 1);
+  around.level = std::min(bands_.count - 1 - b, kLevels - 1);
   around.density = density;
   int recent = 0;  // 64ths
-  for (int i = 0; i < band.size; ++i) {
+  for (int i = 0; i < band.size && !bits_.failed(); ++i) {
     const int own1 = magnitude_at(own, i - 1, band.size);
     const int own2 = magnitude_at(own, i - 2, band.size);
     const int own3 = magnitude_at(own, i - 3, band.size);
@@ -225,7 +272,7 @@ void CoefficientCoder<Bits>::code_band(std::size_t b, int s) {
     const int above1 = has_parents ? magnitude_at(parents, k, upper.size) : 0;
     const int above2 = has_parents ? magnitude_at(parents, l, upper.size) : 0;
     const int beside = magnitude_at(sibling, i, band.size);
-    int* const activity = activity_.data() + i + 1;
+    int* const activity = notes_.activity + i + 1;
     const int busy = 2 * activity[0] + activity[-1] + activity[1];
 
     around.own = size_of(2 * own1 + own2);
@@ -241,7 +288,7 @@ void CoefficientCoder<Bits>::code_band(std::size_t b, int s) {
                                      14 * capped(magnitude_at(mirror, i, band.size)) +
                                      (s == 0 ? 0 : 16 * activity[0] / s) + recent / 4);
 
-    int& value = own[i];
+    std::int32_t& value = own[i];
     const bool some = code(
         value != 0,
         {at_.zero_near.at(around.level, around.own, around.above),
@@ -269,7 +316,7 @@ void CoefficientCoder<Bits>::code_band(std::size_t b, int s) {
     }
     recent += (64 * std::min(magnitude, 255) - recent) / 8;
     activity[0] += std::min(magnitude, 8);
-    sums_[b][signal] += std::min(magnitude, 255);
+    notes_.sums[s] += std::min(magnitude, 255);
   }
 }
 
@@ -309,4 +356,4 @@ int CoefficientCoder<Bits>::code_magnitude(int magnitude, int s, const Surroundi
   return made;
 }
 
-}  // namespace mocapress
+}  // namespace mocapress::decoder

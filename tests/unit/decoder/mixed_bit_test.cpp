@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/codec/mixed_bit.h"
+#include "core/decoder/mixed_bit.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/base/random.h"
 
-namespace mocapress {
+namespace mocapress::decoder {
 namespace {
 
 MixingWeights even_weights() {
@@ -62,4 +62,4 @@ TEST(LogOdds, AreSymmetric) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::decoder

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "core/codec/mixed_bit.h"
+#include "mixed_bit.h"
 
 #include <algorithm>
 #include <cassert>
 
-namespace mocapress {
+namespace mocapress::decoder {
 namespace {
 
 constexpr int kLogOddsRange = 2047;  // -8 ... 8 in 256ths
@@ -86,4 +86,4 @@ void MixedBit::follow(bool bit) {
   }
 }
 
-}  // namespace mocapress
+}  // namespace mocapress::decoder

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <span>
 
-#include "core/codec/range_coder.h"
+#include "range_decoder.h"
 
-namespace mocapress {
+namespace mocapress::decoder {
 
 /// What is known of the bits of one context: a probability that follows them, fast at first.
 struct AdaptiveBit {
@@ -44,4 +44,4 @@ class MixedBit {
   Probability one_;
 };
 
-}  // namespace mocapress
+}  // namespace mocapress::decoder

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Made by tests/bench/fit_priors.cpp.
-#include "core/codec/coefficient_priors.h"
+#include "coefficient_priors.h"
 
 #include <array>
 
-namespace mocapress {
+namespace mocapress::decoder {
 namespace {
 
 // clang-format off
@@ -176,4 +176,4 @@ std::span<const std::int16_t> weight_priors() {
   return kWeights;
 }
 
-}  // namespace mocapress
+}  // namespace mocapress::decoder

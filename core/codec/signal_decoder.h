@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/wavelet/basis.h"
+
+namespace mocapress {
+
+/// The signals (samples x signals) of quantised coefficients (coarse to fine), by the runtime
+/// decoder: what it gives, to the bit, 32-bit floats. `steps` are those of each signal, which
+/// Lifting::gains() divide.
+Eigen::MatrixXd decode_signals(const Eigen::MatrixXi& values, const std::vector<float>& steps,
+                               Basis basis);
+
+}  // namespace mocapress

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The container of a .mcpr file, version 1: FORMAT.md.
+#pragma once
+
+#include <cstdint>
+
+#include "limb.h"
+#include "resident_signals.h"
+#include "result.h"
+#include "solve.h"
+
+namespace mocapress::decoder {
+
+/// A part of the file.
+struct Bytes {
+  const std::uint8_t* data = nullptr;
+  std::size_t size = 0;
+  std::size_t offset = 0;  // in the file
+};
+
+/// What the sections say before anything is decoded, all of it checked against the limits.
+struct FileSections {
+  double sample_rate = 0;  // Hz
+  std::uint32_t frames = 0;
+  Wavelet wavelet = Wavelet::Cubic;
+  std::uint32_t joints = 0;       // as JNTS promises
+  std::uint32_t channels = 0;     // as JNTS promises
+  std::uint32_t joint_bytes = 0;  // of the skeleton, decoded
+  Bytes coded_joints;             // what a range coder made of them
+  Bytes motion;                   // MOTN
+  std::size_t correction_bytes = 0;
+  Solver solver = Solver::NearestPose;
+  std::uint32_t effectors = 0;
+  struct Effector {
+    std::uint16_t joint;
+    std::uint16_t top;
+  } effector[kMostEffectors] = {};
+  std::size_t effector_offset = 0;  // of the first
+
+  std::uint32_t signals() const { return channels + 3 * effectors; }
+};
+
+/// Reads and checks all sections.
+mcpr_result read_sections(const void* file, std::size_t size, const mcpr_limits& limits,
+                          FileSections& sections);
+
+}  // namespace mocapress::decoder

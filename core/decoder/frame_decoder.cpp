@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "frame_decoder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace mocapress::decoder {
+namespace {
+
+const RowKernels* rows_of(mcpr_path path) {
+  switch (path) {
+    case MCPR_PATH_BEST:
+      return &best_rows();
+    case MCPR_PATH_PLAIN:
+      return &kPlainRows;
+    case MCPR_PATH_SSE2:
+      return sse2_rows();
+    case MCPR_PATH_AVX2:
+      return avx2_rows();
+  }
+  return nullptr;
+}
+
+/// Whether the correction turns any of the channels asked for.
+bool turns_any(const ClipBlock& clip, const mcpr_request& request) {
+  if (request.channels == nullptr) return true;
+  for (int l = 0; l < clip.limb_count; ++l) {
+    const LimbPlan limb = clip.limb(l);
+    for (int a = 0; a < limb.turns; ++a)
+      if (std::find(request.channels, request.channels + request.channel_count,
+                    limb.turn[a].channel) != request.channels + request.channel_count)
+        return true;
+  }
+  return false;
+}
+
+/// A joint's frame within its parent's: translation and rotation of one row of channels.
+JointPlace place_in_parent(const JointModel& joint, const float* row) {
+  JointPlace place{Matrix3(), joint.offset};
+  if (joint.has_axes) place.world_from_joint = joint.joint_from_axes;
+  for (int c = 0; c < joint.channels; ++c) {
+    const double value = row[joint.first_channel + c];
+    const int axis = axis_of(joint.kinds[c]);
+    if (is_rotation(joint.kinds[c]))
+      turn_about(axis, value, place.world_from_joint);
+    else
+      place.origin[axis] += value;
+  }
+  if (joint.has_axes)
+    place.world_from_joint = times_transposed(place.world_from_joint, joint.joint_from_axes);
+  return place;
+}
+
+}  // namespace
+
+bool is_possible(const ClipBlock& clip, const mcpr_request& request) {
+  if (request.output < MCPR_CHANNELS || request.output > MCPR_POSITIONS) return false;
+  if (rows_of(request.path) == nullptr) return false;
+  if (request.channels == nullptr) return true;
+  if (request.output != MCPR_CHANNELS || request.channel_count > clip.channel_count) return false;
+  return std::all_of(request.channels, request.channels + request.channel_count,
+                     [&](std::uint16_t channel) { return channel < clip.channel_count; });
+}
+
+std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request) {
+  if (request.output == MCPR_LOCAL) return std::size_t{7} * clip.joint_count;
+  if (request.output == MCPR_POSITIONS) return std::size_t{3} * clip.joint_count;
+  return request.channels != nullptr ? request.channel_count : clip.channel_count;
+}
+
+FrameDecoder::FrameDecoder(Memory& memory, const ClipBlock& clip, const mcpr_request& request)
+    : clip_(clip),
+      request_(request),
+      solves_(request.corrected != 0 && clip.effector_count > 0 && turns_any(clip, request)),
+      picks_(solves_ && request.channels != nullptr),
+      synthesis_(memory, clip.motion(), plan(memory)),
+      limb_(memory, solves_ ? clip.most_links : 0),
+      places_(memory.take<JointPlace>(request.output == MCPR_POSITIONS ? clip.joint_count : 0)) {}
+
+/// Which signal goes to which column: a subset's own, or all in their order.
+SynthesisPlan FrameDecoder::plan(Memory& memory) {
+  const ResidentSignals& motion = clip_.motion();
+  const bool subset = request_.channels != nullptr && !picks_;
+  const int all = solves_ ? motion.signals() : static_cast<int>(clip_.channel_count);
+  columns_ = memory.take<std::int32_t>(static_cast<std::uint64_t>(motion.signals()));
+  if (columns_ != nullptr) {
+    for (int s = 0; s < motion.signals(); ++s)
+      columns_[s] = !subset && s < all ? s : ResidentSignals::Columns::kNone;
+    for (std::uint32_t i = 0; subset && i < request_.channel_count; ++i)
+      columns_[request_.channels[i]] = static_cast<std::int32_t>(i);
+  }
+  return {.column_of_signal = columns_,
+          .columns = subset ? static_cast<int>(request_.channel_count) : all,
+          .bands_left_out = static_cast<int>(std::min<std::uint32_t>(request_.bands_left_out, 64)),
+          .rows = rows_of(request_.path)};
+}
+
+void FrameDecoder::decode(int first, int count, float* out) {
+  const std::size_t values = values_of_frame(clip_, request_);
+  while (count > 0) {
+    const int frames = std::min(count, Synthesis::kWindow);
+    float* row = synthesis_.window(first, frames);
+    for (int t = 0; t < frames; ++t, row += synthesis_.stride(), out += values) put_out(row, out);
+    first += frames;
+    count -= frames;
+  }
+}
+
+void FrameDecoder::decode_moment(double frame, float* out) {
+  const int before = static_cast<int>(frame);
+  const auto share = static_cast<float>(frame - before);
+  float* const row = synthesis_.window(before, share > 0 ? 2 : 1);
+  const float* const after = row + synthesis_.stride();
+  if (share > 0)
+    for (std::ptrdiff_t k = 0; k < synthesis_.stride(); ++k) row[k] += share * (after[k] - row[k]);
+  put_out(row, out);
+}
+
+void FrameDecoder::correct(float* row) {
+  const float* const lacking = row + clip_.channel_count;
+  for (int l = 0; l < clip_.limb_count; ++l) {
+    const LimbPlan plan = clip_.limb(l);
+    limb_.set(plan, clip_.joint_models());
+    limb_.set_frame(row);
+    Vector3 targets[kMostEffectorsOfLimb];
+    for (int e = 0; e < plan.effectors; ++e) {
+      const float* const of_effector = lacking + 3 * plan.effector_numbers[e];
+      targets[e] = limb_.position(e) + Vector3{{of_effector[0], of_effector[1], of_effector[2]}};
+    }
+    solve(clip_.solver, limb_, targets, static_cast<int>(clip_.solver_iterations));
+    for (int a = 0; a < plan.turns; ++a)
+      row[plan.turn[a].channel] = static_cast<float>(limb_.angle(a));
+  }
+}
+
+void FrameDecoder::put_out(float* row, float* out) {
+  if (solves_) correct(row);
+  if (request_.output == MCPR_LOCAL) return put_out_local(row, out);
+  if (request_.output == MCPR_POSITIONS) return put_out_positions(row, out);
+  if (!picks_) {
+    std::memcpy(out, row, values_of_frame(clip_, request_) * sizeof(float));
+    return;
+  }
+  for (std::uint32_t i = 0; i < request_.channel_count; ++i) out[i] = row[request_.channels[i]];
+}
+
+void FrameDecoder::put_out_local(const float* row, float* out) const {
+  for (std::uint32_t j = 0; j < clip_.joint_count; ++j, out += 7) {
+    const JointPlace place = place_in_parent(clip_.joint_models()[j], row);
+    double wxyz[4];
+    quaternion_of(place.world_from_joint, wxyz);
+    for (int i = 0; i < 4; ++i) out[i] = static_cast<float>(wxyz[i]);
+    for (int i = 0; i < 3; ++i) out[4 + i] = static_cast<float>(place.origin[i]);
+  }
+}
+
+void FrameDecoder::put_out_positions(const float* row, float* out) const {
+  for (std::uint32_t j = 0; j < clip_.joint_count; ++j, out += 3) {
+    const JointModel& joint = clip_.joint_models()[j];
+    JointPlace& place = places_[j];
+    place = place_in_parent(joint, row);
+    if (joint.parent >= 0) {
+      const JointPlace& parent = places_[joint.parent];
+      place.origin = parent.origin + parent.world_from_joint * place.origin;
+      place.world_from_joint = parent.world_from_joint * place.world_from_joint;
+    }
+    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(place.origin[i]);
+  }
+}
+
+}  // namespace mocapress::decoder

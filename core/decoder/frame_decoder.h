@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clip.h"
+#include "memory.h"
+#include "synthesis.h"
+
+namespace mocapress::decoder {
+
+/// Whether a clip can fulfil a request.
+bool is_possible(const ClipBlock& clip, const mcpr_request& request);
+
+/// Floats in a frame of a possible request's output.
+std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request);
+
+/// Plays frames of a clip as a request wants them.
+class FrameDecoder {
+ public:
+  /// Of a possible request. With measuring memory only to know how much.
+  FrameDecoder(Memory& memory, const ClipBlock& clip, const mcpr_request& request);
+
+  /// Frames first ... first + count - 1, which exist.
+  void decode(int first, int count, float* out);
+
+  /// An instant between 0 and the last frame.
+  void decode_moment(double frame, float* out);
+
+ private:
+  /// A row of the synthesis: channels, then what the correction adds. Corrects it in place.
+  void correct(float* row);
+  void put_out(float* row, float* out);
+  void put_out_local(const float* row, float* out) const;
+  void put_out_positions(const float* row, float* out) const;
+  SynthesisPlan plan(Memory& memory);
+
+  const ClipBlock& clip_;
+  const mcpr_request& request_;
+  const bool solves_;
+  const bool picks_;  // the subset stands in rows of all channels
+  std::int32_t* columns_ = nullptr;
+  Synthesis synthesis_;
+  Limb limb_;
+  JointPlace* places_;  // of all joints
+};
+
+}  // namespace mocapress::decoder

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The runtime decoder of Mocapress: plays .mcpr files of the coding "adaptive" in an engine.
+ *
+ * A file is opened once into a compact resident form, about half as large again as the file's
+ * motion. From that any channels, any stretch of frames, any instant between frames and any level
+ * of detail are decoded by themselves. Nothing is allocated, thrown, locked or kept in globals:
+ * memory is the caller's, a clip is read-only once it was built, and any number of threads may
+ * decode from it, each with scratch memory of its own.
+ *
+ * Units: centimetres, radians, seconds, frames. Memory handed in must be aligned to MCPR_ALIGNMENT.
+ * Every function that can fail says where and why; what it writes is then unspecified.
+ */
+#ifndef MOCAPRESS_DECODER_H
+#define MOCAPRESS_DECODER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MCPR_ALIGNMENT 32
+
+typedef enum mcpr_status {
+  MCPR_OK = 0,
+  MCPR_NOT_A_CLIP = 1,  /* the bytes are no .mcpr file */
+  MCPR_VERSION = 2,     /* of a version that is not known here */
+  MCPR_DAMAGED = 3,     /* cut short, or a checksum differs */
+  MCPR_INVALID = 4,     /* not what FORMAT.md allows */
+  MCPR_UNSUPPORTED = 5, /* allowed, but not adaptive: the library mocapress reads it */
+  MCPR_LIMIT = 6,       /* larger than the limits given */
+  MCPR_MEMORY = 7,      /* too little memory given, or not aligned */
+  MCPR_ARGUMENT = 8     /* asked for what the clip does not have */
+} mcpr_status;
+
+typedef struct mcpr_result {
+  mcpr_status status;
+  size_t offset; /* of the first offending byte in the file; 0 where it is no matter of bytes */
+  const char* message; /* a constant, in English; never null */
+} mcpr_result;
+
+/* "damaged file" ...: a name for a status. Never null. */
+const char* mcpr_status_message(mcpr_status status);
+
+/* What a file may ask for. A file that asks for more is refused before any work is done for it. */
+typedef struct mcpr_limits {
+  uint32_t frames;
+  uint32_t joints;            /* at most 4096 */
+  uint32_t channels;          /* of all joints together */
+  uint64_t values;            /* frames * (channels + 3 * effectors) */
+  size_t scratch_bytes;       /* of mcpr_info.read_bytes */
+  size_t resident_bytes;      /* of the resident form */
+  uint32_t solver_iterations; /* of an IK solver, for a limb at a frame; the format's solvers take
+                                 60 or 12 */
+} mcpr_limits;
+
+/* Frames 2^22, joints 1024, channels 4096, values 2^24, scratch memory 128 MiB, resident form 32
+ * MiB, 60 iterations. */
+mcpr_limits mcpr_default_limits(void);
+
+/* ---------------------------------------------------------------- opening */
+
+/* What a file holds, by its headers alone. */
+typedef struct mcpr_info {
+  double sample_rate; /* frames a second */
+  uint32_t frames;
+  uint32_t joints;
+  uint32_t channels;
+  uint32_t effectors;  /* of the IK correction; 0: none */
+  size_t motion_bytes; /* of the file: coded motion and correction */
+  size_t read_bytes;   /* scratch memory that mcpr_read needs */
+} mcpr_info;
+
+mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits, mcpr_info* info);
+
+/* Decodes a whole file into `scratch` (info.read_bytes), from which mcpr_build makes a clip of
+ * *resident_bytes. The file is needed no longer after this. The work is at most in proportion to
+ * values + joints^2 + 2^15 * size, whatever the bytes. */
+mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, void* scratch,
+                      size_t scratch_size, size_t* resident_bytes);
+
+typedef struct mcpr_clip mcpr_clip;
+
+/* Makes the resident form. It has no pointers: it may be moved and copied as bytes, within one
+ * program and version. `scratch` is what mcpr_read left and is needed no longer after this. */
+mcpr_result mcpr_build(const void* scratch, size_t scratch_size, void* resident,
+                       size_t resident_size, const mcpr_clip** clip);
+
+/* ---------------------------------------------------------------- looking at a clip */
+
+typedef struct mcpr_clip_info {
+  double sample_rate; /* frames a second */
+  uint32_t frames;
+  uint32_t joints;
+  uint32_t channels;
+  uint32_t effectors;
+  uint32_t bands;        /* levels of detail that can be left out, 0 .. 26 */
+  size_t resident_bytes; /* all of the clip */
+  size_t skeleton_bytes; /* of them the skeleton's: names, offsets, axes */
+} mcpr_clip_info;
+
+mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip);
+
+/* A joint, parents before children. Its frame maps to its parent's by
+ *   x_in_parent = offset + translation + rotation * x_in_joint
+ * where offset + translation and rotation are what MCPR_LOCAL decodes to. */
+typedef struct mcpr_joint {
+  const char* name; /* UTF-8, ends with a zero; in the clip's memory */
+  int32_t parent;   /* -1: a root */
+  float offset[3];  /* cm, in the parent's frame */
+  uint32_t first_channel;
+  uint32_t channels; /* 0 .. 6 */
+  uint8_t kinds[6];  /* 0 1 2: translation x y z, cm; 3 4 5: rotation x y z, radians */
+  uint8_t has_end_site;
+  float end_site[3]; /* cm, in the joint's frame */
+} mcpr_joint;
+
+mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out);
+
+/* ---------------------------------------------------------------- decoding */
+
+typedef enum mcpr_output {
+  MCPR_CHANNELS = 0, /* 1 float a channel: cm or radians, in the order of the request */
+  MCPR_LOCAL = 1,    /* 7 floats a joint: quaternion w x y z of parent_from_joint, then the
+                        joint's origin in its parent's frame, x y z (a root's: in the world), cm */
+  MCPR_POSITIONS = 2 /* 3 floats a joint: its origin in the world, x y z, cm */
+} mcpr_output;
+
+/* By what instructions rows are computed. All give the same bits. */
+typedef enum mcpr_path {
+  MCPR_PATH_BEST = 0,
+  MCPR_PATH_PLAIN = 1,
+  MCPR_PATH_SSE2 = 2,
+  MCPR_PATH_AVX2 = 3
+} mcpr_path;
+
+/* 1 if this machine and build have the path. */
+int mcpr_path_exists(mcpr_path path);
+
+/* What to decode. All zero: every channel, in full detail, without IK correction. */
+typedef struct mcpr_request {
+  mcpr_output output;
+  int corrected;            /* 1: with the clip's IK correction, if it has one */
+  uint32_t bands_left_out;  /* of the finest; each halves the rate of what is left of the motion */
+  const uint16_t* channels; /* MCPR_CHANNELS only: which, in any order; null: all */
+  uint32_t channel_count;   /* of `channels` */
+  mcpr_path path;
+  uint32_t solver_iterations; /* at most, for a limb at a frame; 0: as many as the format's solvers
+                                 take */
+} mcpr_request;
+
+/* Floats in a frame of output; 0 for a request that the clip cannot fulfil. */
+size_t mcpr_frame_values(const mcpr_clip* clip, const mcpr_request* request);
+
+/* Scratch memory of mcpr_decode_frames and mcpr_decode_moment, whatever the frames. */
+size_t mcpr_scratch_bytes(const mcpr_clip* clip, const mcpr_request* request);
+
+/* Frames first .. first + count - 1, row after row, each of mcpr_frame_values() floats. Where a
+ * subset of channels is asked for, which may name each but once, only those are computed, unless
+ * the correction turns one of them. */
+mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request, uint32_t first,
+                               uint32_t count, float* out, void* scratch, size_t scratch_size);
+
+/* One instant, in frames from the first, 0 .. frames - 1: exact at a frame, between two the
+ * channels and what the correction adds are linear in time. */
+mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request, double frame,
+                               float* out, void* scratch, size_t scratch_size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

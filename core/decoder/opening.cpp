@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "opening.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <new>
+
+#include "joint_records.h"
+
+namespace mocapress::decoder {
+namespace {
+
+constexpr int kMostLinks = 256;  // of a limb: bounds the work of a solver
+
+/// Places things at the end of a block, or only measures it.
+class Block {
+ public:
+  explicit Block(std::byte* memory) : memory_(memory) {}
+
+  std::uint32_t reserve(std::uint64_t bytes) {
+    used_ = (used_ + 7) / 8 * 8;
+    const std::uint64_t at = used_;
+    used_ += bytes;
+    return static_cast<std::uint32_t>(at);
+  }
+  template <typename T>
+  T* at(std::uint32_t offset) const {
+    return memory_ == nullptr ? nullptr : reinterpret_cast<T*>(memory_ + offset);
+  }
+  std::uint64_t used() const { return used_; }
+
+ private:
+  std::byte* memory_;
+  std::uint64_t used_ = 0;
+};
+
+float step_of(float scale, int fineness) {
+  const double whole = std::ldexp(static_cast<double>(scale), -(fineness >> 1));
+  return static_cast<float>(fineness % 2 == 0 ? whole : whole * 0x1.6a09e667f3bcdp-1);
+}
+
+}  // namespace
+
+Opening::Opening(Memory& memory, const FileSections& sections)
+    : sections_(sections),
+      joint_bytes_(memory.take<std::uint8_t>(sections.joint_bytes)),
+      joints_(memory.take<JointModel>(sections.joints)),
+      parents_(memory.take<std::int16_t>(sections.joints)),
+      channel_counts_(memory.take<std::uint8_t>(sections.joints)),
+      kin_(memory.take<SignalKin>(sections.signals())),
+      contexts_(memory.take<AdaptiveBit>(
+          static_cast<std::uint64_t>(ContextLayout(static_cast<int>(sections.signals())).end))),
+      fineness_(memory.take<std::int32_t>(sections.signals())),
+      values_(memory.take<std::int32_t>(std::uint64_t{sections.frames} * sections.signals())),
+      steps_(memory.take<float>(sections.signals())),
+      notes_(memory.take<std::uint8_t>(sections.signals())),
+      joint_coder_(memory),
+      kin_finder_(memory, static_cast<int>(sections.joints)),
+      coder_notes_(memory, Bands(static_cast<int>(sections.frames)),
+                   static_cast<int>(sections.signals())),
+      limb_planner_(memory, static_cast<int>(sections.joints)) {}
+
+mcpr_result Opening::read() {
+  for (const auto step : {&Opening::read_joints, &Opening::plan_limbs, &Opening::read_motion}) {
+    const mcpr_result result = (this->*step)();
+    if (failed(result)) return result;
+  }
+  mark = kMark;
+  return kOk;
+}
+
+mcpr_result Opening::read_joints() {
+  const Bytes& coded = sections_.coded_joints;
+  RangeDecoder bits(coded.data, coded.size);
+  joint_coder_.run(bits, joint_bytes_, sections_.joint_bytes);
+  if (bits.failed() || !bits.is_at_end())
+    return failure(MCPR_INVALID, coded.offset + bits.position(), "the coded skeleton is damaged");
+  return read_joint_records();
+}
+
+mcpr_result Opening::read_joint_records() {
+  const std::size_t offset = sections_.coded_joints.offset;
+  Cursor cursor(joint_bytes_, sections_.joint_bytes);
+  std::uint32_t channels = 0;
+  name_bytes_ = 0;
+  for (int j = 0; j < static_cast<int>(sections_.joints); ++j) {
+    JointRecord record;
+    const mcpr_result result = read_joint(cursor, j, record);
+    if (failed(result)) return failure(result.status, offset, result.message);
+    record.model.first_channel = static_cast<std::uint16_t>(channels);
+    record.model.name = name_bytes_;
+    joints_[j] = record.model;
+    parents_[j] = static_cast<std::int16_t>(record.model.parent);
+    channel_counts_[j] = record.model.channels;
+    channels += record.model.channels;
+    name_bytes_ += record.name_length + 1U;
+  }
+  if (!cursor.at_end()) return failure(MCPR_INVALID, offset, "bytes after the last joint");
+  if (channels != sections_.channels)
+    return failure(MCPR_INVALID, offset, "not as many channels as JNTS promises");
+  return kOk;
+}
+
+mcpr_result Opening::plan_limbs() {
+  const auto count = static_cast<int>(sections_.effectors);
+  for (int e = 0; e < count; ++e)
+    effectors_[e] = {sections_.effector[e].joint, sections_.effector[e].top};
+  if (const char* const wrong = limb_planner_.plan(joints_, effectors_, count))
+    return failure(MCPR_INVALID, sections_.effector_offset, wrong);
+  for (int l = 0; l < limb_planner_.limb_count(); ++l)
+    if (limb_planner_.size(l).links > kMostLinks)
+      return failure(MCPR_LIMIT, sections_.effector_offset,
+                     "more than 256 joints from the root to the effectors of a limb");
+  return kOk;
+}
+
+mcpr_result Opening::read_motion() {
+  const Bytes& motion = sections_.motion;
+  Cursor head(motion.data, motion.size, motion.offset);
+  const auto scale = std::bit_cast<float>(std::uint32_t{head.read<std::uint16_t>()} << 16);
+  if (head.failed() || !std::isfinite(scale) || scale <= 0)
+    return failure(MCPR_INVALID, motion.offset, "the scale of steps is no positive number");
+  const auto channels = static_cast<int>(sections_.channels);
+  const auto signals = static_cast<int>(sections_.signals());
+  kin_finder_.find({static_cast<int>(sections_.joints), parents_, channel_counts_}, kin_);
+  set_correction_kin(channels, signals - channels, kin_ + channels);
+  std::fill_n(values_, std::uint64_t{sections_.frames} * sections_.signals(), 0);
+  std::fill_n(fineness_, signals, 0);
+  RangeDecoder bits(motion.data + 2, motion.size - 2);
+  CoefficientModel model(signals, contexts_);
+  model.begin();
+  const Bands bands(static_cast<int>(sections_.frames));
+  const QuantisedView view{static_cast<int>(sections_.frames), signals, fineness_, values_};
+  CoefficientCoder(bits, kin_, bands, model, view, coder_notes_).run();
+  const std::size_t offset = motion.offset + 2 + bits.position();
+  if (bits.exhausted()) return failure(MCPR_INVALID, offset, "the coded motion ends early");
+  if (bits.refused()) return failure(MCPR_INVALID, offset, "a number of the motion out of bounds");
+  if (!bits.is_at_end()) return failure(MCPR_INVALID, offset, "bytes after the coded motion");
+  for (int s = 0; s < signals; ++s) steps_[s] = step_of(scale, fineness_[s]);
+  return kOk;
+}
+
+QuantisedSource Opening::source() const {
+  return {.length = static_cast<int>(sections_.frames),
+          .signals = static_cast<int>(sections_.signals()),
+          .wavelet = sections_.wavelet,
+          .steps = steps_,
+          .values = values_,
+          .notes = notes_};
+}
+
+std::uint64_t Opening::resident_size() {
+  return lay_out(nullptr);
+}
+
+const mcpr_clip* Opening::build(std::byte* memory) {
+  lay_out(memory);
+  return std::launder(reinterpret_cast<const mcpr_clip*>(memory));
+}
+
+std::uint64_t Opening::lay_out(std::byte* memory) {
+  Block block(memory);
+  block.reserve(sizeof(mcpr_clip));
+  ClipBlock head;
+  head.joint_count = sections_.joints;
+  head.channel_count = sections_.channels;
+  head.effector_count = sections_.effectors;
+  head.sample_rate = sections_.sample_rate;
+  head.solver = sections_.solver;
+  head.solver_iterations = std::min<std::uint32_t>(solver_iterations, kMostSweeps);
+  head.joints = block.reserve(sizeof(JointModel) * std::uint64_t{sections_.joints});
+  head.names = block.reserve(name_bytes_);
+  head.skeleton_bytes = block.used() - sizeof(mcpr_clip);
+  if (memory != nullptr) {
+    std::copy_n(joints_, sections_.joints, block.at<JointModel>(head.joints));
+    Cursor cursor(joint_bytes_, sections_.joint_bytes);
+    for (int j = 0; j < static_cast<int>(sections_.joints); ++j) {
+      JointRecord record;
+      read_joint(cursor, j, record);
+      if (record.name_length > 0)
+        std::memcpy(block.at<char>(head.names) + joints_[j].name, record.name, record.name_length);
+    }
+  }
+  head.limb_count = static_cast<std::uint16_t>(limb_planner_.limb_count());
+  head.limbs = block.reserve(sizeof(ResidentLimb) * std::uint64_t{head.limb_count});
+  for (int l = 0; l < head.limb_count; ++l) {
+    LimbPlan plan = limb_planner_.size(l);
+    head.most_links = std::max(head.most_links, static_cast<std::uint16_t>(plan.links));
+    const auto room = [&](int count, std::size_t size) {
+      return block.reserve(static_cast<std::uint64_t>(count) * size);
+    };
+    ResidentLimb limb{.effectors = static_cast<std::uint16_t>(plan.effectors),
+                      .links = static_cast<std::uint16_t>(plan.links),
+                      .turns = static_cast<std::uint16_t>(plan.turns),
+                      .is_two_bones = 0,
+                      .effector_numbers = room(plan.effectors, sizeof(std::uint16_t)),
+                      .effector_links = room(plan.effectors, sizeof(std::uint16_t)),
+                      .link = room(plan.links, sizeof(LimbLink)),
+                      .turn = room(plan.turns, sizeof(LimbTurn))};
+    if (memory == nullptr) continue;
+    plan = limb_planner_.lay_out(l, {block.at<std::uint16_t>(limb.effector_numbers),
+                                     block.at<std::uint16_t>(limb.effector_links),
+                                     block.at<LimbLink>(limb.link), block.at<LimbTurn>(limb.turn)});
+    limb.is_two_bones = plan.is_two_bones ? 1 : 0;
+    block.at<ResidentLimb>(head.limbs)[l] = limb;
+  }
+  const std::uint64_t motion = ResidentSignals::size(source());
+  head.signals = block.reserve(motion);
+  head.total_bytes = block.used();
+  if (memory != nullptr) {
+    ResidentSignals::build(source(), memory + head.signals);
+    new (memory) mcpr_clip{head};
+  }
+  return block.used();
+}
+
+}  // namespace mocapress::decoder

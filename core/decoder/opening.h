@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// From the bytes of a file to a clip, in two steps: everything decoded into scratch memory, then
+// the resident form made of it.
+#pragma once
+
+#include "clip.h"
+#include "coefficient_coder.h"
+#include "file_sections.h"
+#include "joint_bytes.h"
+#include "limb_planner.h"
+#include "memory.h"
+#include "signal_kin.h"
+
+namespace mocapress::decoder {
+
+/// The scratch memory of reading a file: what stands there, and what reading works in.
+class Opening {
+ public:
+  /// With measuring memory only to know how much.
+  Opening(Memory& memory, const FileSections& sections);
+
+  /// Decodes skeleton, correction and motion.
+  mcpr_result read();
+
+  /// How many bytes build() makes.
+  std::uint64_t resident_size();
+
+  /// Makes the clip in zeroed memory.
+  const mcpr_clip* build(std::byte* memory);
+
+  static constexpr std::uint32_t kMark = 0x6465704FU;  // tells that read() succeeded
+  std::uint32_t mark = 0;
+
+  std::uint32_t solver_iterations = kMostSweeps;  // that the clip allows
+
+ private:
+  mcpr_result read_joints();
+  mcpr_result read_joint_records();
+  mcpr_result plan_limbs();
+  mcpr_result read_motion();
+  std::uint64_t lay_out(std::byte* memory);
+  QuantisedSource source() const;
+
+  FileSections sections_;
+  std::uint8_t* joint_bytes_;
+  JointModel* joints_;
+  std::int16_t* parents_;
+  std::uint8_t* channel_counts_;
+  std::uint32_t name_bytes_ = 0;
+  SignalKin* kin_;
+  AdaptiveBit* contexts_;
+  std::int32_t* fineness_;
+  std::int32_t* values_;
+  float* steps_;
+  std::uint8_t* notes_;
+  JointByteCoder joint_coder_;
+  KinFinder kin_finder_;
+  CoderNotes coder_notes_;
+  LimbPlanner limb_planner_;
+  EffectorEnds effectors_[kMostEffectors];
+};
+
+}  // namespace mocapress::decoder

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "resident_signals.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "bits.h"
+
+namespace mocapress::decoder {
+
+/// What a step is divided by, as a factor.
+float ResidentSignals::gain(int band) const {
+  constexpr float kRootOfHalf = 0x1.6a09e6p-1F;
+  const int depth = band_count_ == 1 ? 0 : band_count_ - std::max(band, 1);
+  const float whole = 1.0F / static_cast<float>(std::uint64_t{1} << (depth / 2));
+  return depth % 2 == 0 ? whole : whole * kRootOfHalf;
+}
+
+int ResidentSignals::listed_signal(const BandEntry& entry, std::uint32_t i) const {
+  if (has_wide_numbers()) {
+    std::uint16_t signal;
+    std::memcpy(&signal, at<std::byte>(entry.list_offset) + 2 * i, sizeof signal);
+    return signal;
+  }
+  return at<std::uint8_t>(entry.list_offset)[i];
+}
+
+void ResidentSignals::unpack(int band, int first, int end, const Columns& columns,
+                             float* rows) const {
+  std::fill_n(rows, (end - first) * columns.stride, 0.0F);
+  if (entries()[band].kind == Kind::Dense)
+    unpack_dense(band, first, end, columns, rows);
+  else
+    unpack_sparse(band, first, end, columns, rows);
+}
+
+void ResidentSignals::unpack_dense(int band, int first, int end, const Columns& columns,
+                                   float* rows) const {
+  const BandEntry& entry = entries()[band];
+  const auto* const widths = at<std::uint8_t>(entry.offset);
+  const auto* const bytes = at<std::byte>(entry.bits_offset);
+  const float gain_of_band = gain(band);
+  std::uint64_t bit = static_cast<std::uint64_t>(first) * entry.present;
+  for (int i = first; i < end; ++i, rows += columns.stride)
+    for (int s = 0; s < signals_; ++s) {
+      const int width = widths[s];
+      const std::int32_t column = columns.of_signal[s];
+      if (column != Columns::kNone && width != 0) {
+        const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
+        const auto value = static_cast<std::int64_t>(bits_at(bytes, bit) & mask) -
+                           (std::int64_t{1} << (width - 1));
+        rows[column] = static_cast<float>(static_cast<std::int32_t>(value)) *
+                       (columns.steps[s] * gain_of_band);
+      }
+      bit += static_cast<std::uint64_t>(width);
+    }
+}
+
+void ResidentSignals::unpack_sparse(int band, int first, int end, const Columns& columns,
+                                    float* rows) const {
+  if (first == end) return;
+  const int log2_rows = entries()[band].log2_rows;
+  for (int block = first >> log2_rows; block <= (end - 1) >> log2_rows; ++block)
+    unpack_block(band, block, first, end, columns, rows);
+}
+
+void ResidentSignals::unpack_block(int band, int block, int first, int end, const Columns& columns,
+                                   float* rows) const {
+  const BandEntry& entry = entries()[band];
+  const float gain_of_band = gain(band);
+  std::uint32_t offset = 0;
+  const std::size_t offset_size = entry.kind == Kind::SparseWide ? 4 : 2;
+  std::memcpy(&offset, at<std::byte>(entry.offset) + offset_size * static_cast<std::size_t>(block),
+              offset_size);
+  BitReader reader(at<std::byte>(entry.bits_offset) + offset);
+  const std::uint32_t row_mask = (std::uint32_t{1} << entry.log2_rows) - 1;
+  const int first_row = (block << entry.log2_rows) - first;
+  const auto row_count = static_cast<std::uint32_t>(end - first);
+  std::uint32_t place = 0;
+  for (std::uint32_t left = reader.rice(kCountShift); left > 0; --left, ++place) {
+    place += reader.rice(entry.gap_shift);
+    const std::uint32_t magnitude = reader.rice(entry.value_shift) + 1;
+    const bool minus = reader.flag();
+    const auto row = static_cast<std::uint32_t>(first_row + static_cast<int>(place & row_mask));
+    if (row >= row_count) continue;  // before `first`, as a number without a sign, or from `end` on
+    const int signal = listed_signal(entry, place >> entry.log2_rows);
+    const std::int32_t column = columns.of_signal[signal];
+    if (column == Columns::kNone) continue;
+    const auto value = static_cast<std::int32_t>(minus ? 0U - magnitude : magnitude);
+    rows[static_cast<std::ptrdiff_t>(row) * columns.stride + column] =
+        static_cast<float>(value) * (columns.steps[signal] * gain_of_band);
+  }
+}
+
+}  // namespace mocapress::decoder

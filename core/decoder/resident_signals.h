@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The motion as an engine keeps it: sparse quantised coefficients, ordered by band and time, from
+// which any rows of any band unpack by themselves.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "bands.h"
+
+namespace mocapress::decoder {
+
+/// How an odd sample is predicted. The values are part of the file format.
+enum class Wavelet : std::uint8_t { Haar = 0, Linear = 1, Cubic = 2 };
+
+/// Quantised coefficients: what a resident form is made of.
+struct QuantisedSource {
+  int length;  // coefficients of each signal, coarse to fine
+  int signals;
+  Wavelet wavelet;
+  const float* steps;          // of each signal, before they are divided by bands
+  const std::int32_t* values;  // signal after signal
+  std::uint8_t* notes;         // a byte for each signal, to work in
+};
+
+/// The resident form. It has no pointers; everything is found by offsets in bytes from `this`.
+///
+/// A band is either dense, every coefficient in a width that is its signal's in this band and a row
+/// after the other; or sparse, blocks of 2^k rows in which only what is not zero stands, signal by
+/// signal, each with the gap to the one before; or empty. Which is smaller decides, with some
+/// preference for the dense, which is faster.
+class ResidentSignals {
+ public:
+  /// How many bytes build() makes.
+  static std::uint64_t size(const QuantisedSource& source);
+
+  /// Builds at `memory`, which is zeroed and aligned for it.
+  static const ResidentSignals* build(const QuantisedSource& source, std::byte* memory);
+
+  int length() const { return length_; }
+  int signals() const { return signals_; }
+  Wavelet wavelet() const { return wavelet_; }
+  int band_count() const { return band_count_; }
+  bool is_empty(int band) const { return entries()[band].kind == Kind::Empty; }
+
+  /// The step of each signal.
+  const float* steps() const { return at<float>(steps_); }
+
+  /// Where the values of unpack() go.
+  struct Columns {
+    const std::int32_t* of_signal;  // column of each; kNone: left out
+    const float* steps;             // of each signal
+    std::ptrdiff_t stride;          // of rows
+    static constexpr std::int32_t kNone = -1;
+  };
+
+  /// Rows first ... end - 1 of a band, which is not empty, times their steps: each a row of
+  /// `columns.stride` floats, zero where there is no column.
+  void unpack(int band, int first, int end, const Columns& columns, float* rows) const;
+
+ private:
+  static constexpr int kCountShift = 3;  // of the Rice code of a block's count
+  enum class Kind : std::uint8_t { Empty, Dense, Sparse, SparseWide };  // wide offsets of blocks
+  friend class ResidentBuilder;
+
+  struct BandEntry {
+    Kind kind = Kind::Empty;
+    std::uint8_t log2_rows = 0;  // of a block
+    std::uint8_t gap_shift = 0;  // of Rice codes
+    std::uint8_t value_shift = 0;
+    std::uint32_t present = 0;      // sparse: signals that occur. dense: bits of a row
+    std::uint32_t offset = 0;       // dense: widths. sparse: offsets of blocks
+    std::uint32_t list_offset = 0;  // sparse: the signals that occur
+    std::uint32_t bits_offset = 0;
+  };
+
+  template <typename T>
+  const T* at(std::uint32_t offset) const {
+    return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
+  }
+  const BandEntry* entries() const { return at<BandEntry>(entries_); }
+  bool has_wide_numbers() const { return signals_ > 256; }
+  int listed_signal(const BandEntry& entry, std::uint32_t i) const;
+  float gain(int band) const;
+  void unpack_dense(int band, int first, int end, const Columns& columns, float* rows) const;
+  void unpack_sparse(int band, int first, int end, const Columns& columns, float* rows) const;
+  void unpack_block(int band, int block, int first, int end, const Columns& columns,
+                    float* rows) const;
+
+  std::int32_t length_ = 0;
+  std::int32_t signals_ = 0;
+  Wavelet wavelet_ = Wavelet::Cubic;
+  std::uint8_t band_count_ = 1;
+  std::uint32_t steps_ = 0;
+  std::uint32_t entries_ = 0;
+};
+
+}  // namespace mocapress::decoder

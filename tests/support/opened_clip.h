@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/own_memory.h"
+#include "core/decoder/mocapress_decoder.h"
+
+namespace mocapress::test {
+
+/// A clip opened by the runtime decoder, with memory of its own, as an engine would.
+struct OpenedClip {
+  mcpr_info info{};
+  mcpr_result result{};  // of the first step that failed, or of the last
+  std::optional<AlignedBytes> resident;
+  const mcpr_clip* clip = nullptr;  // null where it was refused
+
+  explicit OpenedClip(std::span<const std::byte> file, const mcpr_limits* limits = nullptr) {
+    result = mcpr_inspect(file.data(), file.size(), limits, &info);
+    if (result.status != MCPR_OK) return;
+    const AlignedBytes scratch(info.read_bytes);
+    std::size_t size = 0;
+    result = mcpr_read(file.data(), file.size(), limits, scratch.data(), scratch.size(), &size);
+    if (result.status != MCPR_OK) return;
+    resident.emplace(size);
+    result = mcpr_build(scratch.data(), scratch.size(), resident->data(), size, &clip);
+  }
+
+  /// Frames as a request wants them, row after row; empty where it was refused.
+  std::vector<float> frames(const mcpr_request& request, std::uint32_t first,
+                            std::uint32_t count) const {
+    const AlignedBytes scratch(mcpr_scratch_bytes(clip, &request));
+    std::vector<float> out(count * mcpr_frame_values(clip, &request));
+    if (mcpr_decode_frames(clip, &request, first, count, out.data(), scratch.data(), scratch.size())
+            .status != MCPR_OK)
+      out.clear();
+    return out;
+  }
+
+  std::vector<float> moment(const mcpr_request& request, double frame) const {
+    const AlignedBytes scratch(mcpr_scratch_bytes(clip, &request));
+    std::vector<float> out(mcpr_frame_values(clip, &request));
+    if (mcpr_decode_moment(clip, &request, frame, out.data(), scratch.data(), scratch.size())
+            .status != MCPR_OK)
+      out.clear();
+    return out;
+  }
+};
+
+}  // namespace mocapress::test

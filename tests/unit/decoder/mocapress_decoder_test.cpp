@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+// The C interface, against core: one decoder, whichever way in.
+#include "core/decoder/mocapress_decoder.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cstring>
+#include <limits>
+
+#include "core/base/random.h"
+#include "core/codec/container.h"
+#include "core/codec/decoder.h"
+#include "core/codec/encoder.h"
+#include "tests/support/opened_clip.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+using test::OpenedClip;
+
+constexpr int kFrames = 150;
+
+/// With an IK correction at the ends of both limbs.
+const std::vector<std::byte>& corrected_file() {
+  static const std::vector<std::byte> file = [] {
+    const Motion motion = test::smooth_motion(kFrames);
+    const CorrectionOptions correction{
+        .joints = {motion.skeleton.joint_count() - 1, motion.skeleton.joint_count() - 4},
+        .ratio = 4.0};
+    return write_container(Encoder(motion)
+                               .encode({.method = Method::Standard,
+                                        .coding = Coding::Adaptive,
+                                        .target = {Target::Kind::CoefficientRatio, 6},
+                                        .correction = correction})
+                               .compressed);
+  }();
+  return file;
+}
+
+const OpenedClip& opened() {
+  static const OpenedClip clip(corrected_file());
+  return clip;
+}
+
+/// frames x columns, as the interface gives them.
+Eigen::MatrixXf matrix(const std::vector<float>& rows, Eigen::Index columns) {
+  return Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+      rows.data(), std::ssize(rows) / columns, columns);
+}
+
+Eigen::MatrixXf all_frames(const mcpr_request& request) {
+  const auto columns = static_cast<Eigen::Index>(mcpr_frame_values(opened().clip, &request));
+  return matrix(opened().frames(request, 0, kFrames), columns);
+}
+
+TEST(Decoder, GivesTheBitsThatCoreDecodes) {
+  ASSERT_NE(opened().clip, nullptr) << opened().result.message;
+  const CompressedClip compressed = read_container(corrected_file());
+  EXPECT_EQ(all_frames({}), decode_uncorrected(compressed).clip.channels.cast<float>());
+  EXPECT_EQ(all_frames({.corrected = 1}), decode(compressed).channels.cast<float>());
+}
+
+TEST(Decoder, TellsWhatTheFileHolds) {
+  const CompressedClip compressed = read_container(corrected_file());
+  const mcpr_clip_info info = mcpr_clip_describe(opened().clip);
+  EXPECT_EQ(info.frames, static_cast<std::uint32_t>(kFrames));
+  EXPECT_EQ(info.sample_rate, compressed.sample_rate_hz);
+  EXPECT_EQ(info.channels, static_cast<std::uint32_t>(compressed.skeleton.channel_count()));
+  EXPECT_EQ(info.effectors, 2u);
+  EXPECT_EQ(opened().info.motion_bytes, compressed.motion_bytes());
+  EXPECT_EQ(info.resident_bytes, opened().resident->size());
+  for (int j = 0; j < compressed.skeleton.joint_count(); ++j) {
+    const Joint& expected = compressed.skeleton.joint(j);
+    mcpr_joint joint;
+    ASSERT_EQ(mcpr_clip_joint(opened().clip, static_cast<std::uint32_t>(j), &joint).status,
+              MCPR_OK);
+    EXPECT_EQ(joint.name, expected.name);
+    EXPECT_EQ(joint.parent, expected.parent);
+    EXPECT_EQ(joint.channels, expected.channels.size());
+    EXPECT_EQ(joint.has_end_site != 0, expected.end_site.has_value());
+    EXPECT_EQ(joint.offset[1], static_cast<float>(expected.offset.y()));
+  }
+}
+
+TEST(Decoder, AnyStretchOfFramesIsThatPartOfTheWhole) {
+  Random random(1);
+  for (const mcpr_request& request :
+       {mcpr_request{}, mcpr_request{.corrected = 1},
+        mcpr_request{.output = MCPR_POSITIONS, .corrected = 1}, mcpr_request{.output = MCPR_LOCAL},
+        mcpr_request{.bands_left_out = 2}}) {
+    const Eigen::MatrixXf whole = all_frames(request);
+    for (int round = 0; round < 20; ++round) {
+      const auto count = static_cast<std::uint32_t>(1 + random.below(kFrames));
+      const auto first = static_cast<std::uint32_t>(random.below(kFrames - count + 1));
+      EXPECT_EQ(matrix(opened().frames(request, first, count), whole.cols()),
+                whole.middleRows(first, count));
+      EXPECT_EQ(matrix(opened().moment(request, first), whole.cols()), whole.row(first));
+    }
+  }
+}
+
+TEST(Decoder, EveryPathGivesTheSameBits) {
+  for (const mcpr_output output : {MCPR_CHANNELS, MCPR_POSITIONS})
+    for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_SSE2, MCPR_PATH_AVX2}) {
+      if (mcpr_path_exists(path) == 0) continue;  // this machine has none
+      EXPECT_EQ(all_frames({.output = output, .corrected = 1, .path = path}),
+                all_frames({.output = output, .corrected = 1}));
+    }
+}
+
+TEST(Decoder, BetweenFramesChannelsAreLinear) {
+  const Eigen::MatrixXf whole = all_frames({});
+  for (const double frame : {0.25, 63.5, 148.75}) {
+    const auto before = static_cast<Eigen::Index>(frame);
+    const auto share = static_cast<float>(frame - static_cast<double>(before));
+    const Eigen::MatrixXf expected =
+        whole.row(before) + share * (whole.row(before + 1) - whole.row(before));
+    EXPECT_TRUE(matrix(opened().moment({}, frame), whole.cols()).isApprox(expected, 1e-6F));
+  }
+}
+
+TEST(Decoder, ASubsetOfChannelsIsTheSameBits) {
+  const std::vector<std::uint16_t> some = {9, 3, 14};
+  for (const int corrected : {0, 1}) {
+    const Eigen::MatrixXf whole = all_frames({.corrected = corrected});
+    const Eigen::MatrixXf chosen =
+        all_frames({.corrected = corrected, .channels = some.data(), .channel_count = 3});
+    ASSERT_EQ(chosen.cols(), 3);
+    for (Eigen::Index i = 0; i < 3; ++i)
+      EXPECT_EQ(chosen.col(i), whole.col(some[static_cast<std::size_t>(i)])) << corrected;
+  }
+}
+
+TEST(Decoder, PositionsAreThoseOfForwardKinematics) {
+  const CompressedClip compressed = read_container(corrected_file());
+  const Eigen::MatrixXf positions = all_frames({.output = MCPR_POSITIONS, .corrected = 1});
+  const Eigen::MatrixXd expected = landmark_tracks(compressed.skeleton, decode(compressed))
+                                       .leftCols(positions.cols());  // joints before end sites
+  EXPECT_LT((positions.cast<double>() - expected).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+TEST(Decoder, FloatsAreWithinATenthOfAHundredthOfAMillimetre) {
+  // Against everything in double precision, a corpus-like figure that travels metres.
+  const CompressedClip compressed = read_container(corrected_file());
+  const Clip precise{
+      compressed.sample_rate_hz,
+      reconstruct(unpack_adaptive(compressed), Lifting(compressed.basis, compressed.frames))
+          .leftCols(compressed.skeleton.channel_count())};
+  const Eigen::MatrixXf positions = all_frames({.output = MCPR_POSITIONS});
+  const Eigen::MatrixXd expected =
+      landmark_tracks(compressed.skeleton, precise).leftCols(positions.cols());
+  EXPECT_LT((positions.cast<double>() - expected).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+TEST(Decoder, LocalTransformsComposeToPositions) {
+  const Eigen::MatrixXf local = all_frames({.output = MCPR_LOCAL});
+  const Eigen::MatrixXf positions = all_frames({.output = MCPR_POSITIONS});
+  const auto joints = local.cols() / 7;
+  for (const Eigen::Index t : {0, 77, 149}) {
+    std::vector<Eigen::Isometry3d> world_from_joint;
+    for (Eigen::Index j = 0; j < joints; ++j) {
+      const Eigen::VectorXd place = local.row(t).segment(7 * j, 7).transpose().cast<double>();
+      const Eigen::Quaterniond turn(place(0), place(1), place(2), place(3));
+      EXPECT_NEAR(turn.norm(), 1, 1e-6);
+      mcpr_joint joint;
+      mcpr_clip_joint(opened().clip, static_cast<std::uint32_t>(j), &joint);
+      Eigen::Isometry3d parent_from_joint = Eigen::Isometry3d::Identity();
+      parent_from_joint.translate(Eigen::Vector3d(place.tail<3>()));
+      parent_from_joint.rotate(turn);
+      world_from_joint.push_back(joint.parent < 0
+                                     ? parent_from_joint
+                                     : world_from_joint[static_cast<std::size_t>(joint.parent)] *
+                                           parent_from_joint);
+      EXPECT_LT((world_from_joint.back().translation() -
+                 positions.row(t).segment(3 * j, 3).transpose().cast<double>())
+                    .norm(),
+                1e-3);
+    }
+  }
+}
+
+TEST(Decoder, AClipMayBeMovedAsBytes) {
+  const AlignedBytes moved(opened().resident->size());
+  std::memcpy(moved.data(), opened().resident->data(), moved.size());
+  const mcpr_request request{.output = MCPR_POSITIONS, .corrected = 1};
+  OpenedClip copy({});
+  copy.clip = reinterpret_cast<const mcpr_clip*>(moved.data());
+  EXPECT_EQ(copy.frames(request, 0, kFrames), opened().frames(request, 0, kFrames));
+}
+
+TEST(Decoder, RefusesWhatTheClipDoesNotHave) {
+  const auto status = [](const mcpr_request& request, std::uint32_t first, std::uint32_t count) {
+    const AlignedBytes scratch(std::size_t{1} << 20);
+    std::vector<float> out(kFrames * 100);
+    return mcpr_decode_frames(opened().clip, &request, first, count, out.data(), scratch.data(),
+                              scratch.size())
+        .status;
+  };
+  const std::uint16_t beyond = 999;
+  EXPECT_EQ(status({}, 0, kFrames), MCPR_OK);
+  EXPECT_EQ(status({}, kFrames, 0), MCPR_OK);
+  EXPECT_EQ(status({}, 0, kFrames + 1), MCPR_ARGUMENT);
+  EXPECT_EQ(status({}, 0xFFFFFFFF, 2), MCPR_ARGUMENT);
+  EXPECT_EQ(status({.channels = &beyond, .channel_count = 1}, 0, 1), MCPR_ARGUMENT);
+  EXPECT_EQ(status({.output = MCPR_LOCAL, .channels = &beyond, .channel_count = 1}, 0, 1),
+            MCPR_ARGUMENT);
+  EXPECT_TRUE(opened().moment({}, kFrames - 0.5).empty());
+  EXPECT_TRUE(opened().moment({}, -0.1).empty());
+  EXPECT_TRUE(opened().moment({}, std::numeric_limits<double>::quiet_NaN()).empty());
+}
+
+TEST(Decoder, RefusesTooLittleMemory) {
+  const mcpr_request request{};
+  const AlignedBytes scratch(std::size_t{1} << 20);
+  float out[100];
+  const std::size_t need = mcpr_scratch_bytes(opened().clip, &request);
+  EXPECT_EQ(mcpr_decode_frames(opened().clip, &request, 0, 1, out, scratch.data(), need).status,
+            MCPR_OK);
+  EXPECT_EQ(mcpr_decode_frames(opened().clip, &request, 0, 1, out, scratch.data(), need - 1).status,
+            MCPR_MEMORY);
+  EXPECT_EQ(mcpr_decode_frames(opened().clip, &request, 0, 1, out, scratch.data() + 4, need).status,
+            MCPR_MEMORY);
+  const auto& file = corrected_file();
+  std::size_t size = 0;
+  EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, scratch.data(),
+                      opened().info.read_bytes - 1, &size)
+                .status,
+            MCPR_MEMORY);
+}
+
+TEST(Decoder, RefusesWhatIsBeyondTheLimits) {
+  const auto status = [](auto change) {
+    mcpr_limits limits = mcpr_default_limits();
+    change(limits);
+    return OpenedClip(corrected_file(), &limits).result.status;
+  };
+  EXPECT_EQ(status([](mcpr_limits&) {}), MCPR_OK);
+  EXPECT_EQ(status([](mcpr_limits& l) { l.frames = kFrames - 1; }), MCPR_LIMIT);
+  EXPECT_EQ(status([](mcpr_limits& l) { l.joints = 3; }), MCPR_LIMIT);
+  EXPECT_EQ(status([](mcpr_limits& l) { l.channels = 3; }), MCPR_LIMIT);
+  EXPECT_EQ(status([](mcpr_limits& l) { l.values = 150 * 20; }), MCPR_LIMIT);
+  EXPECT_EQ(status([](mcpr_limits& l) { l.scratch_bytes = 1000; }), MCPR_LIMIT);
+  EXPECT_EQ(status([](mcpr_limits& l) { l.resident_bytes = 1000; }), MCPR_LIMIT);
+}
+
+TEST(Decoder, SaysThatOtherCodingsAreNotForIt) {
+  const Motion motion = test::smooth_motion(40);
+  const auto file = write_container(
+      Encoder(motion)
+          .encode({.method = Method::Standard, .target = {Target::Kind::CoefficientRatio, 4}})
+          .compressed);
+  EXPECT_EQ(OpenedClip(file).result.status, MCPR_UNSUPPORTED);
+}
+
+TEST(Decoder, RefusesEveryPrefixAndEveryFlippedBit) {
+  const auto& file = corrected_file();
+  for (std::size_t size = 0; size < file.size(); ++size) {
+    const std::vector<std::byte> prefix(file.begin(), file.begin() + static_cast<long>(size));
+    EXPECT_EQ(OpenedClip(prefix).clip, nullptr) << size;
+  }
+  auto longer = file;
+  longer.push_back(std::byte{0});
+  EXPECT_EQ(OpenedClip(longer).clip, nullptr);
+  for (std::size_t bit = 0; bit < 8 * file.size(); bit += 3) {
+    auto flipped = file;
+    flipped[bit / 8] ^= static_cast<std::byte>(1 << (bit % 8));
+    EXPECT_EQ(OpenedClip(flipped).clip, nullptr) << bit;
+  }
+}
+
+}  // namespace
+}  // namespace mocapress

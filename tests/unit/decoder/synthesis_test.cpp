@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// The resident form and what comes out of it, against the transform in double precision.
+#include "core/decoder/synthesis.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "core/base/own_memory.h"
+#include "core/base/random.h"
+#include "core/wavelet/lifting.h"
+
+namespace mocapress {
+namespace {
+
+/// Values of some density in every band, over several orders of magnitude.
+Eigen::MatrixXi random_values(int length, int signals, double density, std::uint64_t seed = 1) {
+  Random random(seed);
+  Eigen::MatrixXi values = Eigen::MatrixXi::Zero(length, signals);
+  for (int& value : values.reshaped())
+    if (random.unit() < density)
+      value = static_cast<int>((random.unit() - 0.5) * std::exp(8 * random.unit()));
+  return values;
+}
+
+/// Dense above and sparse below, as motion is.
+Eigen::MatrixXi motion_like(int length, int signals, std::uint64_t seed = 1) {
+  Random random(seed);
+  Eigen::MatrixXi values = Eigen::MatrixXi::Zero(length, signals);
+  for (int s = 0; s < signals; ++s)
+    for (int i = 0; i < length; ++i)
+      if (s % 5 != 3 && random.unit() < 8.0 / (i + 8))
+        values(i, s) = static_cast<int>((random.unit() - 0.5) * 4000.0 / (i + 10));
+  return values;
+}
+
+struct Resident {
+  Resident(const Eigen::MatrixXi& values, Basis basis)
+      : steps(static_cast<std::size_t>(values.cols())), notes(steps.size()) {
+    for (std::size_t s = 0; s < steps.size(); ++s) steps[s] = 0.01F * static_cast<float>(s % 7 + 1);
+    const decoder::QuantisedSource source{static_cast<int>(values.rows()),
+                                          static_cast<int>(values.cols()),
+                                          static_cast<decoder::Wavelet>(basis),
+                                          steps.data(),
+                                          values.data(),
+                                          notes.data()};
+    bytes.emplace(static_cast<std::size_t>(decoder::ResidentSignals::size(source)));
+    std::memset(bytes->data(), 0, bytes->size());
+    signals = decoder::ResidentSignals::build(source, bytes->data());
+  }
+
+  /// Steps times values, transformed in double precision: samples x signals.
+  Eigen::MatrixXd expected(const Eigen::MatrixXi& values, Basis basis,
+                           int bands_left_out = 0) const {
+    const Lifting lifting(basis, static_cast<int>(values.rows()));
+    const std::vector<double> gains = lifting.gains();
+    Eigen::MatrixXd samples = values.cast<double>();
+    for (std::size_t b = lifting.bands().size(); bands_left_out > 0 && b > 1; --bands_left_out, --b)
+      samples.middleRows(lifting.bands()[b - 1].first, lifting.bands()[b - 1].size).setZero();
+    for (Eigen::Index s = 0; s < samples.cols(); ++s) {
+      for (Eigen::Index i = 0; i < samples.rows(); ++i)
+        samples(i, s) *= static_cast<double>(steps[static_cast<std::size_t>(s)]) /
+                         gains[static_cast<std::size_t>(i)];
+      const std::span<double> signal(samples.col(s).data(),
+                                     static_cast<std::size_t>(samples.rows()));
+      lifting.inverse(signal, signal);
+    }
+    return samples;
+  }
+
+  std::vector<float> steps;
+  std::vector<std::uint8_t> notes;
+  std::optional<AlignedBytes> bytes;
+  const decoder::ResidentSignals* signals;
+};
+
+std::vector<std::int32_t> all_columns(int count) {
+  std::vector<std::int32_t> columns(static_cast<std::size_t>(count));
+  std::iota(columns.begin(), columns.end(), 0);
+  return columns;
+}
+
+/// Frames first ... first + count - 1 by themselves, frames x columns.
+Eigen::MatrixXf window_of(decoder::Synthesis& synthesis, int columns, int first, int count) {
+  const float* const rows = synthesis.window(first, count);
+  return Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>(
+             rows, columns, count, Eigen::OuterStride<>(synthesis.stride()))
+      .transpose();
+}
+
+void expect_near(const Eigen::MatrixXf& samples, const Eigen::MatrixXd& expected) {
+  ASSERT_EQ(samples.rows(), expected.rows());
+  if (samples.size() == 0) return;
+  const double size = 1 + expected.cwiseAbs().maxCoeff();
+  EXPECT_LT((samples.cast<double>() - expected).cwiseAbs().maxCoeff(), 1e-6 * size);
+}
+
+TEST(Synthesis, IsTheInverseTransformForEveryLengthAndBasis) {
+  for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
+    for (int length = 1; length <= decoder::Synthesis::kWindow; ++length) {
+      const Eigen::MatrixXi values = random_values(length, 11, 0.5);
+      const Resident resident(values, basis);
+      const auto columns = all_columns(11);
+      OwnMemory<decoder::Synthesis> synthesis(
+          *resident.signals, decoder::SynthesisPlan{columns.data(), 11, 0, &decoder::best_rows()});
+      expect_near(window_of(*synthesis, 11, 0, length), resident.expected(values, basis));
+    }
+}
+
+TEST(Synthesis, AnyWindowIsThatPartOfTheWhole) {
+  Random random(5);
+  for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
+    for (const int length : {257, 500, 1001}) {
+      const Eigen::MatrixXi values = motion_like(length, 19);
+      const Resident resident(values, basis);
+      const Eigen::MatrixXd expected = resident.expected(values, basis);
+      const auto columns = all_columns(19);
+      OwnMemory<decoder::Synthesis> synthesis(
+          *resident.signals, decoder::SynthesisPlan{columns.data(), 19, 0, &decoder::best_rows()});
+      for (int round = 0; round < 60; ++round) {
+        const int count = 1 + static_cast<int>(random.below(decoder::Synthesis::kWindow));
+        const auto first =
+            static_cast<int>(random.below(static_cast<std::uint64_t>(length - count + 1)));
+        expect_near(window_of(*synthesis, 19, first, count), expected.middleRows(first, count));
+      }
+      expect_near(window_of(*synthesis, 19, 0, 1), expected.topRows(1));
+      expect_near(window_of(*synthesis, 19, length - 1, 1), expected.bottomRows(1));
+    }
+}
+
+TEST(Synthesis, EveryPathGivesTheSameBits) {
+  const Eigen::MatrixXi values = motion_like(777, 21);
+  const auto columns = all_columns(21);
+  for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic}) {
+    const Resident resident(values, basis);
+    const auto decoded_by = [&](const decoder::RowKernels& rows) {
+      OwnMemory<decoder::Synthesis> synthesis(*resident.signals,
+                                              decoder::SynthesisPlan{columns.data(), 21, 0, &rows});
+      Eigen::MatrixXf samples(777, 21);
+      for (int first = 0; first < 777; first += 37)
+        samples.middleRows(first, 37) = window_of(*synthesis, 21, first, 37);
+      return samples;
+    };
+    const Eigen::MatrixXf plain = decoded_by(decoder::kPlainRows);
+    for (const decoder::RowKernels* rows : {decoder::sse2_rows(), decoder::avx2_rows()}) {
+      if (rows == nullptr) continue;  // this machine has none
+      EXPECT_EQ(std::memcmp(decoded_by(*rows).data(), plain.data(), 4 * 777 * 21), 0);
+    }
+  }
+}
+
+TEST(Synthesis, ASubsetOfSignalsIsTheSameBitsInItsColumns) {
+  const Eigen::MatrixXi values = motion_like(300, 30);
+  const Resident resident(values, Basis::Cubic);
+  const auto all = all_columns(30);
+  OwnMemory<decoder::Synthesis> whole(
+      *resident.signals, decoder::SynthesisPlan{all.data(), 30, 0, &decoder::best_rows()});
+  std::vector<std::int32_t> some(30, decoder::ResidentSignals::Columns::kNone);
+  some[7] = 1;
+  some[29] = 0;
+  some[2] = 2;
+  OwnMemory<decoder::Synthesis> part(
+      *resident.signals, decoder::SynthesisPlan{some.data(), 3, 0, &decoder::best_rows()});
+  const Eigen::MatrixXf expected = window_of(*whole, 30, 100, 50);
+  const Eigen::MatrixXf chosen = window_of(*part, 3, 100, 50);
+  EXPECT_EQ(chosen.col(1), expected.col(7));
+  EXPECT_EQ(chosen.col(0), expected.col(29));
+  EXPECT_EQ(chosen.col(2), expected.col(2));
+}
+
+TEST(Synthesis, BandsLeftOutAreAsIfTheyWereZero) {
+  const Eigen::MatrixXi values = motion_like(200, 9);
+  const Resident resident(values, Basis::Cubic);
+  const auto columns = all_columns(9);
+  for (const int left_out : {0, 1, 3, 40}) {
+    OwnMemory<decoder::Synthesis> synthesis(
+        *resident.signals,
+        decoder::SynthesisPlan{columns.data(), 9, left_out, &decoder::best_rows()});
+    expect_near(window_of(*synthesis, 9, 60, 64),
+                resident.expected(values, Basis::Cubic, left_out).middleRows(60, 64));
+  }
+}
+
+TEST(ResidentSignals, HoldTheLargestValuesAndManySignals) {
+  Eigen::MatrixXi values = Eigen::MatrixXi::Zero(64, 300);  // more than a byte counts
+  values(0, 0) = std::numeric_limits<int>::max();
+  values(1, 0) = std::numeric_limits<int>::min();
+  values(40, 299) = std::numeric_limits<int>::min();
+  values(63, 270) = std::numeric_limits<int>::max();
+  const Resident resident(values, Basis::Cubic);
+  const auto columns = all_columns(300);
+  OwnMemory<decoder::Synthesis> synthesis(
+      *resident.signals, decoder::SynthesisPlan{columns.data(), 300, 0, &decoder::best_rows()});
+  expect_near(window_of(*synthesis, 300, 0, 64), resident.expected(values, Basis::Cubic));
+}
+
+TEST(ResidentSignals, OfNothingTakeNextToNothing) {
+  const Resident resident(Eigen::MatrixXi::Zero(5000, 60), Basis::Cubic);
+  EXPECT_LT(resident.bytes->size(), 600u);
+}
+
+TEST(ResidentSignals, WideOffsetsOfBlocks) {
+  // So many values in a fine band that its blocks take more than 64 KiB.
+  Eigen::MatrixXi values = Eigen::MatrixXi::Zero(20000, 40);
+  Random random(3);
+  for (int s = 0; s < 40; ++s)
+    for (int i = 10000; i < 20000; ++i)
+      if (random.unit() < 0.16) values(i, s) = random.unit() < 0.01 ? 30000 : 1;
+  const Resident resident(values, Basis::Linear);
+  ASSERT_GT(resident.bytes->size(), 0x10000u);
+  const auto columns = all_columns(40);
+  OwnMemory<decoder::Synthesis> synthesis(
+      *resident.signals, decoder::SynthesisPlan{columns.data(), 40, 0, &decoder::best_rows()});
+  const Eigen::MatrixXd expected = resident.expected(values, Basis::Linear);
+  for (const int first : {0, 9000, 19936})
+    expect_near(window_of(*synthesis, 40, first, 64), expected.middleRows(first, 64));
+}
+
+}  // namespace
+}  // namespace mocapress
