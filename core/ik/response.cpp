@@ -35,7 +35,7 @@ std::vector<LimbResponse> limb_responses(const Skeleton& skeleton,
     response.turns.resize(clip.frames(),
                           3 * std::ssize(response.effectors) * std::ssize(response.channels));
     parallel_ranges(0, clip.frames(), 64, [&](int first, int end) {
-      Limb own = limb;
+      Limb own(skeleton, limb.effectors());  // one a thread
       for (int t = first; t < end; ++t)
         try_frame(solver, own, clip.channels.row(t), response.turns, t);
     });
