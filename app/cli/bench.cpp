@@ -66,7 +66,7 @@ class OpenClip {
     resident_.emplace(size);
     require(mcpr_build(scratch.data(), scratch.size(), resident_->data(), size, &clip_));
     scratch_.emplace(std::size_t{1} << 20);
-    out_.resize(frames() * values({}) * 2);
+    out_.resize(frames() * std::max(values({}), values({.output = MCPR_POSITIONS})));
   }
 
   std::uint32_t frames() const { return mcpr_clip_describe(clip_).frames; }

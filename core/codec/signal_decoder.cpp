@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <numeric>
 
 #include "core/base/own_memory.h"
@@ -39,17 +40,18 @@ Eigen::MatrixXd decode_signals(const Eigen::MatrixXi& values, const std::vector<
                                .wavelet = static_cast<decoder::Wavelet>(basis),
                                .steps = steps.data(),
                                .values = values.data(),
-                               .notes = notes.data()});
+                               .notes = notes.data(),
+                               .budget_bytes = std::numeric_limits<std::uint64_t>::max()});
   std::vector<std::int32_t> columns(steps.size());
   std::iota(columns.begin(), columns.end(), 0);
   OwnMemory<decoder::Synthesis> synthesis(
-      *resident, decoder::SynthesisPlan{columns.data(), count, 0, &decoder::best_rows()});
+      *resident, decoder::SynthesisPlan{columns.data(), true, count, 0, &decoder::best_rows()});
   Eigen::MatrixXd samples(length, count);
+  Eigen::MatrixXf window(count, decoder::Synthesis::kWindow);  // a column is a frame
   for (int first = 0; first < length; first += decoder::Synthesis::kWindow) {
     const int frames = std::min(decoder::Synthesis::kWindow, length - first);
-    const Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>> window(
-        synthesis->window(first, frames), count, frames, Eigen::OuterStride<>(synthesis->stride()));
-    samples.middleRows(first, frames) = window.transpose().cast<double>();
+    synthesis->make(first, frames, window.data(), count);
+    samples.middleRows(first, frames) = window.leftCols(frames).transpose().cast<double>();
   }
   return samples;
 }

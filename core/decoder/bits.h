@@ -15,7 +15,7 @@ static_assert(std::endian::native == std::endian::little, "bits are read in whol
 inline constexpr int kRiceEscape = 16;  // so many zeros: the number itself follows
 inline constexpr int kPlainBits = 32;   // of a number that follows
 inline constexpr int kMostRiceShift = 24;
-inline constexpr std::size_t kReadAhead = 8;  // bytes that a reader may touch after the last bit
+inline constexpr std::size_t kReadAhead = 32;  // bytes that a reader may touch after the last bit
 
 /// How many bits a Rice code of v takes.
 constexpr int rice_bits(std::uint32_t v, int shift) {

@@ -76,7 +76,9 @@ FrameDecoder::FrameDecoder(Memory& memory, const ClipBlock& clip, const mcpr_req
       picks_(solves_ && request.channels != nullptr),
       synthesis_(memory, clip.motion(), plan(memory)),
       limb_(memory, solves_ ? clip.most_links : 0),
-      places_(memory.take<JointPlace>(request.output == MCPR_POSITIONS ? clip.joint_count : 0)) {}
+      places_(memory.take<JointPlace>(request.output == MCPR_POSITIONS ? clip.joint_count : 0)),
+      row_step_((clip.motion().signals() + 7) / 8 * 8),
+      rows_(memory.take<float>(static_cast<std::uint64_t>(row_step_) * Synthesis::kWindow)) {}
 
 /// Which signal goes to which column: a subset's own, or all in their order.
 SynthesisPlan FrameDecoder::plan(Memory& memory) {
@@ -91,18 +93,25 @@ SynthesisPlan FrameDecoder::plan(Memory& memory) {
       columns_[request_.channels[i]] = static_cast<std::int32_t>(i);
   }
   return {.column_of_signal = columns_,
+          .in_order = !subset,
           .columns = subset ? static_cast<int>(request_.channel_count) : all,
           .bands_left_out = static_cast<int>(std::min<std::uint32_t>(request_.bands_left_out, 64)),
-          .rows = rows_of(request_.path)};
+          .kernels = rows_of(request_.path)};
 }
 
 void FrameDecoder::decode(int first, int count, float* out) {
   const std::size_t values = values_of_frame(clip_, request_);
   while (count > 0) {
     const int frames = std::min(count, Synthesis::kWindow);
-    float* row = synthesis_.window(first, frames);
-    for (int t = 0; t < frames; ++t, row += synthesis_.stride(), out += values) put_out(row, out);
+    if (is_plain()) {
+      synthesis_.make(first, frames, out, static_cast<std::ptrdiff_t>(values));
+    } else {
+      synthesis_.make(first, frames, rows_, row_step_);
+      for (int t = 0; t < frames; ++t)
+        put_out(rows_ + t * row_step_, out + values * static_cast<std::size_t>(t));
+    }
     first += frames;
+    out += values * static_cast<std::size_t>(frames);
     count -= frames;
   }
 }
@@ -110,11 +119,11 @@ void FrameDecoder::decode(int first, int count, float* out) {
 void FrameDecoder::decode_moment(double frame, float* out) {
   const int before = static_cast<int>(frame);
   const auto share = static_cast<float>(frame - before);
-  float* const row = synthesis_.window(before, share > 0 ? 2 : 1);
-  const float* const after = row + synthesis_.stride();
+  synthesis_.make(before, share > 0 ? 2 : 1, rows_, row_step_);
+  const float* const after = rows_ + row_step_;
   if (share > 0)
-    for (std::ptrdiff_t k = 0; k < synthesis_.stride(); ++k) row[k] += share * (after[k] - row[k]);
-  put_out(row, out);
+    for (std::ptrdiff_t k = 0; k < row_step_; ++k) rows_[k] += share * (after[k] - rows_[k]);
+  put_out(rows_, out);
 }
 
 void FrameDecoder::correct(float* row) {

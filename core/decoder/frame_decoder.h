@@ -32,6 +32,7 @@ class FrameDecoder {
   void put_out_local(const float* row, float* out) const;
   void put_out_positions(const float* row, float* out) const;
   SynthesisPlan plan(Memory& memory);
+  bool is_plain() const { return !solves_ && request_.output == MCPR_CHANNELS; }
 
   const ClipBlock& clip_;
   const mcpr_request& request_;
@@ -41,6 +42,8 @@ class FrameDecoder {
   Synthesis synthesis_;
   Limb limb_;
   JointPlace* places_;  // of all joints
+  std::ptrdiff_t row_step_;
+  float* rows_;  // where frames are not put out as they are
 };
 
 }  // namespace mocapress::decoder

@@ -12,7 +12,8 @@
 namespace mocapress::decoder {
 namespace {
 
-constexpr int kMostLinks = 256;  // of a limb: bounds the work of a solver
+constexpr std::uint64_t kBudget = 20;  // tenths of the motion in the file, for its resident form
+constexpr int kMostLinks = 256;        // of a limb: bounds the work of a solver
 
 /// Places things at the end of a block, or only measures it.
 class Block {
@@ -148,7 +149,8 @@ QuantisedSource Opening::source() const {
           .wavelet = sections_.wavelet,
           .steps = steps_,
           .values = values_,
-          .notes = notes_};
+          .notes = notes_,
+          .budget_bytes = kBudget * (sections_.motion.size + sections_.correction_bytes) / 10};
 }
 
 std::uint64_t Opening::resident_size() {

@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kEntriesOfBlock = 12;  // at least, on average: fewer make the index large
 constexpr int kMostLog2Rows = 15;
-constexpr double kDenseIsWorth = 1.5;  // times the bits of a sparse band, for its speed
+constexpr std::uint64_t kDenseIsWorth =
+    4;  // times the size of a sparse band at most, for its speed
 
 /// The width of a dense value in two's complement less its bias.
 int width_of(std::int32_t least, std::int32_t most) {
@@ -51,13 +52,14 @@ class ResidentBuilder {
     head.band_count_ = static_cast<std::uint8_t>(bands_.count);
     wide_numbers_ = head.has_wide_numbers();
     used_ = sizeof(ResidentSignals);
-    head.steps_ = reserve(sizeof(float) * static_cast<std::uint64_t>(source_.signals), 4);
+    choose_kinds();
+    head.steps_ = reserve(sizeof(float) * 8 * static_cast<std::uint64_t>(group_count()), 4);
     if (memory_ != nullptr && source_.signals > 0)
       std::memcpy(memory_ + head.steps_, source_.steps,
                   sizeof(float) * static_cast<std::size_t>(source_.signals));
     head.entries_ = reserve(sizeof(Entry) * static_cast<std::uint64_t>(bands_.count), 4);
     for (int b = 0; b < bands_.count; ++b) {
-      const Entry entry = add_band(bands_[b]);
+      const Entry entry = add_band(b);
       if (memory_ != nullptr)
         std::memcpy(memory_ + head.entries_ + sizeof(Entry) * static_cast<std::size_t>(b), &entry,
                     sizeof entry);
@@ -93,41 +95,86 @@ class ResidentBuilder {
   }
   int width(int signal) const { return source_.notes[signal]; }
 
-  Entry add_band(const Band& band) {
-    std::uint64_t row_bits = 0;
+  int group_count() const { return (source_.signals + 7) / 8; }
+
+  /// Bytes of a group of 8 signals in a dense row.
+  std::uint32_t bytes_of_group(int group) const {
+    int bits = 0;
+    for (int s = 8 * group; s < std::min(8 * group + 8, source_.signals); ++s) bits += width(s);
+    return static_cast<std::uint32_t>(bits + 7) / 8;
+  }
+
+  /// What a band takes in either kind, in bytes.
+  struct Sizes {
+    Entry sparse;  // kind Empty: the band is
+    std::uint64_t sparse_bytes = 0;
+    std::uint32_t row_bytes = 0;
+    std::uint64_t dense_bytes = 0;
+    bool is_dense = false;
+  };
+
+  Sizes measure(const Band& band) {
+    Sizes sizes;
     std::uint64_t entries = 0;
-    std::uint32_t present = 0;
     find_widths(band);
     for (int s = 0; s < source_.signals; ++s) {
       if (width(s) == 0) continue;
-      ++present;
-      row_bits += static_cast<std::uint64_t>(width(s));
+      ++sizes.sparse.present;
       const std::int32_t* const first = values(s, band);
       entries += static_cast<std::uint64_t>(band.size -
                                             std::count(first, first + band.size, std::int32_t{0}));
     }
-    if (present == 0) return {};
-    Entry sparse{.kind = Kind::Sparse, .present = present};
+    if (entries == 0) return sizes;
+    Entry& sparse = sizes.sparse;
+    sparse.kind = Kind::Sparse;
     while (sparse.log2_rows < kMostLog2Rows && band.size >> sparse.log2_rows > 1 &&
            (entries << sparse.log2_rows) / static_cast<std::uint64_t>(band.size) < kEntriesOfBlock)
       ++sparse.log2_rows;
-    const std::uint64_t sparse_bits = choose_shifts(band, sparse);
-    const std::uint64_t dense_bits = row_bits * static_cast<std::uint64_t>(band.size) +
-                                     8 * static_cast<std::uint64_t>(source_.signals);
-    if (static_cast<double>(dense_bits) <= kDenseIsWorth * static_cast<double>(sparse_bits))
-      return add_dense(band, row_bits);
-    return add_sparse(band, sparse, sparse_bits);
+    sizes.sparse_bytes = choose_shifts(band, sparse) / 8;
+    for (int g = 0; g < group_count(); ++g) sizes.row_bytes += bytes_of_group(g);
+    sizes.dense_bytes = std::uint64_t{sizes.row_bytes} * static_cast<std::uint64_t>(band.size) +
+                        8 * static_cast<std::uint64_t>(group_count());
+    sizes.is_dense = sizes.dense_bytes <= sizes.sparse_bytes;
+    return sizes;
   }
 
-  Entry add_dense(const Band& band, std::uint64_t row_bits) {
-    Entry entry{.kind = Kind::Dense, .present = static_cast<std::uint32_t>(row_bits)};
-    entry.offset = reserve(static_cast<std::uint64_t>(source_.signals), 1);
-    entry.bits_offset = reserve((row_bits * static_cast<std::uint64_t>(band.size) + 7) / 8, 1);
+  /// The smaller kind for each band; then, from the coarsest, the dense as long as the budget
+  /// lasts.
+  void choose_kinds() {
+    std::uint64_t total = 0;
+    for (int b = 0; b < bands_.count; ++b) {
+      sizes_[b] = measure(bands_[b]);
+      total += std::min(sizes_[b].sparse_bytes, sizes_[b].dense_bytes);
+    }
+    for (int b = 0; b < bands_.count; ++b) {
+      Sizes& sizes = sizes_[b];
+      if (sizes.is_dense || sizes.dense_bytes > kDenseIsWorth * sizes.sparse_bytes) continue;
+      const std::uint64_t more = sizes.dense_bytes - sizes.sparse_bytes;
+      if (total + more > source_.budget_bytes) continue;
+      total += more;
+      sizes.is_dense = true;
+    }
+  }
+
+  Entry add_band(int b) {
+    const Sizes& sizes = sizes_[b];
+    if (sizes.sparse.kind == Kind::Empty) return {};
+    find_widths(bands_[b]);
+    return sizes.is_dense ? add_dense(bands_[b], sizes.row_bytes)
+                          : add_sparse(bands_[b], sizes.sparse, sizes.sparse_bytes);
+  }
+
+  Entry add_dense(const Band& band, std::uint32_t row_bytes) {
+    Entry entry{.kind = Kind::Dense, .present = row_bytes};
+    entry.offset = reserve(8 * static_cast<std::uint64_t>(group_count()), 1);
+    entry.bits_offset =
+        reserve(std::uint64_t{row_bytes} * static_cast<std::uint64_t>(band.size), 1);
     if (memory_ == nullptr) return entry;
     std::memcpy(memory_ + entry.offset, source_.notes, static_cast<std::size_t>(source_.signals));
     BitWriter writer(memory_ + entry.bits_offset);
-    for (int i = 0; i < band.size; ++i)
+    for (int i = 0; i < band.size; ++i)  // the first signal of each row is the first of a group
       for (int s = 0; s < source_.signals; ++s) {
+        if (s % 8 == 0) writer.align_to_byte();
         if (width(s) == 0) continue;
         const std::int64_t bias = std::int64_t{1} << (width(s) - 1);
         writer.put(static_cast<std::uint64_t>(values(s, band)[i] + bias), width(s));
@@ -187,9 +234,9 @@ class ResidentBuilder {
            8 * static_cast<std::uint64_t>(entry.present);
   }
 
-  Entry add_sparse(const Band& band, Entry entry, std::uint64_t about_bits) {
+  Entry add_sparse(const Band& band, Entry entry, std::uint64_t about_bytes) {
     const auto blocks = static_cast<std::uint64_t>(block_count(band, entry));
-    if (about_bits / 8 + blocks > 0xFFFF) entry.kind = Kind::SparseWide;
+    if (about_bytes + blocks > 0xFFFF) entry.kind = Kind::SparseWide;
     const std::uint64_t offset_size = entry.kind == Kind::SparseWide ? 4 : 2;
     const std::uint64_t number_size = wide_numbers_ ? 2 : 1;
     entry.offset = reserve(offset_size * blocks, 1);
@@ -230,6 +277,7 @@ class ResidentBuilder {
 
   const QuantisedSource& source_;
   const Bands bands_;
+  Sizes sizes_[kMostBands];
   std::byte* memory_;  // zeroed
   std::uint64_t used_ = 0;
   bool wide_numbers_ = false;

@@ -27,38 +27,61 @@ int ResidentSignals::listed_signal(const BandEntry& entry, std::uint32_t i) cons
 
 void ResidentSignals::unpack(int band, int first, int end, const Columns& columns,
                              float* rows) const {
+  if (first >= end) return;
+  if (entries()[band].kind == Kind::Dense) return unpack_dense(band, first, end, columns, rows);
   std::fill_n(rows, (end - first) * columns.stride, 0.0F);
-  if (entries()[band].kind == Kind::Dense)
-    unpack_dense(band, first, end, columns, rows);
-  else
-    unpack_sparse(band, first, end, columns, rows);
+  unpack_sparse(band, first, end, columns, rows);
 }
 
 void ResidentSignals::unpack_dense(int band, int first, int end, const Columns& columns,
                                    float* rows) const {
   const BandEntry& entry = entries()[band];
+  const std::byte* const packed =
+      at<std::byte>(entry.bits_offset) + static_cast<std::ptrdiff_t>(first) * entry.present;
   const auto* const widths = at<std::uint8_t>(entry.offset);
-  const auto* const bytes = at<std::byte>(entry.bits_offset);
+  if (columns.in_order) {
+    const auto groups = static_cast<int>(columns.stride / 8);
+    columns.kernels->unpack({.out = rows,
+                             .packed = packed,
+                             .widths = widths,
+                             .steps = steps(),
+                             .stride = columns.stride,
+                             .row_bytes = entry.present,
+                             .groups = groups < group_count() ? groups : group_count(),
+                             .rows = end - first,
+                             .gain = gain(band)});
+    return;
+  }
+  unpack_chosen(band, end - first, packed, columns, rows);
+}
+
+/// Only the signals that have a column, one by one.
+void ResidentSignals::unpack_chosen(int band, int count, const std::byte* packed,
+                                    const Columns& columns, float* rows) const {
+  const BandEntry& entry = entries()[band];
+  const auto* const widths = at<std::uint8_t>(entry.offset);
   const float gain_of_band = gain(band);
-  std::uint64_t bit = static_cast<std::uint64_t>(first) * entry.present;
-  for (int i = first; i < end; ++i, rows += columns.stride)
-    for (int s = 0; s < signals_; ++s) {
-      const int width = widths[s];
-      const std::int32_t column = columns.of_signal[s];
-      if (column != Columns::kNone && width != 0) {
-        const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
-        const auto value = static_cast<std::int64_t>(bits_at(bytes, bit) & mask) -
-                           (std::int64_t{1} << (width - 1));
-        rows[column] = static_cast<float>(static_cast<std::int32_t>(value)) *
-                       (columns.steps[s] * gain_of_band);
-      }
-      bit += static_cast<std::uint64_t>(width);
+  std::fill_n(rows, count * columns.stride, 0.0F);
+  std::uint64_t bit = 0;
+  for (int s = 0; s < signals_; ++s) {
+    if (s % 8 == 0) bit = (bit + 7) / 8 * 8;
+    const int width = widths[s];
+    const std::int32_t column = columns.of_signal[s];
+    const float step = steps()[s] * gain_of_band;
+    const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
+    const auto bias = static_cast<std::int64_t>((mask + 1) >> 1 & mask);
+    for (int r = 0; r < count && column != Columns::kNone; ++r) {
+      const auto bits =
+          bits_at(packed + static_cast<std::ptrdiff_t>(r) * entry.present, bit) & mask;
+      const auto value = static_cast<std::int32_t>(static_cast<std::int64_t>(bits) - bias);
+      rows[r * columns.stride + column] = static_cast<float>(value) * step;
     }
+    bit += static_cast<std::uint64_t>(width);
+  }
 }
 
 void ResidentSignals::unpack_sparse(int band, int first, int end, const Columns& columns,
                                     float* rows) const {
-  if (first == end) return;
   const int log2_rows = entries()[band].log2_rows;
   for (int block = first >> log2_rows; block <= (end - 1) >> log2_rows; ++block)
     unpack_block(band, block, first, end, columns, rows);
@@ -88,7 +111,7 @@ void ResidentSignals::unpack_block(int band, int block, int first, int end, cons
     if (column == Columns::kNone) continue;
     const auto value = static_cast<std::int32_t>(minus ? 0U - magnitude : magnitude);
     rows[static_cast<std::ptrdiff_t>(row) * columns.stride + column] =
-        static_cast<float>(value) * (columns.steps[signal] * gain_of_band);
+        static_cast<float>(value) * (steps()[signal] * gain_of_band);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "bands.h"
+#include "row_kernels.h"
 
 namespace mocapress::decoder {
 
@@ -21,14 +22,15 @@ struct QuantisedSource {
   const float* steps;          // of each signal, before they are divided by bands
   const std::int32_t* values;  // signal after signal
   std::uint8_t* notes;         // a byte for each signal, to work in
+  std::uint64_t budget_bytes;  // for the bands; beyond, each takes its smaller kind
 };
 
 /// The resident form. It has no pointers; everything is found by offsets in bytes from `this`.
 ///
-/// A band is either dense, every coefficient in a width that is its signal's in this band and a row
-/// after the other; or sparse, blocks of 2^k rows in which only what is not zero stands, signal by
-/// signal, each with the gap to the one before; or empty. Which is smaller decides, with some
-/// preference for the dense, which is faster.
+/// A band is either dense, row after row, every coefficient in a width that is its signal's in
+/// this band; or sparse, blocks of 2^k rows in which only what is not zero stands,
+/// signal by signal, each with the gap to the one before; or empty. Which is
+/// smaller decides; but coarse bands are dense, which is faster, as far as the budget goes.
 class ResidentSignals {
  public:
   /// How many bytes build() makes.
@@ -43,19 +45,17 @@ class ResidentSignals {
   int band_count() const { return band_count_; }
   bool is_empty(int band) const { return entries()[band].kind == Kind::Empty; }
 
-  /// The step of each signal.
-  const float* steps() const { return at<float>(steps_); }
-
   /// Where the values of unpack() go.
   struct Columns {
     const std::int32_t* of_signal;  // column of each; kNone: left out
-    const float* steps;             // of each signal
-    std::ptrdiff_t stride;          // of rows
+    bool in_order;                  // signal s in column s, as many as there are columns
+    std::ptrdiff_t stride;          // of rows, a multiple of 8
+    const RowKernels* kernels;
     static constexpr std::int32_t kNone = -1;
   };
 
   /// Rows first ... end - 1 of a band, which is not empty, times their steps: each a row of
-  /// `columns.stride` floats, zero where there is no column.
+  /// `columns.stride` floats, of no meaning where there is no column.
   void unpack(int band, int first, int end, const Columns& columns, float* rows) const;
 
  private:
@@ -78,11 +78,15 @@ class ResidentSignals {
   const T* at(std::uint32_t offset) const {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
   }
+  const float* steps() const { return at<float>(steps_); }  // of each signal, zeros to a full group
+  int group_count() const { return (signals_ + 7) / 8; }
   const BandEntry* entries() const { return at<BandEntry>(entries_); }
   bool has_wide_numbers() const { return signals_ > 256; }
   int listed_signal(const BandEntry& entry, std::uint32_t i) const;
   float gain(int band) const;
   void unpack_dense(int band, int first, int end, const Columns& columns, float* rows) const;
+  void unpack_chosen(int band, int count, const std::byte* packed, const Columns& columns,
+                     float* rows) const;
   void unpack_sparse(int band, int first, int end, const Columns& columns, float* rows) const;
   void unpack_block(int band, int block, int first, int end, const Columns& columns,
                     float* rows) const;

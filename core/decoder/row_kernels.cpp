@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "row_kernels.h"
 
+#include "bits.h"
 #include "row_kernels_of.h"
 
 #if defined(__SSE2__) || defined(_M_X64)
@@ -10,41 +11,62 @@
 namespace mocapress::decoder {
 namespace {
 
-struct PlainVector {
-  static constexpr std::ptrdiff_t kSize = 1;
-  float value;
-
-  static PlainVector load(const float* from) { return {*from}; }
-  static PlainVector all(float value) { return {value}; }
-  void store(float* to) const { *to = value; }
-  friend PlainVector operator+(PlainVector a, PlainVector b) { return {a.value + b.value}; }
-  friend PlainVector operator-(PlainVector a, PlainVector b) { return {a.value - b.value}; }
-  friend PlainVector operator*(PlainVector a, PlainVector b) { return {a.value * b.value}; }
-};
-
 #if defined(__SSE2__) || defined(_M_X64)
 struct Sse2Vector {
   static constexpr std::ptrdiff_t kSize = 4;
   __m128 values;
 
-  static Sse2Vector load(const float* from) { return {_mm_load_ps(from)}; }
+  static Sse2Vector load(const float* from) { return {_mm_loadu_ps(from)}; }
   static Sse2Vector all(float value) { return {_mm_set1_ps(value)}; }
-  void store(float* to) const { _mm_store_ps(to, values); }
-  friend Sse2Vector operator+(Sse2Vector a, Sse2Vector b) {
-    return {_mm_add_ps(a.values, b.values)};
-  }
-  friend Sse2Vector operator-(Sse2Vector a, Sse2Vector b) {
-    return {_mm_sub_ps(a.values, b.values)};
-  }
-  friend Sse2Vector operator*(Sse2Vector a, Sse2Vector b) {
-    return {_mm_mul_ps(a.values, b.values)};
-  }
+  void store(float* to) const { _mm_storeu_ps(to, values); }
 };
 
+inline Sse2Vector operator+(Sse2Vector a, Sse2Vector b) {
+  return {_mm_add_ps(a.values, b.values)};
+}
+inline Sse2Vector operator-(Sse2Vector a, Sse2Vector b) {
+  return {_mm_sub_ps(a.values, b.values)};
+}
+inline Sse2Vector operator*(Sse2Vector a, Sse2Vector b) {
+  return {_mm_mul_ps(a.values, b.values)};
+}
+#endif
+
+void unpack_rows(const PackedRows& rows) {
+  unpack_plainly(rows, 0, rows.groups, rows.packed);
+}
+
+template <typename V>
+constexpr RowKernels kernels_of() {
+  return {update_rows<V>, predict_rows<V>, predict_border_row<V>, copy_rows<V>, unpack_rows};
+}
+
+#if defined(__SSE2__) || defined(_M_X64)
 constexpr RowKernels kSse2Rows = kernels_of<Sse2Vector>();
 #endif
 
 }  // namespace
+
+const std::byte* unpack_plainly(const PackedRows& rows, int first_group, int end_group,
+                                const std::byte* packed) {
+  for (int g = first_group; g < end_group; ++g) {
+    std::uint64_t bit = 0;
+    for (int column = 8 * g; column < 8 * g + 8; ++column) {
+      const int width = rows.widths[column];
+      const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
+      const auto bias = static_cast<std::int64_t>((mask + 1) >> 1 & mask);
+      const float step = rows.steps[column] * rows.gain;
+      for (int r = 0; r < rows.rows; ++r) {
+        const std::uint64_t bits = bits_at(packed + r * rows.row_bytes, bit) & mask;
+        const auto value = static_cast<std::int32_t>(static_cast<std::int64_t>(bits) - bias);
+        rows.out[r * rows.stride + column] = static_cast<float>(value) * step;
+      }
+      bit += static_cast<std::uint64_t>(width);
+    }
+    packed += (bit + 7) / 8;
+  }
+  return packed;
+}
 
 const RowKernels kPlainRows = kernels_of<PlainVector>();
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The two steps of the inverse lifting on whole rows, in several instruction sets. A row holds one
-// sample of every signal, so that the work across signals is alike and needs no shuffling. Every
-// path does the same operations in the same order and without contraction: the bits agree.
+// The work on whole rows, in several instruction sets. A row holds one sample of every signal, so
+// that the work across signals is alike and needs no shuffling. Every path does the same operations
+// in the same order and without contraction: the bits agree.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace mocapress::decoder {
 
-/// Even rows: out = even - (detail_before + detail_after) / 4. `out` rows are 2 * stride apart, all
-/// others `stride`, which is a multiple of 8.
+/// Even rows: out = even - (detail_before + detail_after) / 4. All rows are `stride` apart, which
+/// is a multiple of 8.
 struct EvenRows {
   float* out;
   const float* even;
@@ -20,13 +21,15 @@ struct EvenRows {
 };
 
 /// Odd rows between four even ones: out = detail + (near * (even[1] + even[2]) + far * (even[0] +
-/// even[3])). `out` and `even` rows are 2 * stride apart.
+/// even[3])).
 struct OddRows {
-  float* out;
-  const float* even;    // the first of the four of the first row
-  const float* detail;  // detail_stride apart: 0 where all are the same row of zeros
+  float* out;           // out_step apart
+  const float* even;    // the first of the four of the first row, stride apart
+  const float* detail;  // detail_step apart: 0 where all are the same row of zeros
+  std::ptrdiff_t out_step;
   std::ptrdiff_t stride;
-  std::ptrdiff_t detail_stride;
+  std::ptrdiff_t detail_step;
+  std::ptrdiff_t width;  // floats of a row
   int rows;
   float near;
   float far;
@@ -38,13 +41,39 @@ struct BorderRow {
   const float* even[4];
   float weight[4];
   const float* detail;
+  std::ptrdiff_t width;
+};
+
+struct CopiedRows {
+  float* out;
+  const float* from;
+  std::ptrdiff_t out_step;
   std::ptrdiff_t stride;
+  std::ptrdiff_t width;
+  int rows;
+};
+
+/// Rows of packed numbers, each of as many bits as its column's width and 2^(width - 1) too large,
+/// to be multiplied by step * gain. 8 by 8 they begin at a byte. Up to 32 bytes after the last are
+/// read.
+struct PackedRows {
+  float* out;                  // stride apart
+  const std::byte* packed;     // row_bytes apart
+  const std::uint8_t* widths;  // of each number, 0 ... 32
+  const float* steps;          // of each number
+  std::ptrdiff_t stride;
+  std::ptrdiff_t row_bytes;
+  int groups;
+  int rows;
+  float gain;
 };
 
 struct RowKernels {
   void (*update)(const EvenRows&);
   void (*predict)(const OddRows&);
   void (*predict_at_border)(const BorderRow&);
+  void (*copy)(const CopiedRows&);
+  void (*unpack)(const PackedRows&);
 };
 
 extern const RowKernels kPlainRows;
@@ -60,5 +89,10 @@ const RowKernels* avx2_rows();
 
 /// The fastest that there is.
 const RowKernels& best_rows();
+
+/// PackedRows::unpack without vectors, of the groups from `first_group` to before `end_group`.
+/// Returns where the next group of the first row begins.
+const std::byte* unpack_plainly(const PackedRows& rows, int first_group, int end_group,
+                                const std::byte* packed);
 
 }  // namespace mocapress::decoder

@@ -6,7 +6,7 @@
 namespace mocapress::decoder {
 namespace {
 
-constexpr int kBorderRows = 16;  // that a window may need beyond itself, at any band
+constexpr int kBorderRows = 8;  // that samples may need beyond themselves, at any band
 
 /// The Lagrange polynomial through `count` samples at 0, 1, ... at `position`, as weights.
 void lagrange_weights(int count, float position, float* weights) {
@@ -29,9 +29,17 @@ Synthesis::Synthesis(Memory& memory, const ResidentSignals& signals, const Synth
     return memory.take<float>(static_cast<std::uint64_t>(count) *
                               static_cast<std::uint64_t>(stride_));
   };
-  samples_ = rows(kWindow + kBorderRows);
-  made_ = rows(kWindow + kBorderRows);
-  details_ = rows(kWindow / 2 + kBorderRows);
+  int most = kWindow;  // samples of the band
+  for (int b = bands_.count - 1; b > 0; --b) {
+    most = most / 2 + kBorderRows;
+    // Room for as much again, so that rows move to the front but seldom.
+    for (Held* const held : {&levels_[b].evens, &levels_[b].details}) {
+      held->capacity = 2 * most;
+      held->memory = rows(held->capacity);
+      held->rows = held->memory;
+    }
+  }
+  coarse_samples_ = rows(kCoarsest);
   zeros_ = rows(1);
   if (memory.holds()) std::fill_n(zeros_, stride_, 0.0F);
 }
@@ -40,127 +48,204 @@ bool Synthesis::has_details(int band) const {
   return band < bands_.count - plan_.bands_left_out && !signals_.is_empty(band);
 }
 
-/// An odd sample is predicted from the four even ones around it or, near a border, the outermost.
-void Synthesis::find_needs(int first, int count) {
-  needs_[bands_.count - 1] = {first, first + count};
-  for (int b = bands_.count - 1; b > 0; --b) {
-    const Range& need = needs_[b];
-    const int evens = bands_[b].first;
-    Range& above = needs_[b - 1];
-    above = {(need.first + 1) / 2, (need.end + 1) / 2};
-    const int first_odd = need.first / 2;
-    const int end_odd = need.end / 2;
-    if (first_odd == end_odd) continue;
-    above.first = std::min(above.first, std::max(std::min(first_odd - 1, evens - 4), 0));
-    above.end = std::max(above.end, std::min(std::max(end_odd + 2, 4), evens));
-  }
+const float* Synthesis::even_row(int band, int i) const {
+  const Held& evens = levels_[band].evens;
+  return evens.rows + (i - evens.range.first) * stride_;
 }
 
-float* Synthesis::window(int first, int count) {
-  find_needs(first, count);
-  const ResidentSignals::Columns columns{plan_.column_of_signal, signals_.steps(), stride_};
-  if (signals_.is_empty(0))
-    std::fill_n(samples_, (needs_[0].end - needs_[0].first) * stride_, 0.0F);
-  else
-    signals_.unpack(0, needs_[0].first, needs_[0].end, columns, samples_);
-  int first_sample = needs_[0].first;  // that samples_ holds
-  for (int b = 1; b < bands_.count; ++b) {
-    const Range evens = needs_[b - 1];
-    const float* const details = has_details(b) ? unpack_details(b, evens) : nullptr;
-    const float* const coarse = samples_ + (evens.first - first_sample) * stride_;
-    place_evens(b, evens, coarse, details, made_);
-    place_odds(b, evens, details, made_);
-    std::swap(samples_, made_);
-    first_sample = 2 * evens.first;
-  }
-  return samples_ + (first - first_sample) * stride_;
+const float* Synthesis::detail_row(int band, int i) const {
+  if (!has_details(band)) return zeros_;
+  const Held& details = levels_[band].details;
+  return details.rows + (i - details.range.first) * stride_;
 }
 
-const float* Synthesis::unpack_details(int band, Range evens) {
-  const ResidentSignals::Columns columns{plan_.column_of_signal, signals_.steps(), stride_};
-  const int end = std::min(evens.end, bands_[band].size);
-  signals_.unpack(band, first_detail(evens), end, columns, details_);
-  return details_;
-}
-
-/// Sample 2 i of the finer signal, for each i of `evens`, in every other row of `out`.
-void Synthesis::place_evens(int band, Range evens, const float* coarse, const float* details,
-                            float* out) {
-  if (details == nullptr) {
-    for (int i = evens.first; i < evens.end; ++i, coarse += stride_, out += 2 * stride_)
-      std::copy_n(coarse, stride_, out);
+/// Makes room for a range of which the held rows may be the beginning, and forgets what lies before
+/// it. Where they are not, forgets all.
+void Synthesis::hold(Held& held, Range range) {
+  if (range.first < held.range.first || range.first > held.range.end) {
+    held.range = {range.first, range.first};
+    held.rows = held.memory;
     return;
   }
+  held.rows += (range.first - held.range.first) * stride_;
+  held.range.first = range.first;
+  const std::ptrdiff_t end = held.rows - held.memory + (range.end - range.first) * stride_;
+  if (end <= held.capacity * stride_) return;
+  std::copy(held.rows, held.rows + (held.range.end - held.range.first) * stride_, held.memory);
+  held.rows = held.memory;
+}
+
+/// From the finest band up: an odd sample is predicted from the four even ones around it or, near a
+/// border, the outermost. What is held already is not wanted of the bands above.
+void Synthesis::find_needs(int first, int count) {
+  Range wanted = {first, first + count};
+  for (int b = bands_.count - 1; b > 0; --b) {
+    Level& level = levels_[b];
+    level.wanted = wanted;
+    if (wanted.is_empty()) continue;
+    const int evens = bands_[b].first;
+    Range need = {(wanted.first + 1) / 2, (wanted.end + 1) / 2};
+    const int first_odd = wanted.first / 2;
+    const int end_odd = wanted.end / 2;
+    if (first_odd < end_odd) {
+      need.first = std::min(need.first, std::max(std::min(first_odd - 1, evens - 4), 0));
+      need.end = std::max(need.end, std::min(std::max(end_odd + 2, 4), evens));
+    }
+    level.needs_evens = need;
+    hold(level.evens, need);
+    wanted = {level.evens.range.end, need.end};
+  }
+  coarse_ = wanted;
+}
+
+void Synthesis::make(int first, int count, float* out, std::ptrdiff_t out_step) {
+  find_needs(first, count);
+  put_coarse(out, out_step);
+  for (int b = 1; b < bands_.count; ++b) {
+    Level& level = levels_[b];
+    if (level.wanted.is_empty()) continue;
+    // The samples of the band before, which were put here.
+    const Range added = {level.evens.range.end, level.needs_evens.end};
+    if (has_details(b)) {
+      unpack_details(b, added);
+      update_evens(b, added);
+    }
+    level.evens.range.end = std::max(level.evens.range.end, added.end);
+    if (b == bands_.count - 1)
+      put_samples(b, out, out_step, plan_.columns);
+    else
+      put_samples(b, evens_to_come(b + 1), stride_, stride_);
+  }
+}
+
+/// Where the samples that a band makes go: they are the even ones of the next.
+float* Synthesis::evens_to_come(int band) {
+  Held& evens = levels_[band].evens;
+  return evens.rows + (evens.range.end - evens.range.first) * stride_;
+}
+
+void Synthesis::put_coarse(float* out, std::ptrdiff_t out_step) {
+  if (coarse_.is_empty()) return;
+  float* const rows = bands_.count == 1 ? coarse_samples_ : evens_to_come(1);
+  if (signals_.is_empty(0))
+    std::fill_n(rows, (coarse_.end - coarse_.first) * stride_, 0.0F);
+  else
+    signals_.unpack(0, coarse_.first, coarse_.end, columns(), rows);
+  if (bands_.count > 1) return;
+  plan_.kernels->copy({.out = out,
+                       .from = rows,
+                       .out_step = out_step,
+                       .stride = stride_,
+                       .width = plan_.columns,
+                       .rows = coarse_.end - coarse_.first});
+}
+
+/// The details beside the even samples that are new, and those of the odd samples to make.
+void Synthesis::unpack_details(int band, Range new_evens) {
+  Level& level = levels_[band];
+  Range need = {level.wanted.first / 2, level.wanted.end / 2};
+  if (!new_evens.is_empty()) {
+    const int first = std::max(new_evens.first - 1, 0);
+    need = need.is_empty() ? Range{first, new_evens.end}
+                           : Range{std::min(need.first, first), std::max(need.end, new_evens.end)};
+  }
+  need.end = std::min(need.end, bands_[band].size);
+  if (need.is_empty()) return;
+  Held& details = level.details;
+  hold(details, need);
+  if (details.range.end >= need.end) return;
+  signals_.unpack(band, details.range.end, need.end, columns(),
+                  details.rows + (details.range.end - details.range.first) * stride_);
+  details.range.end = need.end;
+}
+
+/// What their details added to even samples is taken off again.
+void Synthesis::update_evens(int band, Range added) {
   const int odds = bands_[band].size;
-  const int first_held = first_detail(evens);
-  const auto place = [&](int first, int end, int before, int after) {  // details of `first`
-    const auto row = [&](int detail) { return details + (detail - first_held) * stride_; };
-    const std::ptrdiff_t at = (first - evens.first) * stride_;
-    plan_.rows->update({.out = out + 2 * at,
-                        .even = coarse + at,
-                        .detail_before = row(before),
-                        .detail_after = row(after),
-                        .stride = stride_,
-                        .rows = end - first});
-  };
-  const int inner_end = std::min(evens.end, odds);
+  const int inner_end = std::min(added.end, odds);
   if (signals_.wavelet() == Wavelet::Haar) {
     // The mean less half of the detail after it; a last one without is as it was.
-    if (evens.first < inner_end) place(evens.first, inner_end, evens.first, evens.first);
-    if (evens.end > odds)
-      std::copy_n(coarse + (odds - evens.first) * stride_, stride_,
-                  out + 2 * (odds - evens.first) * stride_);
+    update_rows(band, added.first, inner_end, 0, 0);
     return;
   }
-  int i = evens.first;
-  if (i == 0) place(i++, 1, 0, 0);  // mirrored at the borders
-  if (i < inner_end) place(i, inner_end, i - 1, i);
-  if (evens.end > odds) place(odds, odds + 1, odds - 1, odds - 1);
+  int i = added.first;
+  if (i == 0 && !added.is_empty()) update_rows(band, i++, 1, 0, 0);  // mirrored at the borders
+  update_rows(band, i, inner_end, -1, 0);
+  if (added.end > odds) update_rows(band, std::max(i, odds), added.end, -1, -1);
 }
 
-/// Sample 2 i + 1 for each i that the window needs, in the rows between.
-void Synthesis::place_odds(int band, Range evens, const float* details, float* out) {
-  const int end = needs_[band].end / 2;
-  const int count_of_evens = bands_[band].first;
-  const auto detail = [&](int i) {
-    return details == nullptr ? zeros_ : details + (i - first_detail(evens)) * stride_;
+/// Even samples first ... end - 1; `before` and `after`: which details are beside them, counted
+/// from their own.
+void Synthesis::update_rows(int band, int first, int end, int before, int after) {
+  if (first >= end) return;
+  const Held& evens = levels_[band].evens;
+  float* const rows = evens.rows + (first - evens.range.first) * stride_;
+  plan_.kernels->update({.out = rows,
+                         .even = rows,
+                         .detail_before = detail_row(band, first + before),
+                         .detail_after = detail_row(band, first + after),
+                         .stride = stride_,
+                         .rows = end - first});
+}
+
+/// Even samples as they are held, odd ones between them.
+void Synthesis::put_samples(int band, float* out, std::ptrdiff_t out_step, std::ptrdiff_t width) {
+  const Range wanted = levels_[band].wanted;
+  const int first_even = (wanted.first + 1) / 2;
+  plan_.kernels->copy({.out = out + (2 * first_even - wanted.first) * out_step,
+                       .from = even_row(band, first_even),
+                       .out_step = 2 * out_step,
+                       .stride = stride_,
+                       .width = width,
+                       .rows = (wanted.end + 1) / 2 - first_even});
+  const int first_odd = wanted.first / 2;
+  put_odds(band, first_odd, wanted.end / 2, out + (2 * first_odd + 1 - wanted.first) * out_step,
+           2 * out_step, width);
+}
+
+/// Odd samples first ... end - 1; `out` is the first one's row.
+void Synthesis::put_odds(int band, int first, int end, float* out, std::ptrdiff_t out_step,
+                         std::ptrdiff_t width) {
+  const int inner_end = std::min(end, bands_[band].first - 2);
+  int i = first;
+  const auto put_borders = [&](int before) {
+    for (; i < before; ++i, out += out_step) put_odd_at_border(band, i, out, width);
   };
-  int i = needs_[band].first / 2;
   if (signals_.wavelet() != Wavelet::Haar) {
+    put_borders(std::min(end, 1));
     const bool cubic = signals_.wavelet() == Wavelet::Cubic;
-    for (; i < std::min(end, 1); ++i) place_odd_at_border(band, i, evens, detail(i), out);
-    const int inner_end = std::min(end, count_of_evens - 2);
     if (i < inner_end) {
-      const std::ptrdiff_t at = 2 * (i - evens.first) * stride_;
-      plan_.rows->predict({.out = out + at + stride_,
-                           .even = out + at - 2 * stride_,
-                           .detail = detail(i),
-                           .stride = stride_,
-                           .detail_stride = details == nullptr ? 0 : stride_,
-                           .rows = inner_end - i,
-                           .near = cubic ? 9.0F / 16 : 0.5F,
-                           .far = cubic ? -1.0F / 16 : 0.0F});
+      plan_.kernels->predict({.out = out,
+                              .even = even_row(band, i - 1),
+                              .detail = detail_row(band, i),
+                              .out_step = out_step,
+                              .stride = stride_,
+                              .detail_step = has_details(band) ? stride_ : 0,
+                              .width = width,
+                              .rows = inner_end - i,
+                              .near = cubic ? 9.0F / 16 : 0.5F,
+                              .far = cubic ? -1.0F / 16 : 0.0F});
+      out += (inner_end - i) * out_step;
       i = inner_end;
     }
   }
-  for (; i < end; ++i) place_odd_at_border(band, i, evens, detail(i), out);
+  put_borders(end);
 }
 
-void Synthesis::place_odd_at_border(int band, int odd, Range evens, const float* detail,
-                                    float* out) {
+void Synthesis::put_odd_at_border(int band, int odd, float* out, std::ptrdiff_t width) {
   const int available = bands_[band].first;
   const bool haar = signals_.wavelet() == Wavelet::Haar;
   const int wanted = haar ? 1 : signals_.wavelet() == Wavelet::Linear ? 2 : 4;
   const int count = std::min(wanted, available);
   const int first = haar ? odd : std::clamp(odd + 1 - count / 2, 0, available - count);
-  BorderRow row{.out = out + (2 * (odd - evens.first) + 1) * stride_,
+  BorderRow row{.out = out,
                 .even = {zeros_, zeros_, zeros_, zeros_},
                 .weight = {},
-                .detail = detail,
-                .stride = stride_};
+                .detail = detail_row(band, odd),
+                .width = width};
   lagrange_weights(count, haar ? 0 : static_cast<float>(odd - first) + 0.5F, row.weight);
-  for (int i = 0; i < count; ++i) row.even[i] = out + 2 * (first + i - evens.first) * stride_;
-  plan_.rows->predict_at_border(row);
+  for (int i = 0; i < count; ++i) row.even[i] = even_row(band, first + i);
+  plan_.kernels->predict_at_border(row);
 }
 
 }  // namespace mocapress::decoder

@@ -12,49 +12,75 @@ namespace mocapress::decoder {
 /// Which signals come out, in which columns, how detailed.
 struct SynthesisPlan {
   const std::int32_t* column_of_signal;  // ResidentSignals::Columns::kNone: left out
+  bool in_order;                         // signal s in column s, as many as there are columns
   int columns;
   int bands_left_out;  // of the finest: as if they were zero
-  const RowKernels* rows;
+  const RowKernels* kernels;
 };
 
-/// The inverse transform of any window of frames: at each band no more rows than the window needs.
+/// The inverse transform of any window of frames: at each band no more rows than the window needs,
+/// and none again that the window before it needed too.
 class Synthesis {
  public:
-  static constexpr int kWindow = 64;  // frames at a time: what fits the first cache
+  static constexpr int kWindow = 128;  // frames at a time: what fits the first cache
 
   /// Takes the memory it works in. With measuring memory only that.
   Synthesis(Memory& memory, const ResidentSignals& signals, const SynthesisPlan& plan);
 
-  /// Rows are this many floats apart: the columns and what rounds them up.
-  std::ptrdiff_t stride() const { return stride_; }
-
-  /// The samples of frames first ... first + count - 1, row after row, in memory of this until the
-  /// next call, which the caller may change. 0 < count <= kWindow, and all frames exist.
-  float* window(int first, int count);
+  /// Makes the samples of frames first ... first + count - 1: rows of plan.columns floats, out_step
+  /// apart. 0 < count <= kWindow, and all frames exist.
+  void make(int first, int count, float* out, std::ptrdiff_t out_step);
 
  private:
   struct Range {
-    int first;
-    int end;
+    int first = 0;
+    int end = 0;
+    bool is_empty() const { return first >= end; }
+  };
+
+  /// Rows of a band that are kept from window to window.
+  struct Held {
+    float* memory = nullptr;
+    int capacity = 0;
+    float* rows = nullptr;  // of range.first
+    Range range;
+  };
+
+  /// The rows that samples of a band are made of: even samples of the coarser bands, updated, and
+  /// details.
+  struct Level {
+    Held evens;
+    Held details;
+    Range wanted;       // samples to make
+    Range needs_evens;  // for that
   };
 
   void find_needs(int first, int count);
-  const float* unpack_details(int band, Range evens);
-  void place_evens(int band, Range evens, const float* coarse, const float* details, float* out);
-  void place_odds(int band, Range evens, const float* details, float* out);
-  void place_odd_at_border(int band, int odd, Range evens, const float* detail, float* out);
+  void hold(Held& held, Range range);
+  const float* even_row(int band, int i) const;
+  const float* detail_row(int band, int i) const;
   bool has_details(int band) const;
-  int first_detail(Range evens) const { return evens.first > 0 ? evens.first - 1 : 0; }
+  void unpack_details(int band, Range new_evens);
+  float* evens_to_come(int band);
+  void put_coarse(float* out, std::ptrdiff_t out_step);
+  void update_evens(int band, Range added);
+  void update_rows(int band, int first, int end, int before, int after);
+  void put_samples(int band, float* out, std::ptrdiff_t out_step, std::ptrdiff_t width);
+  void put_odds(int band, int first, int end, float* out, std::ptrdiff_t out_step,
+                std::ptrdiff_t width);
+  void put_odd_at_border(int band, int odd, float* out, std::ptrdiff_t width);
+  ResidentSignals::Columns columns() const {
+    return {plan_.column_of_signal, plan_.in_order, stride_, plan_.kernels};
+  }
 
   const ResidentSignals& signals_;
   SynthesisPlan plan_;
   Bands bands_;
-  std::ptrdiff_t stride_;
-  Range needs_[kMostBands] = {};  // samples of the signal that bands 0 ... b make up
-  float* samples_;                // rows: what was made, and what is being made of it
-  float* made_;
-  float* details_;
-  float* zeros_;  // a row
+  std::ptrdiff_t stride_;     // of rows here: the columns and what rounds them up
+  Range coarse_;              // coarse samples to unpack
+  Level levels_[kMostBands];  // from 1 on
+  float* coarse_samples_;     // where there is nothing else
+  float* zeros_;              // a row
 };
 
 }  // namespace mocapress::decoder

@@ -39,7 +39,7 @@ Eigen::MatrixXi motion_like(int length, int signals, std::uint64_t seed = 1) {
 }
 
 struct Resident {
-  Resident(const Eigen::MatrixXi& values, Basis basis)
+  Resident(const Eigen::MatrixXi& values, Basis basis, std::uint64_t budget = 0)
       : steps(static_cast<std::size_t>(values.cols())), notes(steps.size()) {
     for (std::size_t s = 0; s < steps.size(); ++s) steps[s] = 0.01F * static_cast<float>(s % 7 + 1);
     const decoder::QuantisedSource source{static_cast<int>(values.rows()),
@@ -47,7 +47,8 @@ struct Resident {
                                           static_cast<decoder::Wavelet>(basis),
                                           steps.data(),
                                           values.data(),
-                                          notes.data()};
+                                          notes.data(),
+                                          budget};
     bytes.emplace(static_cast<std::size_t>(decoder::ResidentSignals::size(source)));
     std::memset(bytes->data(), 0, bytes->size());
     signals = decoder::ResidentSignals::build(source, bytes->data());
@@ -78,6 +79,8 @@ struct Resident {
   const decoder::ResidentSignals* signals;
 };
 
+constexpr std::uint64_t kAllDense = std::numeric_limits<std::uint64_t>::max();
+
 std::vector<std::int32_t> all_columns(int count) {
   std::vector<std::int32_t> columns(static_cast<std::size_t>(count));
   std::iota(columns.begin(), columns.end(), 0);
@@ -86,10 +89,9 @@ std::vector<std::int32_t> all_columns(int count) {
 
 /// Frames first ... first + count - 1 by themselves, frames x columns.
 Eigen::MatrixXf window_of(decoder::Synthesis& synthesis, int columns, int first, int count) {
-  const float* const rows = synthesis.window(first, count);
-  return Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>(
-             rows, columns, count, Eigen::OuterStride<>(synthesis.stride()))
-      .transpose();
+  Eigen::MatrixXf rows(columns, count);
+  synthesis.make(first, count, rows.data(), columns);
+  return rows.transpose();
 }
 
 void expect_near(const Eigen::MatrixXf& samples, const Eigen::MatrixXd& expected) {
@@ -106,7 +108,8 @@ TEST(Synthesis, IsTheInverseTransformForEveryLengthAndBasis) {
       const Resident resident(values, basis);
       const auto columns = all_columns(11);
       OwnMemory<decoder::Synthesis> synthesis(
-          *resident.signals, decoder::SynthesisPlan{columns.data(), 11, 0, &decoder::best_rows()});
+          *resident.signals,
+          decoder::SynthesisPlan{columns.data(), true, 11, 0, &decoder::best_rows()});
       expect_near(window_of(*synthesis, 11, 0, length), resident.expected(values, basis));
     }
 }
@@ -120,7 +123,8 @@ TEST(Synthesis, AnyWindowIsThatPartOfTheWhole) {
       const Eigen::MatrixXd expected = resident.expected(values, basis);
       const auto columns = all_columns(19);
       OwnMemory<decoder::Synthesis> synthesis(
-          *resident.signals, decoder::SynthesisPlan{columns.data(), 19, 0, &decoder::best_rows()});
+          *resident.signals,
+          decoder::SynthesisPlan{columns.data(), true, 19, 0, &decoder::best_rows()});
       for (int round = 0; round < 60; ++round) {
         const int count = 1 + static_cast<int>(random.below(decoder::Synthesis::kWindow));
         const auto first =
@@ -132,14 +136,34 @@ TEST(Synthesis, AnyWindowIsThatPartOfTheWhole) {
     }
 }
 
+TEST(Synthesis, WindowsInARowAreTheSameBitsAsEachByItself) {
+  Random random(6);
+  const auto columns = all_columns(13);
+  for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
+    for (const std::uint64_t budget : {std::uint64_t{0}, kAllDense})
+      for (const int step : {1, 2, 3, 7, 40, decoder::Synthesis::kWindow}) {
+        const Eigen::MatrixXi values = motion_like(700, 13);
+        const Resident resident(values, basis, budget);
+        const decoder::SynthesisPlan plan{columns.data(), true, 13, 0, &decoder::best_rows()};
+        OwnMemory<decoder::Synthesis> in_a_row(*resident.signals, plan);
+        int first = static_cast<int>(random.below(100));
+        for (int round = 0; round < 30 && first + step <= 700; ++round) {
+          OwnMemory<decoder::Synthesis> alone(*resident.signals, plan);
+          ASSERT_EQ(window_of(*in_a_row, 13, first, step), window_of(*alone, 13, first, step))
+              << "frame " << first << ", " << step << " frames";
+          first += round % 9 == 8 ? step + 5 : step;
+        }
+      }
+}
+
 TEST(Synthesis, EveryPathGivesTheSameBits) {
   const Eigen::MatrixXi values = motion_like(777, 21);
   const auto columns = all_columns(21);
   for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic}) {
-    const Resident resident(values, basis);
+    const Resident resident(values, basis, kAllDense);
     const auto decoded_by = [&](const decoder::RowKernels& rows) {
-      OwnMemory<decoder::Synthesis> synthesis(*resident.signals,
-                                              decoder::SynthesisPlan{columns.data(), 21, 0, &rows});
+      OwnMemory<decoder::Synthesis> synthesis(
+          *resident.signals, decoder::SynthesisPlan{columns.data(), true, 21, 0, &rows});
       Eigen::MatrixXf samples(777, 21);
       for (int first = 0; first < 777; first += 37)
         samples.middleRows(first, 37) = window_of(*synthesis, 21, first, 37);
@@ -158,13 +182,13 @@ TEST(Synthesis, ASubsetOfSignalsIsTheSameBitsInItsColumns) {
   const Resident resident(values, Basis::Cubic);
   const auto all = all_columns(30);
   OwnMemory<decoder::Synthesis> whole(
-      *resident.signals, decoder::SynthesisPlan{all.data(), 30, 0, &decoder::best_rows()});
+      *resident.signals, decoder::SynthesisPlan{all.data(), true, 30, 0, &decoder::best_rows()});
   std::vector<std::int32_t> some(30, decoder::ResidentSignals::Columns::kNone);
   some[7] = 1;
   some[29] = 0;
   some[2] = 2;
   OwnMemory<decoder::Synthesis> part(
-      *resident.signals, decoder::SynthesisPlan{some.data(), 3, 0, &decoder::best_rows()});
+      *resident.signals, decoder::SynthesisPlan{some.data(), false, 3, 0, &decoder::best_rows()});
   const Eigen::MatrixXf expected = window_of(*whole, 30, 100, 50);
   const Eigen::MatrixXf chosen = window_of(*part, 3, 100, 50);
   EXPECT_EQ(chosen.col(1), expected.col(7));
@@ -179,7 +203,7 @@ TEST(Synthesis, BandsLeftOutAreAsIfTheyWereZero) {
   for (const int left_out : {0, 1, 3, 40}) {
     OwnMemory<decoder::Synthesis> synthesis(
         *resident.signals,
-        decoder::SynthesisPlan{columns.data(), 9, left_out, &decoder::best_rows()});
+        decoder::SynthesisPlan{columns.data(), true, 9, left_out, &decoder::best_rows()});
     expect_near(window_of(*synthesis, 9, 60, 64),
                 resident.expected(values, Basis::Cubic, left_out).middleRows(60, 64));
   }
@@ -194,7 +218,8 @@ TEST(ResidentSignals, HoldTheLargestValuesAndManySignals) {
   const Resident resident(values, Basis::Cubic);
   const auto columns = all_columns(300);
   OwnMemory<decoder::Synthesis> synthesis(
-      *resident.signals, decoder::SynthesisPlan{columns.data(), 300, 0, &decoder::best_rows()});
+      *resident.signals,
+      decoder::SynthesisPlan{columns.data(), true, 300, 0, &decoder::best_rows()});
   expect_near(window_of(*synthesis, 300, 0, 64), resident.expected(values, Basis::Cubic));
 }
 
@@ -214,7 +239,8 @@ TEST(ResidentSignals, WideOffsetsOfBlocks) {
   ASSERT_GT(resident.bytes->size(), 0x10000u);
   const auto columns = all_columns(40);
   OwnMemory<decoder::Synthesis> synthesis(
-      *resident.signals, decoder::SynthesisPlan{columns.data(), 40, 0, &decoder::best_rows()});
+      *resident.signals,
+      decoder::SynthesisPlan{columns.data(), true, 40, 0, &decoder::best_rows()});
   const Eigen::MatrixXd expected = resident.expected(values, Basis::Linear);
   for (const int first : {0, 9000, 19936})
     expect_near(window_of(*synthesis, 40, first, 64), expected.middleRows(first, 64));

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Core's reader and decoder on any bytes: a .mcpr file opens and decodes, or is refused as one.
+#include "core/base/error.h"
+#include "core/codec/container.h"
+#include "core/codec/decoder.h"
+#include "tests/fuzz/file_sections.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr Eigen::Index kMostValues = 1 << 16;  // more would only take longer
+  std::vector<std::byte> file(size);
+  if (size > 0) std::memcpy(file.data(), data, size);
+  mocapress::test::mend_checksums(file);
+  try {
+    const mocapress::Container container = mocapress::read_any_container(file);
+    const mocapress::CompressedClip& clip = container.clip;
+    if (container.of_comparison ||
+        Eigen::Index{clip.frames} * (clip.skeleton.channel_count() + 96) > kMostValues)
+      return 0;
+    mocapress::decode(clip);
+  } catch (const mocapress::FormatError&) {
+  }
+  return 0;
+}

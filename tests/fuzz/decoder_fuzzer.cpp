@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The runtime decoder on any bytes: opens them, and plays what opens in every way.
+#include <algorithm>
+
+#include "tests/fuzz/file_sections.h"
+#include "tests/support/opened_clip.h"
+
+namespace {
+
+mcpr_limits fuzzed_limits() {
+  mcpr_limits limits = mcpr_default_limits();
+  limits.values = 1U << 18;
+  limits.scratch_bytes = std::size_t{16} << 20;
+  limits.resident_bytes = std::size_t{8} << 20;
+  limits.solver_iterations = 3;
+  return limits;
+}
+
+void play(const mocapress::test::OpenedClip& clip) {
+  const mcpr_clip_info info = mcpr_clip_describe(clip.clip);
+  if (info.frames == 0) return;
+  const std::uint32_t count = std::min<std::uint32_t>(info.frames, 20);
+  const std::uint16_t channels[] = {0, static_cast<std::uint16_t>(info.channels - 1)};
+  for (const mcpr_output output : {MCPR_CHANNELS, MCPR_LOCAL, MCPR_POSITIONS})
+    for (const int corrected : {0, 1}) {
+      const mcpr_request request{.output = output, .corrected = corrected};
+      clip.frames(request, info.frames - count, count);
+      clip.moment(request, 0.5 * (info.frames - 1));
+    }
+  if (info.channels > 1)
+    clip.frames({.corrected = 1, .bands_left_out = 1, .channels = channels, .channel_count = 2}, 0,
+                count);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::vector<std::byte> file(size);
+  if (size > 0) std::memcpy(file.data(), data, size);
+  mocapress::test::mend_checksums(file);
+  const mcpr_limits limits = fuzzed_limits();
+  const mocapress::test::OpenedClip clip(file, &limits);
+  if (clip.clip != nullptr) play(clip);
+  return 0;
+}
