@@ -20,6 +20,7 @@ struct Actions {
   QAction* compare = nullptr;
   QAction* save = nullptr;
   QAction* save_as = nullptr;
+  QAction* batch = nullptr;
   QAction* quit = nullptr;
   QAction* hold_feet = nullptr;
   QAction* without_ik = nullptr;  // A/B
