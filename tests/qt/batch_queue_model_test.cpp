@@ -76,8 +76,10 @@ TEST_F(BatchQueue, ShowsHowFarAClipIsAndWhatItCameTo) {
   EXPECT_EQ(text(0, BatchQueueModel::Ratio), QStringLiteral("52.3:1"));
   EXPECT_EQ(text(0, BatchQueueModel::Eps), QStringLiteral("0.499"));
   EXPECT_EQ(text(0, BatchQueueModel::Max), QStringLiteral("4.32"));
-  model_.setEnded(1, {}, "broken.bvh:3:1: expected ROOT");
-  EXPECT_TRUE(text(1, BatchQueueModel::State).contains(QStringLiteral("expected ROOT")));
+  model_.setEnded(1, {}, "/a/run.bvh:3:1: expected ROOT");
+  EXPECT_EQ(text(1, BatchQueueModel::State), QStringLiteral("✗ expected ROOT"));
+  EXPECT_EQ(model_.data(model_.index(1, BatchQueueModel::State), Qt::ToolTipRole).toString(),
+            QStringLiteral("/a/run.bvh:3:1: expected ROOT"));
   EXPECT_EQ(text(1, BatchQueueModel::Ratio), QStringLiteral("–"));
 }
 

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QFont>
 #include <QLocale>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -36,10 +37,11 @@ QString stageName(ClipProgress::Stage stage) {
   return {};
 }
 
-/// Without the folder of the clip, which the row stands for.
+/// Without the path of the clip, which the row stands for, and the place in it.
 QString shortError(const QueuedClip& clip) {
-  const QString path = QString::fromStdString(clip.source.path);
-  return QString::fromStdString(clip.error).replace(path, QFileInfo(path).fileName());
+  const QString path = QRegularExpression::escape(QString::fromStdString(clip.source.path));
+  const QRegularExpression place(QStringLiteral("^%1(:\\d+)*:? ").arg(path));
+  return QString::fromStdString(clip.error).remove(place);
 }
 
 }  // namespace
