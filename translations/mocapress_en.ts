@@ -2,6 +2,47 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>mocapress::BatchStatus</name>
+    <message numerus="yes">
+        <source>, %Ln failed</source>
+        <translation>
+            <numerusform>, %Ln failed</numerusform>
+            <numerusform>, %Ln failed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) to export</source>
+        <translation>
+            <numerusform>%Ln clip to export</numerusform>
+            <numerusform>%Ln clips to export</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) exported and verified</source>
+        <translation>
+            <numerusform>%Ln clip exported and verified</numerusform>
+            <numerusform>%Ln clips exported and verified</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Retry %Ln Failed</source>
+        <translation>
+            <numerusform>&amp;Retry %Ln Failed</numerusform>
+            <numerusform>&amp;Retry %Ln Failed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchWindow</name>
+    <message numerus="yes">
+        <source>Settings of %Ln selected clip(s)</source>
+        <translation>
+            <numerusform>Settings of the selected clip</numerusform>
+            <numerusform>Settings of %Ln selected clips</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mocapress::CorrectionControl</name>
     <message numerus="yes">
         <source>%Ln joint(s)</source>

@@ -55,6 +55,8 @@ Actions makeActions(Playback* playback, QUndoStack* history, QMainWindow* window
   actions.save = make(window, Texts::tr("&Save"), QKeySequence::Save, QStringLiteral("save"));
   actions.save->setToolTip(Texts::tr("Save the compressed clip as .mcpr"));
   actions.save_as = make(window, Texts::tr("Save &As…"), QKeySequence::SaveAs);
+  actions.batch = make(window, Texts::tr("&Batch Export…"), Qt::CTRL | Qt::Key_E);
+  actions.batch->setToolTip(Texts::tr("Compress many clips, verify each, and report on all"));
   actions.quit = make(window, Texts::tr("&Quit"), QKeySequence::Quit);
   actions.undo = history->createUndoAction(window, Texts::tr("&Undo"));
   actions.undo->setShortcut(QKeySequence::Undo);
@@ -90,6 +92,8 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
   file->addActions({actions.open_sample, actions.compare});
   file->addSeparator();
   file->addActions({actions.save, actions.save_as});
+  file->addSeparator();
+  file->addAction(actions.batch);
   file->addSeparator();
   file->addAction(actions.quit);
 

@@ -22,6 +22,7 @@ struct Actions {
   QAction* compare = nullptr;
   QAction* save = nullptr;
   QAction* save_as = nullptr;
+  QAction* batch = nullptr;
   QAction* quit = nullptr;
   QAction* undo = nullptr;
   QAction* redo = nullptr;

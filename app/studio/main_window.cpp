@@ -14,6 +14,8 @@
 #include <QVBoxLayout>
 #include <tuple>
 
+#include "app/studio/batch_memory.h"
+#include "app/studio/batch_window.h"
 #include "app/studio/recent_files.h"
 #include "app/studio/sample_clip.h"
 #include "app/studio/study_memory.h"
@@ -165,6 +167,7 @@ void MainWindow::connectWindowActions() {
           [this] { inspector_->showNextWorst(-1); });
   connect(actions_.reset_layout, &QAction::triggered, this, [this] { layout_.reset(); });
   connect(actions_.study, &QAction::triggered, this, &MainWindow::showStudy);
+  connect(actions_.batch, &QAction::triggered, this, &MainWindow::showBatch);
   connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
 }
 
@@ -184,6 +187,19 @@ StudyWindow* MainWindow::showStudy() {
   study_->raise();
   study_->activateWindow();
   return study_;
+}
+
+void MainWindow::showBatch() {
+  if (!batch_) {
+    batch_ = new BatchWindow(new BatchSession(batchMemory(), this), this);
+    connect(batch_, &BatchWindow::openRequested, files_,
+            [this](const QString& path) { files_->open(path); });
+  }
+  if (const OriginalPtr& original = session_->document().original())
+    batch_->offerClip(original->path);
+  batch_->show();
+  batch_->raise();
+  batch_->activateWindow();
 }
 
 /// Where the open clip is on the curves of the study.
@@ -235,6 +251,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   layout_.remember();
   if (study_) study_->close();
+  if (batch_) batch_->close();
   event->accept();
 }
 

@@ -15,6 +15,7 @@
 namespace mocapress {
 
 class MessageBar;
+class BatchWindow;
 class StudyWindow;
 class Trace;
 
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void showBatch();
   QWidget* makeCentre();
   QWidget* makeSidebar();
   void addDocks();
@@ -69,7 +71,8 @@ class MainWindow : public QMainWindow {
   Trace* trace_;
   StudySession* study_session_ = nullptr;  // none before it is asked for, nor its window
   StudyWindow* study_ = nullptr;
-  bool may_close_ = false;  // nothing would be lost
+  BatchWindow* batch_ = nullptr;  // none before it is asked for
+  bool may_close_ = false;        // nothing would be lost
 };
 
 }  // namespace mocapress

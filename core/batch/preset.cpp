@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/preset.h"
 
-#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -13,28 +12,6 @@
 namespace mocapress {
 namespace {
 
-struct BuiltIn {
-  Target target;
-  const char* name;
-  const char* purpose;
-};
-
-// A hard maximum where someone looks closely; eps_x, which allows single frames more, elsewhere.
-constexpr std::array<BuiltIn, 4> kBuiltIn = {{
-    {{Target::Kind::MaxError, 0.5},
-     "Hero close-up",
-     "Characters the camera comes near to: no point of the body more than 5 mm off at any frame."},
-    {{Target::Kind::Error, 0.5},
-     "Gameplay",
-     "Characters in play: an eps_x of 5 mm, up to which the paper saw no artifact."},
-    {{Target::Kind::Error, 2},
-     "Crowd",
-     "Figures in the background: an eps_x of 2 cm, as small as it gets."},
-    {{Target::Kind::MaxError, 0.1},
-     "Archive",
-     "To keep instead of the source: no point of the body more than 1 mm off at any frame."},
-}};
-
 bool is_closed_loop(const Preset& preset) {
   return preset.method == name(Method::ClosedLoop);
 }
@@ -42,18 +19,13 @@ bool is_closed_loop(const Preset& preset) {
 }  // namespace
 
 std::span<const Preset> built_in_presets() {
-  static const std::vector<Preset> presets = [] {
-    std::vector<Preset> all;
-    for (const BuiltIn& one : kBuiltIn) all.push_back({.name = one.name, .target = one.target});
-    return all;
-  }();
+  // A hard maximum where someone looks closely; eps_x, which allows single frames more, elsewhere.
+  static const std::vector<Preset> presets = {
+      {.name = "Hero close-up", .target = {Target::Kind::MaxError, 0.5}},
+      {.name = "Gameplay", .target = {Target::Kind::Error, 0.5}},
+      {.name = "Crowd", .target = {Target::Kind::Error, 2}},
+      {.name = "Archive", .target = {Target::Kind::MaxError, 0.1}}};
   return presets;
-}
-
-std::string_view purpose(const Preset& preset) {
-  for (const BuiltIn& one : kBuiltIn)
-    if (preset.name == one.name) return one.purpose;
-  return "";
 }
 
 std::string slug(std::string_view name) {

@@ -38,9 +38,6 @@ struct Preset {
 /// "Hero close-up", "Gameplay", "Crowd", "Archive".
 std::span<const Preset> built_in_presets();
 
-/// What a built-in preset is for, one sentence; empty for any other name.
-std::string_view purpose(const Preset& preset);
-
 /// A name as a word: "hero-close-up".
 std::string slug(std::string_view name);
 

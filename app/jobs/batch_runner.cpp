@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/batch_runner.h"
+
+#include <chrono>
+#include <map>
+
+namespace mocapress {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto kReportInterval = std::chrono::milliseconds(60);
+
+/// Collects news, for clips tell of themselves by the thousand.
+class Reporter {
+ public:
+  using Send = std::function<void(const BatchCounts&, std::vector<BatchStep>)>;
+
+  explicit Reporter(Send send) : send_(std::move(send)) {}
+
+  void add(const BatchProgress& progress) {
+    BatchStep& step = steps_[progress.index];
+    step.index = progress.index;
+    step.progress = progress.clip;
+    if (progress.row) {
+      step.ended = true;
+      step.measured = progress.row->measured;
+      step.error = progress.row->error;
+    }
+    counts_ = progress.counts;
+    if (Clock::now() - sent_ >= kReportInterval) flush();
+  }
+
+  void flush() {
+    std::vector<BatchStep> steps;
+    for (auto& [index, step] : steps_) steps.push_back(std::move(step));
+    steps_.clear();
+    send_(counts_, std::move(steps));
+    sent_ = Clock::now();
+  }
+
+ private:
+  Send send_;
+  BatchCounts counts_;
+  std::map<std::size_t, BatchStep> steps_;
+  Clock::time_point sent_;
+};
+
+}  // namespace
+
+BatchRunner::BatchRunner(QObject* parent) : QObject(parent) {}
+
+/// A paused batch would never end.
+BatchRunner::~BatchRunner() {
+  cancel();
+}
+
+void BatchRunner::start(BatchTask task) {
+  if (busy()) return;
+  control_ = std::make_shared<BatchControl>();
+  const auto work = [this, task = std::move(task), control = control_](const Job& job) {
+    Reporter reporter([&](const BatchCounts& counts, std::vector<BatchStep> steps) {
+      job.post([this, counts, steps = std::move(steps)] { emit advanced(counts, steps); });
+    });
+    const std::filesystem::path folder = task.folder.toStdU16String();
+    const BatchOutcome outcome =
+        run_batch_in(folder, task.batch, task.options, *control, [&](const BatchProgress& step) {
+          reporter.add(step);
+          return !job.stopRequested();
+        });
+    reporter.flush();
+    return outcome;
+  };
+  runner_.start(
+      work, [this](const BatchOutcome& outcome) { emit ended(outcome); },
+      [this](const QString& message) { emit failed(message); });
+}
+
+void BatchRunner::pause() {
+  if (busy()) control_->pause();
+}
+
+void BatchRunner::goOn() {
+  if (control_) control_->go_on();
+}
+
+void BatchRunner::stopAfterCurrent() {
+  if (control_) control_->stop_after_current();
+}
+
+void BatchRunner::cancel() {
+  if (control_) control_->cancel();
+}
+
+}  // namespace mocapress

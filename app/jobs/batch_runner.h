@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <vector>
+
+#include "app/jobs/job_runner.h"
+#include "core/batch/batch_folder.h"
+
+namespace mocapress {
+
+/// A batch to run.
+struct BatchTask {
+  Batch batch;
+  QString folder;
+  BatchRunOptions options;
+};
+
+/// News of one clip: that it ended, else how far it is.
+struct BatchStep {
+  std::size_t index = 0;
+  bool ended = false;
+  ClipProgress progress;
+  std::optional<Measurement> measured;
+  std::string error;
+};
+
+/// Runs a batch in the background and tells what becomes of its clips.
+class BatchRunner : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit BatchRunner(QObject* parent = nullptr);
+  ~BatchRunner() override;
+
+  /// Nothing while one runs.
+  void start(BatchTask task);
+
+  void pause();
+  void goOn();
+  void stopAfterCurrent();
+  void cancel();
+
+  bool busy() const { return runner_.busy(); }
+
+ signals:
+  /// Since the last time; of each clip the newest.
+  void advanced(const BatchCounts& counts, const std::vector<BatchStep>& steps);
+  void ended(const BatchOutcome& outcome);
+  void failed(const QString& message);
+
+ private:
+  std::shared_ptr<BatchControl> control_;
+  JobRunner runner_;
+};
+
+}  // namespace mocapress

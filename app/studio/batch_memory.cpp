@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/batch_memory.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+#include <QSettings>
+#include <QStandardPaths>
+
+#include "core/base/error.h"
+#include "core/batch/preset_json.h"
+
+namespace mocapress {
+namespace {
+
+const QString kPresets = QStringLiteral("presets");
+
+QJsonValue toJson(const Preset& preset) {
+  return QJsonDocument::fromJson(QByteArray::fromStdString(presets_text({&preset, 1}))).object();
+}
+
+/// Throws Error.
+Preset presetFrom(const QJsonValue& json) {
+  const QByteArray text = QJsonDocument(json.toObject()).toJson();
+  return parse_presets("", text.toStdString()).front();
+}
+
+QueuedClip clipFrom(const QJsonObject& json) {
+  QueuedClip clip;
+  clip.source.path = json[QStringLiteral("path")].toString().toStdString();
+  clip.source.folder = json[QStringLiteral("folder")].toString().toStdString();
+  if (json[QStringLiteral("preset")].isObject())
+    clip.own = presetFrom(json[QStringLiteral("preset")]);
+  return clip;
+}
+
+BatchSettings settingsFrom(const QJsonObject& json) {
+  BatchSettings settings;
+  settings.folder = json[QStringLiteral("folder")].toString();
+  settings.names = json[QStringLiteral("names")].toString(settings.names);
+  settings.overwrite = json[QStringLiteral("overwrite")].toBool();
+  settings.formats.clear();
+  for (const QJsonValue& format : json[QStringLiteral("formats")].toArray())
+    if (const auto known = output_format(format.toString().toStdString()))
+      settings.formats.push_back(*known);
+  return settings;
+}
+
+}  // namespace
+
+RememberedBatch rememberedBatch(const QString& file) {
+  QFile stored(file);
+  if (!stored.open(QIODevice::ReadOnly)) return {};
+  const QJsonObject json = QJsonDocument::fromJson(stored.readAll()).object();
+  if (json.isEmpty()) return {};
+  try {
+    RememberedBatch batch{settingsFrom(json), presetFrom(json[QStringLiteral("common")]), {}};
+    for (const QJsonValue& clip : json[QStringLiteral("clips")].toArray())
+      batch.clips.push_back(clipFrom(clip.toObject()));
+    return batch;
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+void rememberBatch(const QString& file, const RememberedBatch& batch) {
+  QJsonArray clips;
+  for (const QueuedClip& clip : batch.clips)
+    clips.append(
+        QJsonObject{{QStringLiteral("path"), QString::fromStdString(clip.source.path)},
+                    {QStringLiteral("folder"), QString::fromStdString(clip.source.folder)},
+                    {QStringLiteral("preset"), clip.own ? toJson(*clip.own) : QJsonValue()}});
+  QJsonArray formats;
+  for (const OutputFormat format : batch.settings.formats)
+    formats.append(QString::fromStdString(std::string(name(format))));
+  const QJsonObject json{{QStringLiteral("folder"), batch.settings.folder},
+                         {QStringLiteral("names"), batch.settings.names},
+                         {QStringLiteral("overwrite"), batch.settings.overwrite},
+                         {QStringLiteral("formats"), formats},
+                         {QStringLiteral("common"), toJson(batch.common)},
+                         {QStringLiteral("clips"), clips}};
+  QDir().mkpath(QFileInfo(file).absolutePath());
+  QSaveFile stored(file);
+  if (!stored.open(QIODevice::WriteOnly)) return;
+  stored.write(QJsonDocument(json).toJson());
+  stored.commit();
+}
+
+std::vector<Preset> rememberedPresets() {
+  const std::string text = QSettings().value(kPresets).toString().toStdString();
+  try {
+    return text.empty() ? std::vector<Preset>() : parse_presets("", text);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+void rememberPresets(const std::vector<Preset>& presets) {
+  QSettings().setValue(kPresets,
+                       presets.empty() ? QString() : QString::fromStdString(presets_text(presets)));
+}
+
+QString batchMemory() {
+  return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) +
+         QStringLiteral("/batch.json");
+}
+
+}  // namespace mocapress

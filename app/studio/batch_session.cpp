@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/batch_session.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/studio/batch_memory.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/batch/preset_json.h"
+#include "core/batch/queue_json.h"
+#include "core/batch/slurm_script.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kRememberDelay = 300;  // ms
+
+std::filesystem::path pathOf(const QString& text) {
+  return text.toStdU16String();
+}
+
+}  // namespace
+
+BatchSession::BatchSession(const QString& memory, QObject* parent)
+    : QObject(parent), memory_(memory), own_presets_(rememberedPresets()) {
+  RememberedBatch remembered = rememberedBatch(memory_);
+  settings_ = remembered.settings;
+  queue_.setCommon(remembered.common);
+  queue_.add(remembered.clips);
+  remember_later_.setSingleShot(true);
+  remember_later_.setInterval(kRememberDelay);
+  connect(&remember_later_, &QTimer::timeout, this, &BatchSession::remember);
+  connect(&queue_, &BatchQueueModel::edited, this, [this] {
+    remember_later_.start();
+    if (!running()) setState(State::Idle);
+  });
+  connect(&runner_, &BatchRunner::advanced, this, &BatchSession::advance);
+  connect(&runner_, &BatchRunner::ended, this, &BatchSession::end);
+  connect(&runner_, &BatchRunner::failed, this, [this](const QString& message) {
+    queue_.stopWorking();
+    setState(State::Failed, message);
+  });
+}
+
+BatchSession::~BatchSession() {
+  if (remember_later_.isActive()) remember();
+}
+
+void BatchSession::remember() {
+  rememberBatch(memory_, {settings_, queue_.common(), queue_.clips()});
+}
+
+void BatchSession::setSettings(const BatchSettings& settings) {
+  if (settings == settings_ || running()) return;
+  const bool elsewhere = settings.folder != settings_.folder || settings.names != settings_.names ||
+                         settings.formats != settings_.formats;
+  settings_ = settings;
+  if (elsewhere) queue_.waitAgain();
+  remember_later_.start();
+  emit settingsChanged();
+  setState(State::Idle);
+}
+
+void BatchSession::addClips(const QStringList& paths) {
+  to_find_ += paths;
+  finding_.start(
+      [paths = to_find_](const Job&) {
+        std::vector<std::string> inputs;
+        for (const QString& path : paths)
+          inputs.push_back(QFileInfo(path).absoluteFilePath().toStdString());
+        return find_sources(inputs);
+      },
+      [this](const std::vector<SourceClip>& sources) {
+        to_find_.clear();
+        std::vector<QueuedClip> clips;
+        for (const SourceClip& source : sources) {
+          if (source.problem.empty())
+            clips.push_back({.source = source});
+          else
+            emit noted(QString::fromStdString(source.problem));
+        }
+        if (!running()) queue_.add(clips);
+      },
+      [this](const QString& message) {
+        to_find_.clear();
+        emit noted(message);
+      });
+}
+
+std::vector<Preset> BatchSession::presets() const {
+  std::vector<Preset> all(built_in_presets().begin(), built_in_presets().end());
+  all.insert(all.end(), own_presets_.begin(), own_presets_.end());
+  return all;
+}
+
+void BatchSession::savePreset(const Preset& preset) {
+  const auto same = [&](const Preset& one) { return one.name == preset.name; };
+  const auto built_in = built_in_presets();
+  if (preset.name.empty() || std::any_of(built_in.begin(), built_in.end(), same)) {
+    emit noted(tr("The name of a built-in preset cannot be given to another."));
+    return;
+  }
+  std::erase_if(own_presets_, same);
+  own_presets_.push_back(preset);
+  rememberPresets(own_presets_);
+  emit presetsChanged();
+}
+
+void BatchSession::removePreset(const QString& name) {
+  std::erase_if(own_presets_, [&](const Preset& one) { return one.name == name.toStdString(); });
+  rememberPresets(own_presets_);
+  emit presetsChanged();
+}
+
+void BatchSession::importPresets(const QString& path) {
+  try {
+    for (const Preset& preset : parse_presets(path.toStdString(), read_text(pathOf(path))))
+      savePreset(preset);
+  } catch (const Error& error) {
+    emit noted(QString::fromStdString(error.what()));
+  }
+}
+
+void BatchSession::exportPreset(const Preset& preset, const QString& path) {
+  try {
+    write_text(pathOf(path), presets_text({&preset, 1}));
+    emit noted(tr("Wrote %1.").arg(QDir::toNativeSeparators(path)));
+  } catch (const Error& error) {
+    emit noted(QString::fromStdString(error.what()));
+  }
+}
+
+/// Clips by their rows; the common preset first, then those of locked clips.
+Batch BatchSession::batch() const {
+  Batch batch{.presets = {queue_.common()}, .formats = settings_.formats};
+  const std::string names = settings_.names.toStdString();
+  for (const QueuedClip& clip : queue_.clips()) {
+    std::size_t preset = 0;
+    if (clip.own) {
+      const auto found = std::find(batch.presets.begin(), batch.presets.end(), *clip.own);
+      preset = static_cast<std::size_t>(found - batch.presets.begin());
+      if (found == batch.presets.end()) batch.presets.push_back(*clip.own);
+    }
+    add_items(batch, {clip.source}, preset, names);
+  }
+  mark_collisions(batch);
+  return batch;
+}
+
+QString BatchSession::exampleName(bool* wrong) const {
+  *wrong = false;
+  const SourceClip source =
+      queue_.clips().empty() ? SourceClip{"walk.bvh", "clips", {}} : queue_.clips().front().source;
+  const Preset& preset = queue_.clips().empty() ? queue_.common() : queue_.presetOf(0);
+  const OutputFormat format =
+      settings_.formats.empty() ? OutputFormat::Mcpr : settings_.formats.front();
+  try {
+    const std::string output = output_name(settings_.names.toStdString(), source, preset);
+    return QString::fromStdString(output + '.' + std::string(name(format)));
+  } catch (const Error& error) {
+    *wrong = true;
+    return QString::fromStdString(error.what());
+  }
+}
+
+QString BatchSession::obstacle() const {
+  bool wrong = false;
+  const QString example = exampleName(&wrong);
+  if (queue_.clips().empty()) return tr("Add clips to begin.");
+  if (settings_.folder.isEmpty()) return tr("Choose the folder the files go to.");
+  if (settings_.formats.empty()) return tr("Choose at least one kind of file.");
+  return wrong ? example : QString();
+}
+
+bool BatchSession::running() const {
+  return state_ == State::Running || state_ == State::Paused || state_ == State::Stopping ||
+         state_ == State::Cancelling;
+}
+
+void BatchSession::start() {
+  if (running() || !obstacle().isEmpty()) return;
+  remember();
+  counts_ = {};
+  counts_.clips = queue_.clips().size();
+  worked_seconds_ = 0;
+  clock_.start();
+  setState(State::Running);
+  runner_.start({batch(), settings_.folder, {.overwrite = settings_.overwrite, .resumed = true}});
+}
+
+void BatchSession::pause() {
+  if (state_ != State::Running) return;
+  worked_seconds_ += static_cast<double>(clock_.elapsed()) / 1000;
+  runner_.pause();
+  setState(State::Paused);
+}
+
+void BatchSession::goOn() {
+  if (state_ != State::Paused) return;
+  clock_.restart();
+  runner_.goOn();
+  setState(State::Running);
+}
+
+void BatchSession::stopAfterCurrent() {
+  if (!running()) return;
+  if (state_ == State::Paused) clock_.restart();
+  runner_.stopAfterCurrent();
+  setState(State::Stopping);
+}
+
+void BatchSession::cancel() {
+  if (!running()) return;
+  runner_.cancel();
+  setState(State::Cancelling);
+}
+
+void BatchSession::advance(const BatchCounts& counts, const std::vector<BatchStep>& steps) {
+  counts_ = counts;
+  for (const BatchStep& step : steps) {
+    const auto row = static_cast<int>(step.index);
+    if (step.ended)
+      queue_.setEnded(row, step.measured, step.error);
+    else
+      queue_.setProgress(row, step.progress);
+  }
+  emit progressed();
+}
+
+void BatchSession::end(const BatchOutcome& outcome) {
+  counts_ = outcome.counts;
+  queue_.stopWorking();
+  setState(outcome.complete ? State::Complete : State::Stopped);
+}
+
+void BatchSession::setState(State state, const QString& failure) {
+  state_ = state;
+  failure_ = failure;
+  emit progressed();
+}
+
+double BatchSession::fraction() const {
+  if (state_ == State::Complete) return 1;
+  if (counts_.bytes == 0) return 0;
+  double done = static_cast<double>(counts_.bytes_done);
+  // What is being worked on counts by its share of clips: their lengths are the batch's business.
+  double working = 0;
+  for (const QueuedClip& clip : queue_.clips())
+    if (clip.state == QueuedClip::State::Working) working += clip.progress.fraction;
+  const auto left = static_cast<double>(counts_.clips - counts_.done);
+  if (left > 0) done += working / left * static_cast<double>(counts_.bytes - counts_.bytes_done);
+  return done / static_cast<double>(counts_.bytes);
+}
+
+std::optional<double> BatchSession::secondsLeft() const {
+  const double now = state_ == State::Paused ? 0 : static_cast<double>(clock_.elapsed()) / 1000;
+  return counts_.seconds_left(worked_seconds_ + now);
+}
+
+QString BatchSession::report() const {
+  if (settings_.folder.isEmpty()) return {};
+  const QString path =
+      QDir(settings_.folder).filePath(QString::fromStdString(report_name(Shard{})));
+  return QFileInfo::exists(path) ? path : QString();
+}
+
+void BatchSession::writeSlurm(const QString& path, int tasks) {
+  try {
+    QDir().mkpath(settings_.folder);
+    const QString queue = QDir(settings_.folder).filePath(QStringLiteral("queue.json"));
+    write_text(pathOf(queue), queue_text(batch()));
+    const QString beside =
+        QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("mocapress"));
+    SlurmJob job{
+        .program = QFileInfo::exists(beside) ? beside.toStdString() : std::string("mocapress"),
+        .arguments = {queue.toStdString()},
+        .folder = settings_.folder.toStdString(),
+        .shards = tasks};
+    if (settings_.overwrite) job.arguments.emplace_back("--overwrite");
+    write_text(pathOf(path), slurm_script(job));
+    emit noted(tr("Wrote %1: submit it with sbatch.").arg(QDir::toNativeSeparators(path)));
+  } catch (const Error& error) {
+    emit noted(QString::fromStdString(error.what()));
+  }
+}
+
+}  // namespace mocapress

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+#include <optional>
+#include <vector>
+
+#include "app/jobs/batch_runner.h"
+#include "app/jobs/job_runner.h"
+#include "widgets/models/batch_queue_model.h"
+#include "widgets/models/batch_settings.h"
+
+namespace mocapress {
+
+/// The queue of a batch export, its settings and its run. No widgets.
+class BatchSession : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class State { Idle, Running, Paused, Stopping, Cancelling, Stopped, Complete, Failed };
+
+  /// `memory`: the file in which queue and settings outlive the program, however it ends.
+  explicit BatchSession(const QString& memory, QObject* parent = nullptr);
+  ~BatchSession() override;
+
+  BatchQueueModel* queue() { return &queue_; }
+  const BatchQueueModel* queue() const { return &queue_; }
+
+  const BatchSettings& settings() const { return settings_; }
+  void setSettings(const BatchSettings& settings);
+
+  /// Files, and folders for all clips below them.
+  void addClips(const QStringList& paths);
+
+  /// Built-in ones and the user's own.
+  std::vector<Preset> presets() const;
+  void savePreset(const Preset& preset);
+  void removePreset(const QString& name);
+  void importPresets(const QString& path);
+  void exportPreset(const Preset& preset, const QString& path);
+
+  /// The output of one of the clips; what is wrong with the names where `wrong` is set.
+  QString exampleName(bool* wrong) const;
+
+  /// Why it cannot start; empty: it can.
+  QString obstacle() const;
+
+  /// Does what is waiting and what failed; what was done before and has not changed is kept.
+  void start();
+  void pause();
+  void goOn();
+  void stopAfterCurrent();
+  void cancel();
+
+  State state() const { return state_; }
+  bool running() const;
+  const QString& failure() const { return failure_; }
+  const BatchCounts& counts() const { return counts_; }
+
+  /// 0 to 1, by the length of the clips.
+  double fraction() const;
+  std::optional<double> secondsLeft() const;
+
+  /// Of the last run that ended with nothing waiting; empty: none is there.
+  QString report() const;
+
+  /// A script for Slurm that does this queue in so many tasks, and the queue's file beside it.
+  void writeSlurm(const QString& path, int tasks);
+
+ signals:
+  void settingsChanged();
+  void presetsChanged();
+
+  /// State, counts, or what may be started.
+  void progressed();
+
+  /// Worth telling, and no more than that.
+  void noted(const QString& message);
+
+ private:
+  Batch batch() const;
+  void setState(State state, const QString& failure = {});
+  void advance(const BatchCounts& counts, const std::vector<BatchStep>& steps);
+  void end(const BatchOutcome& outcome);
+  void remember();
+
+  QString memory_;
+  BatchQueueModel queue_;
+  BatchSettings settings_;
+  std::vector<Preset> own_presets_;
+  State state_ = State::Idle;
+  QString failure_;
+  BatchCounts counts_;
+  QElapsedTimer clock_;
+  double worked_seconds_ = 0;  // before the last pause
+  QTimer remember_later_;
+  QStringList to_find_;
+  JobRunner finding_;
+  BatchRunner runner_;
+};
+
+}  // namespace mocapress

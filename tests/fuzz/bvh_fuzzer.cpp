@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Any text as a .bvh: it is read or refused, and what was read can be written and read again.
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/formats/bvh.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  std::string again;
+  try {
+    again = mocapress::bvh_text(mocapress::read_bvh("fuzz.bvh", text).motion);
+  } catch (const mocapress::Error&) {
+    return 0;
+  }
+  mocapress::read_bvh("again.bvh", again);
+  return 0;
+}

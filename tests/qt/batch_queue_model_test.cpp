@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/batch_queue_model.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+
+#include "widgets/panels/preset_editor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+
+namespace mocapress {
+namespace {
+
+using State = QueuedClip::State;
+
+class BatchQueue : public testing::Test {
+ protected:
+  BatchQueue() {
+    model_.add({{.source = {"/a/walk.bvh", "a", {}}},
+                {.source = {"/a/run.bvh", "a", {}}},
+                {.source = {"/b/jump.amc", "b", {}}}});
+  }
+
+  QString text(int row, int column) const {
+    return model_.data(model_.index(row, column), Qt::DisplayRole).toString();
+  }
+
+  BatchQueueModel model_;
+  QAbstractItemModelTester tester_{&model_, QAbstractItemModelTester::FailureReportingMode::Fatal};
+};
+
+TEST_F(BatchQueue, HasEveryClipOnce) {
+  model_.add({{.source = {"/a/run.bvh", "", {}}}, {.source = {"/c/new.bvh", "", {}}}});
+  ASSERT_EQ(model_.rowCount(), 4);
+  EXPECT_EQ(text(3, BatchQueueModel::Clip), QStringLiteral("new"));
+  model_.remove({0, 2});
+  ASSERT_EQ(model_.rowCount(), 2);
+  EXPECT_EQ(text(0, BatchQueueModel::Clip), QStringLiteral("run"));
+  EXPECT_EQ(text(1, BatchQueueModel::Clip), QStringLiteral("new"));
+}
+
+TEST_F(BatchQueue, ALockedClipKeepsItsSettingsWhenThoseOfAllChange) {
+  const Preset crowd = built_in_presets()[2];
+  const Preset archive = built_in_presets()[3];
+  model_.setOwn({1}, archive);
+  model_.setCommon(crowd);
+  EXPECT_EQ(model_.presetOf(0), crowd);
+  EXPECT_EQ(model_.presetOf(1), archive);
+  model_.setOwn({1}, std::nullopt);
+  EXPECT_EQ(model_.presetOf(1), crowd);
+}
+
+TEST_F(BatchQueue, OnlyClipsWhoseSettingsChangeAreWaitingAgain) {
+  for (int row = 0; row < 3; ++row) model_.setEnded(row, Measurement{.ratio = 20}, "");
+  model_.setOwn({1}, model_.common());  // locked, and otherwise as before
+  EXPECT_EQ(model_.count(State::Done), 3);
+  model_.setCommon(built_in_presets()[2]);
+  EXPECT_EQ(model_.count(State::Done), 1);
+  EXPECT_EQ(model_.clips()[1].state, State::Done);
+}
+
+TEST_F(BatchQueue, ShowsHowFarAClipIsAndWhatItCameTo) {
+  model_.setProgress(0, {ClipProgress::Stage::Encoding, 0.43});
+  EXPECT_EQ(text(0, BatchQueueModel::State), QStringLiteral("Compressing, 43 %"));
+  EXPECT_DOUBLE_EQ(
+      model_.data(model_.index(0, BatchQueueModel::State), BatchQueueModel::kProgressRole)
+          .toDouble(),
+      0.43);
+  model_.setEnded(0, Measurement{.ratio = 52.26, .eps_bone_ends_cm = 0.4987, .max_error_cm = 4.321},
+                  "");
+  EXPECT_EQ(text(0, BatchQueueModel::State), QStringLiteral("✓ Verified"));
+  EXPECT_EQ(text(0, BatchQueueModel::Ratio), QStringLiteral("52.3:1"));
+  EXPECT_EQ(text(0, BatchQueueModel::Eps), QStringLiteral("0.499"));
+  EXPECT_EQ(text(0, BatchQueueModel::Max), QStringLiteral("4.32"));
+  model_.setEnded(1, {}, "/a/run.bvh:3:1: expected ROOT");
+  EXPECT_EQ(text(1, BatchQueueModel::State), QStringLiteral("✗ expected ROOT"));
+  EXPECT_EQ(model_.data(model_.index(1, BatchQueueModel::State), Qt::ToolTipRole).toString(),
+            QStringLiteral("/a/run.bvh:3:1: expected ROOT"));
+  EXPECT_EQ(text(1, BatchQueueModel::Ratio), QStringLiteral("–"));
+}
+
+TEST_F(BatchQueue, WhatWasBeingWorkedOnIsWaitingWhenItStops) {
+  model_.setProgress(0, {});
+  model_.setEnded(1, Measurement{}, "");
+  model_.stopWorking();
+  EXPECT_EQ(model_.clips()[0].state, State::Waiting);
+  EXPECT_EQ(model_.clips()[1].state, State::Done);
+}
+
+class PresetEditorTest : public testing::Test {
+ protected:
+  PresetEditorTest() {
+    QObject::connect(&editor_, &PresetEditor::presetChanged,
+                     [this](const Preset& preset) { told_.push_back(preset); });
+  }
+
+  PresetEditor editor_;
+  std::vector<Preset> told_;
+};
+
+TEST_F(PresetEditorTest, TellsOnlyOfWhatTheUserDoes) {
+  for (const Preset& preset : built_in_presets()) editor_.setPreset(preset);
+  EXPECT_TRUE(told_.empty());
+  emit editor_.presets()->activated(2);
+  ASSERT_EQ(told_.size(), 1u);
+  EXPECT_EQ(told_[0], built_in_presets()[2]);
+}
+
+TEST_F(PresetEditorTest, AChangeIsShownAsOneOfThePreset) {
+  editor_.setPreset(built_in_presets()[1]);
+  editor_.value()->setValue(0.25);
+  ASSERT_EQ(told_.size(), 1u);
+  EXPECT_EQ(told_[0].target.value, 0.25);
+  EXPECT_EQ(told_[0].name, "Gameplay");
+  EXPECT_EQ(editor_.presets()->currentText(), QStringLiteral("Gameplay, changed"));
+  editor_.holdFeet()->click();
+  ASSERT_TRUE(told_.back().correction);
+  EXPECT_FALSE(told_.back().correction->ratio) << "the encoder finds it";
+  editor_.setPreset(built_in_presets()[1]);
+  EXPECT_EQ(editor_.presets()->currentText(), QStringLiteral("Gameplay"));
+}
+
+TEST_F(PresetEditorTest, AnotherKindOfTargetBeginsWithAUsualValue) {
+  editor_.setPreset(built_in_presets()[1]);
+  editor_.kind()->setCurrentIndex(editor_.kind()->findData(static_cast<int>(Target::Kind::Ratio)));
+  emit editor_.kind()->activated(editor_.kind()->currentIndex());
+  ASSERT_EQ(told_.size(), 1u);
+  EXPECT_EQ(told_[0].target, (Target{Target::Kind::Ratio, 30}));
+}
+
+}  // namespace
+}  // namespace mocapress

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/batch_session.h"
+
+#include <gtest/gtest.h>
+
+#include <QFileInfo>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/studio/batch_memory.h"
+#include "app/studio/batch_status.h"
+#include "core/base/file.h"
+#include "core/batch/queue_json.h"
+#include "core/formats/motion_file.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+using State = BatchSession::State;
+using Clip = QueuedClip::State;
+
+class BatchInTheStudio : public testing::Test {
+ protected:
+  QString path(const char* name) const { return directory_.filePath(QString::fromLatin1(name)); }
+
+  void addClips(int count, int frames = 120) {
+    QStringList paths;
+    for (int i = 0; i < count; ++i) {
+      const QString clip = path(("clip" + std::to_string(i) + ".bvh").c_str());
+      write_motion(clip.toStdU16String(), test::smooth_motion(frames, static_cast<unsigned>(i)));
+      paths << clip;
+    }
+    session_.addClips(paths);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session_.queue()->rowCount() == count; }, kPatience));
+    session_.setSettings({.folder = path("out")});
+    session_.queue()->setCommon({.name = "rough", .target = {Target::Kind::Error, 2}});
+  }
+
+  bool waitForEnd() {
+    return QTest::qWaitFor([this] { return !session_.running(); }, kPatience);
+  }
+
+  int count(Clip state) const { return session_.queue()->count(state); }
+
+  QTemporaryDir directory_;
+  BatchSession session_{directory_.filePath(QStringLiteral("memory.json"))};
+};
+
+TEST_F(BatchInTheStudio, ExportsTheQueueAndShowsWhatBecameOfEachClip) {
+  addClips(3);
+  session_.start();
+  EXPECT_TRUE(session_.running());
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(session_.state(), State::Complete);
+  EXPECT_EQ(count(Clip::Done), 3);
+  for (const QueuedClip& clip : session_.queue()->clips()) {
+    ASSERT_TRUE(clip.measured);
+    EXPECT_LE(clip.measured->eps_bone_ends_cm, 2);
+  }
+  EXPECT_TRUE(QFileInfo::exists(path("out/clip0.mcpr")));
+  EXPECT_TRUE(QFileInfo::exists(session_.report()));
+  EXPECT_EQ(session_.fraction(), 1);
+}
+
+TEST_F(BatchInTheStudio, SaysWhatIsMissingBeforeItCanStart) {
+  EXPECT_FALSE(session_.obstacle().isEmpty());
+  session_.start();
+  EXPECT_FALSE(session_.running());
+  addClips(1);
+  EXPECT_TRUE(session_.obstacle().isEmpty());
+  BatchSettings settings = session_.settings();
+  settings.names = QStringLiteral("{nothing}");
+  session_.setSettings(settings);
+  EXPECT_TRUE(session_.obstacle().contains(QStringLiteral("{nothing}")));
+  settings.names = QStringLiteral("{stem}");
+  settings.formats.clear();
+  session_.setSettings(settings);
+  EXPECT_FALSE(session_.obstacle().isEmpty());
+}
+
+TEST_F(BatchInTheStudio, ALockedClipIsExportedByItsOwnSettings) {
+  addClips(2);
+  session_.queue()->setOwn({1}, Preset{.name = "fine", .target = {Target::Kind::Error, 0.2}});
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_GT(session_.queue()->clips()[0].measured->eps_bone_ends_cm, 0.2);
+  EXPECT_LE(session_.queue()->clips()[1].measured->eps_bone_ends_cm, 0.2);
+}
+
+TEST_F(BatchInTheStudio, WhatFailedIsRetriedAndWhatIsDoneIsKept) {
+  addClips(3);
+  const std::string good = read_text(path("clip1.bvh").toStdString());
+  write_text(path("clip1.bvh").toStdString(), "nonsense");
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(session_.state(), State::Complete);
+  EXPECT_EQ(session_.counts().failed, 1u);
+  EXPECT_EQ(session_.queue()->clips()[1].state, Clip::Failed);
+  EXPECT_TRUE(startText(session_).contains(QLatin1Char('1')));
+  write_text(path("clip1.bvh").toStdString(), good);
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(session_.counts().failed, 0u);
+  EXPECT_EQ(session_.counts().kept, 2u);
+  EXPECT_EQ(count(Clip::Done), 3);
+}
+
+TEST_F(BatchInTheStudio, PausedItStaysWhereItIsUntilItGoesOn) {
+  addClips(4, 900);
+  session_.start();
+  session_.pause();
+  EXPECT_EQ(session_.state(), State::Paused);
+  QTest::qWait(150);
+  const std::size_t done = session_.counts().done;
+  QTest::qWait(150);
+  EXPECT_EQ(session_.counts().done, done);
+  EXPECT_EQ(session_.state(), State::Paused);
+  session_.goOn();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(count(Clip::Done), 4);
+}
+
+TEST_F(BatchInTheStudio, CancelledItsClipsWaitAndTheNextRunGoesOn) {
+  addClips(6, 900);
+  session_.start();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return session_.counts().done > 0; }, kPatience));
+  session_.cancel();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(count(Clip::Working), 0);
+  EXPECT_EQ(count(Clip::Failed), 0);
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(session_.state(), State::Complete);
+  EXPECT_EQ(count(Clip::Done), 6);
+}
+
+TEST_F(BatchInTheStudio, StoppedAfterCurrentNothingIsLeftHalfDone) {
+  addClips(8, 900);
+  session_.start();
+  session_.stopAfterCurrent();
+  EXPECT_EQ(session_.state(), State::Stopping);
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(count(Clip::Working), 0);
+  EXPECT_LT(count(Clip::Done), 8);
+}
+
+TEST_F(BatchInTheStudio, GoesAwayWhilePausedWithoutWaitingForEver) {
+  addClips(2, 900);
+  auto other = std::make_unique<BatchSession>(path("other.json"));
+  other->queue()->add(session_.queue()->clips());
+  other->setSettings({.folder = path("other")});
+  other->start();
+  other->pause();
+  other.reset();
+  SUCCEED();
+}
+
+TEST_F(BatchInTheStudio, TheQueueOutlivesTheProgram) {
+  addClips(3);
+  session_.queue()->setOwn({2}, built_in_presets()[3]);
+  session_.start();  // remembers at once, whatever happens then
+  const BatchSession later(path("memory.json"));
+  ASSERT_EQ(later.queue()->rowCount(), 3);
+  EXPECT_EQ(later.queue()->clips()[1].source, session_.queue()->clips()[1].source);
+  EXPECT_EQ(later.queue()->clips()[2].own, built_in_presets()[3]);
+  EXPECT_EQ(later.queue()->common(), session_.queue()->common());
+  EXPECT_EQ(later.settings(), session_.settings());
+  EXPECT_EQ(later.queue()->count(Clip::Waiting), 3);
+  ASSERT_TRUE(waitForEnd());
+}
+
+TEST_F(BatchInTheStudio, AMemoryThatCannotBeReadIsAnEmptyQueue) {
+  write_text(path("broken.json").toStdString(), R"({"common": 3, "clips": [{}]})");
+  EXPECT_EQ(BatchSession(path("broken.json")).queue()->rowCount(), 0);
+}
+
+TEST_F(BatchInTheStudio, OwnPresetsAreKeptSharedAndRemoved) {
+  QSettings().clear();
+  const Preset mine{.name = "Mine", .target = {Target::Kind::Ratio, 12}};
+  session_.savePreset(mine);
+  session_.savePreset({.name = "Crowd"});
+  EXPECT_EQ(session_.presets().size(), built_in_presets().size() + 1);
+  session_.exportPreset(mine, path("mine.json"));
+  session_.removePreset(QStringLiteral("Mine"));
+  EXPECT_EQ(session_.presets().size(), built_in_presets().size());
+  session_.importPresets(path("mine.json"));
+  EXPECT_EQ(session_.presets().back(), mine);
+  EXPECT_EQ(BatchSession(path("fresh.json")).presets().back(), mine);
+  QSettings().clear();
+}
+
+TEST_F(BatchInTheStudio, WritesItsQueueAndAScriptForSlurm) {
+  addClips(3);
+  session_.queue()->setOwn({1}, built_in_presets()[3]);
+  session_.writeSlurm(path("job.sh"), 5);
+  const std::string script = read_text(path("job.sh").toStdString());
+  EXPECT_NE(script.find("--array=1-5"), std::string::npos);
+  const Batch queue = parse_queue("", read_text(path("out/queue.json").toStdString()));
+  ASSERT_EQ(queue.items.size(), 3u);
+  EXPECT_EQ(queue.presets[queue.items[1].preset], built_in_presets()[3]);
+  EXPECT_EQ(queue.presets[queue.items[2].preset], session_.queue()->common());
+}
+
+}  // namespace
+}  // namespace mocapress

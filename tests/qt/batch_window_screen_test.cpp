@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The batch's window beside the studio's: needs an X display with OpenGL (Xvfb will do).
+#include "app/studio/batch_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QDropEvent>
+#include <QFile>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/studio/batch_memory.h"
+#include "app/studio/main_window.h"
+#include "app/studio/screenshot.h"
+#include "core/base/file.h"
+#include "core/formats/motion_file.h"
+#include "widgets/models/palette.h"
+#include "widgets/panels/batch_output.h"
+#include "widgets/panels/batch_queue_view.h"
+#include "widgets/panels/preset_editor.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 120'000;  // ms
+
+int pixelsOf(QRgb colour, const QImage& picture) {
+  int count = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) count += picture.pixelColor(x, y).rgb() == colour;
+  return count;
+}
+
+/// A picture of the window, kept in the build's folder to be looked at.
+QImage pictureOf(const BatchWindow& window, const char* name) {
+  QTest::qWait(60);
+  const QDir folder(QStringLiteral(MOCAPRESS_BINARY_DIR "/pictures"));
+  folder.mkpath(QStringLiteral("."));
+  const QString path = folder.filePath(QString::fromLatin1(name));
+  EXPECT_TRUE(writeScreenshot(window, path));
+  return QImage(path);
+}
+
+/// The bundled samples and parts of them, as a game's folder may have them, one of them broken.
+void writeClips(const QString& folder) {
+  QDir().mkpath(folder);
+  const std::filesystem::path samples =
+      std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples";
+  const std::filesystem::path target = folder.toStdU16String();
+  for (const char* name : {"human_walk", "human_run", "human_jump"}) {
+    Motion motion = read_motion(samples / (std::string(name) + ".amc")).motion;
+    for (const char* part : {"_loop", "_start", "_turn", "_stop"}) {
+      write_motion(target / (name + std::string(part) + ".bvh"), motion);
+      motion.clip.channels = motion.clip.channels.topRows(3 * motion.clip.frames() / 4).eval();
+    }
+  }
+  write_text(target / "idle_export_failed.bvh", "HIERARCHY\nROOT\n");
+}
+
+TEST(BatchWindowOnScreen, ClipsAreDroppedSetUpExportedAndReportedOn) {
+  QSettings().clear();
+  QFile::remove(batchMemory());
+  const QTemporaryDir directory;
+  const QString folder = directory.filePath(QStringLiteral("animations"));
+  writeClips(folder);
+  MainWindow studio;
+  studio.show();
+  studio.actions().batch->trigger();
+  auto* window = studio.findChild<BatchWindow*>();
+  auto* session = studio.findChild<BatchSession*>();
+  ASSERT_TRUE(window);
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window));
+  EXPECT_FALSE(window->startButton()->isEnabled());
+  pictureOf(*window, "batch-empty.png");
+
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(folder)});
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window->view()->viewport(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window->view()->viewport(), &drop);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session->queue()->rowCount() == 13; }, kPatience));
+
+  BatchSettings settings = session->settings();
+  settings.folder = directory.filePath(QStringLiteral("compressed"));
+  session->setSettings(settings);
+  window->output()->format(OutputFormat::Bvh)->click();
+  EXPECT_EQ(session->settings().formats.size(), 2u);
+  // Two clips get settings of their own and are locked by that; then all others change.
+  auto* chosen = window->view()->selectionModel();
+  for (const int row : {0, 4})
+    chosen->select(session->queue()->index(row, 0),
+                   QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  emit window->editor()->presets()->activated(0);
+  EXPECT_EQ(session->queue()->clips()[4].own, built_in_presets()[0]);
+  QTest::keyClick(window, Qt::Key_Escape);
+  EXPECT_TRUE(window->view()->selectedRows().empty());
+  emit window->editor()->presets()->activated(1);
+
+  QTest::mouseClick(window->startButton(), Qt::LeftButton);
+  ASSERT_TRUE(session->running());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session->counts().done >= 5; }, kPatience));
+  QTest::mouseClick(window->startButton(), Qt::LeftButton);
+  EXPECT_TRUE(session->state() == BatchSession::State::Paused || !session->running());
+  pictureOf(*window, "batch-running.png");
+  QTest::mouseClick(window->startButton(), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !session->running(); }, kPatience));
+
+  EXPECT_EQ(session->counts().failed, 1u);
+  EXPECT_TRUE(window->reportButton()->isEnabled());
+  EXPECT_TRUE(window->startButton()->text().contains(QLatin1Char('1'))) << "one to retry";
+  EXPECT_TRUE(QFile::exists(settings.folder + QStringLiteral("/animations/human_run_turn.bvh")));
+  const QImage seen = pictureOf(*window, "batch.png");
+  EXPECT_GT(pixelsOf(kCurveColours[2], seen), 100) << "verified";
+  EXPECT_GT(pixelsOf(kCurveColours[1], seen), 10) << "failed";
+  QSettings().clear();
+  QFile::remove(batchMemory());
+}
+
+}  // namespace
+}  // namespace mocapress

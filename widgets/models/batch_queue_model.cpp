@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/batch_queue_model.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QFont>
+#include <QLocale>
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "widgets/icons/themed_icon.h"
+#include "widgets/models/preset_names.h"
+
+namespace mocapress {
+namespace {
+
+QString number(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+/// With three significant digits.
+QString shortNumber(double value) {
+  return number(value, value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3);
+}
+
+QString stageName(ClipProgress::Stage stage) {
+  switch (stage) {
+    case ClipProgress::Stage::Reading:
+      return BatchQueueModel::tr("Reading");
+    case ClipProgress::Stage::Encoding:
+      return BatchQueueModel::tr("Compressing");
+    case ClipProgress::Stage::Verifying:
+      return BatchQueueModel::tr("Verifying");
+  }
+  return {};
+}
+
+/// Without the path of the clip, which the row stands for, and the place in it.
+QString shortError(const QueuedClip& clip) {
+  const QString path = QRegularExpression::escape(QString::fromStdString(clip.source.path));
+  const QRegularExpression place(QStringLiteral("^%1(:\\d+)*:? ").arg(path));
+  return QString::fromStdString(clip.error).remove(place);
+}
+
+}  // namespace
+
+QString batchTargetText(const Target& target) {
+  const QString value = QLocale().toString(target.value, 'g', 6);
+  switch (target.kind) {
+    case Target::Kind::Ratio:
+      return BatchQueueModel::tr("%1:1").arg(value);
+    case Target::Kind::CoefficientRatio:
+      return BatchQueueModel::tr("r = %1").arg(value);
+    case Target::Kind::Size:
+      return QLocale().formattedDataSize(std::llround(target.value));
+    case Target::Kind::Error:
+      return BatchQueueModel::tr("eps_x %1 cm").arg(value);
+    case Target::Kind::MaxError:
+      return BatchQueueModel::tr("at most %1 cm").arg(value);
+  }
+  return {};
+}
+
+const Preset& BatchQueueModel::presetOf(int row) const {
+  const QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
+  return clip.own ? *clip.own : common_;
+}
+
+void BatchQueueModel::setCommon(const Preset& preset) {
+  if (preset == common_) return;
+  common_ = preset;
+  for (int row = 0; row < rowCount(); ++row)
+    if (!clips_[static_cast<std::size_t>(row)].own) wait(row);
+  emit edited();
+}
+
+void BatchQueueModel::setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset) {
+  for (const int row : rows) {
+    QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
+    const Preset before = presetOf(row);
+    clip.own = preset;
+    presetOf(row) == before ? changed(row) : wait(row);
+  }
+  if (!rows.empty()) emit edited();
+}
+
+void BatchQueueModel::add(const std::vector<QueuedClip>& clips) {
+  std::set<std::string> there;
+  for (const QueuedClip& clip : clips_) there.insert(clip.source.path);
+  std::vector<QueuedClip> fresh;
+  for (const QueuedClip& clip : clips)
+    if (there.insert(clip.source.path).second) fresh.push_back(clip);
+  if (fresh.empty()) return;
+  beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(fresh.size()) - 1);
+  clips_.insert(clips_.end(), fresh.begin(), fresh.end());
+  endInsertRows();
+  emit edited();
+}
+
+void BatchQueueModel::remove(std::vector<int> rows) {
+  std::sort(rows.rbegin(), rows.rend());
+  for (const int row : rows) {
+    beginRemoveRows({}, row, row);
+    clips_.erase(clips_.begin() + row);
+    endRemoveRows();
+  }
+  if (!rows.empty()) emit edited();
+}
+
+void BatchQueueModel::setProgress(int row, const ClipProgress& progress) {
+  QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
+  clip.state = QueuedClip::State::Working;
+  clip.progress = progress;
+  changed(row);
+}
+
+void BatchQueueModel::setEnded(int row, const std::optional<Measurement>& measured,
+                               const std::string& error) {
+  QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
+  clip.state = error.empty() ? QueuedClip::State::Done : QueuedClip::State::Failed;
+  clip.measured = measured;
+  clip.error = error;
+  changed(row);
+}
+
+void BatchQueueModel::stopWorking() {
+  for (int row = 0; row < rowCount(); ++row)
+    if (clips_[static_cast<std::size_t>(row)].state == QueuedClip::State::Working) wait(row);
+}
+
+void BatchQueueModel::waitAgain() {
+  for (int row = 0; row < rowCount(); ++row) wait(row);
+}
+
+void BatchQueueModel::wait(int row) {
+  QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
+  clip.state = QueuedClip::State::Waiting;
+  clip.progress = {};
+  clip.measured.reset();
+  clip.error.clear();
+  changed(row);
+}
+
+void BatchQueueModel::changed(int row) {
+  emit dataChanged(index(row, 0), index(row, Columns - 1));
+}
+
+int BatchQueueModel::count(QueuedClip::State state) const {
+  return static_cast<int>(std::count_if(
+      clips_.begin(), clips_.end(), [&](const QueuedClip& clip) { return clip.state == state; }));
+}
+
+int BatchQueueModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(clips_.size());
+}
+
+int BatchQueueModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : Columns;
+}
+
+QString BatchQueueModel::stateText(const QueuedClip& clip) const {
+  switch (clip.state) {
+    case QueuedClip::State::Waiting:
+      return tr("Waiting");
+    case QueuedClip::State::Working:
+      return tr("%1, %L2 %")
+          .arg(stageName(clip.progress.stage))
+          .arg(std::lround(100 * clip.progress.fraction));
+    case QueuedClip::State::Done:
+      return tr("✓ Verified");
+    case QueuedClip::State::Failed:
+      return tr("✗ %1").arg(shortError(clip));
+  }
+  return {};
+}
+
+QVariant BatchQueueModel::figure(const QueuedClip& clip, int row, int column) const {
+  if (!clip.measured) return QStringLiteral("–");
+  switch (column) {
+    case Ratio:
+      return tr("%1:1").arg(number(clip.measured->ratio, 1));
+    case Eps:
+      return shortNumber(clip.measured->eps_cm(presetOf(row).weighting));
+    default:
+      return shortNumber(clip.measured->max_error_cm);
+  }
+}
+
+QString BatchQueueModel::toolTip(int row, int column) const {
+  const QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
+  if (column == Lock)
+    return clip.own ? tr("Locked: keeps its own settings. Click to give it those all clips share.")
+                    : tr("Click to lock its settings: a change for all clips leaves it alone.");
+  if (column == State && clip.state == QueuedClip::State::Failed)
+    return QString::fromStdString(clip.error);
+  return QDir::toNativeSeparators(QString::fromStdString(clip.source.path));
+}
+
+QVariant BatchQueueModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const int row = index.row();
+  const QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
+  switch (role) {
+    case Qt::DisplayRole:
+      switch (index.column()) {
+        case Clip:
+          return QFileInfo(QString::fromStdString(clip.source.path)).completeBaseName();
+        case Lock:
+          return {};
+        case Settings: {
+          const Preset& preset = presetOf(row);
+          const QString target = batchTargetText(preset.target);
+          return tr("%1 · %2").arg(displayName(preset), target);
+        }
+        case State:
+          return stateText(clip);
+        default:
+          return figure(clip, row, index.column());
+      }
+    case Qt::DecorationRole:
+      if (index.column() != Lock) return {};
+      return themedIcon(clip.own ? QStringLiteral("lock") : QStringLiteral("unlock"));
+    case Qt::AccessibleTextRole:
+      if (index.column() == Lock) return clip.own ? tr("locked") : tr("not locked");
+      return {};
+    case Qt::ToolTipRole:
+      return toolTip(row, index.column());
+    case Qt::TextAlignmentRole:
+      return QVariant((index.column() >= Ratio ? Qt::AlignRight : Qt::AlignLeft) |
+                      Qt::AlignVCenter);
+    case Qt::FontRole:
+      if (index.column() == Settings && clip.own) {
+        QFont font;
+        font.setWeight(QFont::DemiBold);
+        return font;
+      }
+      return {};
+    case kProgressRole:
+      if (clip.state == QueuedClip::State::Working) return clip.progress.fraction;
+      return {};
+    case kStateRole:
+      return static_cast<int>(clip.state);
+    default:
+      return {};
+  }
+}
+
+QVariant BatchQueueModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return QVariant((section >= Ratio ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  struct Texts {
+    QString name, tip;
+  };
+  const auto texts = [&]() -> Texts {
+    switch (section) {
+      case Clip:
+        return {tr("Clip"), {}};
+      case Lock:
+        return {{}, tr("Locked clips keep their own settings.")};
+      case Settings:
+        return {tr("Settings"), tr("The preset and its target.")};
+      case State:
+        return {tr("State"), tr("Verified: the file was read back, decoded and measured.")};
+      case Ratio:
+        return {tr("Ratio"), tr("Bytes of the channels as 32-bit floats over compressed bytes.")};
+      case Eps:
+        return {tr("eps_x cm"), tr("Weighted root mean square error.")};
+      default:
+        return {tr("Max cm"), tr("Largest error of any joint at any frame.")};
+    }
+  }();
+  if (role == Qt::DisplayRole) return texts.name;
+  if (role == Qt::ToolTipRole) return texts.tip;
+  return {};
+}
+
+}  // namespace mocapress

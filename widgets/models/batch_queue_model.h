@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+#include <optional>
+#include <vector>
+
+#include "core/batch/clip_export.h"
+#include "core/batch/preset.h"
+#include "core/batch/row.h"
+
+namespace mocapress {
+
+/// A clip in the queue and how far it is.
+struct QueuedClip {
+  enum class State { Waiting, Working, Done, Failed };
+
+  SourceClip source;
+  std::optional<Preset> own;  // locked: the common preset does not reach it
+  State state = State::Waiting;
+  ClipProgress progress;                // while working
+  std::optional<Measurement> measured;  // when done, by the file that was read back
+  std::string error;                    // when failed
+};
+
+/// The clips of a batch, the preset they have in common, and what became of each.
+class BatchQueueModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { Clip, Lock, Settings, State, Ratio, Eps, Max, Columns };
+
+  /// 0 to 1 while the clip is being worked on, else invalid.
+  static constexpr int kProgressRole = Qt::UserRole;
+  static constexpr int kStateRole = Qt::UserRole + 1;  // int of QueuedClip::State
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  const std::vector<QueuedClip>& clips() const { return clips_; }
+  const Preset& common() const { return common_; }
+  const Preset& presetOf(int row) const;
+
+  /// What a clip has comes of its preset: one that gets another is waiting again.
+  void setCommon(const Preset& preset);
+  void setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset);
+
+  /// Those that are not there yet.
+  void add(const std::vector<QueuedClip>& clips);
+  void remove(std::vector<int> rows);
+
+  /// Of a running batch, whose indices are rows.
+  void setProgress(int row, const ClipProgress& progress);
+  void setEnded(int row, const std::optional<Measurement>& measured, const std::string& error);
+
+  /// Clips that were being worked on are waiting again.
+  void stopWorking();
+  /// All of them, for they go somewhere else, or by another name.
+  void waitAgain();
+
+  int count(QueuedClip::State state) const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ signals:
+  /// Clips or settings, which are worth keeping; not progress.
+  void edited();
+
+ private:
+  void wait(int row);
+  void changed(int row);
+  QString stateText(const QueuedClip& clip) const;
+  QString toolTip(int row, int column) const;
+  QVariant figure(const QueuedClip& clip, int row, int column) const;
+
+  Preset common_ = built_in_presets()[1];
+  std::vector<QueuedClip> clips_;
+};
+
+/// "eps_x 0.5 cm", in the language and with the decimal sign of the user.
+QString batchTargetText(const Target& target);
+
+}  // namespace mocapress

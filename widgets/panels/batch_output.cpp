@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/batch_output.h"
+
+#include <QCheckBox>
+#include <QDir>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include "widgets/models/palette.h"
+
+namespace mocapress {
+
+BatchOutput::BatchOutput(QWidget* parent)
+    : QWidget(parent),
+      folder_(new QPushButton(this)),
+      names_(new QLineEdit(this)),
+      example_(new QLabel(this)),
+      overwrite_(new QCheckBox(tr("Replace files that are there"), this)) {
+  names_->setAccessibleName(tr("Pattern of the names"));
+  names_->setToolTip(
+      tr("<p>{folder}: the folder the clip was found by, and those between<br>{stem}: the clip's "
+         "name<br>{preset}, {method}: what it is compressed by</p>"));
+  example_->setWordWrap(true);
+  example_->setTextFormat(Qt::PlainText);
+  overwrite_->setToolTip(
+      tr("Otherwise a clip whose file is there, and not of this batch, fails and says so. Either "
+         "way a file is only replaced after the new one was read back and measured."));
+  struct Format {
+    OutputFormat format;
+    QString text, tip;
+  };
+  const Format formats[] = {
+      {OutputFormat::Mcpr, tr("Compressed (.mcpr)"), tr("What is shipped.")},
+      {OutputFormat::Bvh, tr("BVH"), tr("The decompressed motion.")},
+      {OutputFormat::Amc, tr("ASF/AMC"), tr("The decompressed motion and its skeleton.")},
+      {OutputFormat::Csv, tr("CSV"), tr("The decompressed channels as a table.")}};
+  auto* grid = new QGridLayout;
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setVerticalSpacing(3);
+  for (int i = 0; const Format& one : formats) {
+    auto* box = new QCheckBox(one.text, this);
+    box->setToolTip(one.tip);
+    formats_[one.format] = box;
+    grid->addWidget(box, i / 2, i % 2);
+    ++i;
+    connect(box, &QCheckBox::clicked, this, &BatchOutput::change);
+  }
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setHorizontalSpacing(10);
+  form->setVerticalSpacing(6);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->addRow(tr("Folder"), folder_);
+  form->addRow(tr("Names"), names_);
+  form->addRow(QString(), example_);
+  form->addRow(tr("Files"), grid);
+  form->addRow(QString(), overwrite_);
+  connect(folder_, &QPushButton::clicked, this, &BatchOutput::folderRequested);
+  connect(names_, &QLineEdit::textEdited, this, &BatchOutput::change);
+  connect(overwrite_, &QCheckBox::clicked, this, &BatchOutput::change);
+  setSettings({});
+}
+
+void BatchOutput::setSettings(const BatchSettings& settings) {
+  settings_ = settings;
+  folder_->setText(settings.folder.isEmpty() ? tr("Choose…") : QDir(settings.folder).dirName());
+  folder_->setAccessibleName(tr("Folder of the batch: %1").arg(folder_->text()));
+  folder_->setToolTip(settings.folder.isEmpty()
+                          ? tr("Where files and report go. A folder that holds a batch goes on "
+                               "where it was.")
+                          : QDir::toNativeSeparators(settings.folder));
+  if (names_->text() != settings.names) names_->setText(settings.names);
+  for (const auto& [format, box] : formats_)
+    box->setChecked(std::find(settings.formats.begin(), settings.formats.end(), format) !=
+                    settings.formats.end());
+  overwrite_->setChecked(settings.overwrite);
+}
+
+void BatchOutput::setExample(const QString& example, bool wrong) {
+  example_->setText(example);
+  QPalette colours = palette();
+  colours.setColor(QPalette::WindowText, wrong ? QColor::fromRgb(kCurveColours[1])
+                                               : colours.color(QPalette::PlaceholderText));
+  example_->setPalette(colours);
+}
+
+void BatchOutput::change() {
+  settings_.names = names_->text();
+  settings_.formats.clear();
+  for (const auto& [format, box] : formats_)
+    if (box->isChecked()) settings_.formats.push_back(format);
+  settings_.overwrite = overwrite_->isChecked();
+  emit settingsChanged(settings_);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <map>
+
+#include "widgets/models/batch_settings.h"
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace mocapress {
+
+/// Where the files of a batch go, by which names and in which formats.
+class BatchOutput : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit BatchOutput(QWidget* parent = nullptr);
+
+  /// Emits nothing.
+  void setSettings(const BatchSettings& settings);
+
+  /// What the names are like, from a clip of the queue; or what is wrong with the pattern.
+  void setExample(const QString& example, bool wrong);
+
+  QPushButton* folder() const { return folder_; }
+  QLineEdit* names() const { return names_; }
+  QCheckBox* format(OutputFormat format) const { return formats_.at(format); }
+  QCheckBox* overwrite() const { return overwrite_; }
+
+ signals:
+  void settingsChanged(const BatchSettings& settings);
+  void folderRequested();
+
+ private:
+  void change();
+
+  BatchSettings settings_;
+  QPushButton* folder_;
+  QLineEdit* names_;
+  QLabel* example_;
+  std::map<OutputFormat, QCheckBox*> formats_;
+  QCheckBox* overwrite_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/preset_editor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QScopedValueRollback>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/compare/comparison_method.h"
+#include "core/compare/contender.h"
+#include "widgets/models/preset_names.h"
+
+namespace mocapress {
+namespace {
+
+bool isBuiltIn(const std::string& name) {
+  const auto presets = built_in_presets();
+  return std::any_of(presets.begin(), presets.end(),
+                     [&](const Preset& preset) { return preset.name == name; });
+}
+
+}  // namespace
+
+PresetEditor::PresetEditor(QWidget* parent)
+    : QWidget(parent),
+      presets_(new QComboBox(this)),
+      purpose_(new QLabel(this)),
+      kind_(new QComboBox(this)),
+      value_(new QDoubleSpinBox(this)),
+      method_(new QComboBox(this)),
+      hold_feet_(new QCheckBox(tr("Hold feet by inverse kinematics"), this)) {
+  presets_->setAccessibleName(tr("Preset"));
+  presets_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  purpose_->setWordWrap(true);
+  purpose_->setForegroundRole(QPalette::PlaceholderText);
+  addRows();
+  connect(presets_, &QComboBox::activated, this, &PresetEditor::choosePreset);
+  connect(kind_, &QComboBox::activated, this, [this] {
+    showKind();
+    change();
+  });
+  connect(value_, &QDoubleSpinBox::valueChanged, this, &PresetEditor::change);
+  connect(method_, &QComboBox::activated, this, &PresetEditor::change);
+  connect(hold_feet_, &QCheckBox::clicked, this, &PresetEditor::change);
+  setPresets({built_in_presets().begin(), built_in_presets().end()});
+  setPreset(built_in_presets().front());
+}
+
+void PresetEditor::addRows() {
+  kind_->setAccessibleName(tr("What is asked for"));
+  kind_->addItem(tr("Error, eps_x"), static_cast<int>(Target::Kind::Error));
+  kind_->addItem(tr("Hard maximum"), static_cast<int>(Target::Kind::MaxError));
+  kind_->addItem(tr("Ratio"), static_cast<int>(Target::Kind::Ratio));
+  kind_->addItem(tr("Bytes"), static_cast<int>(Target::Kind::Size));
+  kind_->addItem(tr("Coefficient ratio"), static_cast<int>(Target::Kind::CoefficientRatio));
+  kind_->setToolTip(
+      tr("eps_x: the weighted root mean square error, which single frames may exceed. Hard "
+         "maximum: no point of the body is further off at any frame. Quality targets suit clips of "
+         "all kinds; ratio and bytes do not know how hard a clip is."));
+  value_->setAccessibleName(tr("How much of it"));
+  value_->setKeyboardTracking(false);
+  value_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  method_->setAccessibleName(tr("Method"));
+  for (const Contender& contender : contenders()) {
+    method_->addItem(QString::fromUtf8(contender.title), QString::fromUtf8(contender.name));
+    method_->setItemData(
+        method_->count() - 1,
+        QStringLiteral("<p>%1</p>").arg(QString::fromUtf8(contender.note).toHtmlEscaped()),
+        Qt::ToolTipRole);
+  }
+  method_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  method_->setMinimumContentsLength(12);
+  hold_feet_->setToolTip(tr("Feet stay where they stand in the original, at some more bytes."));
+
+  auto* choose = new QHBoxLayout;
+  choose->addWidget(presets_, 1);
+  choose->addWidget(makeMenu());
+  auto* target = new QHBoxLayout;
+  target->addWidget(kind_);
+  target->addWidget(value_, 1);
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(10);
+  form->setVerticalSpacing(6);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->addRow(tr("Target"), target);
+  form->addRow(tr("Method"), method_);
+  form->addRow(QString(), hold_feet_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  column->addLayout(choose);
+  column->addWidget(purpose_);
+  column->addLayout(form);
+}
+
+QToolButton* PresetEditor::makeMenu() {
+  auto* button = new QToolButton(this);
+  button->setText(QStringLiteral("⋯"));
+  button->setAccessibleName(tr("Presets"));
+  button->setToolTip(tr("Keep, share and remove presets of your own"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+  auto* menu = new QMenu(button);
+  button->setMenu(menu);
+  connect(menu->addAction(tr("Save as Preset…")), &QAction::triggered, this,
+          [this] { emit saveRequested(preset_); });
+  QAction* remove = menu->addAction(tr("Remove Preset"));
+  connect(remove, &QAction::triggered, this,
+          [this] { emit removeRequested(QString::fromStdString(preset_.name)); });
+  menu->addSeparator();
+  connect(menu->addAction(tr("Import…")), &QAction::triggered, this,
+          &PresetEditor::importRequested);
+  connect(menu->addAction(tr("Export…")), &QAction::triggered, this,
+          [this] { emit exportRequested(preset_); });
+  connect(menu, &QMenu::aboutToShow, remove,
+          [this, remove] { remove->setEnabled(known(preset_.name) && !isBuiltIn(preset_.name)); });
+  return button;
+}
+
+const Preset* PresetEditor::known(const std::string& name) const {
+  const auto found =
+      std::find_if(all_.begin(), all_.end(), [&](const Preset& one) { return one.name == name; });
+  return found == all_.end() ? nullptr : &*found;
+}
+
+void PresetEditor::setPresets(const std::vector<Preset>& presets) {
+  all_ = presets;
+  setPreset(Preset(preset_));
+}
+
+void PresetEditor::setPreset(const Preset& preset) {
+  const QScopedValueRollback filling(filling_, true);
+  preset_ = preset;
+  presets_->clear();
+  for (const Preset& one : all_) presets_->addItem(displayName(one));
+  const Preset* origin = known(preset.name);
+  const QString name = displayName(preset);
+  if (origin && *origin == preset) {
+    presets_->setCurrentIndex(static_cast<int>(origin - all_.data()));
+  } else {
+    presets_->addItem(origin ? tr("%1, changed").arg(name) : name);
+    presets_->setCurrentIndex(presets_->count() - 1);
+  }
+  const bool pure = origin && *origin == preset;
+  purpose_->setText(pure ? purposeOf(preset) : QString());
+  purpose_->setVisible(!purpose_->text().isEmpty());
+  kind_->setCurrentIndex(kind_->findData(static_cast<int>(preset.target.kind)));
+  showKind();
+  value_->setValue(preset.target.value);
+  method_->setCurrentIndex(method_->findData(QString::fromStdString(preset.method)));
+  hold_feet_->setChecked(preset.correction.has_value());
+  hold_feet_->setEnabled(!find_comparison_method(preset.method));
+}
+
+/// Range, decimals and unit of the value, and a usual one where it was of another kind.
+void PresetEditor::showKind() {
+  struct Scale {
+    double least, most, usual;
+    int decimals;
+    QString unit;
+  };
+  const auto kind = static_cast<Target::Kind>(kind_->currentData().toInt());
+  const auto scale = [&]() -> Scale {
+    switch (kind) {
+      case Target::Kind::Ratio:
+      case Target::Kind::CoefficientRatio:
+        return {1, 5000, 30, 1, tr(":1")};
+      case Target::Kind::Size:
+        return {64, 1e9, 20000, 0, tr(" bytes")};
+      case Target::Kind::MaxError:
+        return {0.001, 100, 1, 3, tr(" cm")};
+      default:
+        return {0.001, 100, 0.5, 3, tr(" cm")};
+    }
+  }();
+  const QScopedValueRollback filling(filling_, true);
+  value_->setRange(scale.least, scale.most);
+  value_->setDecimals(scale.decimals);
+  value_->setSuffix(scale.unit);
+  if (kind != preset_.target.kind) value_->setValue(scale.usual);
+}
+
+void PresetEditor::choosePreset(int index) {
+  if (index < 0 || index >= static_cast<int>(all_.size())) return;
+  const Preset chosen = all_[static_cast<std::size_t>(index)];
+  setPreset(chosen);
+  emit presetChanged(chosen);
+}
+
+void PresetEditor::change() {
+  if (filling_) return;
+  Preset changed = preset_;
+  changed.target = {static_cast<Target::Kind>(kind_->currentData().toInt()), value_->value()};
+  const std::string method = method_->currentData().toString().toStdString();
+  if (method != changed.method) changed.coding.reset();
+  changed.method = method;
+  const bool of_wavelets = !find_comparison_method(method);
+  if (!hold_feet_->isChecked() || !of_wavelets)
+    changed.correction.reset();
+  else if (!changed.correction)
+    changed.correction = PresetCorrection{};
+  if (changed == preset_) return;
+  setPreset(changed);
+  emit presetChanged(changed);
+}
+
+}  // namespace mocapress
