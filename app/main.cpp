@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QStandardPaths>
 #include <QStyleFactory>
 #include <QTimer>
 #include <chrono>
@@ -63,9 +64,12 @@ int run(int argc, char** argv) {
   if (options.ik) encode.correction = CorrectionOptions{.ratio = options.ik};
   if (options.ratio || options.ik) window.session().document().setOptions(encode);
   window.show();
-  if (options.file.isEmpty())
+  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  const bool goes_on = options.screenshot.isEmpty() &&
+                       window.library().begin(data + QStringLiteral("/session.mocapress"));
+  if (options.file.isEmpty() && !goes_on)
     window.files().openFirst();
-  else
+  else if (!options.file.isEmpty())
     window.files().open(options.file, options.skeleton);
   return QApplication::exec();
 }

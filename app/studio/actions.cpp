@@ -57,6 +57,12 @@ Actions makeActions(Playback* playback, QUndoStack* history, QMainWindow* window
   actions.save_as = make(window, Texts::tr("Save &As…"), QKeySequence::SaveAs);
   actions.batch = make(window, Texts::tr("&Batch Export…"), Qt::CTRL | Qt::Key_E);
   actions.batch->setToolTip(Texts::tr("Compress many clips, verify each, and report on all"));
+  actions.add_clips = make(window, Texts::tr("A&dd Clips to Library…"));
+  actions.new_project = make(window, Texts::tr("&New Project"), QKeySequence::New);
+  actions.open_project = make(window, Texts::tr("Open Pro&ject…"));
+  actions.save_project = make(window, Texts::tr("Sa&ve Project As…"));
+  actions.switch_slot = make(window, Texts::tr("Switch between &A and B"), Qt::Key_A);
+  actions.copy_slot = make(window, Texts::tr("&Copy Settings to the Other"), Qt::SHIFT | Qt::Key_A);
   actions.quit = make(window, Texts::tr("&Quit"), QKeySequence::Quit);
   actions.undo = history->createUndoAction(window, Texts::tr("&Undo"));
   actions.undo->setShortcut(QKeySequence::Undo);
@@ -91,13 +97,19 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
   QMenu* recent = file->addMenu(Texts::tr("Open &Recent"));
   file->addActions({actions.open_sample, actions.compare});
   file->addSeparator();
+  file->addActions(
+      {actions.new_project, actions.open_project, actions.save_project, actions.add_clips});
+  file->addSeparator();
   file->addActions({actions.save, actions.save_as});
   file->addSeparator();
   file->addAction(actions.batch);
   file->addSeparator();
   file->addAction(actions.quit);
 
-  window->menuBar()->addMenu(Texts::tr("&Edit"))->addActions({actions.undo, actions.redo});
+  QMenu* edit = window->menuBar()->addMenu(Texts::tr("&Edit"));
+  edit->addActions({actions.undo, actions.redo});
+  edit->addSeparator();
+  edit->addActions({actions.switch_slot, actions.copy_slot});
 
   QMenu* play = window->menuBar()->addMenu(Texts::tr("&Play"));
   const TransportActions& transport = actions.transport;

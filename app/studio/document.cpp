@@ -93,6 +93,13 @@ void Document::loadOptions(EncodeOptions options) {
   emit optionsChanged();
 }
 
+void Document::loadSettings(const ClipSettings& settings) {
+  contact_settings_ = settings.contacts;
+  options_ = settings.encode;
+  emit optionsChanged();
+  emit shownChanged();
+}
+
 void Document::setSettings(const ClipSettings& settings) {
   contact_settings_ = settings.contacts;
   setOptions(settings.encode);

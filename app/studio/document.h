@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <array>
 
 #include "app/jobs/clips.h"
 #include "widgets/models/curve_selection.h"
@@ -13,6 +14,14 @@ namespace mocapress {
 struct ClipSettings {
   EncodeOptions encode;
   ContactSettings contacts;
+};
+
+/// Two settings of a clip to choose from.
+struct Tuning {
+  std::array<ClipSettings, 2> both;  // A and B
+  int active = 0;
+
+  const ClipSettings& now() const { return both[static_cast<std::size_t>(active)]; }
 };
 
 /// What is open: values and their changes, no work and no widgets. Curves, current joint and
@@ -77,6 +86,7 @@ class Document : public QObject {
 
   /// From elsewhere: nothing of the user's that would be lost.
   void loadOptions(EncodeOptions options);
+  void loadSettings(const ClipSettings& settings);
 
   void setUncorrected(bool uncorrected);
 

@@ -27,8 +27,10 @@
 #include "widgets/panels/figures_bar.h"
 #include "widgets/panels/footskate_panel.h"
 #include "widgets/panels/joints_panel.h"
+#include "widgets/panels/library_panel.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/result_panel.h"
+#include "widgets/panels/slot_control.h"
 #include "widgets/panels/warnings_panel.h"
 #include "widgets/plots/channel_graph.h"
 #include "widgets/plots/error_graph.h"
@@ -43,6 +45,7 @@ namespace {
 
 constexpr QSize kFirstSize(1440, 900);
 constexpr int kSidebarWidth = 320;
+constexpr int kLibraryWidth = 220;
 constexpr int kJointsWidth = 290;
 constexpr int kFootskateWidth = 300;
 constexpr int kBelowHeight = 240;
@@ -66,6 +69,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   recent_ = addMenus(this, actions_, layout_.docks());
   layout_.restore();
   new Presenter(session_, playback_, models_, views_, this);
+  library_views_ = new LibraryViews(session_, library_, library_panel_, slot_control_, this);
   inspector_ = new Inspector(session_, playback_, inspection_, this);
   // After the presenter: an answer counts once the view has it.
   trace_ = new Trace(session_, views_.viewport, this);
@@ -94,12 +98,14 @@ QWidget* MainWindow::makeCentre() {
 
 QWidget* MainWindow::makeSidebar() {
   auto* sidebar = new QWidget(this);
+  slot_control_ = new SlotControl(sidebar);
   views_.compression = new CompressionPanel(sidebar);
   views_.result = new ResultPanel(sidebar);
   views_.annealing = new AnnealingPanel(sidebar);
   auto* column = new QVBoxLayout(sidebar);
   column->setContentsMargins(10, 2, 10, 10);
   column->setSpacing(12);
+  column->addWidget(slot_control_);
   column->addWidget(views_.compression);
   column->addWidget(makeRule(sidebar));
   column->addWidget(views_.result);
@@ -109,7 +115,10 @@ QWidget* MainWindow::makeSidebar() {
 }
 
 void MainWindow::addDocks() {
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  library_panel_ = new LibraryPanel(clips_, this);
+  QDockWidget* library = layout_.addLeft(library_panel_, QStringLiteral("library"), tr("Library"));
   QDockWidget* sidebar =
       layout_.addRight(makeSidebar(), QStringLiteral("compression"), tr("Compression"));
   views_.joints = new JointsPanel(models_.joints, this);
@@ -137,8 +146,9 @@ void MainWindow::addDocks() {
   inspection_.figures = new FiguresBar(this);
   statusBar()->addWidget(inspection_.figures, 1);
   statusBar()->setSizeGripEnabled(false);
-  resizeDocks({sidebar}, {kSidebarWidth}, Qt::Horizontal);
-  const int rest = kFirstSize.width() - kSidebarWidth - kJointsWidth - kFootskateWidth;
+  resizeDocks({library, sidebar}, {kLibraryWidth, kSidebarWidth}, Qt::Horizontal);
+  const int rest =
+      kFirstSize.width() - kLibraryWidth - kSidebarWidth - kJointsWidth - kFootskateWidth;
   resizeDocks({joints, footskate, graph}, {kJointsWidth, kFootskateWidth, rest}, Qt::Horizontal);
   resizeDocks({joints, footskate, graph}, {kBelowHeight, kBelowHeight, kBelowHeight}, Qt::Vertical);
 }
@@ -152,6 +162,12 @@ void MainWindow::connectFileActions() {
   connect(actions_.save, &QAction::triggered, files_, &ClipFiles::save);
   connect(actions_.save_as, &QAction::triggered, files_, &ClipFiles::saveAs);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
+  connect(actions_.add_clips, &QAction::triggered, library_views_, &LibraryViews::addClips);
+  connect(actions_.new_project, &QAction::triggered, library_, &Library::startNew);
+  connect(actions_.open_project, &QAction::triggered, library_views_, &LibraryViews::openProject);
+  connect(actions_.save_project, &QAction::triggered, library_views_, &LibraryViews::saveProjectAs);
+  connect(actions_.switch_slot, &QAction::triggered, session_, &Session::switchSlot);
+  connect(actions_.copy_slot, &QAction::triggered, session_, &Session::copyToOtherSlot);
   connect(recent_, &QMenu::aboutToShow, files_, [this] { files_->fillRecentMenu(recent_); });
   actions_.open_sample->setEnabled(!sampleClip().isEmpty());
 }
@@ -223,6 +239,15 @@ void MainWindow::connectMessages() {
           [this](const QString& message, bool wants_skeleton) {
             messages_->showError(message, wants_skeleton ? actions_.choose_skeleton : nullptr);
           });
+  connect(library_, &Library::failed, messages_,
+          [this](const QString& message) { messages_->showError(message); });
+  connect(library_, &Library::recovered, messages_, [this](int clips) {
+    recovered_ = tr("The last session ended unexpectedly. Its project is here again: %Ln clip(s).",
+                    nullptr, clips);
+  });
+  connect(session_, &Session::opened, messages_, [this] {
+    if (!recovered_.isEmpty()) messages_->showNote(std::exchange(recovered_, {}));
+  });
   connect(files_, &ClipFiles::saved, messages_,
           [this](const QString& name) { messages_->showNote(tr("Saved %1.").arg(name)); });
 }
@@ -235,6 +260,8 @@ void MainWindow::updateTitle() {
   setWindowModified(document.modified());
   actions_.save->setEnabled(document.decoded() != nullptr);
   actions_.save_as->setEnabled(document.decoded() != nullptr);
+  actions_.switch_slot->setEnabled(document.original() != nullptr);
+  actions_.copy_slot->setEnabled(document.original() != nullptr);
   actions_.hold_feet->setEnabled(document.original() != nullptr);
   actions_.without_ik->setEnabled(document.decoded() && document.decoded()->uncorrected_tracks);
   actions_.compare->setEnabled(document.decoded() && !document.original());
@@ -249,6 +276,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     });
     return;
   }
+  library_->end();
   layout_.remember();
   if (study_) study_->close();
   if (batch_) batch_->close();

@@ -6,16 +6,21 @@
 #include "app/studio/actions.h"
 #include "app/studio/clip_files.h"
 #include "app/studio/inspector.h"
+#include "app/studio/library.h"
+#include "app/studio/library_views.h"
 #include "app/studio/presenter.h"
 #include "app/studio/session.h"
 #include "app/studio/study_session.h"
 #include "app/studio/window_layout.h"
+#include "widgets/models/library_model.h"
 #include "widgets/timeline/playback.h"
 
 namespace mocapress {
 
+class LibraryPanel;
 class MessageBar;
 class BatchWindow;
+class SlotControl;
 class StudyWindow;
 class Trace;
 
@@ -30,9 +35,11 @@ class MainWindow : public QMainWindow {
   Session& session() { return *session_; }
   Playback& playback() { return *playback_; }
   ClipFiles& files() { return *files_; }
+  Library& library() { return *library_; }
   const Views& views() const { return views_; }
   const InspectionViews& inspection() const { return inspection_; }
   const Actions& actions() const { return actions_; }
+  LibraryPanel& libraryPanel() { return *library_panel_; }
   MessageBar& messages() { return *messages_; }
   Trace& trace() { return *trace_; }
 
@@ -60,18 +67,24 @@ class MainWindow : public QMainWindow {
   Session* session_ = new Session(this);
   Playback* playback_ = new Playback(Playback::steadyClock(), this);
   Models models_{new JointErrorModel(this), new SlideModel(this)};
+  LibraryModel* clips_ = new LibraryModel(this);
+  Library* library_ = new Library(session_, clips_, this);
   ClipFiles* files_ = new ClipFiles(session_, this);
   WindowLayout layout_{this};
   Actions actions_;
   Views views_;
   InspectionViews inspection_;
   Inspector* inspector_;
+  LibraryPanel* library_panel_;
+  SlotControl* slot_control_;
+  LibraryViews* library_views_;
   MessageBar* messages_;
   QMenu* recent_;
   Trace* trace_;
   StudySession* study_session_ = nullptr;  // none before it is asked for, nor its window
   StudyWindow* study_ = nullptr;
   BatchWindow* batch_ = nullptr;  // none before it is asked for
+  QString recovered_;             // what to say of it once its clip is open
   bool may_close_ = false;        // nothing would be lost
 };
 

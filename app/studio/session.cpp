@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "app/jobs/settings_key.h"
 #include "app/studio/settings_change.h"
 #include "app/studio/study_row_request.h"
 #include "core/base/file.h"
@@ -22,6 +23,21 @@ std::vector<int> worstFirst(const Eigen::MatrixXf& distances) {
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return mean[a] > mean[b]; });
   return order;
+}
+
+/// Without what a clip does not have: its file may be another than when the settings were kept.
+ClipSettings fitting(ClipSettings settings, const Motion& motion) {
+  const auto points = static_cast<int>(landmarks(motion.skeleton).size());
+  if (auto& correction = settings.encode.correction)
+    std::erase_if(correction->joints,
+                  [&](int joint) { return joint < 0 || joint >= motion.skeleton.joint_count(); });
+  if (auto& contacts = settings.encode.contacts)
+    std::erase_if(*contacts, [&](const ContactSpan& span) {
+      return span.landmark < 0 || span.landmark >= points || span.first_frame < 0 ||
+             span.last_frame < span.first_frame || span.last_frame >= motion.clip.frames();
+    });
+  if (settings.encode.target.kind == Target::Kind::CoefficientRatio) settings.encode.target = {};
+  return settings;
 }
 
 QString absolute(const QString& path) {
@@ -79,14 +95,27 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
                                                             : QString();
   compressor_.setEncoder(opened.original ? opened.original->encoder : nullptr);
   if (request.options) document_.loadOptions(*request.options);
+  // Asked before the clip is there: from then on its settings are those of the document.
+  const std::optional<ClipSettings> remembered = rememberedOf(opened, request);
   document_.setClip(opened.original, opened.decoded, saved_path);
+  if (remembered) document_.loadSettings(fitting(*remembered, opened.original->motion()));
   history_.clear();
+  tuning_.both.fill(document_.settings());
+  tuning_.active = 0;
+  slot_answers_ = {};
   chooseCurves();
+  emit slotsChanged();
   emit this->opened(request);
   if (opened.decoded)
     emit settled();
   else
     compressor_.request(document_.options());
+}
+
+std::optional<ClipSettings> Session::rememberedOf(const OpenedClip& opened,
+                                                  const OpenRequest& request) const {
+  if (!memory_ || !opened.original || opened.decoded || request.options) return {};
+  return memory_(opened.original->path);
 }
 
 void Session::setOptions(const EncodeOptions& options) {
@@ -106,20 +135,48 @@ void Session::setContacts(const std::vector<ContactSpan>& contacts) {
 }
 
 void Session::change(const ClipSettings& settings) {
-  history_.push(new SettingsChange(document_.settings(), settings,
-                                   [this](const ClipSettings& those) { apply(those); }));
+  Tuning tuning = tuning_;
+  // The document's may have been loaded without a change.
+  tuning.both[static_cast<std::size_t>(tuning.active)] = settings;
+  changeTuning(tuning);
 }
 
-void Session::apply(const ClipSettings& settings) {
-  document_.setSettings(settings);
+void Session::changeTuning(const Tuning& tuning) {
+  Tuning before = tuning_;
+  before.both[static_cast<std::size_t>(before.active)] = document_.settings();
+  history_.push(new SettingsChange(before, tuning, [this](const Tuning& those) { apply(those); }));
+}
+
+void Session::switchSlot() {
+  Tuning tuning = tuning_;
+  tuning.both[static_cast<std::size_t>(tuning.active)] = document_.settings();
+  tuning.active = 1 - tuning.active;
+  changeTuning(tuning);
+}
+
+void Session::copyToOtherSlot() {
+  Tuning tuning = tuning_;
+  tuning.both.fill(document_.settings());
+  changeTuning(tuning);
+}
+
+void Session::apply(const Tuning& tuning) {
+  const auto other = static_cast<std::size_t>(1 - tuning.active);
+  if (settingsKey(tuning.both[other].encode) == settingsKey(tuning.now().encode))
+    slot_answers_[other] = nullptr;  // it will be the same
+  tuning_ = tuning;
+  document_.setSettings(tuning.now());
+  emit slotsChanged();
   if (!document_.original()) return;
   emit recompressing();
-  compressor_.request(settings.encode);
+  compressor_.request(tuning.now().encode);
 }
 
 void Session::answer(const DecodedPtr& decoded, bool final) {
+  slot_answers_[static_cast<std::size_t>(tuning_.active)] = decoded;
   document_.setDecoded(decoded, final);
   chooseCurves();
+  emit slotsChanged();
   if (final) emit settled();
 }
 

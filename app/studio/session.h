@@ -3,6 +3,9 @@
 
 #include <QObject>
 #include <QUndoStack>
+#include <array>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "app/jobs/compressor.h"
@@ -44,6 +47,20 @@ class Session : public QObject {
 
   /// Of the clip that is open.
   QUndoStack* history() { return &history_; }
+
+  /// Two settings to compare, A and B: the active one is the document's. Both are of the clip.
+  const Tuning& tuning() const { return tuning_; }
+  void switchSlot();
+  void copyToOtherSlot();
+
+  /// What a slot came to; null: not known.
+  const DecodedPtr& slotAnswer(int slot) const {
+    return slot_answers_[static_cast<std::size_t>(slot)];
+  }
+
+  /// By what a clip was compressed before; what is unset is compressed as the last one was.
+  using Memory = std::function<std::optional<ClipSettings>(const QString& path)>;
+  void setMemory(Memory memory) { memory_ = std::move(memory); }
   void cancelAnnealing() { compressor_.stopEarly(); }
 
   /// Saves what is shown now.
@@ -64,19 +81,27 @@ class Session : public QObject {
   void annealed(const std::vector<EncodeProgress>& states);
   void refiningChanged(bool refining);
 
+  void slotsChanged();
+
   /// All that was asked for is done and in the document.
   void settled();
 
  private:
   void start(const OpenRequest& request);
   void change(const ClipSettings& settings);
-  void apply(const ClipSettings& settings);
+  void changeTuning(const Tuning& tuning);
+  void apply(const Tuning& tuning);
   void show(const OpenedClip& opened, const OpenRequest& request);
   void answer(const DecodedPtr& decoded, bool final);
   void chooseCurves();
+  std::optional<ClipSettings> rememberedOf(const OpenedClip& opened,
+                                           const OpenRequest& request) const;
 
   Document document_;
   QUndoStack history_;
+  Tuning tuning_;
+  std::array<DecodedPtr, 2> slot_answers_;
+  Memory memory_;
   Compressor compressor_;
   JobRunner opening_;
   JobRunner saving_;

@@ -28,6 +28,8 @@ QString nameOf(SettingsField field) {
       return Texts::tr("Held Feet");
     case SettingsField::Contacts:
       return Texts::tr("Contacts");
+    case SettingsField::Slot:
+      return Texts::tr("A or B");
     case SettingsField::None:
     case SettingsField::Other:
       break;
@@ -61,10 +63,11 @@ SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
   return SettingsField::Other;
 }
 
-SettingsChange::SettingsChange(ClipSettings before, ClipSettings after, Apply apply)
+SettingsChange::SettingsChange(Tuning before, Tuning after, Apply apply)
     : before_(std::move(before)),
       after_(std::move(after)),
-      field_(firstDifference(before_, after_)),
+      field_(before_.active == after_.active ? firstDifference(before_.now(), after_.now())
+                                             : SettingsField::Slot),
       apply_(std::move(apply)) {
   setText(nameOf(field_));
   made_.start();
@@ -75,7 +78,7 @@ bool SettingsChange::mergeWith(const QUndoCommand* newer) {
   // Edits of contacts are steps of their own however quickly they are made.
   const bool dragged = field_ == SettingsField::Target || field_ == SettingsField::Correction;
   if (!dragged || change->field_ != field_ || made_.elapsed() > kOneStep) return false;
-  if (before_.encode.target.kind != change->after_.encode.target.kind) return false;
+  if (before_.now().encode.target.kind != change->after_.now().encode.target.kind) return false;
   after_ = change->after_;
   made_.restart();
   return true;

@@ -10,16 +10,26 @@
 namespace mocapress {
 
 /// The first setting in which two differ, as a person would name it.
-enum class SettingsField { None, Target, Method, Weighting, Coding, Correction, Contacts, Other };
+enum class SettingsField {
+  None,
+  Target,
+  Method,
+  Weighting,
+  Coding,
+  Correction,
+  Contacts,
+  Slot,
+  Other
+};
 SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b);
 
 /// One step that can be undone. Changes of one setting that follow each other quickly, as while a
 /// slider is dragged, are one step.
 class SettingsChange : public QUndoCommand {
  public:
-  using Apply = std::function<void(const ClipSettings&)>;
+  using Apply = std::function<void(const Tuning&)>;
 
-  SettingsChange(ClipSettings before, ClipSettings after, Apply apply);
+  SettingsChange(Tuning before, Tuning after, Apply apply);
 
   int id() const override { return static_cast<int>(field_); }
   bool mergeWith(const QUndoCommand* newer) override;
@@ -27,8 +37,8 @@ class SettingsChange : public QUndoCommand {
   void redo() override { apply_(after_); }
 
  private:
-  ClipSettings before_;
-  ClipSettings after_;
+  Tuning before_;
+  Tuning after_;
   SettingsField field_;
   Apply apply_;
   QElapsedTimer made_;

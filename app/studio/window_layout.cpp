@@ -9,7 +9,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kLayoutVersion = 3;
+constexpr int kLayoutVersion = 4;
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 
@@ -24,6 +24,10 @@ QLabel* makeTitle(const QString& title, QWidget* parent) {
 }
 
 }  // namespace
+
+QDockWidget* WindowLayout::addLeft(QWidget* panel, const QString& id, const QString& title) {
+  return add(Qt::LeftDockWidgetArea, panel, id, title);
+}
 
 QDockWidget* WindowLayout::addRight(QWidget* panel, const QString& id, const QString& title) {
   return add(Qt::RightDockWidgetArea, panel, id, title);

@@ -15,7 +15,8 @@ class WindowLayout {
  public:
   explicit WindowLayout(QMainWindow* window) : window_(window) {}
 
-  /// One panel to the right, others side by side below.
+  /// One panel to either side, others side by side below.
+  QDockWidget* addLeft(QWidget* panel, const QString& id, const QString& title);
   QDockWidget* addRight(QWidget* panel, const QString& id, const QString& title);
   QDockWidget* addBelow(QWidget* panel, const QString& id, const QString& title);
 

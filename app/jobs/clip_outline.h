@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLineF>
+#include <QList>
+#include <QString>
+
+#include "core/motion/clip.h"
+
+namespace mocapress {
+
+/// What a list shows of a clip.
+struct ClipOutline {
+  int frames = 0;
+  double sample_rate_hz = 0;
+  QList<QLineF> bones;  // of a pose, in a square from 0 to 1, y down
+};
+
+/// The pose in the middle, seen from where it is widest.
+ClipOutline outlineOf(const Motion& motion);
+
+/// Reads a motion or a compressed clip. Throws what the readers throw.
+ClipOutline readOutline(const QString& path, const QString& skeleton);
+
+}  // namespace mocapress

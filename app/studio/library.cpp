@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/library.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/studio/session.h"
+#include "core/base/error.h"
+#include "widgets/models/library_model.h"
+
+namespace mocapress {
+namespace {
+
+constexpr std::chrono::milliseconds kWriteDelay{800};
+constexpr double kRatioTolerance = 0.02;
+
+/// What is read from the clips' files, kept from row to row.
+LibraryEntry entryOf(const ProjectClip& clip, const LibraryEntry& read) {
+  LibraryEntry entry = read;
+  entry.path = clip.path;
+  entry.outcome = clip.outcome;
+  entry.verdict = clip.verdict;
+  entry.note = clip.note;
+  return entry;
+}
+
+void writeText(const QString& path, const QByteArray& text) {
+  QDir().mkpath(QFileInfo(path).path());
+  QSaveFile file(path);
+  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
+    throw Error(path.toStdString() + ": " + file.errorString().toStdString());
+}
+
+}  // namespace
+
+bool meets(const Target& target, const DecodedClip& decoded, Weighting weighting) {
+  const auto bytes = static_cast<double>(decoded.compressed.motion_bytes());
+  switch (target.kind) {
+    case Target::Kind::Ratio:
+      return std::abs(decoded.ratio / target.value - 1) <= kRatioTolerance;
+    case Target::Kind::Size:
+      return bytes <= target.value;
+    case Target::Kind::Error:
+      return decoded.distortion && decoded.distortion->eps(weighting) <= target.value;
+    case Target::Kind::MaxError:
+      return decoded.distortion && decoded.distortion->max.cm <= target.value;
+    case Target::Kind::CoefficientRatio:
+      break;
+  }
+  return true;
+}
+
+Library::Library(Session* session, LibraryModel* model, QObject* parent)
+    : QObject(parent), session_(session), model_(model) {
+  write_later_.setSingleShot(true);
+  write_later_.setInterval(kWriteDelay);
+  connect(&write_later_, &QTimer::timeout, this, &Library::write);
+  session->setMemory([this](const QString& path) {
+    const ProjectClip* clip = project_.find(path);
+    return clip ? clip->settings : std::nullopt;
+  });
+  connect(session, &Session::opened, this,
+          [this](const OpenRequest& request) { noteOpened(request.path, request.skeleton); });
+  connect(&session->document(), &Document::optionsChanged, this, &Library::noteSettings);
+  connect(session, &Session::settled, this, &Library::noteOutcome);
+}
+
+Library::~Library() {
+  if (changed_ && !path_.isEmpty()) try {
+      writeText(path_, projectText(project_, QFileInfo(path_).dir()));
+    } catch (const Error&) {
+      // There is nobody left to tell.
+    }
+}
+
+bool Library::begin(const QString& path) {
+  home_ = path;
+  QDir().mkpath(QFileInfo(path).path());
+  const bool was_running = QFile::exists(path + QStringLiteral(".lock"));
+  lock_ = std::make_unique<QLockFile>(path + QStringLiteral(".lock"));
+  lock_->setStaleLockTime(0);
+  if (!lock_->tryLock(0)) {  // another studio has it
+    lock_.reset();
+    return false;
+  }
+  path_ = path;
+  if (!load(path)) return false;
+  if (was_running && !project_.clips.empty())
+    emit recovered(static_cast<int>(project_.clips.size()));
+  const int row = currentRow();
+  if (row >= 0) openClip(row);
+  return row >= 0;
+}
+
+void Library::end() {
+  write_later_.stop();
+  write();
+  lock_.reset();
+}
+
+bool Library::load(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return false;
+  try {
+    project_ = parseProject(file.readAll(), QFileInfo(path).dir());
+  } catch (const Error& error) {
+    emit failed(QString::fromStdString(error.what()));
+    return false;
+  }
+  std::vector<LibraryEntry> entries;
+  unread_.clear();
+  for (const ProjectClip& clip : project_.clips) {
+    entries.push_back(entryOf(clip, {}));
+    unread_.push_back(clip.path);
+  }
+  model_->setEntries(std::move(entries));
+  readNextOutline();
+  emit currentChanged();
+  return true;
+}
+
+void Library::add(const QStringList& paths) {
+  for (const QString& each : paths) {
+    const QString path = QFileInfo(each).absoluteFilePath();
+    if (project_.find(path)) continue;
+    project_.clips.push_back({.path = path});
+    model_->setEntry(entryOf(project_.clips.back(), {}));
+    unread_.push_back(path);
+  }
+  readNextOutline();
+  touch();
+}
+
+void Library::remove(int row) {
+  if (row < 0) return;
+  project_.clips.erase(project_.clips.begin() + row);
+  model_->remove(row);
+  touch();
+  emit currentChanged();
+}
+
+void Library::openClip(int row) {
+  const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  session_->open(clip.path, clip.skeleton);
+}
+
+int Library::currentRow() const {
+  const auto found =
+      std::find_if(project_.clips.begin(), project_.clips.end(),
+                   [this](const ProjectClip& clip) { return clip.path == project_.current; });
+  return found == project_.clips.end() ? -1 : static_cast<int>(found - project_.clips.begin());
+}
+
+void Library::setVerdict(int row, Verdict verdict) {
+  if (row < 0) return;
+  ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  clip.verdict = verdict;
+  show(clip);
+}
+
+void Library::setNote(int row, const QString& note) {
+  if (row < 0) return;
+  ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  clip.note = note;
+  show(clip);
+}
+
+void Library::show(const ProjectClip& clip) {
+  const int row = model_->rowOf(clip.path);
+  model_->setEntry(entryOf(clip, row >= 0 ? model_->entry(row) : LibraryEntry()));
+  touch();
+}
+
+/// A motion that is opened belongs to the project from then on.
+void Library::noteOpened(const QString& path, const QString& skeleton) {
+  const OriginalPtr& original = session_->document().original();
+  project_.current = original ? original->path : QString();
+  if (original && !project_.find(original->path)) {
+    ProjectClip clip{.path = original->path};
+    if (path == original->path) clip.skeleton = skeleton;
+    clip.settings = session_->document().settings();
+    project_.clips.push_back(clip);
+    LibraryEntry read;
+    const ClipOutline outline = outlineOf(original->motion());
+    read.frames = outline.frames;
+    read.sample_rate_hz = outline.sample_rate_hz;
+    read.outline = outline.bones;
+    model_->setEntry(entryOf(clip, read));
+  }
+  touch();
+  emit currentChanged();
+}
+
+ProjectClip* Library::openNow() {
+  const OriginalPtr& original = session_->document().original();
+  return original && original->path == project_.current ? project_.find(original->path) : nullptr;
+}
+
+void Library::noteSettings() {
+  ProjectClip* clip = openNow();
+  if (!clip) return;
+  clip->settings = session_->document().settings();
+  touch();
+}
+
+void Library::noteOutcome() {
+  ProjectClip* clip = openNow();
+  const DecodedPtr& decoded = session_->document().decoded();
+  if (!clip || !decoded || !decoded->distortion) return;
+  const EncodeOptions& options = session_->document().options();
+  const Outcome outcome{decoded->ratio, decoded->distortion->eps(options.weighting),
+                        decoded->distortion->max.cm, decoded->compressed.motion_bytes(),
+                        meets(options.target, *decoded, options.weighting)};
+  if (clip->outcome == outcome) return;
+  // What was approved is no longer what there is.
+  if (clip->outcome) clip->verdict = Verdict::None;
+  clip->outcome = outcome;
+  show(*clip);
+  emit currentChanged();
+}
+
+void Library::readNextOutline() {
+  if (outlines_.busy() || unread_.empty()) return;
+  const QString path = unread_.front();
+  unread_.pop_front();
+  const ProjectClip* clip = project_.find(path);
+  if (!clip) return readNextOutline();
+  const auto finish = [this, path](const ClipOutline& outline, const QString& trouble) {
+    if (const int row = model_->rowOf(path); row >= 0) {
+      LibraryEntry entry = model_->entry(row);
+      entry.frames = outline.frames;
+      entry.sample_rate_hz = outline.sample_rate_hz;
+      entry.outline = outline.bones;
+      entry.trouble = trouble;
+      model_->setEntry(entry);
+    }
+    // The runner is busy until its delivery has returned.
+    QMetaObject::invokeMethod(this, &Library::readNextOutline, Qt::QueuedConnection);
+  };
+  outlines_.start(
+      [path, skeleton = clip->skeleton](const Job&) { return readOutline(path, skeleton); },
+      [finish](const ClipOutline& outline) { finish(outline, {}); },
+      [finish](const QString& message) { finish({}, message); });
+}
+
+void Library::touch() {
+  changed_ = true;
+  if (!path_.isEmpty() && !write_later_.isActive()) write_later_.start();
+}
+
+void Library::write() {
+  if (path_.isEmpty() || !changed_) return;
+  changed_ = false;
+  writing_.start(
+      [path = path_, text = projectText(project_, QFileInfo(path_).dir())](const Job&) {
+        writeText(path, text);
+        return true;
+      },
+      [](bool) {},
+      [this](const QString& message) {
+        changed_ = true;
+        emit failed(message);
+      });
+}
+
+void Library::openProject(const QString& path) {
+  write();
+  if (!load(path)) return;
+  path_ = path;
+  if (const int row = currentRow(); row >= 0) openClip(row);
+}
+
+void Library::saveAs(const QString& path) {
+  path_ = path;
+  changed_ = true;
+  write();
+}
+
+void Library::startNew() {
+  write();
+  path_ = home_;
+  project_ = {};
+  unread_.clear();
+  model_->setEntries({});
+  touch();
+  emit currentChanged();
+}
+
+}  // namespace mocapress

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/library_views.h"
+
+#include <QFileDialog>
+
+#include "app/studio/library.h"
+#include "app/studio/session.h"
+#include "widgets/panels/library_panel.h"
+#include "widgets/panels/slot_control.h"
+
+namespace mocapress {
+
+LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* panel,
+                           SlotControl* settings, QWidget* window)
+    : QObject(window),
+      session_(session),
+      library_(library),
+      panel_(panel),
+      slots_(settings),
+      window_(window) {
+  connect(library, &Library::currentChanged, panel,
+          [=, this] { panel_->setCurrent(library_->currentRow()); });
+  connect(panel, &LibraryPanel::openRequested, library, &Library::openClip);
+  connect(panel, &LibraryPanel::removeRequested, library, &Library::remove);
+  connect(panel, &LibraryPanel::verdictChosen, library, &Library::setVerdict);
+  connect(panel, &LibraryPanel::noteEdited, library, &Library::setNote);
+  connect(panel, &LibraryPanel::addRequested, this, &LibraryViews::addClips);
+  connect(settings, &SlotControl::switchRequested, session, &Session::switchSlot);
+  connect(settings, &SlotControl::copyRequested, session, &Session::copyToOtherSlot);
+  connect(session, &Session::slotsChanged, this, &LibraryViews::showSlots);
+  showSlots();
+}
+
+void LibraryViews::showSlots() {
+  std::array<QString, 2> summaries;
+  for (std::size_t slot = 0; slot < summaries.size(); ++slot)
+    if (const DecodedPtr& decoded = session_->slotAnswer(static_cast<int>(slot));
+        decoded && decoded->distortion)
+      summaries[slot] =
+          tr("%L1 : 1, %L2 cm")
+              .arg(decoded->ratio, 0, 'f', 1)
+              .arg(decoded->distortion->eps(decoded->compressed.provenance.weighting), 0, 'f', 2);
+  slots_->setSlots(session_->tuning().active, summaries);
+  slots_->setEnabled(session_->document().original() != nullptr);
+}
+
+void LibraryViews::addClips() {
+  library_->add(
+      QFileDialog::getOpenFileNames(window_, tr("Add Clips"), {}, tr("Motion (*.bvh *.amc)")));
+}
+
+void LibraryViews::openProject() {
+  const QString path = QFileDialog::getOpenFileName(window_, tr("Open Project"), {},
+                                                    tr("Mocapress projects (*.mocapress)"));
+  if (!path.isEmpty()) library_->openProject(path);
+}
+
+void LibraryViews::saveProjectAs() {
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save Project"), {},
+                                              tr("Mocapress projects (*.mocapress)"));
+  if (path.isEmpty()) return;
+  if (!path.endsWith(QStringLiteral(".mocapress"))) path += QStringLiteral(".mocapress");
+  library_->saveAs(path);
+}
+
+}  // namespace mocapress

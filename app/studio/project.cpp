@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/project.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+#include <array>
+
+#include "app/studio/settings_json.h"
+#include "core/base/error.h"
+
+namespace mocapress {
+namespace {
+
+const QString kFormat = QStringLiteral("mocapress-project");
+constexpr int kVersion = 1;
+constexpr std::array kVerdicts = {"", "approved", "rejected"};  // by Verdict
+
+QJsonObject toJson(const Outcome& outcome) {
+  return {{QStringLiteral("ratio"), outcome.ratio},
+          {QStringLiteral("eps-cm"), outcome.eps_cm},
+          {QStringLiteral("max-cm"), outcome.max_cm},
+          {QStringLiteral("bytes"), static_cast<double>(outcome.motion_bytes)},
+          {QStringLiteral("met"), outcome.met}};
+}
+
+Outcome outcomeFrom(const QJsonObject& json) {
+  return {json.value(QStringLiteral("ratio")).toDouble(),
+          json.value(QStringLiteral("eps-cm")).toDouble(),
+          json.value(QStringLiteral("max-cm")).toDouble(),
+          static_cast<std::size_t>(json.value(QStringLiteral("bytes")).toDouble()),
+          json.value(QStringLiteral("met")).toBool()};
+}
+
+QJsonObject toJson(const ProjectClip& clip, const QDir& folder) {
+  QJsonObject json{{QStringLiteral("path"), folder.relativeFilePath(clip.path)}};
+  if (!clip.skeleton.isEmpty())
+    json.insert(QStringLiteral("skeleton"), folder.relativeFilePath(clip.skeleton));
+  if (clip.settings) json.insert(QStringLiteral("settings"), toJson(*clip.settings));
+  if (clip.outcome) json.insert(QStringLiteral("outcome"), toJson(*clip.outcome));
+  if (clip.verdict != Verdict::None)
+    json.insert(QStringLiteral("verdict"),
+                QLatin1String(kVerdicts[static_cast<std::size_t>(clip.verdict)]));
+  if (!clip.note.isEmpty()) json.insert(QStringLiteral("note"), clip.note);
+  return json;
+}
+
+QString absolute(const QJsonValue& path, const QDir& folder) {
+  return path.toString().isEmpty() ? QString()
+                                   : QDir::cleanPath(folder.absoluteFilePath(path.toString()));
+}
+
+ProjectClip clipFrom(const QJsonObject& json, const QDir& folder) {
+  ProjectClip clip;
+  clip.path = absolute(json.value(QStringLiteral("path")), folder);
+  if (clip.path.isEmpty()) throw Error("a clip without a path");
+  clip.skeleton = absolute(json.value(QStringLiteral("skeleton")), folder);
+  if (json.contains(QStringLiteral("settings")))
+    clip.settings = settingsFrom(json.value(QStringLiteral("settings")).toObject());
+  if (json.contains(QStringLiteral("outcome")))
+    clip.outcome = outcomeFrom(json.value(QStringLiteral("outcome")).toObject());
+  const QString verdict = json.value(QStringLiteral("verdict")).toString();
+  for (std::size_t i = 0; i < kVerdicts.size(); ++i)
+    if (verdict == QLatin1String(kVerdicts[i])) clip.verdict = static_cast<Verdict>(i);
+  clip.note = json.value(QStringLiteral("note")).toString();
+  return clip;
+}
+
+}  // namespace
+
+ProjectClip* Project::find(const QString& path) {
+  const auto found = std::find_if(clips.begin(), clips.end(),
+                                  [&](const ProjectClip& clip) { return clip.path == path; });
+  return found == clips.end() ? nullptr : &*found;
+}
+
+QByteArray projectText(const Project& project, const QDir& folder) {
+  QJsonArray clips;
+  for (const ProjectClip& clip : project.clips) clips << toJson(clip, folder);
+  QJsonObject json{{QStringLiteral("format"), kFormat},
+                   {QStringLiteral("version"), kVersion},
+                   {QStringLiteral("clips"), clips}};
+  if (!project.current.isEmpty())
+    json.insert(QStringLiteral("current"), folder.relativeFilePath(project.current));
+  return QJsonDocument(json).toJson();
+}
+
+Project parseProject(const QByteArray& text, const QDir& folder) {
+  QJsonParseError error;
+  const QJsonObject json = QJsonDocument::fromJson(text, &error).object();
+  if (error.error != QJsonParseError::NoError)
+    throw Error("no project: " + error.errorString().toStdString() + " at byte " +
+                std::to_string(error.offset));
+  if (json.value(QStringLiteral("format")).toString() != kFormat) throw Error("no project file");
+  if (json.value(QStringLiteral("version")).toInt() > kVersion)
+    throw Error("the project was saved by a newer version of Mocapress");
+  Project project;
+  project.current = absolute(json.value(QStringLiteral("current")), folder);
+  for (const auto& clip : json.value(QStringLiteral("clips")).toArray())
+    project.clips.push_back(clipFrom(clip.toObject(), folder));
+  return project;
+}
+
+}  // namespace mocapress

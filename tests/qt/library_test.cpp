@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/library.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QListView>
+#include <QSignalSpy>
+#include <QSysInfo>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include "app/jobs/settings_key.h"
+#include "app/studio/session.h"
+#include "app/studio/settings_json.h"
+#include "core/base/error.h"
+#include "core/formats/motion_file.h"
+#include "tests/support/test_motion.h"
+#include "widgets/models/library_model.h"
+#include "widgets/panels/library_panel.h"
+#include "widgets/panels/slot_control.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+EncodeOptions standard(double ratio) {
+  return {.method = Method::Standard, .target = {Target::Kind::Ratio, ratio}};
+}
+
+ClipSettings elaborate() {
+  ClipSettings settings;
+  settings.encode = {.method = Method::ClosedLoop,
+                     .coding = Coding::Rle16,
+                     .basis = Basis::Linear,
+                     .weighting = Weighting::JointOrigins,
+                     .target = {Target::Kind::MaxError, 1.25},
+                     .seed = 0xffff'ffff'ffff'fff1};
+  settings.encode.correction =
+      CorrectionOptions{.joints = {4, 7}, .ratio = 12.5, .at = CorrectAt::Contacts};
+  settings.encode.contacts = std::vector<ContactSpan>{{4, 10, 20}, {7, 0, 3}};
+  settings.contacts.begin_speed = 12;
+  return settings;
+}
+
+TEST(SettingsJson, BringsEverySettingBack) {
+  for (const ClipSettings& settings : {ClipSettings(), elaborate()}) {
+    const ClipSettings back = settingsFrom(toJson(settings));
+    EXPECT_EQ(settingsKey(back.encode), settingsKey(settings.encode));
+    EXPECT_EQ(back.contacts, settings.contacts);
+  }
+}
+
+TEST(SettingsJson, RefusesNamesItDoesNotKnow) {
+  QJsonObject json = toJson(ClipSettings());
+  json[QStringLiteral("method")] = QStringLiteral("magic");
+  EXPECT_THROW(settingsFrom(json), Error);
+}
+
+TEST(ProjectFile, BringsClipsBackRelativeToItsFolder) {
+  Project project;
+  project.current = QStringLiteral("/motions/walk.bvh");
+  project.clips = {{.path = QStringLiteral("/motions/walk.bvh"),
+                    .settings = elaborate(),
+                    .outcome = Outcome{25, 0.5, 2, 1000, false},
+                    .verdict = Verdict::Rejected,
+                    .note = QStringLiteral("knee pops — frame 12")},
+                   {.path = QStringLiteral("/motions/cmu/09_01.amc"),
+                    .skeleton = QStringLiteral("/motions/cmu/09.asf")}};
+  const QByteArray text = projectText(project, QDir(QStringLiteral("/motions")));
+  EXPECT_FALSE(text.contains("/motions"));
+  const Project moved = parseProject(text, QDir(QStringLiteral("/elsewhere")));
+  ASSERT_EQ(moved.clips.size(), 2u);
+  EXPECT_EQ(moved.current, QStringLiteral("/elsewhere/walk.bvh"));
+  EXPECT_EQ(moved.clips[0].verdict, Verdict::Rejected);
+  EXPECT_EQ(moved.clips[0].note, project.clips[0].note);
+  EXPECT_EQ(moved.clips[0].outcome, project.clips[0].outcome);
+  EXPECT_EQ(settingsKey(moved.clips[0].settings->encode), settingsKey(elaborate().encode));
+  EXPECT_EQ(moved.clips[1].skeleton, QStringLiteral("/elsewhere/cmu/09.asf"));
+  EXPECT_FALSE(moved.clips[1].settings);
+}
+
+TEST(ProjectFile, RefusesWhatIsNoneAndWhatIsNewer) {
+  for (const char* text : {"", "{", "{}", "[1, 2]",
+                           "{\"format\": \"mocapress-project\", "
+                           "\"version\": 99}",
+                           "{\"format\": \"mocapress-project\", \"clips\": [{}]}"})
+    EXPECT_THROW(parseProject(text, {}), Error) << text;
+}
+
+TEST(LibraryModel, SaysInWordsWhatItsPicturesShow) {
+  LibraryModel model;
+  LibraryEntry entry{.path = QStringLiteral("/a/walk.bvh")};
+  model.setEntry(entry);
+  entry.frames = 120;
+  entry.outcome = Outcome{25, 0.5, 2, 1000, false};
+  model.setEntry(entry);
+  ASSERT_EQ(model.rowCount(), 1);
+  const QString words = model.index(0).data(Qt::AccessibleTextRole).toString();
+  EXPECT_TRUE(words.contains(QStringLiteral("walk.bvh")));
+  EXPECT_TRUE(words.contains(QStringLiteral("25.0 : 1, 0.50 cm")));
+  EXPECT_TRUE(words.contains(QStringLiteral("target missed")));
+  entry.trouble = QStringLiteral("line 3: nonsense");
+  model.setEntry(entry);
+  EXPECT_TRUE(model.index(0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("nonsense")));
+}
+
+TEST(LibraryPanel, ShowsTheReviewOfTheCurrentClipAndTellsOfChanges) {
+  LibraryModel model;
+  model.setEntries({{.path = QStringLiteral("a")},
+                    {.path = QStringLiteral("b"),
+                     .verdict = Verdict::Approved,
+                     .note = QStringLiteral("fine")}});
+  LibraryPanel panel(&model);
+  QSignalSpy opened(&panel, &LibraryPanel::openRequested);
+  panel.setCurrent(1);
+  EXPECT_EQ(panel.note()->text(), QStringLiteral("fine"));
+  EXPECT_EQ(panel.verdict()->currentData().toInt(), static_cast<int>(Verdict::Approved));
+  EXPECT_EQ(opened.count(), 0);
+  panel.list()->setCurrentIndex(model.index(0));
+  ASSERT_EQ(opened.count(), 1);
+  EXPECT_EQ(opened[0][0].toInt(), 0);
+  QSignalSpy noted(&panel, &LibraryPanel::noteEdited);
+  QTest::keyClicks(panel.note(), QStringLiteral("x"));
+  ASSERT_EQ(noted.count(), 1);
+  EXPECT_EQ(noted[0][1].toString(), QStringLiteral("x"));
+}
+
+TEST(SlotControl, AsksToSwitchOnlyForTheOther) {
+  SlotControl control;
+  control.setSlots(0, {QStringLiteral("25 : 1"), QString()});
+  QSignalSpy asked(&control, &SlotControl::switchRequested);
+  control.slot(0)->click();
+  EXPECT_EQ(asked.count(), 0);
+  EXPECT_TRUE(control.slot(0)->isChecked());
+  control.slot(1)->click();
+  EXPECT_EQ(asked.count(), 1);
+  EXPECT_TRUE(control.slot(0)->isChecked());  // until it is told
+  control.setSlots(1, {});
+  EXPECT_TRUE(control.slot(1)->isChecked());
+  EXPECT_FALSE(control.slot(0)->isChecked());
+}
+
+class InALibrary : public testing::Test {
+ protected:
+  /// One run of the studio, without its window.
+  struct Run {
+    Session session;
+    LibraryModel model;
+    Library library{&session, &model};
+    Run() { session.setOptions(standard(10)); }
+  };
+
+  QString clip(const char* name, unsigned seed) const {
+    const QString path = directory_.filePath(QString::fromLatin1(name));
+    write_motion(path.toStdU16String(), test::smooth_motion(120, seed));
+    return path;
+  }
+
+  template <typename Act>
+  static void settleAfter(Run& run, Act act) {
+    QSignalSpy settled(&run.session, &Session::settled);
+    act();
+    ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+  }
+
+  QString file() const { return directory_.filePath(QStringLiteral("data/session.mocapress")); }
+
+  QTemporaryDir directory_;
+};
+
+TEST_F(InALibrary, EveryClipHasItsOwnSettings) {
+  Run run;
+  const QString walk = clip("walk.bvh", 1);
+  const QString jump = clip("jump.bvh", 2);
+  settleAfter(run, [&] { run.session.open(walk); });
+  settleAfter(run, [&] { run.session.setOptions(standard(20)); });
+  settleAfter(run, [&] { run.session.open(jump); });
+  settleAfter(run, [&] { run.session.setOptions(standard(40)); });
+  settleAfter(run, [&] { run.library.openClip(0); });
+  EXPECT_DOUBLE_EQ(run.session.document().options().target.value, 20);
+  settleAfter(run, [&] { run.library.openClip(1); });
+  EXPECT_DOUBLE_EQ(run.session.document().options().target.value, 40);
+  EXPECT_NEAR(run.model.entry(0).outcome->ratio, 20, 0.5);
+  EXPECT_TRUE(run.model.entry(1).outcome->met);
+}
+
+TEST_F(InALibrary, IsRecoveredWithEditsAndNotesAfterACrash) {
+  const QString walk = clip("walk.bvh", 1);
+  {
+    Run run;
+    EXPECT_FALSE(run.library.begin(file()));
+    settleAfter(run, [&] { run.session.open(walk); });
+    settleAfter(run, [&] { run.session.setOptions(standard(33)); });
+    settleAfter(run, [&] { run.session.setContacts({{4, 10, 20}}); });
+    run.library.setNote(0, QStringLiteral("look at the wrist"));
+    run.library.setVerdict(0, Verdict::Rejected);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          QFile written(file());
+          return written.open(QIODevice::ReadOnly) && written.readAll().contains("wrist");
+        },
+        kPatience));
+    // What is on the disk now is what a crash leaves, the lock of a process that is no more too.
+    ASSERT_TRUE(QFile::copy(file(), file() + QStringLiteral(".crashed")));
+    run.library.end();
+  }
+  QFile::remove(file());
+  ASSERT_TRUE(QFile::rename(file() + QStringLiteral(".crashed"), file()));
+  QFile lock(file() + QStringLiteral(".lock"));
+  ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
+  lock.write("2147483000\nmocapress-studio\n" + QSysInfo::machineHostName().toUtf8() + "\n");
+  lock.close();
+
+  Run run;
+  QSignalSpy recovered(&run.library, &Library::recovered);
+  settleAfter(run, [&] { EXPECT_TRUE(run.library.begin(file())); });
+  EXPECT_EQ(recovered.count(), 1);
+  EXPECT_DOUBLE_EQ(run.session.document().options().target.value, 33);
+  EXPECT_EQ(run.session.document().contacts(), (std::vector<ContactSpan>{{4, 10, 20}}));
+  EXPECT_EQ(run.model.entry(0).note, QStringLiteral("look at the wrist"));
+  EXPECT_EQ(run.model.entry(0).verdict, Verdict::Rejected);
+}
+
+TEST_F(InALibrary, GoesOnAfterAnEndWithoutTalkOfACrash) {
+  const QString walk = clip("walk.bvh", 1);
+  {
+    Run run;
+    run.library.begin(file());
+    settleAfter(run, [&] { run.session.open(walk); });
+    run.library.end();
+  }
+  Run run;
+  QSignalSpy recovered(&run.library, &Library::recovered);
+  settleAfter(run, [&] { EXPECT_TRUE(run.library.begin(file())); });
+  EXPECT_EQ(recovered.count(), 0);
+  EXPECT_EQ(run.session.document().original()->path, walk);
+}
+
+TEST_F(InALibrary, AnotherOutcomeTakesTheVerdictBack) {
+  Run run;
+  settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
+  run.library.setVerdict(0, Verdict::Approved);
+  settleAfter(run, [&] { run.session.setOptions(standard(50)); });
+  EXPECT_EQ(run.library.project().clips[0].verdict, Verdict::None);
+}
+
+TEST_F(InALibrary, ClipsThatCannotBeReadAreListedWithTheirReason) {
+  Run run;
+  run.library.add({directory_.filePath(QStringLiteral("missing.bvh")), clip("walk.bvh", 1)});
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return run.model.entry(1).frames > 0 && !run.model.entry(0).trouble.isEmpty(); },
+      kPatience));
+  EXPECT_FALSE(run.model.entry(1).outline.isEmpty());
+  for (const QLineF& bone : run.model.entry(1).outline)
+    for (const QPointF& end : {bone.p1(), bone.p2()})
+      EXPECT_TRUE(QRectF(-1e-6, -1e-6, 1 + 2e-6, 1 + 2e-6).contains(end));
+}
+
+TEST_F(InALibrary, SlotsAreSwitchedCopiedAndUndone) {
+  Run run;
+  Session& session = run.session;
+  settleAfter(run, [&] { session.open(clip("walk.bvh", 1)); });
+  const auto target = [&] { return session.document().options().target.value; };
+  settleAfter(run, [&] { session.switchSlot(); });
+  settleAfter(run, [&] { session.setOptions(standard(40)); });
+  EXPECT_EQ(session.tuning().active, 1);
+  settleAfter(run, [&] { session.switchSlot(); });
+  EXPECT_DOUBLE_EQ(target(), 10);
+  ASSERT_TRUE(session.slotAnswer(0) && session.slotAnswer(1));
+  EXPECT_NEAR(session.slotAnswer(1)->ratio, 40, 1);
+  settleAfter(run, [&] { session.copyToOtherSlot(); });
+  settleAfter(run, [&] { session.switchSlot(); });
+  EXPECT_DOUBLE_EQ(target(), 10);
+  settleAfter(run, [&] { session.history()->undo(); });  // the switch
+  settleAfter(run, [&] { session.history()->undo(); });  // the copy
+  settleAfter(run, [&] { session.switchSlot(); });
+  EXPECT_DOUBLE_EQ(target(), 40);
+}
+
+TEST_F(InALibrary, SettingsThatDoNotFitTheClipAreLeftOut) {
+  const QString walk = clip("walk.bvh", 1);
+  ClipSettings settings = elaborate();
+  settings.encode = standard(15);
+  settings.encode.contacts = std::vector<ContactSpan>{{99, 0, 3}, {4, 10, 5000}, {4, 10, 20}};
+  Project project;
+  project.current = walk;
+  project.clips = {{.path = walk, .settings = settings}};
+  QDir(directory_.path()).mkpath(QStringLiteral("data"));
+  QFile written(file());
+  ASSERT_TRUE(written.open(QIODevice::WriteOnly));
+  written.write(projectText(project, QFileInfo(file()).dir()));
+  written.close();
+  Run run;
+  settleAfter(run, [&] { run.library.begin(file()); });
+  EXPECT_EQ(run.session.document().contacts(), (std::vector<ContactSpan>{{4, 10, 20}}));
+}
+
+}  // namespace
+}  // namespace mocapress

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+class QToolButton;
+
+namespace mocapress {
+
+/// Two settings of one clip, A and B: which of them is seen and tuned, and what each came to.
+class SlotControl : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SlotControl(QWidget* parent = nullptr);
+
+  /// `summaries` of A and B; empty: not known. Emits nothing.
+  void setSlots(int active, const std::array<QString, 2>& summaries);
+
+  QToolButton* slot(int index) const { return buttons_[static_cast<std::size_t>(index)]; }
+  QToolButton* copy() const { return copy_; }
+
+ signals:
+  void switchRequested();
+  void copyRequested();
+
+ private:
+  std::array<QToolButton*, 2> buttons_;
+  QToolButton* copy_;
+  int active_ = 0;
+};
+
+}  // namespace mocapress
