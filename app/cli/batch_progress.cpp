@@ -85,7 +85,8 @@ void BatchReporter::print_step(const BatchProgress& progress) {
               {"fraction", progress.clip.fraction}});
 }
 
-void BatchReporter::print_row(const BatchProgress& progress) const {
+void BatchReporter::print_row(const BatchProgress& progress) {
+  std::erase(begun_, progress.index);
   const BatchRow& row = *progress.row;
   Json json = {{"event", !row.done()     ? "clip-failed"
                          : progress.kept ? "clip-kept"

@@ -17,7 +17,7 @@ class BatchReporter {
 
  private:
   void print_step(const BatchProgress& progress);
-  void print_row(const BatchProgress& progress) const;
+  void print_row(const BatchProgress& progress);
 
   const Batch& batch_;
   bool json_;
