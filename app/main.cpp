@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QLocale>
 #include <QStandardPaths>
-#include <QStyleFactory>
+
 #include <QTimer>
 #include <chrono>
 #include <cstdio>
 #include <exception>
 
+#include "app/studio/language.h"
 #include "app/studio/launch_options.h"
 #include "app/studio/main_window.h"
 #include "app/studio/screenshot.h"
+#include "app/studio/style.h"
 #include "app/studio/trace.h"
 #include "translations/install.h"
 #include "widgets/viewport/viewport.h"
@@ -52,7 +55,9 @@ int run(int argc, char** argv) {
   QCoreApplication::setOrganizationName(QStringLiteral("mocapress"));
   QCoreApplication::setApplicationName(QStringLiteral("Mocapress"));
   QCoreApplication::setApplicationVersion(QStringLiteral(MOCAPRESS_VERSION));
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QGuiApplication::setDesktopFileName(QStringLiteral("org.mocapress.Studio"));
+  QApplication::setStyle(new StudioStyle);
+  if (!chosenLanguage().isEmpty()) QLocale::setDefault(QLocale(chosenLanguage()));
   installTranslations(application);
   const LaunchOptions options = parseLaunchOptions(application);
 

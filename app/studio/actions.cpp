@@ -2,6 +2,7 @@
 #include "app/studio/actions.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QMainWindow>
@@ -25,6 +26,18 @@ QAction* make(QObject* parent, const QString& text, const QKeySequence& shortcut
   action->setShortcut(shortcut);
   if (!icon.isEmpty()) action->setIcon(themedIcon(icon));
   return action;
+}
+
+/// One of several, the first to begin with.
+QActionGroup* makeChoices(QObject* parent, const QList<std::pair<QString, QVariant>>& choices) {
+  auto* group = new QActionGroup(parent);
+  for (const auto& [text, value] : choices) {
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setData(value);
+  }
+  group->actions().front()->setChecked(true);
+  return group;
 }
 
 void addToolBar(QMainWindow* window, const Actions& actions) {
@@ -85,6 +98,16 @@ Actions makeActions(Playback* playback, QUndoStack* history, QMainWindow* window
   actions.reset_layout = make(window, Texts::tr("Reset &Layout"));
   actions.study = make(window, Texts::tr("&Study…"), Qt::CTRL | Qt::Key_T);
   actions.study->setToolTip(Texts::tr("Compare methods on many clips: size against error"));
+  actions.guide = make(window, Texts::tr("&Guide"), QKeySequence::HelpContents);
+  actions.shortcuts = make(window, Texts::tr("&Keyboard Shortcuts"), Qt::Key_Question);
+  actions.themes = makeChoices(
+      window,
+      {{Texts::tr("As the &System"), 0}, {Texts::tr("&Light"), 1}, {Texts::tr("&Dark"), 2}});
+  // Languages are named in themselves: who cannot read the others must find their own.
+  actions.languages = makeChoices(window, {{Texts::tr("As the &System"), QString()},
+                                           {QStringLiteral("English"), QStringLiteral("en")},
+                                           {QStringLiteral("Français"), QStringLiteral("fr")},
+                                           {QStringLiteral("日本語"), QStringLiteral("ja")}});
   actions.about = make(window, Texts::tr("&About Mocapress"));
   actions.view = makeViewActions(window);
   actions.transport = TransportBar::makeActions(playback, window);
@@ -131,10 +154,14 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
   for (const QDockWidget* dock : docks) view->addAction(dock->toggleViewAction());
   view->addSeparator();
   view->addAction(actions.reset_layout);
+  view->addMenu(Texts::tr("&Theme"))->addActions(actions.themes->actions());
+  view->addMenu(Texts::tr("Lan&guage"))->addActions(actions.languages->actions());
 
   window->menuBar()->addMenu(Texts::tr("&Tools"))->addAction(actions.study);
 
-  window->menuBar()->addMenu(Texts::tr("&Help"))->addAction(actions.about);
+  window->menuBar()
+      ->addMenu(Texts::tr("&Help"))
+      ->addActions({actions.guide, actions.shortcuts, actions.about});
   addToolBar(window, actions);
   return recent;
 }

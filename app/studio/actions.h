@@ -7,6 +7,7 @@
 #include "widgets/timeline/transport_bar.h"
 
 class QAction;
+class QActionGroup;
 class QDockWidget;
 class QMainWindow;
 class QMenu;
@@ -38,7 +39,11 @@ struct Actions {
   QAction* without_ik = nullptr;  // A/B
   QAction* reset_layout = nullptr;
   QAction* study = nullptr;
+  QAction* guide = nullptr;
+  QAction* shortcuts = nullptr;
   QAction* about = nullptr;
+  QActionGroup* themes = nullptr;     // by ThemeChoice
+  QActionGroup* languages = nullptr;  // data(): its code, empty: the system's
   ViewActions view;
   TransportActions transport;
 };

@@ -199,7 +199,10 @@ void Inspector::chooseRatio(int point) {
 
 void Inspector::showNextWorst(int step) {
   if (worst_.empty()) return;
-  const int frame = nextWorst(worst_, playback_->frame(), step);
+  // From anywhere else the worst comes first, though the playhead may stand on one by chance.
+  const bool goes_on = playback_->frame() == shown_worst_;
+  const int frame = goes_on ? nextWorst(worst_, shown_worst_, step) : worst_.front();
+  shown_worst_ = frame;
   playback_->seek(frame);
   const DecodedPtr& decoded = session_->document().decoded();
   if (!decoded || !decoded->distortion) return;

@@ -52,6 +52,7 @@ class Inspector : public QObject {
   InspectionViews views_;
   ClipCurve* curve_;
   std::vector<int> worst_;  // frames, the worst first
+  int shown_worst_ = -1;    // the one gone to last
   int channel_ = 0;         // among those of the current joint
 };
 

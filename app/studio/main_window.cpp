@@ -2,6 +2,7 @@
 #include "app/studio/main_window.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QCheckBox>
 #include <QCloseEvent>
 #include <QCoreApplication>
@@ -16,6 +17,8 @@
 
 #include "app/studio/batch_memory.h"
 #include "app/studio/batch_window.h"
+#include "app/studio/help.h"
+#include "app/studio/language.h"
 #include "app/studio/recent_files.h"
 #include "app/studio/sample_clip.h"
 #include "app/studio/study_memory.h"
@@ -46,8 +49,7 @@ namespace {
 constexpr QSize kFirstSize(1440, 900);
 constexpr int kSidebarWidth = 320;
 constexpr int kLibraryWidth = 220;
-constexpr int kJointsWidth = 290;
-constexpr int kFootskateWidth = 300;
+constexpr int kJointsWidth = 310;
 constexpr int kBelowHeight = 240;
 
 QFrame* makeRule(QWidget* parent) {
@@ -126,6 +128,8 @@ void MainWindow::addDocks() {
   views_.footskate = new FootskatePanel(models_.slides, this);
   QDockWidget* footskate =
       layout_.addBelow(views_.footskate, QStringLiteral("footskate"), tr("Footskate"));
+  tabifyDockWidget(joints, footskate);
+  joints->raise();
   views_.graph = new ErrorGraph(this);
   QDockWidget* graph =
       layout_.addBelow(views_.graph, QStringLiteral("error-over-time"), tr("Error over time"));
@@ -147,10 +151,9 @@ void MainWindow::addDocks() {
   statusBar()->addWidget(inspection_.figures, 1);
   statusBar()->setSizeGripEnabled(false);
   resizeDocks({library, sidebar}, {kLibraryWidth, kSidebarWidth}, Qt::Horizontal);
-  const int rest =
-      kFirstSize.width() - kLibraryWidth - kSidebarWidth - kJointsWidth - kFootskateWidth;
-  resizeDocks({joints, footskate, graph}, {kJointsWidth, kFootskateWidth, rest}, Qt::Horizontal);
-  resizeDocks({joints, footskate, graph}, {kBelowHeight, kBelowHeight, kBelowHeight}, Qt::Vertical);
+  const int rest = kFirstSize.width() - kLibraryWidth - kSidebarWidth - kJointsWidth;
+  resizeDocks({joints, graph}, {kJointsWidth, rest}, Qt::Horizontal);
+  resizeDocks({joints, graph}, {kBelowHeight, kBelowHeight}, Qt::Vertical);
 }
 
 void MainWindow::connectFileActions() {
@@ -182,9 +185,28 @@ void MainWindow::connectWindowActions() {
   connect(actions_.previous_worst, &QAction::triggered, inspector_,
           [this] { inspector_->showNextWorst(-1); });
   connect(actions_.reset_layout, &QAction::triggered, this, [this] { layout_.reset(); });
+  connect(actions_.guide, &QAction::triggered, this,
+          [this] { (new HelpWindow(tr("Guide"), guideHtml(), this))->show(); });
+  connect(actions_.shortcuts, &QAction::triggered, this, [this] {
+    (new HelpWindow(tr("Keyboard Shortcuts"), shortcutSheet(*menuBar()), this))->show();
+  });
+  connectChoices();
   connect(actions_.study, &QAction::triggered, this, &MainWindow::showStudy);
   connect(actions_.batch, &QAction::triggered, this, &MainWindow::showBatch);
   connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
+}
+
+void MainWindow::connectChoices() {
+  actions_.themes->actions().at(static_cast<int>(theme_->choice()))->setChecked(true);
+  connect(actions_.themes, &QActionGroup::triggered, theme_, [this](const QAction* action) {
+    theme_->choose(static_cast<ThemeChoice>(action->data().toInt()));
+  });
+  for (QAction* action : actions_.languages->actions())
+    if (action->data().toString() == chosenLanguage()) action->setChecked(true);
+  connect(actions_.languages, &QActionGroup::triggered, this, [this](const QAction* action) {
+    chooseLanguage(action->data().toString());
+    messages_->showNote(tr("The language changes when Mocapress is started again."));
+  });
 }
 
 StudyWindow* MainWindow::showStudy() {

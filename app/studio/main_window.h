@@ -11,6 +11,7 @@
 #include "app/studio/presenter.h"
 #include "app/studio/session.h"
 #include "app/studio/study_session.h"
+#include "app/studio/theme.h"
 #include "app/studio/window_layout.h"
 #include "widgets/models/library_model.h"
 #include "widgets/timeline/playback.h"
@@ -62,6 +63,7 @@ class MainWindow : public QMainWindow {
   void updateTitle();
   void showHere();
   void about();
+  void connectChoices();
 
   // Children, not members: what the widgets show has to outlive their being hidden by ~QWidget().
   Session* session_ = new Session(this);
@@ -71,6 +73,7 @@ class MainWindow : public QMainWindow {
   Library* library_ = new Library(session_, clips_, this);
   ClipFiles* files_ = new ClipFiles(session_, this);
   WindowLayout layout_{this};
+  Theme* theme_ = new Theme(this);
   Actions actions_;
   Views views_;
   InspectionViews inspection_;

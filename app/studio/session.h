@@ -66,6 +66,8 @@ class Session : public QObject {
   /// Saves what is shown now.
   void save(const QString& path);
 
+  /// An answer is on its way, or a better one.
+  bool busy() const { return compressor_.busy(); }
   bool refining() const { return compressor_.refining(); }
 
  signals:

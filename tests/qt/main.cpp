@@ -3,9 +3,10 @@
 
 #include <QApplication>
 #include <QSettings>
-#include <QStyleFactory>
+
 #include <QTemporaryDir>
 
+#include "app/studio/style.h"
 #include "widgets/viewport/viewport.h"
 
 int main(int argc, char** argv) {
@@ -20,6 +21,6 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("mocapress-tests"));
   QCoreApplication::setApplicationName(QStringLiteral("Mocapress"));
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new mocapress::StudioStyle);
   return RUN_ALL_TESTS();
 }

@@ -134,7 +134,7 @@ TEST_F(History, EveryContactEditIsAStepOfItsOwn) {
 }
 
 TEST_F(History, BeginsAnewWithAnotherClip) {
-  session_.setOptions(standard(20));
+  settleAfter([&] { session_.setOptions(standard(20)); });
   const QString path = directory_.filePath(QStringLiteral("other.bvh"));
   write_motion(path.toStdU16String(), test::smooth_motion(100, 2));
   settleAfter([&] { session_.open(path); });

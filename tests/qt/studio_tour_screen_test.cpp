@@ -4,19 +4,32 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QActionGroup>
 #include <QDir>
 #include <QDockWidget>
+#include <QFile>
 #include <QImage>
+#include <QLineEdit>
+#include <QProcess>
 #include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBrowser>
 #include <set>
 
+#include "app/studio/help.h"
 #include "app/studio/main_window.h"
 #include "app/studio/sample_clip.h"
 #include "app/studio/screenshot.h"
+#include "widgets/panels/compression_panel.h"
+#include "widgets/panels/library_panel.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/target_control.h"
+#include "widgets/timeline/contact_strip.h"
+#include "widgets/timeline/timeline.h"
 #include "widgets/viewport/viewport.h"
 
 namespace mocapress {
@@ -30,6 +43,21 @@ QString picturePath(const QString& name) {
   return folder.filePath(name + QStringLiteral(".png"));
 }
 
+int differing(const QImage& a, const QImage& b) {
+  int count = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) count += a.pixel(x, y) != b.pixel(x, y);
+  return count;
+}
+
+/// How many colours there are to see: of an empty or grey area hardly any.
+std::size_t coloursIn(const QImage& picture, const QRect& area) {
+  std::set<QRgb> colours;
+  for (int y = area.top(); y < area.bottom(); y += 2)
+    for (int x = area.left(); x < area.right(); x += 2) colours.insert(picture.pixel(x, y));
+  return colours.size();
+}
+
 /// A window at work.
 class Studio {
  public:
@@ -41,10 +69,16 @@ class Studio {
 
   MainWindow* operator->() { return &window_; }
 
-  void open(const QString& path) {
+  template <typename Act>
+  void settleAfter(Act act) {
     QSignalSpy settled(&window_.session(), &Session::settled);
-    window_.files().open(path);
+    act();
     ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.session().busy(); }, kPatience));
+  }
+
+  void open(const QString& path) {
+    settleAfter([&] { window_.files().open(path); });
   }
 
   /// Once the 3D view has drawn what was done last.
@@ -57,6 +91,10 @@ class Studio {
     return QImage(picturePath(name));
   }
 
+  QRect areaOf(const QWidget* widget) {
+    return {widget->mapTo(&window_, QPoint()), widget->size()};
+  }
+
  private:
   MainWindow window_;
 };
@@ -67,13 +105,6 @@ class StudioTour : public testing::Test {
   ~StudioTour() override { QSettings().clear(); }
   QTemporaryDir directory_;
 };
-
-int differing(const QImage& a, const QImage& b) {
-  int count = 0;
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = 0; x < a.width(); ++x) count += a.pixel(x, y) != b.pixel(x, y);
-  return count;
-}
 
 TEST_F(StudioTour, SeesTheSampleInEveryWay) {
   Studio studio;
@@ -95,25 +126,179 @@ TEST_F(StudioTour, SeesTheSampleInEveryWay) {
   looksDifferent(view.floor, "view-floor");
 }
 
-TEST_F(StudioTour, InspectsTheWorstFrame) {
+TEST_F(StudioTour, TheWipeWorksWhileItPlays) {
   Studio studio;
   studio.open(sampleClip());
-  studio->actions().next_worst->trigger();
-  const Distortion& distortion = *studio->session().document().decoded()->distortion;
-  EXPECT_EQ(studio->playback().frame(), distortion.max.frame);
-  for (const char* id : {"heat-map", "channel", "rate-distortion"}) {
-    auto* dock = studio->findChild<QDockWidget*>(QString::fromLatin1(id));
-    ASSERT_TRUE(dock);
-    dock->raise();
-    QTest::qWait(id == std::string("rate-distortion") ? 1500 : 100);
-    const QImage picture = studio.picture(QStringLiteral("inspect-") + QString::fromLatin1(id));
-    EXPECT_TRUE(dock->widget()->isVisible());
-    const QRect area(dock->widget()->mapTo(studio.operator->(), QPoint()), dock->widget()->size());
-    std::set<QRgb> colours;
-    for (int y = area.top(); y < area.bottom(); y += 2)
-      for (int x = area.left(); x < area.right(); x += 2) colours.insert(picture.pixel(x, y));
-    EXPECT_GT(colours.size(), 12u) << id;
+  studio->actions().view.mode[2]->trigger();
+  studio->actions().transport.play->trigger();
+  QSignalSpy frames(&studio->playback(), &Playback::frameChanged);
+  QWindow* scene = nullptr;
+  for (QWindow* window : QGuiApplication::allWindows())
+    if (window->inherits("mocapress::Scene")) scene = window;
+  ASSERT_TRUE(scene);
+  const int middle = scene->width() / 2;
+  QTest::mousePress(scene, Qt::LeftButton, {}, {middle, 100});
+  for (int x = middle; x > middle / 2; x -= 10) {
+    QTest::mouseMove(scene, {x, 100});
+    QTest::qWait(10);
   }
+  QTest::mouseRelease(scene, Qt::LeftButton, {}, {middle / 2, 100});
+  EXPECT_TRUE(studio->playback().playing());
+  EXPECT_GT(frames.count(), 5);
+  EXPECT_NEAR(studio->views().viewport->options().divider, 0.25, 0.03);
+}
+
+TEST_F(StudioTour, DarkThemeIsDarkEverywhere) {
+  Studio studio;
+  studio.open(sampleClip());
+  studio->actions().themes->actions().at(2)->trigger();
+  const QImage dark = studio.picture(QStringLiteral("theme-dark"));
+  studio->actions().themes->actions().at(1)->trigger();
+  const QImage light = studio.picture(QStringLiteral("theme-light"));
+  for (const QPoint& place :
+       {QPoint(20, 60), QPoint(700, 12), QPoint(1300, 65), QPoint(900, 300)}) {
+    EXPECT_LT(qGray(dark.pixel(place)), 100) << place.x();
+    EXPECT_GT(qGray(light.pixel(place)), 150) << place.x();
+  }
+}
+
+TEST_F(StudioTour, HelpShowsAnIllustratedGuideAndEveryKey) {
+  Studio studio;
+  const auto shown = [&](QAction* action) {
+    action->trigger();
+    auto* window = studio->findChildren<HelpWindow*>().last();
+    return window->findChild<QTextBrowser*>();
+  };
+  QTextBrowser* guide = shown(studio->actions().guide);
+  EXPECT_GT(guide->toPlainText().size(), 1000);
+  EXPECT_GE(guide->toHtml().count(QStringLiteral("<img")), 3);
+  for (const char* picture : {"compare", "inspect", "curve"})
+    EXPECT_GT(QImage(QStringLiteral(":/guide/%1.png").arg(QLatin1String(picture))).width(), 400);
+  const QString keys = shown(studio->actions().shortcuts)->toPlainText();
+  for (const QAction* action : studio->findChildren<QAction*>()) {
+    const QString key = action->shortcut().toString(QKeySequence::NativeText);
+    EXPECT_TRUE(keys.contains(key)) << qPrintable(action->text());
+  }
+}
+
+/// The whole of it, as an artist would do it.
+TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
+  const QString session = directory_.filePath(QStringLiteral("data/session.mocapress"));
+  const QString project = directory_.filePath(QStringLiteral("walks.mocapress"));
+  std::vector<ContactSpan> edited;
+  {
+    Studio studio;
+    studio->library().begin(session);
+    Document& document = studio->session().document();
+
+    studio.open(sampleClip());
+    const QImage opened = studio.picture(QStringLiteral("session-1-open"));
+    EXPECT_GT(coloursIn(opened, studio.areaOf(studio->views().viewport)), 500u);
+    EXPECT_GT(coloursIn(opened, studio.areaOf(studio->inspection().timeline)), 12u);
+
+    QSlider* slider = studio->views().compression->target()->slider();
+    studio.settleAfter([&] {
+      for (int position = slider->value(); position < 850; position += 25) {
+        slider->setValue(position);
+        QTest::qWait(5);
+      }
+    });
+    EXPECT_GT(document.decoded()->ratio, 50);
+    const QImage tuned = studio.picture(QStringLiteral("session-2-tuned"));
+    EXPECT_GT(differing(opened, tuned), 2000);
+
+    studio->actions().next_worst->trigger();
+    EXPECT_EQ(studio->playback().frame(), document.decoded()->distortion->max.frame);
+    studio->actions().view.by_error->trigger();
+    for (const char* id : {"rate-distortion", "channel", "heat-map"}) {
+      auto* dock = studio->findChild<QDockWidget*>(QString::fromLatin1(id));
+      ASSERT_TRUE(dock);
+      dock->raise();
+      QTest::qWait(id == std::string("rate-distortion") ? 2500 : 100);
+      const QImage picture = studio.picture(QStringLiteral("session-3-") + QString::fromLatin1(id));
+      EXPECT_TRUE(dock->widget()->isVisible());
+      EXPECT_GT(coloursIn(picture, studio.areaOf(dock->widget())), 12u) << id;
+    }
+
+    ContactStrip* contacts = studio->inspection().timeline->contacts();
+    const std::vector<ContactSpan> found = document.contacts();
+    ASSERT_GT(found.size(), 1u);
+    const TimeAxis axis{2.0 * kStripMargin + contacts->labelWidth(),
+                        static_cast<double>(contacts->width() - kStripMargin), document.frames()};
+    const ContactSpan& first = found.front();
+    const QPoint end(static_cast<int>(axis.xOf(first.last_frame + 1)), 10);
+    studio.settleAfter([&] {
+      QTest::mousePress(contacts, Qt::LeftButton, {}, end);
+      QMouseEvent move(QEvent::MouseMove, QPointF(end - QPoint(20, 0)), QPointF(), Qt::NoButton,
+                       Qt::LeftButton, {});
+      QCoreApplication::sendEvent(contacts, &move);
+      QTest::mouseRelease(contacts, Qt::LeftButton, {}, end - QPoint(20, 0));
+    });
+    edited = document.contacts();
+    EXPECT_LT(edited.front().last_frame, first.last_frame);
+    studio.picture(QStringLiteral("session-4-contact"));
+
+    studio.settleAfter([&] { studio->actions().switch_slot->trigger(); });
+    studio.settleAfter([&] { slider->setValue(400); });
+    const QImage other = studio.picture(QStringLiteral("session-5-b"));
+    EXPECT_EQ(studio->session().tuning().active, 1);
+    studio.settleAfter([&] { studio->actions().switch_slot->trigger(); });
+    EXPECT_GT(document.decoded()->ratio, 50);
+    EXPECT_GT(differing(other, studio.picture(QStringLiteral("session-5-a"))), 1000);
+
+    while (document.contacts() == edited && studio->session().history()->canUndo())
+      studio.settleAfter([&] { studio->actions().undo->trigger(); });
+    EXPECT_EQ(document.contacts(), found);
+    studio.picture(QStringLiteral("session-6-undone"));
+    studio.settleAfter([&] { studio->actions().redo->trigger(); });
+    EXPECT_EQ(document.contacts(), edited);
+
+    studio->library().saveAs(project);
+    studio->libraryPanel().note()->setText(QString());
+    QTest::keyClicks(studio->libraryPanel().note(), QStringLiteral("heel of frame 40"));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          QFile file(project);
+          return file.open(QIODevice::ReadOnly) && file.readAll().contains("heel of frame 40");
+        },
+        kPatience));
+    studio->library().end();
+  }
+  Studio studio;
+  studio.settleAfter([&] { studio->library().openProject(project); });
+  EXPECT_EQ(studio->session().document().contacts(), edited);
+  EXPECT_EQ(studio->libraryPanel().note()->text(), QStringLiteral("heel of frame 40"));
+  const QImage again = studio.picture(QStringLiteral("session-7-again"));
+  EXPECT_GT(coloursIn(again, studio.areaOf(studio->views().viewport)), 500u);
+}
+
+/// The program itself, killed.
+TEST_F(StudioTour, IsThereAgainAfterAKill) {
+  const QString program = QStringLiteral(MOCAPRESS_BINARY_DIR "/app/studio/mocapress-studio");
+  if (!QFile::exists(program)) GTEST_SKIP() << "mocapress-studio is not built";
+  const QString file = directory_.filePath(QStringLiteral("mocapress/Mocapress/session.mocapress"));
+  QProcess studio;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(QStringLiteral("XDG_DATA_HOME"), directory_.path());
+  environment.insert(QStringLiteral("XDG_CONFIG_HOME"), directory_.path());
+  studio.setProcessEnvironment(environment);
+  studio.start(program, {QStringLiteral("--ratio"), QStringLiteral("61"), sampleClip()});
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        QFile written(file);
+        return written.open(QIODevice::ReadOnly) && written.readAll().contains("outcome");
+      },
+      kPatience));
+  studio.kill();
+  ASSERT_TRUE(studio.waitForFinished(kPatience));
+
+  Studio next;
+  QSignalSpy recovered(&next->library(), &Library::recovered);
+  next.settleAfter([&] { EXPECT_TRUE(next->library().begin(file)); });
+  EXPECT_EQ(recovered.count(), 1);
+  EXPECT_DOUBLE_EQ(next->session().document().options().target.value, 61);
+  EXPECT_TRUE(next->messages().isVisible());
+  next.picture(QStringLiteral("session-8-recovered"));
 }
 
 }  // namespace

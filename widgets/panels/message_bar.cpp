@@ -31,6 +31,8 @@ MessageBar::MessageBar(QWidget* parent)
   close->setAccessibleName(tr("Close message"));
   close->setToolTip(tr("Close"));
 
+  remedy_->setAccessibleName(tr("What may help"));
+
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 6, 6, 6);
   row->addWidget(text_, 1);

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace mocapress {
+
+/// The code of the language the user chose, "fr"; empty: the system's.
+QString chosenLanguage();
+void chooseLanguage(const QString& code);
+
+}  // namespace mocapress

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDBusVariant>
+#include <QObject>
+#include <QPalette>
+
+namespace mocapress {
+
+/// What the user wants the windows to look like.
+enum class ThemeChoice { System, Light, Dark };
+
+QPalette lightPalette();
+QPalette darkPalette();
+
+/// Gives the application its palette: the chosen one, or the desktop's as it says so (through the
+/// settings portal, which tells of changes too). Remembered from run to run.
+class Theme : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Theme(QObject* parent = nullptr);
+
+  ThemeChoice choice() const { return choice_; }
+  void choose(ThemeChoice choice);
+
+  /// What the desktop prefers, when it is known.
+  void setSystemDark(bool dark);
+
+ private:
+  void askDesktop();
+  void apply();
+
+  ThemeChoice choice_;
+  bool system_dark_;
+
+ private slots:
+  void desktopChanged(const QString& group, const QString& key, const QDBusVariant& value);
+};
+
+}  // namespace mocapress

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program in its other languages: nothing left in English, nothing cut off.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+#include "app/studio/main_window.h"
+#include "app/studio/study_window.h"
+#include "translations/languages.h"
+
+namespace mocapress {
+namespace {
+
+const QString kFolder = QStringLiteral(MOCAPRESS_SOURCE_DIR "/translations");
+
+struct Text {
+  QString source;
+  QStringList translations;  // one a plural form
+  bool finished = true;
+  bool plural = false;
+};
+
+std::vector<Text> textsOf(const QString& path) {
+  QFile file(path);
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << qPrintable(path);
+  QXmlStreamReader xml(&file);
+  std::vector<Text> texts;
+  while (!xml.atEnd()) {
+    xml.readNext();
+    if (!xml.isStartElement()) continue;
+    if (xml.name() == QLatin1String("message"))
+      texts.push_back(
+          {.plural = xml.attributes().value(QLatin1String("numerus")) == QLatin1String("yes")});
+    if (xml.name() == QLatin1String("source")) texts.back().source = xml.readElementText();
+    if (xml.name() == QLatin1String("translation")) {
+      Text& text = texts.back();
+      text.finished = !xml.attributes().hasAttribute(QLatin1String("type"));
+      if (!text.plural) text.translations << xml.readElementText();
+    }
+    if (xml.name() == QLatin1String("numerusform"))
+      texts.back().translations << xml.readElementText();
+  }
+  EXPECT_FALSE(xml.hasError()) << qPrintable(xml.errorString());
+  return texts;
+}
+
+QStringList translated() {
+  QStringList languages = shippedLanguages();
+  languages.removeAll(QStringLiteral("en"));
+  return languages;
+}
+
+QString fileOf(const QString& language) {
+  return QStringLiteral("%1/mocapress_%2.ts").arg(kFolder, language);
+}
+
+/// "%1", "%L2", "%Ln": sorted.
+QStringList placesIn(const QString& text) {
+  QStringList places;
+  static const QRegularExpression kPlace(QStringLiteral("%L?(\\d|n)"));
+  auto match = kPlace.globalMatch(text);
+  while (match.hasNext()) places << match.next().captured();
+  places.sort();
+  places.removeDuplicates();
+  return places;
+}
+
+TEST(Translations, LeaveNoTextOfTheSourcesOut) {
+  for (const QString& language : translated()) {
+    const QTemporaryDir directory;
+    const QString copy = directory.filePath(QStringLiteral("texts.ts"));
+    ASSERT_TRUE(QFile::copy(fileOf(language), copy));
+    // As the build's own target would: from the sources as they are now.
+    QProcess lupdate;
+    lupdate.setWorkingDirectory(QStringLiteral(MOCAPRESS_SOURCE_DIR));
+    lupdate.start(
+        QStringLiteral(MOCAPRESS_LUPDATE),
+        {QStringLiteral("-silent"), QStringLiteral("-no-obsolete"), QStringLiteral("-locations"),
+         QStringLiteral("none"), QStringLiteral("-I"), QStringLiteral("."), QStringLiteral("app"),
+         QStringLiteral("widgets"), QStringLiteral("-ts"), copy});
+    if (!lupdate.waitForStarted()) GTEST_SKIP() << "needs Qt's lupdate";
+    ASSERT_TRUE(lupdate.waitForFinished(120'000));
+    const std::vector<Text> texts = textsOf(copy);
+    EXPECT_GT(texts.size(), 400u);
+    for (const Text& text : texts) {
+      EXPECT_TRUE(text.finished) << qPrintable(language) << ": " << qPrintable(text.source);
+      for (const QString& translation : text.translations)
+        EXPECT_FALSE(translation.isEmpty()) << qPrintable(text.source);
+    }
+  }
+}
+
+TEST(Translations, KeepThePlacesOfNumbersAndNames) {
+  for (const QString& language : translated())
+    for (const Text& text : textsOf(fileOf(language)))
+      for (const QString& translation : text.translations)
+        EXPECT_EQ(placesIn(translation), placesIn(text.source))
+            << qPrintable(language) << ": " << qPrintable(text.source);
+}
+
+TEST(Translations, HaveThePluralFormsOfTheirLanguage) {
+  for (const auto& [language, forms] :
+       {std::pair(QStringLiteral("fr"), 2), std::pair(QStringLiteral("ja"), 1)}) {
+    int plurals = 0;
+    for (const Text& text : textsOf(fileOf(language)))
+      if (text.plural) {
+        EXPECT_EQ(text.translations.size(), forms) << qPrintable(text.source);
+        ++plurals;
+      }
+    EXPECT_GT(plurals, 5);
+  }
+}
+
+TEST(Translations, AreInTheProgram) {
+  for (const QString& language : shippedLanguages()) {
+    QTranslator texts;
+    EXPECT_TRUE(texts.load(QStringLiteral(":/i18n/mocapress_%1.qm").arg(language)))
+        << qPrintable(language);
+  }
+  QTranslator french;
+  ASSERT_TRUE(french.load(QStringLiteral(":/i18n/mocapress_fr.qm")));
+  EXPECT_EQ(french.translate("mocapress::ViewActions", "&Overlay"), QStringLiteral("&Superposer"));
+  EXPECT_EQ(french.translate("mocapress::LibraryModel", "%Ln frame(s)", nullptr, 1),
+            QStringLiteral("%Ln image"));
+  EXPECT_EQ(french.translate("mocapress::LibraryModel", "%Ln frame(s)", nullptr, 2),
+            QStringLiteral("%Ln images"));
+}
+
+/// Visible labels and buttons that have less room than their text needs.
+QStringList cutOff(const QWidget& window) {
+  QStringList found;
+  const auto judge = [&](const QWidget* widget, const QString& text) {
+    if (!widget->isVisible() || text.isEmpty()) return;
+    if (widget->width() + 1 < widget->minimumSizeHint().width())
+      found << QStringLiteral("%1: %2 of %3")
+                   .arg(text)
+                   .arg(widget->width())
+                   .arg(widget->minimumSizeHint().width());
+  };
+  for (const auto* label : window.findChildren<QLabel*>())
+    if (!label->wordWrap()) judge(label, label->text());
+  for (const auto* button : window.findChildren<QAbstractButton*>()) judge(button, button->text());
+  for (const auto* box : window.findChildren<QComboBox*>()) judge(box, box->currentText());
+  return found;
+}
+
+TEST(Translations, LayoutsHoldInEveryLanguage) {
+  for (const QString& language : shippedLanguages()) {
+    QSettings().clear();
+    QTranslator texts;
+    ASSERT_TRUE(texts.load(QStringLiteral(":/i18n/mocapress_%1.qm").arg(language)));
+    QCoreApplication::installTranslator(&texts);
+    {
+      MainWindow window;
+      window.resize(1440, 900);
+      window.show();
+      ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+      EXPECT_EQ(cutOff(window).join(QLatin1Char('\n')).toStdString(), "") << qPrintable(language);
+      EXPECT_LE(window.minimumSizeHint().width(), 1440) << qPrintable(language);
+      EXPECT_LE(window.minimumSizeHint().height(), 900) << qPrintable(language);
+      StudyWindow* study = window.showStudy();
+      ASSERT_TRUE(QTest::qWaitForWindowExposed(study));
+      EXPECT_EQ(cutOff(*study).join(QLatin1Char('\n')).toStdString(), "") << qPrintable(language);
+      study->close();
+    }
+    QCoreApplication::removeTranslator(&texts);
+  }
+  QSettings().clear();
+}
+
+}  // namespace
+}  // namespace mocapress

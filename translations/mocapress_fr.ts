@@ -1,0 +1,2056 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr">
+<context>
+    <name>mocapress::Actions</name>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Open a motion (.bvh, .amc) or a compressed clip (.mcpr)</source>
+        <translation>Ouvrir un mouvement (.bvh, .amc) ou une séquence compressée (.mcpr)</translation>
+    </message>
+    <message>
+        <source>Open Sample &amp;Walk</source>
+        <translation>Ouvrir la &amp;marche d&apos;exemple</translation>
+    </message>
+    <message>
+        <source>Choose Skeleton…</source>
+        <translation>Choisir le squelette…</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with Original…</source>
+        <translation>&amp;Comparer à l&apos;original…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save the compressed clip as .mcpr</source>
+        <translation>Enregistrer la séquence compressée en .mcpr</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <source>A&amp;dd Clips to Library…</source>
+        <translation>A&amp;jouter des séquences…</translation>
+    </message>
+    <message>
+        <source>&amp;New Project</source>
+        <translation>&amp;Nouveau projet</translation>
+    </message>
+    <message>
+        <source>Open Pro&amp;ject…</source>
+        <translation>Ouvrir un pro&amp;jet…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve Project As…</source>
+        <translation>Enre&amp;gistrer le projet sous…</translation>
+    </message>
+    <message>
+        <source>Switch between &amp;A and B</source>
+        <translation>Passer de &amp;A à B</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Settings to the Other</source>
+        <translation>&amp;Copier les réglages vers l&apos;autre</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Next &amp;Worst Frame</source>
+        <translation>Pire image &amp;suivante</translation>
+    </message>
+    <message>
+        <source>Go to the frame with the greatest error, again: to the next worst (N)</source>
+        <translation>Aller à l&apos;image de plus grande erreur, encore : à la suivante (N)</translation>
+    </message>
+    <message>
+        <source>P&amp;revious Worst Frame</source>
+        <translation>Pire image p&amp;récédente</translation>
+    </message>
+    <message>
+        <source>&amp;Hold Feet</source>
+        <translation>&amp;Tenir les pieds</translation>
+    </message>
+    <message>
+        <source>Compress with or without inverse kinematics (I)</source>
+        <translation>Compresser avec ou sans cinématique inverse (I)</translation>
+    </message>
+    <message>
+        <source>Without &amp;IK</source>
+        <translation>Sans &amp;IK</translation>
+    </message>
+    <message>
+        <source>See the compressed figure before its feet are held (B)</source>
+        <translation>Voir la figure compressée avant que ses pieds soient tenus (B)</translation>
+    </message>
+    <message>
+        <source>Reset &amp;Layout</source>
+        <translation>Rétablir la &amp;disposition</translation>
+    </message>
+    <message>
+        <source>&amp;Study…</source>
+        <translation>&amp;Étude…</translation>
+    </message>
+    <message>
+        <source>Compare methods on many clips: size against error</source>
+        <translation>Comparer les méthodes sur beaucoup de séquences : taille contre erreur</translation>
+    </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>&amp;Guide</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts</source>
+        <translation>&amp;Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>As the &amp;System</source>
+        <translation>Comme le &amp;système</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Clair</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Sombre</translation>
+    </message>
+    <message>
+        <source>&amp;About Mocapress</source>
+        <translation>À &amp;propos de Mocapress</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Fichiers &amp;récents</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Édition</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Lan&amp;gue</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Outils</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Aid&amp;e</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::AnnealingPanel</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Progress of the annealing</source>
+        <translation>Progrès du recuit</translation>
+    </message>
+    <message>
+        <source>Annealing moves fewer and fewer coefficients at a time, until no move helps. A size or error target takes several passes.</source>
+        <translation>Le recuit déplace de moins en moins de coefficients à la fois, jusqu&apos;à ce qu&apos;aucun déplacement n&apos;aide. Une cible de taille ou d&apos;erreur demande plusieurs passes.</translation>
+    </message>
+    <message>
+        <source>Stop annealing. The best so far is kept where it beats the standard answer.</source>
+        <translation>Arrêter le recuit. Le meilleur résultat est gardé s&apos;il bat la réponse standard.</translation>
+    </message>
+    <message>
+        <source>Pass %1</source>
+        <translation>Passe %1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ChannelGraph</name>
+    <message>
+        <source>Channel</source>
+        <translation>Canal</translation>
+    </message>
+    <message>
+        <source>One degree of freedom of the chosen joint.</source>
+        <translation>Un degré de liberté de l&apos;articulation choisie.</translation>
+    </message>
+    <message>
+        <source>Channel over time</source>
+        <translation>Canal au cours du temps</translation>
+    </message>
+    <message>
+        <source>The channel as recorded and as compressed, and below what is between them. Click to seek.</source>
+        <translation>Le canal enregistré et le canal compressé, et dessous ce qui les sépare. Cliquer pour s&apos;y rendre.</translation>
+    </message>
+    <message>
+        <source>Kept coefficients by scale</source>
+        <translation>Coefficients gardés par échelle</translation>
+    </message>
+    <message>
+        <source>Wavelet coefficients of this channel that are kept, of all there are, from the coarsest scale to the finest. Compression keeps the few that matter.</source>
+        <translation>Coefficients d&apos;ondelettes de ce canal qui sont gardés, parmi tous, de l&apos;échelle la plus grossière à la plus fine. La compression garde les quelques-uns qui comptent.</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Temps (s)</translation>
+    </message>
+    <message>
+        <source>Scale (finer →)</source>
+        <translation>Échelle (plus fine →)</translation>
+    </message>
+    <message>
+        <source>Kept (%)</source>
+        <translation>Gardés (%)</translation>
+    </message>
+    <message>
+        <source>The chosen joint does not move by itself.</source>
+        <translation>L&apos;articulation choisie ne bouge pas d&apos;elle-même.</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>Value (%1)</source>
+        <translation>Valeur (%1)</translation>
+    </message>
+    <message>
+        <source>Difference (%1)</source>
+        <translation>Différence (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ClipFiles</name>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Motion and compressed clips (*.bvh *.amc *.mcpr);;All files (*)</source>
+        <translation>Mouvements et séquences compressées (*.bvh *.amc *.mcpr);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Skeleton of %1</source>
+        <translation>Squelette de %1</translation>
+    </message>
+    <message>
+        <source>Skeletons (*.asf)</source>
+        <translation>Squelettes (*.asf)</translation>
+    </message>
+    <message>
+        <source>Compare with Original</source>
+        <translation>Comparer à l&apos;original</translation>
+    </message>
+    <message>
+        <source>Motion (*.bvh *.amc)</source>
+        <translation>Mouvement (*.bvh *.amc)</translation>
+    </message>
+    <message>
+        <source>Save Compressed Clip</source>
+        <translation>Enregistrer la séquence compressée</translation>
+    </message>
+    <message>
+        <source>Compressed clips (*.mcpr)</source>
+        <translation>Séquences compressées (*.mcpr)</translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>Save the compressed clip of %1?</source>
+        <translation>Enregistrer la séquence compressée de %1 ?</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::CompressionPanel</name>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Which wavelet coefficients are kept: annealed moves them to the channels where they lower the error in the world most, standard keeps the largest of all, per channel keeps as many of each.</source>
+        <translation>Quels coefficients d&apos;ondelettes sont gardés : le recuit les déplace vers les canaux où ils abaissent le plus l&apos;erreur dans l&apos;espace, standard garde les plus grands de tous, par canal en garde autant de chacun.</translation>
+    </message>
+    <message>
+        <source>Weighting</source>
+        <translation>Pondération</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts, each by bone length: the far end of every bone, or joint origins as in the paper.</source>
+        <translation>Quels points compte l&apos;erreur eps_x, chacun selon la longueur d&apos;os : le bout de chaque os, ou l&apos;origine des articulations comme dans l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Coding</source>
+        <translation>Codage</translation>
+    </message>
+    <message>
+        <source>How kept coefficients become bytes: 16-bit words with runs of zeros, optionally packed further by DEFLATE.</source>
+        <translation>Comment les coefficients gardés deviennent des octets : mots de 16 bits avec suites de zéros, au besoin tassés par DEFLATE.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ContactStrip</name>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>%1 on the ground, frames %L2–%L3; slides %L4 cm further than the original. Drag an end to move it.</source>
+        <translation>%1 au sol, images %L2–%L3 ; glisse de %L4 cm de plus que l&apos;original. Tirer un bout pour le déplacer.</translation>
+    </message>
+    <message>
+        <source>Remove Contact</source>
+        <translation>Retirer le contact</translation>
+    </message>
+    <message>
+        <source>Add Contact Here</source>
+        <translation>Ajouter un contact ici</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ConvergencePlot</name>
+    <message>
+        <source>Error while annealing</source>
+        <translation>Erreur pendant le recuit</translation>
+    </message>
+    <message>
+        <source>How the error falls while coefficients move between channels.</source>
+        <translation>Comment l&apos;erreur baisse pendant que des coefficients changent de canal.</translation>
+    </message>
+    <message>
+        <source>Iteration</source>
+        <translation>Itération</translation>
+    </message>
+    <message>
+        <source>eps_x (cm)</source>
+        <translation>eps_x (cm)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::CorrectionControl</name>
+    <message>
+        <source>&amp;Hold feet (IK)</source>
+        <translation>&amp;Tenir les pieds (IK)</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>Stores where the feet are in the original and brings them there by inverse kinematics, so that planted feet do not slide. What this takes counts in the compression ratio.</source>
+        <translation>Enregistre où sont les pieds dans l&apos;original et les y ramène par cinématique inverse, pour que les pieds posés ne glissent pas. Ce que cela prend compte dans le taux de compression.</translation>
+    </message>
+    <message>
+        <source>Let the encoder find how much to spend on the feet: the least sliding for at most a fifth more error.</source>
+        <translation>Laisser l&apos;encodeur trouver combien dépenser pour les pieds : le moins de glissement pour au plus un cinquième d&apos;erreur en plus.</translation>
+    </message>
+    <message>
+        <source>IK ratio</source>
+        <translation>Taux IK</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s r_IK: coefficients of the correction over kept ones. Lower holds the feet better and costs more.</source>
+        <translation>Le r_IK de l&apos;article : coefficients de la correction sur ceux qui sont gardés. Plus bas, les pieds tiennent mieux et cela coûte plus.</translation>
+    </message>
+    <message>
+        <source> : 1</source>
+        <translation> : 1</translation>
+    </message>
+    <message>
+        <source>IK ratio on a slider</source>
+        <translation>Taux IK au curseur</translation>
+    </message>
+    <message>
+        <source>Where feet are held</source>
+        <translation>Où les pieds sont tenus</translation>
+    </message>
+    <message>
+        <source>At every frame as in the paper, or only where they stand on the ground, blended in and out.</source>
+        <translation>À chaque image comme dans l&apos;article, ou seulement là où ils sont au sol, en fondu.</translation>
+    </message>
+    <message>
+        <source>Joints that are held</source>
+        <translation>Articulations tenues</translation>
+    </message>
+    <message>
+        <source>Joints other than the feet can be held too.</source>
+        <translation>D&apos;autres articulations que les pieds peuvent être tenues aussi.</translation>
+    </message>
+    <message>
+        <source>Held at</source>
+        <translation>Tenus à</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pieds</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln joint(s)</source>
+        <translation>
+            <numerusform>%Ln articulation</numerusform>
+            <numerusform>%Ln articulations</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ErrorGraph</name>
+    <message>
+        <source>Error over time</source>
+        <translation>Erreur au cours du temps</translation>
+    </message>
+    <message>
+        <source>Distance from the original in the world. Click to seek, wheel to zoom, double click to see all.</source>
+        <translation>Distance à l&apos;original dans l&apos;espace. Clic pour s&apos;y rendre, molette pour agrandir, double-clic pour tout voir.</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Temps (s)</translation>
+    </message>
+    <message>
+        <source>Error (cm)</source>
+        <translation>Erreur (cm)</translation>
+    </message>
+    <message>
+        <source>worst of all joints</source>
+        <translation>la pire articulation</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ErrorStrip</name>
+    <message>
+        <source>Error strip</source>
+        <translation>Bande d&apos;erreur</translation>
+    </message>
+    <message>
+        <source>Greatest and mean error at every frame. The table of joints has the numbers.</source>
+        <translation>Erreur maximale et moyenne à chaque image. Le tableau des articulations a les nombres.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Greatest error at every frame as a column, the mean as a line. Shift and drag chooses the range that is played.</source>
+        <translation>Erreur maximale de chaque image en colonne, la moyenne en ligne. Maj et glisser choisit la plage lue.</translation>
+    </message>
+    <message>
+        <source>A jump of one frame: %1 at frame %L2, %L3 cm</source>
+        <translation>Un saut d&apos;une image : %1 à l&apos;image %L2, %L3 cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Figures</name>
+    <message>
+        <source>Nothing open</source>
+        <translation>Rien d&apos;ouvert</translation>
+    </message>
+    <message>
+        <source>Not compressed</source>
+        <translation>Non compressé</translation>
+    </message>
+    <message>
+        <source>Compressing…</source>
+        <translation>Compression…</translation>
+    </message>
+    <message>
+        <source>As recorded in the file</source>
+        <translation>Tel qu&apos;enregistré dans le fichier</translation>
+    </message>
+    <message>
+        <source>%1, as in the study</source>
+        <translation>%1, comme dans l&apos;étude</translation>
+    </message>
+    <message>
+        <source>%1, from the file, measured against the original</source>
+        <translation>%1, du fichier, mesuré contre l&apos;original</translation>
+    </message>
+    <message>
+        <source>Standard answer; a better one is on its way</source>
+        <translation>Réponse standard ; une meilleure arrive</translation>
+    </message>
+    <message>
+        <source>Annealing cancelled; the best so far is kept</source>
+        <translation>Recuit annulé ; le meilleur est gardé</translation>
+    </message>
+    <message>
+        <source>Annealing cancelled; the standard answer is kept</source>
+        <translation>Recuit annulé ; la réponse standard est gardée</translation>
+    </message>
+    <message numerus="yes">
+        <source>Annealed, %Ln iteration(s), %L1 s</source>
+        <translation>
+            <numerusform>Recuit, %Ln itération, %L1 s</numerusform>
+            <numerusform>Recuit, %Ln itérations, %L1 s</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %L2 s</source>
+        <translation>%1, %L2 s</translation>
+    </message>
+    <message>
+        <source>Footskate is measured against the original.</source>
+        <translation>Le glissement se mesure contre l&apos;original.</translation>
+    </message>
+    <message>
+        <source>No foot stands on the ground in this clip.</source>
+        <translation>Aucun pied n&apos;est posé au sol dans cette séquence.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%L1 cm of footskate in %Ln contact(s)</source>
+        <translation>
+            <numerusform>%L1 cm de glissement en %Ln contact</numerusform>
+            <numerusform>%L1 cm de glissement en %Ln contacts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, without IK</source>
+        <translation>%1, sans IK</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::FiguresBar</name>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>eps_x</source>
+        <translation>eps_x</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between original and compressed, weighted by bone length: the paper&apos;s distortion.</source>
+        <translation>Distance quadratique moyenne entre original et compressé, pondérée par la longueur d&apos;os : la distorsion de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>p95</source>
+        <translation>p95</translation>
+    </message>
+    <message>
+        <source>95 % of all points at all frames are nearer to the original.</source>
+        <translation>95 % de tous les points à toutes les images sont plus proches de l&apos;original.</translation>
+    </message>
+    <message>
+        <source>p99</source>
+        <translation>p99</translation>
+    </message>
+    <message>
+        <source>99 % of all points at all frames are nearer to the original.</source>
+        <translation>99 % de tous les points à toutes les images sont plus proches de l&apos;original.</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>Greatest distance of any joint at any frame.</source>
+        <translation>Plus grande distance d&apos;une articulation à une image.</translation>
+    </message>
+    <message>
+        <source>footskate</source>
+        <translation>glissement</translation>
+    </message>
+    <message>
+        <source>Sliding of standing feet beyond the original&apos;s own.</source>
+        <translation>Glissement des pieds posés au-delà de celui de l&apos;original.</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>taille</translation>
+    </message>
+    <message>
+        <source>Compressed motion bytes, without the skeleton.</source>
+        <translation>Octets du mouvement compressé, sans le squelette.</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>taux</translation>
+    </message>
+    <message>
+        <source>Channels as 32-bit floats over the compressed motion bytes, as in the paper.</source>
+        <translation>Canaux en flottants de 32 bits sur les octets du mouvement compressé, comme dans l&apos;article.</translation>
+    </message>
+    <message>
+        <source>bits per joint-sample</source>
+        <translation>bits par échantillon d&apos;articulation</translation>
+    </message>
+    <message>
+        <source>Motion bits for one joint at one frame: does not depend on a baseline.</source>
+        <translation>Bits du mouvement pour une articulation à une image : ne dépend d&apos;aucune référence.</translation>
+    </message>
+    <message>
+        <source>eps_x, %1</source>
+        <translation>eps_x, %1</translation>
+    </message>
+    <message>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::FootskatePanel</name>
+    <message>
+        <source>Findings of footskate</source>
+        <translation>Glissements trouvés</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contact</translation>
+    </message>
+    <message>
+        <source>begins below</source>
+        <translation>commence sous</translation>
+    </message>
+    <message>
+        <source>ends above</source>
+        <translation>finit au-dessus</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Height below which a contact begins</source>
+        <translation>Hauteur sous laquelle un contact commence</translation>
+    </message>
+    <message>
+        <source>Height above which a contact ends</source>
+        <translation>Hauteur au-dessus de laquelle un contact finit</translation>
+    </message>
+    <message>
+        <source> cm/s</source>
+        <translation> cm/s</translation>
+    </message>
+    <message>
+        <source>Speed below which a contact begins</source>
+        <translation>Vitesse sous laquelle un contact commence</translation>
+    </message>
+    <message>
+        <source>Speed above which a contact ends</source>
+        <translation>Vitesse au-dessus de laquelle un contact finit</translation>
+    </message>
+    <message>
+        <source>%1, as measured on the original.</source>
+        <translation>%1, mesurée sur l&apos;original.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::HeatMap</name>
+    <message>
+        <source>Heat map of errors</source>
+        <translation>Carte de chaleur des erreurs</translation>
+    </message>
+    <message>
+        <source>Error of every joint at every frame. Arrow keys move to the next joint or frame.</source>
+        <translation>Erreur de chaque articulation à chaque image. Les flèches vont à l&apos;articulation ou à l&apos;image suivante.</translation>
+    </message>
+    <message>
+        <source>Errors are measured against the original.</source>
+        <translation>Les erreurs se mesurent contre l&apos;original.</translation>
+    </message>
+    <message>
+        <source>0 cm</source>
+        <translation>0 cm</translation>
+    </message>
+    <message>
+        <source>≥ %L1 cm</source>
+        <translation>≥ %L1 cm</translation>
+    </message>
+    <message>
+        <source>%1, frame %L2: %L3 cm</source>
+        <translation>%1, image %L2 : %L3 cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Help</name>
+    <message>
+        <source>Left drag in the 3D view: turn</source>
+        <translation>Glisser à gauche dans la vue 3D : tourner</translation>
+    </message>
+    <message>
+        <source>Right or middle drag: move</source>
+        <translation>Glisser à droite ou au milieu : déplacer</translation>
+    </message>
+    <message>
+        <source>Wheel: nearer or further</source>
+        <translation>Molette : plus près ou plus loin</translation>
+    </message>
+    <message>
+        <source>Click on a joint: choose it</source>
+        <translation>Clic sur une articulation : la choisir</translation>
+    </message>
+    <message>
+        <source>Drag an end of a contact: move it; right button: add or remove</source>
+        <translation>Tirer le bout d&apos;un contact : le déplacer ; bouton droit : ajouter ou retirer</translation>
+    </message>
+    <message>
+        <source>Shift and drag on the error strip: choose the range that is played</source>
+        <translation>Maj et glisser sur la bande d&apos;erreur : choisir la plage lue</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Souris</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Inspector</name>
+    <message>
+        <source>The curve of this clip is drawn once it is compressed.</source>
+        <translation>La courbe de cette séquence est tracée dès qu&apos;elle est compressée.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::JobRunner</name>
+    <message>
+        <source>Something unknown went wrong.</source>
+        <translation>Une erreur inconnue s&apos;est produite.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::JointErrorModel</name>
+    <message>
+        <source>Joint</source>
+        <translation>Articulation</translation>
+    </message>
+    <message>
+        <source>Mean cm</source>
+        <translation>Moy. cm</translation>
+    </message>
+    <message>
+        <source>Max cm</source>
+        <translation>Max cm</translation>
+    </message>
+    <message>
+        <source>Joint origins and bone ends, in the skeleton&apos;s order.</source>
+        <translation>Origines d&apos;articulations et bouts d&apos;os, dans l&apos;ordre du squelette.</translation>
+    </message>
+    <message>
+        <source>Distance in the world from the original, averaged over the clip.</source>
+        <translation>Distance à l&apos;original dans l&apos;espace, moyenne sur la séquence.</translation>
+    </message>
+    <message>
+        <source>Greatest distance in the world from the original, at any frame.</source>
+        <translation>Plus grande distance à l&apos;original dans l&apos;espace, à une image.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::JointsPanel</name>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LaunchOptions</name>
+    <message>
+        <source>Compress human motion capture clips with wavelets, and see what it does.</source>
+        <translation>Compresser des captures de mouvement humain par ondelettes, et voir ce que cela fait.</translation>
+    </message>
+    <message>
+        <source>A .bvh, .amc or .mcpr file.</source>
+        <translation>Un fichier .bvh, .amc ou .mcpr.</translation>
+    </message>
+    <message>
+        <source>The .asf skeleton of an .amc.</source>
+        <translation>Le squelette .asf d&apos;un .amc.</translation>
+    </message>
+    <message>
+        <source>The compression ratio to begin with.</source>
+        <translation>Le taux de compression au départ.</translation>
+    </message>
+    <message>
+        <source>Hold the feet, with this IK ratio to begin with.</source>
+        <translation>Tenir les pieds, avec ce taux IK au départ.</translation>
+    </message>
+    <message>
+        <source>Write timings to standard error.</source>
+        <translation>Écrire les durées sur l&apos;erreur standard.</translation>
+    </message>
+    <message>
+        <source>Write a picture of the window once the clip is compressed, and quit.</source>
+        <translation>Écrire une image de la fenêtre une fois la séquence compressée, et quitter.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryModel</name>
+    <message>
+        <source>Cannot be read</source>
+        <translation>Illisible</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Lecture…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frame(s)</source>
+        <translation>
+            <numerusform>%Ln image</numerusform>
+            <numerusform>%Ln images</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%L1 : 1, %L2 cm</source>
+        <translation>%L1 : 1, %L2 cm</translation>
+    </message>
+    <message>
+        <source>✓ approved</source>
+        <translation>✓ approuvée</translation>
+    </message>
+    <message>
+        <source>✕ rejected</source>
+        <translation>✕ rejetée</translation>
+    </message>
+    <message>
+        <source>target met</source>
+        <translation>cible atteinte</translation>
+    </message>
+    <message>
+        <source>! target missed</source>
+        <translation>! cible manquée</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryPanel</name>
+    <message>
+        <source>Add Clips…</source>
+        <translation>Ajouter…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Clips of the project</source>
+        <translation>Séquences du projet</translation>
+    </message>
+    <message>
+        <source>Add motion files to the project. Each keeps its own settings.</source>
+        <translation>Ajouter des mouvements au projet. Chacun garde ses réglages.</translation>
+    </message>
+    <message>
+        <source>Take the clip out of the project; its file stays.</source>
+        <translation>Retirer la séquence du projet ; son fichier reste.</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>What quality assurance says about the clip as it is compressed now.</source>
+        <translation>Ce que le contrôle qualité dit de la séquence telle qu&apos;elle est compressée.</translation>
+    </message>
+    <message>
+        <source>Not reviewed</source>
+        <translation>Non examinée</translation>
+    </message>
+    <message>
+        <source>Approved</source>
+        <translation>Approuvée</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>Rejetée</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Note about this clip</source>
+        <translation>Note sur cette séquence</translation>
+    </message>
+    <message>
+        <source>Kept in the project, with the verdict.</source>
+        <translation>Gardée dans le projet, avec le verdict.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryViews</name>
+    <message>
+        <source>%L1 : 1, %L2 cm</source>
+        <translation>%L1 : 1, %L2 cm</translation>
+    </message>
+    <message>
+        <source>Add Clips</source>
+        <translation>Ajouter des séquences</translation>
+    </message>
+    <message>
+        <source>Motion (*.bvh *.amc)</source>
+        <translation>Mouvement (*.bvh *.amc)</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>Ouvrir un projet</translation>
+    </message>
+    <message>
+        <source>Mocapress projects (*.mocapress)</source>
+        <translation>Projets Mocapress (*.mocapress)</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>Enregistrer le projet</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::MainWindow</name>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothèque</translation>
+    </message>
+    <message>
+        <source>Compression</source>
+        <translation>Compression</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
+    <message>
+        <source>Footskate</source>
+        <translation>Glissement</translation>
+    </message>
+    <message>
+        <source>Error over time</source>
+        <translation>Erreur au cours du temps</translation>
+    </message>
+    <message>
+        <source>Heat map</source>
+        <translation>Carte de chaleur</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Canal</translation>
+    </message>
+    <message>
+        <source>Rate-distortion</source>
+        <translation>Débit-distorsion</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>The language changes when Mocapress is started again.</source>
+        <translation>La langue change au prochain démarrage de Mocapress.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
+        <translation>
+            <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln séquence.</numerusform>
+            <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln séquences.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 enregistré.</translation>
+    </message>
+    <message>
+        <source>%1[*] – %2</source>
+        <translation>%1[*] – %2</translation>
+    </message>
+    <message>
+        <source>About Mocapress</source>
+        <translation>À propos de Mocapress</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresses human motion capture clips with wavelets, after Philippe Beaudoin, Pierre Poulin and Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;The studio is free software under the GNU General Public License, version 3 or later; the compression library is under the MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresse des captures de mouvement humain par ondelettes, d&apos;après Philippe Beaudoin, Pierre Poulin et Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;Le studio est un logiciel libre sous licence publique générale GNU, version 3 ou ultérieure ; la bibliothèque de compression est sous licence MIT.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>Close message</source>
+        <translation>Fermer le message</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>What may help</source>
+        <translation>Ce qui peut aider</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Names</name>
+    <message>
+        <source>Per channel</source>
+        <translation>Par canal</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Annealed</source>
+        <translation>Recuit</translation>
+    </message>
+    <message>
+        <source>Closed loop</source>
+        <translation>Boucle fermée</translation>
+    </message>
+    <message>
+        <source>16-bit runs</source>
+        <translation>Suites de 16 bits</translation>
+    </message>
+    <message>
+        <source>16-bit runs + DEFLATE</source>
+        <translation>Suites de 16 bits + DEFLATE</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation>Adaptatif</translation>
+    </message>
+    <message>
+        <source>Bone ends</source>
+        <translation>Bouts d&apos;os</translation>
+    </message>
+    <message>
+        <source>Joint origins</source>
+        <translation>Origines d&apos;articulations</translation>
+    </message>
+    <message>
+        <source>Every frame</source>
+        <translation>Chaque image</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::OpenClip</name>
+    <message>
+        <source>%1 is not the original of the compressed clip: joints, frames or sample rate differ.</source>
+        <translation>%1 n&apos;est pas l&apos;original de la séquence compressée : articulations, images ou cadence diffèrent.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Overlay</name>
+    <message>
+        <source>Original</source>
+        <translation>Original</translation>
+    </message>
+    <message>
+        <source>Compressed</source>
+        <translation>Compressé</translation>
+    </message>
+    <message>
+        <source>≥ %1 cm</source>
+        <translation>≥ %1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::RatePlot</name>
+    <message>
+        <source>Rate-distortion plot</source>
+        <translation>Courbe débit-distorsion</translation>
+    </message>
+    <message>
+        <source>Error over compression ratio, one curve a method. The table below has every point.</source>
+        <translation>Erreur selon le taux de compression, une courbe par méthode. Le tableau dessous a chaque point.</translation>
+    </message>
+    <message>
+        <source>Compression ratio (smaller →)</source>
+        <translation>Taux de compression (plus petit →)</translation>
+    </message>
+    <message>
+        <source>you are here</source>
+        <translation>vous êtes ici</translation>
+    </message>
+    <message>
+        <source>eps_x (cm), %1</source>
+        <translation>eps_x (cm), %1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ResultPanel</name>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>%1, %L2 : 1</source>
+        <translation>%1, %L2 : 1</translation>
+    </message>
+    <message>
+        <source>%L1 / %L2 °/s</source>
+        <translation>%L1 / %L2 °/s</translation>
+    </message>
+    <message>
+        <source>compression ratio</source>
+        <translation>taux de compression</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as an array of 32-bit floats over the compressed motion bytes; the skeleton is left out of both, as in the paper.</source>
+        <translation>Octets des canaux en tableau de flottants de 32 bits sur les octets du mouvement compressé ; le squelette n&apos;est compté ni dans l&apos;un ni dans l&apos;autre, comme dans l&apos;article.</translation>
+    </message>
+    <message>
+        <source>eps_x</source>
+        <translation>eps_x</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between original and compressed, weighted by bone length.</source>
+        <translation>Distance quadratique moyenne entre original et compressé, pondérée par la longueur d&apos;os.</translation>
+    </message>
+    <message>
+        <source>State of the answer</source>
+        <translation>État de la réponse</translation>
+    </message>
+    <message>
+        <source>95 % of points within</source>
+        <translation>95 % des points à moins de</translation>
+    </message>
+    <message>
+        <source>95th percentile of the distance over all joints and frames, unweighted.</source>
+        <translation>95e centile de la distance sur toutes les articulations et images, non pondéré.</translation>
+    </message>
+    <message>
+        <source>99 % of points within</source>
+        <translation>99 % des points à moins de</translation>
+    </message>
+    <message>
+        <source>99th percentile of the distance over all joints and frames, unweighted.</source>
+        <translation>99e centile de la distance sur toutes les articulations et images, non pondéré.</translation>
+    </message>
+    <message>
+        <source>Worst point</source>
+        <translation>Pire point</translation>
+    </message>
+    <message>
+        <source>Greatest distance of any joint at any frame.</source>
+        <translation>Plus grande distance d&apos;une articulation à une image.</translation>
+    </message>
+    <message>
+        <source>Footskate</source>
+        <translation>Glissement</translation>
+    </message>
+    <message>
+        <source>Way of the feet over the ground while they stand, beyond the original&apos;s own, summed over the clip.</source>
+        <translation>Chemin des pieds sur le sol pendant qu&apos;ils sont posés, au-delà de celui de l&apos;original, sur toute la séquence.</translation>
+    </message>
+    <message>
+        <source>Motion / file</source>
+        <translation>Mouvement / fichier</translation>
+    </message>
+    <message>
+        <source>Compressed motion bytes, and bytes of the whole file with its skeleton.</source>
+        <translation>Octets du mouvement compressé, et octets de tout le fichier avec son squelette.</translation>
+    </message>
+    <message>
+        <source>Coefficient ratio</source>
+        <translation>Taux de coefficients</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s r: all wavelet coefficients over those that are kept.</source>
+        <translation>Le r de l&apos;article : tous les coefficients d&apos;ondelettes sur ceux qui sont gardés.</translation>
+    </message>
+    <message>
+        <source>Bits per joint-sample</source>
+        <translation>Bits par échantillon</translation>
+    </message>
+    <message>
+        <source>Motion bits for one joint at one frame: does not depend on a baseline.</source>
+        <translation>Bits du mouvement pour une articulation à une image : ne dépend d&apos;aucune référence.</translation>
+    </message>
+    <message>
+        <source>IK signals</source>
+        <translation>Signaux IK</translation>
+    </message>
+    <message>
+        <source>What holding the feet takes of the motion bytes, and its ratio r_IK.</source>
+        <translation>Ce que tenir les pieds prend des octets du mouvement, et son taux r_IK.</translation>
+    </message>
+    <message>
+        <source>Fastest knee</source>
+        <translation>Genou le plus rapide</translation>
+    </message>
+    <message>
+        <source>The greatest speed of a held leg&apos;s knee, and that of the original&apos;s: a correction must not make knees snap.</source>
+        <translation>La plus grande vitesse du genou d&apos;une jambe tenue, et celle de l&apos;original : une correction ne doit pas faire claquer les genoux.</translation>
+    </message>
+    <message>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
+    </message>
+    <message>
+        <source>eps_x, %1</source>
+        <translation>eps_x, %1</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>bytes</comment>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::SettingsChange</name>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Weighting</source>
+        <translation>Pondération</translation>
+    </message>
+    <message>
+        <source>Coding</source>
+        <translation>Codage</translation>
+    </message>
+    <message>
+        <source>Held Feet</source>
+        <translation>Pieds tenus</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>A or B</source>
+        <translation>A ou B</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::SlideModel</name>
+    <message>
+        <source>%L1–%L2</source>
+        <translation>%L1–%L2</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Articulation</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>While the original stands on the ground.</source>
+        <translation>Pendant que l&apos;original est posé au sol.</translation>
+    </message>
+    <message>
+        <source>Slid cm</source>
+        <translation>Glissé cm</translation>
+    </message>
+    <message>
+        <source>Way over the ground beyond that of the original.</source>
+        <translation>Chemin sur le sol au-delà de celui de l&apos;original.</translation>
+    </message>
+    <message>
+        <source>cm/s</source>
+        <translation>cm/s</translation>
+    </message>
+    <message>
+        <source>Greatest speed over the ground.</source>
+        <translation>Plus grande vitesse sur le sol.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::SlotControl</name>
+    <message>
+        <source>Settings %1</source>
+        <translation>Réglages %1</translation>
+    </message>
+    <message>
+        <source>Two settings to compare: tune one, switch to the other (A) and look at both.</source>
+        <translation>Deux réglages à comparer : en régler un, passer à l&apos;autre (A) et regarder les deux.</translation>
+    </message>
+    <message>
+        <source>Copy settings to the other</source>
+        <translation>Copier les réglages vers l&apos;autre</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>→ %1</source>
+        <translation>→ %1</translation>
+    </message>
+    <message>
+        <source>Copy these settings to %1</source>
+        <translation>Copier ces réglages vers %1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyClips</name>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Clips of the study</source>
+        <translation>Séquences de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Drop files or folders here.</source>
+        <translation>Déposer ici fichiers ou dossiers.</translation>
+    </message>
+    <message>
+        <source>Add Files…</source>
+        <translation>Ajouter des fichiers…</translation>
+    </message>
+    <message>
+        <source>Add motions (.bvh, .amc)</source>
+        <translation>Ajouter des mouvements (.bvh, .amc)</translation>
+    </message>
+    <message>
+        <source>Add Folder…</source>
+        <translation>Ajouter un dossier…</translation>
+    </message>
+    <message>
+        <source>Add every .bvh and .amc below a folder</source>
+        <translation>Ajouter chaque .bvh et .amc d&apos;un dossier</translation>
+    </message>
+    <message>
+        <source>Take the selected clips off the list (Del)</source>
+        <translation>Retirer de la liste les séquences choisies (Suppr)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyPanel</name>
+    <message>
+        <source>Also with feet held</source>
+        <translation>Aussi avec les pieds tenus</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Progrès de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>What was measured before is not measured again.</source>
+        <translation>Ce qui a été mesuré ne l&apos;est pas de nouveau.</translation>
+    </message>
+    <message>
+        <source>Clips</source>
+        <translation>Séquences</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Méthodes</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Cibles</translation>
+    </message>
+    <message>
+        <source>Methods of the study</source>
+        <translation>Méthodes de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>A curve more: optimised wavelets whose feet inverse kinematics hold in place, at the ratios asked for.</source>
+        <translation>Une courbe de plus : ondelettes optimisées dont la cinématique inverse tient les pieds, aux taux demandés.</translation>
+    </message>
+    <message>
+        <source>IK ratio of the study</source>
+        <translation>Taux IK de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>How much the correction signals are compressed (r_IK).</source>
+        <translation>De combien les signaux de correction sont compressés (r_IK).</translation>
+    </message>
+    <message>
+        <source>:1</source>
+        <translation>:1</translation>
+    </message>
+    <message>
+        <source>Ratios to reach</source>
+        <translation>Taux à atteindre</translation>
+    </message>
+    <message>
+        <source>Compression ratios, separated by spaces.</source>
+        <translation>Taux de compression, séparés par des espaces.</translation>
+    </message>
+    <message>
+        <source>Errors to keep, in cm</source>
+        <translation>Erreurs à tenir, en cm</translation>
+    </message>
+    <message>
+        <source>Bounds of eps_x in centimetres, separated by spaces.</source>
+        <translation>Bornes d&apos;eps_x en centimètres, séparées par des espaces.</translation>
+    </message>
+    <message>
+        <source>Weighting of the study</source>
+        <translation>Pondération de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts, each by bone length: the far end of every bone, or joint origins as in the paper.</source>
+        <translation>Quels points compte l&apos;erreur eps_x, chacun selon la longueur d&apos;os : le bout de chaque os, ou l&apos;origine des articulations comme dans l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Ratios</source>
+        <translation>Taux</translation>
+    </message>
+    <message>
+        <source>Errors (cm)</source>
+        <translation>Erreurs (cm)</translation>
+    </message>
+    <message>
+        <source>Weighting</source>
+        <translation>Pondération</translation>
+    </message>
+    <message>
+        <source>Kept in</source>
+        <translation>Gardé dans</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s cache</source>
+        <translation>Cache de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Folder of the study: %1</source>
+        <translation>Dossier de l&apos;étude : %1</translation>
+    </message>
+    <message>
+        <source>Where measurements are kept, so that a study that was stopped goes on where it was. Click to choose a folder, or one that holds a study, to see it.
+%1</source>
+        <translation>Où les mesures sont gardées, pour qu&apos;une étude arrêtée reprenne où elle était. Cliquer pour choisir un dossier, ou un dossier qui contient une étude, pour la voir.
+%1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Run Study</source>
+        <translation>Lancer l&apos;étude</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyResults</name>
+    <message>
+        <source>Clips shown</source>
+        <translation>Séquences montrées</translation>
+    </message>
+    <message>
+        <source>One clip, or the average over clips: the geometric mean of their ratios at equal error, with the points of all clips behind it.</source>
+        <translation>Une séquence, ou la moyenne des séquences : la moyenne géométrique de leurs taux à erreur égale, avec les points de toutes derrière.</translation>
+    </message>
+    <message>
+        <source>S&amp;how</source>
+        <translation>A&amp;fficher</translation>
+    </message>
+    <message>
+        <source>%1
+Click to load it into the studio.</source>
+        <translation>%1
+Cliquer pour le charger dans le studio.</translation>
+    </message>
+    <message>
+        <source>Rows of the study</source>
+        <translation>Lignes de l&apos;étude</translation>
+    </message>
+    <message numerus="yes">
+        <source>Average over %Ln clip(s)</source>
+        <translation>
+            <numerusform>Moyenne sur %Ln séquence</numerusform>
+            <numerusform>Moyenne sur %Ln séquences</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All clips</source>
+        <translation>Toutes les séquences</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyRowsModel</name>
+    <message>
+        <source>%1 + IK %L2:1</source>
+        <translation>%1 + IK %L2:1</translation>
+    </message>
+    <message>
+        <source>%L1:1</source>
+        <translation>%L1:1</translation>
+    </message>
+    <message>
+        <source>r = %L1</source>
+        <translation>r = %L1</translation>
+    </message>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>max %L1 cm</source>
+        <translation>max %L1 cm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1:1, %2</source>
+        <translation>%1:1, %2</translation>
+    </message>
+    <message>
+        <source>eps_x %1 cm, at most %2 cm</source>
+        <translation>eps_x %1 cm, au plus %2 cm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cm of footskate in %Ln contact(s)</source>
+        <translation>
+            <numerusform>%1 cm de glissement en %Ln contact</numerusform>
+            <numerusform>%1 cm de glissement en %Ln contacts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Asked for %1.</source>
+        <translation>Demandé : %1.</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Séquence</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Asked</source>
+        <translation>Demandé</translation>
+    </message>
+    <message>
+        <source>The target: a ratio, or an error not to be exceeded.</source>
+        <translation>La cible : un taux, ou une erreur à ne pas dépasser.</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Taux</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as 32-bit floats over compressed bytes.</source>
+        <translation>Octets des canaux en flottants de 32 bits sur octets compressés.</translation>
+    </message>
+    <message>
+        <source>eps_x cm</source>
+        <translation>eps_x cm</translation>
+    </message>
+    <message>
+        <source>Weighted root mean square error.</source>
+        <translation>Erreur quadratique moyenne pondérée.</translation>
+    </message>
+    <message>
+        <source>Max cm</source>
+        <translation>Max cm</translation>
+    </message>
+    <message>
+        <source>Largest error of any joint at any frame.</source>
+        <translation>Plus grande erreur d&apos;une articulation à une image.</translation>
+    </message>
+    <message>
+        <source>Slide cm</source>
+        <translation>Gliss. cm</translation>
+    </message>
+    <message>
+        <source>How far feet slide while they stand in the original.</source>
+        <translation>De combien les pieds glissent pendant qu&apos;ils sont posés dans l&apos;original.</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Secondes</translation>
+    </message>
+    <message>
+        <source>Time to compress, the search for the target and all.</source>
+        <translation>Durée de la compression, recherche de la cible comprise.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudySession</name>
+    <message>
+        <source>The picture could not be made.</source>
+        <translation>L&apos;image n&apos;a pas pu être faite.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyStatus</name>
+    <message numerus="yes">
+        <source>%Ln compression(s) to run</source>
+        <translation>
+            <numerusform>%Ln compression à faire</numerusform>
+            <numerusform>%Ln compressions à faire</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%L1 of %L2</source>
+        <translation>%L1 sur %L2</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <translation>%1, encore %2 environ</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln out of reach</source>
+        <translation>
+            <numerusform>, %Ln hors d&apos;atteinte</numerusform>
+            <numerusform>, %Ln hors d&apos;atteinte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln of clips that cannot be read</source>
+        <translation>
+            <numerusform>, %Ln d&apos;une séquence illisible</numerusform>
+            <numerusform>, %Ln de séquences illisibles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln compression(s)%1</source>
+        <translation>
+            <numerusform>%Ln compression%1</numerusform>
+            <numerusform>%Ln compressions%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Écriture…</translation>
+    </message>
+    <message>
+        <source>Drawing the report…</source>
+        <translation>Tracé du rapport…</translation>
+    </message>
+    <message>
+        <source>Cancelled after %L1 of %L2; the next run goes on from there</source>
+        <translation>Annulé après %L1 sur %L2 ; la prochaine fois reprend de là</translation>
+    </message>
+    <message>
+        <source>Add a clip to study</source>
+        <translation>Ajouter une séquence à étudier</translation>
+    </message>
+    <message>
+        <source>Check a method to study</source>
+        <translation>Cocher une méthode à étudier</translation>
+    </message>
+    <message>
+        <source>Name a ratio or an error to reach</source>
+        <translation>Donner un taux ou une erreur à atteindre</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Mesure…</translation>
+    </message>
+    <message>
+        <source>Run the study to see curves</source>
+        <translation>Lancer l&apos;étude pour voir des courbes</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyWindow</name>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 écrit.</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exporter</translation>
+    </message>
+    <message>
+        <source>Write what is measured to a file</source>
+        <translation>Écrire les mesures dans un fichier</translation>
+    </message>
+    <message>
+        <source>Rows as CSV…</source>
+        <translation>Lignes en CSV…</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valeurs séparées par des virgules (*.csv)</translation>
+    </message>
+    <message>
+        <source>Plot as PNG…</source>
+        <translation>Courbe en PNG…</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Images (*.png)</translation>
+    </message>
+    <message>
+        <source>Plot as PDF…</source>
+        <translation>Courbe en PDF…</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documents PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Report as HTML…</source>
+        <translation>Rapport en HTML…</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Pages web (*.html)</translation>
+    </message>
+    <message>
+        <source>Add Clips</source>
+        <translation>Ajouter des séquences</translation>
+    </message>
+    <message>
+        <source>Motion (*.bvh *.amc)</source>
+        <translation>Mouvement (*.bvh *.amc)</translation>
+    </message>
+    <message>
+        <source>Add All Clips below</source>
+        <translation>Ajouter toutes les séquences de</translation>
+    </message>
+    <message>
+        <source>Folder of the Study</source>
+        <translation>Dossier de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>In the studio: %1, %2, %3.</source>
+        <translation>Dans le studio : %1, %2, %3.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::TargetControl</name>
+    <message>
+        <source> bytes</source>
+        <translation> octets</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source> : 1</source>
+        <translation> : 1</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Compression ratio</source>
+        <translation>Taux de compression</translation>
+    </message>
+    <message>
+        <source>Size in bytes</source>
+        <translation>Taille en octets</translation>
+    </message>
+    <message>
+        <source>Error (eps_x)</source>
+        <translation>Erreur (eps_x)</translation>
+    </message>
+    <message>
+        <source>Greatest error</source>
+        <translation>Erreur maximale</translation>
+    </message>
+    <message>
+        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; or a distance that no joint exceeds at any frame).</source>
+        <translation>Demander une taille (taux de compression : octets des canaux en flottants de 32 bits sur les octets du mouvement compressé ; ou ces octets mêmes) ou une qualité (erreur moyenne pondérée eps_x ; ou une distance qu&apos;aucune articulation ne dépasse à aucune image).</translation>
+    </message>
+    <message>
+        <source>Target on a slider</source>
+        <translation>Cible au curseur</translation>
+    </message>
+    <message>
+        <source>Drag: the standard answer follows at once, the annealed one refines it.</source>
+        <translation>Glisser : la réponse standard suit aussitôt, le recuit l&apos;affine.</translation>
+    </message>
+    <message>
+        <source>Target value</source>
+        <translation>Valeur de la cible</translation>
+    </message>
+    <message>
+        <source>The target as a number; type it or step through it.</source>
+        <translation>La cible en nombre ; la taper ou la faire défiler.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::TransportBar</name>
+    <message>
+        <source>First frame</source>
+        <translation>Première image</translation>
+    </message>
+    <message>
+        <source>Previous frame</source>
+        <translation>Image précédente</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Lire ou suspendre</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>Image suivante</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>Play backwards, again: faster</source>
+        <translation>Lire à rebours, encore : plus vite</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play forwards, again: faster</source>
+        <translation>Lire en avant, encore : plus vite</translation>
+    </message>
+    <message>
+        <source>Ten frames back</source>
+        <translation>Dix images en arrière</translation>
+    </message>
+    <message>
+        <source>Ten frames on</source>
+        <translation>Dix images en avant</translation>
+    </message>
+    <message>
+        <source>Play from here</source>
+        <translation>Lire à partir d&apos;ici</translation>
+    </message>
+    <message>
+        <source>Play to here</source>
+        <translation>Lire jusqu&apos;ici</translation>
+    </message>
+    <message>
+        <source>Play the whole clip</source>
+        <translation>Lire toute la séquence</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Drag to any frame.</source>
+        <translation>Glisser vers une image.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Frame read-out</source>
+        <translation>Affichage de l&apos;image</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Playing speed; 1× is as recorded.</source>
+        <translation>Vitesse de lecture ; 1× comme enregistré.</translation>
+    </message>
+    <message>
+        <source>%L1×</source>
+        <translation>%L1×</translation>
+    </message>
+    <message>
+        <source>%L1 s</source>
+        <translation>%L1 s</translation>
+    </message>
+    <message>
+        <source>%L1 / %L2</source>
+        <translation>%L1 / %L2</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ViewActions</name>
+    <message>
+        <source>&amp;Overlay</source>
+        <translation>&amp;Superposer</translation>
+    </message>
+    <message>
+        <source>The original as a ghost over the compressed figure</source>
+        <translation>L&apos;original en fantôme sur la figure compressée</translation>
+    </message>
+    <message>
+        <source>&amp;Side by Side</source>
+        <translation>Côte à &amp;côte</translation>
+    </message>
+    <message>
+        <source>Original and compressed figure beside each other</source>
+        <translation>Figures originale et compressée l&apos;une à côté de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe</source>
+        <translation>&amp;Volet</translation>
+    </message>
+    <message>
+        <source>One picture with a divider to drag, also while it plays</source>
+        <translation>Une seule image avec un volet à faire glisser, même pendant la lecture</translation>
+    </message>
+    <message>
+        <source>S&amp;wap</source>
+        <translation>&amp;Échanger</translation>
+    </message>
+    <message>
+        <source>Exchange the places of original and compressed figure</source>
+        <translation>Échanger les places des figures originale et compressée</translation>
+    </message>
+    <message>
+        <source>&amp;Blink</source>
+        <translation>&amp;Alterner</translation>
+    </message>
+    <message>
+        <source>Original and compressed figure take turns in one place</source>
+        <translation>Figures originale et compressée alternent à la même place</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;Error</source>
+        <translation>Colorer selon l&apos;&amp;erreur</translation>
+    </message>
+    <message>
+        <source>Colour every joint by its distance from the original, in cm</source>
+        <translation>Colorer chaque articulation selon sa distance à l&apos;original, en cm</translation>
+    </message>
+    <message>
+        <source>&amp;Path of the Joint</source>
+        <translation>&amp;Trajet de l&apos;articulation</translation>
+    </message>
+    <message>
+        <source>The way of the chosen joint, half a second around now</source>
+        <translation>Le chemin de l&apos;articulation choisie, une demi-seconde de part et d&apos;autre</translation>
+    </message>
+    <message>
+        <source>&amp;Follow</source>
+        <translation>&amp;Suivre</translation>
+    </message>
+    <message>
+        <source>The camera moves with the figure</source>
+        <translation>La caméra suit la figure</translation>
+    </message>
+    <message>
+        <source>&amp;In Place</source>
+        <translation>Sur &amp;place</translation>
+    </message>
+    <message>
+        <source>Play without the root&apos;s way over the ground</source>
+        <translation>Lire sans le trajet de la racine sur le sol</translation>
+    </message>
+    <message>
+        <source>F&amp;loor View</source>
+        <translation>Vue de d&amp;essus</translation>
+    </message>
+    <message>
+        <source>Look straight down, as on a plan</source>
+        <translation>Regarder à la verticale, comme sur un plan</translation>
+    </message>
+    <message>
+        <source>&amp;Reset Camera</source>
+        <translation>&amp;Rétablir la caméra</translation>
+    </message>
+    <message>
+        <source>Look at the whole figure again</source>
+        <translation>Revoir toute la figure</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Viewport</name>
+    <message>
+        <source>The 3D view needs OpenGL 3.2, which is not available here.</source>
+        <translation>La vue 3D a besoin d&apos;OpenGL 3.2, qui n&apos;est pas disponible ici.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::WarningsPanel</name>
+    <message>
+        <source>Notes on reading</source>
+        <translation>Notes de lecture</translation>
+    </message>
+    <message>
+        <source>Show notes</source>
+        <translation>Montrer les notes</translation>
+    </message>
+    <message>
+        <source>Show what was repaired or guessed while reading</source>
+        <translation>Montrer ce qui a été réparé ou deviné à la lecture</translation>
+    </message>
+    <message>
+        <source>Dismiss notes</source>
+        <translation>Écarter les notes</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s) on reading this clip</source>
+        <translation>
+            <numerusform>%n note sur la lecture de cette séquence</numerusform>
+            <numerusform>%n notes sur la lecture de cette séquence</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

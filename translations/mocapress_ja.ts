@@ -1,0 +1,2044 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja">
+<context>
+    <name>mocapress::Actions</name>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a motion (.bvh, .amc) or a compressed clip (.mcpr)</source>
+        <translation>モーション(.bvh、.amc)または圧縮クリップ(.mcpr)を開く</translation>
+    </message>
+    <message>
+        <source>Open Sample &amp;Walk</source>
+        <translation>サンプルの歩行を開く(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Choose Skeleton…</source>
+        <translation>スケルトンを選択…</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with Original…</source>
+        <translation>元と比較(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save the compressed clip as .mcpr</source>
+        <translation>圧縮クリップを .mcpr として保存</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>名前を付けて保存(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>A&amp;dd Clips to Library…</source>
+        <translation>クリップを追加(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>&amp;New Project</source>
+        <translation>新規プロジェクト(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Open Pro&amp;ject…</source>
+        <translation>プロジェクトを開く(&amp;J)…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve Project As…</source>
+        <translation>プロジェクトを保存(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Switch between &amp;A and B</source>
+        <translation>AとBを切り替え(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Settings to the Other</source>
+        <translation>設定をもう一方へコピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>終了(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>元に戻す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>やり直す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Next &amp;Worst Frame</source>
+        <translation>次に悪いフレーム(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Go to the frame with the greatest error, again: to the next worst (N)</source>
+        <translation>誤差が最大のフレームへ、もう一度で次に悪いフレームへ (N)</translation>
+    </message>
+    <message>
+        <source>P&amp;revious Worst Frame</source>
+        <translation>前の悪いフレーム(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Hold Feet</source>
+        <translation>足を固定(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Compress with or without inverse kinematics (I)</source>
+        <translation>逆運動学の有無を切り替えて圧縮 (I)</translation>
+    </message>
+    <message>
+        <source>Without &amp;IK</source>
+        <translation>IKなし(&amp;I)</translation>
+    </message>
+    <message>
+        <source>See the compressed figure before its feet are held (B)</source>
+        <translation>足を固定する前の圧縮後の人形を見る (B)</translation>
+    </message>
+    <message>
+        <source>Reset &amp;Layout</source>
+        <translation>配置をリセット(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Study…</source>
+        <translation>比較研究(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Compare methods on many clips: size against error</source>
+        <translation>多くのクリップで手法を比較：サイズと誤差</translation>
+    </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>ガイド(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts</source>
+        <translation>キーボードショートカット(&amp;K)</translation>
+    </message>
+    <message>
+        <source>As the &amp;System</source>
+        <translation>システムに従う(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>ライト(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>ダーク(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;About Mocapress</source>
+        <translation>Mocapressについて(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>ファイル(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>最近使ったファイル(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>編集(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>再生(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>テーマ(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>言語(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>ツール(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>ヘルプ(&amp;H)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::AnnealingPanel</name>
+    <message>
+        <source>Cancel</source>
+        <translation>中止</translation>
+    </message>
+    <message>
+        <source>Progress of the annealing</source>
+        <translation>焼きなましの進行</translation>
+    </message>
+    <message>
+        <source>Annealing moves fewer and fewer coefficients at a time, until no move helps. A size or error target takes several passes.</source>
+        <translation>焼きなましは一度に動かす係数を減らしていき、改善がなくなるまで続けます。サイズや誤差の目標には数回の走査が要ります。</translation>
+    </message>
+    <message>
+        <source>Stop annealing. The best so far is kept where it beats the standard answer.</source>
+        <translation>焼きなましを止めます。標準の答えより良ければ、これまでの最良を残します。</translation>
+    </message>
+    <message>
+        <source>Pass %1</source>
+        <translation>走査 %1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ChannelGraph</name>
+    <message>
+        <source>Channel</source>
+        <translation>チャンネル</translation>
+    </message>
+    <message>
+        <source>One degree of freedom of the chosen joint.</source>
+        <translation>選んだ関節の自由度のひとつ。</translation>
+    </message>
+    <message>
+        <source>Channel over time</source>
+        <translation>チャンネルの時間変化</translation>
+    </message>
+    <message>
+        <source>The channel as recorded and as compressed, and below what is between them. Click to seek.</source>
+        <translation>記録時と圧縮後のチャンネル、下はその差。クリックで移動。</translation>
+    </message>
+    <message>
+        <source>Kept coefficients by scale</source>
+        <translation>スケール別の残した係数</translation>
+    </message>
+    <message>
+        <source>Wavelet coefficients of this channel that are kept, of all there are, from the coarsest scale to the finest. Compression keeps the few that matter.</source>
+        <translation>このチャンネルのウェーブレット係数のうち残したもの。粗いスケールから細かいスケールへ。圧縮は効くものだけを残します。</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>時間 (s)</translation>
+    </message>
+    <message>
+        <source>Scale (finer →)</source>
+        <translation>スケール(細かい →)</translation>
+    </message>
+    <message>
+        <source>Kept (%)</source>
+        <translation>残存率 (%)</translation>
+    </message>
+    <message>
+        <source>The chosen joint does not move by itself.</source>
+        <translation>選んだ関節は自分では動きません。</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>Value (%1)</source>
+        <translation>値 (%1)</translation>
+    </message>
+    <message>
+        <source>Difference (%1)</source>
+        <translation>差 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ClipFiles</name>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>Motion and compressed clips (*.bvh *.amc *.mcpr);;All files (*)</source>
+        <translation>モーションと圧縮クリップ (*.bvh *.amc *.mcpr);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Skeleton of %1</source>
+        <translation>%1 のスケルトン</translation>
+    </message>
+    <message>
+        <source>Skeletons (*.asf)</source>
+        <translation>スケルトン (*.asf)</translation>
+    </message>
+    <message>
+        <source>Compare with Original</source>
+        <translation>元と比較</translation>
+    </message>
+    <message>
+        <source>Motion (*.bvh *.amc)</source>
+        <translation>モーション (*.bvh *.amc)</translation>
+    </message>
+    <message>
+        <source>Save Compressed Clip</source>
+        <translation>圧縮クリップを保存</translation>
+    </message>
+    <message>
+        <source>Compressed clips (*.mcpr)</source>
+        <translation>圧縮クリップ (*.mcpr)</translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>保存されていない変更</translation>
+    </message>
+    <message>
+        <source>Save the compressed clip of %1?</source>
+        <translation>%1 の圧縮クリップを保存しますか?</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::CompressionPanel</name>
+    <message>
+        <source>Method</source>
+        <translation>手法</translation>
+    </message>
+    <message>
+        <source>Which wavelet coefficients are kept: annealed moves them to the channels where they lower the error in the world most, standard keeps the largest of all, per channel keeps as many of each.</source>
+        <translation>どのウェーブレット係数を残すか：焼きなましは空間の誤差が最も下がるチャンネルへ移し、標準は全体で大きいものを残し、チャンネル別は同数ずつ残します。</translation>
+    </message>
+    <message>
+        <source>Weighting</source>
+        <translation>重み付け</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts, each by bone length: the far end of every bone, or joint origins as in the paper.</source>
+        <translation>誤差 eps_x が数える点(骨の長さで重み付け)：各骨の先端、または論文どおり関節の原点。</translation>
+    </message>
+    <message>
+        <source>Coding</source>
+        <translation>符号化</translation>
+    </message>
+    <message>
+        <source>How kept coefficients become bytes: 16-bit words with runs of zeros, optionally packed further by DEFLATE.</source>
+        <translation>残した係数をバイトにする方法：ゼロの連長を含む16ビット語、必要ならDEFLATEでさらに圧縮。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ContactStrip</name>
+    <message>
+        <source>Contacts</source>
+        <translation>接地</translation>
+    </message>
+    <message>
+        <source>%1 on the ground, frames %L2–%L3; slides %L4 cm further than the original. Drag an end to move it.</source>
+        <translation>%1 が接地、フレーム %L2–%L3。元より %L4 cm 多く滑ります。端をドラッグして移動。</translation>
+    </message>
+    <message>
+        <source>Remove Contact</source>
+        <translation>接地を削除</translation>
+    </message>
+    <message>
+        <source>Add Contact Here</source>
+        <translation>ここに接地を追加</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ConvergencePlot</name>
+    <message>
+        <source>Error while annealing</source>
+        <translation>焼きなまし中の誤差</translation>
+    </message>
+    <message>
+        <source>How the error falls while coefficients move between channels.</source>
+        <translation>係数がチャンネル間を移るにつれて誤差が下がる様子。</translation>
+    </message>
+    <message>
+        <source>Iteration</source>
+        <translation>反復</translation>
+    </message>
+    <message>
+        <source>eps_x (cm)</source>
+        <translation>eps_x (cm)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::CorrectionControl</name>
+    <message>
+        <source>&amp;Hold feet (IK)</source>
+        <translation>足を固定(IK)(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Stores where the feet are in the original and brings them there by inverse kinematics, so that planted feet do not slide. What this takes counts in the compression ratio.</source>
+        <translation>元の足の位置を記録し、逆運動学でそこへ戻すので、接地した足が滑りません。その分も圧縮率に含まれます。</translation>
+    </message>
+    <message>
+        <source>Let the encoder find how much to spend on the feet: the least sliding for at most a fifth more error.</source>
+        <translation>足にどれだけ使うかをエンコーダに任せます：誤差の増加を2割までに抑え、滑りを最小にします。</translation>
+    </message>
+    <message>
+        <source>IK ratio</source>
+        <translation>IK比</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s r_IK: coefficients of the correction over kept ones. Lower holds the feet better and costs more.</source>
+        <translation>論文の r_IK：補正の全係数と残した係数の比。低いほど足がよく固定され、コストも増えます。</translation>
+    </message>
+    <message>
+        <source> : 1</source>
+        <translation> : 1</translation>
+    </message>
+    <message>
+        <source>IK ratio on a slider</source>
+        <translation>IK比のスライダー</translation>
+    </message>
+    <message>
+        <source>Where feet are held</source>
+        <translation>足を固定する範囲</translation>
+    </message>
+    <message>
+        <source>At every frame as in the paper, or only where they stand on the ground, blended in and out.</source>
+        <translation>論文どおり全フレーム、または接地している間だけ(前後はなめらかに)。</translation>
+    </message>
+    <message>
+        <source>Joints that are held</source>
+        <translation>固定する関節</translation>
+    </message>
+    <message>
+        <source>Joints other than the feet can be held too.</source>
+        <translation>足以外の関節も固定できます。</translation>
+    </message>
+    <message>
+        <source>Held at</source>
+        <translation>固定範囲</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>足</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln joint(s)</source>
+        <translation>
+            <numerusform>%Ln 個の関節</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ErrorGraph</name>
+    <message>
+        <source>Error over time</source>
+        <translation>誤差の時間変化</translation>
+    </message>
+    <message>
+        <source>Distance from the original in the world. Click to seek, wheel to zoom, double click to see all.</source>
+        <translation>空間での元との距離。クリックで移動、ホイールで拡大、ダブルクリックで全体。</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>時間 (s)</translation>
+    </message>
+    <message>
+        <source>Error (cm)</source>
+        <translation>誤差 (cm)</translation>
+    </message>
+    <message>
+        <source>worst of all joints</source>
+        <translation>全関節の最悪</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ErrorStrip</name>
+    <message>
+        <source>Error strip</source>
+        <translation>誤差の帯</translation>
+    </message>
+    <message>
+        <source>Greatest and mean error at every frame. The table of joints has the numbers.</source>
+        <translation>各フレームの最大誤差と平均誤差。数値は関節の表にあります。</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>誤差</translation>
+    </message>
+    <message>
+        <source>Greatest error at every frame as a column, the mean as a line. Shift and drag chooses the range that is played.</source>
+        <translation>各フレームの最大誤差を柱、平均を線で表示。Shift＋ドラッグで再生範囲を選びます。</translation>
+    </message>
+    <message>
+        <source>A jump of one frame: %1 at frame %L2, %L3 cm</source>
+        <translation>1フレームの飛び：%1、フレーム %L2、%L3 cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Figures</name>
+    <message>
+        <source>Nothing open</source>
+        <translation>何も開いていません</translation>
+    </message>
+    <message>
+        <source>Not compressed</source>
+        <translation>未圧縮</translation>
+    </message>
+    <message>
+        <source>Compressing…</source>
+        <translation>圧縮中…</translation>
+    </message>
+    <message>
+        <source>As recorded in the file</source>
+        <translation>ファイルの記録どおり</translation>
+    </message>
+    <message>
+        <source>%1, as in the study</source>
+        <translation>%1、比較研究のとおり</translation>
+    </message>
+    <message>
+        <source>%1, from the file, measured against the original</source>
+        <translation>%1、ファイルから、元と比べて計測</translation>
+    </message>
+    <message>
+        <source>Standard answer; a better one is on its way</source>
+        <translation>標準の答え。より良い答えを計算中</translation>
+    </message>
+    <message>
+        <source>Annealing cancelled; the best so far is kept</source>
+        <translation>焼きなましを中止。これまでの最良を保持</translation>
+    </message>
+    <message>
+        <source>Annealing cancelled; the standard answer is kept</source>
+        <translation>焼きなましを中止。標準の答えを保持</translation>
+    </message>
+    <message numerus="yes">
+        <source>Annealed, %Ln iteration(s), %L1 s</source>
+        <translation>
+            <numerusform>焼きなまし、反復 %Ln 回、%L1 s</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %L2 s</source>
+        <translation>%1、%L2 s</translation>
+    </message>
+    <message>
+        <source>Footskate is measured against the original.</source>
+        <translation>足滑りは元と比べて計測されます。</translation>
+    </message>
+    <message>
+        <source>No foot stands on the ground in this clip.</source>
+        <translation>このクリップでは足が接地しません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%L1 cm of footskate in %Ln contact(s)</source>
+        <translation>
+            <numerusform>%Ln 回の接地で足滑り %L1 cm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, without IK</source>
+        <translation>%1、IKなし</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::FiguresBar</name>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>eps_x</source>
+        <translation>eps_x</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between original and compressed, weighted by bone length: the paper&apos;s distortion.</source>
+        <translation>元と圧縮後の距離の二乗平均平方根(骨の長さで重み付け)：論文の歪み。</translation>
+    </message>
+    <message>
+        <source>p95</source>
+        <translation>p95</translation>
+    </message>
+    <message>
+        <source>95 % of all points at all frames are nearer to the original.</source>
+        <translation>全フレームの全点の95 %がこれより元に近い。</translation>
+    </message>
+    <message>
+        <source>p99</source>
+        <translation>p99</translation>
+    </message>
+    <message>
+        <source>99 % of all points at all frames are nearer to the original.</source>
+        <translation>全フレームの全点の99 %がこれより元に近い。</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Greatest distance of any joint at any frame.</source>
+        <translation>全関節・全フレームでの最大距離。</translation>
+    </message>
+    <message>
+        <source>footskate</source>
+        <translation>足滑り</translation>
+    </message>
+    <message>
+        <source>Sliding of standing feet beyond the original&apos;s own.</source>
+        <translation>接地中の足の、元を超える滑り。</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>サイズ</translation>
+    </message>
+    <message>
+        <source>Compressed motion bytes, without the skeleton.</source>
+        <translation>圧縮後の動きのバイト数(スケルトンを除く)。</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Channels as 32-bit floats over the compressed motion bytes, as in the paper.</source>
+        <translation>32ビット浮動小数点のチャンネルと圧縮後の動きのバイト数の比(論文どおり)。</translation>
+    </message>
+    <message>
+        <source>bits per joint-sample</source>
+        <translation>関節サンプルあたりビット</translation>
+    </message>
+    <message>
+        <source>Motion bits for one joint at one frame: does not depend on a baseline.</source>
+        <translation>1関節・1フレームあたりの動きのビット数。基準に依存しません。</translation>
+    </message>
+    <message>
+        <source>eps_x, %1</source>
+        <translation>eps_x、%1</translation>
+    </message>
+    <message>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::FootskatePanel</name>
+    <message>
+        <source>Findings of footskate</source>
+        <translation>足滑りの検出結果</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接地</translation>
+    </message>
+    <message>
+        <source>begins below</source>
+        <translation>開始(以下)</translation>
+    </message>
+    <message>
+        <source>ends above</source>
+        <translation>終了(以上)</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Height below which a contact begins</source>
+        <translation>接地が始まる高さ</translation>
+    </message>
+    <message>
+        <source>Height above which a contact ends</source>
+        <translation>接地が終わる高さ</translation>
+    </message>
+    <message>
+        <source> cm/s</source>
+        <translation> cm/s</translation>
+    </message>
+    <message>
+        <source>Speed below which a contact begins</source>
+        <translation>接地が始まる速さ</translation>
+    </message>
+    <message>
+        <source>Speed above which a contact ends</source>
+        <translation>接地が終わる速さ</translation>
+    </message>
+    <message>
+        <source>%1, as measured on the original.</source>
+        <translation>%1(元のモーションで計測)。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::HeatMap</name>
+    <message>
+        <source>Heat map of errors</source>
+        <translation>誤差のヒートマップ</translation>
+    </message>
+    <message>
+        <source>Error of every joint at every frame. Arrow keys move to the next joint or frame.</source>
+        <translation>全関節・全フレームの誤差。矢印キーで隣の関節やフレームへ。</translation>
+    </message>
+    <message>
+        <source>Errors are measured against the original.</source>
+        <translation>誤差は元と比べて計測されます。</translation>
+    </message>
+    <message>
+        <source>0 cm</source>
+        <translation>0 cm</translation>
+    </message>
+    <message>
+        <source>≥ %L1 cm</source>
+        <translation>≥ %L1 cm</translation>
+    </message>
+    <message>
+        <source>%1, frame %L2: %L3 cm</source>
+        <translation>%1、フレーム %L2：%L3 cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Help</name>
+    <message>
+        <source>Left drag in the 3D view: turn</source>
+        <translation>3Dビューで左ドラッグ：回転</translation>
+    </message>
+    <message>
+        <source>Right or middle drag: move</source>
+        <translation>右または中ドラッグ：移動</translation>
+    </message>
+    <message>
+        <source>Wheel: nearer or further</source>
+        <translation>ホイール：近づく・遠ざかる</translation>
+    </message>
+    <message>
+        <source>Click on a joint: choose it</source>
+        <translation>関節をクリック：選択</translation>
+    </message>
+    <message>
+        <source>Drag an end of a contact: move it; right button: add or remove</source>
+        <translation>接地の端をドラッグ：移動、右ボタン：追加・削除</translation>
+    </message>
+    <message>
+        <source>Shift and drag on the error strip: choose the range that is played</source>
+        <translation>誤差の帯でShift＋ドラッグ：再生範囲を選択</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>マウス</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Inspector</name>
+    <message>
+        <source>The curve of this clip is drawn once it is compressed.</source>
+        <translation>圧縮が済むとこのクリップの曲線が描かれます。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::JobRunner</name>
+    <message>
+        <source>Something unknown went wrong.</source>
+        <translation>不明なエラーが起きました。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::JointErrorModel</name>
+    <message>
+        <source>Joint</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Mean cm</source>
+        <translation>平均 cm</translation>
+    </message>
+    <message>
+        <source>Max cm</source>
+        <translation>最大 cm</translation>
+    </message>
+    <message>
+        <source>Joint origins and bone ends, in the skeleton&apos;s order.</source>
+        <translation>関節の原点と骨の先端(スケルトンの順)。</translation>
+    </message>
+    <message>
+        <source>Distance in the world from the original, averaged over the clip.</source>
+        <translation>空間での元との距離、クリップ全体の平均。</translation>
+    </message>
+    <message>
+        <source>Greatest distance in the world from the original, at any frame.</source>
+        <translation>空間での元との距離、全フレームの最大。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::JointsPanel</name>
+    <message>
+        <source>Joints</source>
+        <translation>関節</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LaunchOptions</name>
+    <message>
+        <source>Compress human motion capture clips with wavelets, and see what it does.</source>
+        <translation>人のモーションキャプチャをウェーブレットで圧縮し、その結果を見ます。</translation>
+    </message>
+    <message>
+        <source>A .bvh, .amc or .mcpr file.</source>
+        <translation>.bvh、.amc、.mcpr のいずれかのファイル。</translation>
+    </message>
+    <message>
+        <source>The .asf skeleton of an .amc.</source>
+        <translation>.amc 用の .asf スケルトン。</translation>
+    </message>
+    <message>
+        <source>The compression ratio to begin with.</source>
+        <translation>最初の圧縮率。</translation>
+    </message>
+    <message>
+        <source>Hold the feet, with this IK ratio to begin with.</source>
+        <translation>足を固定し、最初のIK比をこれにします。</translation>
+    </message>
+    <message>
+        <source>Write timings to standard error.</source>
+        <translation>所要時間を標準エラー出力に書きます。</translation>
+    </message>
+    <message>
+        <source>Write a picture of the window once the clip is compressed, and quit.</source>
+        <translation>圧縮が済んだらウィンドウの画像を書いて終了します。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryModel</name>
+    <message>
+        <source>Cannot be read</source>
+        <translation>読み込めません</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>読み込み中…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frame(s)</source>
+        <translation>
+            <numerusform>%Ln フレーム</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%L1 : 1, %L2 cm</source>
+        <translation>%L1 : 1、%L2 cm</translation>
+    </message>
+    <message>
+        <source>✓ approved</source>
+        <translation>✓ 承認</translation>
+    </message>
+    <message>
+        <source>✕ rejected</source>
+        <translation>✕ 却下</translation>
+    </message>
+    <message>
+        <source>target met</source>
+        <translation>目標達成</translation>
+    </message>
+    <message>
+        <source>! target missed</source>
+        <translation>! 目標未達</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryPanel</name>
+    <message>
+        <source>Add Clips…</source>
+        <translation>クリップを追加…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>除く</translation>
+    </message>
+    <message>
+        <source>Clips of the project</source>
+        <translation>プロジェクトのクリップ</translation>
+    </message>
+    <message>
+        <source>Add motion files to the project. Each keeps its own settings.</source>
+        <translation>モーションをプロジェクトに追加。設定はそれぞれに保たれます。</translation>
+    </message>
+    <message>
+        <source>Take the clip out of the project; its file stays.</source>
+        <translation>クリップをプロジェクトから除きます。ファイルは残ります。</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>What quality assurance says about the clip as it is compressed now.</source>
+        <translation>現在の圧縮結果に対する品質検査の判定。</translation>
+    </message>
+    <message>
+        <source>Not reviewed</source>
+        <translation>未確認</translation>
+    </message>
+    <message>
+        <source>Approved</source>
+        <translation>承認</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>却下</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Note about this clip</source>
+        <translation>このクリップのメモ</translation>
+    </message>
+    <message>
+        <source>Kept in the project, with the verdict.</source>
+        <translation>判定とともにプロジェクトに保存されます。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryViews</name>
+    <message>
+        <source>%L1 : 1, %L2 cm</source>
+        <translation>%L1 : 1、%L2 cm</translation>
+    </message>
+    <message>
+        <source>Add Clips</source>
+        <translation>クリップを追加</translation>
+    </message>
+    <message>
+        <source>Motion (*.bvh *.amc)</source>
+        <translation>モーション (*.bvh *.amc)</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>プロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Mocapress projects (*.mocapress)</source>
+        <translation>Mocapressプロジェクト (*.mocapress)</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>プロジェクトを保存</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::MainWindow</name>
+    <message>
+        <source>Library</source>
+        <translation>ライブラリ</translation>
+    </message>
+    <message>
+        <source>Compression</source>
+        <translation>圧縮</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Footskate</source>
+        <translation>足滑り</translation>
+    </message>
+    <message>
+        <source>Error over time</source>
+        <translation>誤差の時間変化</translation>
+    </message>
+    <message>
+        <source>Heat map</source>
+        <translation>ヒートマップ</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>チャンネル</translation>
+    </message>
+    <message>
+        <source>Rate-distortion</source>
+        <translation>レート歪み</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>ガイド</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>キーボードショートカット</translation>
+    </message>
+    <message>
+        <source>The language changes when Mocapress is started again.</source>
+        <translation>言語はMocapressの次回起動時に変わります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
+        <translation>
+            <numerusform>前回は予期せず終了しました。プロジェクトを復元しました：%Ln クリップ。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>%1[*] – %2</source>
+        <translation>%1[*] – %2</translation>
+    </message>
+    <message>
+        <source>About Mocapress</source>
+        <translation>Mocapressについて</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresses human motion capture clips with wavelets, after Philippe Beaudoin, Pierre Poulin and Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;The studio is free software under the GNU General Public License, version 3 or later; the compression library is under the MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;人のモーションキャプチャをウェーブレットで圧縮します。Philippe Beaudoin、Pierre Poulin、Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007 に基づきます。&lt;/p&gt;&lt;p&gt;スタジオはGNU一般公衆利用許諾書バージョン3以降の自由ソフトウェア、圧縮ライブラリはMITライセンスです。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>Close message</source>
+        <translation>メッセージを閉じる</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>What may help</source>
+        <translation>対処</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Names</name>
+    <message>
+        <source>Per channel</source>
+        <translation>チャンネル別</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>標準</translation>
+    </message>
+    <message>
+        <source>Annealed</source>
+        <translation>焼きなまし</translation>
+    </message>
+    <message>
+        <source>Closed loop</source>
+        <translation>閉ループ</translation>
+    </message>
+    <message>
+        <source>16-bit runs</source>
+        <translation>16ビット連長</translation>
+    </message>
+    <message>
+        <source>16-bit runs + DEFLATE</source>
+        <translation>16ビット連長＋DEFLATE</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation>適応</translation>
+    </message>
+    <message>
+        <source>Bone ends</source>
+        <translation>骨の先端</translation>
+    </message>
+    <message>
+        <source>Joint origins</source>
+        <translation>関節の原点</translation>
+    </message>
+    <message>
+        <source>Every frame</source>
+        <translation>全フレーム</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>接地</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::OpenClip</name>
+    <message>
+        <source>%1 is not the original of the compressed clip: joints, frames or sample rate differ.</source>
+        <translation>%1 は圧縮クリップの元ではありません：関節、フレーム数、サンプルレートのいずれかが違います。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Overlay</name>
+    <message>
+        <source>Original</source>
+        <translation>元</translation>
+    </message>
+    <message>
+        <source>Compressed</source>
+        <translation>圧縮後</translation>
+    </message>
+    <message>
+        <source>≥ %1 cm</source>
+        <translation>≥ %1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::RatePlot</name>
+    <message>
+        <source>Rate-distortion plot</source>
+        <translation>レート歪みプロット</translation>
+    </message>
+    <message>
+        <source>Error over compression ratio, one curve a method. The table below has every point.</source>
+        <translation>圧縮率に対する誤差、手法ごとに1本の曲線。下の表に全点があります。</translation>
+    </message>
+    <message>
+        <source>Compression ratio (smaller →)</source>
+        <translation>圧縮率(小さい →)</translation>
+    </message>
+    <message>
+        <source>you are here</source>
+        <translation>現在地</translation>
+    </message>
+    <message>
+        <source>eps_x (cm), %1</source>
+        <translation>eps_x (cm)、%1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ResultPanel</name>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>%1, %L2 : 1</source>
+        <translation>%1、%L2 : 1</translation>
+    </message>
+    <message>
+        <source>%L1 / %L2 °/s</source>
+        <translation>%L1 / %L2 °/s</translation>
+    </message>
+    <message>
+        <source>compression ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as an array of 32-bit floats over the compressed motion bytes; the skeleton is left out of both, as in the paper.</source>
+        <translation>チャンネルを32ビット浮動小数点の配列としたバイト数と圧縮後の動きのバイト数の比。論文どおりスケルトンはどちらにも含みません。</translation>
+    </message>
+    <message>
+        <source>eps_x</source>
+        <translation>eps_x</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between original and compressed, weighted by bone length.</source>
+        <translation>元と圧縮後の距離の二乗平均平方根(骨の長さで重み付け)。</translation>
+    </message>
+    <message>
+        <source>State of the answer</source>
+        <translation>答えの状態</translation>
+    </message>
+    <message>
+        <source>95 % of points within</source>
+        <translation>95 %の点がこの範囲</translation>
+    </message>
+    <message>
+        <source>95th percentile of the distance over all joints and frames, unweighted.</source>
+        <translation>全関節・全フレームの距離の95パーセンタイル(重みなし)。</translation>
+    </message>
+    <message>
+        <source>99 % of points within</source>
+        <translation>99 %の点がこの範囲</translation>
+    </message>
+    <message>
+        <source>99th percentile of the distance over all joints and frames, unweighted.</source>
+        <translation>全関節・全フレームの距離の99パーセンタイル(重みなし)。</translation>
+    </message>
+    <message>
+        <source>Worst point</source>
+        <translation>最悪の点</translation>
+    </message>
+    <message>
+        <source>Greatest distance of any joint at any frame.</source>
+        <translation>全関節・全フレームでの最大距離。</translation>
+    </message>
+    <message>
+        <source>Footskate</source>
+        <translation>足滑り</translation>
+    </message>
+    <message>
+        <source>Way of the feet over the ground while they stand, beyond the original&apos;s own, summed over the clip.</source>
+        <translation>接地中の足が元より余分に地面を動いた距離、クリップ全体の合計。</translation>
+    </message>
+    <message>
+        <source>Motion / file</source>
+        <translation>動き / ファイル</translation>
+    </message>
+    <message>
+        <source>Compressed motion bytes, and bytes of the whole file with its skeleton.</source>
+        <translation>圧縮後の動きのバイト数と、スケルトンを含むファイル全体のバイト数。</translation>
+    </message>
+    <message>
+        <source>Coefficient ratio</source>
+        <translation>係数比</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s r: all wavelet coefficients over those that are kept.</source>
+        <translation>論文の r：全ウェーブレット係数と残した係数の比。</translation>
+    </message>
+    <message>
+        <source>Bits per joint-sample</source>
+        <translation>関節サンプルあたりビット</translation>
+    </message>
+    <message>
+        <source>Motion bits for one joint at one frame: does not depend on a baseline.</source>
+        <translation>1関節・1フレームあたりの動きのビット数。基準に依存しません。</translation>
+    </message>
+    <message>
+        <source>IK signals</source>
+        <translation>IK信号</translation>
+    </message>
+    <message>
+        <source>What holding the feet takes of the motion bytes, and its ratio r_IK.</source>
+        <translation>足の固定が動きのバイト数に占める分と、その比 r_IK。</translation>
+    </message>
+    <message>
+        <source>Fastest knee</source>
+        <translation>最速の膝</translation>
+    </message>
+    <message>
+        <source>The greatest speed of a held leg&apos;s knee, and that of the original&apos;s: a correction must not make knees snap.</source>
+        <translation>固定した脚の膝の最大速度と元の最大速度。補正で膝が跳ねてはいけません。</translation>
+    </message>
+    <message>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
+    </message>
+    <message>
+        <source>eps_x, %1</source>
+        <translation>eps_x、%1</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>bytes</comment>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::SettingsChange</name>
+    <message>
+        <source>Target</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>手法</translation>
+    </message>
+    <message>
+        <source>Weighting</source>
+        <translation>重み付け</translation>
+    </message>
+    <message>
+        <source>Coding</source>
+        <translation>符号化</translation>
+    </message>
+    <message>
+        <source>Held Feet</source>
+        <translation>足の固定</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>接地</translation>
+    </message>
+    <message>
+        <source>A or B</source>
+        <translation>AまたはB</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::SlideModel</name>
+    <message>
+        <source>%L1–%L2</source>
+        <translation>%L1–%L2</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>While the original stands on the ground.</source>
+        <translation>元が接地している間。</translation>
+    </message>
+    <message>
+        <source>Slid cm</source>
+        <translation>滑り cm</translation>
+    </message>
+    <message>
+        <source>Way over the ground beyond that of the original.</source>
+        <translation>元を超えて地面を動いた距離。</translation>
+    </message>
+    <message>
+        <source>cm/s</source>
+        <translation>cm/s</translation>
+    </message>
+    <message>
+        <source>Greatest speed over the ground.</source>
+        <translation>地面に対する最大速度。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::SlotControl</name>
+    <message>
+        <source>Settings %1</source>
+        <translation>設定 %1</translation>
+    </message>
+    <message>
+        <source>Two settings to compare: tune one, switch to the other (A) and look at both.</source>
+        <translation>比べるための2つの設定：一方を調整し、もう一方へ切り替え(A)て見比べます。</translation>
+    </message>
+    <message>
+        <source>Copy settings to the other</source>
+        <translation>設定をもう一方へコピー</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>→ %1</source>
+        <translation>→ %1</translation>
+    </message>
+    <message>
+        <source>Copy these settings to %1</source>
+        <translation>この設定を %1 にコピー</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyClips</name>
+    <message>
+        <source>Remove</source>
+        <translation>除く</translation>
+    </message>
+    <message>
+        <source>Clips of the study</source>
+        <translation>比較研究のクリップ</translation>
+    </message>
+    <message>
+        <source>Drop files or folders here.</source>
+        <translation>ファイルやフォルダーをここにドロップ。</translation>
+    </message>
+    <message>
+        <source>Add Files…</source>
+        <translation>ファイルを追加…</translation>
+    </message>
+    <message>
+        <source>Add motions (.bvh, .amc)</source>
+        <translation>モーション(.bvh、.amc)を追加</translation>
+    </message>
+    <message>
+        <source>Add Folder…</source>
+        <translation>フォルダーを追加…</translation>
+    </message>
+    <message>
+        <source>Add every .bvh and .amc below a folder</source>
+        <translation>フォルダー以下の .bvh と .amc をすべて追加</translation>
+    </message>
+    <message>
+        <source>Take the selected clips off the list (Del)</source>
+        <translation>選んだクリップを一覧から除く (Del)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyPanel</name>
+    <message>
+        <source>Also with feet held</source>
+        <translation>足を固定した場合も</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>比較研究の進行</translation>
+    </message>
+    <message>
+        <source>What was measured before is not measured again.</source>
+        <translation>計測済みのものは計測し直しません。</translation>
+    </message>
+    <message>
+        <source>Clips</source>
+        <translation>クリップ</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>手法</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>Methods of the study</source>
+        <translation>比較研究の手法</translation>
+    </message>
+    <message>
+        <source>A curve more: optimised wavelets whose feet inverse kinematics hold in place, at the ratios asked for.</source>
+        <translation>曲線をもう1本：指定の圧縮率で、逆運動学で足を固定した最適化ウェーブレット。</translation>
+    </message>
+    <message>
+        <source>IK ratio of the study</source>
+        <translation>比較研究のIK比</translation>
+    </message>
+    <message>
+        <source>How much the correction signals are compressed (r_IK).</source>
+        <translation>補正信号をどれだけ圧縮するか (r_IK)。</translation>
+    </message>
+    <message>
+        <source>:1</source>
+        <translation>:1</translation>
+    </message>
+    <message>
+        <source>Ratios to reach</source>
+        <translation>目標の圧縮率</translation>
+    </message>
+    <message>
+        <source>Compression ratios, separated by spaces.</source>
+        <translation>圧縮率(空白区切り)。</translation>
+    </message>
+    <message>
+        <source>Errors to keep, in cm</source>
+        <translation>守る誤差 (cm)</translation>
+    </message>
+    <message>
+        <source>Bounds of eps_x in centimetres, separated by spaces.</source>
+        <translation>eps_x の上限 (cm、空白区切り)。</translation>
+    </message>
+    <message>
+        <source>Weighting of the study</source>
+        <translation>比較研究の重み付け</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts, each by bone length: the far end of every bone, or joint origins as in the paper.</source>
+        <translation>誤差 eps_x が数える点(骨の長さで重み付け)：各骨の先端、または論文どおり関節の原点。</translation>
+    </message>
+    <message>
+        <source>Ratios</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Errors (cm)</source>
+        <translation>誤差 (cm)</translation>
+    </message>
+    <message>
+        <source>Weighting</source>
+        <translation>重み付け</translation>
+    </message>
+    <message>
+        <source>Kept in</source>
+        <translation>保存先</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s cache</source>
+        <translation>このコンピューターのキャッシュ</translation>
+    </message>
+    <message>
+        <source>Folder of the study: %1</source>
+        <translation>比較研究のフォルダー：%1</translation>
+    </message>
+    <message>
+        <source>Where measurements are kept, so that a study that was stopped goes on where it was. Click to choose a folder, or one that holds a study, to see it.
+%1</source>
+        <translation>計測結果の保存先。中断した比較研究は続きから再開します。クリックしてフォルダーを選ぶか、既存の比較研究を開きます。
+%1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>中止</translation>
+    </message>
+    <message>
+        <source>Run Study</source>
+        <translation>比較研究を実行</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyResults</name>
+    <message>
+        <source>Clips shown</source>
+        <translation>表示するクリップ</translation>
+    </message>
+    <message>
+        <source>One clip, or the average over clips: the geometric mean of their ratios at equal error, with the points of all clips behind it.</source>
+        <translation>1つのクリップ、またはクリップの平均：同じ誤差での圧縮率の幾何平均。背後に全クリップの点。</translation>
+    </message>
+    <message>
+        <source>S&amp;how</source>
+        <translation>表示(&amp;H)</translation>
+    </message>
+    <message>
+        <source>%1
+Click to load it into the studio.</source>
+        <translation>%1
+クリックでスタジオに読み込みます。</translation>
+    </message>
+    <message>
+        <source>Rows of the study</source>
+        <translation>比較研究の行</translation>
+    </message>
+    <message numerus="yes">
+        <source>Average over %Ln clip(s)</source>
+        <translation>
+            <numerusform>%Ln クリップの平均</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All clips</source>
+        <translation>すべてのクリップ</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyRowsModel</name>
+    <message>
+        <source>%1 + IK %L2:1</source>
+        <translation>%1＋IK %L2:1</translation>
+    </message>
+    <message>
+        <source>%L1:1</source>
+        <translation>%L1:1</translation>
+    </message>
+    <message>
+        <source>r = %L1</source>
+        <translation>r = %L1</translation>
+    </message>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>max %L1 cm</source>
+        <translation>最大 %L1 cm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>%1:1, %2</source>
+        <translation>%1:1、%2</translation>
+    </message>
+    <message>
+        <source>eps_x %1 cm, at most %2 cm</source>
+        <translation>eps_x %1 cm、最大 %2 cm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cm of footskate in %Ln contact(s)</source>
+        <translation>
+            <numerusform>%Ln 回の接地で足滑り %1 cm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Asked for %1.</source>
+        <translation>指定：%1。</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>クリップ</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>手法</translation>
+    </message>
+    <message>
+        <source>Asked</source>
+        <translation>指定</translation>
+    </message>
+    <message>
+        <source>The target: a ratio, or an error not to be exceeded.</source>
+        <translation>目標：圧縮率、または超えてはならない誤差。</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as 32-bit floats over compressed bytes.</source>
+        <translation>32ビット浮動小数点のチャンネルと圧縮後のバイト数の比。</translation>
+    </message>
+    <message>
+        <source>eps_x cm</source>
+        <translation>eps_x cm</translation>
+    </message>
+    <message>
+        <source>Weighted root mean square error.</source>
+        <translation>重み付き二乗平均平方根誤差。</translation>
+    </message>
+    <message>
+        <source>Max cm</source>
+        <translation>最大 cm</translation>
+    </message>
+    <message>
+        <source>Largest error of any joint at any frame.</source>
+        <translation>全関節・全フレームの最大誤差。</translation>
+    </message>
+    <message>
+        <source>Slide cm</source>
+        <translation>滑り cm</translation>
+    </message>
+    <message>
+        <source>How far feet slide while they stand in the original.</source>
+        <translation>元で接地している間に足が滑る距離。</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>Time to compress, the search for the target and all.</source>
+        <translation>目標の探索を含む圧縮時間。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudySession</name>
+    <message>
+        <source>The picture could not be made.</source>
+        <translation>画像を作れませんでした。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyStatus</name>
+    <message numerus="yes">
+        <source>%Ln compression(s) to run</source>
+        <translation>
+            <numerusform>%Ln 件の圧縮を実行予定</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%L1 of %L2</source>
+        <translation>%L2 件中 %L1 件</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <translation>%1、残り約 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln out of reach</source>
+        <translation>
+            <numerusform>、%Ln 件は到達不可</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln of clips that cannot be read</source>
+        <translation>
+            <numerusform>、%Ln 件は読めないクリップ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln compression(s)%1</source>
+        <translation>
+            <numerusform>圧縮 %Ln 件%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>書き込み中…</translation>
+    </message>
+    <message>
+        <source>Drawing the report…</source>
+        <translation>レポートを作成中…</translation>
+    </message>
+    <message>
+        <source>Cancelled after %L1 of %L2; the next run goes on from there</source>
+        <translation>%L2 件中 %L1 件で中止。次回は続きから</translation>
+    </message>
+    <message>
+        <source>Add a clip to study</source>
+        <translation>比較するクリップを追加してください</translation>
+    </message>
+    <message>
+        <source>Check a method to study</source>
+        <translation>比較する手法を選んでください</translation>
+    </message>
+    <message>
+        <source>Name a ratio or an error to reach</source>
+        <translation>目標の圧縮率か誤差を入力してください</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>計測中…</translation>
+    </message>
+    <message>
+        <source>Run the study to see curves</source>
+        <translation>比較研究を実行すると曲線が出ます</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::StudyWindow</name>
+    <message>
+        <source>Study</source>
+        <translation>比較研究</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 を書きました。</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>エクスポート(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Write what is measured to a file</source>
+        <translation>計測結果をファイルに書く</translation>
+    </message>
+    <message>
+        <source>Rows as CSV…</source>
+        <translation>行をCSVで…</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>カンマ区切り (*.csv)</translation>
+    </message>
+    <message>
+        <source>Plot as PNG…</source>
+        <translation>プロットをPNGで…</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Plot as PDF…</source>
+        <translation>プロットをPDFで…</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF文書 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Report as HTML…</source>
+        <translation>レポートをHTMLで…</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>ウェブページ (*.html)</translation>
+    </message>
+    <message>
+        <source>Add Clips</source>
+        <translation>クリップを追加</translation>
+    </message>
+    <message>
+        <source>Motion (*.bvh *.amc)</source>
+        <translation>モーション (*.bvh *.amc)</translation>
+    </message>
+    <message>
+        <source>Add All Clips below</source>
+        <translation>以下の全クリップを追加</translation>
+    </message>
+    <message>
+        <source>Folder of the Study</source>
+        <translation>比較研究のフォルダー</translation>
+    </message>
+    <message>
+        <source>In the studio: %1, %2, %3.</source>
+        <translation>スタジオに読み込み：%1、%2、%3。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::TargetControl</name>
+    <message>
+        <source> bytes</source>
+        <translation> バイト</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source> : 1</source>
+        <translation> : 1</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>Compression ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Size in bytes</source>
+        <translation>バイト数</translation>
+    </message>
+    <message>
+        <source>Error (eps_x)</source>
+        <translation>誤差 (eps_x)</translation>
+    </message>
+    <message>
+        <source>Greatest error</source>
+        <translation>最大誤差</translation>
+    </message>
+    <message>
+        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; or a distance that no joint exceeds at any frame).</source>
+        <translation>大きさ(圧縮率：32ビット浮動小数点のチャンネルと圧縮後の動きのバイト数の比、またはバイト数そのもの)か、品質(重み付き平均誤差 eps_x、またはどの関節もどのフレームでも超えない距離)を指定します。</translation>
+    </message>
+    <message>
+        <source>Target on a slider</source>
+        <translation>目標のスライダー</translation>
+    </message>
+    <message>
+        <source>Drag: the standard answer follows at once, the annealed one refines it.</source>
+        <translation>ドラッグ：標準の答えがすぐに追従し、焼きなましが仕上げます。</translation>
+    </message>
+    <message>
+        <source>Target value</source>
+        <translation>目標値</translation>
+    </message>
+    <message>
+        <source>The target as a number; type it or step through it.</source>
+        <translation>目標の数値。入力または増減。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::TransportBar</name>
+    <message>
+        <source>First frame</source>
+        <translation>最初のフレーム</translation>
+    </message>
+    <message>
+        <source>Previous frame</source>
+        <translation>前のフレーム</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>再生・一時停止</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>次のフレーム</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>最後のフレーム</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>ループ</translation>
+    </message>
+    <message>
+        <source>Play backwards, again: faster</source>
+        <translation>逆再生、もう一度で高速</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Play forwards, again: faster</source>
+        <translation>順再生、もう一度で高速</translation>
+    </message>
+    <message>
+        <source>Ten frames back</source>
+        <translation>10フレーム戻る</translation>
+    </message>
+    <message>
+        <source>Ten frames on</source>
+        <translation>10フレーム進む</translation>
+    </message>
+    <message>
+        <source>Play from here</source>
+        <translation>ここから再生</translation>
+    </message>
+    <message>
+        <source>Play to here</source>
+        <translation>ここまで再生</translation>
+    </message>
+    <message>
+        <source>Play the whole clip</source>
+        <translation>クリップ全体を再生</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Drag to any frame.</source>
+        <translation>任意のフレームへドラッグ。</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Frame read-out</source>
+        <translation>フレーム表示</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+    <message>
+        <source>Playing speed; 1× is as recorded.</source>
+        <translation>再生速度。1×が記録どおり。</translation>
+    </message>
+    <message>
+        <source>%L1×</source>
+        <translation>%L1×</translation>
+    </message>
+    <message>
+        <source>%L1 s</source>
+        <translation>%L1 s</translation>
+    </message>
+    <message>
+        <source>%L1 / %L2</source>
+        <translation>%L1 / %L2</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ViewActions</name>
+    <message>
+        <source>&amp;Overlay</source>
+        <translation>重ねる(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The original as a ghost over the compressed figure</source>
+        <translation>元をゴーストとして圧縮後の人形に重ねる</translation>
+    </message>
+    <message>
+        <source>&amp;Side by Side</source>
+        <translation>並べる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Original and compressed figure beside each other</source>
+        <translation>元と圧縮後の人形を並べる</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe</source>
+        <translation>ワイプ(&amp;W)</translation>
+    </message>
+    <message>
+        <source>One picture with a divider to drag, also while it plays</source>
+        <translation>境界線を動かせる1枚の絵、再生中も</translation>
+    </message>
+    <message>
+        <source>S&amp;wap</source>
+        <translation>入れ替え(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Exchange the places of original and compressed figure</source>
+        <translation>元と圧縮後の人形を入れ替える</translation>
+    </message>
+    <message>
+        <source>&amp;Blink</source>
+        <translation>交互に表示(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Original and compressed figure take turns in one place</source>
+        <translation>元と圧縮後の人形を同じ場所で交互に表示</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;Error</source>
+        <translation>誤差で色分け(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Colour every joint by its distance from the original, in cm</source>
+        <translation>各関節を元との距離(cm)で色分け</translation>
+    </message>
+    <message>
+        <source>&amp;Path of the Joint</source>
+        <translation>関節の軌跡(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The way of the chosen joint, half a second around now</source>
+        <translation>選んだ関節の前後0.5秒の軌跡</translation>
+    </message>
+    <message>
+        <source>&amp;Follow</source>
+        <translation>追従(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The camera moves with the figure</source>
+        <translation>カメラが人形とともに動く</translation>
+    </message>
+    <message>
+        <source>&amp;In Place</source>
+        <translation>その場(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Play without the root&apos;s way over the ground</source>
+        <translation>ルートの移動なしで再生</translation>
+    </message>
+    <message>
+        <source>F&amp;loor View</source>
+        <translation>上から見る(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Look straight down, as on a plan</source>
+        <translation>平面図のように真上から見る</translation>
+    </message>
+    <message>
+        <source>&amp;Reset Camera</source>
+        <translation>カメラをリセット(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Look at the whole figure again</source>
+        <translation>人形全体を見直す</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Viewport</name>
+    <message>
+        <source>The 3D view needs OpenGL 3.2, which is not available here.</source>
+        <translation>3Dビューに必要なOpenGL 3.2がここでは使えません。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::WarningsPanel</name>
+    <message>
+        <source>Notes on reading</source>
+        <translation>読み込みの注記</translation>
+    </message>
+    <message>
+        <source>Show notes</source>
+        <translation>注記を表示</translation>
+    </message>
+    <message>
+        <source>Show what was repaired or guessed while reading</source>
+        <translation>読み込み時に修復・推測した内容を表示</translation>
+    </message>
+    <message>
+        <source>Dismiss notes</source>
+        <translation>注記を閉じる</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>注記</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s) on reading this clip</source>
+        <translation>
+            <numerusform>このクリップの読み込みに関する注記 %n 件</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
