@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <malloc.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -77,17 +79,21 @@ struct BatchCommand {
     for (const std::string& format : formats)
       if (std::count(batch.formats.begin(), batch.formats.end(), *output_format(format)) == 0)
         batch.formats.push_back(*output_format(format));
-    std::vector<SourceClip> sources = find_sources(inputs);
+    const std::vector<SourceClip> sources = find_sources(inputs);
     if (std::all_of(sources.begin(), sources.end(),
                     [](const SourceClip& clip) { return !clip.problem.empty(); }))
       throw InputError(inputs.front(), 0, 0, "there is no clip: " + sources.front().problem);
     try {
-      add_items(batch, std::move(sources), 0, names);
+      add_items(batch, sources, 0, names);
     } catch (const Error& error) {
       throw CLI::ValidationError("--name", error.what());
     }
     if (source.skeleton)
-      for (BatchItem& item : batch.items) item.skeleton = *source.skeleton;
+      for (std::size_t i = 0; i < batch.items.size(); ++i) {
+        BatchItem item = batch.items[i];
+        item.skeleton = *source.skeleton;
+        batch.items.replace(i, item);
+      }
     mark_collisions(batch);
     return batch;
   }
@@ -98,6 +104,7 @@ struct BatchCommand {
                                   .overwrite = overwrite,
                                   .resumed = resume,
                                   .keep_going = keep_going};
+    malloc_trim(0);  // the search for clips left the heap in pieces too small for them
     const StopOnSignals signals;
     BatchReporter reporter(batch, json_progress);
     reporter.begin(folder, options.shard);
@@ -130,10 +137,12 @@ struct BatchCommand {
     const fs::path target = fs::absolute(folder).lexically_normal();
     fs::create_directories(target, error);
     if (error) throw WriteError(folder + ": cannot be made: " + error.message());
-    for (BatchItem& item : batch.items) {
+    for (std::size_t i = 0; i < batch.items.size(); ++i) {
+      BatchItem item = batch.items[i];
       item.input = fs::absolute(item.input).lexically_normal().string();
       if (!item.skeleton.empty())
         item.skeleton = fs::absolute(item.skeleton).lexically_normal().string();
+      batch.items.replace(i, item);
     }
     const fs::path queue = target / kQueueFile;
     write_text(queue, queue_text(batch));

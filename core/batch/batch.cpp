@@ -117,31 +117,37 @@ std::string output_name(std::string_view pattern, const SourceClip& source, cons
   return path.generic_string();
 }
 
-void add_items(Batch& batch, std::vector<SourceClip> sources, std::size_t preset,
+void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t preset,
                std::string_view pattern) {
-  batch.items.reserve(batch.items.size() + sources.size());
-  for (SourceClip& source : sources) {
-    std::string output = output_name(pattern, source, batch.presets[preset]);
-    batch.items.push_back({.input = std::move(source.path),
-                           .output = std::move(output),
+  for (const SourceClip& source : sources)
+    batch.items.push_back({.input = source.path,
+                           .output = output_name(pattern, source, batch.presets[preset]),
                            .preset = preset,
-                           .problem = std::move(source.problem)});
-  }
+                           .problem = source.problem});
 }
 
 void mark_collisions(Batch& batch) {
-  std::unordered_map<std::string_view, const BatchItem*> first;
-  for (BatchItem& item : batch.items) {
-    const auto [at, is_first] = first.emplace(item.output, &item);
+  std::unordered_map<std::uint64_t, std::size_t> first;  // index of an item, by its output's hash
+  const auto place = [&](const std::string& output, std::size_t index) {
+    Fnv1a hash;
+    hash.add(output);
+    return first.emplace(hash.state(), index);
+  };
+  for (std::size_t i = 0; i < batch.items.size(); ++i) {
+    BatchItem item = batch.items[i];
+    const auto [at, is_first] = place(item.output, i);
     if (is_first) continue;
     if (item.problem.empty())
       item.problem = item.input + " would be written to " + item.output + " as " +
-                     at->second->input + " is: a name pattern with {folder} may keep them apart";
+                     batch.items[at->second].input +
+                     " is: a name pattern with {folder} may keep them apart";
     const std::string taken = item.output;
-    for (int n = 2; first.contains(item.output); ++n)
-      item.output = taken + " (" + std::to_string(n) + ")";
-    first.emplace(item.output, &item);
+    int n = 2;
+    do item.output = taken + " (" + std::to_string(n++) + ")";
+    while (!place(item.output, i).second);
+    batch.items.replace(i, item);
   }
+  batch.items.shrink();
 }
 
 bool Shard::has(const BatchItem& item) const {
@@ -165,7 +171,7 @@ Shard parse_shard(std::string_view text) {
 
 std::string fingerprint(const Batch& batch) {
   Fnv1a hash;
-  for (const BatchItem& item : batch.items) hash.add(item.output + '\n');
+  for (const BatchItem item : batch.items) hash.add(item.output + '\n');
   return hash.text();
 }
 

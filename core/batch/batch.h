@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/batch/item_list.h"
 #include "core/batch/preset.h"
 #include "core/formats/motion_file.h"
 
@@ -38,23 +39,12 @@ struct SourceClip {
 /// once. What is not there, or holds no clip, is a clip with a problem.
 std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs);
 
-/// One clip of a batch.
-struct BatchItem {
-  std::string input;
-  std::string skeleton;    // .asf; empty: beside the .amc
-  std::string output;      // below the batch's folder, without extension
-  std::size_t preset = 0;  // index into Batch::presets
-  std::string problem;     // why it cannot be done; else empty
-
-  bool operator==(const BatchItem&) const = default;
-};
-
 /// Everything that is asked for, but where it goes.
 struct Batch {
   std::vector<Preset> presets;
   std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
   ReadOptions reading;
-  std::vector<BatchItem> items;
+  ItemList items;
 };
 
 inline constexpr const char* kUsualNames = "{folder}/{stem}";
@@ -65,7 +55,7 @@ inline constexpr const char* kUsualNames = "{folder}/{stem}";
 std::string output_name(std::string_view pattern, const SourceClip& source, const Preset& preset);
 
 /// An item of each, with the preset of that index.
-void add_items(Batch& batch, std::vector<SourceClip> sources, std::size_t preset,
+void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t preset,
                std::string_view pattern);
 
 /// Gives every item that would be written where an earlier one is a problem that says so, and

@@ -279,7 +279,7 @@ class Export {
   }
 
   const Batch& batch_;
-  const BatchItem& item_;
+  const BatchItem item_;
   const Preset& preset_;
   const fs::path& folder_;
   const ExportRights& rights_;

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/error.h"
@@ -94,7 +95,7 @@ std::optional<BatchRow> JournalReader::row_at(std::size_t place) {
 }
 
 Journal::Journal(const fs::path& path, const Batch& batch, const Shard& shard, Start start)
-    : path_(path) {
+    : path_(path), places_(batch.items.size()) {
   const JournalHeader header{batch.items.size(), fingerprint(batch), shard};
   std::error_code none;
   const std::uintmax_t size = fs::file_size(path_, none);
@@ -133,7 +134,8 @@ void Journal::open(bool create) {
 void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
   std::unordered_map<std::uint64_t, std::size_t> wanted;
   for (std::size_t i = 0; i < batch.items.size(); ++i)
-    if (header.shard.has(batch.items[i])) wanted.emplace(key_of(batch.items[i].output), i);
+    if (const BatchItem item = batch.items[i]; header.shard.has(item))
+      wanted.emplace(key_of(item.output), i);
   const fs::path target = std::exchange(path_, fs::path(path_) += ".part");
   const int locked = std::exchange(file_, -1);  // until the new file is in place and locked too
   try {
@@ -163,12 +165,11 @@ void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
   path_ = target;
 }
 
-std::optional<BatchRow> Journal::find(const std::string& output) const {
-  const auto found = places_.find(key_of(output));
-  if (found == places_.end()) return std::nullopt;
-  std::string line(found->second.length, '\0');
-  const ssize_t got =
-      ::pread(file_, line.data(), line.size(), static_cast<off_t>(found->second.offset));
+std::optional<BatchRow> Journal::find(std::size_t index) const {
+  const Place& place = places_[index];
+  if (place.length == 0) return std::nullopt;
+  std::string line(place.length, '\0');
+  const ssize_t got = ::pread(file_, line.data(), line.size(), static_cast<off_t>(place.offset));
   if (got != static_cast<ssize_t>(line.size())) return std::nullopt;
   return parse_batch_row(line);
 }
@@ -177,7 +178,7 @@ void Journal::append(const BatchRow& row) {
   const std::string line = to_journal_line(row);
   const Place place{end_, line.size()};
   write_line(line);
-  places_[key_of(row.output)] = place;
+  places_[row.index] = place;
 }
 
 void Journal::write_line(const std::string& line) {

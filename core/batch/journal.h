@@ -8,7 +8,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "core/batch/row.h"
@@ -65,16 +64,16 @@ class Journal {
   Journal& operator=(const Journal&) = delete;
   ~Journal();
 
-  /// The row of an output, if there is one. Throws nothing: what cannot be read is not there.
-  std::optional<BatchRow> find(const std::string& output) const;
+  /// The row of a clip of the batch, if there is one: what cannot be read is not there.
+  std::optional<BatchRow> find(std::size_t index) const;
 
   /// Appends a row and hands it to the system at once. Throws WriteError.
   void append(const BatchRow& row);
 
  private:
   struct Place {
-    std::uint64_t offset;
-    std::size_t length;
+    std::uint64_t offset = 0;
+    std::size_t length = 0;  // 0: there is no row
   };
 
   void open(bool create);
@@ -85,7 +84,7 @@ class Journal {
   std::filesystem::path path_;
   int file_ = -1;
   std::uint64_t end_ = 0;
-  std::unordered_map<std::uint64_t, Place> places_;  // by the hash of the output
+  std::vector<Place> places_;  // by the index of the clip
 };
 
 }  // namespace mocapress

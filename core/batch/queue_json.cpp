@@ -46,7 +46,7 @@ std::string queue_text(const Batch& batch) {
                {"clips", Json::array()}};
   for (const Preset& preset : batch.presets) json["presets"].push_back(to_json(preset));
   for (const OutputFormat format : batch.formats) json["formats"].push_back(name(format));
-  for (const BatchItem& item : batch.items)
+  for (const BatchItem item : batch.items)
     json["clips"].push_back({{"input", item.input},
                              {"skeleton", item.skeleton.empty() ? Json() : Json(item.skeleton)},
                              {"output", item.output},

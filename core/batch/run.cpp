@@ -40,8 +40,10 @@ class Run {
         options_(options),
         control_(control),
         observer_(observer) {
+    queue_.reserve(batch.items.size());
     for (std::size_t i = 0; i < batch.items.size(); ++i)
-      if (options.shard.has(batch.items[i])) queue_.push_back({i, size_of(batch.items[i])});
+      if (const BatchItem item = batch.items[i]; options.shard.has(item))
+        queue_.push_back({i, size_of(item)});
     for (const Waiting& clip : queue_) counts_.bytes += clip.bytes;
     counts_.clips = queue_.size();
     // Long clips at the end would leave the other threads idle.
@@ -73,8 +75,8 @@ class Run {
   };
 
   void do_clip(const Waiting& clip) {
-    const BatchItem& item = batch_.items[clip.index];
-    const std::optional<BatchRow> earlier = find(item.output);
+    const BatchItem item = batch_.items[clip.index];
+    const std::optional<BatchRow> earlier = find(clip.index);
     if (earlier && options_.resumed && still_done(*earlier, batch_, item, folder_))
       return finish(clip, *earlier, true);
     const ExportRights rights{.overwrite = options_.overwrite,
@@ -91,9 +93,9 @@ class Run {
     if (row) finish(clip, *row, false);
   }
 
-  std::optional<BatchRow> find(const std::string& output) {
+  std::optional<BatchRow> find(std::size_t index) {
     const std::lock_guard lock(mutex_);
-    return journal_.find(output);
+    return journal_.find(index);
   }
 
   void finish(const Waiting& clip, const BatchRow& row, bool kept) {

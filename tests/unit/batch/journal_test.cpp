@@ -83,8 +83,8 @@ TEST_F(JournalTest, CutOffAtAnyByteKeepsTheWholeRowsAndCanBeAppendedTo) {
     write_text(path_, whole.substr(0, size));
     {
       Journal journal(path_, all, {}, Journal::Start::Resume);
-      EXPECT_TRUE(journal.find(all.items[0].output));
-      EXPECT_EQ(journal.find(all.items[1].output).has_value(), size == whole.size() - 1);
+      EXPECT_TRUE(journal.find(0));
+      EXPECT_EQ(journal.find(1).has_value(), size == whole.size() - 1);
       journal.append(row(all, 2));
     }
     EXPECT_EQ(JournalReader(path_).rows(), size == whole.size() - 1 ? 3u : 2u);
@@ -98,7 +98,7 @@ TEST_F(JournalTest, TheLastRowOfAClipCounts) {
   failed.error = "no";
   journal.append(failed);
   journal.append(row(all, 0));
-  EXPECT_TRUE(journal.find(all.items[0].output)->done());
+  EXPECT_TRUE(journal.find(0)->done());
   EXPECT_EQ(JournalReader(path_).rows(), 1u);
 }
 
@@ -108,7 +108,7 @@ TEST_F(JournalTest, ResumedWithOtherClipsDropsWhatIsGoneAndMovesTheRest) {
     Journal journal(path_, all, {}, Journal::Start::New);
     for (std::size_t i = 0; i < 3; ++i) journal.append(row(all, i));
   }
-  all.items.erase(all.items.begin());
+  all.items.erase(0);
   Journal journal(path_, all, {}, Journal::Start::Resume);
   std::vector<std::size_t> indices;
   JournalReader reader(path_);

@@ -68,7 +68,9 @@ TEST_F(BatchRun, WhatFailsIsARowWithItsReasonAndTheRestGoesOn) {
   fs::remove(folder_ / "in/lonely.asf");
   Batch asked = batch();
   asked.presets.push_back({.name = "never", .target = {Target::Kind::Error, 1e-12}});
-  asked.items.back().preset = 1;
+  BatchItem last = asked.items[asked.items.size() - 1];
+  last.preset = 1;
+  asked.items.replace(asked.items.size() - 1, last);
   const BatchOutcome outcome = run(asked);
   EXPECT_TRUE(outcome.complete);
   EXPECT_EQ(outcome.counts.done, 5u);
@@ -161,7 +163,7 @@ TEST_F(BatchRun, ShardsMergedAreAsOneRun) {
 TEST_F(BatchRun, ShardsOfDifferentBatchesAreNotMerged) {
   run(batch(), {.shard = {1, 2}});
   Batch other = batch();
-  other.items.pop_back();
+  other.items.erase(other.items.size() - 1);
   run(other, {.shard = {2, 2}});
   EXPECT_THROW(merge_batch({out()}, out()), InputError);
   fs::remove(out() / "batch-2-of-2.jsonl");

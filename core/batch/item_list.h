@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace mocapress {
+
+/// One clip of a batch.
+struct BatchItem {
+  std::string input;
+  std::string skeleton;    // .asf; empty: beside the .amc
+  std::string output;      // below the batch's folder, without extension
+  std::size_t preset = 0;  // index into Batch::presets
+  std::string problem;     // why it cannot be done; else empty
+
+  bool operator==(const BatchItem&) const = default;
+};
+
+/// The clips of a batch, packed: a list of 100,000 should not weigh more than a clip.
+class ItemList {
+ public:
+  ItemList() = default;
+  ItemList(std::initializer_list<BatchItem> items);
+
+  void push_back(const BatchItem& item);
+  void replace(std::size_t index, const BatchItem& item);
+  void erase(std::size_t index);
+
+  /// Gives back what growing took in advance.
+  void shrink();
+
+  std::size_t size() const { return offsets_.size(); }
+  bool empty() const { return offsets_.empty(); }
+  BatchItem operator[](std::size_t index) const;
+
+  class Iterator {
+   public:
+    Iterator(const ItemList& list, std::size_t index) : list_(list), index_(index) {}
+    BatchItem operator*() const { return list_[index_]; }
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return index_ != other.index_; }
+
+   private:
+    const ItemList& list_;
+    std::size_t index_;
+  };
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size()}; }
+
+  bool operator==(const ItemList& other) const;
+
+ private:
+  std::size_t append(const BatchItem& item);
+
+  std::string text_;  // of each item: input, skeleton, output, preset and problem, each ended by 0
+  std::vector<std::size_t> offsets_;
+};
+
+}  // namespace mocapress
