@@ -23,7 +23,7 @@ inline constexpr int kMostSteps = 1 << 28;  // no value is larger
 /// Quantised coefficients of some signals, in memory of whoever made it.
 struct QuantisedView {
   int length;  // coefficients of each signal, coarse to fine
-  int signals;
+  int signal_count;
   std::int32_t* fineness;  // of each signal: its step is scale * 2^(-fineness / 2)
   std::int32_t* values;    // signal after signal
 
@@ -37,9 +37,9 @@ struct CoderNotes {
   int* activity;  // of the band, from its coefficient -1
   std::size_t activity_size;
 
-  CoderNotes(Memory& memory, const Bands& bands, int signals)
-      : sums(memory.take<std::int64_t>(static_cast<std::uint64_t>(signals))),
-        sums_above(memory.take<std::int64_t>(static_cast<std::uint64_t>(signals))),
+  CoderNotes(Memory& memory, const Bands& bands, int signal_count)
+      : sums(memory.take<std::int64_t>(static_cast<std::uint64_t>(signal_count))),
+        sums_above(memory.take<std::int64_t>(static_cast<std::uint64_t>(signal_count))),
         activity_size(static_cast<std::size_t>(bands[bands.count - 1].size) + 2) {
     activity = memory.take<int>(activity_size);
   }
@@ -69,13 +69,13 @@ class CoefficientCoder {
 
   void run() {
     code_fineness();
-    for (int s = 0; s < coded_.signals && !bits_.failed(); ++s) code_coarse(s);
-    std::fill_n(notes_.sums, coded_.signals, 0);
+    for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) code_coarse(s);
+    std::fill_n(notes_.sums, coded_.signal_count, 0);
     for (int b = 1; b < bands_.count; ++b) {
       std::swap(notes_.sums, notes_.sums_above);
-      std::fill_n(notes_.sums, coded_.signals, 0);
+      std::fill_n(notes_.sums, coded_.signal_count, 0);
       std::fill_n(notes_.activity, static_cast<std::size_t>(bands_[b].size) + 2, 0);
-      for (int s = 0; s < coded_.signals && !bits_.failed(); ++s) code_band(b, s);
+      for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) code_band(b, s);
     }
   }
 
@@ -175,7 +175,7 @@ class CoefficientCoder {
 template <typename Bits>
 void CoefficientCoder<Bits>::code_fineness() {
   int before = 0;  // how far the last one was from what was expected of it
-  for (int s = 0; s < coded_.signals && !bits_.failed(); ++s) {
+  for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) {
     const SignalKin& kin = kin_[s];
     const bool mirrored = kin.mirror >= 0;
     const int model = mirrored ? kin.mirror : s - 1;
