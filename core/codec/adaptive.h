@@ -31,7 +31,8 @@ void code_coefficients(Bits& bits, const std::vector<SignalKin>& kin,
   const auto length = static_cast<int>(coded.values.rows());
   const auto signal_count = static_cast<int>(kin.size());
   const decoder::Bands bands(length);
-  const decoder::QuantisedView view{length, signal_count, coded.fineness.data(), coded.values.data()};
+  const decoder::QuantisedView view{length, signal_count, coded.fineness.data(),
+                                    coded.values.data()};
   const OwnMemory<decoder::CoderNotes> notes(bands, signal_count);
   decoder::CoefficientCoder(bits, kin.data(), bands, model, view, *notes, tally).run();
 }

@@ -3,8 +3,35 @@
 
 #include "core/codec/signal_coder.h"
 #include "core/codec/signal_decoder.h"
+#include "core/decoder/wide_limits.h"
 
 namespace mocapress {
+namespace {
+
+/// Those of the runtime decoder, by what a signal moves.
+std::vector<float> wide_limits(const CompressedClip& clip) {
+  std::vector<decoder::JointModel> joints(static_cast<std::size_t>(clip.skeleton.joint_count()));
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const Joint& joint = clip.skeleton.joints()[j];
+    joints[j].parent = joint.parent;
+    for (int i = 0; i < 3; ++i) {
+      joints[j].offset[i] = joint.offset(i);
+      if (joint.end_site) joints[j].end_site[i] = static_cast<float>((*joint.end_site)(i));
+    }
+  }
+  std::vector<float> reach(joints.size());
+  decoder::find_reach(joints.data(), clip.skeleton.joint_count(), reach.data());
+  std::vector<float> limits;
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    for (const ChannelKind kind : clip.skeleton.joints()[j].channels)
+      limits.push_back(decoder::wide_limit(static_cast<std::uint8_t>(kind), reach[j]));
+  if (clip.correction)
+    limits.resize(limits.size() + static_cast<std::size_t>(clip.correction->signal_count()),
+                  decoder::kWideLength);
+  return limits;
+}
+
+}  // namespace
 
 Uncorrected decode_uncorrected(const CompressedClip& compressed) {
   if (!is_of_words(compressed.coding)) {
@@ -12,10 +39,11 @@ Uncorrected decode_uncorrected(const CompressedClip& compressed) {
     std::vector<float> steps;
     for (int s = 0; s < coded.signal_count(); ++s)
       steps.push_back(static_cast<float>(coded.step(s)));
-    const Eigen::MatrixXd signals = decode_signals(coded.values, steps, compressed.basis);
+    const Eigen::MatrixXd decoded =
+        decode_signals(coded.values, steps, compressed.basis, wide_limits(compressed));
     const int channels = compressed.skeleton.channel_count();
-    return {.clip = {compressed.sample_rate_hz, signals.leftCols(channels)},
-            .differences = signals.rightCols(signals.cols() - channels)};
+    return {.clip = {compressed.sample_rate_hz, decoded.leftCols(channels)},
+            .differences = decoded.rightCols(decoded.cols() - channels)};
   }
   const std::vector<std::byte> words = unpack_motion(compressed);
   ByteReader reader(words);

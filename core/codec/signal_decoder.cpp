@@ -7,10 +7,12 @@
 #include <numeric>
 
 #include "core/base/own_memory.h"
-#include "core/decoder/synthesis.h"
+#include "core/decoder/signal_decoder.h"
 
 namespace mocapress {
 namespace {
+
+constexpr float kUnknown = 8;  // a limit for radians, where it is not known what they move
 
 /// The resident form of some signals, in memory of its own.
 class OwnResidentSignals {
@@ -30,27 +32,30 @@ class OwnResidentSignals {
 }  // namespace
 
 Eigen::MatrixXd decode_signals(const Eigen::MatrixXi& values, const std::vector<float>& steps,
-                               Basis basis) {
+                               Basis basis, const std::vector<float>& wide_limits) {
   const auto length = static_cast<int>(values.rows());
   const auto count = static_cast<int>(values.cols());
+  std::vector<float> limits = wide_limits;
+  limits.resize(steps.size(), kUnknown);
   std::vector<std::uint8_t> notes(steps.size());
   const OwnResidentSignals resident(
       decoder::QuantisedSource{.length = length,
-                               .signals = count,
+                               .signal_count = count,
                                .wavelet = static_cast<decoder::Wavelet>(basis),
                                .steps = steps.data(),
+                               .wide_limits = limits.data(),
                                .values = values.data(),
                                .notes = notes.data(),
                                .budget_bytes = std::numeric_limits<std::uint64_t>::max()});
   std::vector<std::int32_t> columns(steps.size());
   std::iota(columns.begin(), columns.end(), 0);
-  OwnMemory<decoder::Synthesis> synthesis(
-      *resident, decoder::SynthesisPlan{columns.data(), true, count, 0, &decoder::best_rows()});
+  OwnMemory<decoder::SignalDecoder> signal_decoder(
+      *resident, decoder::SignalRequest{columns.data(), true, count, 0, &decoder::best_rows()});
   Eigen::MatrixXd samples(length, count);
-  Eigen::MatrixXf window(count, decoder::Synthesis::kWindow);  // a column is a frame
-  for (int first = 0; first < length; first += decoder::Synthesis::kWindow) {
-    const int frames = std::min(decoder::Synthesis::kWindow, length - first);
-    synthesis->make(first, frames, window.data(), count);
+  Eigen::MatrixXf window(count, decoder::kWindow);  // a column is a frame
+  for (int first = 0; first < length; first += decoder::kWindow) {
+    const int frames = std::min(decoder::kWindow, length - first);
+    signal_decoder->make(first, frames, window.data(), count);
     samples.middleRows(first, frames) = window.leftCols(frames).transpose().cast<double>();
   }
   return samples;

@@ -37,14 +37,14 @@ struct ClipBlock {
   std::uint32_t joints = 0;      // offsets from the clip
   std::uint32_t names = 0;
   std::uint32_t limbs = 0;
-  std::uint32_t signals = 0;
+  std::uint32_t motion_offset = 0;
 
   template <typename T>
   const T* at(std::uint32_t offset) const {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
   }
   const JointModel* joint_models() const { return at<JointModel>(joints); }
-  const ResidentSignals& motion() const { return *at<ResidentSignals>(signals); }
+  const ResidentSignals& motion() const { return *at<ResidentSignals>(motion_offset); }
   LimbPlan limb(int l) const {
     const ResidentLimb& limb = at<ResidentLimb>(limbs)[l];
     return {.effectors = limb.effectors,

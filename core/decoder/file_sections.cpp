@@ -153,7 +153,7 @@ class SectionsReader {
   }
 
   mcpr_result check_values(std::size_t offset) const {
-    if (std::uint64_t{sections_.frames} * sections_.signals() > limits_.values)
+    if (std::uint64_t{sections_.frames} * sections_.signal_count() > limits_.values)
       return failure(MCPR_LIMIT, offset, "more values than the limits allow");
     return kOk;
   }

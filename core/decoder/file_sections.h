@@ -37,7 +37,7 @@ struct FileSections {
   } effector[kMostEffectors] = {};
   std::size_t effector_offset = 0;  // of the first
 
-  std::uint32_t signals() const { return channels + 3 * effectors; }
+  std::uint32_t signal_count() const { return channels + 3 * effectors; }
 };
 
 /// Reads and checks all sections.

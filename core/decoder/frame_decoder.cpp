@@ -74,20 +74,20 @@ FrameDecoder::FrameDecoder(Memory& memory, const ClipBlock& clip, const mcpr_req
       request_(request),
       solves_(request.corrected != 0 && clip.effector_count > 0 && turns_any(clip, request)),
       picks_(solves_ && request.channels != nullptr),
-      synthesis_(memory, clip.motion(), plan(memory)),
+      signals_(memory, clip.motion(), signal_request(memory)),
       limb_(memory, solves_ ? clip.most_links : 0),
       places_(memory.take<JointPlace>(request.output == MCPR_POSITIONS ? clip.joint_count : 0)),
-      row_step_((clip.motion().signals() + 7) / 8 * 8),
-      rows_(memory.take<float>(static_cast<std::uint64_t>(row_step_) * Synthesis::kWindow)) {}
+      row_step_((clip.motion().signal_count() + 7) / 8 * 8),
+      rows_(memory.take<float>(static_cast<std::uint64_t>(row_step_) * kWindow)) {}
 
 /// Which signal goes to which column: a subset's own, or all in their order.
-SynthesisPlan FrameDecoder::plan(Memory& memory) {
+SignalRequest FrameDecoder::signal_request(Memory& memory) {
   const ResidentSignals& motion = clip_.motion();
   const bool subset = request_.channels != nullptr && !picks_;
-  const int all = solves_ ? motion.signals() : static_cast<int>(clip_.channel_count);
-  columns_ = memory.take<std::int32_t>(static_cast<std::uint64_t>(motion.signals()));
+  const int all = solves_ ? motion.signal_count() : static_cast<int>(clip_.channel_count);
+  columns_ = memory.take<std::int32_t>(static_cast<std::uint64_t>(motion.signal_count()));
   if (columns_ != nullptr) {
-    for (int s = 0; s < motion.signals(); ++s)
+    for (int s = 0; s < motion.signal_count(); ++s)
       columns_[s] = !subset && s < all ? s : ResidentSignals::Columns::kNone;
     for (std::uint32_t i = 0; subset && i < request_.channel_count; ++i)
       columns_[request_.channels[i]] = static_cast<std::int32_t>(i);
@@ -102,11 +102,11 @@ SynthesisPlan FrameDecoder::plan(Memory& memory) {
 void FrameDecoder::decode(int first, int count, float* out) {
   const std::size_t values = values_of_frame(clip_, request_);
   while (count > 0) {
-    const int frames = std::min(count, Synthesis::kWindow);
+    const int frames = std::min(count, kWindow);
     if (is_plain()) {
-      synthesis_.make(first, frames, out, static_cast<std::ptrdiff_t>(values));
+      signals_.make(first, frames, out, static_cast<std::ptrdiff_t>(values));
     } else {
-      synthesis_.make(first, frames, rows_, row_step_);
+      signals_.make(first, frames, rows_, row_step_);
       for (int t = 0; t < frames; ++t)
         put_out(rows_ + t * row_step_, out + values * static_cast<std::size_t>(t));
     }
@@ -119,7 +119,7 @@ void FrameDecoder::decode(int first, int count, float* out) {
 void FrameDecoder::decode_moment(double frame, float* out) {
   const int before = static_cast<int>(frame);
   const auto share = static_cast<float>(frame - before);
-  synthesis_.make(before, share > 0 ? 2 : 1, rows_, row_step_);
+  signals_.make(before, share > 0 ? 2 : 1, rows_, row_step_);
   const float* const after = rows_ + row_step_;
   if (share > 0)
     for (std::ptrdiff_t k = 0; k < row_step_; ++k) rows_[k] += share * (after[k] - rows_[k]);

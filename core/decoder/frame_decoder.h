@@ -3,7 +3,7 @@
 
 #include "clip.h"
 #include "memory.h"
-#include "synthesis.h"
+#include "signal_decoder.h"
 
 namespace mocapress::decoder {
 
@@ -31,7 +31,7 @@ class FrameDecoder {
   void put_out(float* row, float* out);
   void put_out_local(const float* row, float* out) const;
   void put_out_positions(const float* row, float* out) const;
-  SynthesisPlan plan(Memory& memory);
+  SignalRequest signal_request(Memory& memory);
   bool is_plain() const { return !solves_ && request_.output == MCPR_CHANNELS; }
 
   const ClipBlock& clip_;
@@ -39,7 +39,7 @@ class FrameDecoder {
   const bool solves_;
   const bool picks_;  // the subset stands in rows of all channels
   std::int32_t* columns_ = nullptr;
-  Synthesis synthesis_;
+  SignalDecoder signals_;
   Limb limb_;
   JointPlace* places_;  // of all joints
   std::ptrdiff_t row_step_;

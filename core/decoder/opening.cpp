@@ -8,6 +8,7 @@
 #include <new>
 
 #include "joint_records.h"
+#include "wide_limits.h"
 
 namespace mocapress::decoder {
 namespace {
@@ -50,17 +51,19 @@ Opening::Opening(Memory& memory, const FileSections& sections)
       joints_(memory.take<JointModel>(sections.joints)),
       parents_(memory.take<std::int16_t>(sections.joints)),
       channel_counts_(memory.take<std::uint8_t>(sections.joints)),
-      kin_(memory.take<SignalKin>(sections.signals())),
-      contexts_(memory.take<AdaptiveBit>(
-          static_cast<std::uint64_t>(ContextLayout(static_cast<int>(sections.signals())).end))),
-      fineness_(memory.take<std::int32_t>(sections.signals())),
-      values_(memory.take<std::int32_t>(std::uint64_t{sections.frames} * sections.signals())),
-      steps_(memory.take<float>(sections.signals())),
-      notes_(memory.take<std::uint8_t>(sections.signals())),
+      kin_(memory.take<SignalKin>(sections.signal_count())),
+      contexts_(memory.take<AdaptiveBit>(static_cast<std::uint64_t>(
+          ContextLayout(static_cast<int>(sections.signal_count())).end))),
+      fineness_(memory.take<std::int32_t>(sections.signal_count())),
+      values_(memory.take<std::int32_t>(std::uint64_t{sections.frames} * sections.signal_count())),
+      steps_(memory.take<float>(sections.signal_count())),
+      wide_limits_(memory.take<float>(sections.signal_count())),
+      reach_(memory.take<float>(sections.joints)),
+      notes_(memory.take<std::uint8_t>(sections.signal_count())),
       joint_coder_(memory),
       kin_finder_(memory, static_cast<int>(sections.joints)),
       coder_notes_(memory, Bands(static_cast<int>(sections.frames)),
-                   static_cast<int>(sections.signals())),
+                   static_cast<int>(sections.signal_count())),
       limb_planner_(memory, static_cast<int>(sections.joints)) {}
 
 mcpr_result Opening::read() {
@@ -124,30 +127,36 @@ mcpr_result Opening::read_motion() {
   if (head.failed() || !std::isfinite(scale) || scale <= 0)
     return failure(MCPR_INVALID, motion.offset, "the scale of steps is no positive number");
   const auto channels = static_cast<int>(sections_.channels);
-  const auto signals = static_cast<int>(sections_.signals());
+  const auto signal_count = static_cast<int>(sections_.signal_count());
   kin_finder_.find({static_cast<int>(sections_.joints), parents_, channel_counts_}, kin_);
-  set_correction_kin(channels, signals - channels, kin_ + channels);
-  std::fill_n(values_, std::uint64_t{sections_.frames} * sections_.signals(), 0);
-  std::fill_n(fineness_, signals, 0);
+  set_correction_kin(channels, signal_count - channels, kin_ + channels);
+  std::fill_n(values_, std::uint64_t{sections_.frames} * sections_.signal_count(), 0);
+  std::fill_n(fineness_, signal_count, 0);
   RangeDecoder bits(motion.data + 2, motion.size - 2);
-  CoefficientModel model(signals, contexts_);
+  CoefficientModel model(signal_count, contexts_);
   model.begin();
   const Bands bands(static_cast<int>(sections_.frames));
-  const QuantisedView view{static_cast<int>(sections_.frames), signals, fineness_, values_};
+  const QuantisedView view{static_cast<int>(sections_.frames), signal_count, fineness_, values_};
   CoefficientCoder(bits, kin_, bands, model, view, coder_notes_).run();
   const std::size_t offset = motion.offset + 2 + bits.position();
   if (bits.exhausted()) return failure(MCPR_INVALID, offset, "the coded motion ends early");
   if (bits.refused()) return failure(MCPR_INVALID, offset, "a number of the motion out of bounds");
   if (!bits.is_at_end()) return failure(MCPR_INVALID, offset, "bytes after the coded motion");
-  for (int s = 0; s < signals; ++s) steps_[s] = step_of(scale, fineness_[s]);
+  for (int s = 0; s < signal_count; ++s) steps_[s] = step_of(scale, fineness_[s]);
+  std::fill_n(wide_limits_, signal_count, kWideLength);
+  find_reach(joints_, static_cast<int>(sections_.joints), reach_);
+  for (std::uint32_t j = 0; j < sections_.joints; ++j)
+    for (int c = 0; c < joints_[j].channels; ++c)
+      wide_limits_[joints_[j].first_channel + c] = wide_limit(joints_[j].kinds[c], reach_[j]);
   return kOk;
 }
 
 QuantisedSource Opening::source() const {
   return {.length = static_cast<int>(sections_.frames),
-          .signals = static_cast<int>(sections_.signals()),
+          .signal_count = static_cast<int>(sections_.signal_count()),
           .wavelet = sections_.wavelet,
           .steps = steps_,
+          .wide_limits = wide_limits_,
           .values = values_,
           .notes = notes_,
           .budget_bytes = kBudget * (sections_.motion.size + sections_.correction_bytes) / 10};
@@ -209,10 +218,10 @@ std::uint64_t Opening::lay_out(std::byte* memory) {
     block.at<ResidentLimb>(head.limbs)[l] = limb;
   }
   const std::uint64_t motion = ResidentSignals::size(source());
-  head.signals = block.reserve(motion);
+  head.motion_offset = block.reserve(motion);
   head.total_bytes = block.used();
   if (memory != nullptr) {
-    ResidentSignals::build(source(), memory + head.signals);
+    ResidentSignals::build(source(), memory + head.motion_offset);
     new (memory) mcpr_clip{head};
   }
   return block.used();

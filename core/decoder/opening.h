@@ -52,6 +52,8 @@ class Opening {
   std::int32_t* fineness_;
   std::int32_t* values_;
   float* steps_;
+  float* wide_limits_;
+  float* reach_;  // of each joint
   std::uint8_t* notes_;
   JointByteCoder joint_coder_;
   KinFinder kin_finder_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -47,16 +48,17 @@ class ResidentBuilder {
   std::uint64_t run() {
     ResidentSignals head;
     head.length_ = source_.length;
-    head.signals_ = source_.signals;
+    head.signals_ = source_.signal_count;
     head.wavelet_ = source_.wavelet;
     head.band_count_ = static_cast<std::uint8_t>(bands_.count);
     wide_numbers_ = head.has_wide_numbers();
     used_ = sizeof(ResidentSignals);
     choose_kinds();
     head.steps_ = reserve(sizeof(float) * 8 * static_cast<std::uint64_t>(group_count()), 4);
-    if (memory_ != nullptr && source_.signals > 0)
+    if (memory_ != nullptr && source_.signal_count > 0)
       std::memcpy(memory_ + head.steps_, source_.steps,
-                  sizeof(float) * static_cast<std::size_t>(source_.signals));
+                  sizeof(float) * static_cast<std::size_t>(source_.signal_count));
+    add_wide(head);
     head.entries_ = reserve(sizeof(Entry) * static_cast<std::uint64_t>(bands_.count), 4);
     for (int b = 0; b < bands_.count; ++b) {
       const Entry entry = add_band(b);
@@ -67,6 +69,30 @@ class ResidentBuilder {
     used_ += kReadAhead;
     if (memory_ != nullptr) new (memory_) ResidentSignals(head);
     return used_;
+  }
+
+  /// Lists the signals that have coefficients, and so samples, beyond their limit.
+  void add_wide(ResidentSignals& head) {
+    for (int s = 0; s < source_.signal_count; ++s) {
+      if (!is_wide(s)) continue;
+      const std::uint32_t at = reserve(sizeof(std::uint16_t), 2);
+      if (head.wide_count_++ == 0) head.wide_ = at;
+      const auto number = static_cast<std::uint16_t>(s);
+      if (memory_ != nullptr) std::memcpy(memory_ + at, &number, sizeof number);
+    }
+  }
+
+  bool is_wide(int signal) const {
+    const double limit = source_.wide_limits[signal] / static_cast<double>(source_.steps[signal]);
+    for (int b = 0; b < bands_.count; ++b) {
+      const std::int32_t* const first = values(signal, bands_[b]);
+      const double most = limit * std::exp2(0.5 * bands_.depth(b));
+      if (std::any_of(first, first + bands_[b].size, [&](std::int32_t value) {
+            return std::abs(static_cast<double>(value)) > most;
+          }))
+        return true;
+    }
+    return false;
   }
 
  private:
@@ -85,7 +111,7 @@ class ResidentBuilder {
     return source_.values + static_cast<std::ptrdiff_t>(signal) * source_.length + band.first;
   }
   void find_widths(const Band& band) {
-    for (int s = 0; s < source_.signals; ++s) {
+    for (int s = 0; s < source_.signal_count; ++s) {
       source_.notes[s] = 0;
       if (band.size == 0) continue;
       const std::int32_t* const first = values(s, band);
@@ -95,12 +121,13 @@ class ResidentBuilder {
   }
   int width(int signal) const { return source_.notes[signal]; }
 
-  int group_count() const { return (source_.signals + 7) / 8; }
+  int group_count() const { return (source_.signal_count + 7) / 8; }
 
   /// Bytes of a group of 8 signals in a dense row.
   std::uint32_t bytes_of_group(int group) const {
     int bits = 0;
-    for (int s = 8 * group; s < std::min(8 * group + 8, source_.signals); ++s) bits += width(s);
+    for (int s = 8 * group; s < std::min(8 * group + 8, source_.signal_count); ++s)
+      bits += width(s);
     return static_cast<std::uint32_t>(bits + 7) / 8;
   }
 
@@ -117,7 +144,7 @@ class ResidentBuilder {
     Sizes sizes;
     std::uint64_t entries = 0;
     find_widths(band);
-    for (int s = 0; s < source_.signals; ++s) {
+    for (int s = 0; s < source_.signal_count; ++s) {
       if (width(s) == 0) continue;
       ++sizes.sparse.present;
       const std::int32_t* const first = values(s, band);
@@ -170,10 +197,11 @@ class ResidentBuilder {
     entry.bits_offset =
         reserve(std::uint64_t{row_bytes} * static_cast<std::uint64_t>(band.size), 1);
     if (memory_ == nullptr) return entry;
-    std::memcpy(memory_ + entry.offset, source_.notes, static_cast<std::size_t>(source_.signals));
+    std::memcpy(memory_ + entry.offset, source_.notes,
+                static_cast<std::size_t>(source_.signal_count));
     BitWriter writer(memory_ + entry.bits_offset);
     for (int i = 0; i < band.size; ++i)  // the first signal of each row is the first of a group
-      for (int s = 0; s < source_.signals; ++s) {
+      for (int s = 0; s < source_.signal_count; ++s) {
         if (s % 8 == 0) writer.align_to_byte();
         if (width(s) == 0) continue;
         const std::int64_t bias = std::int64_t{1} << (width(s) - 1);
@@ -189,7 +217,7 @@ class ResidentBuilder {
     const int end = std::min(band.size, (block + 1) << entry.log2_rows);
     std::uint32_t next = 0;  // the place after the last one visited
     std::uint32_t of_signal = 0;
-    for (int s = 0; s < source_.signals; ++s) {
+    for (int s = 0; s < source_.signal_count; ++s) {
       if (width(s) == 0) continue;
       for (int i = first; i < end; ++i) {
         const std::int32_t value = values(s, band)[i];
@@ -257,7 +285,7 @@ class ResidentBuilder {
   }
 
   void list_signals(std::byte* list) const {
-    for (int s = 0; s < source_.signals; ++s) {
+    for (int s = 0; s < source_.signal_count; ++s) {
       if (width(s) == 0) continue;
       std::memcpy(list, &s, wide_numbers_ ? 2 : 1);
       list += wide_numbers_ ? 2 : 1;

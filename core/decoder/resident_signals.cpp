@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 #include "bits.h"
 
 namespace mocapress::decoder {
 
 /// What a step is divided by, as a factor.
-float ResidentSignals::gain(int band) const {
-  constexpr float kRootOfHalf = 0x1.6a09e6p-1F;
+template <typename Real>
+Real ResidentSignals::gain(int band) const {
+  constexpr Real kRootOfHalf = static_cast<Real>(0x1.6a09e667f3bcdp-1);
   const int depth = band_count_ == 1 ? 0 : band_count_ - std::max(band, 1);
-  const float whole = 1.0F / static_cast<float>(std::uint64_t{1} << (depth / 2));
+  const Real whole = Real{1} / static_cast<Real>(std::uint64_t{1} << (depth / 2));
   return depth % 2 == 0 ? whole : whole * kRootOfHalf;
 }
 
@@ -25,72 +27,80 @@ int ResidentSignals::listed_signal(const BandEntry& entry, std::uint32_t i) cons
   return at<std::uint8_t>(entry.list_offset)[i];
 }
 
+template <typename Real>
 void ResidentSignals::unpack(int band, int first, int end, const Columns& columns,
-                             float* rows) const {
+                             Real* rows) const {
   if (first >= end) return;
-  if (entries()[band].kind == Kind::Dense) return unpack_dense(band, first, end, columns, rows);
-  std::fill_n(rows, (end - first) * columns.stride, 0.0F);
-  unpack_sparse(band, first, end, columns, rows);
+  if constexpr (std::is_same_v<Real, float>)
+    if (entries()[band].kind == Kind::Dense && columns.in_order)
+      return unpack_rows(band, first, end, columns, rows);
+  std::fill_n(rows, (end - first) * columns.stride, Real{0});
+  if (entries()[band].kind == Kind::Dense)
+    unpack_chosen(band, first, end, columns, rows);
+  else
+    unpack_sparse(band, first, end, columns, rows);
 }
 
-void ResidentSignals::unpack_dense(int band, int first, int end, const Columns& columns,
-                                   float* rows) const {
+template void ResidentSignals::unpack(int, int, int, const Columns&, float*) const;
+template void ResidentSignals::unpack(int, int, int, const Columns&, double*) const;
+
+/// All signals of a dense band, 8 at a time.
+void ResidentSignals::unpack_rows(int band, int first, int end, const Columns& columns,
+                                  float* rows) const {
+  const BandEntry& entry = entries()[band];
+  const auto groups = static_cast<int>(columns.stride / 8);
+  columns.kernels->unpack({.out = rows,
+                           .packed = at<std::byte>(entry.bits_offset) +
+                                     static_cast<std::ptrdiff_t>(first) * entry.present,
+                           .widths = at<std::uint8_t>(entry.offset),
+                           .steps = steps(),
+                           .stride = columns.stride,
+                           .row_bytes = entry.present,
+                           .groups = groups < group_count() ? groups : group_count(),
+                           .rows = end - first,
+                           .gain = gain<float>(band)});
+}
+
+/// Only the signals that have a column, one by one.
+template <typename Real>
+void ResidentSignals::unpack_chosen(int band, int first, int end, const Columns& columns,
+                                    Real* rows) const {
   const BandEntry& entry = entries()[band];
   const std::byte* const packed =
       at<std::byte>(entry.bits_offset) + static_cast<std::ptrdiff_t>(first) * entry.present;
   const auto* const widths = at<std::uint8_t>(entry.offset);
-  if (columns.in_order) {
-    const auto groups = static_cast<int>(columns.stride / 8);
-    columns.kernels->unpack({.out = rows,
-                             .packed = packed,
-                             .widths = widths,
-                             .steps = steps(),
-                             .stride = columns.stride,
-                             .row_bytes = entry.present,
-                             .groups = groups < group_count() ? groups : group_count(),
-                             .rows = end - first,
-                             .gain = gain(band)});
-    return;
-  }
-  unpack_chosen(band, end - first, packed, columns, rows);
-}
-
-/// Only the signals that have a column, one by one.
-void ResidentSignals::unpack_chosen(int band, int count, const std::byte* packed,
-                                    const Columns& columns, float* rows) const {
-  const BandEntry& entry = entries()[band];
-  const auto* const widths = at<std::uint8_t>(entry.offset);
-  const float gain_of_band = gain(band);
-  std::fill_n(rows, count * columns.stride, 0.0F);
+  const Real gain_of_band = gain<Real>(band);
   std::uint64_t bit = 0;
   for (int s = 0; s < signals_; ++s) {
     if (s % 8 == 0) bit = (bit + 7) / 8 * 8;
     const int width = widths[s];
     const std::int32_t column = columns.of_signal[s];
-    const float step = steps()[s] * gain_of_band;
+    const Real step = static_cast<Real>(steps()[s]) * gain_of_band;
     const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
     const auto bias = static_cast<std::int64_t>((mask + 1) >> 1 & mask);
-    for (int r = 0; r < count && column != Columns::kNone; ++r) {
+    for (int r = 0; r < end - first && column != Columns::kNone; ++r) {
       const auto bits =
           bits_at(packed + static_cast<std::ptrdiff_t>(r) * entry.present, bit) & mask;
       const auto value = static_cast<std::int32_t>(static_cast<std::int64_t>(bits) - bias);
-      rows[r * columns.stride + column] = static_cast<float>(value) * step;
+      rows[r * columns.stride + column] = static_cast<Real>(value) * step;
     }
     bit += static_cast<std::uint64_t>(width);
   }
 }
 
+template <typename Real>
 void ResidentSignals::unpack_sparse(int band, int first, int end, const Columns& columns,
-                                    float* rows) const {
+                                    Real* rows) const {
   const int log2_rows = entries()[band].log2_rows;
   for (int block = first >> log2_rows; block <= (end - 1) >> log2_rows; ++block)
     unpack_block(band, block, first, end, columns, rows);
 }
 
+template <typename Real>
 void ResidentSignals::unpack_block(int band, int block, int first, int end, const Columns& columns,
-                                   float* rows) const {
+                                   Real* rows) const {
   const BandEntry& entry = entries()[band];
-  const float gain_of_band = gain(band);
+  const Real gain_of_band = gain<Real>(band);
   std::uint32_t offset = 0;
   const std::size_t offset_size = entry.kind == Kind::SparseWide ? 4 : 2;
   std::memcpy(&offset, at<std::byte>(entry.offset) + offset_size * static_cast<std::size_t>(block),
@@ -111,7 +121,7 @@ void ResidentSignals::unpack_block(int band, int block, int first, int end, cons
     if (column == Columns::kNone) continue;
     const auto value = static_cast<std::int32_t>(minus ? 0U - magnitude : magnitude);
     rows[static_cast<std::ptrdiff_t>(row) * columns.stride + column] =
-        static_cast<float>(value) * (steps()[signal] * gain_of_band);
+        static_cast<Real>(value) * (static_cast<Real>(steps()[signal]) * gain_of_band);
   }
 }
 

@@ -17,9 +17,10 @@ enum class Wavelet : std::uint8_t { Haar = 0, Linear = 1, Cubic = 2 };
 /// Quantised coefficients: what a resident form is made of.
 struct QuantisedSource {
   int length;  // coefficients of each signal, coarse to fine
-  int signals;
+  int signal_count;
   Wavelet wavelet;
   const float* steps;          // of each signal, before they are divided by bands
+  const float* wide_limits;    // of each signal: larger samples are decoded in double precision
   const std::int32_t* values;  // signal after signal
   std::uint8_t* notes;         // a byte for each signal, to work in
   std::uint64_t budget_bytes;  // for the bands; beyond, each takes its smaller kind
@@ -40,9 +41,14 @@ class ResidentSignals {
   static const ResidentSignals* build(const QuantisedSource& source, std::byte* memory);
 
   int length() const { return length_; }
-  int signals() const { return signals_; }
+  int signal_count() const { return signals_; }
   Wavelet wavelet() const { return wavelet_; }
   int band_count() const { return band_count_; }
+
+  /// Signals that are to be decoded in double precision.
+  int wide_count() const { return wide_count_; }
+  const std::uint16_t* wide_signals() const { return at<std::uint16_t>(wide_); }
+
   bool is_empty(int band) const { return entries()[band].kind == Kind::Empty; }
 
   /// Where the values of unpack() go.
@@ -56,7 +62,8 @@ class ResidentSignals {
 
   /// Rows first ... end - 1 of a band, which is not empty, times their steps: each a row of
   /// `columns.stride` floats, of no meaning where there is no column.
-  void unpack(int band, int first, int end, const Columns& columns, float* rows) const;
+  template <typename Real>
+  void unpack(int band, int first, int end, const Columns& columns, Real* rows) const;
 
  private:
   static constexpr int kCountShift = 3;  // of the Rice code of a block's count
@@ -83,18 +90,23 @@ class ResidentSignals {
   const BandEntry* entries() const { return at<BandEntry>(entries_); }
   bool has_wide_numbers() const { return signals_ > 256; }
   int listed_signal(const BandEntry& entry, std::uint32_t i) const;
-  float gain(int band) const;
-  void unpack_dense(int band, int first, int end, const Columns& columns, float* rows) const;
-  void unpack_chosen(int band, int count, const std::byte* packed, const Columns& columns,
-                     float* rows) const;
-  void unpack_sparse(int band, int first, int end, const Columns& columns, float* rows) const;
+  template <typename Real>
+  Real gain(int band) const;
+  void unpack_rows(int band, int first, int end, const Columns& columns, float* rows) const;
+  template <typename Real>
+  void unpack_chosen(int band, int first, int end, const Columns& columns, Real* rows) const;
+  template <typename Real>
+  void unpack_sparse(int band, int first, int end, const Columns& columns, Real* rows) const;
+  template <typename Real>
   void unpack_block(int band, int block, int first, int end, const Columns& columns,
-                    float* rows) const;
+                    Real* rows) const;
 
   std::int32_t length_ = 0;
   std::int32_t signals_ = 0;
   Wavelet wavelet_ = Wavelet::Cubic;
   std::uint8_t band_count_ = 1;
+  std::uint16_t wide_count_ = 0;
+  std::uint32_t wide_ = 0;  // offsets from this
   std::uint32_t steps_ = 0;
   std::uint32_t entries_ = 0;
 };

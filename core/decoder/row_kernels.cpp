@@ -13,6 +13,7 @@ namespace {
 
 #if defined(__SSE2__) || defined(_M_X64)
 struct Sse2Vector {
+  using Real = float;
   static constexpr std::ptrdiff_t kSize = 4;
   __m128 values;
 
@@ -36,13 +37,8 @@ void unpack_rows(const PackedRows& rows) {
   unpack_plainly(rows, 0, rows.groups, rows.packed);
 }
 
-template <typename V>
-constexpr RowKernels kernels_of() {
-  return {update_rows<V>, predict_rows<V>, predict_border_row<V>, copy_rows<V>, unpack_rows};
-}
-
 #if defined(__SSE2__) || defined(_M_X64)
-constexpr RowKernels kSse2Rows = kernels_of<Sse2Vector>();
+constexpr RowKernels kSse2Rows = {lifting_of<Sse2Vector>(), unpack_rows};
 #endif
 
 }  // namespace
@@ -68,7 +64,8 @@ const std::byte* unpack_plainly(const PackedRows& rows, int first_group, int end
   return packed;
 }
 
-const RowKernels kPlainRows = kernels_of<PlainVector>();
+const RowKernels kPlainRows = {lifting_of<PlainVectorOf<float>>(), unpack_rows};
+const LiftingKernels<double> kWideRows = lifting_of<PlainVectorOf<double>>();
 
 const RowKernels* sse2_rows() {
 #if defined(__SSE2__) || defined(_M_X64)

@@ -11,42 +11,46 @@ namespace mocapress::decoder {
 
 /// Even rows: out = even - (detail_before + detail_after) / 4. All rows are `stride` apart, which
 /// is a multiple of 8.
+template <typename Real>
 struct EvenRows {
-  float* out;
-  const float* even;
-  const float* detail_before;
-  const float* detail_after;
+  Real* out;
+  const Real* even;
+  const Real* detail_before;
+  const Real* detail_after;
   std::ptrdiff_t stride;
   int rows;
 };
 
 /// Odd rows between four even ones: out = detail + (near * (even[1] + even[2]) + far * (even[0] +
 /// even[3])).
+template <typename Real>
 struct OddRows {
-  float* out;           // out_step apart
-  const float* even;    // the first of the four of the first row, stride apart
-  const float* detail;  // detail_step apart: 0 where all are the same row of zeros
+  Real* out;           // out_step apart
+  const Real* even;    // the first of the four of the first row, stride apart
+  const Real* detail;  // detail_step apart: 0 where all are the same row of zeros
   std::ptrdiff_t out_step;
   std::ptrdiff_t stride;
   std::ptrdiff_t detail_step;
   std::ptrdiff_t width;  // floats of a row
   int rows;
-  float near;
-  float far;
+  Real near;
+  Real far;
 };
 
 /// One odd row near a border: out = detail + ((w0 e0 + w1 e1) + (w2 e2 + w3 e3)).
+template <typename Real>
 struct BorderRow {
-  float* out;
-  const float* even[4];
-  float weight[4];
-  const float* detail;
+  Real* out;
+  const Real* even[4];
+  Real weight[4];
+  const Real* detail;
   std::ptrdiff_t width;
 };
 
+template <typename Real>
 struct CopiedRows {
-  float* out;
-  const float* from;
+  Real* out;
+  const Real* from;
   std::ptrdiff_t out_step;
   std::ptrdiff_t stride;
   std::ptrdiff_t width;
@@ -68,13 +72,21 @@ struct PackedRows {
   float gain;
 };
 
+template <typename Real>
+struct LiftingKernels {
+  void (*update)(const EvenRows<Real>&);
+  void (*predict)(const OddRows<Real>&);
+  void (*predict_at_border)(const BorderRow<Real>&);
+  void (*copy)(const CopiedRows<Real>&);
+};
+
 struct RowKernels {
-  void (*update)(const EvenRows&);
-  void (*predict)(const OddRows&);
-  void (*predict_at_border)(const BorderRow&);
-  void (*copy)(const CopiedRows&);
+  LiftingKernels<float> lifting;
   void (*unpack)(const PackedRows&);
 };
+
+/// For the few signals that floats are too coarse for.
+extern const LiftingKernels<double> kWideRows;
 
 extern const RowKernels kPlainRows;
 

@@ -18,6 +18,7 @@ namespace mocapress::decoder {
 namespace {
 
 struct Avx2Vector {
+  using Real = float;
   static constexpr std::ptrdiff_t kSize = 8;
   __m256 values;
 
@@ -105,8 +106,7 @@ void unpack_rows(const PackedRows& rows) {
 
 }  // namespace
 
-const RowKernels kAvx2Rows = {update_rows<Avx2Vector>, predict_rows<Avx2Vector>,
-                              predict_border_row<Avx2Vector>, copy_rows<Avx2Vector>, unpack_rows};
+const RowKernels kAvx2Rows = {lifting_of<Avx2Vector>(), unpack_rows};
 
 }  // namespace mocapress::decoder
 

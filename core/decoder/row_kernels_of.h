@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels of row_kernels.h for one type of vector: some floats with +, - and * by element,
+// The kernels of row_kernels.h for one type of vector: some reals with +, - and * by element,
 // load(), store() and all(). Each file that includes this compiles them for its own instructions.
 #pragma once
 
@@ -8,22 +8,27 @@
 namespace mocapress::decoder {
 namespace {
 
-struct PlainVector {
+template <typename Element>
+struct PlainVectorOf {
+  using Real = Element;
   static constexpr std::ptrdiff_t kSize = 1;
-  float value;
+  Real value;
 
-  static PlainVector load(const float* from) { return {*from}; }
-  static PlainVector all(float value) { return {value}; }
-  void store(float* to) const { *to = value; }
+  static PlainVectorOf load(const Real* from) { return {*from}; }
+  static PlainVectorOf all(Real value) { return {value}; }
+  void store(Real* to) const { *to = value; }
 };
 
-inline PlainVector operator+(PlainVector a, PlainVector b) {
+template <typename Real>
+PlainVectorOf<Real> operator+(PlainVectorOf<Real> a, PlainVectorOf<Real> b) {
   return {a.value + b.value};
 }
-inline PlainVector operator-(PlainVector a, PlainVector b) {
+template <typename Real>
+PlainVectorOf<Real> operator-(PlainVectorOf<Real> a, PlainVectorOf<Real> b) {
   return {a.value - b.value};
 }
-inline PlainVector operator*(PlainVector a, PlainVector b) {
+template <typename Real>
+PlainVectorOf<Real> operator*(PlainVectorOf<Real> a, PlainVectorOf<Real> b) {
   return {a.value * b.value};
 }
 
@@ -35,12 +40,12 @@ inline void across(std::ptrdiff_t width, const Step& step) {
   for (; k + V::kSize <= width; k += V::kSize) step.template at<V>(k);
   if (k == width) return;
   if (width >= V::kSize) return step.template at<V>(width - V::kSize);
-  for (; k < width; ++k) step.template at<PlainVector>(k);
+  for (; k < width; ++k) step.template at<PlainVectorOf<typename V::Real>>(k);
 }
 
 template <typename V>
-void update_rows(const EvenRows& rows) {
-  const V quarter = V::all(0.25F);
+void update_rows(const EvenRows<typename V::Real>& rows) {
+  const V quarter = V::all(typename V::Real{0.25});
   const std::ptrdiff_t count = rows.rows * rows.stride;
   for (std::ptrdiff_t k = 0; k < count; k += V::kSize) {
     const V details = V::load(rows.detail_before + k) + V::load(rows.detail_after + k);
@@ -48,18 +53,19 @@ void update_rows(const EvenRows& rows) {
   }
 }
 
+template <typename Real>
 struct PredictStep {
   // Copies: what is stored might be taken for an alias of what a reference refers to.
-  float* out;
-  const float* even;
-  const float* detail;
+  Real* out;
+  const Real* even;
+  const Real* detail;
   std::ptrdiff_t stride;
-  float near;
-  float far;
+  Real near;
+  Real far;
 
   template <typename V>
   void at(std::ptrdiff_t k) const {
-    const float* const e = even + k;
+    const Real* const e = even + k;
     const V nearest = V::load(e + stride) + V::load(e + 2 * stride);
     const V others = V::load(e) + V::load(e + 3 * stride);
     const V predicted = V::all(near) * nearest + V::all(far) * others;
@@ -68,15 +74,17 @@ struct PredictStep {
 };
 
 template <typename V>
-void predict_rows(const OddRows& rows) {
+void predict_rows(const OddRows<typename V::Real>& rows) {
   for (int r = 0; r < rows.rows; ++r)
-    across<V>(rows.width,
-              PredictStep{rows.out + r * rows.out_step, rows.even + r * rows.stride,
-                          rows.detail + r * rows.detail_step, rows.stride, rows.near, rows.far});
+    across<V>(rows.width, PredictStep<typename V::Real>{rows.out + r * rows.out_step,
+                                                        rows.even + r * rows.stride,
+                                                        rows.detail + r * rows.detail_step,
+                                                        rows.stride, rows.near, rows.far});
 }
 
+template <typename Real>
 struct BorderStep {
-  const BorderRow& row;
+  const BorderRow<Real>& row;
 
   template <typename V>
   void at(std::ptrdiff_t k) const {
@@ -89,13 +97,14 @@ struct BorderStep {
 };
 
 template <typename V>
-void predict_border_row(const BorderRow& row) {
-  across<V>(row.width, BorderStep{row});
+void predict_border_row(const BorderRow<typename V::Real>& row) {
+  across<V>(row.width, BorderStep<typename V::Real>{row});
 }
 
+template <typename Real>
 struct CopyStep {
-  float* out;
-  const float* from;
+  Real* out;
+  const Real* from;
 
   template <typename V>
   void at(std::ptrdiff_t k) const {
@@ -104,9 +113,15 @@ struct CopyStep {
 };
 
 template <typename V>
-void copy_rows(const CopiedRows& rows) {
+void copy_rows(const CopiedRows<typename V::Real>& rows) {
   for (int r = 0; r < rows.rows; ++r)
-    across<V>(rows.width, CopyStep{rows.out + r * rows.out_step, rows.from + r * rows.stride});
+    across<V>(rows.width, CopyStep<typename V::Real>{rows.out + r * rows.out_step,
+                                                     rows.from + r * rows.stride});
+}
+
+template <typename V>
+constexpr LiftingKernels<typename V::Real> lifting_of() {
+  return {update_rows<V>, predict_rows<V>, predict_border_row<V>, copy_rows<V>};
 }
 
 }  // namespace

@@ -9,25 +9,26 @@ namespace {
 constexpr int kBorderRows = 8;  // that samples may need beyond themselves, at any band
 
 /// The Lagrange polynomial through `count` samples at 0, 1, ... at `position`, as weights.
-void lagrange_weights(int count, float position, float* weights) {
+template <typename Real>
+void lagrange_weights(int count, Real position, Real* weights) {
   for (int i = 0; i < count; ++i) {
-    float weight = 1;
+    Real weight = 1;
     for (int j = 0; j < count; ++j)
-      if (j != i) weight *= (position - static_cast<float>(j)) / static_cast<float>(i - j);
+      if (j != i) weight *= (position - static_cast<Real>(j)) / static_cast<Real>(i - j);
     weights[i] = weight;
   }
 }
 
 }  // namespace
 
-Synthesis::Synthesis(Memory& memory, const ResidentSignals& signals, const SynthesisPlan& plan)
-    : signals_(signals),
-      plan_(plan),
-      bands_(signals.length()),
-      stride_((plan.columns + 7) / 8 * 8) {
+template <typename Real>
+Synthesis<Real>::Synthesis(Memory& memory, const ResidentSignals& motion,
+                           const SynthesisPlan<Real>& plan)
+    : signals_(motion), plan_(plan), bands_(motion.length()), stride_((plan.count + 7) / 8 * 8) {
+  plan_.columns.stride = stride_;
   const auto rows = [&](int count) {
-    return memory.take<float>(static_cast<std::uint64_t>(count) *
-                              static_cast<std::uint64_t>(stride_));
+    return memory.take<Real>(static_cast<std::uint64_t>(count) *
+                             static_cast<std::uint64_t>(stride_));
   };
   int most = kWindow;  // samples of the band
   for (int b = bands_.count - 1; b > 0; --b) {
@@ -41,19 +42,22 @@ Synthesis::Synthesis(Memory& memory, const ResidentSignals& signals, const Synth
   }
   coarse_samples_ = rows(kCoarsest);
   zeros_ = rows(1);
-  if (memory.holds()) std::fill_n(zeros_, stride_, 0.0F);
+  if (memory.holds()) std::fill_n(zeros_, stride_, Real{0});
 }
 
-bool Synthesis::has_details(int band) const {
+template <typename Real>
+bool Synthesis<Real>::has_details(int band) const {
   return band < bands_.count - plan_.bands_left_out && !signals_.is_empty(band);
 }
 
-const float* Synthesis::even_row(int band, int i) const {
+template <typename Real>
+const Real* Synthesis<Real>::even_row(int band, int i) const {
   const Held& evens = levels_[band].evens;
   return evens.rows + (i - evens.range.first) * stride_;
 }
 
-const float* Synthesis::detail_row(int band, int i) const {
+template <typename Real>
+const Real* Synthesis<Real>::detail_row(int band, int i) const {
   if (!has_details(band)) return zeros_;
   const Held& details = levels_[band].details;
   return details.rows + (i - details.range.first) * stride_;
@@ -61,7 +65,8 @@ const float* Synthesis::detail_row(int band, int i) const {
 
 /// Makes room for a range of which the held rows may be the beginning, and forgets what lies before
 /// it. Where they are not, forgets all.
-void Synthesis::hold(Held& held, Range range) {
+template <typename Real>
+void Synthesis<Real>::hold(Held& held, Range range) {
   if (range.first < held.range.first || range.first > held.range.end) {
     held.range = {range.first, range.first};
     held.rows = held.memory;
@@ -77,7 +82,8 @@ void Synthesis::hold(Held& held, Range range) {
 
 /// From the finest band up: an odd sample is predicted from the four even ones around it or, near a
 /// border, the outermost. What is held already is not wanted of the bands above.
-void Synthesis::find_needs(int first, int count) {
+template <typename Real>
+void Synthesis<Real>::find_needs(int first, int count) {
   Range wanted = {first, first + count};
   for (int b = bands_.count - 1; b > 0; --b) {
     Level& level = levels_[b];
@@ -98,7 +104,8 @@ void Synthesis::find_needs(int first, int count) {
   coarse_ = wanted;
 }
 
-void Synthesis::make(int first, int count, float* out, std::ptrdiff_t out_step) {
+template <typename Real>
+void Synthesis<Real>::make(int first, int count, Real* out, std::ptrdiff_t out_step) {
   find_needs(first, count);
   put_coarse(out, out_step);
   for (int b = 1; b < bands_.count; ++b) {
@@ -112,36 +119,39 @@ void Synthesis::make(int first, int count, float* out, std::ptrdiff_t out_step) 
     }
     level.evens.range.end = std::max(level.evens.range.end, added.end);
     if (b == bands_.count - 1)
-      put_samples(b, out, out_step, plan_.columns);
+      put_samples(b, out, out_step, plan_.count);
     else
       put_samples(b, evens_to_come(b + 1), stride_, stride_);
   }
 }
 
 /// Where the samples that a band makes go: they are the even ones of the next.
-float* Synthesis::evens_to_come(int band) {
+template <typename Real>
+Real* Synthesis<Real>::evens_to_come(int band) {
   Held& evens = levels_[band].evens;
   return evens.rows + (evens.range.end - evens.range.first) * stride_;
 }
 
-void Synthesis::put_coarse(float* out, std::ptrdiff_t out_step) {
+template <typename Real>
+void Synthesis<Real>::put_coarse(Real* out, std::ptrdiff_t out_step) {
   if (coarse_.is_empty()) return;
-  float* const rows = bands_.count == 1 ? coarse_samples_ : evens_to_come(1);
+  Real* const rows = bands_.count == 1 ? coarse_samples_ : evens_to_come(1);
   if (signals_.is_empty(0))
-    std::fill_n(rows, (coarse_.end - coarse_.first) * stride_, 0.0F);
+    std::fill_n(rows, (coarse_.end - coarse_.first) * stride_, Real{0});
   else
-    signals_.unpack(0, coarse_.first, coarse_.end, columns(), rows);
+    signals_.unpack(0, coarse_.first, coarse_.end, plan_.columns, rows);
   if (bands_.count > 1) return;
   plan_.kernels->copy({.out = out,
                        .from = rows,
                        .out_step = out_step,
                        .stride = stride_,
-                       .width = plan_.columns,
+                       .width = plan_.count,
                        .rows = coarse_.end - coarse_.first});
 }
 
 /// The details beside the even samples that are new, and those of the odd samples to make.
-void Synthesis::unpack_details(int band, Range new_evens) {
+template <typename Real>
+void Synthesis<Real>::unpack_details(int band, Range new_evens) {
   Level& level = levels_[band];
   Range need = {level.wanted.first / 2, level.wanted.end / 2};
   if (!new_evens.is_empty()) {
@@ -154,13 +164,14 @@ void Synthesis::unpack_details(int band, Range new_evens) {
   Held& details = level.details;
   hold(details, need);
   if (details.range.end >= need.end) return;
-  signals_.unpack(band, details.range.end, need.end, columns(),
+  signals_.unpack(band, details.range.end, need.end, plan_.columns,
                   details.rows + (details.range.end - details.range.first) * stride_);
   details.range.end = need.end;
 }
 
 /// What their details added to even samples is taken off again.
-void Synthesis::update_evens(int band, Range added) {
+template <typename Real>
+void Synthesis<Real>::update_evens(int band, Range added) {
   const int odds = bands_[band].size;
   const int inner_end = std::min(added.end, odds);
   if (signals_.wavelet() == Wavelet::Haar) {
@@ -176,10 +187,11 @@ void Synthesis::update_evens(int band, Range added) {
 
 /// Even samples first ... end - 1; `before` and `after`: which details are beside them, counted
 /// from their own.
-void Synthesis::update_rows(int band, int first, int end, int before, int after) {
+template <typename Real>
+void Synthesis<Real>::update_rows(int band, int first, int end, int before, int after) {
   if (first >= end) return;
   const Held& evens = levels_[band].evens;
-  float* const rows = evens.rows + (first - evens.range.first) * stride_;
+  Real* const rows = evens.rows + (first - evens.range.first) * stride_;
   plan_.kernels->update({.out = rows,
                          .even = rows,
                          .detail_before = detail_row(band, first + before),
@@ -189,7 +201,9 @@ void Synthesis::update_rows(int band, int first, int end, int before, int after)
 }
 
 /// Even samples as they are held, odd ones between them.
-void Synthesis::put_samples(int band, float* out, std::ptrdiff_t out_step, std::ptrdiff_t width) {
+template <typename Real>
+void Synthesis<Real>::put_samples(int band, Real* out, std::ptrdiff_t out_step,
+                                  std::ptrdiff_t width) {
   const Range wanted = levels_[band].wanted;
   const int first_even = (wanted.first + 1) / 2;
   plan_.kernels->copy({.out = out + (2 * first_even - wanted.first) * out_step,
@@ -204,8 +218,9 @@ void Synthesis::put_samples(int band, float* out, std::ptrdiff_t out_step, std::
 }
 
 /// Odd samples first ... end - 1; `out` is the first one's row.
-void Synthesis::put_odds(int band, int first, int end, float* out, std::ptrdiff_t out_step,
-                         std::ptrdiff_t width) {
+template <typename Real>
+void Synthesis<Real>::put_odds(int band, int first, int end, Real* out, std::ptrdiff_t out_step,
+                               std::ptrdiff_t width) {
   const int inner_end = std::min(end, bands_[band].first - 2);
   int i = first;
   const auto put_borders = [&](int before) {
@@ -223,8 +238,8 @@ void Synthesis::put_odds(int band, int first, int end, float* out, std::ptrdiff_
                               .detail_step = has_details(band) ? stride_ : 0,
                               .width = width,
                               .rows = inner_end - i,
-                              .near = cubic ? 9.0F / 16 : 0.5F,
-                              .far = cubic ? -1.0F / 16 : 0.0F});
+                              .near = cubic ? Real{9.0 / 16} : Real{0.5},
+                              .far = cubic ? Real{-1.0 / 16} : Real{0}});
       out += (inner_end - i) * out_step;
       i = inner_end;
     }
@@ -232,20 +247,24 @@ void Synthesis::put_odds(int band, int first, int end, float* out, std::ptrdiff_
   put_borders(end);
 }
 
-void Synthesis::put_odd_at_border(int band, int odd, float* out, std::ptrdiff_t width) {
+template <typename Real>
+void Synthesis<Real>::put_odd_at_border(int band, int odd, Real* out, std::ptrdiff_t width) {
   const int available = bands_[band].first;
   const bool haar = signals_.wavelet() == Wavelet::Haar;
   const int wanted = haar ? 1 : signals_.wavelet() == Wavelet::Linear ? 2 : 4;
   const int count = std::min(wanted, available);
   const int first = haar ? odd : std::clamp(odd + 1 - count / 2, 0, available - count);
-  BorderRow row{.out = out,
-                .even = {zeros_, zeros_, zeros_, zeros_},
-                .weight = {},
-                .detail = detail_row(band, odd),
-                .width = width};
-  lagrange_weights(count, haar ? 0 : static_cast<float>(odd - first) + 0.5F, row.weight);
+  BorderRow<Real> row{.out = out,
+                      .even = {zeros_, zeros_, zeros_, zeros_},
+                      .weight = {},
+                      .detail = detail_row(band, odd),
+                      .width = width};
+  lagrange_weights(count, haar ? Real{0} : static_cast<Real>(odd - first) + Real{0.5}, row.weight);
   for (int i = 0; i < count; ++i) row.even[i] = even_row(band, first + i);
   plan_.kernels->predict_at_border(row);
 }
+
+template class Synthesis<float>;
+template class Synthesis<double>;
 
 }  // namespace mocapress::decoder

@@ -9,27 +9,30 @@
 
 namespace mocapress::decoder {
 
+inline constexpr int kWindow = 128;  // frames at a time: what fits the nearer caches
+
 /// Which signals come out, in which columns, how detailed.
+template <typename Real>
 struct SynthesisPlan {
-  const std::int32_t* column_of_signal;  // ResidentSignals::Columns::kNone: left out
-  bool in_order;                         // signal s in column s, as many as there are columns
-  int columns;
+  ResidentSignals::Columns columns;
+  int count;           // of columns
   int bands_left_out;  // of the finest: as if they were zero
-  const RowKernels* kernels;
+  const LiftingKernels<Real>* kernels;
 };
 
 /// The inverse transform of any window of frames: at each band no more rows than the window needs,
 /// and none again that the window before it needed too.
+template <typename Real>
 class Synthesis {
  public:
-  static constexpr int kWindow = 128;  // frames at a time: what fits the first cache
+  static constexpr int kWindow = mocapress::decoder::kWindow;
 
   /// Takes the memory it works in. With measuring memory only that.
-  Synthesis(Memory& memory, const ResidentSignals& signals, const SynthesisPlan& plan);
+  Synthesis(Memory& memory, const ResidentSignals& motion, const SynthesisPlan<Real>& plan);
 
-  /// Makes the samples of frames first ... first + count - 1: rows of plan.columns floats, out_step
+  /// Makes the samples of frames first ... first + count - 1: rows of plan.count reals, out_step
   /// apart. 0 < count <= kWindow, and all frames exist.
-  void make(int first, int count, float* out, std::ptrdiff_t out_step);
+  void make(int first, int count, Real* out, std::ptrdiff_t out_step);
 
  private:
   struct Range {
@@ -40,9 +43,9 @@ class Synthesis {
 
   /// Rows of a band that are kept from window to window.
   struct Held {
-    float* memory = nullptr;
+    Real* memory = nullptr;
     int capacity = 0;
-    float* rows = nullptr;  // of range.first
+    Real* rows = nullptr;  // of range.first
     Range range;
   };
 
@@ -57,30 +60,27 @@ class Synthesis {
 
   void find_needs(int first, int count);
   void hold(Held& held, Range range);
-  const float* even_row(int band, int i) const;
-  const float* detail_row(int band, int i) const;
+  const Real* even_row(int band, int i) const;
+  const Real* detail_row(int band, int i) const;
   bool has_details(int band) const;
   void unpack_details(int band, Range new_evens);
-  float* evens_to_come(int band);
-  void put_coarse(float* out, std::ptrdiff_t out_step);
+  Real* evens_to_come(int band);
+  void put_coarse(Real* out, std::ptrdiff_t out_step);
   void update_evens(int band, Range added);
   void update_rows(int band, int first, int end, int before, int after);
-  void put_samples(int band, float* out, std::ptrdiff_t out_step, std::ptrdiff_t width);
-  void put_odds(int band, int first, int end, float* out, std::ptrdiff_t out_step,
+  void put_samples(int band, Real* out, std::ptrdiff_t out_step, std::ptrdiff_t width);
+  void put_odds(int band, int first, int end, Real* out, std::ptrdiff_t out_step,
                 std::ptrdiff_t width);
-  void put_odd_at_border(int band, int odd, float* out, std::ptrdiff_t width);
-  ResidentSignals::Columns columns() const {
-    return {plan_.column_of_signal, plan_.in_order, stride_, plan_.kernels};
-  }
+  void put_odd_at_border(int band, int odd, Real* out, std::ptrdiff_t width);
 
   const ResidentSignals& signals_;
-  SynthesisPlan plan_;
+  SynthesisPlan<Real> plan_;
   Bands bands_;
   std::ptrdiff_t stride_;     // of rows here: the columns and what rounds them up
   Range coarse_;              // coarse samples to unpack
   Level levels_[kMostBands];  // from 1 on
-  float* coarse_samples_;     // where there is nothing else
-  float* zeros_;              // a row
+  Real* coarse_samples_;      // where there is nothing else
+  Real* zeros_;               // a row
 };
 
 }  // namespace mocapress::decoder

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The resident form and what comes out of it, against the transform in double precision.
-#include "core/decoder/synthesis.h"
+#include "core/decoder/signal_decoder.h"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,10 @@ namespace mocapress {
 namespace {
 
 /// Values of some density in every band, over several orders of magnitude.
-Eigen::MatrixXi random_values(int length, int signals, double density, std::uint64_t seed = 1) {
+Eigen::MatrixXi random_values(int length, int signal_count, double density,
+                              std::uint64_t seed = 1) {
   Random random(seed);
-  Eigen::MatrixXi values = Eigen::MatrixXi::Zero(length, signals);
+  Eigen::MatrixXi values = Eigen::MatrixXi::Zero(length, signal_count);
   for (int& value : values.reshaped())
     if (random.unit() < density)
       value = static_cast<int>((random.unit() - 0.5) * std::exp(8 * random.unit()));
@@ -28,10 +29,10 @@ Eigen::MatrixXi random_values(int length, int signals, double density, std::uint
 }
 
 /// Dense above and sparse below, as motion is.
-Eigen::MatrixXi motion_like(int length, int signals, std::uint64_t seed = 1) {
+Eigen::MatrixXi motion_like(int length, int signal_count, std::uint64_t seed = 1) {
   Random random(seed);
-  Eigen::MatrixXi values = Eigen::MatrixXi::Zero(length, signals);
-  for (int s = 0; s < signals; ++s)
+  Eigen::MatrixXi values = Eigen::MatrixXi::Zero(length, signal_count);
+  for (int s = 0; s < signal_count; ++s)
     for (int i = 0; i < length; ++i)
       if (s % 5 != 3 && random.unit() < 8.0 / (i + 8))
         values(i, s) = static_cast<int>((random.unit() - 0.5) * 4000.0 / (i + 10));
@@ -39,19 +40,23 @@ Eigen::MatrixXi motion_like(int length, int signals, std::uint64_t seed = 1) {
 }
 
 struct Resident {
-  Resident(const Eigen::MatrixXi& values, Basis basis, std::uint64_t budget = 0)
-      : steps(static_cast<std::size_t>(values.cols())), notes(steps.size()) {
+  Resident(const Eigen::MatrixXi& values, Basis basis, std::uint64_t budget = 0,
+           float wide_limit = std::numeric_limits<float>::infinity())
+      : steps(static_cast<std::size_t>(values.cols())),
+        wide_limits(steps.size(), wide_limit),
+        notes(steps.size()) {
     for (std::size_t s = 0; s < steps.size(); ++s) steps[s] = 0.01F * static_cast<float>(s % 7 + 1);
     const decoder::QuantisedSource source{static_cast<int>(values.rows()),
                                           static_cast<int>(values.cols()),
                                           static_cast<decoder::Wavelet>(basis),
                                           steps.data(),
+                                          wide_limits.data(),
                                           values.data(),
                                           notes.data(),
                                           budget};
     bytes.emplace(static_cast<std::size_t>(decoder::ResidentSignals::size(source)));
     std::memset(bytes->data(), 0, bytes->size());
-    signals = decoder::ResidentSignals::build(source, bytes->data());
+    form = decoder::ResidentSignals::build(source, bytes->data());
   }
 
   /// Steps times values, transformed in double precision: samples x signals.
@@ -74,9 +79,10 @@ struct Resident {
   }
 
   std::vector<float> steps;
+  std::vector<float> wide_limits;
   std::vector<std::uint8_t> notes;
   std::optional<AlignedBytes> bytes;
-  const decoder::ResidentSignals* signals;
+  const decoder::ResidentSignals* form;
 };
 
 constexpr std::uint64_t kAllDense = std::numeric_limits<std::uint64_t>::max();
@@ -88,7 +94,7 @@ std::vector<std::int32_t> all_columns(int count) {
 }
 
 /// Frames first ... first + count - 1 by themselves, frames x columns.
-Eigen::MatrixXf window_of(decoder::Synthesis& synthesis, int columns, int first, int count) {
+Eigen::MatrixXf window_of(decoder::SignalDecoder& synthesis, int columns, int first, int count) {
   Eigen::MatrixXf rows(columns, count);
   synthesis.make(first, count, rows.data(), columns);
   return rows.transpose();
@@ -103,13 +109,13 @@ void expect_near(const Eigen::MatrixXf& samples, const Eigen::MatrixXd& expected
 
 TEST(Synthesis, IsTheInverseTransformForEveryLengthAndBasis) {
   for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
-    for (int length = 1; length <= decoder::Synthesis::kWindow; ++length) {
+    for (int length = 1; length <= decoder::kWindow; ++length) {
       const Eigen::MatrixXi values = random_values(length, 11, 0.5);
       const Resident resident(values, basis);
       const auto columns = all_columns(11);
-      OwnMemory<decoder::Synthesis> synthesis(
-          *resident.signals,
-          decoder::SynthesisPlan{columns.data(), true, 11, 0, &decoder::best_rows()});
+      OwnMemory<decoder::SignalDecoder> synthesis(
+          *resident.form,
+          decoder::SignalRequest{columns.data(), true, 11, 0, &decoder::best_rows()});
       expect_near(window_of(*synthesis, 11, 0, length), resident.expected(values, basis));
     }
 }
@@ -122,11 +128,11 @@ TEST(Synthesis, AnyWindowIsThatPartOfTheWhole) {
       const Resident resident(values, basis);
       const Eigen::MatrixXd expected = resident.expected(values, basis);
       const auto columns = all_columns(19);
-      OwnMemory<decoder::Synthesis> synthesis(
-          *resident.signals,
-          decoder::SynthesisPlan{columns.data(), true, 19, 0, &decoder::best_rows()});
+      OwnMemory<decoder::SignalDecoder> synthesis(
+          *resident.form,
+          decoder::SignalRequest{columns.data(), true, 19, 0, &decoder::best_rows()});
       for (int round = 0; round < 60; ++round) {
-        const int count = 1 + static_cast<int>(random.below(decoder::Synthesis::kWindow));
+        const int count = 1 + static_cast<int>(random.below(decoder::kWindow));
         const auto first =
             static_cast<int>(random.below(static_cast<std::uint64_t>(length - count + 1)));
         expect_near(window_of(*synthesis, 19, first, count), expected.middleRows(first, count));
@@ -141,14 +147,14 @@ TEST(Synthesis, WindowsInARowAreTheSameBitsAsEachByItself) {
   const auto columns = all_columns(13);
   for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
     for (const std::uint64_t budget : {std::uint64_t{0}, kAllDense})
-      for (const int step : {1, 2, 3, 7, 40, decoder::Synthesis::kWindow}) {
+      for (const int step : {1, 2, 3, 7, 40, decoder::kWindow}) {
         const Eigen::MatrixXi values = motion_like(700, 13);
         const Resident resident(values, basis, budget);
-        const decoder::SynthesisPlan plan{columns.data(), true, 13, 0, &decoder::best_rows()};
-        OwnMemory<decoder::Synthesis> in_a_row(*resident.signals, plan);
+        const decoder::SignalRequest plan{columns.data(), true, 13, 0, &decoder::best_rows()};
+        OwnMemory<decoder::SignalDecoder> in_a_row(*resident.form, plan);
         int first = static_cast<int>(random.below(100));
         for (int round = 0; round < 30 && first + step <= 700; ++round) {
-          OwnMemory<decoder::Synthesis> alone(*resident.signals, plan);
+          OwnMemory<decoder::SignalDecoder> alone(*resident.form, plan);
           ASSERT_EQ(window_of(*in_a_row, 13, first, step), window_of(*alone, 13, first, step))
               << "frame " << first << ", " << step << " frames";
           first += round % 9 == 8 ? step + 5 : step;
@@ -162,8 +168,8 @@ TEST(Synthesis, EveryPathGivesTheSameBits) {
   for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic}) {
     const Resident resident(values, basis, kAllDense);
     const auto decoded_by = [&](const decoder::RowKernels& rows) {
-      OwnMemory<decoder::Synthesis> synthesis(
-          *resident.signals, decoder::SynthesisPlan{columns.data(), true, 21, 0, &rows});
+      OwnMemory<decoder::SignalDecoder> synthesis(
+          *resident.form, decoder::SignalRequest{columns.data(), true, 21, 0, &rows});
       Eigen::MatrixXf samples(777, 21);
       for (int first = 0; first < 777; first += 37)
         samples.middleRows(first, 37) = window_of(*synthesis, 21, first, 37);
@@ -181,14 +187,14 @@ TEST(Synthesis, ASubsetOfSignalsIsTheSameBitsInItsColumns) {
   const Eigen::MatrixXi values = motion_like(300, 30);
   const Resident resident(values, Basis::Cubic);
   const auto all = all_columns(30);
-  OwnMemory<decoder::Synthesis> whole(
-      *resident.signals, decoder::SynthesisPlan{all.data(), true, 30, 0, &decoder::best_rows()});
+  OwnMemory<decoder::SignalDecoder> whole(
+      *resident.form, decoder::SignalRequest{all.data(), true, 30, 0, &decoder::best_rows()});
   std::vector<std::int32_t> some(30, decoder::ResidentSignals::Columns::kNone);
   some[7] = 1;
   some[29] = 0;
   some[2] = 2;
-  OwnMemory<decoder::Synthesis> part(
-      *resident.signals, decoder::SynthesisPlan{some.data(), false, 3, 0, &decoder::best_rows()});
+  OwnMemory<decoder::SignalDecoder> part(
+      *resident.form, decoder::SignalRequest{some.data(), false, 3, 0, &decoder::best_rows()});
   const Eigen::MatrixXf expected = window_of(*whole, 30, 100, 50);
   const Eigen::MatrixXf chosen = window_of(*part, 3, 100, 50);
   EXPECT_EQ(chosen.col(1), expected.col(7));
@@ -201,11 +207,29 @@ TEST(Synthesis, BandsLeftOutAreAsIfTheyWereZero) {
   const Resident resident(values, Basis::Cubic);
   const auto columns = all_columns(9);
   for (const int left_out : {0, 1, 3, 40}) {
-    OwnMemory<decoder::Synthesis> synthesis(
-        *resident.signals,
-        decoder::SynthesisPlan{columns.data(), true, 9, left_out, &decoder::best_rows()});
+    OwnMemory<decoder::SignalDecoder> synthesis(
+        *resident.form,
+        decoder::SignalRequest{columns.data(), true, 9, left_out, &decoder::best_rows()});
     expect_near(window_of(*synthesis, 9, 60, 64),
                 resident.expected(values, Basis::Cubic, left_out).middleRows(60, 64));
+  }
+}
+
+TEST(SignalDecoder, WideSignalsHaveNoErrorButThatOfTheirFloats) {
+  // A trajectory of kilometres: floats all the way would be off by several of their last digits.
+  Eigen::MatrixXi values = motion_like(900, 12);
+  values.row(0).setConstant(1 << 22);
+  const Resident resident(values, Basis::Cubic, 0, 8);
+  const Eigen::MatrixXd expected = resident.expected(values, Basis::Cubic);
+  EXPECT_EQ(resident.form->wide_count(), 12);
+  const auto columns = all_columns(12);
+  OwnMemory<decoder::SignalDecoder> decoder(
+      *resident.form, decoder::SignalRequest{columns.data(), true, 12, 0, &decoder::best_rows()});
+  for (int first = 0; first + 100 <= 900; first += 100) {
+    const Eigen::MatrixXf window = window_of(*decoder, 12, first, 100);
+    const Eigen::MatrixXd error =
+        (window.cast<double>() - expected.middleRows(first, 100)).cwiseAbs();
+    EXPECT_LT((error.array() / expected.middleRows(first, 100).array().abs()).maxCoeff(), 1.0e-7);
   }
 }
 
@@ -217,9 +241,8 @@ TEST(ResidentSignals, HoldTheLargestValuesAndManySignals) {
   values(63, 270) = std::numeric_limits<int>::max();
   const Resident resident(values, Basis::Cubic);
   const auto columns = all_columns(300);
-  OwnMemory<decoder::Synthesis> synthesis(
-      *resident.signals,
-      decoder::SynthesisPlan{columns.data(), true, 300, 0, &decoder::best_rows()});
+  OwnMemory<decoder::SignalDecoder> synthesis(
+      *resident.form, decoder::SignalRequest{columns.data(), true, 300, 0, &decoder::best_rows()});
   expect_near(window_of(*synthesis, 300, 0, 64), resident.expected(values, Basis::Cubic));
 }
 
@@ -238,9 +261,8 @@ TEST(ResidentSignals, WideOffsetsOfBlocks) {
   const Resident resident(values, Basis::Linear);
   ASSERT_GT(resident.bytes->size(), 0x10000u);
   const auto columns = all_columns(40);
-  OwnMemory<decoder::Synthesis> synthesis(
-      *resident.signals,
-      decoder::SynthesisPlan{columns.data(), true, 40, 0, &decoder::best_rows()});
+  OwnMemory<decoder::SignalDecoder> synthesis(
+      *resident.form, decoder::SignalRequest{columns.data(), true, 40, 0, &decoder::best_rows()});
   const Eigen::MatrixXd expected = resident.expected(values, Basis::Linear);
   for (const int first : {0, 9000, 19936})
     expect_near(window_of(*synthesis, 40, first, 64), expected.middleRows(first, 64));
