@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/inspector.h"
 
+#include <QEvent>
 #include <QtMath>
 #include <algorithm>
 #include <numbers>
@@ -105,7 +106,9 @@ void Inspector::connectViews() {
           [=, this] { timeline->errors()->setRange(playback_->range()); });
   connect(playback_, &Playback::frameChanged, timeline, &Timeline::setFrame);
   connect(playback_, &Playback::frameChanged, views_.heat_map, &HeatMap::setFrame);
-  connect(playback_, &Playback::frameChanged, views_.channel, &ChannelGraph::setFrame);
+  connect(playback_, &Playback::frameChanged, views_.channel, [this](int frame) {
+    if (views_.channel->isVisible()) views_.channel->setFrame(frame);
+  });
   connect(views_.heat_map, &HeatMap::chosen, this, &Inspector::chooseCell);
   connect(views_.channel, &ChannelGraph::seekRequested, playback_, &Playback::seek);
   connect(views_.channel, &ChannelGraph::channelChosen, this, [this](int index) {
@@ -113,6 +116,8 @@ void Inspector::connectViews() {
     showChannel();
   });
   connect(views_.curve, &RatePlot::pointChosen, this, &Inspector::chooseRatio);
+  views_.channel->installEventFilter(this);
+  views_.curve->installEventFilter(this);
   views_.curve->setHint(tr("The curve of this clip is drawn once it is compressed."));
 }
 
@@ -160,7 +165,28 @@ void Inspector::showJoint() {
   showChannel();
 }
 
+bool Inspector::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Show) {
+    const auto waiting = waiting_.extract(watched);
+    if (waiting) waiting.mapped()();
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+void Inspector::whenSeen(QWidget* view, std::function<void()> show) {
+  if (view->isVisible()) return show();
+  waiting_.insert_or_assign(view, std::move(show));
+}
+
 void Inspector::showChannel() {
+  whenSeen(views_.channel, [this] { drawChannel(); });
+}
+
+void Inspector::showCurve() {
+  whenSeen(views_.curve, [this] { drawCurve(); });
+}
+
+void Inspector::drawChannel() {
   const Document& document = session_->document();
   if (!document.skeleton()) return;
   const Skeleton& skeleton = *document.skeleton();
@@ -170,7 +196,7 @@ void Inspector::showChannel() {
   views_.channel->setFrame(playback_->frame());
 }
 
-void Inspector::showCurve() {
+void Inspector::drawCurve() {
   const Document& document = session_->document();
   views_.curve->setWeighting(document.options().weighting);
   std::optional<CurvePoint> here;

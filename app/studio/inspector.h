@@ -2,7 +2,11 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
+#include <map>
 #include <vector>
+
+class QWidget;
 
 namespace mocapress {
 
@@ -38,12 +42,19 @@ class Inspector : public QObject {
   const ClipCurve& curve() const { return *curve_; }
 
  private:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+  /// Runs `show` now where `view` is seen, else once it is: hidden plots cost nothing.
+  void whenSeen(QWidget* view, std::function<void()> show);
+
   void connectViews();
   void showErrors();
   void showContacts();
   void showJoint();
   void showChannel();
+  void drawChannel();
   void showCurve();
+  void drawCurve();
   void chooseCell(int frame, int landmark);
   void chooseRatio(int point);
 
@@ -51,6 +62,7 @@ class Inspector : public QObject {
   Playback* playback_;
   InspectionViews views_;
   ClipCurve* curve_;
+  std::map<QObject*, std::function<void()>> waiting_;
   std::vector<int> worst_;  // frames, the worst first
   int shown_worst_ = -1;    // the one gone to last
   int channel_ = 0;         // among those of the current joint

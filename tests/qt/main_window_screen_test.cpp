@@ -146,6 +146,23 @@ TEST_F(StudioWindow, ASliderMovementIsFollowedByAPictureSoon) {
   EXPECT_LT(milliseconds[kMovements / 2], 2000);  // generous: machines differ
 }
 
+TEST_F(StudioWindow, IsNotAwayForLongWhileALongClipIsCompressed) {
+  openAndSettle(writeClip("motion.bvh", 5000));
+  window_.trace().setWriting(true);
+  QTest::qWait(100);
+  window_.trace().takeLongestBlock();
+  QSlider* slider = window_.views().compression->target()->slider();
+  for (int step = 0; step < 20; ++step) {
+    slider->setValue(slider->value() + 9);
+    QTest::qWait(40);
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.session().busy(); }, kPatience));
+  const Trace::Block longest = window_.trace().takeLongestBlock();
+  std::printf("5000 frames: longest time away from events %.1f ms, most work at a time %.1f ms\n",
+              longest.away, longest.worked);
+  EXPECT_LT(longest.worked, 500);  // generous: machines differ
+}
+
 TEST_F(StudioWindow, AnUnreadableFileIsAMessageInTheWindow) {
   writeClip("motion.amc", 60);
   QFile::remove(path("motion.asf"));

@@ -37,9 +37,11 @@ namespace {
 
 constexpr int kPatience = 60'000;  // ms
 
+constexpr int kGuideWidth = 900;
+
 QString picturePath(const QString& name) {
   const QDir folder(QStringLiteral(MOCAPRESS_BINARY_DIR "/pictures"));
-  folder.mkpath(QStringLiteral("."));
+  folder.mkpath(QStringLiteral("guide"));
   return folder.filePath(name + QStringLiteral(".png"));
 }
 
@@ -88,7 +90,11 @@ class Studio {
     EXPECT_TRUE(captured.count() > 0 || captured.wait(kPatience));
     QTest::qWait(150);
     EXPECT_TRUE(writeScreenshot(window_, picturePath(name)));
-    return QImage(picturePath(name));
+    QImage picture(picturePath(name));
+    // As the guide takes it.
+    picture.scaledToWidth(kGuideWidth, Qt::SmoothTransformation)
+        .save(picturePath(QStringLiteral("guide/") + name));
+    return picture;
   }
 
   QRect areaOf(const QWidget* widget) {

@@ -9,6 +9,8 @@ namespace {
 
 const std::array<QString, 2> kNames = {QStringLiteral("A"), QStringLiteral("B")};
 
+const QString kWidest = QStringLiteral("A   199.9 : 1, 0.00 cm");
+
 }  // namespace
 
 SlotControl::SlotControl(QWidget* parent) : QWidget(parent), copy_(new QToolButton(this)) {
@@ -19,6 +21,8 @@ SlotControl::SlotControl(QWidget* parent) : QWidget(parent), copy_(new QToolButt
     buttons_[i] = new QToolButton(this);
     buttons_[i]->setCheckable(true);
     buttons_[i]->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    // Room for all there can be, so that nothing moves when it is known.
+    buttons_[i]->setMinimumWidth(fontMetrics().horizontalAdvance(kWidest) + 12);
     buttons_[i]->setAccessibleName(tr("Settings %1").arg(kNames[i]));
     buttons_[i]->setToolTip(
         tr("Two settings to compare: tune one, switch to the other (A) and look at both."));

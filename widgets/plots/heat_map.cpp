@@ -59,11 +59,18 @@ void HeatMap::setDistances(Distances distances, std::vector<QString> names,
   distances_ = std::move(distances);
   names_ = std::move(names);
   scale_ = scale;
-  image_ = distances_ ? heatImage(*distances_, scale_, kMostColumns) : QImage();
+  image_ = QImage();  // made when it is seen
   names_width_ = 0;
+  const QFontMetrics widest(boldFont());
   for (const QString& name : names_)
-    names_width_ = std::max(names_width_, fontMetrics().horizontalAdvance(name));
+    names_width_ = std::max(names_width_, widest.horizontalAdvance(name));
   update();
+}
+
+QFont HeatMap::boldFont() const {
+  QFont bold = font();
+  bold.setWeight(QFont::DemiBold);
+  return bold;
 }
 
 void HeatMap::setFrame(int frame) {
@@ -102,6 +109,7 @@ void HeatMap::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Base));
   const QRectF area = mapArea();
+  if (image_.isNull() && distances_) image_ = heatImage(*distances_, scale_, kMostColumns);
   if (image_.isNull()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect(), Qt::AlignCenter, tr("Errors are measured against the original."));
@@ -125,9 +133,7 @@ void HeatMap::paintEvent(QPaintEvent*) {
   painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
   if (current_ >= 0 && current_ < rows()) {
     painter.setPen(palette().color(QPalette::Text));
-    QFont bold = font();
-    bold.setWeight(QFont::DemiBold);
-    painter.setFont(bold);
+    painter.setFont(boldFont());
     name(current_);
     painter.setFont(font());
     painter.setPen(QPen(Qt::white, 1));

@@ -48,6 +48,7 @@ class HeatMap : public QWidget {
     int landmark;
   };
 
+  QFont boldFont() const;  // of the current name
   QRectF mapArea() const;
   QRectF rowOf(int landmark) const;
   std::optional<Cell> cellAt(const QPointF& position) const;
