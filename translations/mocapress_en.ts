@@ -70,6 +70,26 @@
     </message>
 </context>
 <context>
+    <name>mocapress::LibraryModel</name>
+    <message numerus="yes">
+        <source>%Ln frame(s)</source>
+        <translation>
+            <numerusform>%Ln frame</numerusform>
+            <numerusform>%Ln frames</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::MainWindow</name>
+    <message numerus="yes">
+        <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
+        <translation>
+            <numerusform>The last session ended unexpectedly. Its project is here again: %Ln clip.</numerusform>
+            <numerusform>The last session ended unexpectedly. Its project is here again: %Ln clips.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mocapress::StudyResults</name>
     <message numerus="yes">
         <source>Average over %Ln clip(s)</source>

@@ -175,6 +175,14 @@
         <source>&amp;Help</source>
         <translation>Aid&amp;e</translation>
     </message>
+    <message>
+        <source>&amp;Batch Export…</source>
+        <translation>Exportation par &amp;lot…</translation>
+    </message>
+    <message>
+        <source>Compress many clips, verify each, and report on all</source>
+        <translation>Compresser de nombreux clips, vérifier chacun et rendre compte de tous</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -197,6 +205,443 @@
     <message>
         <source>Pass %1</source>
         <translation>Passe %1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchOutput</name>
+    <message>
+        <source>Replace files that are there</source>
+        <translation>Remplacer les fichiers présents</translation>
+    </message>
+    <message>
+        <source>Pattern of the names</source>
+        <translation>Modèle des noms</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;{folder}: the folder the clip was found by, and those between&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{preset}, {method}: what it is compressed by&lt;/p&gt;</source>
+        <translation>&lt;p&gt;{folder} : le dossier par lequel le clip a été trouvé, et ceux qui suivent&lt;br&gt;{stem} : le nom du clip&lt;br&gt;{preset}, {method} : ce qui le compresse&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Otherwise a clip whose file is there, and not of this batch, fails and says so. Either way a file is only replaced after the new one was read back and measured.</source>
+        <translation>Sinon, un clip dont le fichier existe déjà sans être de ce lot échoue et le dit. Dans tous les cas, un fichier n&apos;est remplacé qu&apos;après relecture et mesure du nouveau.</translation>
+    </message>
+    <message>
+        <source>Compressed (.mcpr)</source>
+        <translation>Compressé (.mcpr)</translation>
+    </message>
+    <message>
+        <source>What is shipped.</source>
+        <translation>Ce qui est livré.</translation>
+    </message>
+    <message>
+        <source>BVH</source>
+        <translation>BVH</translation>
+    </message>
+    <message>
+        <source>The decompressed motion.</source>
+        <translation>Le mouvement décompressé.</translation>
+    </message>
+    <message>
+        <source>ASF/AMC</source>
+        <translation>ASF/AMC</translation>
+    </message>
+    <message>
+        <source>The decompressed motion and its skeleton.</source>
+        <translation>Le mouvement décompressé et son squelette.</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>The decompressed channels as a table.</source>
+        <translation>Les canaux décompressés en tableau.</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Noms</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Fichiers</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Folder of the batch: %1</source>
+        <translation>Dossier du lot : %1</translation>
+    </message>
+    <message>
+        <source>Where files and report go. A folder that holds a batch goes on where it was.</source>
+        <translation>Où vont les fichiers et le rapport. Un dossier qui contient un lot reprend là où il en était.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchQueueModel</name>
+    <message>
+        <source>Reading</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Compressing</source>
+        <translation>Compression</translation>
+    </message>
+    <message>
+        <source>Verifying</source>
+        <translation>Vérification</translation>
+    </message>
+    <message>
+        <source>%1:1</source>
+        <translation>%1:1</translation>
+    </message>
+    <message>
+        <source>r = %1</source>
+        <translation>r = %1</translation>
+    </message>
+    <message>
+        <source>eps_x %1 cm</source>
+        <translation>eps_x %1 cm</translation>
+    </message>
+    <message>
+        <source>at most %1 cm</source>
+        <translation>au plus %1 cm</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>En attente</translation>
+    </message>
+    <message>
+        <source>%1, %L2 %</source>
+        <translation>%1, %L2 %</translation>
+    </message>
+    <message>
+        <source>✓ Verified</source>
+        <translation>✓ Vérifié</translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation>✗ %1</translation>
+    </message>
+    <message>
+        <source>Locked: keeps its own settings. Click to give it those all clips share.</source>
+        <translation>Verrouillé : garde ses propres réglages. Cliquez pour lui donner ceux que tous partagent.</translation>
+    </message>
+    <message>
+        <source>Click to lock its settings: a change for all clips leaves it alone.</source>
+        <translation>Cliquez pour verrouiller ses réglages : un changement pour tous les clips ne le touche plus.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>verrouillé</translation>
+    </message>
+    <message>
+        <source>not locked</source>
+        <translation>non verrouillé</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>Locked clips keep their own settings.</source>
+        <translation>Les clips verrouillés gardent leurs propres réglages.</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>The preset and its target.</source>
+        <translation>Le préréglage et sa cible.</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Verified: the file was read back, decoded and measured.</source>
+        <translation>Vérifié : le fichier a été relu, décodé et mesuré.</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as 32-bit floats over compressed bytes.</source>
+        <translation>Octets des canaux en flottants 32 bits sur octets compressés.</translation>
+    </message>
+    <message>
+        <source>eps_x cm</source>
+        <translation>eps_x cm</translation>
+    </message>
+    <message>
+        <source>Weighted root mean square error.</source>
+        <translation>Erreur quadratique moyenne pondérée.</translation>
+    </message>
+    <message>
+        <source>Max cm</source>
+        <translation>Max cm</translation>
+    </message>
+    <message>
+        <source>Largest error of any joint at any frame.</source>
+        <translation>La plus grande erreur d&apos;une articulation à une image quelconque.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchQueueView</name>
+    <message>
+        <source>Clips of the batch</source>
+        <translation>Clips du lot</translation>
+    </message>
+    <message>
+        <source>Remove from Queue</source>
+        <translation>Retirer de la file d&apos;attente</translation>
+    </message>
+    <message>
+        <source>Drop clips or folders of clips here</source>
+        <translation>Déposez ici des clips ou des dossiers de clips</translation>
+    </message>
+    <message>
+        <source>.bvh and .amc; an .amc finds its .asf beside it</source>
+        <translation>.bvh et .amc ; un .amc trouve son .asf à côté de lui</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchSession</name>
+    <message>
+        <source>The name of a built-in preset cannot be given to another.</source>
+        <translation>Le nom d&apos;un préréglage intégré ne peut être donné à un autre.</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 écrit.</translation>
+    </message>
+    <message>
+        <source>Add clips to begin.</source>
+        <translation>Ajoutez des clips pour commencer.</translation>
+    </message>
+    <message>
+        <source>Choose the folder the files go to.</source>
+        <translation>Choisissez le dossier de destination.</translation>
+    </message>
+    <message>
+        <source>Choose at least one kind of file.</source>
+        <translation>Choisissez au moins un type de fichier.</translation>
+    </message>
+    <message>
+        <source>Wrote %1: submit it with sbatch.</source>
+        <translation>%1 écrit : soumettez-le avec sbatch.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchStatus</name>
+    <message numerus="yes">
+        <source>, %Ln failed</source>
+        <translation>
+            <numerusform>, %Ln échec</numerusform>
+            <numerusform>, %Ln échecs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%L1 of %L2</source>
+        <translation>%L1 sur %L2</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <translation>%1, encore environ %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) to export</source>
+        <translation>
+            <numerusform>%Ln clip à exporter</numerusform>
+            <numerusform>%Ln clips à exporter</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) exported and verified</source>
+        <translation>
+            <numerusform>%Ln clip exporté et vérifié</numerusform>
+            <numerusform>%Ln clips exportés et vérifiés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Paused at %1</source>
+        <translation>En pause à %1</translation>
+    </message>
+    <message>
+        <source>Stopping after the clips it is at: %1</source>
+        <translation>Arrêt après les clips en cours : %1</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Annulation…</translation>
+    </message>
+    <message>
+        <source>Stopped at %1; it goes on from there</source>
+        <translation>Arrêté à %1 ; reprendra de là</translation>
+    </message>
+    <message>
+        <source>&amp;Go On</source>
+        <translation>&amp;Reprendre</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Retry %Ln Failed</source>
+        <translation>
+            <numerusform>&amp;Réessayer %Ln échec</numerusform>
+            <numerusform>&amp;Réessayer %Ln échecs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exporter</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchWindow</name>
+    <message>
+        <source>Give Them the Shared Settings</source>
+        <translation>Leur donner les réglages partagés</translation>
+    </message>
+    <message>
+        <source>&amp;Stop after Current</source>
+        <translation>&amp;Arrêter après le clip en cours</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>Open Re&amp;port</source>
+        <translation>Ouvrir le ra&amp;pport</translation>
+    </message>
+    <message>
+        <source>Slurm Script…</source>
+        <translation>Script Slurm…</translation>
+    </message>
+    <message>
+        <source>Batch Export</source>
+        <translation>Exportation par lot</translation>
+    </message>
+    <message>
+        <source>Add &amp;Files…</source>
+        <translation>Ajouter des &amp;fichiers…</translation>
+    </message>
+    <message>
+        <source>Add motions (.bvh, .amc)</source>
+        <translation>Ajouter des mouvements (.bvh, .amc)</translation>
+    </message>
+    <message>
+        <source>Add Fol&amp;der…</source>
+        <translation>Ajouter un &amp;dossier…</translation>
+    </message>
+    <message>
+        <source>Add every .bvh and .amc below a folder</source>
+        <translation>Ajouter chaque .bvh et .amc d&apos;un dossier et de ses sous-dossiers</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Sortie</translation>
+    </message>
+    <message>
+        <source>Progress of the batch</source>
+        <translation>Avancement du lot</translation>
+    </message>
+    <message>
+        <source>Compress, read back, measure and put in place. What is done and unchanged is kept.</source>
+        <translation>Compresser, relire, mesurer et mettre en place. Ce qui est fait et inchangé est gardé.</translation>
+    </message>
+    <message>
+        <source>Finish the clips that are being worked on and begin no other</source>
+        <translation>Finir les clips en cours et ne pas en commencer d’autres</translation>
+    </message>
+    <message>
+        <source>Drop the clips that are being worked on: they are waiting again</source>
+        <translation>Abandonner les clips en cours : ils attendent de nouveau</translation>
+    </message>
+    <message>
+        <source>Every clip with its figures, and the worst frames drawn</source>
+        <translation>Chaque clip avec ses chiffres, et les pires images dessinées</translation>
+    </message>
+    <message>
+        <source>Have a cluster do this queue: a script for sbatch</source>
+        <translation>Faire traiter cette file par une grappe : un script pour sbatch</translation>
+    </message>
+    <message>
+        <source>Import Presets</source>
+        <translation>Importer des préréglages</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>Préréglages (*.json)</translation>
+    </message>
+    <message>
+        <source>Export Preset</source>
+        <translation>Exporter le préréglage</translation>
+    </message>
+    <message>
+        <source>Add Clips</source>
+        <translation>Ajouter des clips</translation>
+    </message>
+    <message>
+        <source>Motion (*.bvh *.amc)</source>
+        <translation>Mouvement (*.bvh *.amc)</translation>
+    </message>
+    <message>
+        <source>Add All Clips below</source>
+        <translation>Ajouter tous les clips contenus</translation>
+    </message>
+    <message>
+        <source>Folder of the Batch</source>
+        <translation>Dossier du lot</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>Enregistrer comme préréglage</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Slurm Script</source>
+        <translation>Script Slurm</translation>
+    </message>
+    <message>
+        <source>Tasks of the job array</source>
+        <translation>Tâches du tableau de jobs</translation>
+    </message>
+    <message>
+        <source>Shell scripts (*.sh)</source>
+        <translation>Scripts shell (*.sh)</translation>
+    </message>
+    <message>
+        <source>Settings of all clips</source>
+        <translation>Réglages de tous les clips</translation>
+    </message>
+    <message numerus="yes">
+        <source>Settings of %Ln selected clip(s)</source>
+        <translation>
+            <numerusform>Réglages de %Ln clip sélectionné</numerusform>
+            <numerusform>Réglages de %Ln clips sélectionnés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A change while clips are selected is theirs alone, and locks them.</source>
+        <translation>Un changement fait pendant une sélection ne vaut que pour ces clips, et les verrouille.</translation>
     </message>
 </context>
 <context>
@@ -1098,6 +1543,136 @@
     <message>
         <source>≥ %1 cm</source>
         <translation>≥ %1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PresetEditor</name>
+    <message>
+        <source>Hold feet by inverse kinematics</source>
+        <translation>Tenir les pieds par cinématique inverse</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>What is asked for</source>
+        <translation>Ce qui est demandé</translation>
+    </message>
+    <message>
+        <source>Error, eps_x</source>
+        <translation>Erreur, eps_x</translation>
+    </message>
+    <message>
+        <source>Hard maximum</source>
+        <translation>Maximum absolu</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Octets</translation>
+    </message>
+    <message>
+        <source>Coefficient ratio</source>
+        <translation>Rapport de coefficients</translation>
+    </message>
+    <message>
+        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
+        <translation>eps_x : l&apos;erreur quadratique moyenne pondérée, que certaines images peuvent dépasser. Maximum absolu : aucun point du corps n&apos;est plus loin à aucune image. Les cibles de qualité conviennent à tous les clips ; le rapport et les octets ignorent la difficulté d&apos;un clip.</translation>
+    </message>
+    <message>
+        <source>How much of it</source>
+        <translation>Combien</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Feet stay where they stand in the original, at some more bytes.</source>
+        <translation>Les pieds restent où ils sont dans l&apos;original, pour quelques octets de plus.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Préréglages</translation>
+    </message>
+    <message>
+        <source>Keep, share and remove presets of your own</source>
+        <translation>Garder, partager et retirer vos préréglages</translation>
+    </message>
+    <message>
+        <source>Save as Preset…</source>
+        <translation>Enregistrer comme préréglage…</translation>
+    </message>
+    <message>
+        <source>Remove Preset</source>
+        <translation>Retirer le préréglage</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importer…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, modifié</translation>
+    </message>
+    <message>
+        <source>:1</source>
+        <translation>:1</translation>
+    </message>
+    <message>
+        <source> bytes</source>
+        <translation> octets</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Presets</name>
+    <message>
+        <source>Hero close-up</source>
+        <translation>Gros plan du héros</translation>
+    </message>
+    <message>
+        <source>Characters the camera comes near to: no point of the body more than 5 mm off at any frame.</source>
+        <translation>Personnages que la caméra approche : aucun point du corps à plus de 5 mm, à aucune image.</translation>
+    </message>
+    <message>
+        <source>Gameplay</source>
+        <translation>Jeu</translation>
+    </message>
+    <message>
+        <source>Characters in play: an error of 5 mm, up to which the paper saw no artifact.</source>
+        <translation>Personnages en jeu : une erreur de 5 mm, jusqu&apos;à laquelle l&apos;article n&apos;a vu aucun défaut.</translation>
+    </message>
+    <message>
+        <source>Crowd</source>
+        <translation>Foule</translation>
+    </message>
+    <message>
+        <source>Figures in the background: an error of 2 cm, as small as it gets.</source>
+        <translation>Figurants à l&apos;arrière-plan : une erreur de 2 cm, le plus petit possible.</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archive</translation>
+    </message>
+    <message>
+        <source>To keep in place of the source: no point of the body more than 1 mm off at any frame.</source>
+        <translation>À garder à la place de la source : aucun point du corps à plus de 1 mm, à aucune image.</translation>
     </message>
 </context>
 <context>

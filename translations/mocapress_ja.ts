@@ -175,6 +175,14 @@
         <source>&amp;Help</source>
         <translation>ヘルプ(&amp;H)</translation>
     </message>
+    <message>
+        <source>&amp;Batch Export…</source>
+        <translation>一括書き出し(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Compress many clips, verify each, and report on all</source>
+        <translation>多数のクリップを圧縮し、一つずつ検証して、全体を報告します</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -197,6 +205,438 @@
     <message>
         <source>Pass %1</source>
         <translation>走査 %1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchOutput</name>
+    <message>
+        <source>Replace files that are there</source>
+        <translation>既存のファイルを置き換える</translation>
+    </message>
+    <message>
+        <source>Pattern of the names</source>
+        <translation>名前の型</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;{folder}: the folder the clip was found by, and those between&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{preset}, {method}: what it is compressed by&lt;/p&gt;</source>
+        <translation>&lt;p&gt;{folder}: クリップが見つかったフォルダーとその下のフォルダー&lt;br&gt;{stem}: クリップの名前&lt;br&gt;{preset}、{method}: 圧縮に使うもの&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Otherwise a clip whose file is there, and not of this batch, fails and says so. Either way a file is only replaced after the new one was read back and measured.</source>
+        <translation>そうでなければ、この一括処理のものではないファイルが既にあるクリップは失敗し、その旨を示します。いずれの場合も、新しいファイルを読み戻して測定した後にだけ置き換えます。</translation>
+    </message>
+    <message>
+        <source>Compressed (.mcpr)</source>
+        <translation>圧縮ファイル (.mcpr)</translation>
+    </message>
+    <message>
+        <source>What is shipped.</source>
+        <translation>出荷するもの。</translation>
+    </message>
+    <message>
+        <source>BVH</source>
+        <translation>BVH</translation>
+    </message>
+    <message>
+        <source>The decompressed motion.</source>
+        <translation>展開したモーション。</translation>
+    </message>
+    <message>
+        <source>ASF/AMC</source>
+        <translation>ASF/AMC</translation>
+    </message>
+    <message>
+        <source>The decompressed motion and its skeleton.</source>
+        <translation>展開したモーションとそのスケルトン。</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>The decompressed channels as a table.</source>
+        <translation>展開したチャンネルの表。</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Folder of the batch: %1</source>
+        <translation>一括処理のフォルダー: %1</translation>
+    </message>
+    <message>
+        <source>Where files and report go. A folder that holds a batch goes on where it was.</source>
+        <translation>ファイルと報告の書き出し先。一括処理の残るフォルダーでは続きから始めます。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchQueueModel</name>
+    <message>
+        <source>Reading</source>
+        <translation>読み込み中</translation>
+    </message>
+    <message>
+        <source>Compressing</source>
+        <translation>圧縮中</translation>
+    </message>
+    <message>
+        <source>Verifying</source>
+        <translation>検証中</translation>
+    </message>
+    <message>
+        <source>%1:1</source>
+        <translation>%1:1</translation>
+    </message>
+    <message>
+        <source>r = %1</source>
+        <translation>r = %1</translation>
+    </message>
+    <message>
+        <source>eps_x %1 cm</source>
+        <translation>eps_x %1 cm</translation>
+    </message>
+    <message>
+        <source>at most %1 cm</source>
+        <translation>最大 %1 cm</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>待機中</translation>
+    </message>
+    <message>
+        <source>%1, %L2 %</source>
+        <translation>%1、%L2 %</translation>
+    </message>
+    <message>
+        <source>✓ Verified</source>
+        <translation>✓ 検証済み</translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation>✗ %1</translation>
+    </message>
+    <message>
+        <source>Locked: keeps its own settings. Click to give it those all clips share.</source>
+        <translation>ロック中: 独自の設定を保ちます。クリックすると共通の設定に戻します。</translation>
+    </message>
+    <message>
+        <source>Click to lock its settings: a change for all clips leaves it alone.</source>
+        <translation>クリックすると設定をロックします: 全クリップへの変更の影響を受けません。</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>ロック中</translation>
+    </message>
+    <message>
+        <source>not locked</source>
+        <translation>ロックなし</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>クリップ</translation>
+    </message>
+    <message>
+        <source>Locked clips keep their own settings.</source>
+        <translation>ロックしたクリップは独自の設定を保ちます。</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>The preset and its target.</source>
+        <translation>プリセットとその目標。</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Verified: the file was read back, decoded and measured.</source>
+        <translation>検証済み: ファイルを読み戻し、復号して測定しました。</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as 32-bit floats over compressed bytes.</source>
+        <translation>32 ビット浮動小数点のチャンネルのバイト数を圧縮後のバイト数で割ったもの。</translation>
+    </message>
+    <message>
+        <source>eps_x cm</source>
+        <translation>eps_x cm</translation>
+    </message>
+    <message>
+        <source>Weighted root mean square error.</source>
+        <translation>重み付き二乗平均平方根誤差。</translation>
+    </message>
+    <message>
+        <source>Max cm</source>
+        <translation>最大 cm</translation>
+    </message>
+    <message>
+        <source>Largest error of any joint at any frame.</source>
+        <translation>全フレーム、全関節での最大誤差。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchQueueView</name>
+    <message>
+        <source>Clips of the batch</source>
+        <translation>一括処理のクリップ</translation>
+    </message>
+    <message>
+        <source>Remove from Queue</source>
+        <translation>キューから外す</translation>
+    </message>
+    <message>
+        <source>Drop clips or folders of clips here</source>
+        <translation>クリップまたはクリップのフォルダーをここにドロップ</translation>
+    </message>
+    <message>
+        <source>.bvh and .amc; an .amc finds its .asf beside it</source>
+        <translation>.bvh と .amc。.amc は隣の .asf を使います</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchSession</name>
+    <message>
+        <source>The name of a built-in preset cannot be given to another.</source>
+        <translation>組み込みプリセットの名前は他に使えません。</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 を書き出しました。</translation>
+    </message>
+    <message>
+        <source>Add clips to begin.</source>
+        <translation>クリップを追加して始めます。</translation>
+    </message>
+    <message>
+        <source>Choose the folder the files go to.</source>
+        <translation>書き出し先のフォルダーを選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose at least one kind of file.</source>
+        <translation>ファイルの種類を一つ以上選んでください。</translation>
+    </message>
+    <message>
+        <source>Wrote %1: submit it with sbatch.</source>
+        <translation>%1 を書き出しました: sbatch で投入してください。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchStatus</name>
+    <message numerus="yes">
+        <source>, %Ln failed</source>
+        <translation>
+            <numerusform>、失敗 %Ln</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%L1 of %L2</source>
+        <translation>%L1 / %L2</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <translation>%1、残り約 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) to export</source>
+        <translation>
+            <numerusform>書き出すクリップ %Ln</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) exported and verified</source>
+        <translation>
+            <numerusform>%Ln クリップを書き出し検証しました</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Paused at %1</source>
+        <translation>%1 で一時停止中</translation>
+    </message>
+    <message>
+        <source>Stopping after the clips it is at: %1</source>
+        <translation>処理中のクリップの後で停止します: %1</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>中止しています…</translation>
+    </message>
+    <message>
+        <source>Stopped at %1; it goes on from there</source>
+        <translation>%1 で停止。続きから再開します</translation>
+    </message>
+    <message>
+        <source>&amp;Go On</source>
+        <translation>再開(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>一時停止(&amp;P)</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Retry %Ln Failed</source>
+        <translation>
+            <numerusform>失敗した %Ln 件を再試行(&amp;R)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>書き出し(&amp;E)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BatchWindow</name>
+    <message>
+        <source>Give Them the Shared Settings</source>
+        <translation>共通の設定に戻す</translation>
+    </message>
+    <message>
+        <source>&amp;Stop after Current</source>
+        <translation>現在の後で停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>中止(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Open Re&amp;port</source>
+        <translation>報告を開く(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Slurm Script…</source>
+        <translation>Slurm スクリプト…</translation>
+    </message>
+    <message>
+        <source>Batch Export</source>
+        <translation>一括書き出し</translation>
+    </message>
+    <message>
+        <source>Add &amp;Files…</source>
+        <translation>ファイルを追加(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Add motions (.bvh, .amc)</source>
+        <translation>モーション (.bvh、.amc) を追加</translation>
+    </message>
+    <message>
+        <source>Add Fol&amp;der…</source>
+        <translation>フォルダーを追加(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Add every .bvh and .amc below a folder</source>
+        <translation>フォルダー以下のすべての .bvh と .amc を追加</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>出力</translation>
+    </message>
+    <message>
+        <source>Progress of the batch</source>
+        <translation>一括処理の進み具合</translation>
+    </message>
+    <message>
+        <source>Compress, read back, measure and put in place. What is done and unchanged is kept.</source>
+        <translation>圧縮し、読み戻し、測定して配置します。済んでいて変更のないものはそのまま残します。</translation>
+    </message>
+    <message>
+        <source>Finish the clips that are being worked on and begin no other</source>
+        <translation>処理中のクリップを終え、新しいものは始めません</translation>
+    </message>
+    <message>
+        <source>Drop the clips that are being worked on: they are waiting again</source>
+        <translation>処理中のクリップをやめます: 待機に戻ります</translation>
+    </message>
+    <message>
+        <source>Every clip with its figures, and the worst frames drawn</source>
+        <translation>全クリップの数値と、最悪フレームの図</translation>
+    </message>
+    <message>
+        <source>Have a cluster do this queue: a script for sbatch</source>
+        <translation>このキューをクラスターで処理: sbatch 用スクリプト</translation>
+    </message>
+    <message>
+        <source>Import Presets</source>
+        <translation>プリセットの読み込み</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>プリセット (*.json)</translation>
+    </message>
+    <message>
+        <source>Export Preset</source>
+        <translation>プリセットの書き出し</translation>
+    </message>
+    <message>
+        <source>Add Clips</source>
+        <translation>クリップの追加</translation>
+    </message>
+    <message>
+        <source>Motion (*.bvh *.amc)</source>
+        <translation>モーション (*.bvh *.amc)</translation>
+    </message>
+    <message>
+        <source>Add All Clips below</source>
+        <translation>以下のすべてのクリップを追加</translation>
+    </message>
+    <message>
+        <source>Folder of the Batch</source>
+        <translation>一括処理のフォルダー</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>プリセットとして保存</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Slurm Script</source>
+        <translation>Slurm スクリプト</translation>
+    </message>
+    <message>
+        <source>Tasks of the job array</source>
+        <translation>ジョブ配列のタスク数</translation>
+    </message>
+    <message>
+        <source>Shell scripts (*.sh)</source>
+        <translation>シェルスクリプト (*.sh)</translation>
+    </message>
+    <message>
+        <source>Settings of all clips</source>
+        <translation>全クリップの設定</translation>
+    </message>
+    <message numerus="yes">
+        <source>Settings of %Ln selected clip(s)</source>
+        <translation>
+            <numerusform>選択した %Ln クリップの設定</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A change while clips are selected is theirs alone, and locks them.</source>
+        <translation>クリップを選択中の変更はそれらだけのもので、ロックします。</translation>
     </message>
 </context>
 <context>
@@ -1093,6 +1533,136 @@
     <message>
         <source>≥ %1 cm</source>
         <translation>≥ %1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PresetEditor</name>
+    <message>
+        <source>Hold feet by inverse kinematics</source>
+        <translation>逆運動学で足を固定する</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>What is asked for</source>
+        <translation>求めるもの</translation>
+    </message>
+    <message>
+        <source>Error, eps_x</source>
+        <translation>誤差 eps_x</translation>
+    </message>
+    <message>
+        <source>Hard maximum</source>
+        <translation>絶対的な上限</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>バイト</translation>
+    </message>
+    <message>
+        <source>Coefficient ratio</source>
+        <translation>係数比</translation>
+    </message>
+    <message>
+        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
+        <translation>eps_x: 重み付き二乗平均平方根誤差。個々のフレームでは超えることがあります。絶対的な上限: どのフレームでも体のどの点もこれ以上離れません。品質の目標はどんなクリップにも向きます。圧縮率とバイト数はクリップの難しさを知りません。</translation>
+    </message>
+    <message>
+        <source>How much of it</source>
+        <translation>その量</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>手法</translation>
+    </message>
+    <message>
+        <source>Feet stay where they stand in the original, at some more bytes.</source>
+        <translation>足は元の位置に留まります。バイト数は少し増えます。</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>Keep, share and remove presets of your own</source>
+        <translation>自分のプリセットの保存・共有・削除</translation>
+    </message>
+    <message>
+        <source>Save as Preset…</source>
+        <translation>プリセットとして保存…</translation>
+    </message>
+    <message>
+        <source>Remove Preset</source>
+        <translation>プリセットを削除</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>読み込み…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>書き出し…</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1 (変更あり)</translation>
+    </message>
+    <message>
+        <source>:1</source>
+        <translation>:1</translation>
+    </message>
+    <message>
+        <source> bytes</source>
+        <translation> バイト</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Presets</name>
+    <message>
+        <source>Hero close-up</source>
+        <translation>主役のクローズアップ</translation>
+    </message>
+    <message>
+        <source>Characters the camera comes near to: no point of the body more than 5 mm off at any frame.</source>
+        <translation>カメラが近づくキャラクター: どのフレームでも体のどの点も 5 mm 以上ずれません。</translation>
+    </message>
+    <message>
+        <source>Gameplay</source>
+        <translation>ゲームプレイ</translation>
+    </message>
+    <message>
+        <source>Characters in play: an error of 5 mm, up to which the paper saw no artifact.</source>
+        <translation>操作中のキャラクター: 誤差 5 mm。論文ではここまで乱れが見えませんでした。</translation>
+    </message>
+    <message>
+        <source>Crowd</source>
+        <translation>群衆</translation>
+    </message>
+    <message>
+        <source>Figures in the background: an error of 2 cm, as small as it gets.</source>
+        <translation>背景の人物: 誤差 2 cm、できる限り小さく。</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>保管</translation>
+    </message>
+    <message>
+        <source>To keep in place of the source: no point of the body more than 1 mm off at any frame.</source>
+        <translation>元データの代わりに保管: どのフレームでも体のどの点も 1 mm 以上ずれません。</translation>
     </message>
 </context>
 <context>
