@@ -83,6 +83,19 @@ TEST(Container, KeepsTheSkeletonToTheMicrometre) {
   EXPECT_LT(moved.cwiseAbs().maxCoeff(), 1e-4);
 }
 
+TEST(Container, ReadsBackAMotionOfNoBytes) {
+  Motion still;
+  still.skeleton.add({.name = "stone", .end_site = Eigen::Vector3d(0, 1, 0)});
+  still.clip.channels.resize(10, 0);
+  for (const Coding coding : {Coding::Rle16, Coding::Deflate, Coding::Adaptive}) {
+    const Encoding encoding =
+        Encoder(still).encode({.method = Method::Standard,
+                               .coding = coding,
+                               .target = {Target::Kind::CoefficientRatio, 4}});
+    EXPECT_EQ(decode(read_container(write_container(encoding.compressed))).frames(), 10);
+  }
+}
+
 TEST(Container, RefusesEveryPrefix) {
   const auto file = write_container(small_clip());
   for (std::size_t size = 0; size < file.size(); ++size) {
