@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/codec/rate_table.h"
 #include "core/metrics/rate.h"
+#include "core/select/error_sweep.h"
 
 namespace mocapress {
 namespace {
@@ -82,8 +83,7 @@ class ClosedLoopRun {
       : loop_(loop),
         bands_(loop.transform_.lifting.bands()),
         frame_weights_(frame_weights),
-        rates_(bands_),
-        gradient_(Eigen::MatrixXd::Zero(loop.curvature_.rows(), loop.curvature_.cols())) {
+        rates_(bands_) {
     if (weighted()) {
       weighted_curvature_ = frame_weights.asDiagonal() * loop.curvature_;
       weighted_coefficient_curvature_ = loop.coefficient_curvature(weighted_curvature_);
@@ -98,17 +98,17 @@ class ClosedLoopRun {
     for (int j = 0; j < channels(); ++j)
       coded_.values.col(j) = quantised(j, loop.transform_.values.col(j));
     errors_ = reconstruct(coded_, loop.transform_.lifting) - loop.original_.channels;
-    for (int j = 0; j < channels(); ++j) apply(j, errors_.col(j));
+    pass([&](int j) { energy_ += errors_.col(j).dot(gradient_); });
   }
 
   ClosedLoop::Result run(const ClosedLoopWork& work, const Observer<ClosedLoopProgress>& observer) {
     ClosedLoop::Result result;
     rates_.learn(coded_.values);
-    for (int j = 0; j < channels() && work.compensate; ++j) compensate(j);
+    if (work.compensate) pass([&](int j) { compensate(j); });
     result.eps_cm = eps_cm();
     while (result.sweeps < work.sweeps && result.complete) {
       rates_.learn(coded_.values);
-      for (int j = 0; j < channels(); ++j) sweep(j);
+      pass([&](int j) { sweep(j); });
       ++result.sweeps;
       result.eps_cm = eps_cm();
       result.complete = go_on(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
@@ -139,18 +139,31 @@ class ClosedLoopRun {
   }
 
   double eps_cm() const {
-    return std::sqrt(std::max(errors_.cwiseProduct(gradient_).sum(), 0.0) /
-                     std::max(loop_.original_.frames(), 1));
+    return std::sqrt(std::max(energy_, 0.0) / std::max(loop_.original_.frames(), 1));
   }
 
   /// What `delta` in channel j would add to the sum of squared errors.
   double energy_of(int j, const Eigen::VectorXd& delta) const {
-    return delta.dot(2 * gradient_.col(j) + curvature().col(j).cwiseProduct(delta));
+    return delta.dot(2 * gradient_ + curvature().col(j).cwiseProduct(delta));
   }
 
-  void apply(int j, const Eigen::VectorXd& delta) {
-    loop_.model_.add_to_gradient(j, weighted() ? delta.cwiseProduct(frame_weights_) : delta,
-                                 gradient_);
+  /// Visits every channel, from the root to the leaves, with its gradient.
+  template <typename Visit>
+  void pass(const Visit& visit) {
+    ErrorSweep sweep(loop_.model_, errors_);
+    under_way_ = &sweep;
+    for (int j = 0; j < channels(); ++j) {
+      gradient_ = sweep.next();
+      if (weighted()) gradient_.array() *= frame_weights_.array();
+      visit(j);
+    }
+  }
+
+  /// Moves the channel that is being visited.
+  void move(int j, const Eigen::VectorXd& delta) {
+    energy_ += energy_of(j, delta);
+    errors_.col(j) += delta;
+    under_way_->add(delta);
   }
 
   /// Moves a channel to where it should be, given everyone else's error, if that pays.
@@ -160,7 +173,7 @@ class ClosedLoopRun {
     const double mean = curve.mean();
     Eigen::VectorXd target =
         loop_.original_.channels.col(j).array() -
-        (gradient_.col(j).array() - curve * errors_.col(j).array()) / (curve + kDamping * mean);
+        (gradient_.array() - curve * errors_.col(j).array()) / (curve + kDamping * mean);
     const std::span<double> samples(target.data(), static_cast<std::size_t>(target.size()));
     loop_.transform_.lifting.forward(samples, samples);
     const Eigen::VectorXi values = quantised(j, target);
@@ -172,8 +185,7 @@ class ClosedLoopRun {
     const double saved = rates_.bits(coded_.values.col(j).data()) - rates_.bits(values.data());
     if (energy_of(j, delta) >= lambda_ * saved) return;
     coded_.values.col(j) = values;
-    errors_.col(j) += delta;
-    apply(j, delta);
+    move(j, delta);
   }
 
   /// Moves each coefficient of a channel to the cheapest of the values around its best one.
@@ -181,7 +193,7 @@ class ClosedLoopRun {
     // A zero that needs less than half a step stays one; moves of its neighbours change that
     // little.
     constexpr double kPromising = 0.4;
-    Eigen::VectorXd gradient = gradient_.col(j);
+    Eigen::VectorXd gradient = gradient_;
     Eigen::VectorXd delta = Eigen::VectorXd::Zero(gradient.size());
     int* const values = coded_.values.col(j).data();
     const double channel_step = coded_.step(j);
@@ -208,9 +220,7 @@ class ClosedLoopRun {
             moved * step *
             function.values.cwiseProduct(curvature().col(j).segment(function.first, size));
       }
-    if (delta.isZero(0)) return;
-    errors_.col(j) += delta;
-    apply(j, delta);
+    if (!delta.isZero(0)) move(j, delta);
   }
 
   void count_alive(const int* values) {
@@ -263,10 +273,12 @@ class ClosedLoopRun {
   Eigen::MatrixXd weighted_coefficient_curvature_;
   RateTable rates_;
   QuantisedSignals coded_;
-  Eigen::MatrixXd errors_;    // frames x channels: decoded minus original
-  Eigen::MatrixXd gradient_;  // G times that, frames weighted
-  double lambda_ = 0;         // of it that a bit is worth
-  std::vector<int> alive_;    // how many of each band are not zero, of the channel being swept
+  Eigen::MatrixXd errors_;           // frames x channels: decoded minus original
+  double energy_ = 0;                // the sum of squared errors that makes, frames weighted
+  ErrorSweep* under_way_ = nullptr;  // the pass under way
+  Eigen::VectorXd gradient_;         // where it is, frames weighted
+  double lambda_ = 0;                // of it that a bit is worth
+  std::vector<int> alive_;  // how many of each band are not zero, of the channel being swept
 };
 
 ClosedLoop::Result ClosedLoop::quantise(double scale, const ClosedLoopWork& work,

@@ -63,6 +63,8 @@ class ErrorModel {
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
 
  private:
+  friend class ErrorSweep;
+
   void compute_motions(const Skeleton& skeleton, const Clip& original,
                        const Eigen::VectorXd& weights, const SignalMoves& moves);
 

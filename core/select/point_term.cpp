@@ -90,16 +90,27 @@ void PointTerm::add_curvature(Eigen::MatrixXd& curvature) const {
             .sum();
 }
 
+void PointTerm::add_forces(int channel, const Eigen::VectorXd& delta,
+                           Eigen::MatrixXd& forces) const {
+  if (place_of(channel) < 0) return;
+  for (Eigen::Index n = 0; n < width_; ++n)
+    forces.col(n).array() += delta.array() * forces_.col(width_ * place_of(channel) + n).array();
+}
+
+void PointTerm::add_work(int channel, const Eigen::MatrixXd& forces,
+                         Eigen::Ref<Eigen::VectorXd> gradient) const {
+  if (place_of(channel) < 0) return;
+  for (Eigen::Index n = 0; n < width_; ++n)
+    gradient.array() +=
+        forces.col(n).array() * motions_.col(width_ * place_of(channel) + n).array();
+}
+
 void PointTerm::add_to_gradient(int channel, const Eigen::VectorXd& delta,
                                 Eigen::MatrixXd& gradient) const {
-  const Eigen::Index place = place_[static_cast<std::size_t>(channel)];
-  if (place < 0) return;
-  for (Eigen::Index i = 0; i < std::ssize(channels_); ++i) {
-    auto sum = gradient.col(channels_[static_cast<std::size_t>(i)]).array();
-    for (Eigen::Index n = 0; n < width_; ++n)
-      sum += delta.array() * forces_.col(width_ * place + n).array() *
-             motions_.col(width_ * i + n).array();
-  }
+  if (place_of(channel) < 0) return;
+  Eigen::MatrixXd forces = no_forces();
+  add_forces(channel, delta, forces);
+  for (const int other : channels_) add_work(other, forces, gradient.col(other));
 }
 
 }  // namespace mocapress

@@ -36,10 +36,19 @@ class PointTerm {
   /// Adds its diagonal, frames x channels.
   void add_curvature(Eigen::MatrixXd& curvature) const;
 
-  /// Adds it times an error of `delta` (one value a frame) in `channel` alone.
+  /// What it makes of errors, of which it then makes its part of the gradient: first of an error of
+  /// `delta` (one value a frame) in `channel`, then there.
+  Eigen::MatrixXd no_forces() const { return Eigen::MatrixXd::Zero(forces_.rows(), width_); }
+  void add_forces(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& forces) const;
+  void add_work(int channel, const Eigen::MatrixXd& forces,
+                Eigen::Ref<Eigen::VectorXd> gradient) const;
+
+  /// Both: adds it times an error of `delta` in `channel` alone.
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
 
  private:
+  Eigen::Index place_of(int channel) const { return place_[static_cast<std::size_t>(channel)]; }
+
   std::vector<int> channels_;  // for which it is not zero
   std::vector<int> place_;     // of each channel among them, or -1
   Eigen::Index width_ = 0;     // numbers a channel and frame

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "core/select/error_sweep.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kFrames = 90;
+
+Eigen::MatrixXd any_errors(int channels, std::uint64_t seed) {
+  Random random(seed);
+  return Eigen::MatrixXd::NullaryExpr(kFrames, channels, [&] { return random.unit() - 0.5; });
+}
+
+class ErrorSweepOf : public testing::Test {
+ protected:
+  /// Weighs a joint in the middle more, where nothing is turned.
+  void add_term() {
+    const int joint = motion_.skeleton.joint_count() / 2;
+    const Eigen::MatrixXd tracks = landmark_tracks(motion_.skeleton, motion_.clip);
+    model_.add({.joints = {joint},
+                .places = tracks.middleCols(Eigen::Index{3} * joint, 3),
+                .angles = {},
+                .turns = Eigen::MatrixXd(kFrames, 0),
+                .weights = Eigen::MatrixXd::Constant(kFrames, 1, 3)});
+  }
+
+  /// The gradient of every channel, where each was changed as soon as it was visited, and that of
+  /// the eager sum over all related channels.
+  void compare() {
+    Eigen::MatrixXd errors = any_errors(model_.channels(), 1);
+    const Eigen::MatrixXd changes = any_errors(model_.channels(), 2);
+    Eigen::MatrixXd eager = Eigen::MatrixXd::Zero(kFrames, model_.channels());
+    for (int c = 0; c < model_.channels(); ++c) model_.add_to_gradient(c, errors.col(c), eager);
+    const double size = eager.norm() / std::sqrt(model_.channels());
+    ErrorSweep sweep(model_, errors);
+    for (int c = 0; c < model_.channels(); ++c) {
+      EXPECT_LT((sweep.next() - eager.col(c)).norm(), 1e-5 * size) << "channel " << c;
+      errors.col(c) += changes.col(c);
+      sweep.add(changes.col(c));
+      model_.add_to_gradient(c, changes.col(c), eager);
+    }
+  }
+
+  const Motion motion_ = test::smooth_motion(kFrames);
+  ErrorModel model_{motion_.skeleton, motion_.clip, Weighting::BoneEnds};
+};
+
+TEST_F(ErrorSweepOf, FollowsChangesOnTheWayAsTheEagerGradientDoes) {
+  compare();
+}
+
+TEST_F(ErrorSweepOf, HeedsTermsOfPoints) {
+  add_term();
+  compare();
+}
+
+TEST_F(ErrorSweepOf, WithoutErrorHasNoGradient) {
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(kFrames, model_.channels());
+  ErrorSweep sweep(model_, none);
+  for (int c = 0; c < model_.channels(); ++c) EXPECT_TRUE(sweep.next().isZero(0));
+}
+
+}  // namespace
+}  // namespace mocapress
