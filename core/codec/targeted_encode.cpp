@@ -247,9 +247,11 @@ class TargetedEncode {
     trial.eps_cm = result.eps_cm;
     trial.complete = result.complete;
     trial.count = static_cast<int>((result.coded.values.array() != 0).count());
-    finish(std::move(result.coded), trial.compressed);
-    if (options_.effort == Effort::Draft && options_.target.kind == Target::Kind::Error &&
-        !own_model_) {
+    const bool model_will_do = options_.effort == Effort::Draft &&
+                               options_.target.kind == Target::Kind::Error && !own_model_;
+    const bool is_rough = !work.compensate;  // its coding is not asked for
+    if (!model_will_do || !is_rough) finish(std::move(result.coded), trial.compressed);
+    if (model_will_do) {
       trial.achieved = trial.eps_cm;  // near enough, and there already
       trial.excess = goal_.excess(trial.achieved);
     } else {

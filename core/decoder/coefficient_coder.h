@@ -4,9 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdlib>
-#include <initializer_list>
 #include <utility>
 
 #include "bands.h"
@@ -93,12 +93,11 @@ class CoefficientCoder {
     int expected;  // half octaves of a weighted sum of all
   };
 
-  bool code(bool bit, std::initializer_list<int> contexts, int set) {
-    std::array<AdaptiveBit*, MixingWeights::kMost> believed;
-    std::size_t count = 0;
-    for (const int context : contexts) believed[count++] = &context_at(context);
-    MixedBit mixed(std::span<AdaptiveBit* const>(believed.data(), count),
-                   model_.weights[static_cast<std::size_t>(set)]);
+  template <std::size_t count>
+  bool code(bool bit, const int (&contexts)[count], int set) {
+    std::array<AdaptiveBit*, count> believed;
+    for (std::size_t i = 0; i < count; ++i) believed[i] = &context_at(contexts[i]);
+    MixedBit mixed(believed, model_.weights[static_cast<std::size_t>(set)]);
     bit = bits_.code(bit, mixed.one());
     mixed.follow(bit);
     for (const int context : contexts) tally(context, bit);

@@ -16,7 +16,7 @@ void CoefficientModel::teach(std::string_view priors) {
   constexpr std::uint16_t kTrust = 40;  // observations that a prior is worth
   for (std::size_t c = 0; c < priors.size() && c < static_cast<std::size_t>(layout.shared); ++c)
     if (const auto log_odds = log_odds_of_prior(priors[c]))
-      contexts[c] = {probability_of_log_odds(*log_odds), kTrust};
+      contexts[c] = {static_cast<std::uint16_t>(squash(*log_odds)), kTrust};
 }
 
 void CoefficientModel::begin() {

@@ -2,9 +2,21 @@
 #include "core/motion/forward_kinematics.h"
 
 #include <cassert>
+#include <cmath>
 
 namespace mocapress {
 namespace {
+
+/// rotation *= axis_rotation(axis, radians), which mixes but two columns.
+void turn(Eigen::Matrix3d& rotation, int axis, double radians) {
+  const double cosine = std::cos(radians);
+  const double sine = std::sin(radians);
+  const int j = (axis + 1) % 3;
+  const int k = (axis + 2) % 3;
+  const Eigen::Vector3d before = rotation.col(j);
+  rotation.col(j) = cosine * before + sine * rotation.col(k);
+  rotation.col(k) = cosine * rotation.col(k) - sine * before;
+}
 
 /// Gathers a joint's channels into a translation (cm, parent's frame) and the product R (axes).
 struct LocalMotion {
@@ -16,7 +28,7 @@ struct LocalMotion {
       const ChannelKind kind = joint.channels[i];
       const double value = frame(first_channel + static_cast<int>(i));
       if (is_rotation(kind))
-        rotation *= axis_rotation(axis_of(kind), value);
+        turn(rotation, axis_of(kind), value);
       else
         translation(axis_of(kind)) += value;
     }

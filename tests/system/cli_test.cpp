@@ -294,14 +294,21 @@ TEST_F(Cli, InfoDescribesEveryKindOfFile) {
 
 TEST_F(Cli, BenchReportsExactlyTheDocumentedKeys) {
   const json figures = json_of({"bench", clip_, "--json"});
-  const std::set<std::string> measured = {
-      "decode_us_per_frame",       "copy_us_per_frame",
-      "window_us_per_frame",       "pose_us",
-      "positions_us_per_frame",    "open_us",
-      "motion_bytes",              "resident_bytes",
-      "annealed_seconds",          "annealed_iterations",
-      "annealed_us_per_iteration", "reference_us_per_iteration",
-      "closed_loop_seconds",       "closed_loop_frames_per_second"};
+  const std::set<std::string> measured = {"decode_us_per_frame",
+                                          "copy_us_per_frame",
+                                          "window_us_per_frame",
+                                          "pose_us",
+                                          "positions_us_per_frame",
+                                          "open_us",
+                                          "motion_bytes",
+                                          "resident_bytes",
+                                          "annealed_seconds",
+                                          "annealed_iterations",
+                                          "annealed_us_per_iteration",
+                                          "reference_us_per_iteration",
+                                          "closed_loop_seconds",
+                                          "closed_loop_frames_per_second",
+                                          "draft_ms"};
   std::set<std::string> keys = {"ik_us_per_frame", "ik_cyclic_descent_us_per_frame"};
   for (const std::string& key : measured)
     EXPECT_TRUE(figures.contains(key) && figures[key].is_number() && figures[key] > 0) << key;

@@ -32,7 +32,7 @@ TEST(MixedBit, BelievesTheContextThatKnows) {
   for (int i = 0; i < 4000; ++i) {
     const auto hint = static_cast<std::size_t>(random.below(2));
     const bool bit = hint == 1 ? random.below(20) != 0 : random.below(20) == 0;
-    AdaptiveBit* const contexts[] = {&blind, &knowing[hint]};
+    const std::array contexts = {&blind, &knowing[hint]};
     MixedBit mixed(contexts, weights);
     const double one = mixed.one() / 65536.0;
     bits -= std::log2(bit ? one : 1 - one);
@@ -46,7 +46,7 @@ TEST(MixedBit, IsNeverCertain) {
   AdaptiveBit certain[MixingWeights::kMost];
   for (AdaptiveBit& bit : certain)
     for (int i = 0; i < 3000; ++i) bit.follow(true);
-  AdaptiveBit* contexts[MixingWeights::kMost];
+  std::array<AdaptiveBit*, MixingWeights::kMost> contexts;
   for (std::size_t i = 0; i < MixingWeights::kMost; ++i) contexts[i] = &certain[i];
   MixingWeights weights;
   weights.of.fill(1 << 22);
@@ -56,9 +56,8 @@ TEST(MixedBit, IsNeverCertain) {
 }
 
 TEST(LogOdds, AreSymmetric) {
-  EXPECT_EQ(probability_of_log_odds(0), 32768);
-  for (int odds = 0; odds <= 2048; odds += 16)
-    EXPECT_NEAR(probability_of_log_odds(odds) + probability_of_log_odds(-odds), 65536, 1);
+  EXPECT_EQ(squash(0), 32768);
+  for (int odds = 0; odds <= 2048; odds += 16) EXPECT_NEAR(squash(odds) + squash(-odds), 65536, 1);
 }
 
 }  // namespace
