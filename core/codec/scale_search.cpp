@@ -2,6 +2,7 @@
 #include "core/codec/scale_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -116,6 +117,24 @@ void seek(const ClosedLoop& loop, const Goal& goal, double first_scale, const Cl
     trials.try_scale(middle * (1 + (i % 2 == 0 ? -kBeside : kBeside) * ((i + 1) / 2)), work);
 }
 
+/// Goes nearer to the bound with the weights as they are, while that takes no more bytes. A short
+/// clip has few values to choose from, and its worst error jumps from scale to scale.
+void close_in(const Goal& goal, const ClosedLoopWork& work, const AttemptScale& attempt,
+              const Eigen::VectorXd& weights, Trial& best) {
+  constexpr double kNear = 0.02;
+  constexpr double kPower = 1.3;  // with which the scale follows the error
+  constexpr std::array kShares = {1.0, 0.7, 1.3, 0.85, 0.5, 1.15, 0.6, 0.3};  // of the way there
+  for (std::size_t i = 0; i < 2 * kShares.size() && best.excess > kNear; ++i) {
+    const double way = kPower * best.excess * kShares[i % kShares.size()];
+    Trial trial = attempt(best.scale * std::exp(way), work, weights);
+    best.complete = trial.complete;
+    if (!trial.complete) return;
+    if (goal.met(trial.excess) && trial.excess < best.excess &&
+        trial.compressed.motion_bytes() <= best.compressed.motion_bytes())
+      best = std::move(trial);
+  }
+}
+
 }  // namespace
 
 Trial search_scale(const ClosedLoop& loop, const Target& target, const Goal& goal, Effort effort,
@@ -139,23 +158,28 @@ void hold_worst_frames(const Goal& goal, int frames, Effort effort, const Attemp
                        Trial& best) {
   constexpr int kRounds = 5;
   constexpr double kLeastStep = 1.04;
+  const ClosedLoopWork work = work_of(effort);
+  Eigen::VectorXd best_weights;  // none: all alike
   for (double step = 1.3; step > kLeastStep;) {
     const double scale = step * best.scale;
     Eigen::VectorXd weights = Eigen::VectorXd::Ones(frames);
     bool held = false;
     for (int round = 0; round < kRounds && !held; ++round) {
-      Trial trial = attempt(scale, work_of(effort), weights);
+      Trial trial = attempt(scale, work, weights);
       best.complete = trial.complete;
       if (!trial.complete) return;
-      held = goal.met(trial.excess);
-      if (!held) raise(trial, weights);
-      if (!held) continue;
+      if (!goal.met(trial.excess)) {
+        raise(trial, weights);
+        continue;
+      }
       held = trial.compressed.motion_bytes() < best.compressed.motion_bytes();
-      if (held) best = std::move(trial);
-      break;
+      if (!held) break;
+      best = std::move(trial);
+      best_weights = weights;
     }
     if (!held) step = std::sqrt(step);
   }
+  close_in(goal, work, attempt, best_weights, best);
 }
 
 }  // namespace mocapress

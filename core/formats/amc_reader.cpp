@@ -91,8 +91,10 @@ MotionFile AmcReader::read() {
   while (!cursor_.at_end() && read_frame()) {
   }
   if (frames_ == 0) cursor_.fail(cursor_.peek(), "expected a complete frame, found none");
-  if (row_size_ == 0) cursor_.fail(cursor_.peek(), "no bone has a value: nothing moves");
   Motion motion = to_motion();
+  // Lengths do not count as values: row_size_ may well be more.
+  if (motion.skeleton.channel_count() == 0)
+    cursor_.fail(cursor_.peek(), "no bone has a value: nothing moves");
   unwrap_angles(motion.skeleton, motion.clip);
   warn_of_counts();
   return {std::move(motion), std::move(warnings_)};

@@ -22,9 +22,9 @@ MotionFile read(const std::string& amc, const std::string& asf = kSmallAsf) {
   return read_amc("f.amc", amc, read_asf("f.asf", asf));
 }
 
-std::string error_of(const std::string& amc) {
+std::string error_of(const std::string& amc, const std::string& asf = kSmallAsf) {
   try {
-    read(amc);
+    read(amc, asf);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -164,6 +164,11 @@ TEST(Amc, IgnoresBoneLengthsWithAWarning) {
   EXPECT_NEAR(read(text, asf).motion.clip.channels(0, 9), 4 * kDegree, kRounding);
   EXPECT_EQ(warning_of(text, asf),
             "f.amc: 1 bone with a length that changes (dof l), which is ignored");
+}
+
+TEST(Amc, RefusesAFigureOfWhichOnlyLengthsChange) {
+  EXPECT_EQ(error_of("1\nroot 0\n", ":name f\n:root\norder l\n"),
+            "f.amc:3:1: no bone has a value: nothing moves");
 }
 
 TEST(Amc, MovesABoneAlongItsAxes) {
