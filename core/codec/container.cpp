@@ -18,6 +18,8 @@ namespace {
 constexpr std::string_view kMagic = "MCPR";
 constexpr std::uint16_t kVersion = 1;
 constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 26;
+constexpr std::uint64_t kMostWithoutBytes = std::uint64_t{1} << 22;
+constexpr std::uint64_t kMostSamplesOfByte = std::uint64_t{1} << 15;
 
 std::span<const std::byte> bytes_of(std::string_view text) {
   return std::as_bytes(std::span(text));
@@ -226,6 +228,16 @@ std::vector<std::byte> write_container(const Container& container) {
 
 namespace {
 
+/// What is decoded, and the time that takes, grows with the file: FORMAT.md, CLIP.
+void require_room(const CompressedClip& clip, std::size_t offset) {
+  const auto signals = static_cast<std::uint64_t>(
+      clip.skeleton.channel_count() + (clip.correction ? clip.correction->signal_count() : 0));
+  const std::uint64_t most =
+      kMostWithoutBytes + kMostSamplesOfByte * static_cast<std::uint64_t>(clip.motion.size());
+  if (static_cast<std::uint64_t>(clip.frames) * signals > most)
+    throw FormatError(offset, "more samples than so few bytes may stand for");
+}
+
 Container read(std::span<const std::byte> bytes, bool wavelets_only) {
   ByteReader file(bytes);
   const auto magic = file.take(kMagic.size());
@@ -254,6 +266,7 @@ Container read(std::span<const std::byte> bytes, bool wavelets_only) {
     clip.correction =
         read_correction(correction->payload, correction->payload_offset, clip.skeleton);
   file.expect_end();
+  require_room(clip, motion.payload_offset);
   return container;
 }
 

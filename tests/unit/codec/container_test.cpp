@@ -140,6 +140,24 @@ TEST(Container, RefusesMoreSamplesThanItMayHoldBeforeAllocatingThem) {
   EXPECT_THROW(read_container(file), FormatError);
 }
 
+TEST(Container, RefusesMoreSamplesThanItsBytesMayStandFor) {
+  const CompressedClip clip = small_clip();
+  auto file = write_container(clip);
+  const Place place = find_section(file, "CLIP");
+  const auto signals = static_cast<std::size_t>(clip.skeleton.channel_count() +
+                                                clip.correction.value().signal_count());
+  const std::size_t most = ((1U << 22) + (clip.motion.size() << 15)) / signals;
+  const auto claim = [&](std::size_t frames) {
+    const auto claimed = static_cast<std::uint32_t>(frames);
+    std::memcpy(file.data() + place.start + 12 + 8, &claimed, 4);
+    mend_checksum(file, place);
+  };
+  claim(most);
+  EXPECT_EQ(read_container(file).frames, static_cast<int>(most));
+  claim(most + 1);
+  EXPECT_THROW(read_container(file), FormatError);
+}
+
 TEST(Container, RefusesAnEffectorThatIsNone) {
   const auto file = write_container(small_clip());
   const Place place = find_section(file, "IKCO");
