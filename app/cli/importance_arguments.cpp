@@ -40,7 +40,7 @@ NamedImportance ImportanceArguments::named() const {
     if (name == kContacts)
       named.contacts = factor;
     else
-      named.factors[name] = factor;
+      named.set(name, factor);
   }
   return named;
 }

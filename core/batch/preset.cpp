@@ -38,8 +38,8 @@ std::span<const Preset> built_in_presets() {
   static const std::vector<Preset> presets = {
       {.name = "Hero close-up", .target = {Target::Kind::MaxError, 0.5}},
       {.name = "Gameplay", .target = {Target::Kind::Error, 0.5}},
-      // Of the study's clips 0.1 to 0.3 of the sliding is left for 5 to 12 % of the ratio; a
-      // correction by inverse kinematics leaves less still, for 25 to 40 %.
+      // On 02_01, 16_22, 49_02 and 14_06 a quarter of the sliding is left or less, for 5 to 12 % of
+      // the ratio; a correction by inverse kinematics leaves a twelfth, for 25 to 40 %.
       {.name = "Planted feet",
        .target = {Target::Kind::Error, 0.5},
        .importance = {.factors = {}, .contacts = 20}},

@@ -136,7 +136,7 @@ NamedImportance importance_from(const Json& json, const Keys& keys) {
     if (name == kContacts)
       importance.contacts = factor.get<double>();
     else
-      importance.factors[name] = factor.get<double>();
+      importance.set(name, factor.get<double>());
   }
   return importance;
 }

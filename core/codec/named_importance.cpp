@@ -2,6 +2,7 @@
 #include "core/codec/named_importance.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/motion/body_part.h"
@@ -19,6 +20,22 @@ double usual_factor(const std::vector<double>& factors, const std::vector<int>& 
 }
 
 }  // namespace
+
+double NamedImportance::factor(std::string_view name) const {
+  const auto found = std::find_if(factors.begin(), factors.end(),
+                                  [&](const auto& one) { return one.first == name; });
+  return found == factors.end() ? 1 : found->second;
+}
+
+void NamedImportance::set(const std::string& name, double factor) {
+  const auto place =
+      std::lower_bound(factors.begin(), factors.end(), name,
+                       [](const auto& one, const std::string& text) { return one.first < text; });
+  if (place != factors.end() && place->first == name)
+    place->second = factor;
+  else
+    factors.insert(place, {name, factor});
+}
 
 bool is_body_part(std::string_view name) {
   return std::any_of(std::begin(kBodyParts), std::end(kBodyParts),
@@ -57,12 +74,12 @@ NamedImportance named(const Importance& importance, const Skeleton& skeleton) {
     if (joints.empty()) continue;
     const double factor = usual_factor(importance.joints, joints);
     if (factor == 1) continue;
-    named.factors[std::string(name(part))] = factor;
+    named.set(std::string(name(part)), factor);
     for (const int joint : joints) covered[static_cast<std::size_t>(joint)] = factor;
   }
   for (std::size_t j = 0; j < covered.size(); ++j)
     if (importance.joints[j] != covered[j])
-      named.factors[skeleton.joint(static_cast<int>(j)).name] = importance.joints[j];
+      named.set(skeleton.joint(static_cast<int>(j)).name, importance.joints[j]);
   return named;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/codec/importance.h"
@@ -12,9 +12,14 @@ namespace mocapress {
 
 /// Importance before the skeleton is known: by the names of body parts and joints.
 struct NamedImportance {
-  // By "feet" and the other body parts, or a joint, whose own factor goes before its part's.
-  std::map<std::string, double> factors;
+  // By "feet" and the other body parts, or a joint, whose own factor goes before its part's; in the
+  // order of the names, as set() keeps it.
+  std::vector<std::pair<std::string, double>> factors;
   double contacts = 0;  // as Importance has it
+
+  /// 1 unless it was set.
+  double factor(std::string_view name) const;
+  void set(const std::string& name, double factor);
 
   bool is_even() const { return factors.empty() && contacts == 0; }
   bool operator==(const NamedImportance&) const = default;

@@ -21,10 +21,11 @@ std::string joint_name(BodyPart part, std::size_t index) {
 
 TEST(NamedImportance, ComesBackByTheSameNames) {
   const std::string hand = joint_name(BodyPart::Hands, 0);
+  NamedImportance mixed{{{"feet", 2}, {hand, 9}}, 1};
+  mixed.set(joint_name(BodyPart::Feet, 0), 7);
   for (const NamedImportance& wish :
        {NamedImportance{}, NamedImportance{{{"feet", 4}}, 20},
-        NamedImportance{{{"feet", 4}, {"head", 0.5}, {"root", 3}}, 0},
-        NamedImportance{{{joint_name(BodyPart::Feet, 0), 7}, {"feet", 2}, {hand, 9}}, 1}})
+        NamedImportance{{{"feet", 4}, {"head", 0.5}, {"root", 3}}, 0}, mixed})
     EXPECT_EQ(named(importance_for(wish, skeleton()), skeleton()), wish);
 }
 
