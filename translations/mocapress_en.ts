@@ -90,6 +90,16 @@
     </message>
 </context>
 <context>
+    <name>mocapress::Presets</name>
+    <message numerus="yes">
+        <source>%Ln contact(s) of its own.</source>
+        <translation>
+            <numerusform>%Ln contact of its own.</numerusform>
+            <numerusform>%Ln contacts of its own.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mocapress::StudyResults</name>
     <message numerus="yes">
         <source>Average over %Ln clip(s)</source>

@@ -183,6 +183,14 @@
         <source>Compress many clips, verify each, and report on all</source>
         <translation>Compresser de nombreux clips, vérifier chacun et rendre compte de tous</translation>
     </message>
+    <message>
+        <source>Batch Export of the &amp;Library…</source>
+        <translation>Exportation par lot de la &amp;bibliothèque…</translation>
+    </message>
+    <message>
+        <source>Export all clips of the library, each by its own settings</source>
+        <translation>Exporter toutes les séquences de la bibliothèque, chacune avec ses propres réglages</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -191,20 +199,20 @@
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Progress of the annealing</source>
-        <translation>Progrès du recuit</translation>
-    </message>
-    <message>
-        <source>Annealing moves fewer and fewer coefficients at a time, until no move helps. A size or error target takes several passes.</source>
-        <translation>Le recuit déplace de moins en moins de coefficients à la fois, jusqu&apos;à ce qu&apos;aucun déplacement n&apos;aide. Une cible de taille ou d&apos;erreur demande plusieurs passes.</translation>
-    </message>
-    <message>
-        <source>Stop annealing. The best so far is kept where it beats the standard answer.</source>
-        <translation>Arrêter le recuit. Le meilleur résultat est gardé s&apos;il bat la réponse standard.</translation>
-    </message>
-    <message>
         <source>Pass %1</source>
         <translation>Passe %1</translation>
+    </message>
+    <message>
+        <source>Progress of the refinement</source>
+        <translation>Avancement de l&apos;affinage</translation>
+    </message>
+    <message>
+        <source>The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed loop sweeps over all of them, until nothing helps. Most targets take several passes.</source>
+        <translation>L&apos;ébauche est affinée : le recuit déplace de moins en moins de coefficients à la fois, une boucle fermée les parcourt tous, jusqu&apos;à ce que plus rien n&apos;aide. La plupart des cibles demandent plusieurs passes.</translation>
+    </message>
+    <message>
+        <source>Stop refining. The best so far is kept where it beats the draft.</source>
+        <translation>Arrêter l&apos;affinage. Le meilleur résultat obtenu est gardé s&apos;il vaut mieux que l&apos;ébauche.</translation>
     </message>
 </context>
 <context>
@@ -216,10 +224,6 @@
     <message>
         <source>Pattern of the names</source>
         <translation>Modèle des noms</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;{folder}: the folder the clip was found by, and those between&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{preset}, {method}: what it is compressed by&lt;/p&gt;</source>
-        <translation>&lt;p&gt;{folder} : le dossier par lequel le clip a été trouvé, et ceux qui suivent&lt;br&gt;{stem} : le nom du clip&lt;br&gt;{preset}, {method} : ce qui le compresse&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Otherwise a clip whose file is there, and not of this batch, fails and says so. Either way a file is only replaced after the new one was read back and measured.</source>
@@ -280,6 +284,10 @@
     <message>
         <source>Where files and report go. A folder that holds a batch goes on where it was.</source>
         <translation>Où vont les fichiers et le rapport. Un dossier qui contient un lot reprend là où il en était.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;{folder}: the folder the clip was found by, and those between&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{type}: bvh or amc&lt;br&gt;{preset}, {method}: what it is compressed by&lt;/p&gt;</source>
+        <translation>&lt;p&gt;{folder} : le dossier par lequel la séquence a été trouvée, et ceux entre les deux&lt;br&gt;{stem} : le nom de la séquence&lt;br&gt;{type} : bvh ou amc&lt;br&gt;{preset}, {method} : ce par quoi elle est compressée&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -418,14 +426,6 @@
 </context>
 <context>
     <name>mocapress::BatchSession</name>
-    <message>
-        <source>The name of a built-in preset cannot be given to another.</source>
-        <translation>Le nom d&apos;un préréglage intégré ne peut être donné à un autre.</translation>
-    </message>
-    <message>
-        <source>Wrote %1.</source>
-        <translation>%1 écrit.</translation>
-    </message>
     <message>
         <source>Add clips to begin.</source>
         <translation>Ajoutez des clips pour commencer.</translation>
@@ -581,18 +581,6 @@
         <translation>Faire traiter cette file par une grappe : un script pour sbatch</translation>
     </message>
     <message>
-        <source>Import Presets</source>
-        <translation>Importer des préréglages</translation>
-    </message>
-    <message>
-        <source>Presets (*.json)</source>
-        <translation>Préréglages (*.json)</translation>
-    </message>
-    <message>
-        <source>Export Preset</source>
-        <translation>Exporter le préréglage</translation>
-    </message>
-    <message>
         <source>Add Clips</source>
         <translation>Ajouter des clips</translation>
     </message>
@@ -607,14 +595,6 @@
     <message>
         <source>Folder of the Batch</source>
         <translation>Dossier du lot</translation>
-    </message>
-    <message>
-        <source>Save as Preset</source>
-        <translation>Enregistrer comme préréglage</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
     </message>
     <message>
         <source>Slurm Script</source>
@@ -753,10 +733,6 @@
         <translation>Méthode</translation>
     </message>
     <message>
-        <source>Which wavelet coefficients are kept: annealed moves them to the channels where they lower the error in the world most, standard keeps the largest of all, per channel keeps as many of each.</source>
-        <translation>Quels coefficients d&apos;ondelettes sont gardés : le recuit les déplace vers les canaux où ils abaissent le plus l&apos;erreur dans l&apos;espace, standard garde les plus grands de tous, par canal en garde autant de chacun.</translation>
-    </message>
-    <message>
         <source>Weighting</source>
         <translation>Pondération</translation>
     </message>
@@ -769,8 +745,56 @@
         <translation>Codage</translation>
     </message>
     <message>
-        <source>How kept coefficients become bytes: 16-bit words with runs of zeros, optionally packed further by DEFLATE.</source>
-        <translation>Comment les coefficients gardés deviennent des octets : mots de 16 bits avec suites de zéros, au besoin tassés par DEFLATE.</translation>
+        <source>Effort</source>
+        <translation>Effort</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>Importance</translation>
+    </message>
+    <message>
+        <source>The closed loop rounds every coefficient by what it does to the error in the world, and is much the smallest. The others are the paper&apos;s, which choose coefficients to keep: annealed moves them to the channels where they lower the error most, standard keeps the largest of all, per channel keeps as many of each.</source>
+        <translation>La boucle fermée arrondit chaque coefficient selon son effet sur l&apos;erreur dans le monde, et est de loin la plus petite. Les autres sont celles de l&apos;article, qui choisissent les coefficients à garder : le recuit les déplace vers les canaux où ils réduisent le plus l&apos;erreur, standard garde les plus grands de tous, par canal en garde autant de chacun.</translation>
+    </message>
+    <message>
+        <source>Best looks longer for something smaller: a few per cent, for five times the time.</source>
+        <translation>Le meilleur cherche plus longtemps plus petit : quelques pour cent, pour cinq fois le temps.</translation>
+    </message>
+    <message>
+        <source>Only the closed loop can try harder: the paper&apos;s methods end where they end.</source>
+        <translation>Seule la boucle fermée peut s&apos;efforcer davantage : les méthodes de l&apos;article s&apos;arrêtent où elles s&apos;arrêtent.</translation>
+    </message>
+    <message>
+        <source>The closed loop weighs the bytes of its own adaptive coding and has no other.</source>
+        <translation>La boucle fermée pèse les octets de son propre codage adaptatif et n&apos;en a pas d&apos;autre.</translation>
+    </message>
+    <message>
+        <source>How kept coefficients become bytes: 16-bit words with runs of zeros, optionally packed further by DEFLATE, or an adaptive range coder.</source>
+        <translation>Comment les coefficients gardés deviennent des octets : mots de 16 bits avec plages de zéros, au besoin compactés par DEFLATE, ou un codeur par intervalle adaptatif.</translation>
+    </message>
+    <message>
+        <source>Not heeded</source>
+        <translation>Sans effet</translation>
+    </message>
+    <message>
+        <source>All alike</source>
+        <translation>Toutes égales</translation>
+    </message>
+    <message>
+        <source>Take more care of feet, hands, the head, contacts or any joint.</source>
+        <translation>Prendre plus soin des pieds, des mains, de la tête, des contacts ou d&apos;une articulation.</translation>
+    </message>
+    <message>
+        <source>Standard and per channel take coefficients as they come and heed no importance: choose Closed loop or Annealed.</source>
+        <translation>Standard et Par canal prennent les coefficients comme ils viennent, sans égard à l&apos;importance : choisissez Boucle fermée ou Recuit.</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>Weighting of the error, and coding: seldom changed.</source>
+        <translation>Pondération de l&apos;erreur et codage : rarement changés.</translation>
     </message>
 </context>
 <context>
@@ -795,20 +819,20 @@
 <context>
     <name>mocapress::ConvergencePlot</name>
     <message>
-        <source>Error while annealing</source>
-        <translation>Erreur pendant le recuit</translation>
-    </message>
-    <message>
-        <source>How the error falls while coefficients move between channels.</source>
-        <translation>Comment l&apos;erreur baisse pendant que des coefficients changent de canal.</translation>
-    </message>
-    <message>
         <source>Iteration</source>
         <translation>Itération</translation>
     </message>
     <message>
         <source>eps_x (cm)</source>
         <translation>eps_x (cm)</translation>
+    </message>
+    <message>
+        <source>Error while refining</source>
+        <translation>Erreur pendant l&apos;affinage</translation>
+    </message>
+    <message>
+        <source>How the error falls while the answer is refined.</source>
+        <translation>Comment l&apos;erreur baisse pendant que le résultat est affiné.</translation>
     </message>
 </context>
 <context>
@@ -928,6 +952,17 @@
     </message>
 </context>
 <context>
+    <name>mocapress::FactorControl</name>
+    <message>
+        <source>%1 on a slider</source>
+        <translation>%1, curseur</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::Figures</name>
     <message>
         <source>Nothing open</source>
@@ -952,18 +987,6 @@
     <message>
         <source>%1, from the file, measured against the original</source>
         <translation>%1, du fichier, mesuré contre l&apos;original</translation>
-    </message>
-    <message>
-        <source>Standard answer; a better one is on its way</source>
-        <translation>Réponse standard ; une meilleure arrive</translation>
-    </message>
-    <message>
-        <source>Annealing cancelled; the best so far is kept</source>
-        <translation>Recuit annulé ; le meilleur est gardé</translation>
-    </message>
-    <message>
-        <source>Annealing cancelled; the standard answer is kept</source>
-        <translation>Recuit annulé ; la réponse standard est gardée</translation>
     </message>
     <message numerus="yes">
         <source>Annealed, %Ln iteration(s), %L1 s</source>
@@ -994,6 +1017,18 @@
     <message>
         <source>%1, without IK</source>
         <translation>%1, sans IK</translation>
+    </message>
+    <message>
+        <source>Draft; the refined answer is on its way</source>
+        <translation>Ébauche ; le résultat affiné arrive</translation>
+    </message>
+    <message>
+        <source>Refinement cancelled; the best so far is kept</source>
+        <translation>Affinage annulé ; le meilleur résultat est gardé</translation>
+    </message>
+    <message>
+        <source>Refinement cancelled; the draft is kept</source>
+        <translation>Affinage annulé ; l&apos;ébauche est gardée</translation>
     </message>
 </context>
 <context>
@@ -1189,6 +1224,69 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ImportancePanel</name>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>How many times its share a foot weighs while it stands. About 20 keeps feet planted without inverse kinematics, for some more bytes at the same error.</source>
+        <translation>Combien de fois sa part pèse un pied pendant qu&apos;il est posé. Environ 20 garde les pieds en place sans cinématique inverse, pour quelques octets de plus à erreur égale.</translation>
+    </message>
+    <message>
+        <source>All Alike</source>
+        <translation>Toutes égales</translation>
+    </message>
+    <message>
+        <source>By how much the weight of these joints is multiplied. What they gain the others lose: the size, or the error that is promised, stays.</source>
+        <translation>Par combien le poids de ces articulations est multiplié. Ce qu&apos;elles gagnent, les autres le perdent : la taille, ou l&apos;erreur promise, reste.</translation>
+    </message>
+    <message>
+        <source>Take the same care of all joints again.</source>
+        <translation>Prendre de nouveau le même soin de toutes les articulations.</translation>
+    </message>
+    <message>
+        <source>Any joint</source>
+        <translation>Toute articulation</translation>
+    </message>
+    <message>
+        <source>Give single joints a factor of their own.</source>
+        <translation>Donner à des articulations un facteur propre.</translation>
+    </message>
+    <message>
+        <source>Find a joint</source>
+        <translation>Chercher une articulation</translation>
+    </message>
+    <message>
+        <source>Importance of every joint</source>
+        <translation>Importance de chaque articulation</translation>
+    </message>
+    <message>
+        <source>Double-click a factor to change it.</source>
+        <translation>Double-cliquez sur un facteur pour le changer.</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Articulation</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>No joint of this skeleton has the name of this part of the body.</source>
+        <translation>Aucune articulation de ce squelette ne porte le nom de cette partie du corps.</translation>
+    </message>
+    <message>
+        <source>What the encoder takes more care of, at the cost of the rest.</source>
+        <translation>Ce dont l&apos;encodeur prend plus soin, aux dépens du reste.</translation>
+    </message>
+    <message>
+        <source>This method takes coefficients as they come and heeds no importance: choose Closed loop or Annealed.</source>
+        <translation>Cette méthode prend les coefficients comme ils viennent, sans égard à l&apos;importance : choisissez Boucle fermée ou Recuit.</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::Inspector</name>
     <message>
         <source>The curve of this clip is drawn once it is compressed.</source>
@@ -1359,6 +1457,14 @@
         <source>Kept in the project, with the verdict.</source>
         <translation>Gardée dans le projet, avec le verdict.</translation>
     </message>
+    <message>
+        <source>Export Selected, Each by Its Own Settings…</source>
+        <translation>Exporter la sélection, chacune avec ses réglages…</translation>
+    </message>
+    <message>
+        <source>Export All, Each by Its Own Settings…</source>
+        <translation>Tout exporter, chacune avec ses réglages…</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryViews</name>
@@ -1456,6 +1562,10 @@
         <source>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresses human motion capture clips with wavelets, after Philippe Beaudoin, Pierre Poulin and Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;The studio is free software under the GNU General Public License, version 3 or later; the compression library is under the MIT licence.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresse des captures de mouvement humain par ondelettes, d&apos;après Philippe Beaudoin, Pierre Poulin et Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;Le studio est un logiciel libre sous licence publique générale GNU, version 3 ou ultérieure ; la bibliothèque de compression est sous licence MIT.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Importance</source>
+        <translation>Importance</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::MessageBar</name>
@@ -1546,14 +1656,57 @@
     </message>
 </context>
 <context>
+    <name>mocapress::PresetChooser</name>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>Settings that belong together: target, method, importance, effort and IK. Those of your own are kept with this program&apos;s settings.</source>
+        <translation>Réglages qui vont ensemble : cible, méthode, importance, effort et IK. Les vôtres sont gardés avec les préférences du programme.</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Préréglages</translation>
+    </message>
+    <message>
+        <source>Keep, share and remove presets of your own</source>
+        <translation>Garder, partager et retirer vos préréglages</translation>
+    </message>
+    <message>
+        <source>Save as Preset…</source>
+        <translation>Enregistrer comme préréglage…</translation>
+    </message>
+    <message>
+        <source>Rename Preset…</source>
+        <translation>Renommer le préréglage…</translation>
+    </message>
+    <message>
+        <source>Remove Preset</source>
+        <translation>Retirer le préréglage</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importer…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>Settings of its own</source>
+        <translation>Réglages propres</translation>
+    </message>
+    <message>
+        <source>%1, modified</source>
+        <translation>%1, modifié</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::PresetEditor</name>
     <message>
         <source>Hold feet by inverse kinematics</source>
         <translation>Tenir les pieds par cinématique inverse</translation>
-    </message>
-    <message>
-        <source>Preset</source>
-        <translation>Préréglage</translation>
     </message>
     <message>
         <source>What is asked for</source>
@@ -1600,34 +1753,6 @@
         <translation>Cible</translation>
     </message>
     <message>
-        <source>Presets</source>
-        <translation>Préréglages</translation>
-    </message>
-    <message>
-        <source>Keep, share and remove presets of your own</source>
-        <translation>Garder, partager et retirer vos préréglages</translation>
-    </message>
-    <message>
-        <source>Save as Preset…</source>
-        <translation>Enregistrer comme préréglage…</translation>
-    </message>
-    <message>
-        <source>Remove Preset</source>
-        <translation>Retirer le préréglage</translation>
-    </message>
-    <message>
-        <source>Import…</source>
-        <translation>Importer…</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>Exporter…</translation>
-    </message>
-    <message>
-        <source>%1, changed</source>
-        <translation>%1, modifié</translation>
-    </message>
-    <message>
         <source>:1</source>
         <translation>:1</translation>
     </message>
@@ -1638,6 +1763,72 @@
     <message>
         <source> cm</source>
         <translation> cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PresetShelf</name>
+    <message>
+        <source>The name of a built-in preset cannot be given to another.</source>
+        <translation>Le nom d&apos;un préréglage intégré ne peut être donné à un autre.</translation>
+    </message>
+    <message>
+        <source>Save Preset</source>
+        <translation>Enregistrer le préréglage</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already.</source>
+        <translation>Il y a déjà un préréglage %1.</translation>
+    </message>
+    <message>
+        <source>Rename Preset</source>
+        <translation>Renommer le préréglage</translation>
+    </message>
+    <message>
+        <source>Remove Preset</source>
+        <translation>Retirer le préréglage</translation>
+    </message>
+    <message>
+        <source>Import Presets</source>
+        <translation>Importer des préréglages</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 écrit.</translation>
+    </message>
+    <message>
+        <source>Presets could not be kept: %1</source>
+        <translation>Les préréglages n&apos;ont pu être gardés : %1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PresetViews</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Rename Preset</source>
+        <translation>Renommer le préréglage</translation>
+    </message>
+    <message>
+        <source>Import Presets</source>
+        <translation>Importer des préréglages</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>Préréglages (*.json)</translation>
+    </message>
+    <message>
+        <source>Export Preset</source>
+        <translation>Exporter le préréglage</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>Enregistrer comme préréglage</translation>
+    </message>
+    <message>
+        <source>Save Preset</source>
+        <translation>Enregistrer le préréglage</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1864,65 @@
     <message>
         <source>To keep in place of the source: no point of the body more than 1 mm off at any frame.</source>
         <translation>À garder à la place de la source : aucun point du corps à plus de 1 mm, à aucune image.</translation>
+    </message>
+    <message>
+        <source>Planted feet</source>
+        <translation>Pieds plantés</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pieds</translation>
+    </message>
+    <message>
+        <source>Hands</source>
+        <translation>Mains</translation>
+    </message>
+    <message>
+        <source>Fingers</source>
+        <translation>Doigts</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Tête</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Ébauche</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Meilleur</translation>
+    </message>
+    <message>
+        <source>%1 × %L2</source>
+        <translation>%1 × %L2</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Importance: %1.</source>
+        <translation>Importance : %1.</translation>
+    </message>
+    <message>
+        <source>Effort: %1.</source>
+        <translation>Effort : %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln contact(s) of its own.</source>
+        <translation>
+            <numerusform>%Ln contact propre.</numerusform>
+            <numerusform>%Ln contacts propres.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>As Gameplay, with feet that stay where they stand: a quarter of the sliding or less, for about a tenth more bytes.</source>
+        <translation>Comme Jeu, avec des pieds qui restent où ils sont posés : un quart du glissement ou moins, pour environ un dixième d&apos;octets en plus.</translation>
     </message>
 </context>
 <context>
@@ -1819,6 +2069,17 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ReviewChange</name>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::SettingsChange</name>
     <message>
         <source>Target</source>
@@ -1851,6 +2112,18 @@
     <message>
         <source>Settings</source>
         <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>Effort</source>
+        <translation>Effort</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>Importance</translation>
     </message>
 </context>
 <context>
@@ -2377,10 +2650,6 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Erreur (eps_x)</translation>
     </message>
     <message>
-        <source>Greatest error</source>
-        <translation>Erreur maximale</translation>
-    </message>
-    <message>
         <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; or a distance that no joint exceeds at any frame).</source>
         <translation>Demander une taille (taux de compression : octets des canaux en flottants de 32 bits sur les octets du mouvement compressé ; ou ces octets mêmes) ou une qualité (erreur moyenne pondérée eps_x ; ou une distance qu&apos;aucune articulation ne dépasse à aucune image).</translation>
     </message>
@@ -2389,16 +2658,20 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Cible au curseur</translation>
     </message>
     <message>
-        <source>Drag: the standard answer follows at once, the annealed one refines it.</source>
-        <translation>Glisser : la réponse standard suit aussitôt, le recuit l&apos;affine.</translation>
-    </message>
-    <message>
         <source>Target value</source>
         <translation>Valeur de la cible</translation>
     </message>
     <message>
         <source>The target as a number; type it or step through it.</source>
         <translation>La cible en nombre ; la taper ou la faire défiler.</translation>
+    </message>
+    <message>
+        <source>Hard maximum</source>
+        <translation>Maximum absolu</translation>
+    </message>
+    <message>
+        <source>Drag: a draft follows at once, and is refined when you pause.</source>
+        <translation>Glissez : une ébauche suit aussitôt, affinée dès que vous marquez une pause.</translation>
     </message>
 </context>
 <context>

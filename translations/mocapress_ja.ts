@@ -183,6 +183,14 @@
         <source>Compress many clips, verify each, and report on all</source>
         <translation>多数のクリップを圧縮し、一つずつ検証して、全体を報告します</translation>
     </message>
+    <message>
+        <source>Batch Export of the &amp;Library…</source>
+        <translation>ライブラリを一括書き出し(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Export all clips of the library, each by its own settings</source>
+        <translation>ライブラリのすべてのクリップを、それぞれの設定で書き出します</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -191,20 +199,20 @@
         <translation>中止</translation>
     </message>
     <message>
-        <source>Progress of the annealing</source>
-        <translation>焼きなましの進行</translation>
-    </message>
-    <message>
-        <source>Annealing moves fewer and fewer coefficients at a time, until no move helps. A size or error target takes several passes.</source>
-        <translation>焼きなましは一度に動かす係数を減らしていき、改善がなくなるまで続けます。サイズや誤差の目標には数回の走査が要ります。</translation>
-    </message>
-    <message>
-        <source>Stop annealing. The best so far is kept where it beats the standard answer.</source>
-        <translation>焼きなましを止めます。標準の答えより良ければ、これまでの最良を残します。</translation>
-    </message>
-    <message>
         <source>Pass %1</source>
         <translation>走査 %1</translation>
+    </message>
+    <message>
+        <source>Progress of the refinement</source>
+        <translation>仕上げの進み具合</translation>
+    </message>
+    <message>
+        <source>The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed loop sweeps over all of them, until nothing helps. Most targets take several passes.</source>
+        <translation>下書きを仕上げます。焼きなましは一度に動かす係数を減らしながら、閉ループは全係数を繰り返し見直しながら、改善がなくなるまで続けます。ほとんどの目標には数回のパスが必要です。</translation>
+    </message>
+    <message>
+        <source>Stop refining. The best so far is kept where it beats the draft.</source>
+        <translation>仕上げを止めます。下書きより良ければ、それまでの最良の結果を残します。</translation>
     </message>
 </context>
 <context>
@@ -216,10 +224,6 @@
     <message>
         <source>Pattern of the names</source>
         <translation>名前の型</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;{folder}: the folder the clip was found by, and those between&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{preset}, {method}: what it is compressed by&lt;/p&gt;</source>
-        <translation>&lt;p&gt;{folder}: クリップが見つかったフォルダーとその下のフォルダー&lt;br&gt;{stem}: クリップの名前&lt;br&gt;{preset}、{method}: 圧縮に使うもの&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Otherwise a clip whose file is there, and not of this batch, fails and says so. Either way a file is only replaced after the new one was read back and measured.</source>
@@ -280,6 +284,10 @@
     <message>
         <source>Where files and report go. A folder that holds a batch goes on where it was.</source>
         <translation>ファイルと報告の書き出し先。一括処理の残るフォルダーでは続きから始めます。</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;{folder}: the folder the clip was found by, and those between&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{type}: bvh or amc&lt;br&gt;{preset}, {method}: what it is compressed by&lt;/p&gt;</source>
+        <translation>&lt;p&gt;{folder}: クリップが見つかったフォルダーとその間のフォルダー&lt;br&gt;{stem}: クリップの名前&lt;br&gt;{type}: bvh または amc&lt;br&gt;{preset}、{method}: 圧縮に使うもの&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -418,14 +426,6 @@
 </context>
 <context>
     <name>mocapress::BatchSession</name>
-    <message>
-        <source>The name of a built-in preset cannot be given to another.</source>
-        <translation>組み込みプリセットの名前は他に使えません。</translation>
-    </message>
-    <message>
-        <source>Wrote %1.</source>
-        <translation>%1 を書き出しました。</translation>
-    </message>
     <message>
         <source>Add clips to begin.</source>
         <translation>クリップを追加して始めます。</translation>
@@ -577,18 +577,6 @@
         <translation>このキューをクラスターで処理: sbatch 用スクリプト</translation>
     </message>
     <message>
-        <source>Import Presets</source>
-        <translation>プリセットの読み込み</translation>
-    </message>
-    <message>
-        <source>Presets (*.json)</source>
-        <translation>プリセット (*.json)</translation>
-    </message>
-    <message>
-        <source>Export Preset</source>
-        <translation>プリセットの書き出し</translation>
-    </message>
-    <message>
         <source>Add Clips</source>
         <translation>クリップの追加</translation>
     </message>
@@ -603,14 +591,6 @@
     <message>
         <source>Folder of the Batch</source>
         <translation>一括処理のフォルダー</translation>
-    </message>
-    <message>
-        <source>Save as Preset</source>
-        <translation>プリセットとして保存</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名前</translation>
     </message>
     <message>
         <source>Slurm Script</source>
@@ -748,10 +728,6 @@
         <translation>手法</translation>
     </message>
     <message>
-        <source>Which wavelet coefficients are kept: annealed moves them to the channels where they lower the error in the world most, standard keeps the largest of all, per channel keeps as many of each.</source>
-        <translation>どのウェーブレット係数を残すか：焼きなましは空間の誤差が最も下がるチャンネルへ移し、標準は全体で大きいものを残し、チャンネル別は同数ずつ残します。</translation>
-    </message>
-    <message>
         <source>Weighting</source>
         <translation>重み付け</translation>
     </message>
@@ -764,8 +740,56 @@
         <translation>符号化</translation>
     </message>
     <message>
-        <source>How kept coefficients become bytes: 16-bit words with runs of zeros, optionally packed further by DEFLATE.</source>
-        <translation>残した係数をバイトにする方法：ゼロの連長を含む16ビット語、必要ならDEFLATEでさらに圧縮。</translation>
+        <source>Effort</source>
+        <translation>労力</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>重要度</translation>
+    </message>
+    <message>
+        <source>The closed loop rounds every coefficient by what it does to the error in the world, and is much the smallest. The others are the paper&apos;s, which choose coefficients to keep: annealed moves them to the channels where they lower the error most, standard keeps the largest of all, per channel keeps as many of each.</source>
+        <translation>閉ループは、ワールドでの誤差への影響を見ながら各係数を丸め、群を抜いて小さくなります。ほかは論文の手法で、残す係数を選びます。焼きなましは誤差が最も減るチャンネルへ係数を移し、標準は全体で大きいものを、チャンネル別は各チャンネルから同じ数だけ残します。</translation>
+    </message>
+    <message>
+        <source>Best looks longer for something smaller: a few per cent, for five times the time.</source>
+        <translation>「最良」はより小さくなるものを長く探します。5 倍の時間で数パーセント小さくなります。</translation>
+    </message>
+    <message>
+        <source>Only the closed loop can try harder: the paper&apos;s methods end where they end.</source>
+        <translation>労力を選べるのは閉ループだけです。論文の手法は終わるところで終わります。</translation>
+    </message>
+    <message>
+        <source>The closed loop weighs the bytes of its own adaptive coding and has no other.</source>
+        <translation>閉ループは自身の適応符号化のバイト数を見て選ぶため、ほかの符号化はありません。</translation>
+    </message>
+    <message>
+        <source>How kept coefficients become bytes: 16-bit words with runs of zeros, optionally packed further by DEFLATE, or an adaptive range coder.</source>
+        <translation>残した係数をバイトにする方法。ゼロの連続をまとめた 16 ビット語(さらに DEFLATE で詰めることも可)、または適応レンジ符号化。</translation>
+    </message>
+    <message>
+        <source>Not heeded</source>
+        <translation>無効</translation>
+    </message>
+    <message>
+        <source>All alike</source>
+        <translation>すべて同じ</translation>
+    </message>
+    <message>
+        <source>Take more care of feet, hands, the head, contacts or any joint.</source>
+        <translation>足、手、頭、接地、任意の関節をより丁寧に扱います。</translation>
+    </message>
+    <message>
+        <source>Standard and per channel take coefficients as they come and heed no importance: choose Closed loop or Annealed.</source>
+        <translation>標準とチャンネル別は係数をそのまま選び、重要度を考慮しません。閉ループか焼きなましを選んでください。</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>詳細</translation>
+    </message>
+    <message>
+        <source>Weighting of the error, and coding: seldom changed.</source>
+        <translation>誤差の重み付けと符号化。めったに変えません。</translation>
     </message>
 </context>
 <context>
@@ -790,20 +814,20 @@
 <context>
     <name>mocapress::ConvergencePlot</name>
     <message>
-        <source>Error while annealing</source>
-        <translation>焼きなまし中の誤差</translation>
-    </message>
-    <message>
-        <source>How the error falls while coefficients move between channels.</source>
-        <translation>係数がチャンネル間を移るにつれて誤差が下がる様子。</translation>
-    </message>
-    <message>
         <source>Iteration</source>
         <translation>反復</translation>
     </message>
     <message>
         <source>eps_x (cm)</source>
         <translation>eps_x (cm)</translation>
+    </message>
+    <message>
+        <source>Error while refining</source>
+        <translation>仕上げ中の誤差</translation>
+    </message>
+    <message>
+        <source>How the error falls while the answer is refined.</source>
+        <translation>結果を仕上げる間に誤差が減っていく様子。</translation>
     </message>
 </context>
 <context>
@@ -922,6 +946,17 @@
     </message>
 </context>
 <context>
+    <name>mocapress::FactorControl</name>
+    <message>
+        <source>%1 on a slider</source>
+        <translation>%1(スライダー)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::Figures</name>
     <message>
         <source>Nothing open</source>
@@ -946,18 +981,6 @@
     <message>
         <source>%1, from the file, measured against the original</source>
         <translation>%1、ファイルから、元と比べて計測</translation>
-    </message>
-    <message>
-        <source>Standard answer; a better one is on its way</source>
-        <translation>標準の答え。より良い答えを計算中</translation>
-    </message>
-    <message>
-        <source>Annealing cancelled; the best so far is kept</source>
-        <translation>焼きなましを中止。これまでの最良を保持</translation>
-    </message>
-    <message>
-        <source>Annealing cancelled; the standard answer is kept</source>
-        <translation>焼きなましを中止。標準の答えを保持</translation>
     </message>
     <message numerus="yes">
         <source>Annealed, %Ln iteration(s), %L1 s</source>
@@ -986,6 +1009,18 @@
     <message>
         <source>%1, without IK</source>
         <translation>%1、IKなし</translation>
+    </message>
+    <message>
+        <source>Draft; the refined answer is on its way</source>
+        <translation>下書き。仕上げ中です</translation>
+    </message>
+    <message>
+        <source>Refinement cancelled; the best so far is kept</source>
+        <translation>仕上げを中止。それまでの最良の結果を残しました</translation>
+    </message>
+    <message>
+        <source>Refinement cancelled; the draft is kept</source>
+        <translation>仕上げを中止。下書きを残しました</translation>
     </message>
 </context>
 <context>
@@ -1181,6 +1216,69 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ImportancePanel</name>
+    <message>
+        <source>Contacts</source>
+        <translation>接地</translation>
+    </message>
+    <message>
+        <source>How many times its share a foot weighs while it stands. About 20 keeps feet planted without inverse kinematics, for some more bytes at the same error.</source>
+        <translation>接地している足が本来の何倍の重みを持つか。20 前後で、逆運動学なしでも足が滑らなくなります。同じ誤差で少しバイト数が増えます。</translation>
+    </message>
+    <message>
+        <source>All Alike</source>
+        <translation>すべて同じにする</translation>
+    </message>
+    <message>
+        <source>By how much the weight of these joints is multiplied. What they gain the others lose: the size, or the error that is promised, stays.</source>
+        <translation>これらの関節の重みを何倍にするか。ここが良くなる分、ほかが悪くなります。サイズや約束した誤差は変わりません。</translation>
+    </message>
+    <message>
+        <source>Take the same care of all joints again.</source>
+        <translation>すべての関節を再び同じように扱います。</translation>
+    </message>
+    <message>
+        <source>Any joint</source>
+        <translation>任意の関節</translation>
+    </message>
+    <message>
+        <source>Give single joints a factor of their own.</source>
+        <translation>個々の関節に独自の倍率を与えます。</translation>
+    </message>
+    <message>
+        <source>Find a joint</source>
+        <translation>関節を検索</translation>
+    </message>
+    <message>
+        <source>Importance of every joint</source>
+        <translation>各関節の重要度</translation>
+    </message>
+    <message>
+        <source>Double-click a factor to change it.</source>
+        <translation>倍率をダブルクリックすると変更できます。</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>No joint of this skeleton has the name of this part of the body.</source>
+        <translation>このスケルトンには、この部位の名前を持つ関節がありません。</translation>
+    </message>
+    <message>
+        <source>What the encoder takes more care of, at the cost of the rest.</source>
+        <translation>ほかより丁寧に扱うところ。その分、残りの誤差が増えます。</translation>
+    </message>
+    <message>
+        <source>This method takes coefficients as they come and heeds no importance: choose Closed loop or Annealed.</source>
+        <translation>この手法は係数をそのまま選び、重要度を考慮しません。閉ループか焼きなましを選んでください。</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::Inspector</name>
     <message>
         <source>The curve of this clip is drawn once it is compressed.</source>
@@ -1350,6 +1448,14 @@
         <source>Kept in the project, with the verdict.</source>
         <translation>判定とともにプロジェクトに保存されます。</translation>
     </message>
+    <message>
+        <source>Export Selected, Each by Its Own Settings…</source>
+        <translation>選択したクリップをそれぞれの設定で書き出し…</translation>
+    </message>
+    <message>
+        <source>Export All, Each by Its Own Settings…</source>
+        <translation>すべてのクリップをそれぞれの設定で書き出し…</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryViews</name>
@@ -1446,6 +1552,10 @@
         <source>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresses human motion capture clips with wavelets, after Philippe Beaudoin, Pierre Poulin and Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;The studio is free software under the GNU General Public License, version 3 or later; the compression library is under the MIT licence.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;人のモーションキャプチャをウェーブレットで圧縮します。Philippe Beaudoin、Pierre Poulin、Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007 に基づきます。&lt;/p&gt;&lt;p&gt;スタジオはGNU一般公衆利用許諾書バージョン3以降の自由ソフトウェア、圧縮ライブラリはMITライセンスです。&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Importance</source>
+        <translation>重要度</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::MessageBar</name>
@@ -1536,14 +1646,57 @@
     </message>
 </context>
 <context>
+    <name>mocapress::PresetChooser</name>
+    <message>
+        <source>Preset</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>Settings that belong together: target, method, importance, effort and IK. Those of your own are kept with this program&apos;s settings.</source>
+        <translation>ひとまとまりの設定。目標、手法、重要度、労力、IK。自分のプリセットはこのプログラムの設定と一緒に保存されます。</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>Keep, share and remove presets of your own</source>
+        <translation>自分のプリセットの保存・共有・削除</translation>
+    </message>
+    <message>
+        <source>Save as Preset…</source>
+        <translation>プリセットとして保存…</translation>
+    </message>
+    <message>
+        <source>Rename Preset…</source>
+        <translation>プリセットの名前を変更…</translation>
+    </message>
+    <message>
+        <source>Remove Preset</source>
+        <translation>プリセットを削除</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>読み込み…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>書き出し…</translation>
+    </message>
+    <message>
+        <source>Settings of its own</source>
+        <translation>独自の設定</translation>
+    </message>
+    <message>
+        <source>%1, modified</source>
+        <translation>%1(変更あり)</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::PresetEditor</name>
     <message>
         <source>Hold feet by inverse kinematics</source>
         <translation>逆運動学で足を固定する</translation>
-    </message>
-    <message>
-        <source>Preset</source>
-        <translation>プリセット</translation>
     </message>
     <message>
         <source>What is asked for</source>
@@ -1590,34 +1743,6 @@
         <translation>目標</translation>
     </message>
     <message>
-        <source>Presets</source>
-        <translation>プリセット</translation>
-    </message>
-    <message>
-        <source>Keep, share and remove presets of your own</source>
-        <translation>自分のプリセットの保存・共有・削除</translation>
-    </message>
-    <message>
-        <source>Save as Preset…</source>
-        <translation>プリセットとして保存…</translation>
-    </message>
-    <message>
-        <source>Remove Preset</source>
-        <translation>プリセットを削除</translation>
-    </message>
-    <message>
-        <source>Import…</source>
-        <translation>読み込み…</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>書き出し…</translation>
-    </message>
-    <message>
-        <source>%1, changed</source>
-        <translation>%1 (変更あり)</translation>
-    </message>
-    <message>
         <source>:1</source>
         <translation>:1</translation>
     </message>
@@ -1628,6 +1753,72 @@
     <message>
         <source> cm</source>
         <translation> cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PresetShelf</name>
+    <message>
+        <source>The name of a built-in preset cannot be given to another.</source>
+        <translation>組み込みプリセットの名前は他に使えません。</translation>
+    </message>
+    <message>
+        <source>Save Preset</source>
+        <translation>プリセットを保存</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already.</source>
+        <translation>プリセット %1 はすでにあります。</translation>
+    </message>
+    <message>
+        <source>Rename Preset</source>
+        <translation>プリセットの名前を変更</translation>
+    </message>
+    <message>
+        <source>Remove Preset</source>
+        <translation>プリセットを削除</translation>
+    </message>
+    <message>
+        <source>Import Presets</source>
+        <translation>プリセットの読み込み</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 を書きました。</translation>
+    </message>
+    <message>
+        <source>Presets could not be kept: %1</source>
+        <translation>プリセットを保存できませんでした: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PresetViews</name>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Rename Preset</source>
+        <translation>プリセットの名前を変更</translation>
+    </message>
+    <message>
+        <source>Import Presets</source>
+        <translation>プリセットの読み込み</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>プリセット (*.json)</translation>
+    </message>
+    <message>
+        <source>Export Preset</source>
+        <translation>プリセットの書き出し</translation>
+    </message>
+    <message>
+        <source>Save as Preset</source>
+        <translation>プリセットとして保存</translation>
+    </message>
+    <message>
+        <source>Save Preset</source>
+        <translation>プリセットを保存</translation>
     </message>
 </context>
 <context>
@@ -1663,6 +1854,64 @@
     <message>
         <source>To keep in place of the source: no point of the body more than 1 mm off at any frame.</source>
         <translation>元データの代わりに保管: どのフレームでも体のどの点も 1 mm 以上ずれません。</translation>
+    </message>
+    <message>
+        <source>Planted feet</source>
+        <translation>足を固定</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>足</translation>
+    </message>
+    <message>
+        <source>Hands</source>
+        <translation>手</translation>
+    </message>
+    <message>
+        <source>Fingers</source>
+        <translation>指</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>頭</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>下書き</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>標準</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>最良</translation>
+    </message>
+    <message>
+        <source>%1 × %L2</source>
+        <translation>%1 × %L2</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>接地</translation>
+    </message>
+    <message>
+        <source>Importance: %1.</source>
+        <translation>重要度: %1。</translation>
+    </message>
+    <message>
+        <source>Effort: %1.</source>
+        <translation>労力: %1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln contact(s) of its own.</source>
+        <translation>
+            <numerusform>独自の接地 %Ln 個。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>As Gameplay, with feet that stay where they stand: a quarter of the sliding or less, for about a tenth more bytes.</source>
+        <translation>ゲームプレイと同じ誤差で、足が接地した場所に留まります。滑りは 4 分の 1 以下、バイト数は約 1 割増えます。</translation>
     </message>
 </context>
 <context>
@@ -1809,6 +2058,17 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ReviewChange</name>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::SettingsChange</name>
     <message>
         <source>Target</source>
@@ -1841,6 +2101,18 @@
     <message>
         <source>Settings</source>
         <translation>設定</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>Effort</source>
+        <translation>労力</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>重要度</translation>
     </message>
 </context>
 <context>
@@ -2361,10 +2633,6 @@ Click to load it into the studio.</source>
         <translation>誤差 (eps_x)</translation>
     </message>
     <message>
-        <source>Greatest error</source>
-        <translation>最大誤差</translation>
-    </message>
-    <message>
         <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; or a distance that no joint exceeds at any frame).</source>
         <translation>大きさ(圧縮率：32ビット浮動小数点のチャンネルと圧縮後の動きのバイト数の比、またはバイト数そのもの)か、品質(重み付き平均誤差 eps_x、またはどの関節もどのフレームでも超えない距離)を指定します。</translation>
     </message>
@@ -2373,16 +2641,20 @@ Click to load it into the studio.</source>
         <translation>目標のスライダー</translation>
     </message>
     <message>
-        <source>Drag: the standard answer follows at once, the annealed one refines it.</source>
-        <translation>ドラッグ：標準の答えがすぐに追従し、焼きなましが仕上げます。</translation>
-    </message>
-    <message>
         <source>Target value</source>
         <translation>目標値</translation>
     </message>
     <message>
         <source>The target as a number; type it or step through it.</source>
         <translation>目標の数値。入力または増減。</translation>
+    </message>
+    <message>
+        <source>Hard maximum</source>
+        <translation>絶対的な上限</translation>
+    </message>
+    <message>
+        <source>Drag: a draft follows at once, and is refined when you pause.</source>
+        <translation>ドラッグすると下書きがすぐに追い、手を止めると仕上げます。</translation>
     </message>
 </context>
 <context>

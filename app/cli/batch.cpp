@@ -177,7 +177,7 @@ void add_batch(CLI::App& app) {
       ->check(CLI::IsMember({"mcpr", "bvh", "amc", "csv"}));
   command
       ->add_option("--name", call->names,
-                   "Of the files: {folder}, {stem}, {preset}, {method} ({folder}/{stem})")
+                   "Of the files: {folder}, {stem}, {type}, {preset}, {method} ({folder}/{stem})")
       ->type_name("PATTERN");
   call->source.add_options(*command);
   for (CLI::Option* option : command->get_options())

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/importance_arguments.h"
 
-#include "core/motion/body_part.h"
-
 namespace mocapress::cli {
 namespace {
 
@@ -23,13 +21,6 @@ Wish parse(const std::string& word) {
   return {word.substr(0, equals), factor};
 }
 
-std::vector<int> joints_named(const Skeleton& skeleton, const std::string& name) {
-  for (const BodyPart part : kBodyParts)
-    if (name == mocapress::name(part)) return joints_of(skeleton, part);
-  const int joint = skeleton.find(name);
-  return joint < 0 ? std::vector<int>{} : std::vector{joint};
-}
-
 }  // namespace
 
 void ImportanceArguments::add_options(CLI::App& command) {
@@ -42,21 +33,24 @@ void ImportanceArguments::add_options(CLI::App& command) {
       ->delimiter(',');
 }
 
-Importance ImportanceArguments::importance(const Skeleton& skeleton) const {
-  Importance importance;
+NamedImportance ImportanceArguments::named() const {
+  NamedImportance named;
   for (const std::string& word : words) {
     const auto [name, factor] = parse(word);
-    if (name == kContacts) {
-      importance.contacts = factor;
-      continue;
-    }
-    const std::vector<int> joints = joints_named(skeleton, name);
-    if (joints.empty())
-      throw CLI::ValidationError(kOption, "the skeleton has no part or joint named " + name);
-    importance.joints.resize(static_cast<std::size_t>(skeleton.joint_count()), 1.0);
-    for (const int joint : joints) importance.joints[static_cast<std::size_t>(joint)] = factor;
+    if (name == kContacts)
+      named.contacts = factor;
+    else
+      named.set(name, factor);
   }
-  return importance;
+  return named;
+}
+
+Importance ImportanceArguments::importance(const Skeleton& skeleton) const {
+  const NamedImportance wishes = named();
+  for (const auto& [name, factor] : wishes.factors)
+    if (joints_named(skeleton, name).empty())
+      throw CLI::ValidationError(kOption, "the skeleton has no part or joint named " + name);
+  return importance_for(wishes, skeleton);
 }
 
 }  // namespace mocapress::cli

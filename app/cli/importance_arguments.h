@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/codec/importance.h"
+#include "core/codec/named_importance.h"
 
 namespace mocapress::cli {
 
@@ -15,8 +15,10 @@ struct ImportanceArguments {
 
   void add_options(CLI::App& command);
 
-  /// Throws CLI::ValidationError when a name is neither part, joint nor "contacts", or a factor no
-  /// number of 0 or more.
+  /// Throws CLI::ValidationError when a factor is no number of 0 or more.
+  NamedImportance named() const;
+
+  /// Throws as named(), and when a name is neither part, joint nor "contacts".
   Importance importance(const Skeleton& skeleton) const;
 };
 

@@ -38,6 +38,9 @@ void PresetArguments::add_options(CLI::App& command) {
   add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes not above this");
   add("--max-error", Target::Kind::MaxError, "CM", "No point further off at any frame");
   correction.add_options(command);
+  importance.add_options(command);
+  command.add_option("--effort", effort, "Of the closed loop (default)")
+      ->transform(one_of({Effort::Default, Effort::Best}));
   command.add_option("--seed", seed, "Of the annealing; same seed, same bytes");
 }
 
@@ -52,6 +55,8 @@ Preset PresetArguments::read() const {
   if (target) read.target = *target;
   if (seed) read.seed = *seed;
   if (!correction.ratio.empty()) read.correction = correction.of_preset();
+  if (!importance.words.empty()) read.importance = importance.named();
+  if (effort) read.effort = *effort;
   try {
     check(read);
   } catch (const Error& error) {

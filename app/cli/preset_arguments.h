@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/correction_arguments.h"
+#include "app/cli/importance_arguments.h"
 #include "core/batch/preset.h"
 
 namespace mocapress::cli {
@@ -19,6 +20,8 @@ struct PresetArguments {
   std::optional<Weighting> weighting;
   std::optional<Target> target;
   std::optional<std::uint64_t> seed;
+  std::optional<Effort> effort;
+  ImportanceArguments importance;  // instead of the preset's, where anything is named
   CorrectionArguments correction;
 
   void add_options(CLI::App& command);

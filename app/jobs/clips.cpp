@@ -60,8 +60,7 @@ bool comparable(const Motion& original, const CompressedClip& compressed) {
          sameChannels(original.skeleton, compressed.skeleton);
 }
 
-DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder,
-                       const std::optional<std::vector<ContactSpan>>& contacts) {
+DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeOptions& options) {
   DecodedClip decoded;
   decoded.method = contender_name(encoding.compressed);
   decoded.compressed = std::move(encoding.compressed);
@@ -72,8 +71,9 @@ DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder,
   decoded.iterations = encoding.iterations;
   decoded.encode_seconds = encoding.seconds;
   decoded.complete = encoding.complete;
+  decoded.effort = options.effort;
   complete(decoded);
-  findArtifacts(decoded, encoder, contacts ? *contacts : encoder.contacts());
+  findArtifacts(decoded, encoder, options.contacts ? *options.contacts : encoder.contacts());
   return std::make_shared<const DecodedClip>(std::move(decoded));
 }
 

@@ -50,7 +50,8 @@ struct DecodedClip {
   std::optional<double> coefficient_ratio;     // known for what was encoded here
   int iterations = 0;                          // of the annealing
   double encode_seconds = 0;
-  bool complete = true;  // false: the annealing was stopped early
+  bool complete = true;             // false: the encoder was stopped early
+  Effort effort = Effort::Default;  // Draft: the target was not promised
 };
 
 using OriginalPtr = std::shared_ptr<const OriginalClip>;
@@ -60,9 +61,8 @@ using DecodedPtr = std::shared_ptr<const DecodedClip>;
 /// compressed form of the other.
 bool comparable(const Motion& original, const CompressedClip& compressed);
 
-/// Decoded positions, file size and measures of an encoding; `contacts` as edited, or unset.
-DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder,
-                       const std::optional<std::vector<ContactSpan>>& contacts);
+/// Decoded positions, file size and measures of an encoding by these options.
+DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeOptions& options);
 
 /// The same for a clip read from a file; measured where there is an original.
 DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original);

@@ -13,6 +13,13 @@ constexpr auto kReportInterval = std::chrono::milliseconds(40);
 constexpr auto kRefineDelay = std::chrono::milliseconds(80);
 constexpr double kSizeTolerance = 1.02;
 
+/// Those of the answer that comes at once.
+EncodeOptions quickOptions(EncodeOptions wanted) {
+  if (wanted.method == Method::Annealed) wanted.method = Method::Standard;
+  if (wanted.method == Method::ClosedLoop) wanted.effort = Effort::Draft;
+  return wanted;
+}
+
 /// What ended early need not have met its target: worth keeping if it is better at no more bytes.
 bool worthKeeping(const DecodedClip& refined, const DecodedClip& quick) {
   const Weighting weighting = refined.compressed.provenance.weighting;
@@ -72,12 +79,11 @@ bool Compressor::busy() const {
 
 void Compressor::startQuick() {
   newer_wanted_ = false;
-  EncodeOptions options = wanted_;
-  if (refines()) options.method = Method::Standard;
+  const EncodeOptions options = quickOptions(wanted_);
   const auto work = [encoder = encoder_, options](const Job& job) {
     return decodedClip(
         encoder->encode(options, [&job](const EncodeProgress&) { return !job.stopRequested(); }),
-        *encoder, options.contacts);
+        *encoder, options);
   };
   quick_.start(
       work, [this](const DecodedPtr& decoded) { quickDone(decoded); },
@@ -86,7 +92,7 @@ void Compressor::startQuick() {
         if (newer_wanted_)
           startQuick();
         else if (refines())
-          refine_later_.start();  // it may reach what the standard selection does not
+          refine_later_.start();  // it may reach what the quick answer does not
         else
           emit failed(message);
       });
@@ -123,7 +129,7 @@ void Compressor::startRefining() {
     };
     Encoding encoding = encoder->encode(options, observer);
     job.post([this, states] { emit progressed(states); });
-    return decodedClip(std::move(encoding), *encoder, options.contacts);
+    return decodedClip(std::move(encoding), *encoder, options);
   };
   refine_.start(
       work, [this](const DecodedPtr& decoded) { refined(decoded); },

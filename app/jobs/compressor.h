@@ -12,10 +12,10 @@
 
 namespace mocapress {
 
-/// Turns settings into answers, the newest settings only. The quick answer (standard selection
-/// where annealing or a closed loop is asked for) comes at once; that then refines it. New settings
-/// abandon a running annealing at once, but let a quick answer finish: while a slider is dragged
-/// pictures keep coming. Settings answered before are answered at once.
+/// Turns settings into answers, the newest settings only. The quick answer (a closed loop's draft,
+/// or the standard selection where annealing is asked for) comes at once and is refined then. New
+/// settings abandon a running refinement at once, but let a quick answer finish: while a slider is
+/// dragged pictures keep coming. Settings answered before are answered at once.
 class Compressor : public QObject {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class Compressor : public QObject {
 
   void request(const EncodeOptions& options);
 
-  /// Ends the annealing: the best so far is kept where it beats the quick answer.
+  /// Ends the refinement: the best so far is kept where it beats the quick answer.
   void stopEarly();
 
   void abandon();
@@ -40,7 +40,7 @@ class Compressor : public QObject {
   /// `final`: no better one will follow.
   void answered(const DecodedPtr& decoded, bool final);
 
-  /// What annealing reached since the last report.
+  /// What the refinement reached since the last report.
   void progressed(const std::vector<EncodeProgress>& states);
 
   void refiningChanged(bool refining);
@@ -58,7 +58,7 @@ class Compressor : public QObject {
 
   JobRunner quick_;
   JobRunner refine_;
-  QTimer refine_later_;  // so that a drag does not start annealings only to abandon them
+  QTimer refine_later_;  // so that a drag does not start them only to abandon them
   std::shared_ptr<const Encoder> encoder_;
   EncodeOptions wanted_;
   bool newer_wanted_ = false;  // than what the quick job answers

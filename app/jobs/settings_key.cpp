@@ -11,8 +11,12 @@ std::string settingsKey(const EncodeOptions& options) {
   key.precision(std::numeric_limits<double>::max_digits10);
   key << static_cast<int>(options.method) << ' ' << static_cast<int>(effective_coding(options))
       << ' ' << static_cast<int>(options.basis) << ' ' << static_cast<int>(options.weighting) << ' '
-      << static_cast<int>(options.target.kind) << ' ' << options.target.value << ' '
-      << options.seed;
+      << static_cast<int>(options.target.kind) << ' ' << options.target.value << ' ' << options.seed
+      << ' ' << static_cast<int>(options.effort);
+  if (!options.importance.is_even()) {
+    key << " importance " << options.importance.contacts;
+    for (const double factor : options.importance.joints) key << ' ' << factor;
+  }
   if (const auto& correction = options.correction) {
     key << " ik " << static_cast<int>(correction->solver) << ' ' << static_cast<int>(correction->at)
         << ' ' << correction->ratio.value_or(0);

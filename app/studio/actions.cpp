@@ -9,7 +9,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
-#include <QUndoStack>
+#include <QUndoGroup>
 
 #include "widgets/icons/themed_icon.h"
 
@@ -57,7 +57,7 @@ void addToolBar(QMainWindow* window, const Actions& actions) {
 
 }  // namespace
 
-Actions makeActions(Playback* playback, QUndoStack* history, QMainWindow* window) {
+Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window) {
   Actions actions;
   actions.open =
       make(window, Texts::tr("&Open…"), QKeySequence::Open, QStringLiteral("folder-open"));
@@ -70,6 +70,9 @@ Actions makeActions(Playback* playback, QUndoStack* history, QMainWindow* window
   actions.save_as = make(window, Texts::tr("Save &As…"), QKeySequence::SaveAs);
   actions.batch = make(window, Texts::tr("&Batch Export…"), Qt::CTRL | Qt::Key_E);
   actions.batch->setToolTip(Texts::tr("Compress many clips, verify each, and report on all"));
+  actions.export_library = make(window, Texts::tr("Batch Export of the &Library…"));
+  actions.export_library->setToolTip(
+      Texts::tr("Export all clips of the library, each by its own settings"));
   actions.add_clips = make(window, Texts::tr("A&dd Clips to Library…"));
   actions.new_project = make(window, Texts::tr("&New Project"), QKeySequence::New);
   actions.open_project = make(window, Texts::tr("Open Pro&ject…"));
@@ -125,7 +128,7 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
   file->addSeparator();
   file->addActions({actions.save, actions.save_as});
   file->addSeparator();
-  file->addAction(actions.batch);
+  file->addActions({actions.batch, actions.export_library});
   file->addSeparator();
   file->addAction(actions.quit);
 

@@ -11,7 +11,7 @@ class QActionGroup;
 class QDockWidget;
 class QMainWindow;
 class QMenu;
-class QUndoStack;
+class QUndoGroup;
 
 namespace mocapress {
 
@@ -24,6 +24,7 @@ struct Actions {
   QAction* save = nullptr;
   QAction* save_as = nullptr;
   QAction* batch = nullptr;
+  QAction* export_library = nullptr;
   QAction* add_clips = nullptr;
   QAction* new_project = nullptr;
   QAction* open_project = nullptr;
@@ -49,7 +50,7 @@ struct Actions {
 };
 
 /// With texts, icons and shortcuts; connecting is the window's part.
-Actions makeActions(Playback* playback, QUndoStack* history, QMainWindow* window);
+Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window);
 
 /// Menus and tool bar. Returns the menu that the window fills with recent files.
 QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWidget*>& docks);

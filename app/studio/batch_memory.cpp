@@ -8,7 +8,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSaveFile>
-#include <QSettings>
 #include <QStandardPaths>
 
 #include "core/base/error.h"
@@ -16,8 +15,6 @@
 
 namespace mocapress {
 namespace {
-
-const QString kPresets = QStringLiteral("presets");
 
 QJsonValue toJson(const Preset& preset) {
   return QJsonDocument::fromJson(QByteArray::fromStdString(presets_text({&preset, 1}))).object();
@@ -33,6 +30,7 @@ QueuedClip clipFrom(const QJsonObject& json) {
   QueuedClip clip;
   clip.source.path = json[QStringLiteral("path")].toString().toStdString();
   clip.source.folder = json[QStringLiteral("folder")].toString().toStdString();
+  clip.skeleton = json[QStringLiteral("skeleton")].toString().toStdString();
   if (json[QStringLiteral("preset")].isObject())
     clip.own = presetFrom(json[QStringLiteral("preset")]);
   return clip;
@@ -73,6 +71,7 @@ void rememberBatch(const QString& file, const RememberedBatch& batch) {
     clips.append(
         QJsonObject{{QStringLiteral("path"), QString::fromStdString(clip.source.path)},
                     {QStringLiteral("folder"), QString::fromStdString(clip.source.folder)},
+                    {QStringLiteral("skeleton"), QString::fromStdString(clip.skeleton)},
                     {QStringLiteral("preset"), clip.own ? toJson(*clip.own) : QJsonValue()}});
   QJsonArray formats;
   for (const OutputFormat format : batch.settings.formats)
@@ -88,20 +87,6 @@ void rememberBatch(const QString& file, const RememberedBatch& batch) {
   if (!stored.open(QIODevice::WriteOnly)) return;
   stored.write(QJsonDocument(json).toJson());
   stored.commit();
-}
-
-std::vector<Preset> rememberedPresets() {
-  const std::string text = QSettings().value(kPresets).toString().toStdString();
-  try {
-    return text.empty() ? std::vector<Preset>() : parse_presets("", text);
-  } catch (const Error&) {
-    return {};
-  }
-}
-
-void rememberPresets(const std::vector<Preset>& presets) {
-  QSettings().setValue(kPresets,
-                       presets.empty() ? QString() : QString::fromStdString(presets_text(presets)));
 }
 
 QString batchMemory() {

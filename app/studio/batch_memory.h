@@ -21,10 +21,6 @@ struct RememberedBatch {
 RememberedBatch rememberedBatch(const QString& file);
 void rememberBatch(const QString& file, const RememberedBatch& batch);
 
-/// The user's own presets, from the user's settings.
-std::vector<Preset> rememberedPresets();
-void rememberPresets(const std::vector<Preset>& presets);
-
 /// Where the queue is remembered unless told otherwise.
 QString batchMemory();
 

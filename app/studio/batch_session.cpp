@@ -7,25 +7,56 @@
 #include <algorithm>
 
 #include "app/studio/batch_memory.h"
+#include "app/studio/clip_preset.h"
+#include "app/studio/preset_shelf.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/batch/preset_json.h"
 #include "core/batch/queue_json.h"
 #include "core/batch/slurm_script.h"
+#include "core/formats/motion_file.h"
 
 namespace mocapress {
 namespace {
 
-constexpr int kRememberDelay = 300;  // ms
+constexpr int kRememberDelay = 300;       // ms
+constexpr const char* kNoPreset = "own";  // the name of settings that come of no preset
 
 std::filesystem::path pathOf(const QString& text) {
   return text.toStdU16String();
 }
 
+bool namesJoints(const EncodeOptions& options) {
+  return !options.importance.joints.empty() || options.contacts ||
+         (options.correction && !options.correction->joints.empty());
+}
+
+/// Throws Error.
+Skeleton skeletonOf(const TunedClip& clip) {
+  std::optional<std::filesystem::path> skeleton;
+  if (!clip.skeleton.isEmpty()) skeleton = pathOf(clip.skeleton);
+  return read_motion(pathOf(clip.path), skeleton).motion.skeleton;
+}
+
+/// As it waits in the queue. A clip that cannot be read is found out by the batch.
+QueuedClip queuedClip(const TunedClip& clip) {
+  QueuedClip queued{
+      .source = {clip.path.toStdString(), QFileInfo(clip.path).dir().dirName().toStdString(), {}},
+      .skeleton = clip.skeleton.toStdString()};
+  if (!clip.settings) return queued;
+  try {
+    queued.own = ownPresetOf(*clip.settings,
+                             namesJoints(clip.settings->encode) ? skeletonOf(clip) : Skeleton());
+    if (queued.own->name.empty()) queued.own->name = kNoPreset;
+  } catch (const Error&) {
+    // The batch will say what is wrong with it.
+  }
+  return queued;
+}
+
 }  // namespace
 
-BatchSession::BatchSession(const QString& memory, QObject* parent)
-    : QObject(parent), memory_(memory), own_presets_(rememberedPresets()) {
+BatchSession::BatchSession(const QString& memory, PresetShelf* presets, QObject* parent)
+    : QObject(parent), memory_(memory), presets_(presets) {
   RememberedBatch remembered = rememberedBatch(memory_);
   settings_ = remembered.settings;
   queue_.setCommon(remembered.common);
@@ -90,46 +121,35 @@ void BatchSession::addClips(const QStringList& paths) {
       });
 }
 
-std::vector<Preset> BatchSession::presets() const {
-  std::vector<Preset> all(built_in_presets().begin(), built_in_presets().end());
-  all.insert(all.end(), own_presets_.begin(), own_presets_.end());
-  return all;
+/// Settings hold joints by their numbers, presets by their names: those are in the files.
+void BatchSession::addTuned(const std::vector<TunedClip>& clips) {
+  to_name_.insert(to_name_.end(), clips.begin(), clips.end());
+  naming_.start(
+      [clips = to_name_](const Job&) {
+        std::vector<QueuedClip> queued;
+        for (const TunedClip& clip : clips) queued.push_back(queuedClip(clip));
+        return queued;
+      },
+      [this](const std::vector<QueuedClip>& queued) {
+        to_name_.clear();
+        if (!running()) take(queued);
+      },
+      [this](const QString& message) {
+        to_name_.clear();
+        emit noted(message);
+      });
 }
 
-void BatchSession::savePreset(const Preset& preset) {
-  const auto same = [&](const Preset& one) { return one.name == preset.name; };
-  const auto built_in = built_in_presets();
-  if (preset.name.empty() || std::any_of(built_in.begin(), built_in.end(), same)) {
-    emit noted(tr("The name of a built-in preset cannot be given to another."));
-    return;
-  }
-  std::erase_if(own_presets_, same);
-  own_presets_.push_back(preset);
-  rememberPresets(own_presets_);
-  emit presetsChanged();
-}
-
-void BatchSession::removePreset(const QString& name) {
-  std::erase_if(own_presets_, [&](const Preset& one) { return one.name == name.toStdString(); });
-  rememberPresets(own_presets_);
-  emit presetsChanged();
-}
-
-void BatchSession::importPresets(const QString& path) {
-  try {
-    for (const Preset& preset : parse_presets(path.toStdString(), read_text(pathOf(path))))
-      savePreset(preset);
-  } catch (const Error& error) {
-    emit noted(QString::fromStdString(error.what()));
-  }
-}
-
-void BatchSession::exportPreset(const Preset& preset, const QString& path) {
-  try {
-    write_text(pathOf(path), presets_text({&preset, 1}));
-    emit noted(tr("Wrote %1.").arg(QDir::toNativeSeparators(path)));
-  } catch (const Error& error) {
-    emit noted(QString::fromStdString(error.what()));
+/// Those that are there already get the settings.
+void BatchSession::take(const std::vector<QueuedClip>& clips) {
+  queue_.add(clips);
+  for (const QueuedClip& clip : clips) {
+    const auto& queued = queue_.clips();
+    const auto at = std::find_if(queued.begin(), queued.end(), [&](const QueuedClip& one) {
+      return one.source.path == clip.source.path;
+    });
+    if (at != queued.end() && at->own != clip.own)
+      queue_.setOwn({static_cast<int>(at - queued.begin())}, clip.own);
   }
 }
 
@@ -145,6 +165,10 @@ Batch BatchSession::batch() const {
       if (found == batch.presets.end()) batch.presets.push_back(*clip.own);
     }
     add_items(batch, {clip.source}, preset, names);
+    if (clip.skeleton.empty()) continue;
+    BatchItem item = batch.items[batch.items.size() - 1];
+    item.skeleton = clip.skeleton;
+    batch.items.replace(batch.items.size() - 1, item);
   }
   mark_collisions(batch);
   return batch;

@@ -10,10 +10,20 @@
 
 #include "app/jobs/batch_runner.h"
 #include "app/jobs/job_runner.h"
+#include "app/studio/document.h"
 #include "widgets/models/batch_queue_model.h"
 #include "widgets/models/batch_settings.h"
 
 namespace mocapress {
+
+class PresetShelf;
+
+/// A clip of the library, and what was decided about it.
+struct TunedClip {
+  QString path;
+  QString skeleton;                      // for an .amc; empty: the one beside it
+  std::optional<ClipSettings> settings;  // unset: never tuned
+};
 
 /// The queue of a batch export, its settings and its run. No widgets.
 class BatchSession : public QObject {
@@ -23,7 +33,8 @@ class BatchSession : public QObject {
   enum class State { Idle, Running, Paused, Stopping, Cancelling, Stopped, Complete, Failed };
 
   /// `memory`: the file in which queue and settings outlive the program, however it ends.
-  explicit BatchSession(const QString& memory, QObject* parent = nullptr);
+  /// `presets` outlive it.
+  BatchSession(const QString& memory, PresetShelf* presets, QObject* parent = nullptr);
   ~BatchSession() override;
 
   BatchQueueModel* queue() { return &queue_; }
@@ -35,12 +46,10 @@ class BatchSession : public QObject {
   /// Files, and folders for all clips below them.
   void addClips(const QStringList& paths);
 
-  /// Built-in ones and the user's own.
-  std::vector<Preset> presets() const;
-  void savePreset(const Preset& preset);
-  void removePreset(const QString& name);
-  void importPresets(const QString& path);
-  void exportPreset(const Preset& preset, const QString& path);
+  /// Clips with the settings they were tuned by, which lock them; without any: as all others.
+  void addTuned(const std::vector<TunedClip>& clips);
+
+  PresetShelf* presets() const { return presets_; }
 
   /// The output of one of the clips; what is wrong with the names where `wrong` is set.
   QString exampleName(bool* wrong) const;
@@ -72,7 +81,6 @@ class BatchSession : public QObject {
 
  signals:
   void settingsChanged();
-  void presetsChanged();
 
   /// State, counts, or what may be started.
   void progressed();
@@ -82,6 +90,7 @@ class BatchSession : public QObject {
 
  private:
   Batch batch() const;
+  void take(const std::vector<QueuedClip>& clips);
   void setState(State state, const QString& failure = {});
   void advance(const BatchCounts& counts, const std::vector<BatchStep>& steps);
   void end(const BatchOutcome& outcome);
@@ -90,7 +99,7 @@ class BatchSession : public QObject {
   QString memory_;
   BatchQueueModel queue_;
   BatchSettings settings_;
-  std::vector<Preset> own_presets_;
+  PresetShelf* presets_;
   State state_ = State::Idle;
   QString failure_;
   BatchCounts counts_;
@@ -99,6 +108,8 @@ class BatchSession : public QObject {
   QTimer remember_later_;
   QStringList to_find_;
   JobRunner finding_;
+  std::vector<TunedClip> to_name_;
+  JobRunner naming_;
   BatchRunner runner_;
 };
 

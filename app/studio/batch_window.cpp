@@ -18,9 +18,12 @@
 #include <QVBoxLayout>
 
 #include "app/studio/batch_status.h"
+#include "app/studio/preset_shelf.h"
+#include "app/studio/preset_views.h"
 #include "widgets/icons/themed_icon.h"
 #include "widgets/panels/batch_output.h"
 #include "widgets/panels/batch_queue_view.h"
+#include "widgets/panels/preset_chooser.h"
 #include "widgets/panels/preset_editor.h"
 
 namespace mocapress {
@@ -73,7 +76,7 @@ BatchWindow::BatchWindow(BatchSession* session, QWidget* parent)
   connectSession();
   connectQueue();
   connectPresets();
-  editor_->setPresets(session_->presets());
+  editor_->setPresets(session_->presets()->all());
   showOutput();
   showSelection();
   showProgress();
@@ -166,10 +169,11 @@ QWidget* BatchWindow::makeFoot() {
 
 void BatchWindow::connectSession() {
   connect(session_, &BatchSession::settingsChanged, this, &BatchWindow::showOutput);
-  connect(session_, &BatchSession::presetsChanged, this, [this] {
-    editor_->setPresets(session_->presets());
+  connect(session_->presets(), &PresetShelf::changed, this, [this] {
+    editor_->setPresets(session_->presets()->all());
     showSelection();
   });
+  connect(session_->presets(), &PresetShelf::noted, note_, &QLabel::setText);
   connect(session_, &BatchSession::progressed, this, &BatchWindow::showProgress);
   connect(session_, &BatchSession::noted, note_, &QLabel::setText);
   connect(start_, &QPushButton::clicked, session_, [this] {
@@ -213,21 +217,8 @@ void BatchWindow::connectQueue() {
 
 void BatchWindow::connectPresets() {
   connect(editor_, &PresetEditor::presetChanged, this, &BatchWindow::changePreset);
-  connect(editor_, &PresetEditor::saveRequested, this, &BatchWindow::savePreset);
-  connect(editor_, &PresetEditor::removeRequested, session_, &BatchSession::removePreset);
-  connect(editor_, &PresetEditor::importRequested, this, [this] {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Import Presets"), {}, tr("Presets (*.json)"));
-    if (!path.isEmpty()) session_->importPresets(path);
-  });
-  connect(editor_, &PresetEditor::exportRequested, this, [this](const Preset& preset) {
-    QString path = QFileDialog::getSaveFileName(this, tr("Export Preset"),
-                                                QString::fromStdString(slug(preset.name)) + ".json",
-                                                tr("Presets (*.json)"));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
-    session_->exportPreset(preset, path);
-  });
+  connect(editor_->chooser(), &PresetChooser::saveRequested, this, &BatchWindow::savePreset);
+  connectShelf(editor_->chooser(), session_->presets(), this);
   connect(unlock_, &QPushButton::clicked, this,
           [this] { session_->queue()->setOwn(view_->selectedRows(), std::nullopt); });
 }
@@ -252,15 +243,8 @@ void BatchWindow::chooseFolder() {
 }
 
 void BatchWindow::savePreset(const Preset& preset) {
-  bool accepted = false;
-  const QString name =
-      QInputDialog::getText(this, tr("Save as Preset"), tr("Name"), QLineEdit::Normal,
-                            QString::fromStdString(preset.name), &accepted);
-  if (!accepted || name.trimmed().isEmpty()) return;
-  Preset named = preset;
-  named.name = name.trimmed().toStdString();
-  session_->savePreset(named);
-  changePreset(named);
+  const Preset named = askForName(preset, this);
+  if (!named.name.empty() && session_->presets()->save(named)) changePreset(named);
 }
 
 void BatchWindow::writeSlurm() {

@@ -26,6 +26,7 @@ class BatchWindow : public QWidget {
   /// The one that is open, to be exported unless the user chose others.
   void offerClip(const QString& path);
 
+  BatchSession* session() { return session_; }
   BatchQueueView* view() { return view_; }
   PresetEditor* editor() { return editor_; }
   BatchOutput* output() { return output_; }

@@ -3,6 +3,8 @@
 
 #include <QFileInfo>
 
+#include "app/studio/clip_preset.h"
+
 namespace mocapress {
 namespace {
 
@@ -24,7 +26,24 @@ EncodeOptions optionsOf(const DecodedClip& decoded) {
   return options;
 }
 
+/// As far as another skeleton has joints of the same names.
+Importance carriedOver(const Importance& importance, const Skeleton* from, const Skeleton& to) {
+  if (!from || std::ssize(importance.joints) != from->joint_count())
+    return {.joints = {}, .contacts = importance.contacts};
+  NamedImportance names = named(importance, *from);
+  std::erase_if(names.factors, [&](const auto& factor) {
+    return !is_body_part(factor.first) && to.find(factor.first) < 0;
+  });
+  return importance_for(names, to);
+}
+
 }  // namespace
+
+Document::Document(QObject* parent) : QObject(parent) {
+  const ClipSettings usual = usualSettings();
+  options_ = usual.encode;
+  preset_ = usual.preset;
+}
 
 QString Document::title() const {
   if (!saved_path_.isEmpty()) return QFileInfo(saved_path_).fileName();
@@ -55,15 +74,19 @@ int Document::currentJoint() const {
 }
 
 void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path) {
+  if (original)
+    options_.importance = carriedOver(options_.importance, skeleton(), original->motion().skeleton);
   original_ = std::move(original);
   decoded_ = std::move(decoded);
   final_ = decoded_ != nullptr;
   saved_path_ = saved_path;
   saved_ = decoded_;
   touched_ = false;
-  if (decoded_)
+  if (decoded_) {
     options_ = optionsOf(*decoded_);
-  else if (options_.correction)
+    preset_.clear();
+  }
+  if (!decoded_ && options_.correction)
     options_.correction->joints.clear();  // they were another skeleton's
   options_.contacts = contactsBy(contact_settings_);
   emit clipChanged();
@@ -90,11 +113,13 @@ void Document::setOptions(const EncodeOptions& options) {
 void Document::loadOptions(EncodeOptions options) {
   options.contacts = options_.contacts;
   options_ = std::move(options);
+  preset_.clear();
   emit optionsChanged();
 }
 
 void Document::loadSettings(const ClipSettings& settings) {
   contact_settings_ = settings.contacts;
+  preset_ = settings.preset;
   options_ = settings.encode;
   emit optionsChanged();
   emit shownChanged();
@@ -102,6 +127,7 @@ void Document::loadSettings(const ClipSettings& settings) {
 
 void Document::setSettings(const ClipSettings& settings) {
   contact_settings_ = settings.contacts;
+  preset_ = settings.preset;
   setOptions(settings.encode);
 }
 

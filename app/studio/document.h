@@ -14,6 +14,7 @@ namespace mocapress {
 struct ClipSettings {
   EncodeOptions encode;
   ContactSettings contacts;
+  QString preset;  // they come of, with changes or without; empty: of none
 };
 
 /// Two settings of a clip to choose from.
@@ -30,7 +31,7 @@ class Document : public QObject {
   Q_OBJECT
 
  public:
-  using QObject::QObject;
+  explicit Document(QObject* parent = nullptr);
 
   /// Either may be null: a .mcpr without its original, or a motion not compressed yet.
   const OriginalPtr& original() const { return original_; }
@@ -57,7 +58,7 @@ class Document : public QObject {
   /// By which contacts are found on the original.
   const ContactSettings& contactSettings() const { return contact_settings_; }
 
-  ClipSettings settings() const { return {options_, contact_settings_}; }
+  ClipSettings settings() const { return {options_, contact_settings_, preset_}; }
 
   /// On the original; none without it.
   std::vector<ContactSpan> contacts() const;
@@ -116,6 +117,7 @@ class Document : public QObject {
   bool touched_ = false;
   EncodeOptions options_;
   ContactSettings contact_settings_;
+  QString preset_;
   bool uncorrected_ = false;
   CurveSelection curves_;
   QString current_joint_;

@@ -64,10 +64,10 @@ QString stateOf(const Document& document) {
   if (!decoded.coefficient_ratio)
     return Figures::tr("%1, from the file, measured against the original")
         .arg(displayMethod(decoded));
-  if (!document.final()) return Figures::tr("Standard answer; a better one is on its way");
-  if (!decoded.complete) return Figures::tr("Annealing cancelled; the best so far is kept");
-  if (method != document.options().method)
-    return Figures::tr("Annealing cancelled; the standard answer is kept");
+  if (!document.final()) return Figures::tr("Draft; the refined answer is on its way");
+  if (!decoded.complete) return Figures::tr("Refinement cancelled; the best so far is kept");
+  if (method != document.options().method || decoded.effort == Effort::Draft)
+    return Figures::tr("Refinement cancelled; the draft is kept");
   if (method == Method::Annealed)
     return Figures::tr("Annealed, %Ln iteration(s), %L1 s", nullptr, decoded.iterations)
         .arg(decoded.encode_seconds, 0, 'f', 1);

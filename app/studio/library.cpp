@@ -157,16 +157,40 @@ int Library::currentRow() const {
 
 void Library::setVerdict(int row, Verdict verdict) {
   if (row < 0) return;
-  ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-  clip.verdict = verdict;
-  show(clip);
+  const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  change(clip.path, {verdict, clip.note});
 }
 
 void Library::setNote(int row, const QString& note) {
   if (row < 0) return;
-  ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-  clip.note = note;
-  show(clip);
+  const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  change(clip.path, {clip.verdict, note});
+}
+
+/// A step of the clip's own history.
+void Library::change(const QString& path, const Review& review) {
+  const ProjectClip* clip = project_.find(path);
+  const Review before{clip->verdict, clip->note};
+  if (before == review) return;
+  session_->historyOf(path)->push(new ReviewChange(before, review, [this, path](const Review& now) {
+    ProjectClip* reviewed = project_.find(path);
+    if (!reviewed) return;
+    reviewed->verdict = now.verdict;
+    reviewed->note = now.note;
+    show(*reviewed);
+    emit currentChanged();
+  }));
+}
+
+std::vector<TunedClip> Library::tuned(const std::vector<int>& rows) const {
+  std::vector<TunedClip> clips;
+  for (std::size_t row = 0; row < project_.clips.size(); ++row) {
+    const bool wanted =
+        rows.empty() || std::count(rows.begin(), rows.end(), static_cast<int>(row)) > 0;
+    const ProjectClip& clip = project_.clips[row];
+    if (wanted) clips.push_back({clip.path, clip.skeleton, clip.settings});
+  }
+  return clips;
 }
 
 void Library::show(const ProjectClip& clip) {
@@ -216,8 +240,14 @@ void Library::noteOutcome() {
                         decoded->distortion->max.cm, decoded->compressed.motion_bytes(),
                         meets(options.target, *decoded, options.weighting)};
   if (clip->outcome == outcome) return;
-  // What was approved is no longer what there is.
-  if (clip->outcome) clip->verdict = Verdict::None;
+  // What was approved is no longer what there is, until it is again.
+  const auto withdrawn = withdrawn_.find(clip->path);
+  const bool again = withdrawn != withdrawn_.end() && withdrawn->second.first == outcome;
+  const Verdict verdict = again ? withdrawn->second.second : Verdict::None;
+  if (clip->outcome) {
+    if (clip->verdict != Verdict::None) withdrawn_[clip->path] = {*clip->outcome, clip->verdict};
+    clip->verdict = verdict;
+  }
   clip->outcome = outcome;
   show(*clip);
   emit currentChanged();
@@ -270,6 +300,7 @@ void Library::write() {
 void Library::openProject(const QString& path) {
   write();
   if (!load(path)) return;
+  session_->forgetHistories();
   path_ = path;
   if (const int row = currentRow(); row >= 0) openClip(row);
 }
@@ -284,6 +315,7 @@ void Library::startNew() {
   write();
   path_ = home_;
   project_ = {};
+  session_->forgetHistories();
   unread_.clear();
   model_->setEntries({});
   touch();

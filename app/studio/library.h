@@ -6,11 +6,14 @@
 #include <QStringList>
 #include <QTimer>
 #include <deque>
+#include <map>
 #include <memory>
 
 #include "app/jobs/clip_outline.h"
 #include "app/jobs/job_runner.h"
+#include "app/studio/batch_session.h"
 #include "app/studio/project.h"
+#include "app/studio/review_change.h"
 
 namespace mocapress {
 
@@ -56,12 +59,16 @@ class Library : public QObject {
 
   int currentRow() const;
 
+  /// Clips with the settings they were tuned by, for a batch; no rows: all of them.
+  std::vector<TunedClip> tuned(const std::vector<int>& rows) const;
+
  signals:
   void currentChanged();
   void recovered(int clips);
   void failed(const QString& message);
 
  private:
+  void change(const QString& path, const Review& review);
   void noteOpened(const QString& path, const QString& skeleton);
   void noteSettings();
   void noteOutcome();
@@ -83,6 +90,9 @@ class Library : public QObject {
   JobRunner outlines_;
   std::deque<QString> unread_;  // paths whose outline is not known yet
   bool changed_ = false;        // since the last write
+
+  // Verdicts that were taken back with the outcome they were about: by path.
+  std::map<QString, std::pair<Outcome, Verdict>> withdrawn_;
 };
 
 /// Whether a compression met what was asked of it.

@@ -11,6 +11,8 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStatusBar>
 #include <QVBoxLayout>
 #include <tuple>
@@ -29,6 +31,7 @@
 #include "widgets/panels/correction_control.h"
 #include "widgets/panels/figures_bar.h"
 #include "widgets/panels/footskate_panel.h"
+#include "widgets/panels/importance_panel.h"
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/message_bar.h"
@@ -65,13 +68,15 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowIcon(QIcon(QStringLiteral(":/icons/app.svg")));
   setAcceptDrops(true);
   resize(kFirstSize);
-  actions_ = makeActions(playback_, session_->history(), this);
+  actions_ = makeActions(playback_, session_->histories(), this);
   setCentralWidget(makeCentre());
   addDocks();
   recent_ = addMenus(this, actions_, layout_.docks());
   layout_.restore();
   new Presenter(session_, playback_, models_, views_, this);
   library_views_ = new LibraryViews(session_, library_, library_panel_, slot_control_, this);
+  presets_->setHistory([this] { return session_->history(); });
+  preset_views_ = new PresetViews(session_, presets_, views_.compression->presets(), this);
   inspector_ = new Inspector(session_, playback_, inspection_, this);
   // After the presenter: an answer counts once the view has it.
   trace_ = new Trace(session_, views_.viewport, this);
@@ -113,7 +118,14 @@ QWidget* MainWindow::makeSidebar() {
   column->addWidget(views_.result);
   column->addWidget(makeRule(sidebar));
   column->addWidget(views_.annealing, 1);
-  return sidebar;
+  auto* scroll = new QScrollArea(this);  // where the screen is low
+  scroll->setWidget(sidebar);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(sidebar->minimumSizeHint().width() +
+                          scroll->verticalScrollBar()->sizeHint().width());
+  return scroll;
 }
 
 void MainWindow::addDocks() {
@@ -123,6 +135,15 @@ void MainWindow::addDocks() {
   QDockWidget* library = layout_.addLeft(library_panel_, QStringLiteral("library"), tr("Library"));
   QDockWidget* sidebar =
       layout_.addRight(makeSidebar(), QStringLiteral("compression"), tr("Compression"));
+  views_.importance = new ImportancePanel(this);
+  QDockWidget* importance =
+      layout_.addRight(views_.importance, QStringLiteral("importance"), tr("Importance"));
+  tabifyDockWidget(sidebar, importance);
+  sidebar->raise();
+  connect(views_.compression, &CompressionPanel::importanceRequested, importance, [importance] {
+    importance->show();
+    importance->raise();
+  });
   views_.joints = new JointsPanel(models_.joints, this);
   QDockWidget* joints = layout_.addBelow(views_.joints, QStringLiteral("joints"), tr("Joints"));
   views_.footskate = new FootskatePanel(models_.slides, this);
@@ -192,7 +213,13 @@ void MainWindow::connectWindowActions() {
   });
   connectChoices();
   connect(actions_.study, &QAction::triggered, this, &MainWindow::showStudy);
-  connect(actions_.batch, &QAction::triggered, this, &MainWindow::showBatch);
+  connect(actions_.batch, &QAction::triggered, this, [this] {
+    BatchWindow* batch = showBatch();
+    if (const OriginalPtr& original = session_->document().original())
+      batch->offerClip(original->path);
+  });
+  connect(actions_.export_library, &QAction::triggered, this, [this] { exportClips({}); });
+  connect(library_panel_, &LibraryPanel::exportRequested, this, &MainWindow::exportClips);
   connect(actions_.about, &QAction::triggered, this, &MainWindow::about);
 }
 
@@ -227,17 +254,21 @@ StudyWindow* MainWindow::showStudy() {
   return study_;
 }
 
-void MainWindow::showBatch() {
+BatchWindow* MainWindow::showBatch() {
   if (!batch_) {
-    batch_ = new BatchWindow(new BatchSession(batchMemory(), this), this);
+    batch_ = new BatchWindow(new BatchSession(batchMemory(), presets_, this), this);
     connect(batch_, &BatchWindow::openRequested, files_,
             [this](const QString& path) { files_->open(path); });
   }
-  if (const OriginalPtr& original = session_->document().original())
-    batch_->offerClip(original->path);
   batch_->show();
   batch_->raise();
   batch_->activateWindow();
+  return batch_;
+}
+
+/// Clips of the library by their own settings; no rows: all of them.
+void MainWindow::exportClips(const std::vector<int>& rows) {
+  showBatch()->session()->addTuned(library_->tuned(rows));
 }
 
 /// Where the open clip is on the curves of the study.
@@ -261,6 +292,8 @@ void MainWindow::connectMessages() {
           [this](const QString& message, bool wants_skeleton) {
             messages_->showError(message, wants_skeleton ? actions_.choose_skeleton : nullptr);
           });
+  connect(presets_, &PresetShelf::noted, messages_,
+          [this](const QString& message) { messages_->showNote(message); });
   connect(library_, &Library::failed, messages_,
           [this](const QString& message) { messages_->showError(message); });
   connect(library_, &Library::recovered, messages_, [this](int clips) {

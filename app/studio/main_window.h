@@ -9,6 +9,8 @@
 #include "app/studio/library.h"
 #include "app/studio/library_views.h"
 #include "app/studio/presenter.h"
+#include "app/studio/preset_shelf.h"
+#include "app/studio/preset_views.h"
 #include "app/studio/session.h"
 #include "app/studio/study_session.h"
 #include "app/studio/theme.h"
@@ -40,6 +42,8 @@ class MainWindow : public QMainWindow {
   const Views& views() const { return views_; }
   const InspectionViews& inspection() const { return inspection_; }
   const Actions& actions() const { return actions_; }
+  PresetShelf& presets() { return *presets_; }
+  PresetViews& presetViews() { return *preset_views_; }
   LibraryPanel& libraryPanel() { return *library_panel_; }
   MessageBar& messages() { return *messages_; }
   Trace& trace() { return *trace_; }
@@ -53,7 +57,8 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  void showBatch();
+  BatchWindow* showBatch();
+  void exportClips(const std::vector<int>& rows);
   QWidget* makeCentre();
   QWidget* makeSidebar();
   void addDocks();
@@ -71,6 +76,7 @@ class MainWindow : public QMainWindow {
   Models models_{new JointErrorModel(this), new SlideModel(this)};
   LibraryModel* clips_ = new LibraryModel(this);
   Library* library_ = new Library(session_, clips_, this);
+  PresetShelf* presets_ = new PresetShelf(PresetShelf::usualFile(), this);
   ClipFiles* files_ = new ClipFiles(session_, this);
   WindowLayout layout_{this};
   Theme* theme_ = new Theme(this);
@@ -81,6 +87,7 @@ class MainWindow : public QMainWindow {
   LibraryPanel* library_panel_;
   SlotControl* slot_control_;
   LibraryViews* library_views_;
+  PresetViews* preset_views_;
   MessageBar* messages_;
   QMenu* recent_;
   Trace* trace_;

@@ -7,6 +7,7 @@
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/footskate_panel.h"
+#include "widgets/panels/importance_panel.h"
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/warnings_panel.h"
@@ -44,6 +45,7 @@ Presenter::Presenter(Session* session, Playback* playback, const Models& models,
     : QObject(parent), session_(session), playback_(playback), models_(models), views_(views) {
   connectDocument();
   connectViews();
+  showOptions();
   showDecoded();
   showShown();
 }
@@ -55,14 +57,15 @@ void Presenter::connectDocument() {
   connect(document, &Document::shownChanged, this, &Presenter::showShown);
   connect(document, &Document::curvesChanged, this, &Presenter::showCurves);
   connect(document, &Document::currentJointChanged, this, &Presenter::showCurrentJoint);
-  connect(document, &Document::optionsChanged, this,
-          [=, this] { views_.compression->setOptions(document->options()); });
+  connect(document, &Document::optionsChanged, this, &Presenter::showOptions);
   connect(session_, &Session::refiningChanged, views_.annealing, &AnnealingPanel::setRunning);
   connect(session_, &Session::annealed, views_.annealing, &AnnealingPanel::append);
 }
 
 void Presenter::connectViews() {
   connect(views_.compression, &CompressionPanel::optionsChanged, session_, &Session::setOptions);
+  connect(views_.importance, &ImportancePanel::importanceChanged, session_,
+          &Session::setImportance);
   connect(views_.annealing, &AnnealingPanel::cancelRequested, session_, &Session::cancelAnnealing);
   connect(models_.joints, &JointErrorModel::checkRequested, this, &Presenter::setChecked);
   connect(views_.joints, &JointsPanel::currentJointChanged, &session_->document(),
@@ -86,11 +89,21 @@ void Presenter::showClip() {
   views_.warnings->setWarnings(original ? original->warnings : Warnings());
   views_.compression->setEnabled(original != nullptr);
   views_.compression->setSkeleton(skeleton);
+  views_.importance->setEnabled(original != nullptr);
+  views_.importance->setSkeleton(skeleton);
+  showOptions();
   models_.joints->setLandmarks(landmarks(skeleton));
   playback_->setClip(document.frames(), document.sampleRate());
   showDecoded();
   showShown();
   showCurrentJoint();
+}
+
+void Presenter::showOptions() {
+  const EncodeOptions& options = session_->document().options();
+  views_.compression->setOptions(options);
+  views_.importance->setMethod(options.method);
+  views_.importance->setImportance(options.importance);
 }
 
 void Presenter::showDecoded() {

@@ -12,6 +12,7 @@ class AnnealingPanel;
 class CompressionPanel;
 class ErrorGraph;
 class FootskatePanel;
+class ImportancePanel;
 class JointsPanel;
 class Playback;
 class ResultPanel;
@@ -23,6 +24,7 @@ class WarningsPanel;
 struct Views {
   Viewport* viewport = nullptr;
   CompressionPanel* compression = nullptr;
+  ImportancePanel* importance = nullptr;
   ResultPanel* result = nullptr;
   AnnealingPanel* annealing = nullptr;
   JointsPanel* joints = nullptr;
@@ -49,6 +51,7 @@ class Presenter : public QObject {
   void connectDocument();
   void connectViews();
   void showClip();
+  void showOptions();
   void showDecoded();
   void showShown();
   void showCurves();

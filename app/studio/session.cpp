@@ -6,8 +6,10 @@
 #include <numeric>
 
 #include "app/jobs/settings_key.h"
+#include "app/studio/clip_preset.h"
 #include "app/studio/settings_change.h"
 #include "app/studio/study_row_request.h"
+#include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/motion/landmarks.h"
 
@@ -36,6 +38,8 @@ ClipSettings fitting(ClipSettings settings, const Motion& motion) {
       return span.landmark < 0 || span.landmark >= points || span.first_frame < 0 ||
              span.last_frame < span.first_frame || span.last_frame >= motion.clip.frames();
     });
+  auto& factors = settings.encode.importance.joints;
+  if (std::ssize(factors) != motion.skeleton.joint_count()) factors.clear();
   if (settings.encode.target.kind == Target::Kind::CoefficientRatio) settings.encode.target = {};
   return settings;
 }
@@ -47,6 +51,9 @@ QString absolute(const QString& path) {
 }  // namespace
 
 Session::Session(QObject* parent) : QObject(parent) {
+  past_ = &pasts_[QString()];
+  histories_.addStack(&past_->steps);
+  histories_.setActiveStack(&past_->steps);
   connect(&compressor_, &Compressor::answered, this, &Session::answer);
   connect(&compressor_, &Compressor::progressed, this, &Session::annealed);
   connect(&compressor_, &Compressor::refiningChanged, this, &Session::refiningChanged);
@@ -77,9 +84,11 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
   request.original = document_.original();
   if (!isOpen(request.path) || !request.comparison.empty()) return start(request);
   opening_.abandon();
+  const ClipSettings before = document_.settings();
   document_.loadOptions(*request.options);
-  emit recompressing();
-  compressor_.request(document_.options());
+  Tuning tuning = tuning_;
+  tuning.both[static_cast<std::size_t>(tuning.active)] = document_.settings();
+  changeTuning(tuning, before);
 }
 
 void Session::start(const OpenRequest& request) {
@@ -93,15 +102,15 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   const QString saved_path = isCompressedFile(request.path) ? request.path
                              : together                     ? document_.savedPath()
                                                             : QString();
+  leave();
   compressor_.setEncoder(opened.original ? opened.original->encoder : nullptr);
   if (request.options) document_.loadOptions(*request.options);
   // Asked before the clip is there: from then on its settings are those of the document.
   const std::optional<ClipSettings> remembered = rememberedOf(opened, request);
   document_.setClip(opened.original, opened.decoded, saved_path);
   if (remembered) document_.loadSettings(fitting(*remembered, opened.original->motion()));
-  history_.clear();
-  tuning_.both.fill(document_.settings());
-  tuning_.active = 0;
+  takeUp(opened.original ? opened.original->path : request.path,
+         !opened.decoded && !request.options);
   slot_answers_ = {};
   chooseCurves();
   emit slotsChanged();
@@ -112,6 +121,44 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
     compressor_.request(document_.options());
 }
 
+/// What was done to the clip that is open is there again when it is opened again.
+void Session::leave() {
+  if (!document_.original()) return;
+  const Motion& motion = document_.original()->motion();
+  past_->tuning = tuning_;
+  past_->tuning->both[static_cast<std::size_t>(tuning_.active)] = document_.settings();
+  past_->frames = motion.clip.frames();
+  past_->joints = motion.skeleton.joint_count();
+}
+
+/// Goes on from where a clip was left, if it comes `by_itself` and its settings are still those.
+void Session::takeUp(const QString& path, bool by_itself) {
+  past_ = &pasts_[path];
+  histories_.addStack(&past_->steps);
+  histories_.setActiveStack(&past_->steps);
+  const bool same = by_itself && past_->tuning && document_.original() &&
+                    past_->frames == document_.frames() &&
+                    past_->joints == document_.skeleton()->joint_count() &&
+                    (!memory_ || firstDifference(past_->tuning->now(), document_.settings()) ==
+                                     SettingsField::None);
+  if (same) {
+    tuning_ = *past_->tuning;
+    document_.loadSettings(tuning_.now());
+    return;
+  }
+  // Reviews may have been given to a clip that was not opened before: they stay.
+  if (past_->tuning) past_->steps.clear();
+  tuning_.both.fill(document_.settings());
+  tuning_.active = 0;
+}
+
+void Session::forgetHistories() {
+  for (auto& [path, past] : pasts_) {
+    past.steps.clear();
+    past.tuning.reset();
+  }
+}
+
 std::optional<ClipSettings> Session::rememberedOf(const OpenedClip& opened,
                                                   const OpenRequest& request) const {
   if (!memory_ || !opened.original || opened.decoded || request.options) return {};
@@ -119,19 +166,44 @@ std::optional<ClipSettings> Session::rememberedOf(const OpenedClip& opened,
 }
 
 void Session::setOptions(const EncodeOptions& options) {
-  change({options, document_.contactSettings()});
+  ClipSettings settings = document_.settings();
+  settings.encode = options;
+  change(settings);
+}
+
+void Session::setImportance(const Importance& importance) {
+  ClipSettings settings = document_.settings();
+  settings.encode.importance = importance;
+  change(settings);
+}
+
+void Session::choosePreset(const Preset& preset) {
+  if (!document_.skeleton()) return;
+  try {
+    change(withPreset(document_.settings(), preset, *document_.skeleton()));
+  } catch (const Error& error) {
+    emit compressFailed(QString::fromStdString(error.what()));
+    emit document_.optionsChanged();  // what stands is shown again
+  }
+}
+
+void Session::namePreset(const QString& name) {
+  ClipSettings settings = document_.settings();
+  settings.preset = name;
+  change(settings);
 }
 
 void Session::setContactSettings(const ContactSettings& settings) {
-  EncodeOptions options = document_.options();
-  options.contacts = document_.contactsBy(settings);
-  change({options, settings});
+  ClipSettings changed = document_.settings();
+  changed.encode.contacts = document_.contactsBy(settings);
+  changed.contacts = settings;
+  change(changed);
 }
 
 void Session::setContacts(const std::vector<ContactSpan>& contacts) {
-  EncodeOptions options = document_.options();
-  options.contacts = contacts;
-  change({options, document_.contactSettings()});
+  ClipSettings settings = document_.settings();
+  settings.encode.contacts = contacts;
+  change(settings);
 }
 
 void Session::change(const ClipSettings& settings) {
@@ -142,9 +214,14 @@ void Session::change(const ClipSettings& settings) {
 }
 
 void Session::changeTuning(const Tuning& tuning) {
+  changeTuning(tuning, document_.settings());
+}
+
+void Session::changeTuning(const Tuning& tuning, const ClipSettings& now) {
   Tuning before = tuning_;
-  before.both[static_cast<std::size_t>(before.active)] = document_.settings();
-  history_.push(new SettingsChange(before, tuning, [this](const Tuning& those) { apply(those); }));
+  before.both[static_cast<std::size_t>(before.active)] = now;
+  history()->push(
+      new SettingsChange(before, tuning, [this](const Tuning& those) { apply(those); }));
 }
 
 void Session::switchSlot() {
@@ -165,7 +242,8 @@ void Session::apply(const Tuning& tuning) {
   if (settingsKey(tuning.both[other].encode) == settingsKey(tuning.now().encode))
     slot_answers_[other] = nullptr;  // it will be the same
   tuning_ = tuning;
-  document_.setSettings(tuning.now());
+  if (firstDifference(document_.settings(), tuning.now()) != SettingsField::None)
+    document_.setSettings(tuning.now());
   emit slotsChanged();
   if (!document_.original()) return;
   emit recompressing();

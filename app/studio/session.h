@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QObject>
+#include <QUndoGroup>
 #include <QUndoStack>
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "app/jobs/job_runner.h"
 #include "app/jobs/open_clip.h"
 #include "app/studio/document.h"
+#include "core/batch/preset.h"
 #include "core/study/row.h"
 
 namespace mocapress {
@@ -44,9 +47,21 @@ class Session : public QObject {
   void setOptions(const EncodeOptions& options);
   void setContactSettings(const ContactSettings& settings);
   void setContacts(const std::vector<ContactSpan>& contacts);
+  void setImportance(const Importance& importance);
 
-  /// Of the clip that is open.
-  QUndoStack* history() { return &history_; }
+  /// compressFailed() where it names a joint that the clip lacks.
+  void choosePreset(const Preset& preset);
+
+  /// The settings are those of a preset of that name from now on.
+  void namePreset(const QString& name);
+
+  /// Of the clip that is open. Each clip has one of its own, there again when it is opened again.
+  QUndoStack* history() { return histories_.activeStack(); }
+  QUndoStack* historyOf(const QString& path) { return &pasts_[path].steps; }
+  QUndoGroup* histories() { return &histories_; }
+
+  /// Of all clips, which are another project's.
+  void forgetHistories();
 
   /// Two settings to compare, A and B: the active one is the document's. Both are of the clip.
   const Tuning& tuning() const { return tuning_; }
@@ -89,18 +104,31 @@ class Session : public QObject {
   void settled();
 
  private:
+  /// What was done to a clip, and where that led.
+  struct Past {
+    QUndoStack steps;
+    std::optional<Tuning> tuning;  // unset: it was not open yet
+    int frames = 0;                // of the clip they were done to
+    int joints = 0;
+  };
+
   void start(const OpenRequest& request);
   void change(const ClipSettings& settings);
   void changeTuning(const Tuning& tuning);
+  void changeTuning(const Tuning& tuning, const ClipSettings& now);
   void apply(const Tuning& tuning);
   void show(const OpenedClip& opened, const OpenRequest& request);
+  void leave();
+  void takeUp(const QString& path, bool by_itself);
   void answer(const DecodedPtr& decoded, bool final);
   void chooseCurves();
   std::optional<ClipSettings> rememberedOf(const OpenedClip& opened,
                                            const OpenRequest& request) const;
 
   Document document_;
-  QUndoStack history_;
+  QUndoGroup histories_;
+  std::map<QString, Past> pasts_;  // by path; of no clip: ""
+  Past* past_ = nullptr;           // of the clip that is open
   Tuning tuning_;
   std::array<DecodedPtr, 2> slot_answers_;
   Memory memory_;

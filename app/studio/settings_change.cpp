@@ -16,10 +16,16 @@ struct Texts {
 
 QString nameOf(SettingsField field) {
   switch (field) {
+    case SettingsField::Preset:
+      return Texts::tr("Preset");
     case SettingsField::Target:
       return Texts::tr("Target");
     case SettingsField::Method:
       return Texts::tr("Method");
+    case SettingsField::Effort:
+      return Texts::tr("Effort");
+    case SettingsField::Importance:
+      return Texts::tr("Importance");
     case SettingsField::Weighting:
       return Texts::tr("Weighting");
     case SettingsField::Coding:
@@ -50,6 +56,7 @@ bool differIn(const EncodeOptions& a, EncodeOptions b, const Copy& copy) {
 SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
   const EncodeOptions& one = a.encode;
   const EncodeOptions& other = b.encode;
+  if (a.preset != b.preset) return SettingsField::Preset;
   if (!(a.contacts == b.contacts) || one.contacts != other.contacts) return SettingsField::Contacts;
   if (settingsKey(one) == settingsKey(other)) return SettingsField::None;
   const auto only = [&](auto member) {
@@ -57,6 +64,8 @@ SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
   };
   if (only(&EncodeOptions::target)) return SettingsField::Target;
   if (one.method != other.method) return SettingsField::Method;
+  if (only(&EncodeOptions::effort)) return SettingsField::Effort;
+  if (only(&EncodeOptions::importance)) return SettingsField::Importance;
   if (only(&EncodeOptions::weighting)) return SettingsField::Weighting;
   if (only(&EncodeOptions::coding)) return SettingsField::Coding;
   if (only(&EncodeOptions::correction)) return SettingsField::Correction;
@@ -76,7 +85,8 @@ SettingsChange::SettingsChange(Tuning before, Tuning after, Apply apply)
 bool SettingsChange::mergeWith(const QUndoCommand* newer) {
   const auto* change = static_cast<const SettingsChange*>(newer);
   // Edits of contacts are steps of their own however quickly they are made.
-  const bool dragged = field_ == SettingsField::Target || field_ == SettingsField::Correction;
+  const bool dragged = field_ == SettingsField::Target || field_ == SettingsField::Correction ||
+                       field_ == SettingsField::Importance;
   if (!dragged || change->field_ != field_ || made_.elapsed() > kOneStep) return false;
   if (before_.now().encode.target.kind != change->after_.now().encode.target.kind) return false;
   after_ = change->after_;

@@ -12,8 +12,11 @@ namespace mocapress {
 /// The first setting in which two differ, as a person would name it.
 enum class SettingsField {
   None,
+  Preset,
   Target,
   Method,
+  Effort,
+  Importance,
   Weighting,
   Coding,
   Correction,

@@ -13,6 +13,7 @@ namespace {
 constexpr std::array kMethods = {Method::Annealed, Method::Standard, Method::PerChannel,
                                  Method::ClosedLoop};
 constexpr std::array kCodings = {Coding::Rle16, Coding::Deflate, Coding::Adaptive};
+constexpr std::array kEfforts = {Effort::Default, Effort::Best};
 constexpr std::array kBases = {Basis::Haar, Basis::Linear, Basis::Cubic};
 constexpr std::array kWeightings = {Weighting::BoneEnds, Weighting::JointOrigins};
 constexpr std::array kPlaces = {CorrectAt::EveryFrame, CorrectAt::Contacts};
@@ -53,6 +54,12 @@ QJsonObject toJson(const Target& target) {
   return json;
 }
 
+QJsonObject toJson(const Importance& importance) {
+  QJsonArray joints;
+  for (const double factor : importance.joints) joints << factor;
+  return {{QStringLiteral("contacts"), importance.contacts}, {QStringLiteral("joints"), joints}};
+}
+
 QJsonObject toJson(const CorrectionOptions& correction) {
   QJsonArray joints;
   for (const int joint : correction.joints) joints << joint;
@@ -76,6 +83,14 @@ QJsonObject toJson(const ContactSettings& settings) {
           {QStringLiteral("begin-speed-cm-s"), settings.begin_speed},
           {QStringLiteral("end-speed-cm-s"), settings.end_speed},
           {QStringLiteral("least-seconds"), settings.least_seconds}};
+}
+
+Importance importanceFrom(const QJsonObject& json) {
+  Importance importance;
+  read(json, "contacts", importance.contacts);
+  for (const auto& factor : json.value(QStringLiteral("joints")).toArray())
+    importance.joints.push_back(factor.toDouble(1));
+  return importance;
 }
 
 CorrectionOptions correctionFrom(const QJsonObject& json) {
@@ -108,7 +123,11 @@ QJsonObject toJson(const ClipSettings& settings) {
                    {QStringLiteral("weighting"), text(encode.weighting)},
                    {QStringLiteral("target"), toJson(encode.target)},
                    {QStringLiteral("seed"), QString::number(encode.seed)},
+                   {QStringLiteral("effort"), text(encode.effort)},
                    {QStringLiteral("contact-settings"), toJson(settings.contacts)}};
+  if (!settings.preset.isEmpty()) json.insert(QStringLiteral("preset"), settings.preset);
+  if (!encode.importance.is_even())
+    json.insert(QStringLiteral("importance"), toJson(encode.importance));
   if (encode.correction) json.insert(QStringLiteral("ik"), toJson(*encode.correction));
   if (encode.contacts) json.insert(QStringLiteral("contacts"), toJson(*encode.contacts));
   return json;
@@ -121,6 +140,9 @@ ClipSettings settingsFrom(const QJsonObject& json) {
   read(json, "coding", kCodings, encode.coding);
   read(json, "basis", kBases, encode.basis);
   read(json, "weighting", kWeightings, encode.weighting);
+  read(json, "effort", kEfforts, encode.effort);
+  encode.importance = importanceFrom(json.value(QStringLiteral("importance")).toObject());
+  settings.preset = json.value(QStringLiteral("preset")).toString();
   const QJsonObject target = json.value(QStringLiteral("target")).toObject();
   for (const auto& [kind, key] : kTargets)
     if (const double value = target.value(QLatin1String(key)).toDouble(); value > 0)

@@ -64,10 +64,15 @@ std::vector<SourceClip> sources_of(const std::string& input) {
 std::string value_of(std::string_view word, const SourceClip& source, const Preset& preset) {
   if (word == "stem") return fs::path(source.path).stem().string();
   if (word == "folder") return source.folder.empty() ? "." : source.folder;
+  if (word == "type") {
+    const std::string extension = fs::path(source.path).extension().string();
+    return extension.empty() ? "" : slug(extension.substr(1));
+  }
   if (word == "preset") return slug(preset.name);
   if (word == "method") return preset.method;
-  throw Error("{" + std::string(word) +
-              "} means nothing in a name: there are {folder}, {stem}, {preset} and {method}");
+  throw Error(
+      "{" + std::string(word) +
+      "} means nothing in a name: there are {folder}, {stem}, {type}, {preset} and {method}");
 }
 
 std::string_view without_format(std::string_view pattern) {
@@ -140,7 +145,7 @@ void mark_collisions(Batch& batch) {
     if (item.problem.empty())
       item.problem = item.input + " would be written to " + item.output + " as " +
                      batch.items[at->second].input +
-                     " is: a name pattern with {folder} may keep them apart";
+                     " is: a name pattern with {folder} or {type} may keep them apart";
     const std::string taken = item.output;
     int n = 2;
     do item.output = taken + " (" + std::to_string(n++) + ")";

@@ -49,7 +49,8 @@ struct Batch {
 
 inline constexpr const char* kUsualNames = "{folder}/{stem}";
 
-/// The output of a clip by a pattern of {folder}, {stem}, {preset} and {method}. An extension of
+/// The output of a clip by a pattern of {folder}, {stem}, {type} (its extension), {preset}
+/// and {method}. An extension of
 /// one of the formats at its end is left out: each file gets its own. Throws Error on any other
 /// {word}, an empty name and one that leaves the folder.
 std::string output_name(std::string_view pattern, const SourceClip& source, const Preset& preset);

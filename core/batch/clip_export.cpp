@@ -158,7 +158,7 @@ class Export {
     row_.joints = clip.motion().skeleton.joint_count();
     report(ClipProgress::Stage::Encoding, 0.1);
     Compression made = clip.encoder().compress(
-        *find_contender(preset_.method), encode_options(preset_, clip.motion().skeleton),
+        *find_contender(preset_.method), options_for(clip.motion()),
         [&](const EncodeProgress& progress) {
           return go_on(observer_,
                        ClipProgress{ClipProgress::Stage::Encoding, encoding_fraction(progress)});
@@ -179,6 +179,15 @@ class Export {
     }
     report(ClipProgress::Stage::Verifying, 0.95);
     put_in_place(files);
+  }
+
+  EncodeOptions options_for(const Motion& motion) const {
+    EncodeOptions options = encode_options(preset_, motion.skeleton);
+    for (const ContactSpan& span : options.contacts.value_or(std::vector<ContactSpan>()))
+      if (span.last_frame >= motion.clip.frames())
+        throw Error("the preset has a contact up to frame " + std::to_string(span.last_frame) +
+                    ", but the clip ends before");
+    return options;
   }
 
   /// Measures what the disk gave back; the decoded motion is from there on.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/codec/encoder.h"
+#include "core/codec/named_importance.h"
 #include "core/study/plan.h"
 
 namespace mocapress {
@@ -22,7 +23,16 @@ struct PresetCorrection {
   bool operator==(const PresetCorrection&) const = default;
 };
 
-/// By what to compress any clip: EncodeOptions without what belongs to one clip.
+/// A contact of one clip, before its skeleton is known.
+struct PresetContact {
+  std::string point;  // a landmark's name
+  int first_frame = 0;
+  int last_frame = 0;  // included
+
+  bool operator==(const PresetContact&) const = default;
+};
+
+/// By what to compress any clip: EncodeOptions before the skeleton is known.
 struct Preset {
   std::string name;
   std::string method = "closed-loop";  // a contender's name
@@ -30,12 +40,15 @@ struct Preset {
   Weighting weighting = Weighting::BoneEnds;
   Target target{Target::Kind::Error, 0.5};
   std::uint64_t seed = 1;
+  Effort effort = Effort::Default;  // not Draft, which promises nothing
+  NamedImportance importance;
   std::optional<PresetCorrection> correction;  // unset: without IK correction
+  std::optional<std::vector<PresetContact>> contacts;  // edited ones, of the one clip it is for
 
   bool operator==(const Preset&) const = default;
 };
 
-/// "Hero close-up", "Gameplay", "Crowd", "Archive".
+/// "Hero close-up", "Gameplay", "Planted feet", "Crowd", "Archive".
 std::span<const Preset> built_in_presets();
 
 /// A name as a word: "hero-close-up".
@@ -48,7 +61,7 @@ std::optional<Coding> coding_of(const Preset& preset);
 /// correction that the method does not have, a target that is not above 0.
 void check(const Preset& preset);
 
-/// For one skeleton. Throws Error when an effector is no joint of it.
+/// For one skeleton. Throws Error when an effector or another joint that is named is not of it.
 EncodeOptions encode_options(const Preset& preset, const Skeleton& skeleton);
 
 /// "eps_x 0.5 cm", "max 0.5 cm", "20:1", "40000 bytes", "r = 30".

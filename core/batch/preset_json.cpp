@@ -2,6 +2,7 @@
 #include "core/batch/preset_json.h"
 
 #include <algorithm>
+#include <climits>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFound = "auto";
+constexpr const char* kContacts = "contacts";  // among the names of importance
 
 /// The keys of one object, each taken once; what is left over is a mistake.
 class Keys {
@@ -41,6 +43,15 @@ class Keys {
     if (!value) return otherwise;
     if (!value->is_number()) refuse(key, "is not a number");
     return value->get<double>();
+  }
+
+  /// -1 when it is not there.
+  int frame(const char* key) {
+    const Json* value = take(key);
+    if (!value) return -1;
+    if (!value->is_number_unsigned() || value->get<std::uint64_t>() > INT_MAX)
+      refuse(key, "is not a frame");
+    return value->get<int>();
   }
 
   template <typename Enum>
@@ -110,6 +121,51 @@ Target target_from(const Json& json, const std::string& of) {
   return target;
 }
 
+Json to_json(const NamedImportance& importance) {
+  Json json = Json::object();
+  for (const auto& [name, factor] : importance.factors) json[name] = factor;
+  if (importance.contacts > 0) json[kContacts] = importance.contacts;
+  return json;
+}
+
+NamedImportance importance_from(const Json& json, const Keys& keys) {
+  NamedImportance importance;
+  if (!json.is_object()) keys.refuse("importance", "is not a JSON object");
+  for (const auto& [name, factor] : json.items()) {
+    if (!factor.is_number()) keys.refuse("importance", "of " + name + " is not a number");
+    if (name == kContacts)
+      importance.contacts = factor.get<double>();
+    else
+      importance.set(name, factor.get<double>());
+  }
+  return importance;
+}
+
+Json to_json(const std::vector<PresetContact>& contacts) {
+  Json json = Json::array();
+  for (const PresetContact& contact : contacts)
+    json.push_back({{"joint", contact.point},
+                    {"first_frame", contact.first_frame},
+                    {"last_frame", contact.last_frame}});
+  return json;
+}
+
+std::vector<PresetContact> contacts_from(const Json& json, const Keys& keys,
+                                         const std::string& of) {
+  std::vector<PresetContact> contacts;
+  if (!json.is_array()) keys.refuse(kContacts, "is not a list of contacts");
+  for (const Json& one : json) {
+    Keys contact(one, of + ": a contact");
+    PresetContact read{contact.text("joint", ""), contact.frame("first_frame"),
+                       contact.frame("last_frame")};
+    contact.end();
+    if (read.point.empty() || read.first_frame < 0 || read.last_frame < read.first_frame)
+      keys.refuse(kContacts, "is not a list of joints with a first and a last frame");
+    contacts.push_back(std::move(read));
+  }
+  return contacts;
+}
+
 std::uint64_t seed_from(const Json& json, const Keys& keys) {
   if (!json.is_number_unsigned()) keys.refuse("seed", "is not a whole number");
   return json.get<std::uint64_t>();
@@ -118,13 +174,17 @@ std::uint64_t seed_from(const Json& json, const Keys& keys) {
 }  // namespace
 
 Json to_json(const Preset& preset) {
-  return {{"name", preset.name},
+  Json json = {{"name", preset.name},
           {"method", preset.method},
           {"coding", preset.coding ? Json(name(*preset.coding)) : Json()},
           {"weighting", name(preset.weighting)},
           {"target", {{"kind", name(preset.target.kind)}, {"value", preset.target.value}}},
           {"seed", preset.seed},
           {"ik", preset.correction ? to_json(*preset.correction) : Json()}};
+  if (preset.effort != Effort::Default) json["effort"] = name(preset.effort);
+  if (!preset.importance.is_even()) json["importance"] = to_json(preset.importance);
+  if (preset.contacts) json[kContacts] = to_json(*preset.contacts);
+  return json;
 }
 
 Preset preset_from(const Json& json) {
@@ -145,6 +205,12 @@ Preset preset_from(const Json& json) {
   if (const Json* seed = keys.take("seed")) preset.seed = seed_from(*seed, keys);
   const Json* correction = keys.take("ik");
   if (correction && !correction->is_null()) preset.correction = correction_from(*correction, of);
+  preset.effort =
+      keys.word("effort", preset.effort, {Effort::Draft, Effort::Default, Effort::Best});
+  if (const Json* importance = keys.take("importance"))
+    preset.importance = importance_from(*importance, keys);
+  if (const Json* contacts = keys.take(kContacts))
+    preset.contacts = contacts_from(*contacts, keys, of);
   keys.end();
   check(preset);
   return preset;

@@ -2,8 +2,11 @@
 // Presets as files: one JSON object, or an array of them.
 //   {"name": "Gameplay", "method": "closed-loop", "coding": null, "weighting": "bone-ends",
 //    "target": {"kind": "error", "value": 0.5}, "seed": 1,
-//    "ik": {"ratio": "auto", "effectors": [], "solver": "nearest-pose", "at": "every-frame"}}
-// Only the name must be there; what is left out is as in Preset{}. "ik": null is none.
+//    "ik": {"ratio": "auto", "effectors": [], "solver": "nearest-pose", "at": "every-frame"},
+//    "effort": "best", "importance": {"feet": 4, "lwrist": 2, "contacts": 20},
+//    "contacts": [{"joint": "lfoot", "first_frame": 10, "last_frame": 25}]}
+// Only the name must be there; what is left out is as in Preset{}. "ik": null is none. Contacts are
+// of one clip, as the studio writes them for those that were edited.
 #pragma once
 
 #include <filesystem>

@@ -6,6 +6,7 @@
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 
+#include "widgets/panels/preset_chooser.h"
 #include "widgets/panels/preset_editor.h"
 
 #include <QCheckBox>
@@ -105,7 +106,7 @@ class PresetEditorTest : public testing::Test {
 TEST_F(PresetEditorTest, TellsOnlyOfWhatTheUserDoes) {
   for (const Preset& preset : built_in_presets()) editor_.setPreset(preset);
   EXPECT_TRUE(told_.empty());
-  emit editor_.presets()->activated(2);
+  emit editor_.chooser()->box()->activated(2);
   ASSERT_EQ(told_.size(), 1u);
   EXPECT_EQ(told_[0], built_in_presets()[2]);
 }
@@ -116,12 +117,12 @@ TEST_F(PresetEditorTest, AChangeIsShownAsOneOfThePreset) {
   ASSERT_EQ(told_.size(), 1u);
   EXPECT_EQ(told_[0].target.value, 0.25);
   EXPECT_EQ(told_[0].name, "Gameplay");
-  EXPECT_EQ(editor_.presets()->currentText(), QStringLiteral("Gameplay, changed"));
+  EXPECT_EQ(editor_.chooser()->box()->currentText(), QStringLiteral("Gameplay, modified"));
   editor_.holdFeet()->click();
   ASSERT_TRUE(told_.back().correction);
   EXPECT_FALSE(told_.back().correction->ratio) << "the encoder finds it";
   editor_.setPreset(built_in_presets()[1]);
-  EXPECT_EQ(editor_.presets()->currentText(), QStringLiteral("Gameplay"));
+  EXPECT_EQ(editor_.chooser()->box()->currentText(), QStringLiteral("Gameplay"));
 }
 
 TEST_F(PresetEditorTest, AnotherKindOfTargetBeginsWithAUsualValue) {

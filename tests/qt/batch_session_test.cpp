@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <QFileInfo>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "app/studio/batch_memory.h"
 #include "app/studio/batch_status.h"
+#include "app/studio/preset_shelf.h"
 #include "core/base/file.h"
 #include "core/batch/queue_json.h"
 #include "core/formats/motion_file.h"
@@ -38,7 +38,8 @@ class BatchInTheStudio : public testing::Test {
     session_.addClips(paths);
     ASSERT_TRUE(QTest::qWaitFor([&] { return session_.queue()->rowCount() == count; }, kPatience));
     session_.setSettings({.folder = path("out")});
-    session_.queue()->setCommon({.name = "rough", .target = {Target::Kind::Error, 2}});
+    const Preset rough{.name = "rough", .target = {Target::Kind::Error, 2}};
+    session_.queue()->setCommon(rough);
   }
 
   bool waitForEnd() {
@@ -48,7 +49,8 @@ class BatchInTheStudio : public testing::Test {
   int count(Clip state) const { return session_.queue()->count(state); }
 
   QTemporaryDir directory_;
-  BatchSession session_{directory_.filePath(QStringLiteral("memory.json"))};
+  PresetShelf presets_{directory_.filePath(QStringLiteral("presets.json"))};
+  BatchSession session_{directory_.filePath(QStringLiteral("memory.json")), &presets_};
 };
 
 TEST_F(BatchInTheStudio, ExportsTheQueueAndShowsWhatBecameOfEachClip) {
@@ -151,7 +153,7 @@ TEST_F(BatchInTheStudio, StoppedAfterCurrentNothingIsLeftHalfDone) {
 
 TEST_F(BatchInTheStudio, GoesAwayWhilePausedWithoutWaitingForEver) {
   addClips(2, 900);
-  auto other = std::make_unique<BatchSession>(path("other.json"));
+  auto other = std::make_unique<BatchSession>(path("other.json"), &presets_);
   other->queue()->add(session_.queue()->clips());
   other->setSettings({.folder = path("other")});
   other->start();
@@ -164,7 +166,7 @@ TEST_F(BatchInTheStudio, TheQueueOutlivesTheProgram) {
   addClips(3);
   session_.queue()->setOwn({2}, built_in_presets()[3]);
   session_.start();  // remembers at once, whatever happens then
-  const BatchSession later(path("memory.json"));
+  const BatchSession later(path("memory.json"), &presets_);
   ASSERT_EQ(later.queue()->rowCount(), 3);
   EXPECT_EQ(later.queue()->clips()[1].source, session_.queue()->clips()[1].source);
   EXPECT_EQ(later.queue()->clips()[2].own, built_in_presets()[3]);
@@ -176,22 +178,41 @@ TEST_F(BatchInTheStudio, TheQueueOutlivesTheProgram) {
 
 TEST_F(BatchInTheStudio, AMemoryThatCannotBeReadIsAnEmptyQueue) {
   write_text(path("broken.json").toStdString(), R"({"common": 3, "clips": [{}]})");
-  EXPECT_EQ(BatchSession(path("broken.json")).queue()->rowCount(), 0);
+  EXPECT_EQ(BatchSession(path("broken.json"), &presets_).queue()->rowCount(), 0);
 }
 
-TEST_F(BatchInTheStudio, OwnPresetsAreKeptSharedAndRemoved) {
-  QSettings().clear();
-  const Preset mine{.name = "Mine", .target = {Target::Kind::Ratio, 12}};
-  session_.savePreset(mine);
-  session_.savePreset({.name = "Crowd"});
-  EXPECT_EQ(session_.presets().size(), built_in_presets().size() + 1);
-  session_.exportPreset(mine, path("mine.json"));
-  session_.removePreset(QStringLiteral("Mine"));
-  EXPECT_EQ(session_.presets().size(), built_in_presets().size());
-  session_.importPresets(path("mine.json"));
-  EXPECT_EQ(session_.presets().back(), mine);
-  EXPECT_EQ(BatchSession(path("fresh.json")).presets().back(), mine);
-  QSettings().clear();
+TEST_F(BatchInTheStudio, ExportsClipsByTheSettingsTheyWereTunedBy) {
+  addClips(2);
+  const Skeleton skeleton = test::smooth_motion(120).skeleton;
+  ClipSettings tuned;
+  tuned.encode = {.method = Method::ClosedLoop, .target = {Target::Kind::Error, 0.2}};
+  tuned.encode.importance.joints.assign(static_cast<std::size_t>(skeleton.joint_count()), 1.0);
+  tuned.encode.importance.joints[static_cast<std::size_t>(skeleton.find("lhand"))] = 4;
+  tuned.encode.contacts = std::vector<ContactSpan>{{4, 10, 20}};
+  const QString other = path("other.bvh");
+  write_motion(other.toStdU16String(), test::smooth_motion(100, 9));
+  session_.addTuned({{path("clip1.bvh"), {}, tuned}, {other, {}, std::nullopt}});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.queue()->rowCount() == 3; }, kPatience));
+  const std::vector<QueuedClip>& clips = session_.queue()->clips();
+  EXPECT_FALSE(clips[0].own);
+  ASSERT_TRUE(clips[1].own) << "there already, and locked now";
+  EXPECT_EQ(clips[1].own->importance.factor("lhand"), 4);
+  EXPECT_EQ(clips[1].own->contacts->front().first_frame, 10);
+  EXPECT_FALSE(clips[2].own);
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(count(Clip::Done), 3);
+  EXPECT_LE(session_.queue()->clips()[1].measured->eps_bone_ends_cm, 0.2);
+}
+
+TEST_F(BatchInTheStudio, ContactsBeyondAClipAreItsFailure) {
+  addClips(1);
+  session_.queue()->setOwn(
+      {0}, Preset{.name = "own", .contacts = std::vector<PresetContact>{{"lhand", 100, 400}}});
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(session_.queue()->clips()[0].state, Clip::Failed);
+  EXPECT_NE(session_.queue()->clips()[0].error.find("frame 400"), std::string::npos);
 }
 
 TEST_F(BatchInTheStudio, WritesItsQueueAndAScriptForSlurm) {

@@ -26,6 +26,7 @@
 #include "widgets/models/palette.h"
 #include "widgets/panels/batch_output.h"
 #include "widgets/panels/batch_queue_view.h"
+#include "widgets/panels/preset_chooser.h"
 #include "widgets/panels/preset_editor.h"
 
 namespace mocapress {
@@ -108,11 +109,11 @@ TEST(BatchWindowOnScreen, ClipsAreDroppedSetUpExportedAndReportedOn) {
   for (const int row : {0, 4})
     chosen->select(session->queue()->index(row, 0),
                    QItemSelectionModel::Select | QItemSelectionModel::Rows);
-  emit window->editor()->presets()->activated(0);
+  emit window->editor()->chooser()->box()->activated(0);
   EXPECT_EQ(session->queue()->clips()[4].own, built_in_presets()[0]);
   QTest::keyClick(window, Qt::Key_Escape);
   EXPECT_TRUE(window->view()->selectedRows().empty());
-  emit window->editor()->presets()->activated(1);
+  emit window->editor()->chooser()->box()->activated(1);
 
   QTest::mouseClick(window->startButton(), Qt::LeftButton);
   ASSERT_TRUE(session->running());

@@ -73,6 +73,40 @@ TEST_F(Compressing, AnswersWithTheStandardSelectionFirstAndTheAnnealedOneAfter) 
   EXPECT_FALSE(compressor_.busy());
 }
 
+TEST_F(Compressing, AnswersWithADraftFirstAndTheClosedLoopAfter) {
+  for (const Target& target :
+       {Target{Target::Kind::Ratio, 15}, Target{Target::Kind::Size, 4000},
+        Target{Target::Kind::Error, 0.5}, Target{Target::Kind::MaxError, 1.5}}) {
+    answers_.clear();
+    compressor_.setEncoder(makeEncoder(300));
+    compressor_.request({.method = Method::ClosedLoop, .target = target, .effort = Effort::Best});
+    ASSERT_TRUE(waitForFinal()) << failures_.join(u' ').toStdString();
+    ASSERT_EQ(answers_.size(), 2U);
+    EXPECT_EQ(answers_[0].method(), Method::ClosedLoop);
+    EXPECT_EQ(answers_[0].decoded->effort, Effort::Draft);
+    EXPECT_FALSE(answers_[0].final);
+    EXPECT_EQ(answers_[1].decoded->effort, Effort::Best);
+  }
+}
+
+TEST_F(Compressing, AMovementGivesADraftAndAbandonsTheRunningRefinement) {
+  compressor_.setEncoder(makeEncoder(3000));
+  const auto asked = [](double cm) {
+    return EncodeOptions{.method = Method::ClosedLoop,
+                         .target = {Target::Kind::MaxError, cm},
+                         .effort = Effort::Best};
+  };
+  compressor_.request(asked(1));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return compressor_.refining(); }, kPatience));
+  answers_.clear();
+  compressor_.request(asked(2));
+  EXPECT_FALSE(compressor_.refining());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !answers_.empty(); }, kPatience));
+  EXPECT_FALSE(answers_[0].final);
+  EXPECT_EQ(answers_[0].decoded->effort, Effort::Draft);
+  compressor_.abandon();
+}
+
 TEST_F(Compressing, AnswersOnceWhereNothingIsAnnealed) {
   compressor_.setEncoder(makeEncoder(200));
   compressor_.request(ratio(10, Method::PerChannel));

@@ -39,7 +39,10 @@ ClipSettings elaborate() {
                      .basis = Basis::Linear,
                      .weighting = Weighting::JointOrigins,
                      .target = {Target::Kind::MaxError, 1.25},
-                     .seed = 0xffff'ffff'ffff'fff1};
+                     .seed = 0xffff'ffff'ffff'fff1,
+                     .effort = Effort::Best,
+                     .importance = {.joints = {1, 0.5, 4}, .contacts = 20}};
+  settings.preset = QStringLiteral("Mine");
   settings.encode.correction =
       CorrectionOptions{.joints = {4, 7}, .ratio = 12.5, .at = CorrectAt::Contacts};
   settings.encode.contacts = std::vector<ContactSpan>{{4, 10, 20}, {7, 0, 3}};
@@ -52,6 +55,7 @@ TEST(SettingsJson, BringsEverySettingBack) {
     const ClipSettings back = settingsFrom(toJson(settings));
     EXPECT_EQ(settingsKey(back.encode), settingsKey(settings.encode));
     EXPECT_EQ(back.contacts, settings.contacts);
+    EXPECT_EQ(back.preset, settings.preset);
   }
 }
 
@@ -247,6 +251,62 @@ TEST_F(InALibrary, AnotherOutcomeTakesTheVerdictBack) {
   run.library.setVerdict(0, Verdict::Approved);
   settleAfter(run, [&] { run.session.setOptions(standard(50)); });
   EXPECT_EQ(run.library.project().clips[0].verdict, Verdict::None);
+}
+
+TEST_F(InALibrary, AVerdictIsThereAgainWithTheOutcomeItWasAbout) {
+  Run run;
+  settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
+  run.library.setVerdict(0, Verdict::Approved);
+  settleAfter(run, [&] { run.session.setOptions(standard(50)); });
+  ASSERT_EQ(run.library.project().clips[0].verdict, Verdict::None);
+  settleAfter(run, [&] { run.session.history()->undo(); });
+  EXPECT_EQ(run.library.project().clips[0].verdict, Verdict::Approved);
+}
+
+TEST_F(InALibrary, VerdictsAndNotesAreUndoneInTheHistoryOfTheirClip) {
+  Run run;
+  settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
+  settleAfter(run, [&] { run.session.open(clip("jump.bvh", 2)); });
+  run.library.setVerdict(0, Verdict::Rejected);
+  for (const char* typed : {"k", "kn", "knee"}) run.library.setNote(1, QString::fromLatin1(typed));
+  run.library.setVerdict(1, Verdict::Approved);
+  const auto& clips = run.library.project().clips;
+  run.session.history()->undo();
+  EXPECT_EQ(clips[1].verdict, Verdict::None);
+  EXPECT_EQ(clips[1].note, QStringLiteral("knee"));
+  run.session.history()->undo();
+  EXPECT_EQ(clips[1].note, QString()) << "typed in one go";
+  EXPECT_FALSE(run.session.history()->canUndo());
+  EXPECT_EQ(run.model.entry(0).verdict, Verdict::Rejected);
+  settleAfter(run, [&] { run.library.openClip(0); });
+  run.session.history()->undo();
+  EXPECT_EQ(run.model.entry(0).verdict, Verdict::None);
+  run.session.history()->redo();
+  EXPECT_EQ(run.model.entry(0).verdict, Verdict::Rejected);
+}
+
+TEST_F(InALibrary, AnotherProjectHasNothingToUndo) {
+  Run run;
+  run.library.begin(file());
+  settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
+  settleAfter(run, [&] { run.session.setOptions(standard(20)); });
+  run.library.startNew();
+  EXPECT_FALSE(run.session.history()->canUndo());
+}
+
+TEST_F(InALibrary, GivesClipsToABatchWithTheSettingsTheyWereTunedBy) {
+  Run run;
+  const QString walk = clip("walk.bvh", 1);
+  settleAfter(run, [&] { run.session.open(walk); });
+  settleAfter(run, [&] { run.session.setOptions(standard(20)); });
+  run.library.add({clip("jump.bvh", 2)});
+  const std::vector<TunedClip> all = run.library.tuned({});
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].path, walk);
+  EXPECT_EQ(all[0].settings->encode.target.value, 20);
+  EXPECT_FALSE(all[1].settings);
+  ASSERT_EQ(run.library.tuned({1}).size(), 1u);
+  EXPECT_EQ(run.library.tuned({1})[0].path, all[1].path);
 }
 
 TEST_F(InALibrary, ClipsThatCannotBeReadAreListedWithTheirReason) {

@@ -87,7 +87,7 @@ TEST(CompressionPanel, EveryControlHasANameAndAnExplanation) {
   for (QWidget* control : panel.findChildren<QComboBox*>()) controls << control;
   for (QWidget* control : panel.findChildren<QAbstractSpinBox*>()) controls << control;
   for (QWidget* control : panel.findChildren<QSlider*>()) controls << control;
-  EXPECT_EQ(controls.size(), 9);
+  EXPECT_EQ(controls.size(), 11);
   for (const QWidget* control : controls) {
     EXPECT_FALSE(control->accessibleName().isEmpty());
     EXPECT_FALSE(control->toolTip().isEmpty()) << control->accessibleName().toStdString();

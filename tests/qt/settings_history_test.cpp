@@ -24,7 +24,7 @@ EncodeOptions standard(double ratio) {
 
 TEST(SettingsKey, DiffersInEverythingThatChangesTheAnswer) {
   const EncodeOptions plain;
-  std::vector<EncodeOptions> others(9, plain);
+  std::vector<EncodeOptions> others(12, plain);
   others[0].method = Method::Standard;
   others[1].coding = Coding::Rle16;
   others[2].weighting = Weighting::JointOrigins;
@@ -34,6 +34,9 @@ TEST(SettingsKey, DiffersInEverythingThatChangesTheAnswer) {
   others[6].correction = CorrectionOptions{};
   others[7].correction = CorrectionOptions{.ratio = 16};
   others[8].contacts = std::vector<ContactSpan>{{1, 2, 3}};
+  others[9].effort = Effort::Best;
+  others[10].importance.contacts = 20;
+  others[11].importance.joints = {1, 4};
   for (std::size_t i = 0; i < others.size(); ++i) {
     EXPECT_NE(settingsKey(others[i]), settingsKey(plain)) << i;
     for (std::size_t j = 0; j < i; ++j) EXPECT_NE(settingsKey(others[i]), settingsKey(others[j]));
@@ -74,6 +77,9 @@ TEST(SettingsChange, NamesWhatChanged) {
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.correction = CorrectionOptions{}; }),
             Correction);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.contacts.begin_height = 9; }), Contacts);
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.effort = mocapress::Effort::Best; }), Effort);
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.importance.contacts = 9; }), Importance);
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.preset = QStringLiteral("Mine"); }), Preset);
 }
 
 class History : public testing::Test {
@@ -139,6 +145,67 @@ TEST_F(History, BeginsAnewWithAnotherClip) {
   write_motion(path.toStdU16String(), test::smooth_motion(100, 2));
   settleAfter([&] { session_.open(path); });
   EXPECT_FALSE(session_.history()->canUndo());
+}
+
+TEST_F(History, IsThereAgainWithItsClipAndMixesWithNoOther) {
+  const QString first = directory_.filePath(QStringLiteral("clip.bvh"));
+  const QString second = directory_.filePath(QStringLiteral("other.bvh"));
+  write_motion(second.toStdU16String(), test::smooth_motion(100, 2));
+  settleAfter([&] { session_.setOptions(standard(20)); });
+  settleAfter([&] { session_.switchSlot(); });
+  settleAfter([&] { session_.setOptions(standard(30)); });
+  settleAfter([&] { session_.open(second); });
+  settleAfter([&] { session_.setOptions(standard(40)); });
+  EXPECT_EQ(session_.history()->count(), 1);
+  settleAfter([&] { session_.open(first); });
+  EXPECT_DOUBLE_EQ(target(), 30);
+  EXPECT_EQ(session_.tuning().active, 1);
+  EXPECT_EQ(session_.history()->count(), 3);
+  settleAfter([&] { session_.history()->undo(); });
+  settleAfter([&] { session_.history()->undo(); });
+  EXPECT_EQ(session_.tuning().active, 0);
+  EXPECT_DOUBLE_EQ(target(), 20);
+  settleAfter([&] { session_.history()->redo(); });
+  settleAfter([&] { session_.open(second); });
+  EXPECT_DOUBLE_EQ(target(), 40);
+  settleAfter([&] { session_.history()->undo(); });
+  EXPECT_DOUBLE_EQ(target(), 30) << "what it began with";
+}
+
+TEST_F(History, OfAClipThatChangedOnTheDiskIsForgotten) {
+  const QString path = directory_.filePath(QStringLiteral("clip.bvh"));
+  settleAfter([&] { session_.setContacts({{4, 100, 119}}); });
+  const QString other = directory_.filePath(QStringLiteral("other.bvh"));
+  write_motion(other.toStdU16String(), test::smooth_motion(100, 2));
+  settleAfter([&] { session_.open(other); });
+  write_motion(path.toStdU16String(), test::smooth_motion(90));
+  settleAfter([&] { session_.open(path); });
+  EXPECT_FALSE(session_.history()->canUndo());
+}
+
+TEST_F(History, ImportanceIsAStepAndADragOfItOne) {
+  for (const double weight : {1.0, 5.0, 20.0}) session_.setImportance({.contacts = weight});
+  EXPECT_EQ(session_.history()->count(), 1);
+  EXPECT_EQ(session_.document().options().importance.contacts, 20);
+  session_.history()->undo();
+  EXPECT_TRUE(session_.document().options().importance.is_even());
+}
+
+TEST_F(History, ImportanceOutlivesTheClipByTheNamesOfJoints) {
+  const Skeleton skeleton = *session_.document().skeleton();
+  Importance importance{
+      .joints = std::vector<double>(static_cast<std::size_t>(skeleton.joint_count()), 1.0),
+      .contacts = 3};
+  importance.joints[static_cast<std::size_t>(skeleton.find("lhand"))] = 5;
+  session_.setImportance(importance);
+  settleAfter([&] {
+    session_.open(QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/human_walk.amc"));
+  });
+  const Skeleton& human = *session_.document().skeleton();
+  const auto& carried = session_.document().options().importance;
+  ASSERT_EQ(std::ssize(carried.joints), human.joint_count());
+  EXPECT_EQ(carried.joints[static_cast<std::size_t>(human.find("lhand"))], 5);
+  EXPECT_EQ(carried.contacts, 3);
 }
 
 TEST_F(History, TheCurveOfTheClipFillsAndOutlivesAnotherTarget) {

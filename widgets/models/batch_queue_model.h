@@ -16,6 +16,7 @@ struct QueuedClip {
   enum class State { Waiting, Working, Done, Failed };
 
   SourceClip source;
+  std::string skeleton;       // .asf; empty: beside the .amc
   std::optional<Preset> own;  // locked: the common preset does not reach it
   State state = State::Waiting;
   ClipProgress progress;                // while working

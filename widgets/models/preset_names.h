@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "core/batch/preset.h"
+#include "core/motion/body_part.h"
 
 namespace mocapress {
 
@@ -12,5 +13,14 @@ QString displayName(const Preset& preset);
 
 /// What a built-in preset is for; empty for any other.
 QString purposeOf(const Preset& preset);
+
+/// "Feet × 4, contacts × 20; effort: best": what of a preset is not seen elsewhere; may be empty.
+QString detailsOf(const Preset& preset);
+
+QString displayName(BodyPart part);
+QString displayName(Effort effort);
+
+/// "Feet × 4, contacts × 20"; empty where all are alike.
+QString importanceText(const NamedImportance& importance);
 
 }  // namespace mocapress

@@ -28,15 +28,14 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
       cancel_(new QPushButton(tr("Cancel"), this)),
       pass_(new QLabel(this)),
       plot_(new ConvergencePlot(this)) {
-  progress_->setAccessibleName(tr("Progress of the annealing"));
+  progress_->setAccessibleName(tr("Progress of the refinement"));
   progress_->setRange(0, kProgressSteps);
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(8);
   progress_->setToolTip(
-      tr("Annealing moves fewer and fewer coefficients at a time, until no move helps. A size or "
-         "error target takes several passes."));
-  cancel_->setToolTip(
-      tr("Stop annealing. The best so far is kept where it beats the standard answer."));
+      tr("The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed "
+         "loop sweeps over all of them, until nothing helps. Most targets take several passes."));
+  cancel_->setToolTip(tr("Stop refining. The best so far is kept where it beats the draft."));
   cancel_->setEnabled(false);
   plot_->setMinimumHeight(110);
 
@@ -57,6 +56,7 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
 
 void AnnealingPanel::setRunning(bool running) {
   cancel_->setEnabled(running);
+  progress_->setRange(0, kProgressSteps);
   if (!running) return;
   progress_->setValue(0);
   pass_->clear();
@@ -66,6 +66,8 @@ void AnnealingPanel::setRunning(bool running) {
 void AnnealingPanel::append(const std::vector<EncodeProgress>& states) {
   if (states.empty()) return;
   const EncodeProgress& newest = states.back();
+  // How many sweeps a closed loop takes is not known beforehand.
+  progress_->setRange(0, newest.first_step > 0 ? kProgressSteps : 0);
   progress_->setValue(static_cast<int>(kProgressSteps * passProgress(newest)));
   pass_->setText(tr("Pass %1").arg(newest.pass + 1));
   plot_->append(states);

@@ -14,14 +14,15 @@ namespace mocapress {
 
 class ConvergencePlot;
 
-/// A running annealing: how far it is, how the error falls, and a way out.
+/// A running refinement, by annealing or in a closed loop: how far it is, how the error falls, and
+/// a way out.
 class AnnealingPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit AnnealingPanel(QWidget* parent = nullptr);
 
-  /// true: a new annealing begins, the old curve goes. false: it ended, the curve stays.
+  /// true: a new refinement begins, the old curve goes. false: it ended, the curve stays.
   void setRunning(bool running);
 
   void append(const std::vector<EncodeProgress>& states);

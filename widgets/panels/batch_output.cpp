@@ -22,7 +22,7 @@ BatchOutput::BatchOutput(QWidget* parent)
   names_->setAccessibleName(tr("Pattern of the names"));
   names_->setToolTip(
       tr("<p>{folder}: the folder the clip was found by, and those between<br>{stem}: the clip's "
-         "name<br>{preset}, {method}: what it is compressed by</p>"));
+         "name<br>{type}: bvh or amc<br>{preset}, {method}: what it is compressed by</p>"));
   example_->setWordWrap(true);
   example_->setTextFormat(Qt::PlainText);
   overwrite_->setToolTip(

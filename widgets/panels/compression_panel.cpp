@@ -3,14 +3,19 @@
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/models/preset_names.h"
 #include "widgets/panels/correction_control.h"
 #include "widgets/panels/names.h"
+#include "widgets/panels/preset_chooser.h"
 #include "widgets/panels/target_control.h"
 
 namespace mocapress {
 namespace {
+
+constexpr int kImportanceWidth = 150;  // of the text on the button
 
 template <typename Value>
 void addChoices(QComboBox* box, std::initializer_list<Value> values) {
@@ -32,41 +37,30 @@ Value chosen(const QComboBox* box) {
 
 CompressionPanel::CompressionPanel(QWidget* parent)
     : QWidget(parent),
+      presets_(new PresetChooser(this)),
       target_(new TargetControl(this)),
       correction_(new CorrectionControl(this)),
       method_(new QComboBox(this)),
+      effort_(new QComboBox(this)),
+      importance_(new QToolButton(this)),
       weighting_(new QComboBox(this)),
       coding_(new QComboBox(this)) {
-  addChoices(method_, {Method::Annealed, Method::Standard, Method::PerChannel, Method::ClosedLoop});
-  method_->setAccessibleName(tr("Method"));
-  method_->setToolTip(tr(
-      "Which wavelet coefficients are kept: annealed moves them to the channels where they lower "
-      "the error in the world most, standard keeps the largest of all, per channel keeps as many "
-      "of each."));
-  addChoices(weighting_, {Weighting::BoneEnds, Weighting::JointOrigins});
-  weighting_->setAccessibleName(tr("Weighting"));
-  weighting_->setToolTip(
-      tr("Which points the error eps_x counts, each by bone length: the far end of every bone, or "
-         "joint origins as in the paper."));
-  addChoices(coding_, {Coding::Deflate, Coding::Rle16, Coding::Adaptive});
-  coding_->setAccessibleName(tr("Coding"));
-  coding_->setToolTip(
-      tr("How kept coefficients become bytes: 16-bit words with runs of zeros, optionally packed "
-         "further by DEFLATE."));
-
+  makeChoices();
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(12);
   form->setVerticalSpacing(6);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("Method"), method_);
-  form->addRow(tr("Weighting"), weighting_);
-  form->addRow(tr("Coding"), coding_);
+  form->addRow(tr("Effort"), effort_);
+  form->addRow(tr("Importance"), importance_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(10);
+  column->addWidget(presets_);
   column->addWidget(target_);
   column->addWidget(correction_);
   column->addLayout(form);
+  column->addWidget(makeDrawer());
 
   connect(target_, &TargetControl::targetChanged, this, [this](const Target& target) {
     options_.target = target;
@@ -77,19 +71,106 @@ CompressionPanel::CompressionPanel(QWidget* parent)
             options_.correction = correction;
             emit optionsChanged(options_);
           });
-  const auto combo_chosen = [this] {
-    options_.method = chosen<Method>(method_);
-    options_.weighting = chosen<Weighting>(weighting_);
-    options_.coding = chosen<Coding>(coding_);
-    emit optionsChanged(options_);
+  const auto chosen_in = [this](QComboBox* box, auto EncodeOptions::*member) {
+    connect(box, &QComboBox::activated, this, [this, box, member] {
+      using Value = std::remove_reference_t<decltype(options_.*member)>;
+      options_.*member = chosen<Value>(box);
+      if (box == method_) options_.basis = Basis::Cubic;  // no longer that of a study's wavelets
+      showWhatApplies();
+      emit optionsChanged(options_);
+    });
   };
-  connect(method_, &QComboBox::activated, this, [this, combo_chosen] {
-    options_.basis = Basis::Cubic;  // no longer that of a study's Haar or linear wavelets
-    combo_chosen();
-  });
-  for (QComboBox* box : {weighting_, coding_})
-    connect(box, &QComboBox::activated, this, combo_chosen);
+  chosen_in(method_, &EncodeOptions::method);
+  chosen_in(effort_, &EncodeOptions::effort);
+  chosen_in(weighting_, &EncodeOptions::weighting);
+  chosen_in(coding_, &EncodeOptions::coding);
+  connect(importance_, &QToolButton::clicked, this, &CompressionPanel::importanceRequested);
   setOptions({});
+}
+
+/// What is seldom changed.
+QWidget* CompressionPanel::makeDrawer() {
+  auto* drawer = new QWidget(this);
+  auto* more = new QToolButton(drawer);
+  more->setText(tr("More"));
+  more->setToolTip(tr("Weighting of the error, and coding: seldom changed."));
+  more->setCheckable(true);
+  more->setAutoRaise(true);
+  more->setArrowType(Qt::RightArrow);
+  more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  auto* inside = new QWidget(drawer);
+  auto* form = new QFormLayout(inside);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setHorizontalSpacing(12);
+  form->setVerticalSpacing(6);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->addRow(tr("Weighting"), weighting_);
+  form->addRow(tr("Coding"), coding_);
+  inside->setVisible(false);
+  connect(more, &QToolButton::toggled, inside, [more, inside](bool open) {
+    more->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    inside->setVisible(open);
+  });
+  auto* column = new QVBoxLayout(drawer);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(more);
+  column->addWidget(inside);
+  return drawer;
+}
+
+void CompressionPanel::makeChoices() {
+  addChoices(method_, {Method::ClosedLoop, Method::Annealed, Method::Standard, Method::PerChannel});
+  method_->insertSeparator(1);
+  method_->setAccessibleName(tr("Method"));
+  method_->setToolTip(
+      tr("The closed loop rounds every coefficient by what it does to the error in the world, and "
+         "is much the smallest. The others are the paper's, which choose coefficients to keep: "
+         "annealed moves them to the channels where they lower the error most, standard keeps the "
+         "largest of all, per channel keeps as many of each."));
+  addChoices(effort_, {Effort::Default, Effort::Best});
+  effort_->setAccessibleName(tr("Effort"));
+  importance_->setAccessibleName(tr("Importance"));
+  importance_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  addChoices(weighting_, {Weighting::BoneEnds, Weighting::JointOrigins});
+  weighting_->setAccessibleName(tr("Weighting"));
+  weighting_->setToolTip(
+      tr("Which points the error eps_x counts, each by bone length: the far end of every bone, or "
+         "joint origins as in the paper."));
+  addChoices(coding_, {Coding::Deflate, Coding::Rle16, Coding::Adaptive});
+  coding_->setAccessibleName(tr("Coding"));
+}
+
+/// What the method has no use for is disabled, and says why.
+void CompressionPanel::showWhatApplies() {
+  const bool closed = options_.method == Method::ClosedLoop;
+  effort_->setEnabled(closed);
+  effort_->setToolTip(
+      closed ? tr("Best looks longer for something smaller: a few per cent, for five times the "
+                  "time.")
+             : tr("Only the closed loop can try harder: the paper's methods end where they end."));
+  coding_->setEnabled(!closed);
+  choose(coding_, effective_coding(options_));
+  coding_->setToolTip(
+      closed ? tr("The closed loop weighs the bytes of its own adaptive coding and has no other.")
+             : tr("How kept coefficients become bytes: 16-bit words with runs of zeros, optionally "
+                  "packed further by DEFLATE, or an adaptive range coder."));
+  const bool heeded = closed || options_.method == Method::Annealed;
+  const bool fits = options_.importance.joints.empty() ||
+                    std::ssize(options_.importance.joints) == skeleton_.joint_count();
+  const QString importance =
+      fits ? importanceText(named(options_.importance, skeleton_)) : QString();
+  importance_->setText(!heeded                ? tr("Not heeded")
+                       : importance.isEmpty() ? tr("All alike")
+                                              : fontMetrics().elidedText(importance, Qt::ElideRight,
+                                                                         kImportanceWidth));
+  importance_->setToolTip(
+      heeded ? QStringLiteral("<p>%1</p><p>%2</p>")
+                   .arg(importance,
+                        tr("Take more care of feet, hands, the head, contacts or any joint."))
+             : tr("Standard and per channel take coefficients as they come and heed no "
+                  "importance: choose Closed loop or Annealed."));
+  importance_->setEnabled(heeded);
 }
 
 void CompressionPanel::setOptions(const EncodeOptions& options) {
@@ -97,12 +178,15 @@ void CompressionPanel::setOptions(const EncodeOptions& options) {
   target_->setTarget(options.target);
   correction_->setCorrection(options.correction);
   choose(method_, options.method);
+  choose(effort_, options.effort);
   choose(weighting_, options.weighting);
-  choose(coding_, options.coding);
+  showWhatApplies();
 }
 
 void CompressionPanel::setSkeleton(const Skeleton& skeleton) {
+  skeleton_ = skeleton;
   correction_->setSkeleton(skeleton);
+  showWhatApplies();
 }
 
 }  // namespace mocapress

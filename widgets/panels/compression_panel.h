@@ -6,10 +6,12 @@
 #include "core/codec/encoder.h"
 
 class QComboBox;
+class QToolButton;
 
 namespace mocapress {
 
 class CorrectionControl;
+class PresetChooser;
 class TargetControl;
 
 /// The settings of the compression. Shows what it is told, and tells what the user chose.
@@ -25,17 +27,33 @@ class CompressionPanel : public QWidget {
   /// The joints that can be held.
   void setSkeleton(const Skeleton& skeleton);
 
+  PresetChooser* presets() const { return presets_; }
   TargetControl* target() const { return target_; }
   CorrectionControl* correction() const { return correction_; }
+  QComboBox* method() const { return method_; }
+  QComboBox* effort() const { return effort_; }
+  QComboBox* coding() const { return coding_; }
+  QToolButton* importance() const { return importance_; }
 
  signals:
   void optionsChanged(const EncodeOptions& options);
 
+  /// The user wants to see what is taken more care of.
+  void importanceRequested();
+
  private:
+  void makeChoices();
+  QWidget* makeDrawer();
+  void showWhatApplies();
+
   EncodeOptions options_;
+  Skeleton skeleton_;
+  PresetChooser* presets_;
   TargetControl* target_;
   CorrectionControl* correction_;
   QComboBox* method_;
+  QComboBox* effort_;
+  QToolButton* importance_;
   QComboBox* weighting_;
   QComboBox* coding_;
 };

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -98,6 +99,9 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   list_->setUniformItemSizes(true);
   list_->setFrameShape(QFrame::NoFrame);
   list_->setAccessibleName(tr("Clips of the project"));
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  list_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(list_, &QWidget::customContextMenuRequested, this, &LibraryPanel::showMenu);
   add_->setToolTip(tr("Add motion files to the project. Each keeps its own settings."));
   remove_->setToolTip(tr("Take the clip out of the project; its file stays."));
   verdict_->setAccessibleName(tr("Verdict"));
@@ -139,6 +143,21 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   for (const auto changed : {&LibraryModel::modelReset})
     connect(model, changed, this, &LibraryPanel::showReview);
   showReview();
+}
+
+void LibraryPanel::showMenu(const QPoint& place) {
+  std::vector<int> rows;
+  for (const QModelIndex& index : list_->selectionModel()->selectedIndexes())
+    rows.push_back(index.row());
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QAction* selected = menu->addAction(tr("Export Selected, Each by Its Own Settings…"));
+  selected->setEnabled(!rows.empty());
+  connect(selected, &QAction::triggered, this, [this, rows] { emit exportRequested(rows); });
+  QAction* all = menu->addAction(tr("Export All, Each by Its Own Settings…"));
+  all->setEnabled(model_->rowCount() > 0);
+  connect(all, &QAction::triggered, this, [this] { emit exportRequested({}); });
+  menu->popup(list_->viewport()->mapToGlobal(place));
 }
 
 int LibraryPanel::current() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "widgets/models/library_entry.h"
 
@@ -37,8 +38,12 @@ class LibraryPanel : public QWidget {
   void verdictChosen(int row, mocapress::Verdict verdict);
   void noteEdited(int row, const QString& note);
 
+  /// A batch of these clips; none: of all.
+  void exportRequested(const std::vector<int>& rows);
+
  private:
   void showReview();
+  void showMenu(const QPoint& place);
   int current() const;
 
   LibraryModel* model_;

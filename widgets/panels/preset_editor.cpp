@@ -7,41 +7,30 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QScopedValueRollback>
-#include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "core/compare/comparison_method.h"
 #include "core/compare/contender.h"
 #include "widgets/models/preset_names.h"
+#include "widgets/panels/preset_chooser.h"
 
 namespace mocapress {
-namespace {
-
-bool isBuiltIn(const std::string& name) {
-  const auto presets = built_in_presets();
-  return std::any_of(presets.begin(), presets.end(),
-                     [&](const Preset& preset) { return preset.name == name; });
-}
-
-}  // namespace
-
 PresetEditor::PresetEditor(QWidget* parent)
     : QWidget(parent),
-      presets_(new QComboBox(this)),
+      chooser_(new PresetChooser(this)),
       purpose_(new QLabel(this)),
       kind_(new QComboBox(this)),
       value_(new QDoubleSpinBox(this)),
       method_(new QComboBox(this)),
       hold_feet_(new QCheckBox(tr("Hold feet by inverse kinematics"), this)) {
-  presets_->setAccessibleName(tr("Preset"));
-  presets_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   purpose_->setWordWrap(true);
   purpose_->setForegroundRole(QPalette::PlaceholderText);
   addRows();
-  connect(presets_, &QComboBox::activated, this, &PresetEditor::choosePreset);
+  connect(chooser_, &PresetChooser::chosen, this, [this](const Preset& preset) {
+    setPreset(preset);
+    emit presetChanged(preset);
+  });
   connect(kind_, &QComboBox::activated, this, [this] {
     showKind();
     change();
@@ -79,9 +68,6 @@ void PresetEditor::addRows() {
   method_->setMinimumContentsLength(12);
   hold_feet_->setToolTip(tr("Feet stay where they stand in the original, at some more bytes."));
 
-  auto* choose = new QHBoxLayout;
-  choose->addWidget(presets_, 1);
-  choose->addWidget(makeMenu());
   auto* target = new QHBoxLayout;
   target->addWidget(kind_);
   target->addWidget(value_, 1);
@@ -95,61 +81,22 @@ void PresetEditor::addRows() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
-  column->addLayout(choose);
+  column->addWidget(chooser_);
   column->addWidget(purpose_);
   column->addLayout(form);
 }
 
-QToolButton* PresetEditor::makeMenu() {
-  auto* button = new QToolButton(this);
-  button->setText(QStringLiteral("⋯"));
-  button->setAccessibleName(tr("Presets"));
-  button->setToolTip(tr("Keep, share and remove presets of your own"));
-  button->setPopupMode(QToolButton::InstantPopup);
-  button->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
-  auto* menu = new QMenu(button);
-  button->setMenu(menu);
-  connect(menu->addAction(tr("Save as Preset…")), &QAction::triggered, this,
-          [this] { emit saveRequested(preset_); });
-  QAction* remove = menu->addAction(tr("Remove Preset"));
-  connect(remove, &QAction::triggered, this,
-          [this] { emit removeRequested(QString::fromStdString(preset_.name)); });
-  menu->addSeparator();
-  connect(menu->addAction(tr("Import…")), &QAction::triggered, this,
-          &PresetEditor::importRequested);
-  connect(menu->addAction(tr("Export…")), &QAction::triggered, this,
-          [this] { emit exportRequested(preset_); });
-  connect(menu, &QMenu::aboutToShow, remove,
-          [this, remove] { remove->setEnabled(known(preset_.name) && !isBuiltIn(preset_.name)); });
-  return button;
-}
-
-const Preset* PresetEditor::known(const std::string& name) const {
-  const auto found =
-      std::find_if(all_.begin(), all_.end(), [&](const Preset& one) { return one.name == name; });
-  return found == all_.end() ? nullptr : &*found;
-}
-
 void PresetEditor::setPresets(const std::vector<Preset>& presets) {
-  all_ = presets;
+  chooser_->setPresets(presets);
   setPreset(Preset(preset_));
 }
 
 void PresetEditor::setPreset(const Preset& preset) {
   const QScopedValueRollback filling(filling_, true);
   preset_ = preset;
-  presets_->clear();
-  for (const Preset& one : all_) presets_->addItem(displayName(one));
-  const Preset* origin = known(preset.name);
-  const QString name = displayName(preset);
-  if (origin && *origin == preset) {
-    presets_->setCurrentIndex(static_cast<int>(origin - all_.data()));
-  } else {
-    presets_->addItem(origin ? tr("%1, changed").arg(name) : name);
-    presets_->setCurrentIndex(presets_->count() - 1);
-  }
-  const bool pure = origin && *origin == preset;
-  purpose_->setText(pure ? purposeOf(preset) : QString());
+  chooser_->setPreset(preset);
+  const bool purpose = chooser_->isPure() && !purposeOf(preset).isEmpty();
+  purpose_->setText(purpose ? purposeOf(preset) : detailsOf(preset));
   purpose_->setVisible(!purpose_->text().isEmpty());
   kind_->setCurrentIndex(kind_->findData(static_cast<int>(preset.target.kind)));
   showKind();
@@ -185,13 +132,6 @@ void PresetEditor::showKind() {
   value_->setDecimals(scale.decimals);
   value_->setSuffix(scale.unit);
   if (kind != preset_.target.kind) value_->setValue(scale.usual);
-}
-
-void PresetEditor::choosePreset(int index) {
-  if (index < 0 || index >= static_cast<int>(all_.size())) return;
-  const Preset chosen = all_[static_cast<std::size_t>(index)];
-  setPreset(chosen);
-  emit presetChanged(chosen);
 }
 
 void PresetEditor::change() {

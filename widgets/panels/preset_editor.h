@@ -10,9 +10,10 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
-class QToolButton;
 
 namespace mocapress {
+
+class PresetChooser;
 
 /// A preset to choose, and the few settings most are changed in. Shows what it is told, and tells
 /// what the user chose.
@@ -29,30 +30,22 @@ class PresetEditor : public QWidget {
   /// has.
   void setPreset(const Preset& preset);
 
-  QComboBox* presets() const { return presets_; }
+  PresetChooser* chooser() const { return chooser_; }
   QComboBox* kind() const { return kind_; }
   QDoubleSpinBox* value() const { return value_; }
   QCheckBox* holdFeet() const { return hold_feet_; }
 
  signals:
   void presetChanged(const Preset& preset);
-  void saveRequested(const Preset& preset);
-  void removeRequested(const QString& name);
-  void importRequested();
-  void exportRequested(const Preset& preset);
 
  private:
   void addRows();
-  QToolButton* makeMenu();
-  void choosePreset(int index);
   void change();
   void showKind();
-  const Preset* known(const std::string& name) const;
 
-  std::vector<Preset> all_;
   Preset preset_;
   bool filling_ = false;
-  QComboBox* presets_;
+  PresetChooser* chooser_;
   QLabel* purpose_;
   QComboBox* kind_;
   QDoubleSpinBox* value_;

@@ -48,7 +48,7 @@ TargetControl::TargetControl(QWidget* parent)
   kind_->addItem(tr("Compression ratio"), static_cast<int>(Target::Kind::Ratio));
   kind_->addItem(tr("Size in bytes"), static_cast<int>(Target::Kind::Size));
   kind_->addItem(tr("Error (eps_x)"), static_cast<int>(Target::Kind::Error));
-  kind_->addItem(tr("Greatest error"), static_cast<int>(Target::Kind::MaxError));
+  kind_->addItem(tr("Hard maximum"), static_cast<int>(Target::Kind::MaxError));
   kind_->setToolTip(
       tr("Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the "
          "compressed motion bytes; or these bytes themselves) or for a quality (weighted mean "
@@ -56,8 +56,7 @@ TargetControl::TargetControl(QWidget* parent)
   slider_->setAccessibleName(tr("Target on a slider"));
   slider_->setRange(0, LogScale().steps);
   slider_->setPageStep(50);
-  slider_->setToolTip(
-      tr("Drag: the standard answer follows at once, the annealed one refines it."));
+  slider_->setToolTip(tr("Drag: a draft follows at once, and is refined when you pause."));
   value_->setAccessibleName(tr("Target value"));
   value_->setToolTip(tr("The target as a number; type it or step through it."));
   value_->setKeyboardTracking(false);

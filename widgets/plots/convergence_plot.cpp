@@ -13,8 +13,8 @@ ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent), plot_(new Q
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
-  plot_->setAccessibleName(tr("Error while annealing"));
-  plot_->setToolTip(tr("How the error falls while coefficients move between channels."));
+  plot_->setAccessibleName(tr("Error while refining"));
+  plot_->setToolTip(tr("How the error falls while the answer is refined."));
   plot_->xAxis->setLabel(tr("Iteration"));
   plot_->yAxis->setLabel(tr("eps_x (cm)"));
   plot_->xAxis->ticker()->setTickCount(4);

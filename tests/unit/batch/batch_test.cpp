@@ -25,6 +25,7 @@ TEST(OutputName, FillsInWhatThePatternNames) {
   EXPECT_EQ(named(kUsualNames), "b/slow/walk.one");
   EXPECT_EQ(named("{folder}/{stem}_{preset}"), "b/slow/walk.one_hero-close-up");
   EXPECT_EQ(named("{stem}.mcpr"), "walk.one");
+  EXPECT_EQ(named("{stem}-{type}"), "walk.one-bvh");
   EXPECT_EQ(named("x/{method}-{stem}.v2"), "x/closed-loop-walk.one.v2");
   EXPECT_EQ(output_name(kUsualNames, {"walk.bvh", "", {}}, {}), "walk");
 }
@@ -118,6 +119,20 @@ TEST_F(Sources, ThatWouldBeWrittenToOnePlaceAreToldApart) {
   std::set<std::string> outputs;
   for (const BatchItem item : batch.items) outputs.insert(item.output);
   EXPECT_EQ(outputs.size(), 3u);
+}
+
+TEST(OutputName, OfTheSameStemIsAnotherWhereTheTypeIsNamed) {
+  Batch batch{.presets = {built_in_presets()[1]}};
+  const std::vector<SourceClip> sources = {{"a/walk.bvh", "a", {}}, {"a/walk.amc", "a", {}}};
+  add_items(batch, sources, 0, "{folder}/{stem}-{type}");
+  mark_collisions(batch);
+  EXPECT_TRUE(batch.items[1].problem.empty());
+  EXPECT_EQ(batch.items[0].output, "a/walk-bvh");
+  EXPECT_EQ(batch.items[1].output, "a/walk-amc");
+  Batch colliding{.presets = batch.presets};
+  add_items(colliding, sources, 0, kUsualNames);
+  mark_collisions(colliding);
+  EXPECT_NE(colliding.items[1].problem.find("{type}"), std::string::npos);
 }
 
 TEST(Queue, ComesBackFromItsFileAsItWas) {

@@ -21,10 +21,13 @@ Preset unusual_preset() {
           .weighting = Weighting::JointOrigins,
           .target = {Target::Kind::Size, 12345},
           .seed = 0xffffffffffffffff,
+          .effort = Effort::Best,
+          .importance = {.factors = {{"feet", 4}, {"lhand", 0.5}}, .contacts = 20},
           .correction = PresetCorrection{.ratio = 12.5,
                                          .effectors = {"lhand", "rhand"},
                                          .solver = IkSolver::CyclicDescent,
-                                         .at = CorrectAt::Contacts}};
+                                         .at = CorrectAt::Contacts},
+          .contacts = std::vector<PresetContact>{{"lhand", 3, 9}, {"rhand end", 0, 1}}};
 }
 
 std::string complaint(const std::string& text) {
@@ -48,7 +51,7 @@ TEST(Preset, WhatAFileLeavesOutIsAsUsual) {
 }
 
 TEST(Preset, EveryBuiltInOneIsValidAndFoundByNameAndSlug) {
-  ASSERT_EQ(built_in_presets().size(), 4u);
+  ASSERT_EQ(built_in_presets().size(), 5u);
   for (const Preset& preset : built_in_presets()) {
     EXPECT_NO_THROW(check(preset));
     EXPECT_EQ(find_preset(preset.name), preset);

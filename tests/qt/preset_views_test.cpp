@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/preset_views.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/jobs/settings_key.h"
+#include "app/studio/clip_preset.h"
+#include "app/studio/preset_shelf.h"
+#include "app/studio/session.h"
+#include "resources/samples/generator/samples.h"
+#include "widgets/panels/preset_chooser.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+TEST(ClipPreset, ComesBackFromTheSettingsItMade) {
+  const Skeleton skeleton = samples::walk_clip().skeleton;
+  std::vector<Preset> presets(built_in_presets().begin(), built_in_presets().end());
+  presets.push_back({.name = "Mine",
+                     .method = "annealed",
+                     .coding = Coding::Rle16,
+                     .weighting = Weighting::JointOrigins,
+                     .target = {Target::Kind::Size, 9000},
+                     .seed = 7,
+                     .importance = {.factors = {{"feet", 4}, {"root", 2}}, .contacts = 3},
+                     .correction = PresetCorrection{.ratio = 9.0, .effectors = {"lhand"}}});
+  presets.push_back({.name = "Tried harder", .effort = Effort::Best});
+  for (const Preset& preset : presets) {
+    const ClipSettings settings = withPreset({}, preset, skeleton);
+    EXPECT_EQ(presetOf(settings, skeleton), preset) << preset.name;
+    EXPECT_TRUE(isAsPreset(settings, preset, skeleton));
+    EXPECT_FALSE(isAsPreset(settings, {.name = "Else", .seed = 99}, skeleton));
+  }
+}
+
+TEST(ClipPreset, EditedContactsStayWithTheirClip) {
+  const Skeleton skeleton = samples::walk_clip().skeleton;
+  ClipSettings settings = usualSettings();
+  settings.encode.contacts = std::vector<ContactSpan>{{3, 10, 20}};
+  EXPECT_FALSE(presetOf(settings, skeleton).contacts);
+  EXPECT_EQ(withPreset(settings, built_in_presets()[0], skeleton).encode.contacts,
+            settings.encode.contacts);
+  const Preset own = ownPresetOf(settings, skeleton);
+  EXPECT_EQ(settingsKey(encode_options(own, skeleton)), settingsKey(settings.encode));
+}
+
+class PresetsOfAClip : public testing::Test {
+ protected:
+  PresetsOfAClip() {
+    settleAfter([&] {
+      session_.open(QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/human_walk.amc"));
+    });
+  }
+
+  template <typename Act>
+  void settleAfter(Act act) {
+    QSignalSpy settled(&session_, &Session::settled);
+    act();
+    ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+  }
+
+  void choose(const char* name) {
+    QComboBox* box = chooser_.box();
+    const int index = box->findText(QString::fromLatin1(name));
+    ASSERT_GE(index, 0) << name;
+    box->setCurrentIndex(index);
+    emit box->activated(index);
+  }
+
+  const EncodeOptions& options() { return session_.document().options(); }
+  std::string shown() { return chooser_.box()->currentText().toStdString(); }
+
+  QTemporaryDir directory_;
+  Session session_;
+  PresetShelf shelf_{directory_.filePath(QStringLiteral("presets.json"))};
+  PresetChooser chooser_;
+  QWidget window_;
+  PresetViews views_{&session_, &shelf_, &chooser_, &window_};
+};
+
+TEST_F(PresetsOfAClip, BeginWithTheClosedLoopAsGameplay) {
+  EXPECT_EQ(options().method, Method::ClosedLoop);
+  EXPECT_EQ(options().target.kind, Target::Kind::Error);
+  EXPECT_EQ(shown(), "Gameplay");
+}
+
+TEST_F(PresetsOfAClip, ChoosingOneSetsAllOfItInOneStep) {
+  const Preset mine{.name = "Mine",
+                    .method = "annealed",
+                    .target = {Target::Kind::Ratio, 12},
+                    .importance = {.factors = {{"feet", 4}}},
+                    .correction = PresetCorrection{.ratio = 16.0}};
+  shelf_.save(mine);
+  settleAfter([&] { choose("Mine"); });
+  EXPECT_EQ(options().method, Method::Annealed);
+  EXPECT_EQ(options().target.value, 12);
+  EXPECT_EQ(options().correction->ratio, 16.0);
+  EXPECT_FALSE(options().importance.is_even());
+  EXPECT_EQ(session_.history()->undoText().toStdString(), "Preset");
+  session_.history()->undo();
+  EXPECT_EQ(shown(), "Gameplay");
+  EXPECT_TRUE(options().importance.is_even());
+}
+
+TEST_F(PresetsOfAClip, ShowThatASettingWasChangedUntilItIsUndone) {
+  EncodeOptions changed = options();
+  changed.target.value = 0.7;
+  session_.setOptions(changed);
+  EXPECT_EQ(shown(), "Gameplay, modified");
+  session_.history()->undo();
+  EXPECT_EQ(shown(), "Gameplay");
+}
+
+TEST_F(PresetsOfAClip, SavedUnderANameTheyHaveItAndUndoneTheyHaveItNot) {
+  EncodeOptions changed = options();
+  changed.target.value = 0.7;
+  session_.setOptions(changed);
+  shelf_.setHistory([this] { return session_.history(); });
+  Preset named = chooser_.preset();
+  named.name = "Nearby";
+  views_.save(named);
+  EXPECT_EQ(shown(), "Nearby");
+  EXPECT_EQ(shelf_.all().back().target.value, 0.7);
+  session_.history()->undo();
+  EXPECT_EQ(shown(), "Gameplay, modified");
+  EXPECT_EQ(shelf_.all().size(), built_in_presets().size());
+  session_.history()->redo();
+  EXPECT_EQ(shown(), "Nearby");
+}
+
+TEST_F(PresetsOfAClip, LeaveOutWhatIsOnlyForComparing) {
+  shelf_.save({.name = "By PCA", .method = "pca"});
+  shelf_.save({.name = "By r", .target = {Target::Kind::CoefficientRatio, 30}});
+  EXPECT_LT(chooser_.box()->findText(QStringLiteral("By PCA")), 0);
+  EXPECT_LT(chooser_.box()->findText(QStringLiteral("By r")), 0);
+}
+
+TEST_F(PresetsOfAClip, ThatNameAJointTheClipLacksAreAMessage) {
+  shelf_.save({.name = "Tail", .importance = {.factors = {{"tail_3", 4}}}});
+  QSignalSpy failed(&session_, &Session::compressFailed);
+  choose("Tail");
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed[0][0].toString().contains(QStringLiteral("tail_3")));
+  EXPECT_EQ(shown(), "Gameplay");
+}
+
+}  // namespace
+}  // namespace mocapress

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/models/log_scale.h"
+
+class QDoubleSpinBox;
+class QSlider;
+
+namespace mocapress {
+
+/// A factor on a slider of equal factors with a spin box beside it.
+class FactorControl : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `name` for a screen reader. `from_none`: the slider begins with 0, which is none.
+  FactorControl(const QString& name, const QString& tip, const LogScale& scale, bool from_none,
+                QWidget* parent = nullptr);
+
+  double value() const { return value_; }
+
+  /// Emits nothing.
+  void setValue(double value);
+
+  QSlider* slider() const { return slider_; }
+  QDoubleSpinBox* number() const { return number_; }
+
+ signals:
+  void valueChanged(double value);
+
+ private:
+  void choose(double value);
+  double at(int position) const;
+
+  LogScale scale_;
+  bool from_none_;
+  double value_;
+  QSlider* slider_;
+  QDoubleSpinBox* number_;
+};
+
+}  // namespace mocapress
