@@ -80,6 +80,16 @@
     </message>
 </context>
 <context>
+    <name>mocapress::LibraryTree</name>
+    <message numerus="yes">
+        <source>%Ln clip(s)</source>
+        <translation>
+            <numerusform>%Ln clip</numerusform>
+            <numerusform>%Ln clips</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mocapress::MainWindow</name>
     <message numerus="yes">
         <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
@@ -147,6 +157,16 @@
         <translation>
             <numerusform>%Ln compression%1</numerusform>
             <numerusform>%Ln compressions%1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ViewActions</name>
+    <message numerus="yes">
+        <source>%Ln pose(s) before and after</source>
+        <translation>
+            <numerusform>%Ln pose before and after</numerusform>
+            <numerusform>%Ln poses before and after</numerusform>
         </translation>
     </message>
 </context>

@@ -191,6 +191,18 @@
         <source>Export all clips of the library, each by its own settings</source>
         <translation>Exporter toutes les séquences de la bibliothèque, chacune avec ses propres réglages</translation>
     </message>
+    <message>
+        <source>Add &amp;Folder to Library…</source>
+        <translation>Ajouter un &amp;dossier à la bibliothèque…</translation>
+    </message>
+    <message>
+        <source>&amp;Pin This Result</source>
+        <translation>É&amp;pingler ce résultat</translation>
+    </message>
+    <message>
+        <source>Keep this result in view beside those of other settings (D)</source>
+        <translation>Garder ce résultat en vue à côté de ceux d'autres réglages (D)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1406,10 +1418,6 @@
 <context>
     <name>mocapress::LibraryPanel</name>
     <message>
-        <source>Add Clips…</source>
-        <translation>Ajouter…</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Retirer</translation>
     </message>
@@ -1465,6 +1473,30 @@
         <source>Export All, Each by Its Own Settings…</source>
         <translation>Tout exporter, chacune avec ses réglages…</translation>
     </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Filter of the clips</source>
+        <translation>Filtre des séquences</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtrer</translation>
+    </message>
+    <message>
+        <source>Words of a clip&apos;s name, folder or state: “walks missed”.</source>
+        <translation>Mots du nom, du dossier ou de l'état d'une séquence : « marches manquée ».</translation>
+    </message>
+    <message>
+        <source>&amp;Clips…</source>
+        <translation>&amp;Séquences…</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Dossier…</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryViews</name>
@@ -1491,6 +1523,10 @@
     <message>
         <source>Save Project</source>
         <translation>Enregistrer le projet</translation>
+    </message>
+    <message>
+        <source>Add Folder</source>
+        <translation>Ajouter un dossier</translation>
     </message>
 </context>
 <context>
@@ -1565,6 +1601,10 @@
     <message>
         <source>Importance</source>
         <translation>Importance</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <translation>Épinglés</translation>
     </message>
 </context>
 <context>
@@ -2859,6 +2899,25 @@ Cliquer pour le charger dans le studio.</translation>
         <source>Look at the whole figure again</source>
         <translation>Revoir toute la figure</translation>
     </message>
+    <message>
+        <source>Ghost &amp;Trail</source>
+        <translation>&amp;Traînée fantôme</translation>
+    </message>
+    <message>
+        <source>Where the compressed figure was (blue) and will be (orange), faded</source>
+        <translation>Où la figure compressée était (bleu) et sera (orange), estompée</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pose(s) before and after</source>
+        <translation>
+            <numerusform>%Ln pose avant et après</numerusform>
+            <numerusform>%Ln poses avant et après</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Poses of the Tra&amp;il</source>
+        <translation>Poses de la tra&amp;înée</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Viewport</name>
@@ -2899,6 +2958,124 @@ Cliquer pour le charger dans le studio.</translation>
             <numerusform>%n note sur la lecture de cette séquence</numerusform>
             <numerusform>%n notes sur la lecture de cette séquence</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Library</name>
+    <message>
+        <source>There are no clips in %1.</source>
+        <translation>Il n'y a aucune séquence dans %1.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryTree</name>
+    <message numerus="yes">
+        <source>%Ln clip(s)</source>
+        <translation>
+            <numerusform>%Ln séquence</numerusform>
+            <numerusform>%Ln séquences</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %L2 missed</source>
+        <translation>%1, %L2 hors cible</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedModel</name>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Double click to give it another name.</source>
+        <translation>Double-cliquer pour changer le nom.</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Taux</translation>
+    </message>
+    <message>
+        <source>Compression ratio</source>
+        <translation>Taux de compression</translation>
+    </message>
+    <message>
+        <source>Weighted root mean square distance from the original.</source>
+        <translation>Distance quadratique moyenne pondérée à l’original.</translation>
+    </message>
+    <message>
+        <source>95 % of all points and frames are within.</source>
+        <translation>95 % de tous les points et de toutes les images sont en deçà.</translation>
+    </message>
+    <message>
+        <source>Greatest distance of any point at any frame.</source>
+        <translation>Plus grande distance d'un point, toutes images confondues.</translation>
+    </message>
+    <message>
+        <source>Footskate: how far standing feet slide.</source>
+        <translation>Glissement : de combien glissent les pieds posés.</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>eps_x</source>
+        <translation>eps_x</translation>
+    </message>
+    <message>
+        <source>p95</source>
+        <translation>p95</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Skate</source>
+        <translation>Glisse</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedPanel</name>
+    <message>
+        <source>Pin This</source>
+        <translation>Épingler</translation>
+    </message>
+    <message>
+        <source>Make Current</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>Ôter</translation>
+    </message>
+    <message>
+        <source>Pinned results</source>
+        <translation>Résultats épinglés</translation>
+    </message>
+    <message>
+        <source>Keep the current result in view, as a figure of its own colour, while other settings are tried.</source>
+        <translation>Garder en vue le résultat actuel, figure de sa propre couleur, pendant que d'autres réglages sont essayés.</translation>
+    </message>
+    <message>
+        <source>Go on from the settings of the chosen result. Can be undone.</source>
+        <translation>Continuer à partir des réglages du résultat choisi. Peut être annulé.</translation>
+    </message>
+    <message>
+        <source>Take the chosen result out of the view.</source>
+        <translation>Retirer de la vue le résultat choisi.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedResults</name>
+    <message>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
+    </message>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
     </message>
 </context>
 </TS>

@@ -191,6 +191,18 @@
         <source>Export all clips of the library, each by its own settings</source>
         <translation>ライブラリのすべてのクリップを、それぞれの設定で書き出します</translation>
     </message>
+    <message>
+        <source>Add &amp;Folder to Library…</source>
+        <translation>ライブラリにフォルダーを追加(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Pin This Result</source>
+        <translation>この結果をピン留め(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Keep this result in view beside those of other settings (D)</source>
+        <translation>この結果をほかの設定の結果と並べて表示し続けます (D)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1397,10 +1409,6 @@
 <context>
     <name>mocapress::LibraryPanel</name>
     <message>
-        <source>Add Clips…</source>
-        <translation>クリップを追加…</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>除く</translation>
     </message>
@@ -1456,6 +1464,30 @@
         <source>Export All, Each by Its Own Settings…</source>
         <translation>すべてのクリップをそれぞれの設定で書き出し…</translation>
     </message>
+    <message>
+        <source>Add</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>Filter of the clips</source>
+        <translation>クリップの絞り込み</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>絞り込み</translation>
+    </message>
+    <message>
+        <source>Words of a clip&apos;s name, folder or state: “walks missed”.</source>
+        <translation>クリップの名前、フォルダー、状態に含まれる語。例：「walks 未達」</translation>
+    </message>
+    <message>
+        <source>&amp;Clips…</source>
+        <translation>クリップ(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>フォルダー(&amp;F)…</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryViews</name>
@@ -1482,6 +1514,10 @@
     <message>
         <source>Save Project</source>
         <translation>プロジェクトを保存</translation>
+    </message>
+    <message>
+        <source>Add Folder</source>
+        <translation>フォルダーの追加</translation>
     </message>
 </context>
 <context>
@@ -1555,6 +1591,10 @@
     <message>
         <source>Importance</source>
         <translation>重要度</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <translation>ピン留め</translation>
     </message>
 </context>
 <context>
@@ -2842,6 +2882,24 @@ Click to load it into the studio.</source>
         <source>Look at the whole figure again</source>
         <translation>人形全体を見直す</translation>
     </message>
+    <message>
+        <source>Ghost &amp;Trail</source>
+        <translation>ゴーストの軌跡(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Where the compressed figure was (blue) and will be (orange), faded</source>
+        <translation>圧縮後の人形の過去（青）と未来（オレンジ）の姿勢を薄く表示します</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pose(s) before and after</source>
+        <translation>
+            <numerusform>前後 %Ln 姿勢ずつ</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Poses of the Tra&amp;il</source>
+        <translation>軌跡の姿勢数(&amp;I)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Viewport</name>
@@ -2881,6 +2939,123 @@ Click to load it into the studio.</source>
         <translation>
             <numerusform>このクリップの読み込みに関する注記 %n 件</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Library</name>
+    <message>
+        <source>There are no clips in %1.</source>
+        <translation>%1 にはクリップがありません。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryTree</name>
+    <message numerus="yes">
+        <source>%Ln clip(s)</source>
+        <translation>
+            <numerusform>クリップ %Ln 個</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %L2 missed</source>
+        <translation>%1、未達 %L2</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedModel</name>
+    <message>
+        <source>Result</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>Double click to give it another name.</source>
+        <translation>ダブルクリックで名前を変更します。</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Compression ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Weighted root mean square distance from the original.</source>
+        <translation>オリジナルからの重み付き二乗平均平方根距離。</translation>
+    </message>
+    <message>
+        <source>95 % of all points and frames are within.</source>
+        <translation>すべての点とフレームの 95 % がこの範囲に入ります。</translation>
+    </message>
+    <message>
+        <source>Greatest distance of any point at any frame.</source>
+        <translation>全フレーム、全点での最大距離。</translation>
+    </message>
+    <message>
+        <source>Footskate: how far standing feet slide.</source>
+        <translation>フットスケート：接地した足が滑る距離。</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>eps_x</source>
+        <translation>eps_x</translation>
+    </message>
+    <message>
+        <source>p95</source>
+        <translation>p95</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Skate</source>
+        <translation>滑り</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedPanel</name>
+    <message>
+        <source>Pin This</source>
+        <translation>ピン留め</translation>
+    </message>
+    <message>
+        <source>Make Current</source>
+        <translation>現在の設定に</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>外す</translation>
+    </message>
+    <message>
+        <source>Pinned results</source>
+        <translation>ピン留めした結果</translation>
+    </message>
+    <message>
+        <source>Keep the current result in view, as a figure of its own colour, while other settings are tried.</source>
+        <translation>ほかの設定を試す間、現在の結果を独自の色の人形として表示し続けます。</translation>
+    </message>
+    <message>
+        <source>Go on from the settings of the chosen result. Can be undone.</source>
+        <translation>選んだ結果の設定から続けます。元に戻せます。</translation>
+    </message>
+    <message>
+        <source>Take the chosen result out of the view.</source>
+        <translation>選んだ結果を表示から外します。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedResults</name>
+    <message>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
+    </message>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
     </message>
 </context>
 </TS>

@@ -52,7 +52,7 @@ void addToolBar(QMainWindow* window, const Actions& actions) {
   bar->addSeparator();
   addInGroups(bar, actions.view);
   bar->addSeparator();
-  bar->addActions({actions.next_worst, actions.without_ik});
+  bar->addActions({actions.next_worst, actions.without_ik, actions.pin});
 }
 
 }  // namespace
@@ -74,11 +74,14 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.export_library->setToolTip(
       Texts::tr("Export all clips of the library, each by its own settings"));
   actions.add_clips = make(window, Texts::tr("A&dd Clips to Library…"));
+  actions.add_folder = make(window, Texts::tr("Add &Folder to Library…"));
   actions.new_project = make(window, Texts::tr("&New Project"), QKeySequence::New);
   actions.open_project = make(window, Texts::tr("Open Pro&ject…"));
   actions.save_project = make(window, Texts::tr("Sa&ve Project As…"));
   actions.switch_slot = make(window, Texts::tr("Switch between &A and B"), Qt::Key_A);
   actions.copy_slot = make(window, Texts::tr("&Copy Settings to the Other"), Qt::SHIFT | Qt::Key_A);
+  actions.pin = make(window, Texts::tr("&Pin This Result"), Qt::Key_D, QStringLiteral("pin"));
+  actions.pin->setToolTip(Texts::tr("Keep this result in view beside those of other settings (D)"));
   actions.quit = make(window, Texts::tr("&Quit"), QKeySequence::Quit);
   actions.undo = history->createUndoAction(window, Texts::tr("&Undo"));
   actions.undo->setShortcut(QKeySequence::Undo);
@@ -123,8 +126,8 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
   QMenu* recent = file->addMenu(Texts::tr("Open &Recent"));
   file->addActions({actions.open_sample, actions.compare});
   file->addSeparator();
-  file->addActions(
-      {actions.new_project, actions.open_project, actions.save_project, actions.add_clips});
+  file->addActions({actions.new_project, actions.open_project, actions.save_project,
+                    actions.add_clips, actions.add_folder});
   file->addSeparator();
   file->addActions({actions.save, actions.save_as});
   file->addSeparator();
@@ -135,7 +138,7 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
   QMenu* edit = window->menuBar()->addMenu(Texts::tr("&Edit"));
   edit->addActions({actions.undo, actions.redo});
   edit->addSeparator();
-  edit->addActions({actions.switch_slot, actions.copy_slot});
+  edit->addActions({actions.switch_slot, actions.copy_slot, actions.pin});
 
   QMenu* play = window->menuBar()->addMenu(Texts::tr("&Play"));
   const TransportActions& transport = actions.transport;

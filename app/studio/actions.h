@@ -26,12 +26,14 @@ struct Actions {
   QAction* batch = nullptr;
   QAction* export_library = nullptr;
   QAction* add_clips = nullptr;
+  QAction* add_folder = nullptr;
   QAction* new_project = nullptr;
   QAction* open_project = nullptr;
   QAction* save_project = nullptr;
   QAction* quit = nullptr;
   QAction* switch_slot = nullptr;  // A/B
   QAction* copy_slot = nullptr;
+  QAction* pin = nullptr;  // the current result
   QAction* undo = nullptr;
   QAction* redo = nullptr;
   QAction* next_worst = nullptr;

@@ -4,12 +4,14 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
+#include <QSet>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "app/studio/session.h"
 #include "core/base/error.h"
+#include "core/batch/batch.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
@@ -124,21 +126,62 @@ bool Library::load(const QString& path) {
 }
 
 void Library::add(const QStringList& paths) {
+  QSet<QString> known;
+  for (const ProjectClip& clip : project_.clips) known.insert(clip.path);
+  std::vector<LibraryEntry> entries;
   for (const QString& each : paths) {
     const QString path = QFileInfo(each).absoluteFilePath();
-    if (project_.find(path)) continue;
+    if (known.contains(path)) continue;
+    known.insert(path);
     project_.clips.push_back({.path = path});
-    model_->setEntry(entryOf(project_.clips.back(), {}));
+    entries.push_back(entryOf(project_.clips.back(), {}));
     unread_.push_back(path);
   }
+  model_->addEntries(entries);
   readNextOutline();
   touch();
 }
 
-void Library::remove(int row) {
-  if (row < 0) return;
-  project_.clips.erase(project_.clips.begin() + row);
-  model_->remove(row);
+void Library::addFolder(const QString& path) {
+  folders_ << path;
+  searchNextFolder();
+}
+
+void Library::searchNextFolder() {
+  if (finding_.busy() || folders_.isEmpty()) return;
+  const QString folder = folders_.takeFirst();
+  // The runner is busy until its delivery has returned.
+  const auto go_on = [this] {
+    QMetaObject::invokeMethod(this, &Library::searchNextFolder, Qt::QueuedConnection);
+  };
+  finding_.start(
+      [folder](const Job&) {
+        QStringList found;
+        for (const SourceClip& clip : find_sources({folder.toStdString()}))
+          if (clip.problem.empty()) found << QString::fromStdString(clip.path);
+        return found;
+      },
+      [this, folder, go_on](const QStringList& found) {
+        if (found.isEmpty()) emit failed(tr("There are no clips in %1.").arg(folder));
+        add(found);
+        go_on();
+      },
+      [this, go_on](const QString& message) {
+        emit failed(message);
+        go_on();
+      });
+}
+
+void Library::remove(const QList<int>& rows) {
+  std::vector<ProjectClip> clips;
+  std::vector<LibraryEntry> entries;
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    if (rows.contains(row)) continue;
+    clips.push_back(std::move(project_.clips[static_cast<std::size_t>(row)]));
+    entries.push_back(model_->entry(row));
+  }
+  project_.clips = std::move(clips);
+  model_->setEntries(std::move(entries));
   touch();
   emit currentChanged();
 }

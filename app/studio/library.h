@@ -43,7 +43,10 @@ class Library : public QObject {
   void end();
 
   void add(const QStringList& paths);
-  void remove(int row);
+
+  /// All clips below it, found in the background.
+  void addFolder(const QString& path);
+  void remove(const QList<int>& rows);
   void openClip(int row);
   void setVerdict(int row, Verdict verdict);
   void setNote(int row, const QString& note);
@@ -74,6 +77,7 @@ class Library : public QObject {
   void noteOutcome();
   void show(const ProjectClip& clip);
   void readNextOutline();
+  void searchNextFolder();
   void touch();
   void write();
   bool load(const QString& path);
@@ -88,6 +92,8 @@ class Library : public QObject {
   QTimer write_later_;
   JobRunner writing_;
   JobRunner outlines_;
+  QStringList folders_;  // to be searched
+  JobRunner finding_;
   std::deque<QString> unread_;  // paths whose outline is not known yet
   bool changed_ = false;        // since the last write
 

@@ -25,6 +25,7 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(panel, &LibraryPanel::verdictChosen, library, &Library::setVerdict);
   connect(panel, &LibraryPanel::noteEdited, library, &Library::setNote);
   connect(panel, &LibraryPanel::addRequested, this, &LibraryViews::addClips);
+  connect(panel, &LibraryPanel::addFolderRequested, this, &LibraryViews::addFolder);
   connect(settings, &SlotControl::switchRequested, session, &Session::switchSlot);
   connect(settings, &SlotControl::copyRequested, session, &Session::copyToOtherSlot);
   connect(session, &Session::slotsChanged, this, &LibraryViews::showSlots);
@@ -47,6 +48,11 @@ void LibraryViews::showSlots() {
 void LibraryViews::addClips() {
   library_->add(
       QFileDialog::getOpenFileNames(window_, tr("Add Clips"), {}, tr("Motion (*.bvh *.amc)")));
+}
+
+void LibraryViews::addFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(window_, tr("Add Folder"));
+  if (!folder.isEmpty()) library_->addFolder(folder);
 }
 
 void LibraryViews::openProject() {

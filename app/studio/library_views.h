@@ -23,6 +23,7 @@ class LibraryViews : public QObject {
 
   /// With a file dialog.
   void addClips();
+  void addFolder();
   void openProject();
   void saveProjectAs();
 

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -21,6 +22,7 @@
 #include "app/studio/batch_window.h"
 #include "app/studio/help.h"
 #include "app/studio/language.h"
+#include "app/studio/pinned_results.h"
 #include "app/studio/recent_files.h"
 #include "app/studio/sample_clip.h"
 #include "app/studio/study_memory.h"
@@ -35,6 +37,7 @@
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/message_bar.h"
+#include "widgets/panels/pinned_panel.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/slot_control.h"
 #include "widgets/panels/warnings_panel.h"
@@ -77,6 +80,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   library_views_ = new LibraryViews(session_, library_, library_panel_, slot_control_, this);
   presets_->setHistory([this] { return session_->history(); });
   preset_views_ = new PresetViews(session_, presets_, views_.compression->presets(), this);
+  pinned_ = new PinnedResults(session_, pinned_model_, pinned_panel_, views_.viewport, this);
   inspector_ = new Inspector(session_, playback_, inspection_, this);
   // After the presenter: an answer counts once the view has it.
   trace_ = new Trace(session_, views_.viewport, this);
@@ -150,6 +154,9 @@ void MainWindow::addDocks() {
   QDockWidget* footskate =
       layout_.addBelow(views_.footskate, QStringLiteral("footskate"), tr("Footskate"));
   tabifyDockWidget(joints, footskate);
+  pinned_panel_ = new PinnedPanel(pinned_model_, this);
+  tabifyDockWidget(footskate,
+                   layout_.addBelow(pinned_panel_, QStringLiteral("pinned"), tr("Pinned")));
   joints->raise();
   views_.graph = new ErrorGraph(this);
   QDockWidget* graph =
@@ -187,6 +194,7 @@ void MainWindow::connectFileActions() {
   connect(actions_.save_as, &QAction::triggered, files_, &ClipFiles::saveAs);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_.add_clips, &QAction::triggered, library_views_, &LibraryViews::addClips);
+  connect(actions_.add_folder, &QAction::triggered, library_views_, &LibraryViews::addFolder);
   connect(actions_.new_project, &QAction::triggered, library_, &Library::startNew);
   connect(actions_.open_project, &QAction::triggered, library_views_, &LibraryViews::openProject);
   connect(actions_.save_project, &QAction::triggered, library_views_, &LibraryViews::saveProjectAs);
@@ -201,6 +209,9 @@ void MainWindow::connectWindowActions() {
   connect(actions_.without_ik, &QAction::toggled, &session_->document(), &Document::setUncorrected);
   connect(actions_.hold_feet, &QAction::triggered, views_.compression->correction()->hold(),
           &QCheckBox::toggle);
+  connect(actions_.pin, &QAction::triggered, pinned_, &PinnedResults::pinCurrent);
+  connect(pinned_, &PinnedResults::canPinChanged, actions_.pin, &QAction::setEnabled);
+  actions_.pin->setEnabled(false);
   connect(actions_.next_worst, &QAction::triggered, inspector_,
           [this] { inspector_->showNextWorst(1); });
   connect(actions_.previous_worst, &QAction::triggered, inspector_,
@@ -340,12 +351,20 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
-  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+  if (!urls.isEmpty() && urls.front().isLocalFile()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  files_->open(event->mimeData()->urls().value(0).toLocalFile());
+  const QList<QUrl> urls = event->mimeData()->urls();
+  const QString first = urls.value(0).toLocalFile();
+  if (urls.size() == 1 && !QFileInfo(first).isDir()) return files_->open(first);
+  QStringList clips;
+  for (const QUrl& url : urls) {
+    const QString path = url.toLocalFile();
+    QFileInfo(path).isDir() ? library_->addFolder(path) : static_cast<void>(clips << path);
+  }
+  library_->add(clips);
 }
 
 void MainWindow::about() {

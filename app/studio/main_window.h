@@ -16,11 +16,14 @@
 #include "app/studio/theme.h"
 #include "app/studio/window_layout.h"
 #include "widgets/models/library_model.h"
+#include "widgets/models/pinned_model.h"
 #include "widgets/timeline/playback.h"
 
 namespace mocapress {
 
 class LibraryPanel;
+class PinnedPanel;
+class PinnedResults;
 class MessageBar;
 class BatchWindow;
 class SlotControl;
@@ -44,6 +47,7 @@ class MainWindow : public QMainWindow {
   const Actions& actions() const { return actions_; }
   PresetShelf& presets() { return *presets_; }
   PresetViews& presetViews() { return *preset_views_; }
+  PinnedPanel& pinnedPanel() { return *pinned_panel_; }
   LibraryPanel& libraryPanel() { return *library_panel_; }
   MessageBar& messages() { return *messages_; }
   Trace& trace() { return *trace_; }
@@ -88,6 +92,9 @@ class MainWindow : public QMainWindow {
   SlotControl* slot_control_;
   LibraryViews* library_views_;
   PresetViews* preset_views_;
+  PinnedModel* pinned_model_ = new PinnedModel(this);
+  PinnedPanel* pinned_panel_;
+  PinnedResults* pinned_;
   MessageBar* messages_;
   QMenu* recent_;
   Trace* trace_;

@@ -42,14 +42,16 @@ ViewOptions chosen(const ViewActions& actions, const ViewOptions& before) {
   options.by_error = actions.by_error->isChecked();
   options.path = actions.path->isChecked();
   options.in_place = actions.in_place->isChecked();
+  options.trail =
+      actions.trail->isChecked() ? actions.trail_poses->checkedAction()->data().toInt() : 0;
   return options;
 }
 
 }  // namespace
 
 QList<QAction*> ViewActions::inGroups() const {
-  return {mode[0], mode[1], mode[2], swap,     blink, nullptr,     by_error,
-          path,    nullptr, follow,  in_place, floor, reset_camera};
+  return {mode[0], mode[1], mode[2], swap,   blink,    nullptr, by_error,
+          path,    trail,   nullptr, follow, in_place, floor,   reset_camera};
 }
 
 ViewActions makeViewActions(QMainWindow* window) {
@@ -79,6 +81,17 @@ ViewActions makeViewActions(QMainWindow* window) {
                 Texts::tr("Colour every joint by its distance from the original, in cm"));
   actions.path = make_here("path", Texts::tr("&Path of the Joint"), Qt::Key_P,
                            Texts::tr("The way of the chosen joint, half a second around now"));
+  actions.trail =
+      make_here("trail", Texts::tr("Ghost &Trail"), Qt::Key_T,
+                Texts::tr("Where the compressed figure was (blue) and will be (orange), faded"));
+  actions.trail_poses = new QActionGroup(window);
+  for (const int poses : {2, 4, 8}) {
+    QAction* choice =
+        actions.trail_poses->addAction(Texts::tr("%Ln pose(s) before and after", nullptr, poses));
+    choice->setCheckable(true);
+    choice->setData(poses);
+  }
+  actions.trail_poses->actions().at(1)->setChecked(true);
   actions.follow = make_here("follow", Texts::tr("&Follow"), Qt::Key_F,
                              Texts::tr("The camera moves with the figure"));
   actions.in_place = make_here("in-place", Texts::tr("&In Place"), Qt::Key_G,
@@ -88,7 +101,7 @@ ViewActions makeViewActions(QMainWindow* window) {
   actions.reset_camera = make_here("fit", Texts::tr("&Reset Camera"), Qt::Key_R,
                                    Texts::tr("Look at the whole figure again"));
   for (QAction* action : {actions.swap, actions.blink, actions.by_error, actions.path,
-                          actions.follow, actions.in_place})
+                          actions.trail, actions.follow, actions.in_place})
     action->setCheckable(true);
   return actions;
 }
@@ -96,8 +109,9 @@ ViewActions makeViewActions(QMainWindow* window) {
 void connectViewActions(const ViewActions& actions, Viewport* viewport) {
   const auto choose = [=] { viewport->setOptions(chosen(actions, viewport->options())); };
   QObject::connect(actions.modes, &QActionGroup::triggered, viewport, choose);
-  for (const QAction* action :
-       {actions.swap, actions.blink, actions.by_error, actions.path, actions.in_place})
+  QObject::connect(actions.trail_poses, &QActionGroup::triggered, viewport, choose);
+  for (const QAction* action : {actions.swap, actions.blink, actions.by_error, actions.path,
+                                actions.trail, actions.in_place})
     QObject::connect(action, &QAction::toggled, viewport, choose);
   QObject::connect(actions.follow, &QAction::toggled, viewport, &Viewport::setFollow);
   QObject::connect(actions.floor, &QAction::triggered, viewport, &Viewport::lookDown);
@@ -107,6 +121,7 @@ void connectViewActions(const ViewActions& actions, Viewport* viewport) {
 
 void addInGroups(QMenu* menu, const ViewActions& actions) {
   addAll(menu, actions);
+  menu->addMenu(Texts::tr("Poses of the Tra&il"))->addActions(actions.trail_poses->actions());
 }
 
 void addInGroups(QToolBar* bar, const ViewActions& actions) {

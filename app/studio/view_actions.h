@@ -14,7 +14,7 @@ namespace mocapress {
 
 class Viewport;
 
-/// How the 3D view shows the two figures.
+/// How the 3D view shows the figures.
 struct ViewActions {
   QActionGroup* modes = nullptr;
   std::array<QAction*, 3> mode{};  // by ViewMode
@@ -22,6 +22,8 @@ struct ViewActions {
   QAction* blink = nullptr;
   QAction* by_error = nullptr;
   QAction* path = nullptr;
+  QAction* trail = nullptr;
+  QActionGroup* trail_poses = nullptr;  // data(): how many before now, and after
   QAction* in_place = nullptr;
   QAction* floor = nullptr;
   QAction* follow = nullptr;

@@ -6,12 +6,12 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
-#include <QListView>
 #include <QSignalSpy>
 #include <QSysInfo>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeView>
 
 #include "app/jobs/settings_key.h"
 #include "app/studio/session.h"
@@ -20,6 +20,7 @@
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
 #include "widgets/models/library_model.h"
+#include "widgets/models/library_tree.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/slot_control.h"
 
@@ -125,7 +126,7 @@ TEST(LibraryPanel, ShowsTheReviewOfTheCurrentClipAndTellsOfChanges) {
   EXPECT_EQ(panel.note()->text(), QStringLiteral("fine"));
   EXPECT_EQ(panel.verdict()->currentData().toInt(), static_cast<int>(Verdict::Approved));
   EXPECT_EQ(opened.count(), 0);
-  panel.list()->setCurrentIndex(model.index(0));
+  panel.view()->setCurrentIndex(panel.tree()->indexOf(0));
   ASSERT_EQ(opened.count(), 1);
   EXPECT_EQ(opened[0][0].toInt(), 0);
   QSignalSpy noted(&panel, &LibraryPanel::noteEdited);
@@ -319,6 +320,26 @@ TEST_F(InALibrary, ClipsThatCannotBeReadAreListedWithTheirReason) {
   for (const QLineF& bone : run.model.entry(1).outline)
     for (const QPointF& end : {bone.p1(), bone.p2()})
       EXPECT_TRUE(QRectF(-1e-6, -1e-6, 1 + 2e-6, 1 + 2e-6).contains(end));
+}
+
+TEST_F(InALibrary, AFolderBringsEveryClipBelowIt) {
+  Run run;
+  QDir(directory_.path()).mkpath(QStringLiteral("moves/walks/slow"));
+  const QString deep = clip("moves/walks/slow/a.bvh", 1);
+  const QString shallow = clip("moves/b.bvh", 2);
+  clip("elsewhere.bvh", 3);
+  const QString empty = directory_.filePath(QStringLiteral("empty"));
+  QDir().mkpath(empty);
+  run.library.add({shallow});
+  run.library.addFolder(directory_.filePath(QStringLiteral("moves")));
+  QSignalSpy failed(&run.library, &Library::failed);
+  run.library.addFolder(empty);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() > 0; }, kPatience));
+  ASSERT_EQ(run.model.rowCount(), 2) << "each once";
+  EXPECT_GE(run.model.rowOf(deep), 0);
+  run.library.remove({0});
+  EXPECT_EQ(run.model.rowOf(deep), 0);
+  EXPECT_EQ(run.library.project().clips.size(), 1u);
 }
 
 TEST_F(InALibrary, SlotsAreSwitchedCopiedAndUndone) {

@@ -5,12 +5,15 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
 #include <QLineEdit>
 #include <QProcess>
+#include <QPushButton>
 #include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
@@ -18,15 +21,21 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBrowser>
+#include <cstdio>
+#include <numeric>
 #include <set>
 
+#include "app/studio/batch_memory.h"
+#include "app/studio/batch_window.h"
 #include "app/studio/help.h"
 #include "app/studio/main_window.h"
 #include "app/studio/sample_clip.h"
 #include "app/studio/screenshot.h"
+#include "widgets/models/batch_queue_model.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/message_bar.h"
+#include "widgets/panels/preset_editor.h"
 #include "widgets/panels/target_control.h"
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/timeline.h"
@@ -58,6 +67,18 @@ std::size_t coloursIn(const QImage& picture, const QRect& area) {
   for (int y = area.top(); y < area.bottom(); y += 2)
     for (int x = area.left(); x < area.right(); x += 2) colours.insert(picture.pixel(x, y));
   return colours.size();
+}
+
+/// Of about that hue, whatever the light.
+int pixelsNear(const QImage& picture, const QRect& area, const QColor& colour) {
+  int count = 0;
+  for (int y = area.top(); y < area.bottom(); ++y)
+    for (int x = area.left(); x < area.right(); ++x) {
+      const QColor seen = picture.pixelColor(x, y);
+      const int away = std::abs(seen.hsvHue() - colour.hsvHue());
+      count += seen.hsvSaturation() > 100 && std::min(away, 360 - away) < 8;
+    }
+  return count;
 }
 
 /// A window at work.
@@ -127,9 +148,64 @@ TEST_F(StudioTour, SeesTheSampleInEveryWay) {
   looksDifferent(view.by_error, "view-by-error");
   looksDifferent(view.mode[1], "view-side-by-side");
   looksDifferent(view.path, "view-path");
+  view.path->trigger();
+  looksDifferent(view.trail, "view-trail");
+  looksDifferent(view.trail_poses->actions().at(2), "view-trail-long");
+  view.trail->trigger();
   looksDifferent(view.mode[2], "view-wipe");
   looksDifferent(view.swap, "view-wipe-swapped");
   looksDifferent(view.floor, "view-floor");
+}
+
+TEST_F(StudioTour, PinsFourResultsAndSeesThemInEveryWay) {
+  Studio studio;
+  studio.open(sampleClip());
+  QDockWidget* dock = studio->findChild<QDockWidget*>(QStringLiteral("pinned"));
+  ASSERT_TRUE(dock);
+  dock->raise();
+  TargetControl* target = studio->views().compression->target();
+  for (const int position : {300, 600, 800, 950}) {
+    studio.settleAfter([&] { target->slider()->setValue(position); });
+    studio->actions().pin->trigger();
+  }
+  EXPECT_FALSE(studio->actions().pin->isEnabled());
+  studio.settleAfter([&] { target->slider()->setValue(500); });
+  const auto& worst = studio->session().document().decoded()->distortion->max;
+  studio->playback().seek(worst.frame);
+  const QImage overlay = studio.picture(QStringLiteral("pinned-overlay"));
+  studio->actions().view.mode[1]->trigger();
+  const QImage sides = studio.picture(QStringLiteral("pinned-side-by-side"));
+  EXPECT_GT(differing(overlay, sides), 5000);
+  const QRect area = studio.areaOf(studio->views().viewport);
+  for (const PinnedFigure& pinned : studio->views().viewport->pinned())
+    for (const QImage* picture : {&overlay, &sides})
+      EXPECT_GT(pixelsNear(*picture, area, pinned.colour), 30)
+          << qPrintable(pinned.title.join(QLatin1Char(' ')));
+}
+
+TEST_F(StudioTour, TheGhostTrailFollowsWhileItPlays) {
+  Studio studio;
+  studio.open(sampleClip());
+  QSignalSpy frames(&studio->playback(), &Playback::frameChanged);
+  const auto play = [&](const char* what) {
+    frames.clear();
+    QElapsedTimer clock;
+    clock.start();
+    studio->actions().transport.play->trigger();
+    QTest::qWait(1000);
+    studio->actions().transport.play->trigger();
+    const double played = 1e3 * double(frames.count()) / double(clock.elapsed());
+    constexpr int kSteps = 100;
+    clock.restart();
+    for (int frame = 0; frame < kSteps; ++frame) studio->views().viewport->setFrame(frame);
+    std::printf("%s: %.0f pictures a second by software, %.2f ms of the GUI thread each\n",
+                what, played, double(clock.elapsed()) / kSteps);
+    EXPECT_GT(frames.count(), 5);
+  };
+  play("without a trail");
+  studio->actions().view.trail->trigger();
+  studio->actions().view.trail_poses->actions().at(2)->trigger();
+  play("with 8 + 8 poses");
 }
 
 TEST_F(StudioTour, TheWipeWorksWhileItPlays) {
@@ -178,13 +254,52 @@ TEST_F(StudioTour, HelpShowsAnIllustratedGuideAndEveryKey) {
   QTextBrowser* guide = shown(studio->actions().guide);
   EXPECT_GT(guide->toPlainText().size(), 1000);
   EXPECT_GE(guide->toHtml().count(QStringLiteral("<img")), 3);
-  for (const char* picture : {"compare", "inspect", "curve"})
+  for (const char* picture : {"compare", "inspect", "curve", "pinned"})
     EXPECT_GT(QImage(QStringLiteral(":/guide/%1.png").arg(QLatin1String(picture))).width(), 400);
   const QString keys = shown(studio->actions().shortcuts)->toPlainText();
   for (const QAction* action : studio->findChildren<QAction*>()) {
     const QString key = action->shortcut().toString(QKeySequence::NativeText);
     EXPECT_TRUE(keys.contains(key)) << qPrintable(action->text());
   }
+}
+
+/// The 15 study clips, through the real window.
+void batch(Studio& studio) {
+  const QString folder = QStringLiteral(MOCAPRESS_SOURCE_DIR "/../shared/corpus/study");
+  if (!QFile::exists(folder)) {
+    std::printf("batch left out: %s is not here\n", qPrintable(folder));
+    return;
+  }
+  QFile::remove(batchMemory());
+  const QTemporaryDir out;
+  studio->actions().batch->trigger();
+  auto* window = studio->findChild<BatchWindow*>();
+  auto* session = studio->findChild<BatchSession*>();
+  ASSERT_TRUE(window && QTest::qWaitForWindowExposed(window));
+  std::vector<int> offered(static_cast<std::size_t>(session->queue()->rowCount()));
+  std::iota(offered.begin(), offered.end(), 0);
+  session->queue()->remove(offered);
+  session->addClips({folder});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session->queue()->rowCount() == 15; }, kPatience));
+  BatchSettings settings = session->settings();
+  settings.folder = out.path();
+  session->setSettings(settings);
+  emit window->editor()->presets()->activated(1);  // gameplay: eps_x 0.5 cm
+  QElapsedTimer clock;
+  clock.start();
+  QTest::mouseClick(window->startButton(), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !session->running(); }, 4 * kPatience));
+  std::printf("batch of 15 study clips: %.1f s\n", double(clock.elapsed()) / 1e3);
+  EXPECT_EQ(session->counts().done, 15u);
+  EXPECT_EQ(session->counts().failed, 0u);
+  EXPECT_EQ(
+      QDir(out.path() + QStringLiteral("/study")).entryList({QStringLiteral("*.mcpr")}).size(), 15);
+  QTest::qWait(100);
+  EXPECT_TRUE(writeScreenshot(*window, picturePath(QStringLiteral("session-6-batch"))));
+  const QImage picture(picturePath(QStringLiteral("session-6-batch")));
+  EXPECT_GT(coloursIn(picture, picture.rect()), 60u);
+  window->close();
+  QFile::remove(batchMemory());
 }
 
 /// The whole of it, as an artist would do it.
@@ -258,6 +373,8 @@ TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
     studio.picture(QStringLiteral("session-6-undone"));
     studio.settleAfter([&] { studio->actions().redo->trigger(); });
     EXPECT_EQ(document.contacts(), edited);
+
+    batch(studio);
 
     studio->library().saveAs(project);
     studio->libraryPanel().note()->setText(QString());

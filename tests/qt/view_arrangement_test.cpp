@@ -57,6 +57,34 @@ TEST(ViewArrangement, SetsFiguresSideBySideInHalvesThatCentreThem) {
   EXPECT_EQ(swapped.compressed.pane, sides.original.pane);
 }
 
+TEST(ViewArrangement, GivesEveryPinnedFigureAPaneOfItsOwnSideBySide) {
+  for (int pinned = 0; pinned <= kMostPinned; ++pinned) {
+    const Arrangement sides = arrange({.mode = ViewMode::SideBySide}, true, false, pinned);
+    EXPECT_EQ(sides.panes, 2 + pinned);
+    std::vector<Pane> panes = {sides.original.pane, sides.compressed.pane};
+    for (const Placement& each : sides.pinned) {
+      EXPECT_TRUE(each.shown);
+      panes.push_back(each.pane);
+    }
+    EXPECT_EQ(panes.front().from, -1);
+    EXPECT_EQ(panes.back().to, 1);
+    for (std::size_t i = 0; i < panes.size(); ++i) {
+      EXPECT_EQ(panes[i].from, i == 0 ? -1 : panes[i - 1].to);
+      EXPECT_FLOAT_EQ(panes[i].to - panes[i].from, 2.0f / static_cast<float>(sides.panes));
+      EXPECT_FLOAT_EQ(panes[i].shift, (panes[i].from + panes[i].to) / 2);
+    }
+  }
+}
+
+TEST(ViewArrangement, PinnedFiguresAreInTheOverlayButNotInAWipeNorBlinking) {
+  const auto shown = [](const ViewOptions& options) {
+    return arrange(options, true, false, 1).pinned.front().shown;
+  };
+  EXPECT_TRUE(shown({.mode = ViewMode::Overlay}));
+  EXPECT_FALSE(shown({.mode = ViewMode::Wipe}));
+  EXPECT_FALSE(shown({.mode = ViewMode::Overlay, .blinking = true}));
+}
+
 TEST(ViewArrangement, BlinkingShowsOneAtATimeInTheSamePlace) {
   for (const ViewMode mode : kModes)
     for (const bool turn : {false, true}) {

@@ -47,10 +47,11 @@ void LibraryModel::setEntry(const LibraryEntry& entry) {
   emit dataChanged(index(row), index(row));
 }
 
-void LibraryModel::remove(int row) {
-  beginRemoveRows({}, row, row);
-  entries_.erase(entries_.begin() + row);
-  endRemoveRows();
+void LibraryModel::addEntries(const std::vector<LibraryEntry>& entries) {
+  if (entries.empty()) return;
+  beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(entries.size()) - 1);
+  entries_.insert(entries_.end(), entries.begin(), entries.end());
+  endInsertRows();
 }
 
 int LibraryModel::rowCount(const QModelIndex& parent) const {

@@ -19,7 +19,8 @@ class LibraryModel : public QAbstractListModel {
 
   /// Of the entry with that path, or a new row at the end.
   void setEntry(const LibraryEntry& entry);
-  void remove(int row);
+  /// New rows at the end, of paths that have none yet.
+  void addEntries(const std::vector<LibraryEntry>& entries);
 
   const LibraryEntry& entry(int row) const { return entries_[static_cast<std::size_t>(row)]; }
   int rowOf(const QString& path) const;  // -1: none

@@ -4,36 +4,40 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QListView>
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
+#include <QTreeView>
 #include <QVBoxLayout>
 
 #include "widgets/models/library_model.h"
+#include "widgets/models/library_tree.h"
 
 namespace mocapress {
 namespace {
 
 constexpr int kRowHeight = 58;
 constexpr int kPicture = 46;
+constexpr int kFolderHeight = 28;
 constexpr int kMargin = 6;
 
-/// A pose, the name, what it came to and what was decided.
+/// Of a clip a pose, the name, what it came to and what was decided; of a folder what is in it.
 class RowPainter : public QStyledItemDelegate {
  public:
-  RowPainter(const LibraryModel* model, QObject* parent)
-      : QStyledItemDelegate(parent), model_(model) {}
+  RowPainter(const LibraryModel* model, const LibraryTree* tree, QObject* parent)
+      : QStyledItemDelegate(parent), model_(model), tree_(tree) {}
 
-  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override {
-    return {120, kRowHeight};
+  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const override {
+    return {120, tree_->clipOf(index) < 0 ? kFolderHeight : kRowHeight};
   }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
              const QModelIndex& index) const override {
-    const LibraryEntry& entry = model_->entry(index.row());
+    const int clip = tree_->clipOf(index);
+    if (clip < 0) return paintFolder(*painter, option, index);
+    const LibraryEntry& entry = model_->entry(clip);
     const bool chosen = option.state & QStyle::State_Selected;
     const QPalette& palette = option.palette;
     painter->save();
@@ -64,6 +68,30 @@ class RowPainter : public QStyledItemDelegate {
   }
 
  private:
+  void paintFolder(QPainter& painter, const QStyleOptionViewItem& option,
+                   const QModelIndex& index) const {
+    const bool chosen = option.state & QStyle::State_Selected;
+    const QPalette& palette = option.palette;
+    painter.save();
+    if (chosen) painter.fillRect(option.rect, palette.brush(QPalette::Highlight));
+    const QColor text = palette.color(chosen ? QPalette::HighlightedText : QPalette::Text);
+    QColor faint = text;
+    faint.setAlphaF(0.65F);
+    QFont bold = option.font;
+    bold.setWeight(QFont::DemiBold);
+    const QRect line = option.rect.adjusted(kMargin / 2, 0, -kMargin, 0);
+    const QString summary = tree_->folderSummary(index);
+    const int taken = option.fontMetrics.horizontalAdvance(summary) + kMargin;
+    painter.setPen(faint);
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, summary);
+    painter.setPen(text);
+    painter.setFont(bold);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                     QFontMetrics(bold).elidedText(index.data().toString(), Qt::ElideMiddle,
+                                                   line.width() - taken));
+    painter.restore();
+  }
+
   static void paintPose(QPainter& painter, const LibraryEntry& entry, const QRect& place,
                         const QColor& colour) {
     painter.setRenderHint(QPainter::Antialiasing);
@@ -82,6 +110,7 @@ class RowPainter : public QStyledItemDelegate {
   }
 
   const LibraryModel* model_;
+  const LibraryTree* tree_;
 };
 
 }  // namespace
@@ -89,20 +118,32 @@ class RowPainter : public QStyledItemDelegate {
 LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
     : QWidget(parent),
       model_(model),
-      list_(new QListView(this)),
-      add_(new QPushButton(tr("Add Clips…"), this)),
+      tree_(new LibraryTree(model, this)),
+      filter_(new QLineEdit(this)),
+      view_(new QTreeView(this)),
+      add_(new QPushButton(tr("Add"), this)),
       remove_(new QPushButton(tr("Remove"), this)),
       verdict_(new QComboBox(this)),
       note_(new QLineEdit(this)) {
-  list_->setModel(model);
-  list_->setItemDelegate(new RowPainter(model, list_));
-  list_->setUniformItemSizes(true);
-  list_->setFrameShape(QFrame::NoFrame);
-  list_->setAccessibleName(tr("Clips of the project"));
-  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  list_->setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(list_, &QWidget::customContextMenuRequested, this, &LibraryPanel::showMenu);
+  filter_->setAccessibleName(tr("Filter of the clips"));
+  filter_->setPlaceholderText(tr("Filter"));
+  filter_->setToolTip(tr("Words of a clip's name, folder or state: “walks missed”."));
+  filter_->setClearButtonEnabled(true);
+  view_->setModel(tree_);
+  view_->setItemDelegate(new RowPainter(model, tree_, view_));
+  view_->setHeaderHidden(true);
+  view_->setIndentation(14);
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view_->setAccessibleName(tr("Clips of the project"));
+  view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  view_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(view_, &QWidget::customContextMenuRequested, this, &LibraryPanel::showMenu);
   add_->setToolTip(tr("Add motion files to the project. Each keeps its own settings."));
+  auto* ways = new QMenu(add_);
+  ways->addAction(tr("&Clips…"), this, &LibraryPanel::addRequested);
+  ways->addAction(tr("&Folder…"), this, &LibraryPanel::addFolderRequested);
+  add_->setMenu(ways);
   remove_->setToolTip(tr("Take the clip out of the project; its file stays."));
   verdict_->setAccessibleName(tr("Verdict"));
   verdict_->setToolTip(tr("What quality assurance says about the clip as it is compressed now."));
@@ -120,7 +161,11 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 8);
   column->setSpacing(6);
-  column->addWidget(list_, 1);
+  auto* above = new QVBoxLayout;
+  above->setContentsMargins(8, 0, 8, 0);
+  above->addWidget(filter_);
+  column->addLayout(above);
+  column->addWidget(view_, 1);
   auto* below = new QVBoxLayout;
   below->setContentsMargins(8, 0, 8, 0);
   below->addWidget(verdict_);
@@ -128,27 +173,31 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   below->addLayout(buttons);
   column->addLayout(below);
 
-  connect(add_, &QPushButton::clicked, this, &LibraryPanel::addRequested);
-  connect(remove_, &QPushButton::clicked, this, [this] { emit removeRequested(current()); });
-  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
-          [this](const QModelIndex& index) {
-            showReview();
-            if (index.isValid()) emit openRequested(index.row());
-          });
+  connect(filter_, &QLineEdit::textChanged, tree_, &LibraryTree::setFilter);
+  connect(remove_, &QPushButton::clicked, this, &LibraryPanel::removeChosen);
+  connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
+    const int row = current();
+    if (row >= 0) chosen_ = model_->entry(row).path;
+    showReview();
+    if (row >= 0) emit openRequested(row);
+  });
+  connect(view_, &QTreeView::collapsed, this,
+          [this](const QModelIndex& folder) { collapsed_.insert(tree_->folderPath(folder)); });
+  connect(view_, &QTreeView::expanded, this,
+          [this](const QModelIndex& folder) { collapsed_.remove(tree_->folderPath(folder)); });
+  connect(tree_, &LibraryTree::modelReset, this, &LibraryPanel::showTree);
   connect(verdict_, &QComboBox::activated, this, [this] {
     emit verdictChosen(current(), static_cast<Verdict>(verdict_->currentData().toInt()));
   });
   connect(note_, &QLineEdit::textEdited, this,
           [this](const QString& note) { emit noteEdited(current(), note); });
-  for (const auto changed : {&LibraryModel::modelReset})
-    connect(model, changed, this, &LibraryPanel::showReview);
-  showReview();
+  showTree();
 }
 
 void LibraryPanel::showMenu(const QPoint& place) {
   std::vector<int> rows;
-  for (const QModelIndex& index : list_->selectionModel()->selectedIndexes())
-    rows.push_back(index.row());
+  for (const QModelIndex& index : view_->selectionModel()->selectedIndexes())
+    if (const int row = tree_->clipOf(index); row >= 0) rows.push_back(row);
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   QAction* selected = menu->addAction(tr("Export Selected, Each by Its Own Settings…"));
@@ -157,28 +206,59 @@ void LibraryPanel::showMenu(const QPoint& place) {
   QAction* all = menu->addAction(tr("Export All, Each by Its Own Settings…"));
   all->setEnabled(model_->rowCount() > 0);
   connect(all, &QAction::triggered, this, [this] { emit exportRequested({}); });
-  menu->popup(list_->viewport()->mapToGlobal(place));
+  menu->popup(view_->viewport()->mapToGlobal(place));
 }
 
 int LibraryPanel::current() const {
-  return list_->currentIndex().isValid() ? list_->currentIndex().row() : -1;
+  return tree_->clipOf(view_->currentIndex());
 }
 
 void LibraryPanel::setCurrent(int row) {
+  chosen_ = row >= 0 ? model_->entry(row).path : QString();
   {
-    const QSignalBlocker blocker(list_->selectionModel());
-    list_->setCurrentIndex(model_->index(row));
-    list_->scrollTo(model_->index(row));
+    const QSignalBlocker blocker(view_->selectionModel());
+    const QModelIndex index = tree_->indexOf(row);
+    view_->setCurrentIndex(index);
+    if (index.isValid()) view_->scrollTo(index);
   }
-  list_->viewport()->update();
+  view_->viewport()->update();
   showReview();
+}
+
+/// Built anew: what was collapsed stays so, and what was chosen.
+void LibraryPanel::showTree() {
+  {
+    const QSignalBlocker blocker(view_);
+    const bool has_folders = tree_->rowCount() > 0 && tree_->clipOf(tree_->index(0, 0)) < 0;
+    view_->setRootIsDecorated(has_folders);
+    view_->expandAll();
+    const auto collapse = [this](auto&& self, const QModelIndex& above) -> void {
+      for (int row = 0; row < tree_->rowCount(above); ++row) {
+        const QModelIndex index = tree_->index(row, 0, above);
+        self(self, index);
+        if (collapsed_.contains(tree_->folderPath(index))) view_->collapse(index);
+      }
+    };
+    if (!collapsed_.isEmpty()) collapse(collapse, {});
+  }
+  const int row = model_->rowOf(chosen_);
+  const QSignalBlocker blocker(view_->selectionModel());
+  view_->setCurrentIndex(tree_->indexOf(row));
+  showReview();
+}
+
+/// A clip, or all that are in a folder.
+void LibraryPanel::removeChosen() {
+  if (!view_->currentIndex().isValid()) return;
+  const std::vector<int> rows = tree_->clipsBelow(view_->currentIndex());
+  emit removeRequested(QList<int>(rows.begin(), rows.end()));
 }
 
 void LibraryPanel::showReview() {
   const int row = current();
-  for (QWidget* each : {static_cast<QWidget*>(verdict_), static_cast<QWidget*>(note_),
-                        static_cast<QWidget*>(remove_)})
+  for (QWidget* each : {static_cast<QWidget*>(verdict_), static_cast<QWidget*>(note_)})
     each->setEnabled(row >= 0);
+  remove_->setEnabled(view_->currentIndex().isValid());
   const LibraryEntry shown = row >= 0 ? model_->entry(row) : LibraryEntry();
   verdict_->setCurrentIndex(verdict_->findData(static_cast<int>(shown.verdict)));
   if (note_->text() != shown.note) note_->setText(shown.note);

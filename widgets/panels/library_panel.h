@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QSet>
 #include <QWidget>
 #include <vector>
 
@@ -8,14 +9,16 @@
 
 class QComboBox;
 class QLineEdit;
-class QListView;
 class QPushButton;
+class QTreeView;
 
 namespace mocapress {
 
 class LibraryModel;
+class LibraryTree;
 
-/// The clips of the project: what each came to, and what the reviewer says. A click opens a clip.
+/// The clips of the project below their folders: what each came to, and what the reviewer says. A
+/// click opens a clip.
 class LibraryPanel : public QWidget {
   Q_OBJECT
 
@@ -25,7 +28,10 @@ class LibraryPanel : public QWidget {
   /// The clip that is open; -1: none of the list. Emits nothing.
   void setCurrent(int row);
 
-  QListView* list() const { return list_; }
+  QTreeView* view() const { return view_; }
+  LibraryTree* tree() const { return tree_; }
+  QPushButton* removeButton() const { return remove_; }
+  QLineEdit* filter() const { return filter_; }
   QComboBox* verdict() const { return verdict_; }
   QLineEdit* note() const { return note_; }
 
@@ -33,7 +39,8 @@ class LibraryPanel : public QWidget {
 
  signals:
   void addRequested();
-  void removeRequested(int row);
+  void addFolderRequested();
+  void removeRequested(const QList<int>& rows);
   void openRequested(int row);
   void verdictChosen(int row, mocapress::Verdict verdict);
   void noteEdited(int row, const QString& note);
@@ -44,14 +51,20 @@ class LibraryPanel : public QWidget {
  private:
   void showReview();
   void showMenu(const QPoint& place);
-  int current() const;
+  void showTree();
+  void removeChosen();
+  int current() const;  // row of the library, -1: none
 
   LibraryModel* model_;
-  QListView* list_;
+  LibraryTree* tree_;
+  QLineEdit* filter_;
+  QTreeView* view_;
   QPushButton* add_;
   QPushButton* remove_;
   QComboBox* verdict_;
   QLineEdit* note_;
+  QSet<QString> collapsed_;  // paths of folders
+  QString chosen_;           // path of the clip that is, kept while the tree is built anew
 };
 
 }  // namespace mocapress

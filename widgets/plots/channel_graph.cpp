@@ -7,9 +7,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/models/palette.h"
 #include "widgets/plots/plot_style.h"
@@ -128,7 +130,12 @@ void ChannelGraph::setFrame(int frame) {
     line->point1->setCoords(seconds, 0);
     line->point2->setCoords(seconds, 1);
   }
-  curves_plot_->layer(QStringLiteral("playhead"))->replot();
+  if (std::exchange(playhead_waits_, true)) return;
+  // After curves that wait to be drawn: before, they would be drawn twice.
+  QTimer::singleShot(0, this, [this] {
+    playhead_waits_ = false;
+    curves_plot_->layer(QStringLiteral("playhead"))->replot();
+  });
 }
 
 void ChannelGraph::redraw() {

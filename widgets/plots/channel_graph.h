@@ -60,6 +60,7 @@ class ChannelGraph : public QWidget {
   QCustomPlot* bands_plot_;
   QCPAxisRect* difference_;
   std::vector<QCPItemStraightLine*> playheads_;
+  bool playhead_waits_ = false;  // to be drawn
   ChannelCurves curves_;
 };
 

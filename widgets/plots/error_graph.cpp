@@ -3,9 +3,11 @@
 
 #include <qcustomplot.h>
 
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/plots/plot_style.h"
 
@@ -88,7 +90,12 @@ void ErrorGraph::setFrame(int frame) {
   const double seconds = frame / sample_rate_hz_;
   playhead_->point1->setCoords(seconds, 0);
   playhead_->point2->setCoords(seconds, 1);
-  plot_->layer(QStringLiteral("playhead"))->replot();
+  if (std::exchange(playhead_waits_, true)) return;
+  // After curves that wait to be drawn: before, they would be drawn twice.
+  QTimer::singleShot(0, this, [this] {
+    playhead_waits_ = false;
+    plot_->layer(QStringLiteral("playhead"))->replot();
+  });
 }
 
 void ErrorGraph::redraw() {

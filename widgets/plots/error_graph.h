@@ -51,6 +51,7 @@ class ErrorGraph : public QWidget {
 
   QCustomPlot* plot_;
   QCPItemStraightLine* playhead_;
+  bool playhead_waits_ = false;  // to be drawn
   Distances distances_;
   double sample_rate_hz_ = 120;
   std::vector<ErrorCurve> curves_;

@@ -25,6 +25,7 @@ void applyPalette(QCPAxis* axis, const QPalette& palette, const QFont& font) {
 void applyPalette(QCustomPlot* plot) {
   // Of the widget around it, which hears of a change first.
   const QPalette palette = plot->parentWidget()->palette();
+  plot->setPlottingHint(QCP::phImmediateRefresh, false);
   plot->setBackground(palette.brush(QPalette::Base));
   for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) applyPalette(axis, palette, plot->font());
 }

@@ -31,7 +31,21 @@ void ErrorStrip::setErrors(ErrorProfile profile, const ErrorScale& scale, int fr
   profile_ = std::move(profile);
   scale_ = scale;
   frames_ = frames;
+  showErrors();
+}
+
+void ErrorStrip::showErrors() {
+  errors_ = QPixmap();
   update();
+}
+
+void ErrorStrip::resizeEvent(QResizeEvent*) {
+  showErrors();
+}
+
+void ErrorStrip::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) showErrors();
 }
 
 void ErrorStrip::setGlitches(std::vector<Glitch> glitches, std::vector<QString> names) {
@@ -51,8 +65,9 @@ void ErrorStrip::setFrame(int frame) {
 }
 
 void ErrorStrip::setLabelWidth(int pixels) {
+  if (pixels == label_width_) return;
   label_width_ = pixels;
-  update();
+  showErrors();
 }
 
 int ErrorStrip::labelWidth() const {
@@ -78,14 +93,26 @@ void ErrorStrip::paintEvent(QPaintEvent*) {
   const QRectF label(kStripMargin, area.top(), label_width_, area.height());
   painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter, tr("Error"));
   if (profile_.frames() == frames_ && frames_ > 0) {
-    paintColumns(painter);
-    paintMean(painter);
+    if (errors_.isNull() || errors_.devicePixelRatio() != devicePixelRatioF())
+      errors_ = paintedErrors();
+    painter.drawPixmap(0, 0, errors_);
+    painter.setRenderHint(QPainter::Antialiasing);
     paintGlitches(painter);
   }
   paintRange(painter);
   const double x = axis().xOf(frame_ + 0.5);
   painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
   painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+}
+
+QPixmap ErrorStrip::paintedErrors() const {
+  QPixmap picture(size() * devicePixelRatioF());
+  picture.setDevicePixelRatio(devicePixelRatioF());
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  paintColumns(painter);
+  paintMean(painter);
+  return picture;
 }
 
 /// A column a pixel, of the worst of its frames: none that is bad is lost between pixels.
@@ -101,20 +128,23 @@ void ErrorStrip::paintColumns(QPainter& painter) const {
   }
 }
 
+/// Pixel by pixel: a smooth line as long as this takes ten times as long.
 void ErrorStrip::paintMean(QPainter& painter) const {
   const QRectF area = plotArea();
   const TimeAxis time = axis();
-  QPolygonF line;
+  std::vector<QRectF> line;
+  double before = -1;
   for (double x = area.left(); x < area.right(); ++x) {
     const auto cm = static_cast<double>(profile_.mean[time.frameAt(x)]);
-    line << QPointF(x, area.bottom() - scale_.share(cm) * area.height());
+    const double y = std::round(area.bottom() - scale_.share(cm) * area.height());
+    const double from = before < 0 ? y : std::min(y, before);
+    line.emplace_back(x, from, 1, std::max(y, before) - from + 1);
+    before = y;
   }
-  painter.setRenderHint(QPainter::Antialiasing);
   // Light on dark violet columns, dark above them: a light line with a dark rim is seen on both.
-  painter.setPen(QPen(QColor(0, 0, 0, 130), 2.6));
-  painter.drawPolyline(line);
-  painter.setPen(QPen(Qt::white, 1.2));
-  painter.drawPolyline(line);
+  for (const QRectF& piece : line)
+    painter.fillRect(piece.adjusted(0, -1, 0, 1), QColor(0, 0, 0, 130));
+  for (const QRectF& piece : line) painter.fillRect(piece, Qt::white);
 }
 
 void ErrorStrip::paintGlitches(QPainter& painter) const {

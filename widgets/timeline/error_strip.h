@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPixmap>
 #include <QWidget>
 #include <optional>
 #include <utility>
@@ -44,12 +45,16 @@ class ErrorStrip : public QWidget {
  protected:
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
 
  private:
   TimeAxis axis() const;
   QRectF plotArea() const;
+  void showErrors();
+  QPixmap paintedErrors() const;
   void paintColumns(QPainter& painter) const;
   void paintMean(QPainter& painter) const;
   void paintGlitches(QPainter& painter) const;
@@ -58,6 +63,7 @@ class ErrorStrip : public QWidget {
 
   ErrorProfile profile_;
   ErrorScale scale_;
+  QPixmap errors_;  // columns and mean, null: to be painted. They stay while the playhead moves.
   std::vector<Glitch> glitches_;
   std::vector<QString> names_;
   std::optional<FrameRange> range_;

@@ -13,6 +13,7 @@ namespace {
 // other, and where they part the shell stands alone.
 constexpr float kGhostThickness = 1.3f;
 constexpr float kGhostOpacity = 0.26f;
+constexpr CapsuleDetail kTrailDetail{6, 2};
 
 /// The ghost's depth goes first, so that its nearest surface alone is blended and its overlapping
 /// capsules look like one body.
@@ -33,7 +34,7 @@ std::vector<ShaderPass> passes(Figure::Look look) {
 }  // namespace
 
 Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
-  mesh_ = makeRenderer(capsuleMesh(), this);
+  mesh_ = makeRenderer(capsuleMesh(look == Look::Trail ? kTrailDetail : CapsuleDetail()), this);
   Qt3DCore::QGeometry* geometry = mesh_->geometry();
   capsules_ = new Qt3DCore::QBuffer(geometry);
   capsules_->setUsage(Qt3DCore::QBuffer::DynamicDraw);
@@ -48,7 +49,7 @@ Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
   perInstance("endTint", 4, offsetof(Capsule, end_tint));
 
   material_ = new ShaderMaterial("figure", passes(look), this);
-  setGhost(look == Look::Ghost);
+  setGhost(look != Look::Solid);
   setPane({});
   setOffset({});
   setFlatness(1);
@@ -78,6 +79,10 @@ void Figure::hide() {
 void Figure::setGhost(bool ghost) {
   material_->set("thickness", ghost ? kGhostThickness : 1.0f);
   material_->set("opacity", ghost ? kGhostOpacity : 1.0f);
+}
+
+void Figure::setThickness(float thickness) {
+  material_->set("thickness", thickness);
 }
 
 void Figure::setPane(const Pane& pane) {

@@ -15,7 +15,8 @@ namespace mocapress {
 /// One figure in the scene: a capsule mesh, drawn once an instance. A new pose replaces one buffer.
 class Figure : public Qt3DCore::QEntity {
  public:
-  enum class Look { Solid, Ghost };
+  /// A trail is a ghost of many capsules, each made of less.
+  enum class Look { Solid, Ghost, Trail };
 
   Figure(Look look, QNode* parent);
 
@@ -29,6 +30,9 @@ class Figure : public Qt3DCore::QEntity {
 
   /// A figure made as a ghost may stand solid, and be one again.
   void setGhost(bool ghost);
+
+  /// 1: as thick as the bones are; after setGhost().
+  void setThickness(float thickness);
 
   void setPane(const Pane& pane);
 

@@ -47,6 +47,9 @@ class FigureShape {
   int jointCount() const { return static_cast<int>(ball_radii_.size()); }
   int capsuleCount() const { return static_cast<int>(bones_.size() + ball_radii_.size()); }
 
+  /// Of those the bones, which come last. They are round at their ends.
+  int boneCount() const { return static_cast<int>(bones_.size()); }
+
   /// The longest side (cm) of the box around the rest pose.
   float size() const { return size_; }
 

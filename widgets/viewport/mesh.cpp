@@ -7,9 +7,6 @@
 namespace mocapress {
 namespace {
 
-constexpr int kSegments = 12;  // around
-constexpr int kRings = 4;      // a half, the pole included
-
 template <typename T>
 QByteArray bytesOf(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()),
@@ -18,23 +15,26 @@ QByteArray bytesOf(const std::vector<T>& values) {
 
 }  // namespace
 
-Mesh capsuleMesh() {
+Mesh capsuleMesh(const CapsuleDetail& detail) {
+  const int segments = detail.segments;
+  const int rings = detail.rings;
   constexpr float kQuarter = std::numbers::pi_v<float> / 2;
   Mesh mesh;
-  for (int ring = 0; ring < 2 * kRings; ++ring) {
-    const bool end = ring >= kRings;
-    const int step = end ? ring - kRings : ring - kRings + 1;  // from the equator, signed
-    const float latitude = kQuarter * static_cast<float>(step) / (kRings - 1);
-    for (int segment = 0; segment < kSegments; ++segment) {
-      const float longitude = 4 * kQuarter * static_cast<float>(segment) / kSegments;
+  for (int ring = 0; ring < 2 * rings; ++ring) {
+    const bool end = ring >= rings;
+    const int step = end ? ring - rings : ring - rings + 1;  // from the equator, signed
+    const float latitude = kQuarter * static_cast<float>(step) / static_cast<float>(rings - 1);
+    for (int segment = 0; segment < segments; ++segment) {
+      const float longitude =
+          4 * kQuarter * static_cast<float>(segment) / static_cast<float>(segments);
       mesh.vertices.push_back({std::cos(latitude) * std::cos(longitude), std::sin(latitude),
                                std::cos(latitude) * std::sin(longitude), end ? 1.0f : 0.0f});
     }
   }
-  for (int ring = 0; ring + 1 < 2 * kRings; ++ring)
-    for (int segment = 0; segment < kSegments; ++segment) {
+  for (int ring = 0; ring + 1 < 2 * rings; ++ring)
+    for (int segment = 0; segment < segments; ++segment) {
       const auto at = [&](int up, int around) {
-        return static_cast<std::uint16_t>((ring + up) * kSegments + (segment + around) % kSegments);
+        return static_cast<std::uint16_t>((ring + up) * segments + (segment + around) % segments);
       };
       mesh.indices.insert(mesh.indices.end(),
                           {at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1)});

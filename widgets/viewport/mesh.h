@@ -20,8 +20,14 @@ struct Mesh {
   std::vector<std::uint16_t> indices;
 };
 
+/// How finely a capsule is made.
+struct CapsuleDetail {
+  int segments = 12;  // around
+  int rings = 4;      // a half, the pole included
+};
+
 /// A unit ball cut at the equator, the halves at `along` 0 (y <= 0) and 1: stretched by the shader.
-Mesh capsuleMesh();
+Mesh capsuleMesh(const CapsuleDetail& detail = {});
 
 /// A square from -1 to 1 on y = 0.
 Mesh groundMesh();

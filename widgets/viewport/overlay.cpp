@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QLocale>
 #include <QPainter>
+#include <algorithm>
 #include <functional>
 
 namespace mocapress {
@@ -47,6 +48,10 @@ void paintPlate(QPainter& painter, const QSizeF& size, const SceneColours& colou
   painter.drawRoundedRect(QRectF({}, size), 5, 5);
 }
 
+double widthOf(const Pane& pane, const QSize& view) {
+  return static_cast<double>(pane.to - pane.from) / 2 * view.width();
+}
+
 double leftOf(const Pane& pane, const QSize& view) {
   return (1 + static_cast<double>(pane.from)) / 2 * view.width();
 }
@@ -54,14 +59,15 @@ double leftOf(const Pane& pane, const QSize& view) {
 }  // namespace
 
 Overlay::Overlay(QNode* parent)
-    : QEntity(parent),
-      titles_{new SceneLabel(this), new SceneLabel(this)},
-      legend_(new SceneLabel(this)),
-      line_(new SceneLabel(this)),
-      grip_(new SceneLabel(this)) {}
+    : QEntity(parent), legend_(new SceneLabel(this)), grip_(new SceneLabel(this)) {
+  for (SceneLabel*& title : titles_) title = new SceneLabel(this);
+  for (SceneLabel*& line : lines_) line = new SceneLabel(this);
+}
 
-std::vector<Qt3DCore::QEntity*> Overlay::labels() const {
-  return {line_, grip_, titles_[0], titles_[1], legend_};
+std::vector<std::vector<Qt3DCore::QEntity*>> Overlay::labels() const {
+  std::vector<Qt3DCore::QEntity*> words(titles_.begin(), titles_.end());
+  words.push_back(legend_);
+  return {{lines_.begin(), lines_.end()}, {grip_}, words};
 }
 
 void Overlay::show(const OverlayContent& content) {
@@ -73,11 +79,21 @@ void Overlay::show(const OverlayContent& content) {
 
 void Overlay::showTitles(const OverlayContent& content) {
   const QFont font = QGuiApplication::font();
+  const QFontMetricsF metrics(font);
   const auto title = [&](SceneLabel* label, bool exists, const Placement& placement,
-                         const QString& text, const QColor& colour, double top) {
+                         const QStringList& parts, const QColor& colour, double top) {
     if (!exists || !placement.shown) return label->hide();
-    const QSizeF size(3 * kPadding + kDot + QFontMetricsF(font).horizontalAdvance(text),
-                      kTitleHeight);
+    const double room = widthOf(placement.pane, content.view) - 2 * kMargin - 3 * kPadding - kDot;
+    const QString whole = parts.join(QStringLiteral(", "));
+    const bool fits = metrics.horizontalAdvance(whole) <= room;
+    QStringList lines;
+    double width = 0;
+    for (const QString& each : fits ? QStringList(whole) : parts) {
+      lines << metrics.elidedText(each, Qt::ElideRight, room);
+      width = std::max(width, metrics.horizontalAdvance(lines.last()));
+    }
+    const QSizeF size(3 * kPadding + kDot + width,
+                      kTitleHeight + metrics.lineSpacing() * double(lines.size() - 1));
     const QImage picture = painted(size, content.pixel_ratio, [&](QPainter& painter) {
       paintPlate(painter, size, colours_);
       painter.setPen(QPen(colour, 1.5));
@@ -85,8 +101,8 @@ void Overlay::showTitles(const OverlayContent& content) {
       painter.drawEllipse(QRectF(kPadding, (kTitleHeight - kDot) / 2, kDot, kDot));
       painter.setPen(colours_.text);
       painter.setFont(font);
-      painter.drawText(QRectF(2 * kPadding + kDot, 0, size.width(), kTitleHeight),
-                       Qt::AlignVCenter | Qt::AlignLeft, text);
+      painter.drawText(QRectF(2 * kPadding + kDot, 0, size.width(), size.height()),
+                       Qt::AlignVCenter | Qt::AlignLeft, lines.join(QLatin1Char('\n')));
     });
     const double left = leftOf(placement.pane, content.view) + kMargin;
     label->show(picture, {QPointF(left, top), size}, content.view);
@@ -95,10 +111,21 @@ void Overlay::showTitles(const OverlayContent& content) {
   const bool stacked = content.has_original && content.has_compressed &&
                        arrangement.original.shown && arrangement.compressed.shown &&
                        !arrangement.has_divider;
-  title(titles_[0], content.has_original, arrangement.original, Texts::tr("Original"),
+  title(titles_[0], content.has_original, arrangement.original, {Texts::tr("Original")},
         colours_.original, kMargin);
-  title(titles_[1], content.has_compressed, arrangement.compressed, Texts::tr("Compressed"),
+  title(titles_[1], content.has_compressed, arrangement.compressed, {Texts::tr("Compressed")},
         colours_.compressed, kMargin + (stacked ? kTitleHeight + kTitleGap : 0));
+  double top = kMargin;
+  if (arrangement.panes == 1)
+    for (const bool above : {content.has_original, content.has_compressed})
+      top += above ? kTitleHeight + kTitleGap : 0;
+  for (std::size_t i = 0; i < kMostPinned; ++i) {
+    const bool exists = i < content.pinned.size() && i < arrangement.pinned.size();
+    title(titles_[2 + i], exists, exists ? arrangement.pinned[i] : Placement(),
+          exists ? content.pinned[i].title : QStringList(),
+          exists ? content.pinned[i].colour : QColor(), top);
+    if (arrangement.panes == 1) top += kTitleHeight + kTitleGap;
+  }
 }
 
 void Overlay::showLegend(const OverlayContent& content) {
@@ -133,17 +160,20 @@ void Overlay::showLegend(const OverlayContent& content) {
 
 void Overlay::showDivider(const OverlayContent& content) {
   const Arrangement& arrangement = content.arrangement;
-  if (!arrangement.has_divider) {
-    line_->hide();
-    grip_->hide();
-    return;
-  }
-  const double x = (1 + static_cast<double>(arrangement.dividerAt())) / 2 * content.view.width();
+  for (SceneLabel* line : lines_) line->hide();
+  grip_->hide();
+  if (!arrangement.has_divider) return;
   const QImage line =
       painted({1, 1}, 1, [&](QPainter& painter) { painter.fillRect(0, 0, 1, 1, colours_.text); });
-  line_->show(line, {x - kLineWidth / 2, 0, kLineWidth, double(content.view.height())},
-              content.view);
-  if (arrangement.panes > 1) return grip_->hide();  // it cannot be dragged
+  const auto show_line = [&](std::size_t index, double x) {
+    lines_[index]->show(line, {x - kLineWidth / 2, 0, kLineWidth, double(content.view.height())},
+                        content.view);
+  };
+  const double x = (1 + static_cast<double>(arrangement.dividerAt())) / 2 * content.view.width();
+  show_line(0, x);
+  for (int i = 1; i + 1 < arrangement.panes; ++i)
+    show_line(static_cast<std::size_t>(i), leftOf(paneOf(i + 1, arrangement.panes), content.view));
+  if (arrangement.panes > 1) return;  // it cannot be dragged
   const QSizeF size(kGripSize, kGripSize);
   const QImage grip = painted(size, content.pixel_ratio, [&](QPainter& painter) {
     painter.setPen(QPen(colours_.text, kLineWidth));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "widgets/models/error_colour.h"
+#include "widgets/viewport/pinned_figure.h"
 #include "widgets/viewport/scene_colours.h"
 #include "widgets/viewport/scene_label.h"
 #include "widgets/viewport/view_arrangement.h"
@@ -19,6 +20,7 @@ struct OverlayContent {
   Arrangement arrangement;
   bool has_original = false;
   bool has_compressed = false;
+  std::vector<PinnedFigure> pinned;
   std::optional<ErrorScale> scale;  // of the colours, where the figure is coloured by error
   QSize view;                       // logical pixels
   double pixel_ratio = 1;           // device pixels a logical one
@@ -33,8 +35,8 @@ class Overlay : public Qt3DCore::QEntity {
   void setColours(const SceneColours& colours) { colours_ = colours; }
   void show(const OverlayContent& content);
 
-  /// For the frame graph.
-  std::vector<Qt3DCore::QEntity*> labels() const;
+  /// For the frame graph: those drawn first, then those over them.
+  std::vector<std::vector<Qt3DCore::QEntity*>> labels() const;
 
  private:
   void showTitles(const OverlayContent& content);
@@ -42,9 +44,9 @@ class Overlay : public Qt3DCore::QEntity {
   void showDivider(const OverlayContent& content);
 
   SceneColours colours_;
-  std::array<SceneLabel*, 2> titles_;  // the original's, the compressed one's
+  std::array<SceneLabel*, kMostPanes> titles_;  // the original's, the compressed one's, the pinned
   SceneLabel* legend_;
-  SceneLabel* line_;
+  std::array<SceneLabel*, kMostPanes - 1> lines_;  // between panes
   SceneLabel* grip_;
 };
 

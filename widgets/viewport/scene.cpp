@@ -38,10 +38,16 @@ constexpr int kFramesUntilDrawn = 2;
 
 constexpr float kDiscFlatness = 0.05f;
 
-/// A leaf of the frame graph: one pass of the materials of one entity.
-void addStep(Qt3DRender::QFrameGraphNode* parent, Qt3DCore::QEntity* entity, const QString& pass) {
-  auto* layer = new Qt3DRender::QLayer(entity);
-  entity->addComponent(layer);
+constexpr float kTrailThickness = 0.8f;
+// Each pinned figure is a little thinner than the one before: where results agree none flickers
+// through the other, and where they part each is seen.
+constexpr float kThinnerEach = 0.07f;
+
+/// A leaf of the frame graph: one pass of the materials of some entities.
+template <typename Entities>
+void addStep(Qt3DRender::QFrameGraphNode* parent, const Entities& entities, const QString& pass) {
+  auto* layer = new Qt3DRender::QLayer(*std::begin(entities));
+  for (Qt3DCore::QEntity* entity : entities) entity->addComponent(layer);
   auto* only_layer = new Qt3DRender::QLayerFilter(parent);
   only_layer->addLayer(layer);
   auto* only_pass = new Qt3DRender::QRenderPassFilter(only_layer);
@@ -89,6 +95,13 @@ Scene::Scene(OpenGl open_gl) {
   trails_ = new Figure(Figure::Look::Solid, root);
   discs_ = new Figure(Figure::Look::Solid, root);
   discs_->setFlatness(kDiscFlatness);
+  ghosts_ = new Figure(Figure::Look::Trail, root);
+  ghosts_->setThickness(kTrailThickness);
+  float thickness = 1;
+  for (Figure*& figure : pinned_) {
+    figure = new Figure(Figure::Look::Solid, root);
+    figure->setThickness(thickness -= kThinnerEach);
+  }
   overlay_ = new Overlay(root);
   auto* frame_action = new Qt3DLogic::QFrameAction(root);
   root->addComponent(frame_action);
@@ -109,13 +122,18 @@ void Scene::makeFrameGraph(Qt3DCore::QEntity* backdrop) {
   clear->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
   new Qt3DRender::QNoDraw(clear);
   // Steps are drawn in this order: what is translucent comes over what is solid.
-  addStep(camera_selector, backdrop, "shade");
-  for (Figure* figure : {body_, body_path_, shell_path_, trails_, discs_})
-    addStep(camera_selector, figure, "shade");
-  for (Ground* ground : grounds_) addStep(camera_selector, ground, "shade");
-  addStep(camera_selector, shell_, "depth");
-  addStep(camera_selector, shell_, "shade");
-  for (Qt3DCore::QEntity* label : overlay_->labels()) addStep(camera_selector, label, "shade");
+  const auto step = [camera_selector](std::initializer_list<Qt3DCore::QEntity*> entities,
+                                      const char* pass) {
+    addStep(camera_selector, entities, QString::fromLatin1(pass));
+  };
+  step({backdrop}, "shade");
+  step({body_, body_path_, shell_path_, trails_, discs_}, "shade");
+  addStep(camera_selector, pinned_, QStringLiteral("shade"));
+  addStep(camera_selector, grounds_, QStringLiteral("shade"));
+  for (Figure* translucent : {ghosts_, shell_})
+    for (const char* pass : {"depth", "shade"}) step({translucent}, pass);
+  for (const auto& labels : overlay_->labels())
+    addStep(camera_selector, labels, QStringLiteral("shade"));
   capture_ = new Qt3DRender::QRenderCapture(new Qt3DRender::QNoDraw(camera_selector));
 
   setActiveFrameGraph(surface);
@@ -128,10 +146,12 @@ void Scene::setCamera(const OrbitCamera& orbit, int panes) {
   camera()->setUpVector({0, 1, 0});
   camera()->setPosition(orbit.eye());
   camera()->setViewCenter(orbit.target());
-  grounds_[0]->setPane(panes > 1 ? Pane{-0.5f, -1, 0} : Pane{});
-  grounds_[1]->setPane({0.5f, 0, 1});
-  grounds_[1]->setEnabled(panes > 1);
-  for (Ground* ground : grounds_) ground->lookFrom(orbit);
+  for (int i = 0; i < kMostPanes; ++i) {
+    Ground* ground = grounds_[static_cast<std::size_t>(i)];
+    ground->setEnabled(i < panes);
+    ground->setPane(paneOf(i, panes));
+    ground->lookFrom(orbit);
+  }
 }
 
 void Scene::setCell(float cell) {

@@ -34,6 +34,8 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Figure& shellPath() { return *shell_path_; }
   Figure& trails() { return *trails_; }
   Figure& discs() { return *discs_; }
+  Figure& ghosts() { return *ghosts_; }  // poses before and after now
+  Figure& pinned(std::size_t index) { return *pinned_[index]; }
   Overlay& overlay() { return *overlay_; }
   void setCell(float cell);  // cm, of the ground
 
@@ -63,7 +65,9 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Figure* shell_path_;
   Figure* trails_;
   Figure* discs_;
-  std::array<Ground*, 2> grounds_;  // the second is that of the second pane
+  Figure* ghosts_;
+  std::array<Figure*, kMostPinned> pinned_;
+  std::array<Ground*, kMostPanes> grounds_;  // one a pane
   Overlay* overlay_;
   ShaderMaterial* backdrop_;
   Qt3DRender::QRenderCapture* capture_;

@@ -18,6 +18,8 @@ SceneColours sceneColours(const QPalette& palette) {
   colours.selected = QColor(0xffb526);
   colours.trail = slideColour(0);
   colours.alert = slideColour(100);
+  colours.past = dark ? QColor(0x56b4e9) : QColor(0x0072b2);
+  colours.future = QColor(0xe69f00);
   colours.plate = dark ? QColor(0x202327) : QColor(0xffffff);
   colours.text = dark ? QColor(0xe8eaec) : QColor(0x1c2024);
   return colours;

@@ -13,9 +13,10 @@ struct SceneColours {
   QColor original;    // the ghost
   QColor compressed;  // red
   QColor selected;
-  QColor trail;  // of a foot that hardly slides
-  QColor alert;  // of a foot that does, and its trail
-  QColor plate;  // what is written over the scene
+  QColor trail;         // of a foot that hardly slides
+  QColor alert;         // of a foot that does, and its trail
+  QColor past, future;  // poses before and after now
+  QColor plate;         // what is written over the scene
   QColor text;
 };
 

@@ -15,11 +15,23 @@ const Placement& Arrangement::left() const {
   return original.pane.from <= compressed.pane.from ? original : compressed;
 }
 
-Arrangement arrange(const ViewOptions& options, bool both, bool turn) {
+Pane paneOf(int index, int count) {
+  const auto edge = [count](int i) {
+    return -1 + 2 * static_cast<float>(i) / static_cast<float>(count);
+  };
+  const float from = edge(index);
+  const float to = edge(index + 1);
+  return {(from + to) / 2, from, to};
+}
+
+Arrangement arrange(const ViewOptions& options, bool both, bool turn, int pinned) {
   Arrangement arrangement;
+  arrangement.pinned.resize(static_cast<std::size_t>(pinned));
   Placement& original = arrangement.original;
   Placement& compressed = arrangement.compressed;
   if (!both) return arrangement;
+  const bool has_room = !options.blinking && options.mode != ViewMode::Wipe;
+  for (Placement& each : arrangement.pinned) each.shown = has_room;
   if (options.blinking) {
     original.shown = !turn;
     compressed.shown = turn;
@@ -30,9 +42,11 @@ Arrangement arrange(const ViewOptions& options, bool both, bool turn) {
       (options.swapped ? compressed : original).ghost = true;
       return arrangement;
     case ViewMode::SideBySide:
-      arrangement.panes = 2;
-      original.pane = {-0.5f, -1, 0};
-      compressed.pane = {0.5f, 0, 1};
+      arrangement.panes = 2 + pinned;
+      original.pane = paneOf(0, arrangement.panes);
+      compressed.pane = paneOf(1, arrangement.panes);
+      for (int i = 0; i < pinned; ++i)
+        arrangement.pinned[static_cast<std::size_t>(i)].pane = paneOf(2 + i, arrangement.panes);
       break;
     case ViewMode::Wipe: {
       const double share = std::clamp(options.divider, kLeastShare, 1 - kLeastShare);

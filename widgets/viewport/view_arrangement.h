@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 namespace mocapress {
 
 /// How the original and the compressed figure are set against each other.
@@ -19,9 +21,14 @@ struct ViewOptions {
   bool path = false;      // the way of the chosen joint, or of the root
   bool in_place = false;  // the root does not move over the ground
   double divider = 0.5;   // of the wipe, share of the view's width
+  int trail = 0;          // faded poses of the compressed figure before now, and as many after
 
   bool operator==(const ViewOptions&) const = default;
 };
+
+/// Further results of the same clip that are seen beside the current one.
+inline constexpr int kMostPinned = 4;
+inline constexpr int kMostPanes = 2 + kMostPinned;
 
 /// An upright strip of the view, in normalised device coordinates: what is drawn moves sideways by
 /// `shift` and is seen between `from` and `to` only.
@@ -33,6 +40,9 @@ struct Pane {
   bool contains(float device_x) const { return from <= device_x && device_x <= to; }
   bool operator==(const Pane&) const = default;
 };
+
+/// One of so many equal strips, from the left; what is drawn is moved to its middle.
+Pane paneOf(int index, int count);
 
 struct Placement {
   bool shown = true;
@@ -46,6 +56,7 @@ struct Placement {
 struct Arrangement {
   Placement original;
   Placement compressed;
+  std::vector<Placement> pinned;
   int panes = 1;             // equal parts of the view with a ground each
   bool has_divider = false;  // between the figures, at the end of the left one's pane
 
@@ -54,7 +65,8 @@ struct Arrangement {
 };
 
 /// `both`: there are two figures to arrange, else one stands alone. `turn` of a blinking view: the
-/// compressed figure's.
-Arrangement arrange(const ViewOptions& options, bool both, bool turn);
+/// compressed figure's. Those that are `pinned` are seen where the others are or each in a pane of
+/// its own; a wipe and a blinking view have no place for them.
+Arrangement arrange(const ViewOptions& options, bool both, bool turn, int pinned = 0);
 
 }  // namespace mocapress

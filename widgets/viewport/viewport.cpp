@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/viewport/viewport.h"
 
-#include <QApplication>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QSurfaceFormat>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
+#include "widgets/viewport/ghost_trail.h"
 #include "widgets/viewport/joint_path.h"
-#include "widgets/viewport/joint_picker.h"
 #include "widgets/viewport/scene.h"
 #include "widgets/viewport/slide_marks.h"
 
@@ -23,9 +20,8 @@ constexpr float kRadiusPerSize = 0.56f;  // of the ball in sight, per size of th
 constexpr float kTrailPerSize = 0.006f;  // radius of a trail, per size of the figure
 constexpr float kPathPerSize = 0.006f;   // radius of a joint's path, likewise
 constexpr float kDiscPerSize = 0.055f;   // radius of a foot's disc, likewise
+constexpr double kTrailSeconds = 0.1;    // between the poses of the ghost trail
 constexpr double kPathSeconds = 0.5;     // to either side of now
-constexpr double kWheelStep = 120;       // Qt's angle delta of one notch
-constexpr double kDividerReach = 10;     // pixels to either side at which it is taken
 constexpr auto kBlinkTime = std::chrono::milliseconds(400);
 
 bool isEmpty(const Viewport::Tracks& tracks) {
@@ -82,6 +78,7 @@ void Viewport::setSkeleton(const Skeleton& skeleton) {
   shape_.emplace(skeleton);
   original_.reset();
   compressed_.reset();
+  pinned_.clear();
   errors_.reset();
   contacts_.clear();
   slides_.clear();
@@ -98,6 +95,12 @@ void Viewport::setOriginal(Tracks tracks) {
 
 void Viewport::setCompressed(Tracks tracks) {
   compressed_ = isEmpty(tracks) ? nullptr : std::move(tracks);
+  arrangeFigures();
+}
+
+void Viewport::setPinned(std::vector<PinnedFigure> pinned) {
+  pinned_ = std::move(pinned);
+  if (pinned_.size() > kMostPinned) pinned_.resize(kMostPinned);
   arrangeFigures();
 }
 
@@ -130,7 +133,8 @@ void Viewport::setOptions(const ViewOptions& options) {
 /// The camera may see another part of the window then.
 void Viewport::arrangeFigures() {
   const int panes = arrangement_.panes;
-  arrangement_ = arrange(options_, original_ && compressed_, blink_turn_);
+  arrangement_ =
+      arrange(options_, original_ && compressed_, blink_turn_, static_cast<int>(pinned_.size()));
   if (arrangement_.panes != panes) sizeCamera();
   showTrails();
   showFigures();
@@ -197,6 +201,8 @@ void Viewport::showFigures() {
   showFigure(turned ? scene_->shell() : scene_->body(),
              turned ? scene_->shellPath() : scene_->bodyPath(), compressed, compressedMarks());
   showMarks();
+  showPinned();
+  showGhosts();
   scene_->announce();
 }
 
@@ -219,6 +225,34 @@ void Viewport::showFigure(Figure& figure, Figure& path, const Role& role,
   const auto reach = std::max(1, static_cast<int>(kPathSeconds * sample_rate_hz_));
   path.show(jointPath(*role.tracks, std::max(selected_joint_, 0), frame, reach,
                       kPathPerSize * shape_->size()));
+}
+
+void Viewport::showPinned() {
+  for (std::size_t i = 0; i < kMostPinned; ++i) {
+    Figure& figure = scene_->pinned(i);
+    const bool shown = shape_ && i < pinned_.size() && arrangement_.pinned[i].shown;
+    if (!shown) {
+      figure.hide();
+      continue;
+    }
+    const PinnedFigure& pinned = pinned_[i];
+    figure.setColours(pinned.colour, colours_.selected, colours_.alert);
+    figure.setPane(arrangement_.pinned[i].pane);
+    figure.setOffset(offset());
+    figure.show(*shape_, *pinned.tracks, frameOf(*pinned.tracks), {});
+  }
+}
+
+/// Where the compressed figure was and will be.
+void Viewport::showGhosts() {
+  Figure& ghosts = scene_->ghosts();
+  if (options_.trail == 0 || !shape_ || !compressed_ || !arrangement_.compressed.shown)
+    return ghosts.hide();
+  const int step = std::max(1, static_cast<int>(kTrailSeconds * sample_rate_hz_));
+  ghosts.setPane(arrangement_.compressed.pane);
+  ghosts.setOffset(offset());
+  ghosts.show(ghostTrail(*shape_, *compressed_, {frameOf(*compressed_), step, options_.trail},
+                         {colours_.past, colours_.future, colours_.backdrop_centre}));
 }
 
 FigureMarks Viewport::compressedMarks() const {
@@ -273,7 +307,7 @@ void Viewport::sizeCamera() {
 void Viewport::showOverlay() {
   if (!scene_) return;
   const bool coloured = options_.by_error && errors_ && compressed_;
-  scene_->overlay().show({arrangement_, original_ != nullptr, compressed_ != nullptr,
+  scene_->overlay().show({arrangement_, original_ != nullptr, compressed_ != nullptr, pinned_,
                           coloured ? std::optional(error_scale_) : std::nullopt, scene_->size(),
                           devicePixelRatioF()});
   scene_->announce();
@@ -295,33 +329,6 @@ int Viewport::frameOf(const Eigen::MatrixXd& tracks) const {
   return std::clamp(frame_, 0, static_cast<int>(tracks.rows()) - 1);
 }
 
-bool Viewport::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != scene_) return QWidget::eventFilter(watched, event);
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-      press(*static_cast<QMouseEvent*>(event));
-      break;
-    case QEvent::MouseMove:
-      drag(*static_cast<QMouseEvent*>(event));
-      break;
-    case QEvent::MouseButtonRelease:
-      release(*static_cast<QMouseEvent*>(event));
-      break;
-    case QEvent::Wheel:
-      camera_.zoom(
-          static_cast<float>(static_cast<QWheelEvent*>(event)->angleDelta().y() / kWheelStep));
-      showCamera();
-      break;
-    case QEvent::Resize:
-      sizeCamera();
-      showOverlay();
-      break;
-    default:
-      break;
-  }
-  return QWidget::eventFilter(watched, event);
-}
-
 void Viewport::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && scene_) {
     colours_ = sceneColours(palette());
@@ -330,61 +337,6 @@ void Viewport::changeEvent(QEvent* event) {
     showOverlay();
   }
   QWidget::changeEvent(event);
-}
-
-void Viewport::press(const QMouseEvent& event) {
-  pressed_at_ = dragged_to_ = event.position();
-  drags_divider_ = event.button() == Qt::LeftButton && isOnDivider(event.position());
-  is_click_ = event.button() == Qt::LeftButton && !drags_divider_;
-}
-
-bool Viewport::isOnDivider(const QPointF& position) const {
-  if (!arrangement_.has_divider || arrangement_.panes > 1) return false;
-  const double divider = (1 + static_cast<double>(arrangement_.dividerAt())) / 2 * scene_->width();
-  return std::abs(position.x() - divider) <= kDividerReach;
-}
-
-void Viewport::drag(const QMouseEvent& event) {
-  if (event.buttons() == Qt::NoButton) {
-    scene_->setCursor(isOnDivider(event.position()) ? Qt::SplitHCursor : Qt::ArrowCursor);
-    return;
-  }
-  if (drags_divider_) {
-    options_.divider = std::clamp(event.position().x() / scene_->width(), 0.0, 1.0);
-    arrangeFigures();
-    emit dividerMoved(options_.divider);
-    return;
-  }
-  const QPointF away = event.position() - pressed_at_;
-  if (is_click_ && away.manhattanLength() < QApplication::startDragDistance()) return;
-  is_click_ = false;
-  const QPointF step = event.position() - dragged_to_;
-  dragged_to_ = event.position();
-  if (event.buttons() & Qt::LeftButton)
-    camera_.orbit(step);
-  else
-    camera_.pan(step);
-  showCamera();
-}
-
-void Viewport::release(const QMouseEvent& event) {
-  drags_divider_ = false;
-  if (!std::exchange(is_click_, false)) return;
-  OrbitCamera camera = camera_;
-  camera.moveBy(-offset());  // to where the figures are as recorded
-  const double width = scene_->width();
-  std::optional<PickedJoint> nearest;
-  for (const auto& [tracks, placement] : {std::pair(compressed_, arrangement_.compressed),
-                                          std::pair(original_, arrangement_.original)}) {
-    const auto device_x = static_cast<float>(2 * event.position().x() / width - 1);
-    if (!tracks || !placement.shown || !placement.pane.contains(device_x)) continue;
-    const double pane_left = (width - width / arrangement_.panes) / 2 +
-                             static_cast<double>(placement.pane.shift) * width / 2;
-    const auto picked = pickJoint(camera, *tracks, frameOf(*tracks), shape_->jointCount(),
-                                  event.position() - QPointF(pane_left, 0));
-    if (picked && (!nearest || picked->distance < nearest->distance)) nearest = picked;
-  }
-  if (nearest) emit jointClicked(nearest->joint);
 }
 
 }  // namespace mocapress

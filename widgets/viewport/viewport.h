@@ -15,6 +15,7 @@
 #include "widgets/models/error_colour.h"
 #include "widgets/viewport/figure_shape.h"
 #include "widgets/viewport/orbit_camera.h"
+#include "widgets/viewport/pinned_figure.h"
 #include "widgets/viewport/scene_colours.h"
 #include "widgets/viewport/view_arrangement.h"
 
@@ -29,10 +30,10 @@ class Scene;
 void prepareViewport();
 
 /// The 3D view: ground grid, the original in grey and the compressed figure in red, both at the
-/// same frame, one over the other, side by side or with a divider to drag between them. It shows
-/// values and starts no work. Mouse: left drag orbits, right or middle drag pans, wheel zooms, a
-/// click on a joint selects it. Without OpenGL it says so in words, takes every call and never
-/// emits drawn().
+/// same frame, and other results in colours of their own; one over the other, side by side or with
+/// a divider to drag between them. It shows values and starts no work. Mouse: left drag orbits,
+/// right or middle drag pans, wheel zooms, a click on a joint selects it. Without OpenGL it says so
+/// in words, takes every call and never emits drawn().
 class Viewport : public QWidget {
   Q_OBJECT
 
@@ -50,6 +51,10 @@ class Viewport : public QWidget {
   /// Null hides the figure.
   void setOriginal(Tracks tracks);
   void setCompressed(Tracks tracks);
+
+  /// Other results of the clip, kMostPinned at most. A new skeleton has none.
+  void setPinned(std::vector<PinnedFigure> pinned);
+  const std::vector<PinnedFigure>& pinned() const { return pinned_; }
 
   /// Feet of the compressed figure that slide: coloured, with their trails on the ground.
   void setSlides(std::vector<SlideFinding> slides);
@@ -114,6 +119,8 @@ class Viewport : public QWidget {
   void showFigures();
   void showFigure(Figure& figure, Figure& path, const Role& role, const FigureMarks& marks);
   void showMarks();
+  void showPinned();
+  void showGhosts();
   void showTrails();
   void showCamera();
   void showOverlay();
@@ -135,6 +142,7 @@ class Viewport : public QWidget {
   std::optional<FigureShape> shape_;
   Tracks original_;
   Tracks compressed_;
+  std::vector<PinnedFigure> pinned_;
   std::vector<SlideFinding> slides_;
   std::vector<ContactSpan> contacts_;
   std::shared_ptr<const Eigen::MatrixXf> errors_;

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/pinned_results.h"
+
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+#include <QSet>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeView>
+
+#include "app/studio/session.h"
+#include "core/formats/motion_file.h"
+#include "tests/support/test_motion.h"
+#include "widgets/models/pinned_model.h"
+#include "widgets/panels/pinned_panel.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+EncodeOptions standard(double ratio) {
+  return {.method = Method::Standard, .target = {Target::Kind::Ratio, ratio}};
+}
+
+class Pinning : public testing::Test {
+ protected:
+  Pinning() {
+    session_.setOptions(standard(10));
+    open("walk.bvh", 1);
+  }
+
+  void open(const char* name, unsigned seed) {
+    const QString path = directory_.filePath(QString::fromLatin1(name));
+    write_motion(path.toStdU16String(), test::smooth_motion(120, seed));
+    settleAfter([&] { session_.open(path); });
+  }
+
+  template <typename Act>
+  void settleAfter(Act act) {
+    QSignalSpy settled(&session_, &Session::settled);
+    act();
+    ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+  }
+
+  void tune(double ratio) {
+    settleAfter([&] { session_.setOptions(standard(ratio)); });
+  }
+
+  QTemporaryDir directory_;
+  Session session_;
+  PinnedModel model_;
+  PinnedPanel panel_{&model_};
+  Viewport viewport_;
+  PinnedResults results_{&session_, &model_, &panel_, &viewport_};
+};
+
+TEST_F(Pinning, AResultStaysAsItWasWhileOthersAreTried) {
+  EXPECT_TRUE(results_.canPin());
+  QTest::mouseClick(panel_.pinButton(), Qt::LeftButton);
+  const DecodedPtr pinned = session_.document().decoded();
+  EXPECT_FALSE(panel_.pinButton()->isEnabled()) << "it is pinned";
+  tune(40);
+  EXPECT_TRUE(panel_.pinButton()->isEnabled());
+  ASSERT_EQ(model_.rowCount(), 1);
+  EXPECT_DOUBLE_EQ(model_.entries()[0].ratio, pinned->ratio);
+  EXPECT_DOUBLE_EQ(model_.entries()[0].max_cm, pinned->distortion->max.cm);
+  ASSERT_EQ(viewport_.pinned().size(), 1u);
+  EXPECT_EQ(viewport_.pinned()[0].tracks, pinned->tracks);
+  EXPECT_EQ(viewport_.pinned()[0].title[0], model_.entries()[0].name);
+}
+
+TEST_F(Pinning, FourHaveColoursOfTheirOwnAndAFifthHasNoRoom) {
+  for (const double ratio : {10.0, 20.0, 30.0, 40.0}) {
+    tune(ratio);
+    results_.pinCurrent();
+  }
+  tune(50);
+  EXPECT_FALSE(results_.canPin());
+  results_.pinCurrent();
+  ASSERT_EQ(model_.rowCount(), 4);
+  QSet<QRgb> colours;
+  for (const PinnedEntry& entry : model_.entries()) colours.insert(entry.colour.rgb());
+  EXPECT_EQ(colours.size(), 4);
+  // One that is freed is given again.
+  const QColor freed = model_.entries()[1].colour;
+  results_.unpin(1);
+  results_.pinCurrent();
+  EXPECT_EQ(model_.entries()[3].colour, freed);
+}
+
+TEST_F(Pinning, OneIsMadeCurrentAndThatIsUndone) {
+  results_.pinCurrent();
+  // By two steps of two kinds: quick ones of one kind are undone together.
+  EncodeOptions other = standard(10);
+  other.weighting = Weighting::JointOrigins;
+  settleAfter([&] { session_.setOptions(other); });
+  other.target.value = 40;
+  settleAfter([&] { session_.setOptions(other); });
+  panel_.view()->setCurrentIndex(model_.index(0, 0));
+  settleAfter([&] { QTest::mouseClick(panel_.makeCurrentButton(), Qt::LeftButton); });
+  EXPECT_DOUBLE_EQ(session_.document().options().target.value, 10);
+  settleAfter([&] { session_.history()->undo(); });
+  EXPECT_DOUBLE_EQ(session_.document().options().target.value, 40);
+}
+
+TEST_F(Pinning, NamesAreEdited) {
+  results_.pinCurrent();
+  EXPECT_FALSE(model_.setData(model_.index(0, 0), QStringLiteral("  "), Qt::EditRole));
+  EXPECT_TRUE(model_.setData(model_.index(0, 0), QStringLiteral("hero"), Qt::EditRole));
+  EXPECT_EQ(model_.index(0, 0).data().toString(), QStringLiteral("hero"));
+  EXPECT_EQ(viewport_.pinned()[0].title[0], QStringLiteral("hero"));
+}
+
+TEST_F(Pinning, AnotherClipBeginsWithoutPins) {
+  results_.pinCurrent();
+  open("jump.bvh", 2);
+  EXPECT_EQ(model_.rowCount(), 0);
+  EXPECT_TRUE(viewport_.pinned().empty());
+}
+
+}  // namespace
+}  // namespace mocapress

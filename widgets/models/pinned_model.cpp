@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/pinned_model.h"
+
+#include <QLocale>
+
+namespace mocapress {
+namespace {
+
+QString textOf(const PinnedEntry& entry, int column) {
+  const auto number = [](double value, int digits) {
+    return QLocale().toString(value, 'f', digits);
+  };
+  switch (column) {
+    case PinnedModel::Name:
+      return entry.name;
+    case PinnedModel::Ratio:
+      return number(entry.ratio, 1);
+    case PinnedModel::Eps:
+      return number(entry.eps_cm, 2);
+    case PinnedModel::P95:
+      return number(entry.p95_cm, 2);
+    case PinnedModel::Max:
+      return number(entry.max_cm, 2);
+    case PinnedModel::Footskate:
+      return entry.footskate_cm ? number(*entry.footskate_cm, 1) : QStringLiteral("–");
+    default:
+      return {};
+  }
+}
+
+QString inCentimetres(const QString& what) {
+  return QStringLiteral("%1\n%2").arg(what, PinnedModel::tr("cm"));
+}
+
+}  // namespace
+
+void PinnedModel::setEntries(std::vector<PinnedEntry> entries) {
+  if (entries.size() == entries_.size()) {  // the choice of a row stays
+    entries_ = std::move(entries);
+    if (!entries_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+    return;
+  }
+  beginResetModel();
+  entries_ = std::move(entries);
+  endResetModel();
+}
+
+int PinnedModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(entries_.size());
+}
+
+int PinnedModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kColumns;
+}
+
+QVariant PinnedModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const PinnedEntry& entry = entries_[static_cast<std::size_t>(index.row())];
+  const bool is_name = index.column() == Name;
+  switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+      return textOf(entry, index.column());
+    case Qt::DecorationRole:
+      return is_name ? QVariant(entry.colour) : QVariant();
+    case Qt::TextAlignmentRole:
+      return QVariant((is_name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    default:
+      return {};
+  }
+}
+
+bool PinnedModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  const QString name = value.toString().trimmed();
+  if (!index.isValid() || index.column() != Name || role != Qt::EditRole || name.isEmpty())
+    return false;
+  emit nameEdited(index.row(), name);
+  return true;
+}
+
+QVariant PinnedModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return QVariant((section == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  const bool shown = role == Qt::DisplayRole;
+  if (!shown && role != Qt::ToolTipRole) return {};
+  switch (section) {
+    case Name:
+      return shown ? tr("Result") : tr("Double click to give it another name.");
+    case Ratio:
+      return shown ? tr("Ratio") : tr("Compression ratio");
+    case Eps:
+      return shown ? inCentimetres(tr("eps_x"))
+                   : tr("Weighted root mean square distance from the original.");
+    case P95:
+      return shown ? inCentimetres(tr("p95")) : tr("95 % of all points and frames are within.");
+    case Max:
+      return shown ? inCentimetres(tr("Max")) : tr("Greatest distance of any point at any frame.");
+    case Footskate:
+      return shown ? inCentimetres(tr("Skate")) : tr("Footskate: how far standing feet slide.");
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags PinnedModel::flags(const QModelIndex& index) const {
+  Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  if (index.isValid() && index.column() == Name) flags |= Qt::ItemIsEditable;
+  return flags;
+}
+
+}  // namespace mocapress

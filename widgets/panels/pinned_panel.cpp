@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/panels/pinned_panel.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include "widgets/models/pinned_model.h"
+
+namespace mocapress {
+
+PinnedPanel::PinnedPanel(PinnedModel* model, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      view_(new QTreeView(this)),
+      pin_(new QPushButton(tr("Pin This"), this)),
+      make_current_(new QPushButton(tr("Make Current"), this)),
+      unpin_(new QPushButton(tr("Unpin"), this)) {
+  view_->setModel(model);
+  view_->setAccessibleName(tr("Pinned results"));
+  view_->setRootIsDecorated(false);
+  view_->setUniformRowHeights(true);
+  view_->setAlternatingRowColors(true);
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->setIconSize({10, 10});
+  view_->header()->setStretchLastSection(false);
+  view_->header()->setMinimumSectionSize(40);
+  view_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  view_->header()->setSectionResizeMode(PinnedModel::Name, QHeaderView::Stretch);
+  pin_->setToolTip(
+      tr("Keep the current result in view, as a figure of its own colour, while "
+         "other settings are tried."));
+  make_current_->setToolTip(tr("Go on from the settings of the chosen result. Can be undone."));
+  unpin_->setToolTip(tr("Take the chosen result out of the view."));
+
+  auto* buttons = new QHBoxLayout;
+  for (QPushButton* button : {pin_, make_current_, unpin_}) buttons->addWidget(button, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 0, 8, 6);
+  column->setSpacing(6);
+  column->addWidget(view_, 1);
+  column->addLayout(buttons);
+
+  connect(pin_, &QPushButton::clicked, this, &PinnedPanel::pinRequested);
+  connect(make_current_, &QPushButton::clicked, this,
+          [this] { emit makeCurrentRequested(current()); });
+  connect(unpin_, &QPushButton::clicked, this, [this] { emit unpinRequested(current()); });
+  connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          &PinnedPanel::showChosen);
+  connect(model, &PinnedModel::modelReset, this, [this] {
+    const int last = model_->rowCount() - 1;
+    if (last >= 0) view_->setCurrentIndex(model_->index(last, 0));
+    showChosen();
+  });
+  setCanPin(false);
+  showChosen();
+}
+
+int PinnedPanel::current() const {
+  return view_->currentIndex().isValid() ? view_->currentIndex().row() : -1;
+}
+
+void PinnedPanel::setCanPin(bool can) {
+  pin_->setEnabled(can);
+}
+
+void PinnedPanel::showChosen() {
+  for (QPushButton* button : {make_current_, unpin_}) button->setEnabled(current() >= 0);
+}
+
+}  // namespace mocapress
