@@ -56,6 +56,7 @@ Json describe_compressed(const std::string& path) {
           {"method", opened.method},
           {"basis", of_wavelets(name(clip.basis))},
           {"coding", of_wavelets(name(clip.coding))},
+          {"segments", of_wavelets(clip.segment_layout().count())},
           {"weighting", name(clip.provenance.weighting)},
           {"seed", of_wavelets(clip.provenance.seed)},
           {"eps_x_cm", clip.provenance.eps_cm},

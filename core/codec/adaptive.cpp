@@ -59,13 +59,14 @@ std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
 }
 
 QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
-                                 const std::vector<SignalKin>& kin, int length) {
-  ByteReader reader(bytes);
+                                 const std::vector<SignalKin>& kin, int length,
+                                 std::size_t base_offset) {
+  ByteReader reader(bytes, base_offset);
   const std::uint32_t scale = reader.read<std::uint16_t>();
   QuantisedSignals coded{.scale = std::bit_cast<float>(scale << 16), .fineness = {}, .values = {}};
   if (!std::isfinite(coded.scale) || coded.scale <= 0)
-    throw FormatError(0, "the scale of steps is no positive number");
-  const std::span<const std::byte> coded_bits = bytes.subspan(reader.offset());
+    throw FormatError(base_offset, "the scale of steps is no positive number");
+  const std::span<const std::byte> coded_bits = bytes.last(reader.remaining());
   decoder::RangeDecoder bits(reinterpret_cast<const std::uint8_t*>(coded_bits.data()),
                              coded_bits.size());
   coded.fineness.resize(kin.size());

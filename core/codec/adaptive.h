@@ -41,8 +41,10 @@ void code_coefficients(Bits& bits, const std::vector<SignalKin>& kin,
 std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
                                        const std::vector<SignalKin>& kin);
 
-/// The inverse. Throws FormatError unless the bytes are those of signals of that length.
+/// The inverse. Throws FormatError, with an offset counted from `base_offset`, unless the bytes are
+/// those of signals of that length.
 QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
-                                 const std::vector<SignalKin>& kin, int length);
+                                 const std::vector<SignalKin>& kin, int length,
+                                 std::size_t base_offset = 0);
 
 }  // namespace mocapress

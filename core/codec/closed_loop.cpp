@@ -6,7 +6,6 @@
 
 #include "core/base/parallel.h"
 #include "core/codec/rate_table.h"
-#include "core/metrics/rate.h"
 #include "core/select/error_sweep.h"
 
 namespace mocapress {
@@ -57,7 +56,7 @@ double ClosedLoop::finest_scale() const {
   return 16 * largest / kMostSteps;
 }
 
-double ClosedLoop::likely_scale(const Target& target) const {
+double likely_scale(const Target& target, std::size_t raw_bytes) {
   // As the study clips have it, roughly.
   const auto for_error = [](double eps_cm) { return 1.8 * std::pow(eps_cm / 0.5, 1.35); };
   const auto for_ratio = [&](double ratio) { return for_error(0.5 * std::pow(ratio / 130, 1.25)); };
@@ -69,7 +68,7 @@ double ClosedLoop::likely_scale(const Target& target) const {
     case Target::Kind::Ratio:
       return for_ratio(target.value);
     case Target::Kind::Size:
-      return for_ratio(static_cast<double>(raw_bytes(original_)) / std::max(target.value, 1.0));
+      return for_ratio(static_cast<double>(raw_bytes) / std::max(target.value, 1.0));
     case Target::Kind::CoefficientRatio:
       return for_ratio(2 * target.value);
   }

@@ -47,9 +47,6 @@ class ClosedLoop {
   /// Of finer scales the largest coefficients would not fit.
   double finest_scale() const;
 
-  /// A first guess at the scale that meets a target.
-  double likely_scale(const Target& target) const;
-
  private:
   friend class ClosedLoopRun;
 
@@ -65,5 +62,8 @@ class ClosedLoop {
   Eigen::MatrixXd coefficient_curvature_;  // all frames alike
   Eigen::VectorXd mean_curvature_;
 };
+
+/// A first guess at the scale that meets a target for a clip of so many bytes.
+double likely_scale(const Target& target, std::size_t raw_bytes);
 
 }  // namespace mocapress

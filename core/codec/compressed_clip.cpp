@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/compressed_clip.h"
 
+#include <numeric>
+
 #include "core/codec/rle16.h"
 
 namespace mocapress {
@@ -22,12 +24,16 @@ std::string_view name(Method method) {
 std::size_t CompressedClip::correction_bytes() const {
   if (!correction) return 0;
   if (!is_of_words(coding)) {
-    CompressedClip alone = *this;
-    alone.correction.reset();
-    QuantisedSignals coded = unpack_adaptive(*this);
-    coded.fineness.resize(static_cast<std::size_t>(skeleton.channel_count()));
-    coded.values = coded.values.leftCols(skeleton.channel_count()).eval();
-    return motion_bytes() - pack_adaptive(coded, alone).size();
+    CompressedClip alone;
+    alone.skeleton = skeleton;
+    std::size_t bytes = motion.size() + correction->section_bytes();
+    for (int k = 0; k < segment_layout().count(); ++k) {
+      QuantisedSignals coded = unpack_adaptive(*this, k);
+      coded.fineness.resize(static_cast<std::size_t>(skeleton.channel_count()));
+      coded.values = coded.values.leftCols(skeleton.channel_count()).eval();
+      bytes -= pack_adaptive(coded, alone).size();
+    }
+    return bytes;
   }
   std::vector<std::byte> words = unpack_motion(*this);
   ByteReader reader(words);
@@ -53,8 +59,16 @@ std::vector<SignalKin> kin_of(const CompressedClip& clip) {
 
 }  // namespace
 
-QuantisedSignals unpack_adaptive(const CompressedClip& clip) {
-  return adaptive_decode(clip.motion, kin_of(clip), clip.frames);
+QuantisedSignals unpack_adaptive(const CompressedClip& clip, int segment) {
+  const SegmentLayout layout = clip.segment_layout();
+  std::span<const std::byte> bytes = clip.motion;
+  std::size_t offset = 0;
+  if (clip.segments) {
+    const auto& sizes = clip.segments->bytes;
+    offset = std::accumulate(sizes.begin(), sizes.begin() + segment, std::size_t{0});
+    bytes = bytes.subspan(offset, sizes[static_cast<std::size_t>(segment)]);
+  }
+  return adaptive_decode(bytes, kin_of(clip), layout.frames_of(segment), offset);
 }
 
 std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const CompressedClip& clip) {

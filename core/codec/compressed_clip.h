@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/codec/adaptive.h"
+#include "core/codec/segments.h"
 #include "core/codec/signal_coder.h"
 #include "core/ik/correction.h"
 #include "core/motion/clip.h"
@@ -46,6 +48,15 @@ struct CodedCorrection {
   std::size_t section_bytes() const { return 2 + 4 * effectors.size(); }
 };
 
+/// The segments that the motion of a long clip falls into.
+struct CodedSegments {
+  int length = 0;                    // frames of each but the last
+  int overlap = 0;                   // frames that neighbours share
+  std::vector<std::uint32_t> bytes;  // of each in the motion
+
+  std::size_t section_bytes() const { return 12 + 4 * bytes.size(); }
+};
+
 /// A compressed clip as values: what a .mcpr file holds. FORMAT.md says how.
 struct CompressedClip {
   Skeleton skeleton;
@@ -54,24 +65,33 @@ struct CompressedClip {
   Basis basis = Basis::Cubic;
   Coding coding = Coding::Deflate;
   std::vector<std::byte> motion;  // coefficients of every channel, then of the correction, coded
+  std::optional<CodedSegments> segments;  // of Coding::Adaptive only
   std::optional<CodedCorrection> correction;
   Provenance provenance;
 
-  /// What a ratio counts: motion and correction, not the skeleton.
+  /// What a ratio counts: motion, segments and correction, not the skeleton.
   std::size_t motion_bytes() const {
-    return motion.size() + (correction ? correction->section_bytes() : 0);
+    return motion.size() + (segments ? segments->section_bytes() : 0) +
+           (correction ? correction->section_bytes() : 0);
   }
 
   /// How many of them are the correction's: what the motion alone would not take.
   std::size_t correction_bytes() const;
+
+  /// One segment where there are no others.
+  SegmentLayout segment_layout() const {
+    return segments ? SegmentLayout{frames, segments->length, segments->overlap}
+                    : SegmentLayout::whole(frames);
+  }
 };
 
 /// The words of `clip.motion`; requires a coding of words. Throws FormatError when its bytes are
 /// not valid.
 std::vector<std::byte> unpack_motion(const CompressedClip& clip);
 
-/// The same of Coding::Adaptive: the motion's coefficients, then the correction's.
-QuantisedSignals unpack_adaptive(const CompressedClip& clip);
+/// The same of a segment of Coding::Adaptive: the motion's coefficients, then the correction's; and
+/// what they are coded as.
+QuantisedSignals unpack_adaptive(const CompressedClip& clip, int segment = 0);
 std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const CompressedClip& clip);
 
 }  // namespace mocapress

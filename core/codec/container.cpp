@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "core/base/byte_cursor.h"
@@ -137,8 +138,38 @@ CodedCorrection read_correction(std::span<const std::byte> payload, std::size_t 
   return correction;
 }
 
+std::vector<std::byte> write_segments(const CodedSegments& segments) {
+  ByteWriter writer;
+  writer.write(static_cast<std::uint32_t>(segments.length));
+  writer.write(static_cast<std::uint32_t>(segments.overlap));
+  writer.write(static_cast<std::uint32_t>(segments.bytes.size()));
+  for (const std::uint32_t bytes : segments.bytes) writer.write(bytes);
+  return writer.release();
+}
+
+CodedSegments read_segments(std::span<const std::byte> payload, std::size_t offset, int frames) {
+  ByteReader reader(payload, offset);
+  const auto length = reader.read<std::uint32_t>();
+  const auto overlap = reader.read<std::uint32_t>();
+  if (!decoder::may_be_segments(static_cast<std::uint32_t>(frames), length, overlap))
+    throw FormatError(offset, "segments of impossible length");
+  CodedSegments segments{static_cast<int>(length), static_cast<int>(overlap), {}};
+  const SegmentLayout layout{frames, segments.length, segments.overlap};
+  const std::size_t at = reader.offset();
+  const auto count = reader.read<std::uint32_t>();
+  if (count != static_cast<std::uint32_t>(layout.count()))
+    throw FormatError(at, "not as many segments as frames need");
+  if (reader.remaining() != 4 * std::size_t{count}) reader.fail("SEGS of another size");
+  for (std::uint32_t k = 0; k < count; ++k) segments.bytes.push_back(reader.read<std::uint32_t>());
+  return segments;
+}
+
 std::string_view motion_tag(const Container& container) {
   return container.of_comparison ? "COMP" : "MOTN";
+}
+
+bool is_adaptive(const Container& container) {
+  return !container.of_comparison && container.clip.coding == Coding::Adaptive;
 }
 
 struct Section {
@@ -215,12 +246,13 @@ std::vector<std::byte> write_container(const Container& container) {
   ByteWriter file;
   file.append(bytes_of(kMagic));
   file.write(kVersion);
-  file.write(static_cast<std::uint16_t>(clip.correction ? 4 : 3));
-  if (!container.of_comparison && clip.coding == Coding::Adaptive)
+  file.write(static_cast<std::uint16_t>(3 + (clip.segments ? 1 : 0) + (clip.correction ? 1 : 0)));
+  if (is_adaptive(container))
     write_section(file, "JNTS", encode_joints(clip.skeleton));
   else
     write_section(file, "SKEL", encode_skeleton(clip.skeleton));
   write_section(file, "CLIP", write_description(container));
+  if (clip.segments) write_section(file, "SEGS", write_segments(*clip.segments));
   write_section(file, motion_tag(container), clip.motion);
   if (clip.correction) write_section(file, "IKCO", write_correction(*clip.correction));
   return file.release();
@@ -258,9 +290,17 @@ Container read(std::span<const std::byte> bytes, bool wavelets_only) {
   read_description(description.payload, description.payload_offset, container);
   if (wavelets_only && container.of_comparison)
     file.fail("the motion is no wavelets but of a comparison method (section COMP)");
-  if (for_adaptive && (container.of_comparison || clip.coding != Coding::Adaptive))
+  if (for_adaptive && !is_adaptive(container))
     file.fail("section JNTS without the coding adaptive");
-  const Section motion = sections.expect(motion_tag(container));
+  Section motion = sections.expect(motion_tag(container), is_adaptive(container) ? "SEGS" : "");
+  if (motion.tag == "SEGS") {
+    const Section segments = std::move(motion);
+    clip.segments = read_segments(segments.payload, segments.payload_offset, clip.frames);
+    motion = sections.expect(motion_tag(container));
+    const auto& sizes = clip.segments->bytes;
+    if (std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) != motion.payload.size())
+      throw FormatError(segments.payload_offset + 12, "the segments are not as large as MOTN");
+  }
   clip.motion.assign(motion.payload.begin(), motion.payload.end());
   if (const auto correction = sections.take_last(container.of_comparison ? "" : "IKCO"))
     clip.correction =

@@ -33,14 +33,35 @@ std::vector<float> wide_limits(const CompressedClip& clip) {
 
 }  // namespace
 
+namespace {
+
+/// frames x signals of a segment.
+Eigen::MatrixXd decode_segment(const CompressedClip& compressed, int segment,
+                               const std::vector<float>& limits) {
+  const QuantisedSignals coded = unpack_adaptive(compressed, segment);
+  std::vector<float> steps;
+  for (int s = 0; s < coded.signal_count(); ++s) steps.push_back(static_cast<float>(coded.step(s)));
+  return decode_signals(coded.values, steps, compressed.basis, limits);
+}
+
+/// frames x signals of all segments.
+Eigen::MatrixXd decode_adaptive(const CompressedClip& compressed) {
+  const std::vector<float> limits = wide_limits(compressed);
+  const SegmentLayout layout = compressed.segment_layout();
+  if (layout.count() == 1) return decode_segment(compressed, 0, limits);
+  Eigen::MatrixXd samples(compressed.frames, std::ssize(limits));
+  for (int k = 0; k < layout.count(); ++k)
+    lay_over(decode_segment(compressed, k, limits), layout, k, samples);
+  return samples;
+}
+
+}  // namespace
+
 Uncorrected decode_uncorrected(const CompressedClip& compressed) {
   if (!is_of_words(compressed.coding)) {
-    const QuantisedSignals coded = unpack_adaptive(compressed);
-    std::vector<float> steps;
-    for (int s = 0; s < coded.signal_count(); ++s)
-      steps.push_back(static_cast<float>(coded.step(s)));
-    const Eigen::MatrixXd decoded =
-        decode_signals(coded.values, steps, compressed.basis, wide_limits(compressed));
+    Eigen::MatrixXd decoded = decode_adaptive(compressed);
+    if (!compressed.correction)
+      return {.clip = {compressed.sample_rate_hz, std::move(decoded)}, .differences = {}};
     const int channels = compressed.skeleton.channel_count();
     return {.clip = {compressed.sample_rate_hz, decoded.leftCols(channels)},
             .differences = decoded.rightCols(decoded.cols() - channels)};

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 
 #include "core/codec/clip_analysis.h"
 #include "core/codec/decoder.h"
 #include "core/codec/targeted_encode.h"
 #include "core/ik/knee.h"
+#include "core/motion/track_blocks.h"
 
 namespace mocapress {
 namespace {
@@ -22,6 +24,27 @@ CorrectionResult apply(const CompressedClip& compressed, const Clip& original, d
   result.fastest_knee = fastest_knee(compressed.skeleton, effectors, decoded.clip);
   result.fastest_knee_of_original = fastest_knee(compressed.skeleton, effectors, original);
   return result;
+}
+
+/// Distortion and footskate. Of a long clip's tracks only those of landmarks in contact are ever
+/// all in memory: the other columns are not touched.
+void compare(const ClipAnalysis& analysis, const std::vector<ContactSpan>& contacts,
+             Encoding& encoding) {
+  const Skeleton& skeleton = analysis.motion().skeleton;
+  const Eigen::MatrixXd& original_tracks = analysis.original_tracks();
+  std::set<Eigen::Index> in_contact;
+  for (const ContactSpan& span : contacts) in_contact.insert(span.landmark);
+  Eigen::MatrixXd contact_tracks(original_tracks.rows(), original_tracks.cols());
+  DistortionMeter meter(skeleton, original_tracks);
+  visit_tracks(skeleton, encoding.decoded, [&](int first, const Eigen::MatrixXd& tracks) {
+    meter.add(first, tracks);
+    for (const Eigen::Index landmark : in_contact)
+      contact_tracks.block(first, 3 * landmark, tracks.rows(), 3) =
+          tracks.middleCols<3>(3 * landmark);
+  });
+  encoding.distortion = meter.distortion();
+  encoding.footskate =
+      measure_footskate(contacts, original_tracks, contact_tracks, encoding.decoded.sample_rate_hz);
 }
 
 }  // namespace
@@ -68,10 +91,7 @@ Encoding Encoder::encode(const EncodeOptions& options,
   if (found.compressed.correction)
     encoding.correction = apply(found.compressed, motion().clip, found.correction_ratio, decoded);
   encoding.decoded = std::move(decoded.clip);
-  const Eigen::MatrixXd tracks = landmark_tracks(motion().skeleton, encoding.decoded);
-  encoding.distortion = measure(motion().skeleton, original_tracks(), tracks);
-  encoding.footskate = measure_footskate(contacts_for(*analysis_, options), original_tracks(),
-                                         tracks, encoding.decoded.sample_rate_hz);
+  compare(*analysis_, contacts_for(*analysis_, options), encoding);
   encoding.compressed = std::move(found.compressed);
   encoding.compressed.provenance = {options.method, options.weighting, options.seed,
                                     static_cast<float>(encoding.distortion.eps(options.weighting)),

@@ -9,6 +9,7 @@
 #include "core/base/progress.h"
 #include "core/codec/correction_encoder.h"
 #include "core/codec/importance.h"
+#include "core/codec/segments.h"
 #include "core/codec/target.h"
 #include "core/contact/footskate.h"
 #include "core/metrics/distortion.h"
@@ -38,6 +39,7 @@ struct EncodeOptions {
   Importance importance;                             // heeded by annealing and the closed loop
   std::optional<CorrectionOptions> correction;       // its size counts in ratio and size
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
+  SegmentPlan segments;                              // of a closed loop
 };
 
 /// The coding that will be used: the closed loop has one of its own, whatever was asked for.

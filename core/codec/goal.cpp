@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
+#include "core/base/error.h"
 #include "core/metrics/distortion.h"
 #include "core/metrics/rate.h"
 
@@ -46,6 +48,24 @@ bool Goal::met(double excess) const {
     default:
       return excess >= 0;
   }
+}
+
+void Goal::require_met(double excess, double achieved, bool everything_kept) const {
+  if (met(excess) || (target_.kind == Target::Kind::Ratio && everything_kept && excess < 0)) return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the target of %.4g is out of reach with this method: the nearest is %.4g",
+                target_.value, achieved);
+  throw TargetMissed(text);
+}
+
+void Goal::raise_where_exceeded(const Clip& decoded, Eigen::VectorXd& weights) const {
+  constexpr double kMostWeight = 1e4;
+  const Distortion distortion = measure(motion_.skeleton, original_tracks_, decoded);
+  const Eigen::VectorXd excess =
+      distortion.distances.rowwise().maxCoeff().cast<double>() / (0.95 * target_.value);
+  for (Eigen::Index t = 0; t < weights.size(); ++t)
+    if (excess(t) > 1) weights(t) = std::min(weights(t) * excess(t) * excess(t), kMostWeight);
 }
 
 bool Goal::better(double excess, double other) const {

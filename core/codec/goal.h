@@ -30,6 +30,13 @@ class Goal {
   /// Not on the forbidden side of a bound; within 2 % of a ratio.
   bool met(double excess) const;
 
+  /// Throws TargetMissed unless met. Coding every coefficient in less space than asked for keeps
+  /// the promise too.
+  void require_met(double excess, double achieved, bool everything_kept) const;
+
+  /// Raises the weights of frames at which a clip exceeds a hard maximum.
+  void raise_where_exceeded(const Clip& decoded, Eigen::VectorXd& weights) const;
+
   /// Whether `excess` is a better outcome than `other`: a kept promise first, then nearness.
   bool better(double excess, double other) const;
 

@@ -75,20 +75,19 @@ ClosedLoopWork work_of(Effort effort) {
 /// About the scale at which `work` meets the target, by a rough trial. How much more error and
 /// bytes that has than work would leave differs little from clip to clip (measured on
 /// corpus/train).
-double likely_scale(const ClosedLoop& loop, const Target& target, const ClosedLoopWork& work,
-                    const AttemptScale& attempt) {
+double scale_after_rough_trial(double guess, const Target& target, const ClosedLoopWork& work,
+                               const AttemptScale& attempt) {
   const bool by_error = is_by_error(target);
   const bool swept = work.sweeps > 0;
   const double more = by_error ? (swept ? -0.52 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
   const double power = by_error ? 1.35 : 1.7;  // with which the scale follows the target
-  const double guess = loop.likely_scale(target);
   const Trial rough = attempt(guess, {.compensate = false, .sweeps = 0}, {});
   return guess * std::exp(power * std::clamp(rough.excess - more, -3.0, 3.0));
 }
 
 /// Tries scales until the target is met. The scale is sought as a count that grows as it gets
 /// finer: by a power with which 1 / error and bytes grow about in proportion.
-void seek(const ClosedLoop& loop, const Goal& goal, double first_scale, const ClosedLoopWork& work,
+void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, const ClosedLoopWork& work,
           ScaleSearch& trials) {
   constexpr double kLength = 1e6;  // cm
   constexpr double kPower = 0.7;
@@ -106,7 +105,7 @@ void seek(const ClosedLoop& loop, const Goal& goal, double first_scale, const Cl
     return trials.is_near(kNear) || (trials.is_near(kNearEnough) && trials.tried() >= kMany) ||
            (trials.met() && trials.tried() >= kManyMore);
   };
-  CountSearch search(count_of(loop.finest_scale()), count_of(first_scale), goal.window(), kMost);
+  CountSearch search(count_of(guess.finest()), count_of(first_scale), goal.window(), kMost);
   while (!search.done() && trials.may_go_on() && !will_do()) {
     const double scale = kLength / std::pow(std::max(search.count(), 1), 1 / kPower);
     search.tried(trials.try_scale(scale, work));
@@ -137,13 +136,13 @@ void close_in(const Goal& goal, const ClosedLoopWork& work, const AttemptScale& 
 
 }  // namespace
 
-Trial search_scale(const ClosedLoop& loop, const Target& target, const Goal& goal, Effort effort,
+Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
                    const AttemptScale& attempt) {
   const ClosedLoopWork work = work_of(effort);
-  const double first_scale = likely_scale(loop, target, work, attempt);
+  const double first_scale = scale_after_rough_trial(guess.likely, target, work, attempt);
   if (effort == Effort::Draft) return attempt(first_scale, work, {});
   ScaleSearch trials(goal, target, attempt);
-  seek(loop, goal, first_scale, work_of(Effort::Default), trials);
+  seek(guess, goal, first_scale, work_of(Effort::Default), trials);
   if (effort != Effort::Best || !trials.met()) return std::move(trials.best());
   // A few more around there, each with more work.
   trials.prefer_cheap();

@@ -14,9 +14,15 @@ namespace mocapress {
 using AttemptScale = std::function<Trial(double scale, const ClosedLoopWork& work,
                                          const Eigen::VectorXd& frame_weights)>;
 
+/// Where a search begins and ends.
+struct ScaleGuess {
+  double likely;                   // to meet the target
+  std::function<double()> finest;  // asked for after the first trial; finer ones do not fit
+};
+
 /// The best trial that a search for the closed loop's scale comes to, with its bytes coded. It
 /// meets the goal unless that is out of reach, the effort is a draft, or a trial was incomplete.
-Trial search_scale(const ClosedLoop& loop, const Target& target, const Goal& goal, Effort effort,
+Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
                    const AttemptScale& attempt);
 
 /// Errors at single frames decide the scale that a hard bound needs. Larger scales may do where

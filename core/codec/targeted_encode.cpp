@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 
-#include "core/base/error.h"
 #include "core/codec/count_search.h"
 #include "core/codec/decoder.h"
 #include "core/codec/goal.h"
 #include "core/codec/scale_search.h"
+#include "core/codec/segmented_encode.h"
 #include "core/codec/trial.h"
+#include "core/metrics/rate.h"
 #include "core/select/annealing.h"
 
 namespace mocapress {
@@ -61,18 +61,19 @@ class TargetedEncode {
   /// Coding every coefficient in less space than asked for keeps the promise too.
   void check(const Trial& trial) const {
     if (options_.method == Method::ClosedLoop && options_.effort == Effort::Draft) return;
-    const bool everything_kept = trial.count == basis_.ranked.total();
     const bool by_count = options_.target.kind == Target::Kind::CoefficientRatio &&
                           options_.method != Method::ClosedLoop;  // met by construction
-    if (by_count || goal_.met(trial.excess) ||
-        (options_.target.kind == Target::Kind::Ratio && everything_kept && trial.excess < 0))
-      return;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the target of %.4g is out of reach with this method: the nearest is %.4g",
-                  options_.target.value, trial.achieved);
-    throw TargetMissed(text);
+    if (!by_count)
+      goal_.require_met(trial.excess, trial.achieved, trial.count == basis_.ranked.total());
   }
+
+  /// The closed loop at one scale, not weighed against the target.
+  ScaleTrial run_at(double scale, const ClosedLoopWork& work,
+                    const Eigen::VectorXd& frame_weights) {
+    return {code_at(scale, work, frame_weights), loop().finest_scale()};
+  }
+
+  double split() { return find_split(count_for(goal_.likely_coefficient_ratio())); }
 
  private:
   static constexpr int kCheapTrials = 24;
@@ -204,59 +205,61 @@ class TargetedEncode {
             .coding = options_.coding};
   }
 
+  const ClosedLoop& loop() {
+    if (!own_model_) return analysis_.closed_loop(options_.basis, options_.weighting);
+    if (!own_loop_) own_loop_.emplace(basis_.ranked, analysis_.motion().clip, *own_model_);
+    return *own_loop_;
+  }
+
   Trial closed_loop() {
-    std::optional<ClosedLoop> own;
-    if (own_model_) own.emplace(basis_.ranked, analysis_.motion().clip, *own_model_);
-    const ClosedLoop& loop = own ? *own : analysis_.closed_loop(options_.basis, options_.weighting);
     const auto attempt = [&](double scale, const ClosedLoopWork& work,
                              const Eigen::VectorXd& frame_weights) {
-      return attempt_scale(loop, scale, work, frame_weights);
+      return attempt_scale(scale, work, frame_weights);
     };
-    Trial best = search_scale(loop, options_.target, goal_, options_.effort, attempt);
+    const ScaleGuess guess{
+        .likely = likely_scale(options_.target, raw_bytes(analysis_.motion().clip)),
+        .finest = [&] { return loop().finest_scale(); }};
+    Trial best = search_scale(guess, options_.target, goal_, options_.effort, attempt);
     if (options_.target.kind == Target::Kind::MaxError && options_.effort != Effort::Draft &&
         best.complete)
       hold_worst_frames(
           goal_, analysis_.motion().clip.frames(), options_.effort, attempt,
           [&](const Trial& trial, Eigen::VectorXd& weights) {
-            raise_where_exceeded(decode(trial.compressed), weights);
+            goal_.raise_where_exceeded(decode(trial.compressed), weights);
           },
           best);
     return best;
   }
 
-  void raise_where_exceeded(const Clip& decoded, Eigen::VectorXd& weights) const {
-    constexpr double kMostWeight = 1e4;
-    const Distortion distortion =
-        measure(analysis_.motion().skeleton, analysis_.original_tracks(), decoded);
-    const Eigen::VectorXd excess =
-        distortion.distances.rowwise().maxCoeff().cast<double>() / (0.95 * options_.target.value);
-    for (Eigen::Index t = 0; t < weights.size(); ++t)
-      if (excess(t) > 1) weights(t) = std::min(weights(t) * excess(t) * excess(t), kMostWeight);
-  }
-
-  Trial attempt_scale(const ClosedLoop& loop, double scale, const ClosedLoopWork& work,
+  Trial attempt_scale(double scale, const ClosedLoopWork& work,
                       const Eigen::VectorXd& frame_weights) {
-    Trial trial{.compressed = empty_clip(), .scale = scale};
-    const auto observe = [&](const ClosedLoopProgress& p) {
-      return go_on(observer_,
-                   EncodeProgress{.pass = pass_, .iteration = p.sweep, .eps_cm = p.eps_cm});
-    };
-    ClosedLoop::Result result = loop.quantise(scale, work, frame_weights, observe);
-    ++pass_;
-    trial.iterations = result.sweeps;
-    trial.eps_cm = result.eps_cm;
-    trial.complete = result.complete;
-    trial.count = static_cast<int>((result.coded.values.array() != 0).count());
     const bool model_will_do = options_.effort == Effort::Draft &&
                                options_.target.kind == Target::Kind::Error && !own_model_;
     const bool is_rough = !work.compensate;  // its coding is not asked for
-    if (!model_will_do || !is_rough) finish(std::move(result.coded), trial.compressed);
+    Trial trial = code_at(scale, work, frame_weights, !model_will_do || !is_rough);
     if (model_will_do) {
       trial.achieved = trial.eps_cm;  // near enough, and there already
       trial.excess = goal_.excess(trial.achieved);
     } else {
       weigh(trial);
     }
+    return trial;
+  }
+
+  Trial code_at(double scale, const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
+                bool with_bytes = true) {
+    Trial trial{.compressed = empty_clip(), .scale = scale};
+    const auto observe = [&](const ClosedLoopProgress& p) {
+      return go_on(observer_,
+                   EncodeProgress{.pass = pass_, .iteration = p.sweep, .eps_cm = p.eps_cm});
+    };
+    ClosedLoop::Result result = loop().quantise(scale, work, frame_weights, observe);
+    ++pass_;
+    trial.iterations = result.sweeps;
+    trial.eps_cm = result.eps_cm;
+    trial.complete = result.complete;
+    trial.count = static_cast<int>((result.coded.values.array() != 0).count());
+    if (with_bytes) finish(std::move(result.coded), trial.compressed);
     return trial;
   }
 
@@ -313,6 +316,7 @@ class TargetedEncode {
   std::optional<CorrectionEncoder> correction_;
   double correction_ratio_ = 0;
   std::optional<ErrorModel> own_model_;  // where importance or a correction change it
+  std::optional<ClosedLoop> own_loop_;   // by that
   bool correcting_ = true;               // false: to know the price without
   Goal goal_;
   int pass_ = 0;
@@ -327,11 +331,24 @@ const std::vector<ContactSpan>& contacts_for(const ClipAnalysis& analysis,
 
 TargetedEncoding encode_to_target(const ClipAnalysis& analysis, const EncodeOptions& options,
                                   const Observer<EncodeProgress>& observer) {
+  const SegmentLayout layout = even_segments(analysis.motion().clip.frames(), options.segments);
+  if (options.method == Method::ClosedLoop && layout.count() > 1)
+    return encode_in_segments(analysis, options, layout, observer);
   TargetedEncode targeted(analysis, options, observer);
   Trial trial = targeted.run();
   if (trial.complete) targeted.check(trial);
   return {std::move(trial.compressed), trial.count, targeted.correction_ratio(), trial.iterations,
           trial.complete};
+}
+
+ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& options, double scale,
+                           const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
+                           const Observer<EncodeProgress>& observer) {
+  return TargetedEncode(analysis, options, observer).run_at(scale, work, frame_weights);
+}
+
+double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& options) {
+  return TargetedEncode(analysis, options, {}).split();
 }
 
 }  // namespace mocapress

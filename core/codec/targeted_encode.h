@@ -3,6 +3,7 @@
 
 #include "core/codec/clip_analysis.h"
 #include "core/codec/encoder.h"
+#include "core/codec/trial.h"
 
 namespace mocapress {
 
@@ -20,6 +21,20 @@ struct TargetedEncoding {
 /// when the target is out of reach, and Error for a correction that cannot be.
 TargetedEncoding encode_to_target(const ClipAnalysis& analysis, const EncodeOptions& options,
                                   const Observer<EncodeProgress>& observer);
+
+/// A trial that was not weighed against a target, and the finest scale there is.
+struct ScaleTrial {
+  Trial trial;
+  double finest_scale = 0;
+};
+
+/// A closed loop at one scale, whatever the target. A correction must have its ratio.
+ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& options, double scale,
+                           const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
+                           const Observer<EncodeProgress>& observer);
+
+/// The r_IK that serves the target best, of options that leave it open.
+double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& options);
 
 /// The contacts that count: edited ones, or those found on the original.
 const std::vector<ContactSpan>& contacts_for(const ClipAnalysis& analysis,

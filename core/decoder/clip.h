@@ -5,6 +5,7 @@
 #include "limb.h"
 #include "mocapress_decoder.h"
 #include "resident_signals.h"
+#include "segment_layout.h"
 #include "solve.h"
 
 namespace mocapress::decoder {
@@ -37,14 +38,18 @@ struct ClipBlock {
   std::uint32_t joints = 0;      // offsets from the clip
   std::uint32_t names = 0;
   std::uint32_t limbs = 0;
-  std::uint32_t motion_offset = 0;
+  std::uint32_t motions = 0;  // of each segment: the offset of its signals
+  SegmentLayout segments;
+  SignalsShape largest;  // no segment's is larger in any way
 
   template <typename T>
   const T* at(std::uint32_t offset) const {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
   }
   const JointModel* joint_models() const { return at<JointModel>(joints); }
-  const ResidentSignals& motion() const { return *at<ResidentSignals>(motion_offset); }
+  const ResidentSignals& motion(int segment) const {
+    return *at<ResidentSignals>(at<std::uint32_t>(motions)[segment]);
+  }
   LimbPlan limb(int l) const {
     const ResidentLimb& limb = at<ResidentLimb>(limbs)[l];
     return {.effectors = limb.effectors,

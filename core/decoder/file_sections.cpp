@@ -81,7 +81,7 @@ class SectionsReader {
   }
 
  private:
-  enum class Expected { Joints, Clip, Motion, Correction, Nothing };
+  enum class Expected { Joints, Clip, Segments, Motion, Correction, Nothing };
 
   /// Sections stand in a fixed order; optional ones anywhere.
   mcpr_result take(const Section& section) {
@@ -90,13 +90,17 @@ class SectionsReader {
       return read_joints(section.payload);
     }
     if (next_ == Expected::Clip && section.is("CLIP")) {
-      next_ = Expected::Motion;
+      next_ = Expected::Segments;
       return read_clip(section.payload);
     }
-    if (next_ == Expected::Motion && section.is("MOTN")) {
+    if (next_ == Expected::Segments && section.is("SEGS")) {
+      next_ = Expected::Motion;
+      return read_segments(section.payload);
+    }
+    if ((next_ == Expected::Segments || next_ == Expected::Motion) && section.is("MOTN")) {
       next_ = Expected::Correction;
       sections_.motion = section.payload;
-      return kOk;
+      return check_segment_sizes();
     }
     if (next_ == Expected::Correction && section.is("IKCO")) {
       next_ = Expected::Nothing;
@@ -149,11 +153,42 @@ class SectionsReader {
     if (sections_.frames > limits_.frames)
       return failure(MCPR_LIMIT, at - 4, "more frames than the limits allow");
     sections_.wavelet = static_cast<Wavelet>(basis);
+    sections_.segments = SegmentLayout::whole(static_cast<int>(sections_.frames));
     return check_values(at - 4);
   }
 
+  mcpr_result read_segments(const Bytes& payload) {
+    Cursor cursor(payload.data, payload.size, payload.offset);
+    const auto length = cursor.read<std::uint32_t>();
+    const auto overlap = cursor.read<std::uint32_t>();
+    const auto count = cursor.read<std::uint32_t>();
+    if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "SEGS is too short");
+    if (!may_be_segments(sections_.frames, length, overlap))
+      return failure(MCPR_INVALID, payload.offset, "segments of impossible length");
+    sections_.segments.length = static_cast<int>(length);
+    sections_.segments.overlap = static_cast<int>(overlap);
+    if (count != static_cast<std::uint32_t>(sections_.segments.count()))
+      return failure(MCPR_INVALID, payload.offset + 8, "not as many segments as frames need");
+    const std::size_t offset = cursor.offset();
+    if (cursor.left() != 4 * std::size_t{count})
+      return failure(MCPR_INVALID, offset, "SEGS of another size");
+    sections_.segment_sizes = {cursor.take(cursor.left()), 4 * std::size_t{count}, offset};
+    sections_.segments_bytes = payload.size;
+    return check_values(payload.offset);
+  }
+
+  mcpr_result check_segment_sizes() const {
+    if (sections_.segments_bytes == 0) return kOk;
+    std::uint64_t sum = 0;
+    for (int k = 0; k < sections_.segments.count(); ++k) sum += sections_.segment_size(k);
+    if (sum != sections_.motion.size)
+      return failure(MCPR_INVALID, sections_.segment_sizes.offset,
+                     "the segments are not as large as MOTN");
+    return kOk;
+  }
+
   mcpr_result check_values(std::size_t offset) const {
-    if (std::uint64_t{sections_.frames} * sections_.signal_count() > limits_.values)
+    if (sections_.value_count() > limits_.values)
       return failure(MCPR_LIMIT, offset, "more values than the limits allow");
     return kOk;
   }
@@ -185,6 +220,13 @@ class SectionsReader {
 };
 
 }  // namespace
+
+std::uint32_t FileSections::segment_size(int segment) const {
+  if (segments_bytes == 0) return static_cast<std::uint32_t>(motion.size);
+  std::uint32_t size = 0;
+  std::memcpy(&size, segment_sizes.data + std::size_t{4} * static_cast<std::size_t>(segment), 4);
+  return size;
+}
 
 mcpr_result read_sections(const void* file, std::size_t size, const mcpr_limits& limits,
                           FileSections& sections) {

@@ -7,6 +7,7 @@
 #include "limb.h"
 #include "resident_signals.h"
 #include "result.h"
+#include "segment_layout.h"
 #include "solve.h"
 
 namespace mocapress::decoder {
@@ -23,11 +24,14 @@ struct FileSections {
   double sample_rate = 0;  // Hz
   std::uint32_t frames = 0;
   Wavelet wavelet = Wavelet::Cubic;
-  std::uint32_t joints = 0;       // as JNTS promises
-  std::uint32_t channels = 0;     // as JNTS promises
-  std::uint32_t joint_bytes = 0;  // of the skeleton, decoded
-  Bytes coded_joints;             // what a range coder made of them
-  Bytes motion;                   // MOTN
+  std::uint32_t joints = 0;        // as JNTS promises
+  std::uint32_t channels = 0;      // as JNTS promises
+  std::uint32_t joint_bytes = 0;   // of the skeleton, decoded
+  Bytes coded_joints;              // what a range coder made of them
+  Bytes motion;                    // MOTN
+  SegmentLayout segments;          // SEGS, or one
+  Bytes segment_sizes;             // u32 of each in MOTN; none where there is no SEGS
+  std::size_t segments_bytes = 0;  // of SEGS
   std::size_t correction_bytes = 0;
   Solver solver = Solver::NearestPose;
   std::uint32_t effectors = 0;
@@ -38,6 +42,17 @@ struct FileSections {
   std::size_t effector_offset = 0;  // of the first
 
   std::uint32_t signal_count() const { return channels + 3 * effectors; }
+
+  /// Of all segments.
+  std::uint64_t value_count() const {
+    return static_cast<std::uint64_t>(segments.coded_frames()) * signal_count();
+  }
+
+  /// What the file has of the motion.
+  std::size_t motion_bytes() const { return motion.size + segments_bytes + correction_bytes; }
+
+  /// Of a segment in MOTN.
+  std::uint32_t segment_size(int segment) const;
 };
 
 /// Reads and checks all sections.

@@ -74,20 +74,20 @@ FrameDecoder::FrameDecoder(Memory& memory, const ClipBlock& clip, const mcpr_req
       request_(request),
       solves_(request.corrected != 0 && clip.effector_count > 0 && turns_any(clip, request)),
       picks_(solves_ && request.channels != nullptr),
-      signals_(memory, clip.motion(), signal_request(memory)),
+      signals_(memory, clip, signal_request(memory)),
       limb_(memory, solves_ ? clip.most_links : 0),
       places_(memory.take<JointPlace>(request.output == MCPR_POSITIONS ? clip.joint_count : 0)),
-      row_step_((clip.motion().signal_count() + 7) / 8 * 8),
+      row_step_((clip.largest.signal_count + 7) / 8 * 8),
       rows_(memory.take<float>(static_cast<std::uint64_t>(row_step_) * kWindow)) {}
 
 /// Which signal goes to which column: a subset's own, or all in their order.
 SignalRequest FrameDecoder::signal_request(Memory& memory) {
-  const ResidentSignals& motion = clip_.motion();
+  const int signal_count = clip_.largest.signal_count;
   const bool subset = request_.channels != nullptr && !picks_;
-  const int all = solves_ ? motion.signal_count() : static_cast<int>(clip_.channel_count);
-  columns_ = memory.take<std::int32_t>(static_cast<std::uint64_t>(motion.signal_count()));
+  const int all = solves_ ? signal_count : static_cast<int>(clip_.channel_count);
+  columns_ = memory.take<std::int32_t>(static_cast<std::uint64_t>(signal_count));
   if (columns_ != nullptr) {
-    for (int s = 0; s < motion.signal_count(); ++s)
+    for (int s = 0; s < signal_count; ++s)
       columns_[s] = !subset && s < all ? s : ResidentSignals::Columns::kNone;
     for (std::uint32_t i = 0; subset && i < request_.channel_count; ++i)
       columns_[request_.channels[i]] = static_cast<std::int32_t>(i);

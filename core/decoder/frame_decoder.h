@@ -3,7 +3,7 @@
 
 #include "clip.h"
 #include "memory.h"
-#include "signal_decoder.h"
+#include "segment_decoder.h"
 
 namespace mocapress::decoder {
 
@@ -39,7 +39,7 @@ class FrameDecoder {
   const bool solves_;
   const bool picks_;  // the subset stands in rows of all channels
   std::int32_t* columns_ = nullptr;
-  SignalDecoder signals_;
+  SegmentDecoder signals_;
   Limb limb_;
   JointPlace* places_;  // of all joints
   std::ptrdiff_t row_step_;

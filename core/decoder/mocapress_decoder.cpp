@@ -106,7 +106,7 @@ mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limit
            .joints = sections.joints,
            .channels = sections.channels,
            .effectors = sections.effectors,
-           .motion_bytes = sections.motion.size + sections.correction_bytes,
+           .motion_bytes = sections.motion_bytes(),
            .read_bytes = static_cast<std::size_t>(bytes)};
   return kOk;
 }
@@ -152,11 +152,11 @@ mcpr_result mcpr_build(const void* scratch, size_t scratch_size, void* resident,
 mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip) {
   const ClipBlock& block = clip->block;
   return {.sample_rate = block.sample_rate,
-          .frames = static_cast<std::uint32_t>(block.motion().length()),
+          .frames = static_cast<std::uint32_t>(block.segments.frames),
           .joints = block.joint_count,
           .channels = block.channel_count,
           .effectors = block.effector_count,
-          .bands = static_cast<std::uint32_t>(block.motion().band_count() - 1),
+          .bands = static_cast<std::uint32_t>(block.motion(0).band_count() - 1),
           .resident_bytes = static_cast<std::size_t>(block.total_bytes),
           .skeleton_bytes = static_cast<std::size_t>(block.skeleton_bytes)};
 }
@@ -207,7 +207,7 @@ mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* reques
                                uint32_t count, float* out, void* scratch, size_t scratch_size) {
   mcpr_result result = check_request(clip, request);
   if (failed(result)) return result;
-  const auto frames = static_cast<std::uint32_t>(clip->block.motion().length());
+  const auto frames = static_cast<std::uint32_t>(clip->block.segments.frames);
   if (first > frames || count > frames - first || (out == nullptr && count > 0))
     return argument("frames that the clip does not have");
   if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
@@ -221,7 +221,7 @@ mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* reques
                                float* out, void* scratch, size_t scratch_size) {
   mcpr_result result = check_request(clip, request);
   if (failed(result)) return result;
-  if (!(frame >= 0 && frame <= clip->block.motion().length() - 1) || out == nullptr)
+  if (!(frame >= 0 && frame <= clip->block.segments.frames - 1) || out == nullptr)
     return argument("an instant outside the clip");
   if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
   Memory memory(scratch, scratch_size);

@@ -47,11 +47,12 @@ const char* mcpr_status_message(mcpr_status status);
 /* What a file may ask for. A file that asks for more is refused before any work is done for it. */
 typedef struct mcpr_limits {
   uint32_t frames;
-  uint32_t joints;            /* at most 4096 */
-  uint32_t channels;          /* of all joints together */
-  uint64_t values;            /* frames * (channels + 3 * effectors) */
-  size_t scratch_bytes;       /* of mcpr_info.read_bytes */
-  size_t resident_bytes;      /* of the resident form */
+  uint32_t joints;       /* at most 4096 */
+  uint32_t channels;     /* of all joints together */
+  uint64_t values;       /* frames * (channels + 3 * effectors); frames that two segments of a long
+                            clip share count twice */
+  size_t scratch_bytes;  /* of mcpr_info.read_bytes */
+  size_t resident_bytes; /* of the resident form */
   uint32_t solver_iterations; /* of an IK solver, for a limb at a frame; the format's solvers take
                                  60 or 12 */
 } mcpr_limits;
@@ -69,7 +70,7 @@ typedef struct mcpr_info {
   uint32_t joints;
   uint32_t channels;
   uint32_t effectors;  /* of the IK correction; 0: none */
-  size_t motion_bytes; /* of the file: coded motion and correction */
+  size_t motion_bytes; /* of the file: coded motion, segments and correction */
   size_t read_bytes;   /* scratch memory that mcpr_read needs */
 } mcpr_info;
 
@@ -96,7 +97,8 @@ typedef struct mcpr_clip_info {
   uint32_t joints;
   uint32_t channels;
   uint32_t effectors;
-  uint32_t bands;        /* levels of detail that can be left out, 0 .. 26 */
+  uint32_t bands;        /* levels of detail that can be left out, 0 .. 26; of a long clip: of its
+                            segments but the last, which may have fewer */
   size_t resident_bytes; /* all of the clip */
   size_t skeleton_bytes; /* of them the skeleton's: names, offsets, axes */
 } mcpr_clip_info;

@@ -16,8 +16,15 @@ namespace {
 constexpr std::uint64_t kBudget = 20;  // tenths of the motion in the file, for its resident form
 constexpr int kMostLinks = 256;        // of a limb: bounds the work of a solver
 
+float step_of(float scale, int fineness) {
+  const double whole = std::ldexp(static_cast<double>(scale), -(fineness >> 1));
+  return static_cast<float>(fineness % 2 == 0 ? whole : whole * 0x1.6a09e667f3bcdp-1);
+}
+
+}  // namespace
+
 /// Places things at the end of a block, or only measures it.
-class Block {
+class Opening::Block {
  public:
   explicit Block(std::byte* memory) : memory_(memory) {}
 
@@ -38,13 +45,6 @@ class Block {
   std::uint64_t used_ = 0;
 };
 
-float step_of(float scale, int fineness) {
-  const double whole = std::ldexp(static_cast<double>(scale), -(fineness >> 1));
-  return static_cast<float>(fineness % 2 == 0 ? whole : whole * 0x1.6a09e667f3bcdp-1);
-}
-
-}  // namespace
-
 Opening::Opening(Memory& memory, const FileSections& sections)
     : sections_(sections),
       joint_bytes_(memory.take<std::uint8_t>(sections.joint_bytes)),
@@ -54,15 +54,18 @@ Opening::Opening(Memory& memory, const FileSections& sections)
       kin_(memory.take<SignalKin>(sections.signal_count())),
       contexts_(memory.take<AdaptiveBit>(static_cast<std::uint64_t>(
           ContextLayout(static_cast<int>(sections.signal_count())).end))),
+      segment_sizes_(
+          memory.take<std::uint32_t>(static_cast<std::uint64_t>(sections.segments.count()))),
       fineness_(memory.take<std::int32_t>(sections.signal_count())),
-      values_(memory.take<std::int32_t>(std::uint64_t{sections.frames} * sections.signal_count())),
-      steps_(memory.take<float>(sections.signal_count())),
+      values_(memory.take<std::int32_t>(sections.value_count())),
+      steps_(memory.take<float>(static_cast<std::uint64_t>(sections.segments.count()) *
+                                sections.signal_count())),
       wide_limits_(memory.take<float>(sections.signal_count())),
       reach_(memory.take<float>(sections.joints)),
       notes_(memory.take<std::uint8_t>(sections.signal_count())),
       joint_coder_(memory),
       kin_finder_(memory, static_cast<int>(sections.joints)),
-      coder_notes_(memory, Bands(static_cast<int>(sections.frames)),
+      coder_notes_(memory, Bands(sections.segments.length),
                    static_cast<int>(sections.signal_count())),
       limb_planner_(memory, static_cast<int>(sections.joints)) {}
 
@@ -121,45 +124,71 @@ mcpr_result Opening::plan_limbs() {
 }
 
 mcpr_result Opening::read_motion() {
-  const Bytes& motion = sections_.motion;
-  Cursor head(motion.data, motion.size, motion.offset);
-  const auto scale = std::bit_cast<float>(std::uint32_t{head.read<std::uint16_t>()} << 16);
-  if (head.failed() || !std::isfinite(scale) || scale <= 0)
-    return failure(MCPR_INVALID, motion.offset, "the scale of steps is no positive number");
   const auto channels = static_cast<int>(sections_.channels);
   const auto signal_count = static_cast<int>(sections_.signal_count());
   kin_finder_.find({static_cast<int>(sections_.joints), parents_, channel_counts_}, kin_);
   set_correction_kin(channels, signal_count - channels, kin_ + channels);
-  std::fill_n(values_, std::uint64_t{sections_.frames} * sections_.signal_count(), 0);
-  std::fill_n(fineness_, signal_count, 0);
-  RangeDecoder bits(motion.data + 2, motion.size - 2);
-  CoefficientModel model(signal_count, contexts_);
+  std::fill_n(values_, sections_.value_count(), 0);
+  find_wide_limits();
+  std::size_t first_byte = 0;
+  for (int k = 0; k < sections_.segments.count(); ++k) {
+    segment_sizes_[k] = sections_.segment_size(k);
+    const mcpr_result result = read_segment(k, first_byte);
+    if (failed(result)) return result;
+    first_byte += segment_sizes_[k];
+  }
+  return kOk;
+}
+
+mcpr_result Opening::read_segment(int segment, std::size_t first_byte) {
+  const std::uint8_t* const bytes = sections_.motion.data + first_byte;
+  const std::size_t size = segment_sizes_[segment];
+  const std::size_t start = sections_.motion.offset + first_byte;
+  Cursor head(bytes, size, start);
+  const auto scale = std::bit_cast<float>(std::uint32_t{head.read<std::uint16_t>()} << 16);
+  if (head.failed() || !std::isfinite(scale) || scale <= 0)
+    return failure(MCPR_INVALID, start, "the scale of steps is no positive number");
+  const QuantisedSource coded = source(segment);
+  std::fill_n(fineness_, coded.signal_count, 0);
+  RangeDecoder bits(bytes + 2, size - 2);
+  CoefficientModel model(coded.signal_count, contexts_);
   model.begin();
-  const Bands bands(static_cast<int>(sections_.frames));
-  const QuantisedView view{static_cast<int>(sections_.frames), signal_count, fineness_, values_};
+  const Bands bands(coded.length);
+  const QuantisedView view{coded.length, coded.signal_count, fineness_,
+                           values_ + (coded.values - values_)};
   CoefficientCoder(bits, kin_, bands, model, view, coder_notes_).run();
-  const std::size_t offset = motion.offset + 2 + bits.position();
+  const std::size_t offset = start + 2 + bits.position();
   if (bits.exhausted()) return failure(MCPR_INVALID, offset, "the coded motion ends early");
   if (bits.refused()) return failure(MCPR_INVALID, offset, "a number of the motion out of bounds");
   if (!bits.is_at_end()) return failure(MCPR_INVALID, offset, "bytes after the coded motion");
-  for (int s = 0; s < signal_count; ++s) steps_[s] = step_of(scale, fineness_[s]);
-  std::fill_n(wide_limits_, signal_count, kWideLength);
+  float* const steps = steps_ + (coded.steps - steps_);
+  for (int s = 0; s < coded.signal_count; ++s) steps[s] = step_of(scale, fineness_[s]);
+  return kOk;
+}
+
+void Opening::find_wide_limits() {
+  std::fill_n(wide_limits_, sections_.signal_count(), kWideLength);
   find_reach(joints_, static_cast<int>(sections_.joints), reach_);
   for (std::uint32_t j = 0; j < sections_.joints; ++j)
     for (int c = 0; c < joints_[j].channels; ++c)
       wide_limits_[joints_[j].first_channel + c] = wide_limit(joints_[j].kinds[c], reach_[j]);
-  return kOk;
 }
 
-QuantisedSource Opening::source() const {
-  return {.length = static_cast<int>(sections_.frames),
-          .signal_count = static_cast<int>(sections_.signal_count()),
+QuantisedSource Opening::source(int segment) const {
+  const SegmentLayout& segments = sections_.segments;
+  const auto signal_count = static_cast<std::ptrdiff_t>(sections_.signal_count());
+  // All segments before it are of full length.
+  const std::int32_t* const values = values_ + signal_count * segments.length * segment;
+  const std::uint64_t bytes =
+      segment_sizes_[segment] + (segments.count() == 1 ? sections_.correction_bytes : 0);
+  return {.length = segments.frames_of(segment),
+          .signal_count = static_cast<int>(signal_count),
           .wavelet = sections_.wavelet,
-          .steps = steps_,
+          .steps = steps_ + signal_count * segment,
           .wide_limits = wide_limits_,
-          .values = values_,
+          .values = values,
           .notes = notes_,
-          .budget_bytes = kBudget * (sections_.motion.size + sections_.correction_bytes) / 10};
+          .budget_bytes = kBudget * bytes / 10};
 }
 
 std::uint64_t Opening::resident_size() {
@@ -217,14 +246,24 @@ std::uint64_t Opening::lay_out(std::byte* memory) {
     limb.is_two_bones = plan.is_two_bones ? 1 : 0;
     block.at<ResidentLimb>(head.limbs)[l] = limb;
   }
-  const std::uint64_t motion = ResidentSignals::size(source());
-  head.motion_offset = block.reserve(motion);
+  lay_out_motion(block, head, memory);
   head.total_bytes = block.used();
-  if (memory != nullptr) {
-    ResidentSignals::build(source(), memory + head.motion_offset);
-    new (memory) mcpr_clip{head};
-  }
+  if (memory != nullptr) new (memory) mcpr_clip{head};
   return block.used();
+}
+
+void Opening::lay_out_motion(Block& block, ClipBlock& head, std::byte* memory) const {
+  head.segments = sections_.segments;
+  head.largest = {sections_.segments.length, static_cast<int>(sections_.signal_count()), 0};
+  const auto segments = static_cast<std::uint64_t>(sections_.segments.count());
+  head.motions = block.reserve(sizeof(std::uint32_t) * segments);
+  for (int k = 0; k < sections_.segments.count(); ++k) {
+    const std::uint32_t offset = block.reserve(ResidentSignals::size(source(k)));
+    if (memory == nullptr) continue;
+    block.at<std::uint32_t>(head.motions)[k] = offset;
+    const auto* const motion = ResidentSignals::build(source(k), memory + offset);
+    head.largest.wide_count = std::max(head.largest.wide_count, motion->shape().wide_count);
+  }
 }
 
 }  // namespace mocapress::decoder

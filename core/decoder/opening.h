@@ -38,8 +38,12 @@ class Opening {
   mcpr_result read_joint_records();
   mcpr_result plan_limbs();
   mcpr_result read_motion();
+  class Block;
   std::uint64_t lay_out(std::byte* memory);
-  QuantisedSource source() const;
+  void lay_out_motion(Block& block, ClipBlock& head, std::byte* memory) const;
+  mcpr_result read_segment(int segment, std::size_t first_byte);
+  void find_wide_limits();
+  QuantisedSource source(int segment) const;
 
   FileSections sections_;
   std::uint8_t* joint_bytes_;
@@ -49,9 +53,10 @@ class Opening {
   std::uint32_t name_bytes_ = 0;
   SignalKin* kin_;
   AdaptiveBit* contexts_;
+  std::uint32_t* segment_sizes_;  // bytes of each
   std::int32_t* fineness_;
-  std::int32_t* values_;
-  float* steps_;
+  std::int32_t* values_;  // of all signals of one segment, then of the next
+  float* steps_;          // the same
   float* wide_limits_;
   float* reach_;  // of each joint
   std::uint8_t* notes_;

@@ -26,6 +26,13 @@ struct QuantisedSource {
   std::uint64_t budget_bytes;  // for the bands; beyond, each takes its smaller kind
 };
 
+/// What the work of decoding signals depends on.
+struct SignalsShape {
+  int length = 0;
+  int signal_count = 0;
+  int wide_count = 0;  // of the signals that are decoded in double precision
+};
+
 /// The resident form. It has no pointers; everything is found by offsets in bytes from `this`.
 ///
 /// A band is either dense, row after row, every coefficient in a width that is its signal's in
@@ -44,6 +51,7 @@ class ResidentSignals {
   int signal_count() const { return signals_; }
   Wavelet wavelet() const { return wavelet_; }
   int band_count() const { return band_count_; }
+  SignalsShape shape() const { return {length_, signals_, wide_count_}; }
 
   /// Signals that are to be decoded in double precision.
   int wide_count() const { return wide_count_; }

@@ -18,16 +18,24 @@ struct SignalRequest {
 /// in doubles.
 class SignalDecoder {
  public:
-  SignalDecoder(Memory& memory, const ResidentSignals& motion, const SignalRequest& request);
+  SignalDecoder(Memory& memory, const ResidentSignals& motion, const SignalRequest& request)
+      : SignalDecoder(memory, motion.shape(), &motion, request) {}
+
+  /// Only with measuring memory, to know how much.
+  SignalDecoder(Memory& memory, const SignalsShape& shape, const SignalRequest& request)
+      : SignalDecoder(memory, shape, nullptr, request) {}
 
   /// Rows of frames first ... first + count - 1, out_step apart. 0 < count <= kWindow, and all
   /// frames exist.
   void make(int first, int count, float* out, std::ptrdiff_t out_step);
 
  private:
+  SignalDecoder(Memory& memory, const SignalsShape& shape, const ResidentSignals* motion,
+                const SignalRequest& request);
   SynthesisPlan<double> wide_plan(Memory& memory);
 
-  const ResidentSignals& motion_;
+  SignalsShape shape_;
+  const ResidentSignals* motion_;
   SignalRequest request_;
   Synthesis<float> floats_;
   std::int32_t* wide_columns_ = nullptr;  // of each signal

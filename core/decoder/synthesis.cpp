@@ -22,9 +22,9 @@ void lagrange_weights(int count, Real position, Real* weights) {
 }  // namespace
 
 template <typename Real>
-Synthesis<Real>::Synthesis(Memory& memory, const ResidentSignals& motion,
+Synthesis<Real>::Synthesis(Memory& memory, const ResidentSignals* motion, int length,
                            const SynthesisPlan<Real>& plan)
-    : signals_(motion), plan_(plan), bands_(motion.length()), stride_((plan.count + 7) / 8 * 8) {
+    : signals_(motion), plan_(plan), bands_(length), stride_((plan.count + 7) / 8 * 8) {
   plan_.columns.stride = stride_;
   const auto rows = [&](int count) {
     return memory.take<Real>(static_cast<std::uint64_t>(count) *
@@ -47,7 +47,7 @@ Synthesis<Real>::Synthesis(Memory& memory, const ResidentSignals& motion,
 
 template <typename Real>
 bool Synthesis<Real>::has_details(int band) const {
-  return band < bands_.count - plan_.bands_left_out && !signals_.is_empty(band);
+  return band < bands_.count - plan_.bands_left_out && !signals_->is_empty(band);
 }
 
 template <typename Real>
@@ -136,10 +136,10 @@ template <typename Real>
 void Synthesis<Real>::put_coarse(Real* out, std::ptrdiff_t out_step) {
   if (coarse_.is_empty()) return;
   Real* const rows = bands_.count == 1 ? coarse_samples_ : evens_to_come(1);
-  if (signals_.is_empty(0))
+  if (signals_->is_empty(0))
     std::fill_n(rows, (coarse_.end - coarse_.first) * stride_, Real{0});
   else
-    signals_.unpack(0, coarse_.first, coarse_.end, plan_.columns, rows);
+    signals_->unpack(0, coarse_.first, coarse_.end, plan_.columns, rows);
   if (bands_.count > 1) return;
   plan_.kernels->copy({.out = out,
                        .from = rows,
@@ -164,8 +164,8 @@ void Synthesis<Real>::unpack_details(int band, Range new_evens) {
   Held& details = level.details;
   hold(details, need);
   if (details.range.end >= need.end) return;
-  signals_.unpack(band, details.range.end, need.end, plan_.columns,
-                  details.rows + (details.range.end - details.range.first) * stride_);
+  signals_->unpack(band, details.range.end, need.end, plan_.columns,
+                   details.rows + (details.range.end - details.range.first) * stride_);
   details.range.end = need.end;
 }
 
@@ -174,7 +174,7 @@ template <typename Real>
 void Synthesis<Real>::update_evens(int band, Range added) {
   const int odds = bands_[band].size;
   const int inner_end = std::min(added.end, odds);
-  if (signals_.wavelet() == Wavelet::Haar) {
+  if (signals_->wavelet() == Wavelet::Haar) {
     // The mean less half of the detail after it; a last one without is as it was.
     update_rows(band, added.first, inner_end, 0, 0);
     return;
@@ -226,9 +226,9 @@ void Synthesis<Real>::put_odds(int band, int first, int end, Real* out, std::ptr
   const auto put_borders = [&](int before) {
     for (; i < before; ++i, out += out_step) put_odd_at_border(band, i, out, width);
   };
-  if (signals_.wavelet() != Wavelet::Haar) {
+  if (signals_->wavelet() != Wavelet::Haar) {
     put_borders(std::min(end, 1));
-    const bool cubic = signals_.wavelet() == Wavelet::Cubic;
+    const bool cubic = signals_->wavelet() == Wavelet::Cubic;
     if (i < inner_end) {
       plan_.kernels->predict({.out = out,
                               .even = even_row(band, i - 1),
@@ -250,8 +250,8 @@ void Synthesis<Real>::put_odds(int band, int first, int end, Real* out, std::ptr
 template <typename Real>
 void Synthesis<Real>::put_odd_at_border(int band, int odd, Real* out, std::ptrdiff_t width) {
   const int available = bands_[band].first;
-  const bool haar = signals_.wavelet() == Wavelet::Haar;
-  const int wanted = haar ? 1 : signals_.wavelet() == Wavelet::Linear ? 2 : 4;
+  const bool haar = signals_->wavelet() == Wavelet::Haar;
+  const int wanted = haar ? 1 : signals_->wavelet() == Wavelet::Linear ? 2 : 4;
   const int count = std::min(wanted, available);
   const int first = haar ? odd : std::clamp(odd + 1 - count / 2, 0, available - count);
   BorderRow<Real> row{.out = out,

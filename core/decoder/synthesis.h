@@ -27,8 +27,9 @@ class Synthesis {
  public:
   static constexpr int kWindow = mocapress::decoder::kWindow;
 
-  /// Takes the memory it works in. With measuring memory only that.
-  Synthesis(Memory& memory, const ResidentSignals& motion, const SynthesisPlan<Real>& plan);
+  /// Takes the memory it works in. With measuring memory only that, and `motion` may be null.
+  Synthesis(Memory& memory, const ResidentSignals* motion, int length,
+            const SynthesisPlan<Real>& plan);
 
   /// Makes the samples of frames first ... first + count - 1: rows of plan.count reals, out_step
   /// apart. 0 < count <= kWindow, and all frames exist.
@@ -73,7 +74,7 @@ class Synthesis {
                 std::ptrdiff_t width);
   void put_odd_at_border(int band, int odd, Real* out, std::ptrdiff_t width);
 
-  const ResidentSignals& signals_;
+  const ResidentSignals* signals_;
   SynthesisPlan<Real> plan_;
   Bands bands_;
   std::ptrdiff_t stride_;     // of rows here: the columns and what rounds them up

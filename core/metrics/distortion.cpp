@@ -6,17 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "core/motion/track_blocks.h"
+
 namespace mocapress {
 namespace {
-
-/// frames x landmarks, squared cm.
-Eigen::MatrixXd squared_distances(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  assert(a.rows() == b.rows() && a.cols() == b.cols());
-  Eigen::MatrixXd squared(a.rows(), a.cols() / 3);
-  for (Eigen::Index p = 0; p < squared.cols(); ++p)
-    squared.col(p) = (a.middleCols<3>(3 * p) - b.middleCols<3>(3 * p)).rowwise().squaredNorm();
-  return squared;
-}
 
 /// The mean over time of the weighted sum over landmarks, and its root.
 double eps_from(const Eigen::MatrixXd& squared, const Eigen::VectorXd& weights) {
@@ -36,28 +29,37 @@ double percentile(std::vector<float>& values, double share) {
 
 }  // namespace
 
-Distortion measure(const Skeleton& skeleton, const Clip& original, const Clip& decoded) {
-  return measure(skeleton, landmark_tracks(skeleton, original), decoded);
+DistortionMeter::DistortionMeter(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks)
+    : skeleton_(skeleton),
+      original_tracks_(original_tracks),
+      squared_(original_tracks.rows(), original_tracks.cols() / 3) {}
+
+void DistortionMeter::add(int first_frame, const Eigen::MatrixXd& decoded_tracks) {
+  const Eigen::Index count = decoded_tracks.rows();
+  assert(first_frame + count <= squared_.rows() &&
+         decoded_tracks.cols() == original_tracks_.cols());
+  for (Eigen::Index p = 0; p < squared_.cols(); ++p)
+    squared_.col(p).segment(first_frame, count) =
+        (original_tracks_.middleCols<3>(3 * p).middleRows(first_frame, count) -
+         decoded_tracks.middleCols<3>(3 * p))
+            .rowwise()
+            .squaredNorm();
 }
 
-Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
-                   const Clip& decoded) {
-  return measure(skeleton, original_tracks, landmark_tracks(skeleton, decoded));
+double DistortionMeter::eps(Weighting weighting) const {
+  return eps_from(squared_, landmark_weights(skeleton_, weighting));
 }
 
-Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
-                   const Eigen::MatrixXd& decoded_tracks) {
-  const Eigen::MatrixXd squared = squared_distances(original_tracks, decoded_tracks);
+Distortion DistortionMeter::distortion() const {
   Distortion distortion;
-  distortion.eps_bone_ends = eps_from(squared, landmark_weights(skeleton, Weighting::BoneEnds));
-  distortion.eps_joint_origins =
-      eps_from(squared, landmark_weights(skeleton, Weighting::JointOrigins));
-  distortion.distances = squared.cwiseSqrt().cast<float>();
-  if (squared.size() == 0) return distortion;
+  distortion.eps_bone_ends = eps(Weighting::BoneEnds);
+  distortion.eps_joint_origins = eps(Weighting::JointOrigins);
+  distortion.distances = squared_.cwiseSqrt().cast<float>();
+  if (squared_.size() == 0) return distortion;
 
   Eigen::Index frame = 0;
   Eigen::Index landmark = 0;
-  const double worst = squared.maxCoeff(&frame, &landmark);
+  const double worst = squared_.maxCoeff(&frame, &landmark);
   distortion.max = {static_cast<int>(frame), static_cast<int>(landmark), std::sqrt(worst)};
   std::vector<float> all(distortion.distances.data(),
                          distortion.distances.data() + distortion.distances.size());
@@ -66,10 +68,38 @@ Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tra
   return distortion;
 }
 
+Distortion measure(const Skeleton& skeleton, const Clip& original, const Clip& decoded) {
+  return measure(skeleton, landmark_tracks(skeleton, original), decoded);
+}
+
+namespace {
+
+DistortionMeter meter_of(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
+                         const Clip& decoded) {
+  DistortionMeter meter(skeleton, original_tracks);
+  visit_tracks(skeleton, decoded,
+               [&](int first, const Eigen::MatrixXd& tracks) { meter.add(first, tracks); });
+  return meter;
+}
+
+}  // namespace
+
+Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
+                   const Clip& decoded) {
+  return meter_of(skeleton, original_tracks, decoded).distortion();
+}
+
+Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
+                   const Eigen::MatrixXd& decoded_tracks) {
+  assert(original_tracks.rows() == decoded_tracks.rows());
+  DistortionMeter meter(skeleton, original_tracks);
+  meter.add(0, decoded_tracks);
+  return meter.distortion();
+}
+
 double exact_eps(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                  const Clip& decoded, Weighting weighting) {
-  return eps_from(squared_distances(original_tracks, landmark_tracks(skeleton, decoded)),
-                  landmark_weights(skeleton, weighting));
+  return meter_of(skeleton, original_tracks, decoded).eps(weighting);
 }
 
 }  // namespace mocapress

@@ -29,6 +29,25 @@ struct Distortion {
   }
 };
 
+/// Measures a clip whose tracks come some frames at a time, each once.
+class DistortionMeter {
+ public:
+  /// `original_tracks` are landmark_tracks(); both must outlive this.
+  DistortionMeter(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks);
+
+  /// landmark_tracks() of the decoded clip from first_frame on.
+  void add(int first_frame, const Eigen::MatrixXd& decoded_tracks);
+
+  /// Once all are there.
+  Distortion distortion() const;
+  double eps(Weighting weighting) const;
+
+ private:
+  const Skeleton& skeleton_;
+  const Eigen::MatrixXd& original_tracks_;
+  Eigen::MatrixXd squared_;  // frames x landmarks, cm^2
+};
+
 /// Compares clips of one skeleton. Requires equal shapes.
 Distortion measure(const Skeleton& skeleton, const Clip& original, const Clip& decoded);
 

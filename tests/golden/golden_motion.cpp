@@ -37,17 +37,24 @@ Skeleton golden_skeleton() {
 
 }  // namespace
 
-Motion golden_motion() {
-  constexpr int kFrames = 50;
+namespace {
+
+Motion golden_motion_of(int frames) {
   Motion motion{golden_skeleton(), {.sample_rate_hz = 60}};
-  motion.clip.channels.resize(kFrames, motion.skeleton.channel_count());
+  motion.clip.channels.resize(frames, motion.skeleton.channel_count());
   for (int c = 0; c < motion.skeleton.channel_count(); ++c) {
     const double size = is_rotation(motion.skeleton.channel_kind(c)) ? 0.8 : 35;
-    for (int t = 0; t < kFrames; ++t)
+    for (int t = 0; t < frames; ++t)
       motion.clip.channels(t, c) =
           size * (std::sin(0.05 * (c + 1) * t + c) + 0.1 * std::sin(0.9 * t + 2 * c));
   }
   return motion;
+}
+
+}  // namespace
+
+Motion golden_motion() {
+  return golden_motion_of(50);
 }
 
 CompressedClip golden_clip(Coding coding) {
@@ -82,6 +89,28 @@ CompressedClip golden_adaptive_clip() {
   clip.motion = pack_adaptive(
       quantise_kept(ranked, alike, keep_per_channel(ranked, ranked.total() / 4), file_scale(0.75)),
       clip);
+  return clip;
+}
+
+CompressedClip golden_segmented_clip() {
+  const SegmentLayout layout{540, 256, 64};
+  const Motion motion = golden_motion_of(layout.frames);
+  CompressedClip clip = golden_clip(Coding::Rle16);
+  clip.coding = Coding::Adaptive;
+  clip.frames = layout.frames;
+  clip.motion.clear();
+  clip.segments = CodedSegments{layout.length, layout.overlap, {}};
+  for (int k = 0; k < layout.count(); ++k) {
+    const Motion part = frames_of(motion, layout.first(k), layout.frames_of(k));
+    const RankedCoefficients ranked = rank_coefficients(part.clip, Basis::Cubic);
+    const std::vector<double> alike(static_cast<std::size_t>(ranked.channels()), 1.0);
+    const std::vector<std::byte> bytes =
+        pack_adaptive(quantise_kept(ranked, alike, keep_per_channel(ranked, ranked.total() / 8),
+                                    file_scale(0.5 + 0.25 * k)),
+                      clip);
+    clip.segments->bytes.push_back(static_cast<std::uint32_t>(bytes.size()));
+    clip.motion.insert(clip.motion.end(), bytes.begin(), bytes.end());
+  }
   return clip;
 }
 

@@ -17,6 +17,9 @@ CompressedClip golden_clip(Coding coding);
 /// The same in steps as Coding::Adaptive has them, one scale for all.
 CompressedClip golden_adaptive_clip();
 
+/// 540 frames of the same figure in three segments of Coding::Adaptive, each of another scale.
+CompressedClip golden_segmented_clip();
+
 /// golden_clip(Coding::Rle16) with a correction at ltibia.
 CompressedClip golden_corrected_clip();
 

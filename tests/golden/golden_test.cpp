@@ -140,6 +140,16 @@ TEST(GoldenJoints, TheWriterStillMakesTheSameFile) {
   EXPECT_TRUE(write_container(golden_adaptive_clip()) == read_bytes(golden("v1_joints.mcpr")));
 }
 
+TEST(GoldenSegments, Version1PlaysToTheSameBits) {
+  const std::vector<std::byte> file = read_bytes(golden("v1_segments.mcpr"));
+  EXPECT_TRUE(played(file) == read_bytes(golden("v1_segments_expected.f32")));
+  EXPECT_EQ(read_container(file).segment_layout().count(), 3);
+}
+
+TEST(GoldenSegments, TheWriterStillMakesTheSameFile) {
+  EXPECT_TRUE(write_container(golden_segmented_clip()) == read_bytes(golden("v1_segments.mcpr")));
+}
+
 TEST(GoldenAdaptive, TheWriterStillMakesTheSameMotion) {
   EXPECT_TRUE(without_skeleton(write_container(golden_adaptive_clip())) ==
               without_skeleton(read_bytes(golden("v1_adaptive.mcpr"))));
@@ -162,6 +172,8 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
   // v1_adaptive.mcpr has the section SKEL, which writers no longer make for this coding.
   save_mcpr(golden("v1_joints.mcpr"), golden_adaptive_clip());
   write_bytes(golden("v1_joints_expected.f32"), played(write_container(golden_adaptive_clip())));
+  save_mcpr(golden("v1_segments.mcpr"), golden_segmented_clip());
+  write_bytes(golden("v1_segments_expected.f32"), played(write_container(golden_segmented_clip())));
   save_mcpr(golden("v1_correction.mcpr"), golden_corrected_clip());
   write_expected("v1_correction_expected.csv", golden_corrected_clip());
 }

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/segmented_encode.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/codec/decoder.h"
+#include "core/codec/goal.h"
+#include "core/codec/scale_search.h"
+#include "core/metrics/rate.h"
+
+namespace mocapress {
+namespace {
+
+class SegmentedEncode {
+ public:
+  SegmentedEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
+                  const SegmentLayout& layout, const Observer<EncodeProgress>& observer)
+      : motion_(analysis.motion()),
+        contacts_(contacts_for(analysis, options)),
+        options_(options),
+        layout_(layout),
+        observer_(observer),
+        goal_(motion_, analysis.original_tracks(), options.target, options.weighting) {
+    if (options_.target.kind == Target::Kind::Size)
+      share_of_size_ = static_cast<double>(layout.length) / std::max(layout.frames, 1);
+    if (options_.correction && !options_.correction->ratio)
+      options_.correction->ratio = find_split();
+  }
+
+  TargetedEncoding run() {
+    const AttemptScale attempt = [this](double scale, const ClosedLoopWork& work,
+                                        const Eigen::VectorXd& frame_weights) {
+      return attempt_scale(scale, work, frame_weights);
+    };
+    const ScaleGuess guess{.likely = likely_scale(options_.target, raw_bytes(motion_.clip)),
+                           .finest = [this] { return finest_scale_; }};
+    Trial best = search_scale(guess, options_.target, goal_, options_.effort, attempt);
+    if (options_.target.kind == Target::Kind::MaxError && options_.effort != Effort::Draft &&
+        best.complete)
+      hold_worst_frames(
+          goal_, layout_.frames, options_.effort, attempt,
+          [&](const Trial& trial, Eigen::VectorXd& weights) {
+            goal_.raise_where_exceeded(decode(trial.compressed), weights);
+          },
+          best);
+    if (best.complete && options_.effort != Effort::Draft)
+      goal_.require_met(best.excess, best.achieved, false);
+    return {std::move(best.compressed), best.count,
+            options_.correction ? *options_.correction->ratio : 0, best.iterations, best.complete};
+  }
+
+ private:
+  /// The segment in the middle stands for all.
+  double find_split() const {
+    const int segment = layout_.count() / 2;
+    const ClipAnalysis analysis(motion_of(segment));
+    return find_correction_split(analysis, options_for(segment));
+  }
+
+  Motion motion_of(int segment) const {
+    return frames_of(motion_, layout_.first(segment), layout_.frames_of(segment));
+  }
+
+  EncodeOptions options_for(int segment) const {
+    EncodeOptions options = options_;
+    options.target.value *= share_of_size_;
+    options.contacts = frames_of(contacts_, layout_.first(segment), layout_.frames_of(segment));
+    return options;
+  }
+
+  Trial attempt_scale(double scale, const ClosedLoopWork& work,
+                      const Eigen::VectorXd& frame_weights) {
+    Trial trial{.compressed = {.skeleton = motion_.skeleton,
+                               .sample_rate_hz = motion_.clip.sample_rate_hz,
+                               .frames = layout_.frames,
+                               .basis = options_.basis,
+                               .coding = options_.coding,
+                               .segments = CodedSegments{layout_.length, layout_.overlap, {}}},
+                .scale = scale};
+    for (int k = 0; k < layout_.count(); ++k) {
+      const ClosedLoopWork cancelled{.compensate = false, .sweeps = 0};
+      add_segment(k, scale, trial.complete ? work : cancelled, frame_weights, trial);
+    }
+    ++pass_;
+    trial.eps_cm = std::sqrt(trial.eps_cm / static_cast<double>(layout_.coded_frames()));
+    weigh(trial);
+    return trial;
+  }
+
+  /// Until the last, trial.eps_cm sums squares.
+  void add_segment(int segment, double scale, const ClosedLoopWork& work,
+                   const Eigen::VectorXd& frame_weights, Trial& trial) {
+    const ClipAnalysis analysis(motion_of(segment));  // gone before the next
+    const int first = layout_.first(segment);
+    const int frames = layout_.frames_of(segment);
+    const auto observe = [&](const EncodeProgress& of_segment) {
+      EncodeProgress progress = of_segment;
+      progress.pass = pass_;
+      progress.iteration += trial.iterations;
+      return go_on(observer_, progress);
+    };
+    const ScaleTrial part = encode_at_scale(
+        analysis, options_for(segment), scale, work,
+        frame_weights.size() > 0 ? frame_weights.segment(first, frames).eval() : frame_weights,
+        observe);
+    finest_scale_ = std::max(finest_scale_, part.finest_scale);
+    const CompressedClip& coded = part.trial.compressed;
+    CompressedClip& whole = trial.compressed;
+    whole.motion.insert(whole.motion.end(), coded.motion.begin(), coded.motion.end());
+    whole.segments->bytes.push_back(static_cast<std::uint32_t>(coded.motion.size()));
+    whole.correction = coded.correction;
+    trial.count += part.trial.count;
+    trial.iterations += part.trial.iterations;
+    trial.eps_cm += frames * part.trial.eps_cm * part.trial.eps_cm;
+    trial.complete = trial.complete && part.trial.complete;
+  }
+
+  void weigh(Trial& trial) const {
+    const bool by_model = options_.effort == Effort::Draft &&
+                          options_.target.kind == Target::Kind::Error && !options_.correction &&
+                          options_.importance.is_even();
+    if (by_model)
+      trial.achieved = trial.eps_cm;  // near enough, and there already
+    else if (options_.target.kind == Target::Kind::CoefficientRatio)
+      trial.achieved = static_cast<double>(motion_.clip.channels.size()) / std::max(trial.count, 1);
+    else
+      trial.achieved =
+          goal_.achieved(trial.compressed.motion_bytes(), [&] { return decode(trial.compressed); });
+    trial.excess = goal_.excess(trial.achieved);
+  }
+
+  const Motion& motion_;
+  const std::vector<ContactSpan> contacts_;
+  EncodeOptions options_;
+  const SegmentLayout layout_;
+  const Observer<EncodeProgress>& observer_;
+  const Goal goal_;
+  double share_of_size_ = 1;
+  double finest_scale_ = 0;  // of the segments so far
+  int pass_ = 0;
+};
+
+}  // namespace
+
+TargetedEncoding encode_in_segments(const ClipAnalysis& analysis, const EncodeOptions& options,
+                                    const SegmentLayout& layout,
+                                    const Observer<EncodeProgress>& observer) {
+  return SegmentedEncode(analysis, options, layout, observer).run();
+}
+
+}  // namespace mocapress

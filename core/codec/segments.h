@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Long clips fall into segments that overlap, each encoded by itself: FORMAT.md, SEGS.
+#pragma once
+
+#include <vector>
+
+#include "core/contact/contact_spans.h"
+#include "core/decoder/segment_layout.h"
+#include "core/motion/clip.h"
+
+namespace mocapress {
+
+using decoder::SegmentLayout;
+
+/// How long clips are cut. Encoding a segment takes some 150 bytes for each channel and frame.
+struct SegmentPlan {
+  int longest = 12288;  // frames, 256 at least; a longer clip falls into several
+  int overlap = 48;     // frames that neighbours share, 1 at least
+};
+
+/// As few segments as the plan allows, of as even a length as can be. One where the clip is short.
+SegmentLayout even_segments(int frames, const SegmentPlan& plan);
+
+/// Some frames of a motion, and the contacts in them, counted from their first.
+Motion frames_of(const Motion& motion, int first, int count);
+std::vector<ContactSpan> frames_of(const std::vector<ContactSpan>& contacts, int first, int count);
+
+/// Puts the samples of a segment (frames x signals, as decode_signals() gives them) into the whole
+/// clip's, where all segments before it are: blended with what is there where two overlap.
+void lay_over(const Eigen::MatrixXd& segment_samples, const SegmentLayout& layout, int segment,
+              Eigen::MatrixXd& samples);
+
+}  // namespace mocapress

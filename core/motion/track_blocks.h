@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "core/motion/landmarks.h"
+
+namespace mocapress {
+
+/// landmark_tracks() of some frames: those of `first_frame` and after.
+using TrackBlock = std::function<void(int first_frame, const Eigen::MatrixXd& tracks)>;
+
+/// Visits landmark_tracks() of a clip in time: all at once or, of a long clip, some thousand frames
+/// at a time, so that they are never all in memory.
+void visit_tracks(const Skeleton& skeleton, const Clip& clip, const TrackBlock& visit);
+
+}  // namespace mocapress

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Long clips in segments: memory, what they cost in bytes, and whether their seams can be seen.
+// Usage: mocapress-segments-study memory CLIP FRAMES [LONGEST]
+//        mocapress-segments-study seams CLIP LONGEST [EPS_CM]
+// A clip of more frames than it has is repeated, there and back again. LONGEST: frames of a
+// segment. Figures are printed as Markdown.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <string>
+
+#include "core/codec/encoder.h"
+#include "core/formats/motion_file.h"
+#include "core/metrics/rate.h"
+
+namespace mocapress {
+namespace {
+
+double mebibytes(double bytes) {
+  return bytes / (1 << 20);
+}
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return mebibytes(1024.0 * static_cast<double>(usage.ru_maxrss));
+}
+
+double present_memory() {
+  std::ifstream statm("/proc/self/statm");
+  double all = 0;
+  double resident = 0;
+  statm >> all >> resident;
+  return mebibytes(4096 * resident);
+}
+
+/// There and back again, until there are so many frames.
+Motion repeated(const Motion& motion, int frames) {
+  Motion longer{motion.skeleton, {motion.clip.sample_rate_hz, {}}};
+  longer.clip.channels.resize(frames, motion.clip.channels.cols());
+  const int once = motion.clip.frames();
+  for (int t = 0; t < frames; ++t) {
+    const int in_two = t % (2 * once);
+    longer.clip.channels.row(t) =
+        motion.clip.channels.row(in_two < once ? in_two : 2 * once - 1 - in_two);
+  }
+  return longer;
+}
+
+EncodeOptions options_at(double eps_cm, int longest) {
+  EncodeOptions options{.method = Method::ClosedLoop,
+                        .coding = Coding::Adaptive,
+                        .target = {Target::Kind::Error, eps_cm}};
+  options.segments.longest = longest;
+  return options;
+}
+
+void memory(const Motion& motion, int frames, int longest) {
+  Motion longer = repeated(motion, frames);
+  const double values = static_cast<double>(longer.clip.channels.size());
+  const double before = present_memory();
+  const std::clock_t start = std::clock();
+  const Encoder encoder(std::move(longer));
+  const Encoding encoding = encoder.encode(options_at(0.5, longest));
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const double beyond = peak_memory() - before;
+  std::printf("| %d | %d | %.0f MiB | %.0f MiB | %.1f bytes | %.1f | %.3f cm | %.0f |\n", frames,
+              encoding.compressed.segment_layout().count(), mebibytes(8 * values), beyond,
+              beyond * (1 << 20) / values,
+              compression_ratio(encoder.motion().clip, encoding.compressed.motion_bytes()),
+              encoding.distortion.eps_bone_ends, frames / seconds);
+}
+
+/// Errors of landmarks and of their velocities over some frames.
+struct Errors {
+  double squares = 0;
+  double largest = 0;
+  double velocity_squares = 0;
+  double largest_velocity = 0;
+  double count = 0;
+
+  void add(double cm, double cm_a_frame) {
+    squares += cm * cm;
+    largest = std::max(largest, cm);
+    velocity_squares += cm_a_frame * cm_a_frame;
+    largest_velocity = std::max(largest_velocity, cm_a_frame);
+    ++count;
+  }
+  void print(const char* where) const {
+    std::printf("| %s | %.0f | %.4f | %.3f | %.4f | %.3f |\n", where, count,
+                std::sqrt(squares / count), largest, std::sqrt(velocity_squares / count),
+                largest_velocity);
+  }
+};
+
+void seams(const Motion& motion, int longest, double eps_cm) {
+  const Encoder encoder(motion);
+  const Encoding whole = encoder.encode(options_at(eps_cm, motion.clip.frames()));
+  const Encoding cut = encoder.encode(options_at(eps_cm, longest));
+  const SegmentLayout layout = cut.compressed.segment_layout();
+  std::printf("%d segments of %d frames, %d shared: %zu bytes at %.4f cm, %zu whole at %.4f cm\n\n",
+              layout.count(), layout.length, layout.overlap, cut.compressed.motion_bytes(),
+              cut.distortion.eps_bone_ends, whole.compressed.motion_bytes(),
+              whole.distortion.eps_bone_ends);
+  const auto error_of = [&](const Encoding& encoding) {
+    return (landmark_tracks(motion.skeleton, encoding.decoded) - encoder.original_tracks()).eval();
+  };
+  Errors in_overlaps;
+  Errors elsewhere;
+  Errors there_in_whole;
+  for (const bool of_whole : {false, true}) {
+    const Eigen::MatrixXd error = error_of(of_whole ? whole : cut);
+    for (Eigen::Index t = 1; t < error.rows(); ++t) {
+      // The frames after a seam belong to it: that is where it would jump.
+      const bool at_seam = layout.stretch_at(static_cast<int>(t)).shared >= 0 ||
+                           layout.stretch_at(static_cast<int>(t) - 1).shared >= 0;
+      if (of_whole && !at_seam) continue;
+      Errors& errors = of_whole ? there_in_whole : at_seam ? in_overlaps : elsewhere;
+      for (Eigen::Index p = 0; p + 2 < error.cols(); p += 3)
+        errors.add(error.row(t).segment<3>(p).norm(),
+                   (error.row(t) - error.row(t - 1)).segment<3>(p).norm());
+    }
+  }
+  std::printf(
+      "| where | samples | error, RMS cm | largest | of velocity, cm a frame | largest |\n");
+  std::printf("| --- | --- | --- | --- | --- | --- |\n");
+  in_overlaps.print("in overlaps");
+  elsewhere.print("elsewhere");
+  there_in_whole.print("in overlaps, coded whole");
+}
+
+int run(int count, char** arguments) {
+  if (count < 4) {
+    std::fprintf(stderr, "usage: %s memory CLIP FRAMES [LONGEST] | seams CLIP LONGEST [EPS_CM]\n",
+                 arguments[0]);
+    return 2;
+  }
+  const Motion motion = read_motion(arguments[2]).motion;
+  const int number = std::stoi(arguments[3]);
+  if (std::string(arguments[1]) == "memory")
+    memory(motion, number, count > 4 ? std::stoi(arguments[4]) : SegmentPlan().longest);
+  else
+    seams(motion, number, count > 4 ? std::stod(arguments[4]) : 0.5);
+  return 0;
+}
+
+}  // namespace
+}  // namespace mocapress
+
+int main(int count, char** arguments) {
+  try {
+    return mocapress::run(count, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
