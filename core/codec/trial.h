@@ -9,7 +9,7 @@ namespace mocapress {
 struct Trial {
   CompressedClip compressed;
   int count = 0;
-  double scale = 0;  // of a closed loop
+  double scale = 0;   // of a closed loop
   double eps_cm = 0;  // of a closed loop, by the quadratic model
   int iterations = 0;
   bool complete = true;
