@@ -45,7 +45,8 @@ class SegmentedEncode {
           },
           best);
     if (best.complete && options_.effort != Effort::Draft)
-      goal_.require_met(best.excess, best.achieved, false);
+      goal_.require_met(best.excess, best.achieved,
+                        best.count == layout_.coded_frames() * motion_.clip.channels.cols());
     return {std::move(best.compressed), best.count,
             options_.correction ? *options_.correction->ratio : 0, best.iterations, best.complete};
   }

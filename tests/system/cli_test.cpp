@@ -288,6 +288,7 @@ TEST_F(Cli, InfoDescribesEveryKindOfFile) {
   }
   EXPECT_EQ(all[1]["method"], "closed-loop");
   EXPECT_EQ(all[1]["basis"], "cubic");
+  EXPECT_EQ(all[1]["segments"], 1);
   EXPECT_EQ(all[1]["file_bytes"], std::filesystem::file_size(packed_));
   EXPECT_TRUE(all[0]["warnings"].is_array());
 }
