@@ -2078,6 +2078,10 @@
         <source>Verdict</source>
         <translation>Verdict</translation>
     </message>
+    <message>
+        <source>Remove Clip</source>
+        <translation>Retirer la séquence</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::SettingsChange</name>

@@ -1857,7 +1857,7 @@
     </message>
     <message>
         <source>Planted feet</source>
-        <translation>足を固定</translation>
+        <translation>滑らない足</translation>
     </message>
     <message>
         <source>Feet</source>
@@ -2066,6 +2066,10 @@
     <message>
         <source>Verdict</source>
         <translation>判定</translation>
+    </message>
+    <message>
+        <source>Remove Clip</source>
+        <translation>クリップを外す</translation>
     </message>
 </context>
 <context>

@@ -137,8 +137,31 @@ void Library::add(const QStringList& paths) {
 
 void Library::remove(int row) {
   if (row < 0) return;
+  const ProjectClip clip = project_.clips[static_cast<std::size_t>(row)];
+  session_->history()->push(new ClipRemoval([this, path = clip.path] { takeOut(path); },
+                                            [this, clip, row] { putBack(clip, row); }));
+}
+
+void Library::takeOut(const QString& path) {
+  const int row = model_->rowOf(path);
+  if (row < 0) return;
   project_.clips.erase(project_.clips.begin() + row);
   model_->remove(row);
+  touch();
+  emit currentChanged();
+}
+
+/// With all that was decided about it, where it was.
+void Library::putBack(const ProjectClip& clip, int row) {
+  if (project_.find(clip.path)) return;
+  row = std::min(row, model_->rowCount());
+  project_.clips.insert(project_.clips.begin() + row, clip);
+  std::vector<LibraryEntry> entries;
+  for (int i = 0; i < model_->rowCount(); ++i) entries.push_back(model_->entry(i));
+  entries.insert(entries.begin() + row, entryOf(clip, {}));
+  model_->setEntries(std::move(entries));
+  unread_.push_back(clip.path);
+  readNextOutline();
   touch();
   emit currentChanged();
 }
