@@ -2118,6 +2118,10 @@
         <source>Verdict</source>
         <translation>Verdict</translation>
     </message>
+    <message>
+        <source>Remove Clip</source>
+        <translation>Retirer la séquence</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::SettingsChange</name>

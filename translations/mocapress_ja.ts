@@ -1897,7 +1897,7 @@
     </message>
     <message>
         <source>Planted feet</source>
-        <translation>足を固定</translation>
+        <translation>滑らない足</translation>
     </message>
     <message>
         <source>Feet</source>
@@ -2106,6 +2106,10 @@
     <message>
         <source>Verdict</source>
         <translation>判定</translation>
+    </message>
+    <message>
+        <source>Remove Clip</source>
+        <translation>クリップを外す</translation>
     </message>
 </context>
 <context>

@@ -12,11 +12,14 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kReportInterval = std::chrono::milliseconds(40);
 constexpr auto kRefineDelay = std::chrono::milliseconds(80);
 constexpr double kSizeTolerance = 1.02;
+constexpr double kDraftIkRatio = 16;  // of the paper's video
 
 /// Those of the answer that comes at once.
 EncodeOptions quickOptions(EncodeOptions wanted) {
   if (wanted.method == Method::Annealed) wanted.method = Method::Standard;
   if (wanted.method == Method::ClosedLoop) wanted.effort = Effort::Draft;
+  // To find what to spend on the feet takes many encodings.
+  if (wanted.correction && !wanted.correction->ratio) wanted.correction->ratio = kDraftIkRatio;
   return wanted;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "app/studio/session.h"
 #include "core/base/error.h"
@@ -173,15 +174,38 @@ void Library::searchNextFolder() {
 }
 
 void Library::remove(const QList<int>& rows) {
-  std::vector<ProjectClip> clips;
+  if (rows.isEmpty()) return;
+  std::map<int, ProjectClip> clips;
+  for (const int row : rows) clips.emplace(row, project_.clips[static_cast<std::size_t>(row)]);
+  const auto take_out = [this, clips] {
+    for (const auto& [row, clip] : clips) takeOut(clip.path);
+  };
+  const auto put_back = [this, clips] {  // the first row first, so that each is its own again
+    for (const auto& [row, clip] : clips) putBack(clip, row);
+  };
+  session_->history()->push(new ClipRemoval(take_out, put_back));
+}
+
+void Library::takeOut(const QString& path) {
+  const int row = model_->rowOf(path);
+  if (row < 0) return;
+  project_.clips.erase(project_.clips.begin() + row);
+  model_->remove(row);
+  touch();
+  emit currentChanged();
+}
+
+/// With all that was decided about it, where it was.
+void Library::putBack(const ProjectClip& clip, int row) {
+  if (project_.find(clip.path)) return;
+  row = std::min(row, model_->rowCount());
+  project_.clips.insert(project_.clips.begin() + row, clip);
   std::vector<LibraryEntry> entries;
-  for (int row = 0; row < model_->rowCount(); ++row) {
-    if (rows.contains(row)) continue;
-    clips.push_back(std::move(project_.clips[static_cast<std::size_t>(row)]));
-    entries.push_back(model_->entry(row));
-  }
-  project_.clips = std::move(clips);
+  for (int i = 0; i < model_->rowCount(); ++i) entries.push_back(model_->entry(i));
+  entries.insert(entries.begin() + row, entryOf(clip, {}));
   model_->setEntries(std::move(entries));
+  unread_.push_back(clip.path);
+  readNextOutline();
   touch();
   emit currentChanged();
 }

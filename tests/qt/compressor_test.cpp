@@ -89,6 +89,17 @@ TEST_F(Compressing, AnswersWithADraftFirstAndTheClosedLoopAfter) {
   }
 }
 
+TEST_F(Compressing, ADraftSearchesForNoIkRatio) {
+  compressor_.setEncoder(makeEncoder(120));
+  compressor_.request({.method = Method::ClosedLoop,
+                       .target = {Target::Kind::Ratio, 12},
+                       .correction = CorrectionOptions{.joints = {4}}});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !answers_.empty(); }, kPatience));
+  ASSERT_TRUE(answers_[0].decoded->correction) << failures_.join(u' ').toStdString();
+  EXPECT_EQ(answers_[0].decoded->correction->ratio, 16);
+  compressor_.abandon();
+}
+
 TEST_F(Compressing, AMovementGivesADraftAndAbandonsTheRunningRefinement) {
   compressor_.setEncoder(makeEncoder(3000));
   const auto asked = [](double cm) {

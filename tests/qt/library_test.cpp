@@ -286,6 +286,25 @@ TEST_F(InALibrary, VerdictsAndNotesAreUndoneInTheHistoryOfTheirClip) {
   EXPECT_EQ(run.model.entry(0).verdict, Verdict::Rejected);
 }
 
+TEST_F(InALibrary, AClipThatWasRemovedComesBackAsItWas) {
+  Run run;
+  const QString walk = clip("walk.bvh", 1);
+  settleAfter(run, [&] { run.session.open(walk); });
+  settleAfter(run, [&] { run.session.setOptions(standard(20)); });
+  run.library.setNote(0, QStringLiteral("knee"));
+  settleAfter(run, [&] { run.session.open(clip("jump.bvh", 2)); });
+  run.library.remove({0});
+  ASSERT_EQ(run.model.rowCount(), 1);
+  EXPECT_EQ(run.session.history()->undoText().toStdString(), "Remove Clip");
+  run.session.history()->undo();
+  ASSERT_EQ(run.model.rowCount(), 2);
+  const ProjectClip& back = run.library.project().clips[0];
+  EXPECT_EQ(back.path, walk);
+  EXPECT_EQ(back.note, QStringLiteral("knee"));
+  EXPECT_EQ(back.settings->encode.target.value, 20);
+  EXPECT_EQ(run.model.entry(0).path, walk);
+}
+
 TEST_F(InALibrary, AnotherProjectHasNothingToUndo) {
   Run run;
   run.library.begin(file());

@@ -52,13 +52,14 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
 
   connect(cancel_, &QPushButton::clicked, this, &AnnealingPanel::cancelRequested);
   setRunning(false);
+  progress_->setValue(0);
 }
 
 void AnnealingPanel::setRunning(bool running) {
   cancel_->setEnabled(running);
   progress_->setRange(0, kProgressSteps);
+  progress_->setValue(running ? 0 : kProgressSteps);
   if (!running) return;
-  progress_->setValue(0);
   pass_->clear();
   plot_->clear();
 }

@@ -15,7 +15,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kImportanceWidth = 150;  // of the text on the button
+constexpr int kImportanceWidth = 200;  // of the text on the button
 
 template <typename Value>
 void addChoices(QComboBox* box, std::initializer_list<Value> values) {
