@@ -186,11 +186,19 @@ void Library::remove(const QList<int>& rows) {
   session_->history()->push(new ClipRemoval(take_out, put_back));
 }
 
+std::vector<LibraryEntry> Library::entries() const {
+  std::vector<LibraryEntry> entries;
+  for (int row = 0; row < model_->rowCount(); ++row) entries.push_back(model_->entry(row));
+  return entries;
+}
+
 void Library::takeOut(const QString& path) {
   const int row = model_->rowOf(path);
   if (row < 0) return;
   project_.clips.erase(project_.clips.begin() + row);
-  model_->remove(row);
+  std::vector<LibraryEntry> left = entries();
+  left.erase(left.begin() + row);
+  model_->setEntries(std::move(left));
   touch();
   emit currentChanged();
 }
@@ -200,10 +208,9 @@ void Library::putBack(const ProjectClip& clip, int row) {
   if (project_.find(clip.path)) return;
   row = std::min(row, model_->rowCount());
   project_.clips.insert(project_.clips.begin() + row, clip);
-  std::vector<LibraryEntry> entries;
-  for (int i = 0; i < model_->rowCount(); ++i) entries.push_back(model_->entry(i));
-  entries.insert(entries.begin() + row, entryOf(clip, {}));
-  model_->setEntries(std::move(entries));
+  std::vector<LibraryEntry> all = entries();
+  all.insert(all.begin() + row, entryOf(clip, {}));
+  model_->setEntries(std::move(all));
   unread_.push_back(clip.path);
   readNextOutline();
   touch();

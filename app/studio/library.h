@@ -72,6 +72,7 @@ class Library : public QObject {
 
  private:
   void change(const QString& path, const Review& review);
+  std::vector<LibraryEntry> entries() const;
   void takeOut(const QString& path);
   void putBack(const ProjectClip& clip, int row);
   void noteOpened(const QString& path, const QString& skeleton);
