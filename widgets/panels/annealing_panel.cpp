@@ -57,7 +57,10 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
 
 void AnnealingPanel::setRunning(bool running) {
   cancel_->setEnabled(running);
-  if (!running) return;
+  if (!running) {
+    if (!pass_->text().isEmpty()) progress_->setValue(kProgressSteps);
+    return;
+  }
   progress_->setValue(0);
   pass_->clear();
   plot_->clear();
