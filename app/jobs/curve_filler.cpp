@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/curve_filler.h"
 
-#ifdef Q_OS_LINUX
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
-
+#include "app/jobs/give_way.h"
 #include "core/base/error.h"
 #include "core/base/one_thread.h"
 #include "core/metrics/rate.h"
 
 namespace mocapress {
-namespace {
-
-/// On Linux a thread has a niceness of its own.
-void giveWayToOthers() {
-#ifdef Q_OS_LINUX
-  constexpr int kNicest = 19;
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNicest);
-#endif
-}
-
-}  // namespace
 
 CurveFiller::CurveFiller(QObject* parent) : QObject(parent) {}
 
 void CurveFiller::start(const CurveTask& task) {
   const auto work = [this, task](const Job& job) {
-    giveWayToOthers();
+    giveWay(GiveWay::ToEverything);
     for (const double ratio : task.ratios) {
       if (job.stopRequested()) break;
       EncodeOptions options = task.options;

@@ -3,6 +3,8 @@
 
 #include <exception>
 
+#include "app/jobs/give_way.h"
+
 namespace mocapress {
 
 void Job::post(std::function<void()> report) const {
@@ -50,6 +52,7 @@ void JobRunner::launch(Work work, Failed failed) {
 }
 
 void JobRunner::serve(const std::stop_token& quit) {
+  giveWay(GiveWay::ToTheWindow);
   while (true) {
     std::unique_lock lock(mutex_);
     if (!wake_.wait(lock, quit, [this] { return waiting_.has_value(); })) return;

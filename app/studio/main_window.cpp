@@ -54,7 +54,7 @@ namespace {
 
 constexpr QSize kFirstSize(1440, 900);
 constexpr int kSidebarWidth = 320;
-constexpr int kLibraryWidth = 220;
+constexpr int kLibraryWidth = 240;
 constexpr int kJointsWidth = 310;
 constexpr int kBelowHeight = 240;
 

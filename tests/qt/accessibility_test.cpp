@@ -111,7 +111,7 @@ TEST(Guide, IsThereInEveryLanguage) {
     QLocale::setDefault(QLocale(QLatin1String(language)));
     guides << guideHtml();
     EXPECT_EQ(guides.last().count(QStringLiteral("<h3>")), 6) << language;
-    EXPECT_EQ(guides.last().count(QStringLiteral("<img")), 3) << language;
+    EXPECT_EQ(guides.last().count(QStringLiteral("<img")), 4) << language;
   }
   EXPECT_EQ(QSet<QString>(guides.begin(), guides.end()).size(), 3);
   QLocale::setDefault(QLocale(QStringLiteral("de")));

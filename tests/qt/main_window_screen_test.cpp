@@ -147,7 +147,14 @@ TEST_F(StudioWindow, ASliderMovementIsFollowedByAPictureSoon) {
 }
 
 TEST_F(StudioWindow, IsNotAwayForLongWhileALongClipIsCompressed) {
-  openAndSettle(writeClip("motion.bvh", 5000));
+  constexpr int kFrames = 5000;
+  Motion motion = read_motion(sampleClip().toStdU16String()).motion;
+  const Eigen::MatrixXd walk = motion.clip.channels;
+  motion.clip.channels.resize(kFrames, walk.cols());
+  for (int frame = 0; frame < kFrames; ++frame)
+    motion.clip.channels.row(frame) = walk.row(frame % walk.rows());
+  write_motion(path("long.bvh").toStdU16String(), motion);
+  openAndSettle(path("long.bvh"));
   window_.trace().setWriting(true);
   QTest::qWait(100);
   window_.trace().takeLongestBlock();
@@ -158,8 +165,10 @@ TEST_F(StudioWindow, IsNotAwayForLongWhileALongClipIsCompressed) {
   }
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.session().busy(); }, kPatience));
   const Trace::Block longest = window_.trace().takeLongestBlock();
-  std::printf("5000 frames: longest time away from events %.1f ms, most work at a time %.1f ms\n",
-              longest.away, longest.worked);
+  std::printf(
+      "5000 frames of a body of 31 joints: longest time away from events %.1f ms, most work at a "
+      "time %.1f ms\n",
+      longest.away, longest.worked);
   EXPECT_LT(longest.worked, 500);  // generous: machines differ
 }
 

@@ -8,10 +8,12 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QDropEvent>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
 #include <QScreen>
@@ -21,8 +23,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBrowser>
+#include <QTranslator>
+#include <QTreeView>
 #include <cstdio>
-#include <numeric>
+#include <filesystem>
 #include <set>
 
 #include "app/studio/batch_memory.h"
@@ -31,7 +35,9 @@
 #include "app/studio/main_window.h"
 #include "app/studio/sample_clip.h"
 #include "app/studio/screenshot.h"
+#include "core/formats/motion_file.h"
 #include "widgets/models/batch_queue_model.h"
+#include "widgets/models/library_tree.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/message_bar.h"
@@ -46,6 +52,9 @@ namespace {
 
 constexpr int kPatience = 60'000;  // ms
 
+// Each picture is kept at the guide's width too. In resources/guide compare.png is view-wipe,
+// inspect session-3-heat-map, curve session-3-rate-distortion and pinned pinned-side-by-side; the
+// README's studio.png is library.
 constexpr int kGuideWidth = 900;
 
 QString picturePath(const QString& name) {
@@ -128,8 +137,17 @@ class Studio {
 
 class StudioTour : public testing::Test {
  protected:
-  StudioTour() { QSettings().clear(); }
-  ~StudioTour() override { QSettings().clear(); }
+  StudioTour() {
+    QSettings().clear();
+    // English has plural forms too: the pictures are to be shown.
+    EXPECT_TRUE(english_.load(QStringLiteral(":/i18n/mocapress_en.qm")));
+    QCoreApplication::installTranslator(&english_);
+  }
+  ~StudioTour() override {
+    QCoreApplication::removeTranslator(&english_);
+    QSettings().clear();
+  }
+  QTranslator english_;
   QTemporaryDir directory_;
 };
 
@@ -198,8 +216,8 @@ TEST_F(StudioTour, TheGhostTrailFollowsWhileItPlays) {
     constexpr int kSteps = 100;
     clock.restart();
     for (int frame = 0; frame < kSteps; ++frame) studio->views().viewport->setFrame(frame);
-    std::printf("%s: %.0f pictures a second by software, %.2f ms of the GUI thread each\n",
-                what, played, double(clock.elapsed()) / kSteps);
+    std::printf("%s: %.0f pictures a second by software, %.2f ms of the GUI thread each\n", what,
+                played, double(clock.elapsed()) / kSteps);
     EXPECT_GT(frames.count(), 5);
   };
   play("without a trail");
@@ -253,7 +271,7 @@ TEST_F(StudioTour, HelpShowsAnIllustratedGuideAndEveryKey) {
   };
   QTextBrowser* guide = shown(studio->actions().guide);
   EXPECT_GT(guide->toPlainText().size(), 1000);
-  EXPECT_GE(guide->toHtml().count(QStringLiteral("<img")), 3);
+  EXPECT_GE(guide->toHtml().count(QStringLiteral("<img")), 4);
   for (const char* picture : {"compare", "inspect", "curve", "pinned"})
     EXPECT_GT(QImage(QStringLiteral(":/guide/%1.png").arg(QLatin1String(picture))).width(), 400);
   const QString keys = shown(studio->actions().shortcuts)->toPlainText();
@@ -261,6 +279,66 @@ TEST_F(StudioTour, HelpShowsAnIllustratedGuideAndEveryKey) {
     const QString key = action->shortcut().toString(QKeySequence::NativeText);
     EXPECT_TRUE(keys.contains(key)) << qPrintable(action->text());
   }
+}
+
+/// The bundled samples and parts of them, as a game's folder may have them.
+void writeGame(const QString& folder) {
+  const std::filesystem::path samples =
+      std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples";
+  for (const auto& [sample, below] : {std::pair("human_walk", "locomotion/walks"),
+                                      {"human_run", "locomotion/runs"},
+                                      {"human_jump", "jumps"}}) {
+    const QString path = folder + QLatin1Char('/') + QString::fromLatin1(below);
+    QDir().mkpath(path);
+    Motion motion = read_motion(samples / (std::string(sample) + ".amc")).motion;
+    for (const char* part : {"loop", "start", "stop"}) {
+      write_motion(std::filesystem::path(path.toStdU16String()) / (std::string(part) + ".bvh"),
+                   motion);
+      motion.clip.channels = motion.clip.channels.topRows(3 * motion.clip.frames() / 4).eval();
+    }
+  }
+}
+
+TEST_F(StudioTour, AFolderIsReviewedClipByClip) {
+  const QString game = directory_.filePath(QStringLiteral("game"));
+  writeGame(game);
+  Studio studio;
+  studio->library().begin(directory_.filePath(QStringLiteral("data/session.mocapress")));
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(game)});
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(studio.operator->(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(studio.operator->(), &drop);
+  LibraryPanel& panel = studio->libraryPanel();
+  LibraryTree& tree = *panel.tree();
+  const auto& clips = studio->library().project().clips;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return clips.size() == 9; }, kPatience));
+  ASSERT_EQ(tree.rowCount(), 2) << "jumps, locomotion";
+  const auto tune = [&](int row, double ratio) {
+    studio.settleAfter([&] { panel.view()->setCurrentIndex(tree.indexOf(row)); });
+    EncodeOptions options = studio->session().document().options();
+    options.method = Method::ClosedLoop;
+    options.target = {Target::Kind::Ratio, ratio};
+    studio.settleAfter([&] { studio->session().setOptions(options); });
+  };
+  for (int row = 0; row < 9; ++row) tune(row, row % 3 == 2 ? 90 : 60);
+  studio->library().setVerdict(0, Verdict::Approved);
+  tune(6, 120);  // a walk
+  studio->actions().view.by_error->trigger();
+  studio->actions().view.trail->trigger();
+  studio->actions().view.trail_poses->actions().front()->trigger();
+  studio->playback().seek(300);
+  studio->actions().view.reset_camera->trigger();
+  studio->findChild<QDockWidget*>(QStringLiteral("heat-map"))->raise();
+  QTest::qWait(300);
+  const QImage all = studio.picture(QStringLiteral("library"));
+  EXPECT_GT(coloursIn(all, studio.areaOf(panel.view())), 12u);
+  panel.view()->collapse(tree.indexOf(0).parent());
+  panel.filter()->setText(QStringLiteral("approved"));
+  EXPECT_EQ(tree.rowCount(), 1);
+  EXPECT_GT(differing(all, studio.picture(QStringLiteral("library-approved"))), 3000);
 }
 
 /// The 15 study clips, through the real window.
@@ -276,11 +354,18 @@ void batch(Studio& studio) {
   auto* window = studio->findChild<BatchWindow*>();
   auto* session = studio->findChild<BatchSession*>();
   ASSERT_TRUE(window && QTest::qWaitForWindowExposed(window));
-  std::vector<int> offered(static_cast<std::size_t>(session->queue()->rowCount()));
-  std::iota(offered.begin(), offered.end(), 0);
-  session->queue()->remove(offered);
   session->addClips({folder});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session->queue()->rowCount() == 15; }, kPatience));
+  BatchQueueModel& queue = *session->queue();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        std::vector<int> others;  // the open clip is offered
+        for (int row = 0; row < queue.rowCount(); ++row)
+          if (queue.clips()[static_cast<std::size_t>(row)].source.folder != "study")
+            others.push_back(row);
+        queue.remove(others);
+        return queue.rowCount() == 15;
+      },
+      kPatience));
   BatchSettings settings = session->settings();
   settings.folder = out.path();
   session->setSettings(settings);

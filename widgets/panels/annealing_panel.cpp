@@ -58,8 +58,11 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
 void AnnealingPanel::setRunning(bool running) {
   cancel_->setEnabled(running);
   progress_->setRange(0, kProgressSteps);
-  progress_->setValue(running ? 0 : kProgressSteps);
-  if (!running) return;
+  if (!running) {
+    if (!pass_->text().isEmpty()) progress_->setValue(kProgressSteps);
+    return;
+  }
+  progress_->setValue(0);
   pass_->clear();
   plot_->clear();
 }

@@ -9,7 +9,7 @@ class QPalette;
 namespace mocapress {
 
 /// Axes, grid and background in the palette of the widget the plot is in: call again when that
-/// changes. Has it drawn with the window's next picture rather than at once, several times in a row.
+/// changes. Has it drawn with the window's next picture rather than at once, maybe several times.
 void applyPalette(QCustomPlot* plot);
 
 /// The same for one axis of a plot that has more.

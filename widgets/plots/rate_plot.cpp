@@ -73,8 +73,7 @@ RatePlot::RatePlot(QWidget* parent)
   hint_->position->setType(QCPItemPosition::ptAxisRectRatio);
   hint_->position->setCoords(0.5, 0.5);
   here_label_->setText(tr("you are here"));
-  here_label_->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
-  here_label_->setPadding(QMargins(9, 6, 0, 0));
+  connect(plot_, &QCustomPlot::beforeReplot, this, &RatePlot::placeHereLabel);
   connectMouse();
   applyColours();
   setWeighting(weighting_);
@@ -183,6 +182,17 @@ void RatePlot::placeMarks() {
   if (!here_) return;
   here_mark_->addData(here_->ratio, here_->eps_cm);
   here_label_->position->setCoords(here_->ratio, here_->eps_cm);
+}
+
+/// Right of the mark, or below it where there is no room.
+void RatePlot::placeHereLabel() {
+  if (!here_) return;
+  const double room = plot_->axisRect()->right() - plot_->xAxis->coordToPixel(here_->ratio);
+  const int width = QFontMetrics(font()).horizontalAdvance(here_label_->text()) + 9;
+  const bool beside = room > width;
+  const Qt::Alignment below = room > width / 2.0 ? Qt::AlignHCenter : Qt::AlignRight;
+  here_label_->setPositionAlignment((beside ? Qt::AlignLeft : below) | Qt::AlignTop);
+  here_label_->setPadding(beside ? QMargins(9, 6, 0, 0) : QMargins(0, 18, 0, 0));
 }
 
 void RatePlot::showAll() {

@@ -67,6 +67,7 @@ class RatePlot : public QWidget {
   void addCurve(const RateCurve& curve);
   void placeMarks();
   void showAll();
+  void placeHereLabel();
   void applyColours();
   const RatePoint* pointAt(const QPoint& position) const;
   const RatePoint* pointOf(int row) const;
@@ -78,7 +79,7 @@ class RatePlot : public QWidget {
   QCPGraph* here_mark_ = nullptr;
   QCPGraph* ring_ = nullptr;
   QCPItemText* hint_;
-  QCPItemText* here_label_;
+  QCPItemText* here_label_;  // on the side where there is room
   Describe describe_;
   std::vector<RateCurve> curves_;
   std::optional<CurvePoint> here_;
