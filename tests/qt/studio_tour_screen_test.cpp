@@ -41,6 +41,7 @@
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/message_bar.h"
+#include "widgets/panels/preset_chooser.h"
 #include "widgets/panels/preset_editor.h"
 #include "widgets/panels/target_control.h"
 #include "widgets/timeline/contact_strip.h"
@@ -369,7 +370,7 @@ void batch(Studio& studio) {
   BatchSettings settings = session->settings();
   settings.folder = out.path();
   session->setSettings(settings);
-  emit window->editor()->presets()->activated(1);  // gameplay: eps_x 0.5 cm
+  emit window->editor()->chooser()->box()->activated(1);  // gameplay: eps_x 0.5 cm
   QElapsedTimer clock;
   clock.start();
   QTest::mouseClick(window->startButton(), Qt::LeftButton);
