@@ -77,7 +77,7 @@ class SectionsReader {
     if (next_ < Expected::Correction)
       return failure(MCPR_INVALID, file.offset(), "a section is missing");
     if (!file.at_end()) return failure(MCPR_INVALID, file.offset(), "bytes after the last section");
-    return kOk;
+    return check_room();
   }
 
  private:
@@ -184,6 +184,15 @@ class SectionsReader {
     if (sum != sections_.motion.size)
       return failure(MCPR_INVALID, sections_.segment_sizes.offset,
                      "the segments are not as large as MOTN");
+    return kOk;
+  }
+
+  /// What is decoded, and the time that takes, grows with the file: FORMAT.md, CLIP.
+  mcpr_result check_room() const {
+    const std::uint64_t samples = std::uint64_t{sections_.frames} * sections_.signal_count();
+    if (samples > (std::uint64_t{1} << 22) + (std::uint64_t{sections_.motion.size} << 15))
+      return failure(MCPR_INVALID, sections_.motion.offset,
+                     "more samples than so few bytes may stand for");
     return kOk;
   }
 

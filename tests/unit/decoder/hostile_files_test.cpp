@@ -139,6 +139,19 @@ TEST(HostileFiles, ABombWithinTheLimitsTakesTheMemoryThatIsStated) {
   EXPECT_TRUE(result.status == MCPR_INVALID || result.status == MCPR_OK) << result.message;
 }
 
+TEST(HostileFiles, FewBytesMayNotStandForMoreSamplesThanThatWhateverTheLimits) {
+  mcpr_limits limits = mcpr_default_limits();
+  limits.frames = 1U << 26;
+  limits.values = 1U << 26;
+  limits.scratch_bytes = std::size_t{1} << 32;
+  mcpr_info info;
+  const std::uint32_t most = ((1U << 22) + (22U << 15)) / 96;  // the motion is 2 bytes and 20
+  const auto held = bomb(16, most, 20);
+  EXPECT_EQ(mcpr_inspect(held.data(), held.size(), &limits, &info).status, MCPR_OK);
+  const auto beyond = bomb(16, most + 1, 20);
+  EXPECT_EQ(mcpr_inspect(beyond.data(), beyond.size(), &limits, &info).status, MCPR_INVALID);
+}
+
 TEST(HostileFiles, BombsOfJointsAndOfLimbsAreRefused) {
   mcpr_info info;
   const auto joints = bomb(4096, 1, 20);
