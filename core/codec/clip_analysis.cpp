@@ -16,6 +16,11 @@ ClipAnalysis::ClipAnalysis(Motion motion)
       contacts_(
           find_foot_contacts(motion_.skeleton, original_tracks_, motion_.clip.sample_rate_hz)) {}
 
+const Coefficients& ClipAnalysis::coefficients(Basis basis) const {
+  return coefficients_.get(
+      basis, [&] { return std::make_unique<Coefficients>(transform(motion_.clip, basis)); });
+}
+
 const BasisAnalysis& ClipAnalysis::in(Basis basis) const {
   return bases_.get(basis, [&] { return std::make_unique<BasisAnalysis>(motion_, basis); });
 }
@@ -28,10 +33,10 @@ const ErrorModel& ClipAnalysis::model(Weighting weighting) const {
 
 const ClosedLoop& ClipAnalysis::closed_loop(Basis basis, Weighting weighting) const {
   // Asked for before: one lock at a time.
-  const RankedCoefficients& transform = in(basis).ranked;
+  const Coefficients& in_basis = coefficients(basis);
   const ErrorModel& errors = model(weighting);
   return closed_loops_.get(std::pair(basis, weighting), [&] {
-    return std::make_unique<ClosedLoop>(transform, motion_.clip, errors);
+    return std::make_unique<ClosedLoop>(in_basis, motion_.clip, errors);
   });
 }
 

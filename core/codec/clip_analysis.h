@@ -34,6 +34,7 @@ class ClipAnalysis {
 
   const Motion& motion() const { return motion_; }
   const Eigen::MatrixXd& original_tracks() const { return original_tracks_; }
+  const Coefficients& coefficients(Basis basis) const;  // what a closed loop needs of a basis
   const BasisAnalysis& in(Basis basis) const;
   const ErrorModel& model(Weighting weighting) const;
   const ClosedLoop& closed_loop(Basis basis, Weighting weighting) const;
@@ -62,6 +63,7 @@ class ClipAnalysis {
   Motion motion_;
   Eigen::MatrixXd original_tracks_;  // landmark_tracks()
   std::vector<ContactSpan> contacts_;
+  OnDemand<Basis, Coefficients> coefficients_;
   OnDemand<Basis, BasisAnalysis> bases_;
   OnDemand<Weighting, ErrorModel> models_;
   OnDemand<std::pair<Basis, Weighting>, ClosedLoop> closed_loops_;

@@ -18,8 +18,7 @@ constexpr double kLeastMoved =
 
 }  // namespace
 
-ClosedLoop::ClosedLoop(const RankedCoefficients& transform, const Clip& original,
-                       const ErrorModel& model)
+ClosedLoop::ClosedLoop(const Coefficients& transform, const Clip& original, const ErrorModel& model)
     : transform_(transform),
       original_(original),
       model_(model),

@@ -29,7 +29,7 @@ struct ClosedLoopProgress {
 class ClosedLoop {
  public:
   /// All must outlive this.
-  ClosedLoop(const RankedCoefficients& transform, const Clip& original, const ErrorModel& model);
+  ClosedLoop(const Coefficients& transform, const Clip& original, const ErrorModel& model);
 
   struct Result {
     QuantisedSignals coded;
@@ -53,7 +53,7 @@ class ClosedLoop {
   /// |synthesis function|^2 weighted by a curvature, coefficients x channels.
   Eigen::MatrixXd coefficient_curvature(const Eigen::MatrixXd& curvature) const;
 
-  const RankedCoefficients& transform_;
+  const Coefficients& transform_;
   const Clip& original_;
   const ErrorModel& model_;
   Synthesis synthesis_;

@@ -24,7 +24,7 @@ class TargetedEncode {
   TargetedEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
                  const Observer<EncodeProgress>& observer)
       : analysis_(analysis),
-        basis_(analysis.in(options.basis)),
+        coefficients_(analysis.coefficients(options.basis)),
         options_(options),
         observer_(observer),
         contacts_(contacts_for(analysis, options)),
@@ -64,7 +64,7 @@ class TargetedEncode {
     const bool by_count = options_.target.kind == Target::Kind::CoefficientRatio &&
                           options_.method != Method::ClosedLoop;  // met by construction
     if (!by_count)
-      goal_.require_met(trial.excess, trial.achieved, trial.count == basis_.ranked.total());
+      goal_.require_met(trial.excess, trial.achieved, trial.count == coefficients_.total());
   }
 
   /// The closed loop at one scale, not weighed against the target.
@@ -79,6 +79,9 @@ class TargetedEncode {
   static constexpr int kCheapTrials = 24;
   static constexpr int kAnnealings = 10;
   static constexpr double kUsualCorrectionRatio = 16;  // of the paper's video
+
+  /// The order of the coefficients, which only the paper's methods ask for.
+  const BasisAnalysis& basis() const { return analysis_.in(options_.basis); }
 
   /// What errors of the motion cost: some joints more, what a correction makes good less.
   const ErrorModel& model() const {
@@ -96,7 +99,7 @@ class TargetedEncode {
   }
 
   int count_for(double coefficient_ratio) const {
-    const double total = basis_.ranked.total();
+    const double total = coefficients_.total();
     return static_cast<int>(std::lround(std::clamp(total / coefficient_ratio, 0.0, total)));
   }
 
@@ -147,7 +150,7 @@ class TargetedEncode {
 
   Trial search(Method method, int first_guess, int most_trials) {
     std::optional<Trial> best;
-    CountSearch search(basis_.ranked.total(), first_guess, goal_.window(), most_trials);
+    CountSearch search(coefficients_.total(), first_guess, goal_.window(), most_trials);
     while (!search.done() && (!best || best->complete)) {
       Trial trial = attempt(method, search.count());
       search.tried(trial.excess);
@@ -165,11 +168,11 @@ class TargetedEncode {
     trial.compressed = empty_clip();
     CompressedClip& compressed = trial.compressed;
     if (is_of_words(compressed.coding)) {
-      std::vector<std::byte> words = code_signals(basis_.ranked, basis_.scales, kept);
+      std::vector<std::byte> words = code_signals(basis().ranked, basis().scales, kept);
       if (correction_ && correcting_) append_correction(words, compressed);
       compressed.motion = pack(words, compressed.coding);
     } else {
-      finish(quantise_kept(basis_.ranked, basis_.scales, kept, 1), compressed);
+      finish(quantise_kept(basis().ranked, basis().scales, kept, 1), compressed);
     }
     weigh(trial);
     return trial;
@@ -179,7 +182,7 @@ class TargetedEncode {
   void finish(QuantisedSignals coded, CompressedClip& compressed) const {
     if (correction_ && correcting_) {
       const Clip reconstructed{compressed.sample_rate_hz,
-                               reconstruct(coded, basis_.ranked.lifting)};
+                               reconstruct(coded, coefficients_.lifting)};
       const auto lacking = correction_->select(reconstructed, correction_ratio_, options_.basis);
       append(quantise_kept(lacking.ranked, lacking.scales(), lacking.kept, coded.scale), coded);
       compressed.correction = correction_->correction();
@@ -191,7 +194,7 @@ class TargetedEncode {
     const CompressedClip& compressed = trial.compressed;
     trial.achieved =
         options_.target.kind == Target::Kind::CoefficientRatio
-            ? static_cast<double>(basis_.ranked.total()) / std::max(trial.count, 1)
+            ? static_cast<double>(coefficients_.total()) / std::max(trial.count, 1)
             : goal_.achieved(compressed.motion_bytes(), [&] { return decode(compressed); });
     trial.excess = goal_.excess(trial.achieved);
   }
@@ -207,7 +210,7 @@ class TargetedEncode {
 
   const ClosedLoop& loop() {
     if (!own_model_) return analysis_.closed_loop(options_.basis, options_.weighting);
-    if (!own_loop_) own_loop_.emplace(basis_.ranked, analysis_.motion().clip, *own_model_);
+    if (!own_loop_) own_loop_.emplace(coefficients_, analysis_.motion().clip, *own_model_);
     return *own_loop_;
   }
 
@@ -277,8 +280,8 @@ class TargetedEncode {
   }
 
   Kept choose(Method method, Trial& trial) {
-    if (method == Method::PerChannel) return keep_per_channel(basis_.ranked, trial.count);
-    const Kept standard = basis_.standard.keep(trial.count);
+    if (method == Method::PerChannel) return keep_per_channel(basis().ranked, trial.count);
+    const Kept standard = basis().standard.keep(trial.count);
     if (method == Method::Standard) return standard;
     const AnnealingReport report = best_annealing(standard);
     trial.iterations = report.iterations;
@@ -291,14 +294,14 @@ class TargetedEncode {
   AnnealingReport best_annealing(const Kept& standard) {
     constexpr int kMost = 8;
     constexpr int kSamples = 80'000;  // of all of them together
-    const int annealings = std::clamp(kSamples / std::max(basis_.ranked.total(), 1), 1, kMost);
+    const int annealings = std::clamp(kSamples / std::max(coefficients_.total(), 1), 1, kMost);
     const auto observe = [&](const AnnealingProgress& p) {
       return go_on(observer_, EncodeProgress{pass_, p.iteration, p.step, p.first_step, p.eps_cm});
     };
     AnnealingReport best;
     for (int i = 0; i < annealings && best.complete; ++i, ++pass_) {
       AnnealingReport report =
-          anneal(basis_.ranked, model(), standard,
+          anneal(basis().ranked, model(), standard,
                  {.seed = options_.seed + static_cast<std::uint64_t>(i)}, observe);
       if (i > 0 && report.eps_cm >= best.eps_cm)
         best.complete = report.complete;
@@ -309,7 +312,7 @@ class TargetedEncode {
   }
 
   const ClipAnalysis& analysis_;
-  const BasisAnalysis& basis_;
+  const Coefficients& coefficients_;
   const EncodeOptions& options_;
   const Observer<EncodeProgress>& observer_;
   std::vector<ContactSpan> contacts_;

@@ -16,15 +16,22 @@ std::span<double> span_of(Eigen::Ref<Eigen::VectorXd> column) {
 
 }  // namespace
 
+Coefficients transform(const Clip& clip, Basis basis) {
+  Coefficients coefficients{Lifting(basis, clip.frames()), clip.channels};
+  parallel_for(0, coefficients.channels(), [&](int c) {
+    const auto column = span_of(coefficients.values.col(c));
+    coefficients.lifting.forward(column, column);
+  });
+  return coefficients;
+}
+
 RankedCoefficients rank_coefficients(const Clip& clip, Basis basis) {
-  RankedCoefficients ranked{Lifting(basis, clip.frames()), clip.channels, {}, {}};
+  RankedCoefficients ranked{transform(clip, basis), {}, {}};
   const std::vector<double> norms = ranked.lifting.norms();
   const Eigen::Map<const Eigen::VectorXd> norm(norms.data(), clip.frames());
   ranked.importance.resizeLike(ranked.values);
   ranked.by_importance.resize(static_cast<std::size_t>(ranked.channels()));
   parallel_for(0, ranked.channels(), [&](int c) {
-    const auto column = span_of(ranked.values.col(c));
-    ranked.lifting.forward(column, column);
     ranked.importance.col(c) = ranked.values.col(c).cwiseAbs().cwiseProduct(norm);
     auto& order = ranked.by_importance[static_cast<std::size_t>(c)];
     order.resize(static_cast<std::size_t>(ranked.per_channel()));

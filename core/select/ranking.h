@@ -9,18 +9,25 @@
 
 namespace mocapress {
 
-/// A clip's wavelet coefficients, and for each channel their order of importance. "Largest" means
-/// |coefficient| x the L2 norm of its synthesis function, as the basis is not normalised.
-struct RankedCoefficients {
+/// A clip's wavelet coefficients.
+struct Coefficients {
   Lifting lifting;
-  Eigen::MatrixXd values;      // coefficients x channels, coarse to fine
-  Eigen::MatrixXd importance;  // |value| x norm, same shape
-  std::vector<std::vector<int>>
-      by_importance;  // for each channel: coefficient indices, largest first
+  Eigen::MatrixXd values;  // coefficients x channels, coarse to fine
 
   int channels() const { return static_cast<int>(values.cols()); }
   int per_channel() const { return static_cast<int>(values.rows()); }
   int total() const { return static_cast<int>(values.size()); }
+};
+
+/// Transforms every channel, in parallel.
+Coefficients transform(const Clip& clip, Basis basis);
+
+/// And for each channel their order of importance. "Largest" means |coefficient| x the L2 norm of
+/// its synthesis function, as the basis is not normalised.
+struct RankedCoefficients : Coefficients {
+  Eigen::MatrixXd importance;  // |value| x norm, same shape as the values
+  std::vector<std::vector<int>>
+      by_importance;  // for each channel: coefficient indices, largest first
 };
 
 /// Transforms and sorts every channel, in parallel.

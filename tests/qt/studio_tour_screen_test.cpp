@@ -405,7 +405,7 @@ TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
 
     QSlider* slider = studio->views().compression->target()->slider();
     studio.settleAfter([&] {
-      for (int position = slider->value(); position < 850; position += 25) {
+      for (int position = slider->value(); position < 600; position += 25) {
         slider->setValue(position);
         QTest::qWait(5);
       }

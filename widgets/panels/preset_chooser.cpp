@@ -49,9 +49,10 @@ void PresetChooser::fillMenu(QToolButton* button) {
   button->setText(QStringLiteral("⋯"));
   button->setAccessibleName(tr("Presets"));
   button->setToolTip(tr("Keep, share and remove presets of your own"));
-  button->setPopupMode(QToolButton::InstantPopup);
-  button->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
-  button->setMenu(menu_);
+  // Not setMenu(), whose arrow only a style sheet removes, which then keeps the theme's old colours.
+  connect(button, &QToolButton::clicked, menu_, [this, button] {
+    menu_->popup(button->mapToGlobal(QPoint(0, button->height())));
+  });
   connect(menu_->addAction(tr("Save as Preset…")), &QAction::triggered, this,
           [this] { emit saveRequested(preset_); });
   QAction* rename = menu_->addAction(tr("Rename Preset…"));
