@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/compressed_clip.h"
 
-#include <numeric>
-
 #include "core/codec/rle16.h"
 
 namespace mocapress {
@@ -27,8 +25,9 @@ std::size_t CompressedClip::correction_bytes() const {
     CompressedClip alone;
     alone.skeleton = skeleton;
     std::size_t bytes = motion.size() + correction->section_bytes();
-    for (int k = 0; k < segment_layout().count(); ++k) {
-      QuantisedSignals coded = unpack_adaptive(*this, k);
+    AdaptiveSegments coded_segments(*this);
+    for (int k = segment_layout().count(); k > 0; --k) {
+      QuantisedSignals coded = coded_segments.next();
       coded.fineness.resize(static_cast<std::size_t>(skeleton.channel_count()));
       coded.values = coded.values.leftCols(skeleton.channel_count()).eval();
       bytes -= pack_adaptive(coded, alone).size();
@@ -59,16 +58,18 @@ std::vector<SignalKin> kin_of(const CompressedClip& clip) {
 
 }  // namespace
 
-QuantisedSignals unpack_adaptive(const CompressedClip& clip, int segment) {
-  const SegmentLayout layout = clip.segment_layout();
-  std::span<const std::byte> bytes = clip.motion;
-  std::size_t offset = 0;
-  if (clip.segments) {
-    const auto& sizes = clip.segments->bytes;
-    offset = std::accumulate(sizes.begin(), sizes.begin() + segment, std::size_t{0});
-    bytes = bytes.subspan(offset, sizes[static_cast<std::size_t>(segment)]);
-  }
-  return adaptive_decode(bytes, kin_of(clip), layout.frames_of(segment), offset);
+AdaptiveSegments::AdaptiveSegments(const CompressedClip& clip) : clip_(clip), kin_(kin_of(clip)) {}
+
+QuantisedSignals AdaptiveSegments::next() {
+  const SegmentLayout layout = clip_.segment_layout();
+  const std::size_t size = clip_.segments
+                               ? clip_.segments->bytes[static_cast<std::size_t>(segment_)]
+                               : clip_.motion.size();
+  const std::span bytes = std::span(clip_.motion).subspan(first_byte_, size);
+  QuantisedSignals coded = adaptive_decode(bytes, kin_, layout.frames_of(segment_), first_byte_);
+  first_byte_ += size;
+  ++segment_;
+  return coded;
 }
 
 std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const CompressedClip& clip) {

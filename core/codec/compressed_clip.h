@@ -89,9 +89,24 @@ struct CompressedClip {
 /// not valid.
 std::vector<std::byte> unpack_motion(const CompressedClip& clip);
 
-/// The same of a segment of Coding::Adaptive: the motion's coefficients, then the correction's; and
-/// what they are coded as.
-QuantisedSignals unpack_adaptive(const CompressedClip& clip, int segment = 0);
+/// The same of the segments of Coding::Adaptive, one after the other. Offsets of a FormatError
+/// count from the motion's first byte.
+class AdaptiveSegments {
+ public:
+  /// The clip must outlive this.
+  explicit AdaptiveSegments(const CompressedClip& clip);
+
+  /// The next segment's: the motion's coefficients, then the correction's.
+  QuantisedSignals next();
+
+ private:
+  const CompressedClip& clip_;
+  std::vector<SignalKin> kin_;
+  int segment_ = 0;
+  std::size_t first_byte_ = 0;
+};
+
+/// The coefficients of a segment, or of a clip that is not in segments, coded.
 std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const CompressedClip& clip);
 
 }  // namespace mocapress

@@ -235,6 +235,16 @@ class SectionReader {
   int left_;
 };
 
+/// What is decoded, and the time that takes, grows with the file: FORMAT.md, CLIP.
+bool has_room(const CompressedClip& clip) {
+  const int signals =
+      clip.skeleton.channel_count() + (clip.correction ? clip.correction->signal_count() : 0);
+  const auto samples = static_cast<std::uint64_t>(clip.segment_layout().coded_frames()) *
+                       static_cast<std::uint64_t>(std::max(signals, 1));
+  return samples <=
+         kMostWithoutBytes + kMostSamplesOfByte * static_cast<std::uint64_t>(clip.motion.size());
+}
+
 }  // namespace
 
 std::vector<std::byte> write_container(const CompressedClip& clip) {
@@ -243,6 +253,7 @@ std::vector<std::byte> write_container(const CompressedClip& clip) {
 
 std::vector<std::byte> write_container(const Container& container) {
   const CompressedClip& clip = container.clip;
+  if (!has_room(clip)) throw Error("a clip of so many frames that hardly moves has no file");
   ByteWriter file;
   file.append(bytes_of(kMagic));
   file.write(kVersion);
@@ -259,16 +270,6 @@ std::vector<std::byte> write_container(const Container& container) {
 }
 
 namespace {
-
-/// What is decoded, and the time that takes, grows with the file: FORMAT.md, CLIP.
-void require_room(const CompressedClip& clip, std::size_t offset) {
-  const auto signals = static_cast<std::uint64_t>(
-      clip.skeleton.channel_count() + (clip.correction ? clip.correction->signal_count() : 0));
-  const std::uint64_t most =
-      kMostWithoutBytes + kMostSamplesOfByte * static_cast<std::uint64_t>(clip.motion.size());
-  if (static_cast<std::uint64_t>(clip.frames) * signals > most)
-    throw FormatError(offset, "more samples than so few bytes may stand for");
-}
 
 Container read(std::span<const std::byte> bytes, bool wavelets_only) {
   ByteReader file(bytes);
@@ -306,7 +307,8 @@ Container read(std::span<const std::byte> bytes, bool wavelets_only) {
     clip.correction =
         read_correction(correction->payload, correction->payload_offset, clip.skeleton);
   file.expect_end();
-  require_room(clip, motion.payload_offset);
+  if (!has_room(clip))
+    throw FormatError(motion.payload_offset, "more samples than so few bytes may stand for");
   return container;
 }
 

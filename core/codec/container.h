@@ -9,6 +9,8 @@
 
 namespace mocapress {
 
+/// Throws Error for more samples than the bytes may stand for, as a clip has that stands still for
+/// a quarter of an hour.
 std::vector<std::byte> write_container(const CompressedClip& clip);
 
 /// Throws FormatError on anything but a whole, intact file of a known version, whose motion is

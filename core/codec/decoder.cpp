@@ -31,27 +31,23 @@ std::vector<float> wide_limits(const CompressedClip& clip) {
   return limits;
 }
 
-}  // namespace
-
-namespace {
-
 /// frames x signals of a segment.
-Eigen::MatrixXd decode_segment(const CompressedClip& compressed, int segment,
+Eigen::MatrixXd decode_segment(const QuantisedSignals& coded, Basis basis,
                                const std::vector<float>& limits) {
-  const QuantisedSignals coded = unpack_adaptive(compressed, segment);
   std::vector<float> steps;
   for (int s = 0; s < coded.signal_count(); ++s) steps.push_back(static_cast<float>(coded.step(s)));
-  return decode_signals(coded.values, steps, compressed.basis, limits);
+  return decode_signals(coded.values, steps, basis, limits);
 }
 
 /// frames x signals of all segments.
 Eigen::MatrixXd decode_adaptive(const CompressedClip& compressed) {
   const std::vector<float> limits = wide_limits(compressed);
   const SegmentLayout layout = compressed.segment_layout();
-  if (layout.count() == 1) return decode_segment(compressed, 0, limits);
+  AdaptiveSegments segments(compressed);
+  const auto next = [&] { return decode_segment(segments.next(), compressed.basis, limits); };
+  if (layout.count() == 1) return next();
   Eigen::MatrixXd samples(compressed.frames, std::ssize(limits));
-  for (int k = 0; k < layout.count(); ++k)
-    lay_over(decode_segment(compressed, k, limits), layout, k, samples);
+  for (int k = 0; k < layout.count(); ++k) lay_over(next(), layout, k, samples);
   return samples;
 }
 

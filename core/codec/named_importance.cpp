@@ -72,7 +72,11 @@ NamedImportance named(const Importance& importance, const Skeleton& skeleton) {
   for (const BodyPart part : kBodyParts) {
     const std::vector<int> joints = joints_of(skeleton, part);
     if (joints.empty()) continue;
-    const double factor = usual_factor(importance.joints, joints);
+    // A joint of the part's own name can be spoken of by that alone.
+    const int namesake = skeleton.find(std::string(name(part)));
+    const bool has_namesake = std::find(joints.begin(), joints.end(), namesake) != joints.end();
+    const double factor = has_namesake ? importance.joints[static_cast<std::size_t>(namesake)]
+                                       : usual_factor(importance.joints, joints);
     if (factor == 1) continue;
     named.set(std::string(name(part)), factor);
     for (const int joint : joints) covered[static_cast<std::size_t>(joint)] = factor;

@@ -33,7 +33,8 @@ std::vector<int> joints_named(const Skeleton& skeleton, const std::string& name)
 /// For one skeleton. Body parts that it lacks are left out; throws Error for a joint it lacks.
 Importance importance_for(const NamedImportance& named, const Skeleton& skeleton);
 
-/// The reverse: a part by the factor most of its joints have, the others by their own.
+/// The reverse: a part by the factor most of its joints have, or that of its joint of the same
+/// name; the others by their own.
 NamedImportance named(const Importance& importance, const Skeleton& skeleton);
 
 }  // namespace mocapress

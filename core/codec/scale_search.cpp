@@ -72,17 +72,15 @@ ClosedLoopWork work_of(Effort effort) {
   }
 }
 
-/// About the scale at which `work` meets the target, by a rough trial. How much more error and
-/// bytes that has than work would leave differs little from clip to clip (measured on
-/// corpus/train).
-double scale_after_rough_trial(double guess, const Target& target, const ClosedLoopWork& work,
-                               const AttemptScale& attempt) {
+/// How much coarser the scale is at which `work` meets the target, by a rough trial's excess. How
+/// much more error and bytes that has than work would leave differs little from clip to clip
+/// (measured on corpus/train).
+double scale_after_rough_trial(double excess, const Target& target, const ClosedLoopWork& work) {
   const bool by_error = is_by_error(target);
   const bool swept = work.sweeps > 0;
   const double more = by_error ? (swept ? -0.52 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
   const double power = by_error ? 1.35 : 1.7;  // with which the scale follows the target
-  const Trial rough = attempt(guess, {.compensate = false, .sweeps = 0}, {});
-  return guess * std::exp(power * std::clamp(rough.excess - more, -3.0, 3.0));
+  return std::exp(power * std::clamp(excess - more, -3.0, 3.0));
 }
 
 /// Tries scales until the target is met. The scale is sought as a count that grows as it gets
@@ -123,14 +121,20 @@ void close_in(const Goal& goal, const ClosedLoopWork& work, const AttemptScale& 
   constexpr double kNear = 0.02;
   constexpr double kPower = 1.3;  // with which the scale follows the error
   constexpr std::array kShares = {1.0, 0.7, 1.3, 0.85, 0.5, 1.15, 0.6, 0.3};  // of the way there
-  for (std::size_t i = 0; i < 2 * kShares.size() && best.excess > kNear; ++i) {
+  std::size_t in_vain = 0;  // in a row; as many as there are shares would only be repeated
+  for (std::size_t i = 0; i < 2 * kShares.size() && in_vain < kShares.size() && best.excess > kNear;
+       ++i) {
     const double way = kPower * best.excess * kShares[i % kShares.size()];
     Trial trial = attempt(best.scale * std::exp(way), work, weights);
     best.complete = trial.complete;
     if (!trial.complete) return;
     if (goal.met(trial.excess) && trial.excess < best.excess &&
-        trial.compressed.motion_bytes() <= best.compressed.motion_bytes())
+        trial.compressed.motion_bytes() <= best.compressed.motion_bytes()) {
       best = std::move(trial);
+      in_vain = 0;
+    } else {
+      ++in_vain;
+    }
   }
 }
 
@@ -139,7 +143,9 @@ void close_in(const Goal& goal, const ClosedLoopWork& work, const AttemptScale& 
 Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
                    const AttemptScale& attempt) {
   const ClosedLoopWork work = work_of(effort);
-  const double first_scale = scale_after_rough_trial(guess.likely, target, work, attempt);
+  Trial rough = attempt(guess.likely, {.compensate = false, .sweeps = 0}, {});
+  if (!rough.complete) return rough;
+  const double first_scale = guess.likely * scale_after_rough_trial(rough.excess, target, work);
   if (effort == Effort::Draft) return attempt(first_scale, work, {});
   ScaleSearch trials(goal, target, attempt);
   seek(guess, goal, first_scale, work_of(Effort::Default), trials);

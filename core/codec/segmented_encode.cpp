@@ -52,11 +52,28 @@ class SegmentedEncode {
   }
 
  private:
-  /// The segment in the middle stands for all.
+  /// The segment where feet stand most stands for all.
   double find_split() const {
-    const int segment = layout_.count() / 2;
+    const int segment = most_contacts();
     const ClipAnalysis analysis(motion_of(segment));
     return find_correction_split(analysis, options_for(segment));
+  }
+
+  int most_contacts() const {
+    int most = 0;
+    int found = layout_.count() / 2;
+    for (int k = 0; k < layout_.count(); ++k) {
+      int frames = 0;
+      for (const ContactSpan& span : contacts_of(k)) frames += span.frames();
+      if (frames <= most) continue;
+      most = frames;
+      found = k;
+    }
+    return found;
+  }
+
+  std::vector<ContactSpan> contacts_of(int segment) const {
+    return frames_of(contacts_, layout_.first(segment), layout_.frames_of(segment));
   }
 
   Motion motion_of(int segment) const {
@@ -66,7 +83,7 @@ class SegmentedEncode {
   EncodeOptions options_for(int segment) const {
     EncodeOptions options = options_;
     options.target.value *= share_of_size_;
-    options.contacts = frames_of(contacts_, layout_.first(segment), layout_.frames_of(segment));
+    options.contacts = contacts_of(segment);
     return options;
   }
 
@@ -82,6 +99,9 @@ class SegmentedEncode {
     for (int k = 0; k < layout_.count(); ++k) {
       const ClosedLoopWork cancelled{.compensate = false, .sweeps = 0};
       add_segment(k, scale, trial.complete ? work : cancelled, frame_weights, trial);
+      // Without sweeps nobody was asked yet.
+      if (work.sweeps == 0 && trial.complete)
+        trial.complete = go_on(observer_, EncodeProgress{.pass = pass_, .iteration = k + 1});
     }
     ++pass_;
     trial.eps_cm = std::sqrt(trial.eps_cm / static_cast<double>(layout_.coded_frames()));

@@ -189,7 +189,8 @@ class SectionsReader {
 
   /// What is decoded, and the time that takes, grows with the file: FORMAT.md, CLIP.
   mcpr_result check_room() const {
-    const std::uint64_t samples = std::uint64_t{sections_.frames} * sections_.signal_count();
+    const auto samples = static_cast<std::uint64_t>(sections_.segments.coded_frames()) *
+                         std::max(sections_.signal_count(), 1U);
     if (samples > (std::uint64_t{1} << 22) + (std::uint64_t{sections_.motion.size} << 15))
       return failure(MCPR_INVALID, sections_.motion.offset,
                      "more samples than so few bytes may stand for");

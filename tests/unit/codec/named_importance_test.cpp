@@ -37,6 +37,20 @@ TEST(NamedImportance, AJointsOwnGoesBeforeItsParts) {
   EXPECT_EQ(importance.joints.at(static_cast<std::size_t>(feet[1])), 4);
 }
 
+TEST(NamedImportance, AJointWithTheNameOfItsPartKeepsItsFactor) {
+  const int head = skeleton().find("head");
+  const std::vector<int> part = joints_of(skeleton(), BodyPart::Head);
+  ASSERT_GE(head, 0);
+  ASSERT_GT(part.size(), 2u);
+  for (const double others : {1.0, 2.0}) {
+    Importance importance{
+        .joints = std::vector<double>(static_cast<std::size_t>(skeleton().joint_count()), 1.0)};
+    for (const int joint : part) importance.joints[static_cast<std::size_t>(joint)] = others;
+    importance.joints[static_cast<std::size_t>(head)] = 5;
+    EXPECT_EQ(importance_for(named(importance, skeleton()), skeleton()).joints, importance.joints);
+  }
+}
+
 TEST(NamedImportance, OfOneAlikeIsNone) {
   EXPECT_TRUE(importance_for({{{"feet", 1}, {"root", 1}}}, skeleton()).is_even());
 }

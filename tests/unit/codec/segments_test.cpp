@@ -202,22 +202,36 @@ TEST(Segments, WordsHaveNone) {
   EXPECT_THROW(read_container(write_container(words)), FormatError);
 }
 
-TEST(Segments, AMillionOfThemAreRefusedBeforeTheyAreDecoded) {
-  // 2^26 frames of nothing that moves: 2^19 segments of half overlap in a file of megabytes.
+/// Very many segments: frames of nothing that moves.
+CompressedClip segments_of_nothing(int frames, std::uint32_t bytes_of_each) {
   Motion still;
   still.skeleton.add({.name = "stone"});
   still.clip.channels.resize(600, 0);
   CompressedClip bomb = test::segmented_clip(still, {600, 256, 128});
-  bomb.frames = 1 << 26;
-  bomb.segments->bytes.assign(
-      static_cast<std::size_t>(SegmentLayout{bomb.frames, 256, 128}.count()), 0);
-  bomb.segments->bytes[0] = static_cast<std::uint32_t>(bomb.motion.size());
-  const File bytes = write_container(bomb);
-  EXPECT_EQ(test::OpenedClip(bytes).result.status, MCPR_LIMIT);
-  mcpr_limits limits = mcpr_default_limits();
-  limits.frames = 1U << 26;
-  EXPECT_EQ(test::OpenedClip(bytes, &limits).result.status, MCPR_INVALID);  // segments of no bytes
+  const auto first = static_cast<std::ptrdiff_t>(bomb.segments->bytes[0]);
+  const std::vector<std::byte> one(bomb.motion.begin(), bomb.motion.begin() + first);
+  bomb.frames = frames;
+  const auto count = static_cast<std::size_t>(SegmentLayout{bomb.frames, 256, 128}.count());
+  bomb.segments->bytes.assign(count, bytes_of_each);
+  bomb.segments->bytes[0] = static_cast<std::uint32_t>(one.size());
+  bomb.motion = one;
+  for (std::size_t k = 1; k < count; ++k)
+    bomb.motion.insert(bomb.motion.end(), one.begin(), one.begin() + bytes_of_each);
+  return bomb;
+}
+
+TEST(Segments, OfNoBytesAreRefused) {
+  const File bytes = write_container(segments_of_nothing(1 << 20, 0));
+  EXPECT_EQ(test::OpenedClip(bytes).result.status, MCPR_INVALID);
   EXPECT_THROW(decode(read_container(bytes)), FormatError);
+}
+
+TEST(Segments, ThirtyThousandOfThemAreBeyondTheUsualLimitsAndDecodeInTime) {
+  constexpr int kFrames = (1 << 22) + 1000;
+  const File bytes = write_container(segments_of_nothing(kFrames, 2));
+  EXPECT_EQ(test::OpenedClip(bytes).result.status, MCPR_LIMIT);
+  // What concerns all of them is done but once.
+  EXPECT_EQ(decode(read_container(bytes)).frames(), kFrames);
 }
 
 }  // namespace

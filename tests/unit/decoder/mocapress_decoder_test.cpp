@@ -146,7 +146,7 @@ TEST(Decoder, FloatsAreWithinATenthOfAHundredthOfAMillimetre) {
   const CompressedClip compressed = read_container(corrected_file());
   const Clip precise{
       compressed.sample_rate_hz,
-      reconstruct(unpack_adaptive(compressed), Lifting(compressed.basis, compressed.frames))
+      reconstruct(AdaptiveSegments(compressed).next(), Lifting(compressed.basis, compressed.frames))
           .leftCols(compressed.skeleton.channel_count())};
   const Eigen::MatrixXf positions = all_frames({.output = MCPR_POSITIONS});
   const Eigen::MatrixXd expected =
