@@ -36,6 +36,11 @@ void JobRunner::abandon() {
   setBusy(false);
 }
 
+void JobRunner::finish() {
+  std::unique_lock lock(mutex_);
+  idle_.wait(lock, [this] { return !waiting_ && !running_; });
+}
+
 void JobRunner::launch(Work work, Failed failed) {
   stop_.request_stop();
   stop_ = std::stop_source();
@@ -58,6 +63,7 @@ void JobRunner::serve(const std::stop_token& quit) {
     if (!wake_.wait(lock, quit, [this] { return waiting_.has_value(); })) return;
     const Waiting next = std::move(*waiting_);
     waiting_.reset();
+    running_ = true;
     lock.unlock();
 
     Delivery delivery;
@@ -75,6 +81,9 @@ void JobRunner::serve(const std::stop_token& quit) {
       setBusy(false);
       delivery();
     });
+    lock.lock();
+    running_ = false;
+    idle_.notify_all();
   }
 }
 

@@ -64,6 +64,10 @@ class JobRunner : public QObject {
   /// Asks the running job to stop and makes it void.
   void abandon();
 
+  /// Waits until the last job that was started has run: for what must not be lost, when the program
+  /// ends.
+  void finish();
+
   bool busy() const { return busy_; }
 
  signals:
@@ -92,9 +96,11 @@ class JobRunner : public QObject {
   bool busy_ = false;
   std::stop_source stop_;  // of the newest job
 
-  std::mutex mutex_;  // guards waiting_ and posted_
+  std::mutex mutex_;  // guards waiting_, running_ and posted_
   std::condition_variable_any wake_;
+  std::condition_variable idle_;
   std::optional<Waiting> waiting_;
+  bool running_ = false;
   // Qt's events only say that there is something here: a thread sanitizer does not see into Qt.
   std::deque<std::pair<std::uint64_t, Delivery>> posted_;
   std::jthread thread_;  // last: it uses all of the above

@@ -102,6 +102,7 @@ bool Library::begin(const QString& path) {
 void Library::end() {
   write_later_.stop();
   write();
+  writing_.finish();
   lock_.reset();
 }
 

@@ -96,6 +96,16 @@ TEST(JobRunner, DeliversNothingOfAnAbandonedJob) {
   EXPECT_FALSE(delivered);
 }
 
+TEST(JobRunner, FinishedTheLastJobHasRunThoughItHadNotBegun) {
+  for (int i = 0; i < 50; ++i) {
+    std::atomic<bool> ran = false;
+    JobRunner runner;
+    runner.start([&](const Job&) { return ran.store(true), 0; }, [](int) {}, kNoFailure);
+    runner.finish();
+    EXPECT_TRUE(ran);
+  }
+}
+
 TEST(JobRunner, ANewerJobStopsTheOlderAndMakesItVoid) {
   JobRunner runner;
   std::vector<int> results;
