@@ -148,6 +148,7 @@ class ClosedLoopRun {
   /// Visits every channel, from the root to the leaves, with its gradient.
   template <typename Visit>
   void pass(const Visit& visit) {
+    if (errors_.rows() == 0) return;  // no frames, no errors
     ErrorSweep sweep(loop_.model_, errors_);
     under_way_ = &sweep;
     for (int j = 0; j < channels(); ++j) {

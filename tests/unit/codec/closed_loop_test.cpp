@@ -5,6 +5,8 @@
 #include <tbb/global_control.h>
 
 #include "core/codec/clip_analysis.h"
+#include "core/codec/container.h"
+#include "core/codec/decoder.h"
 #include "core/codec/encoder.h"
 #include "core/metrics/distortion.h"
 #include "core/metrics/rate.h"
@@ -122,6 +124,14 @@ TEST(ClosedLoop, KeepsTheCoefficientRatioOfThePaperToo) {
   const Encoding encoding = encoder.encode(
       {.method = Method::ClosedLoop, .target = {Target::Kind::CoefficientRatio, 20}});
   EXPECT_NEAR(encoding.coefficient_ratio / 20, 1, 0.02);
+}
+
+TEST(ClosedLoop, AClipWithoutFramesIsEncodedToo) {
+  Motion nothing = test::smooth_motion(2);
+  nothing.clip.channels.resize(0, nothing.clip.channels.cols());
+  const Encoding encoding = Encoder(nothing).encode(
+      {.method = Method::ClosedLoop, .target = {Target::Kind::CoefficientRatio, 4}});
+  EXPECT_EQ(decode(read_container(write_container(encoding.compressed))).frames(), 0);
 }
 
 }  // namespace
