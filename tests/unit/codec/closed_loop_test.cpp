@@ -129,8 +129,8 @@ TEST(ClosedLoop, KeepsTheCoefficientRatioOfThePaperToo) {
 TEST(ClosedLoop, AClipWithoutFramesIsEncodedToo) {
   Motion nothing = test::smooth_motion(2);
   nothing.clip.channels.resize(0, nothing.clip.channels.cols());
-  const Encoding encoding = Encoder(nothing).encode(
-      {.method = Method::ClosedLoop, .target = {Target::Kind::CoefficientRatio, 4}});
+  const Encoding encoding =
+      Encoder(nothing).encode({.method = Method::ClosedLoop, .target = {Target::Kind::Error, 0.5}});
   EXPECT_EQ(decode(read_container(write_container(encoding.compressed))).frames(), 0);
 }
 
