@@ -113,12 +113,18 @@ std::vector<int> feet_by_topology(const Skeleton& skeleton) {
   return feet;
 }
 
-}  // namespace
-
-Effector effector_at(const Skeleton& skeleton, int joint) {
+/// Without a chain where nothing above the joint turns.
+Effector with_limb_above(const Skeleton& skeleton, int joint) {
   Effector effector{joint, limb_above(skeleton, joint)};
   std::erase_if(effector.chain, [&](int j) { return !turns(skeleton.joint(j)); });
   std::reverse(effector.chain.begin(), effector.chain.end());
+  return effector;
+}
+
+}  // namespace
+
+Effector effector_at(const Skeleton& skeleton, int joint) {
+  Effector effector = with_limb_above(skeleton, joint);
   if (effector.chain.empty())
     throw Error("no joint above " + skeleton.joint(joint).name + " can turn to move it");
   return effector;
@@ -139,7 +145,10 @@ std::vector<Effector> find_feet(const Skeleton& skeleton) {
   std::vector<int> feet = feet_by_name(skeleton);
   if (feet.empty()) feet = feet_by_topology(skeleton);
   std::vector<Effector> effectors;
-  for (const int foot : feet) effectors.push_back(effector_at(skeleton, foot));
+  for (const int foot : feet) {
+    Effector effector = with_limb_above(skeleton, foot);
+    if (!effector.chain.empty()) effectors.push_back(std::move(effector));
+  }
   return effectors;
 }
 

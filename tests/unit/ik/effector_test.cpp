@@ -100,6 +100,13 @@ TEST(FindFeet, OfSomethingWithoutLegsIsEmpty) {
   EXPECT_TRUE(find_feet(skeleton_of({{"base", -1, {0, 0, 0}}, {"lid", 0, {0, 10, 0}}})).empty());
 }
 
+TEST(FindFeet, LeavesOutAFootThatNothingTurns) {
+  Skeleton skeleton;
+  skeleton.add({.name = "Hips", .parent = -1, .channels = {ChannelKind::TranslationX}});
+  skeleton.add({.name = "LeftFoot", .parent = 0, .offset = Eigen::Vector3d(0, -80, 0)});
+  EXPECT_TRUE(find_feet(skeleton).empty());
+}
+
 TEST(EffectorAt, StopsWhereTheLimbLeavesTheTrunk) {
   const Skeleton skeleton =
       person({"LeftUpLeg", "LeftLeg", "LeftFoot", "LeftToe"}, "Left", "Right");
