@@ -89,14 +89,14 @@
     </message>
     <message>
         <source>&amp;Hold Feet</source>
-        <translation>&amp;Tenir les pieds</translation>
+        <translation>Tenir &amp;les pieds</translation>
     </message>
     <message>
         <source>Compress with or without inverse kinematics (I)</source>
         <translation>Compresser avec ou sans cinématique inverse (I)</translation>
     </message>
     <message>
-        <source>Without &amp;IK</source>
+        <source>Without I&amp;K</source>
         <translation>Sans &amp;IK</translation>
     </message>
     <message>
@@ -104,8 +104,8 @@
         <translation>Voir la figure compressée avant que ses pieds soient tenus (B)</translation>
     </message>
     <message>
-        <source>Reset &amp;Layout</source>
-        <translation>Rétablir la &amp;disposition</translation>
+        <source>Reset La&amp;yout</source>
+        <translation>Rétablir la disp&amp;osition</translation>
     </message>
     <message>
         <source>&amp;Study…</source>
@@ -160,8 +160,8 @@
         <translation>&amp;Affichage</translation>
     </message>
     <message>
-        <source>&amp;Theme</source>
-        <translation>&amp;Thème</translation>
+        <source>The&amp;me</source>
+        <translation>Thè&amp;me</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
@@ -453,6 +453,10 @@
     <message>
         <source>Wrote %1: submit it with sbatch.</source>
         <translation>%1 écrit : soumettez-le avec sbatch.</translation>
+    </message>
+    <message>
+        <source>Clips can be added when the batch has ended.</source>
+        <translation>Des séquences peuvent être ajoutées quand le lot est terminé.</translation>
     </message>
 </context>
 <context>
@@ -766,7 +770,7 @@
     </message>
     <message>
         <source>The closed loop rounds every coefficient by what it does to the error in the world, and is much the smallest. The others are the paper&apos;s, which choose coefficients to keep: annealed moves them to the channels where they lower the error most, standard keeps the largest of all, per channel keeps as many of each.</source>
-        <translation>La boucle fermée arrondit chaque coefficient selon son effet sur l&apos;erreur dans le monde, et est de loin la plus petite. Les autres sont celles de l&apos;article, qui choisissent les coefficients à garder : le recuit les déplace vers les canaux où ils réduisent le plus l&apos;erreur, standard garde les plus grands de tous, par canal en garde autant de chacun.</translation>
+        <translation>La boucle fermée arrondit chaque coefficient selon son effet sur l&apos;erreur dans le monde, et donne de loin les plus petits fichiers. Les autres sont celles de l&apos;article, qui choisissent les coefficients à garder : le recuit les déplace vers les canaux où ils réduisent le plus l&apos;erreur, standard garde les plus grands de tous, par canal en garde autant de chacun.</translation>
     </message>
     <message>
         <source>Best looks longer for something smaller: a few per cent, for five times the time.</source>
@@ -1430,8 +1434,8 @@
         <translation>Ajouter des mouvements au projet. Chacun garde ses réglages.</translation>
     </message>
     <message>
-        <source>Take the clip out of the project; its file stays.</source>
-        <translation>Retirer la séquence du projet ; son fichier reste.</translation>
+        <source>Take the chosen clips out of the project; their files stay.</source>
+        <translation>Retirer du projet les séquences choisies ; leurs fichiers restent.</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -1467,11 +1471,11 @@
     </message>
     <message>
         <source>Export Selected, Each by Its Own Settings…</source>
-        <translation>Exporter la sélection, chacune avec ses réglages…</translation>
+        <translation>Exporter les séquences choisies, chacune avec ses réglages…</translation>
     </message>
     <message>
         <source>Export All, Each by Its Own Settings…</source>
-        <translation>Tout exporter, chacune avec ses réglages…</translation>
+        <translation>Exporter toutes les séquences, chacune avec ses réglages…</translation>
     </message>
     <message>
         <source>Add</source>
@@ -1838,6 +1842,10 @@
     <message>
         <source>Presets could not be kept: %1</source>
         <translation>Les préréglages n&apos;ont pu être gardés : %1</translation>
+    </message>
+    <message>
+        <source>The presets kept before could not be read; their file is %1 now.</source>
+        <translation>Les préréglages gardés jusqu&apos;ici sont illisibles ; leur fichier est maintenant %1.</translation>
     </message>
 </context>
 <context>
@@ -2840,7 +2848,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Une seule image avec un volet à faire glisser, même pendant la lecture</translation>
     </message>
     <message>
-        <source>S&amp;wap</source>
+        <source>Sw&amp;ap</source>
         <translation>&amp;Échanger</translation>
     </message>
     <message>
@@ -2873,14 +2881,14 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>&amp;Follow</source>
-        <translation>&amp;Suivre</translation>
+        <translation>S&amp;uivre</translation>
     </message>
     <message>
         <source>The camera moves with the figure</source>
         <translation>La caméra suit la figure</translation>
     </message>
     <message>
-        <source>&amp;In Place</source>
+        <source>I&amp;n Place</source>
         <translation>Sur &amp;place</translation>
     </message>
     <message>
@@ -2889,7 +2897,7 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>F&amp;loor View</source>
-        <translation>Vue de d&amp;essus</translation>
+        <translation>Vue de &amp;dessus</translation>
     </message>
     <message>
         <source>Look straight down, as on a plan</source>
@@ -2905,7 +2913,7 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>Ghost &amp;Trail</source>
-        <translation>&amp;Traînée fantôme</translation>
+        <translation>Traînée &amp;fantôme</translation>
     </message>
     <message>
         <source>Where the compressed figure was (blue) and will be (orange), faded</source>
@@ -2920,7 +2928,7 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>Poses of the Tra&amp;il</source>
-        <translation>Poses de la tra&amp;înée</translation>
+        <translation>Poses de la traî&amp;née</translation>
     </message>
 </context>
 <context>
@@ -2982,7 +2990,7 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>%1, %L2 missed</source>
-        <translation>%1, %L2 hors cible</translation>
+        <translation>%1, %L2 cible manquée</translation>
     </message>
 </context>
 <context>
@@ -3080,6 +3088,10 @@ Cliquer pour le charger dans le studio.</translation>
     <message>
         <source>%L1 cm</source>
         <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 </TS>

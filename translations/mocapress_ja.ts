@@ -96,16 +96,16 @@
         <translation>逆運動学の有無を切り替えて圧縮 (I)</translation>
     </message>
     <message>
-        <source>Without &amp;IK</source>
-        <translation>IKなし(&amp;I)</translation>
+        <source>Without I&amp;K</source>
+        <translation>IKなし(&amp;K)</translation>
     </message>
     <message>
         <source>See the compressed figure before its feet are held (B)</source>
         <translation>足を固定する前の圧縮後の人形を見る (B)</translation>
     </message>
     <message>
-        <source>Reset &amp;Layout</source>
-        <translation>配置をリセット(&amp;L)</translation>
+        <source>Reset La&amp;yout</source>
+        <translation>配置をリセット(&amp;Y)</translation>
     </message>
     <message>
         <source>&amp;Study…</source>
@@ -160,8 +160,8 @@
         <translation>表示(&amp;V)</translation>
     </message>
     <message>
-        <source>&amp;Theme</source>
-        <translation>テーマ(&amp;T)</translation>
+        <source>The&amp;me</source>
+        <translation>テーマ(&amp;M)</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
@@ -220,7 +220,7 @@
     </message>
     <message>
         <source>The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed loop sweeps over all of them, until nothing helps. Most targets take several passes.</source>
-        <translation>下書きを仕上げます。焼きなましは一度に動かす係数を減らしながら、閉ループは全係数を繰り返し見直しながら、改善がなくなるまで続けます。ほとんどの目標には数回のパスが必要です。</translation>
+        <translation>下書きを仕上げます。焼きなましは一度に動かす係数を減らしながら、閉ループは全係数を繰り返し見直しながら、改善がなくなるまで続けます。ほとんどの目標には数回の走査が必要です。</translation>
     </message>
     <message>
         <source>Stop refining. The best so far is kept where it beats the draft.</source>
@@ -453,6 +453,10 @@
     <message>
         <source>Wrote %1: submit it with sbatch.</source>
         <translation>%1 を書き出しました: sbatch で投入してください。</translation>
+    </message>
+    <message>
+        <source>Clips can be added when the batch has ended.</source>
+        <translation>クリップの追加は、一括処理が終わってからできます。</translation>
     </message>
 </context>
 <context>
@@ -1421,8 +1425,8 @@
         <translation>モーションをプロジェクトに追加。設定はそれぞれに保たれます。</translation>
     </message>
     <message>
-        <source>Take the clip out of the project; its file stays.</source>
-        <translation>クリップをプロジェクトから除きます。ファイルは残ります。</translation>
+        <source>Take the chosen clips out of the project; their files stay.</source>
+        <translation>選んだクリップをプロジェクトから除きます。ファイルは残ります。</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -1828,6 +1832,10 @@
     <message>
         <source>Presets could not be kept: %1</source>
         <translation>プリセットを保存できませんでした: %1</translation>
+    </message>
+    <message>
+        <source>The presets kept before could not be read; their file is %1 now.</source>
+        <translation>これまでのプリセットは読めませんでした。そのファイルは%1になりました。</translation>
     </message>
 </context>
 <context>
@@ -2823,8 +2831,8 @@ Click to load it into the studio.</source>
         <translation>境界線を動かせる1枚の絵、再生中も</translation>
     </message>
     <message>
-        <source>S&amp;wap</source>
-        <translation>入れ替え(&amp;W)</translation>
+        <source>Sw&amp;ap</source>
+        <translation>入れ替え(&amp;A)</translation>
     </message>
     <message>
         <source>Exchange the places of original and compressed figure</source>
@@ -2863,8 +2871,8 @@ Click to load it into the studio.</source>
         <translation>カメラが人形とともに動く</translation>
     </message>
     <message>
-        <source>&amp;In Place</source>
-        <translation>その場(&amp;I)</translation>
+        <source>I&amp;n Place</source>
+        <translation>その場(&amp;N)</translation>
     </message>
     <message>
         <source>Play without the root&apos;s way over the ground</source>
@@ -3060,6 +3068,10 @@ Click to load it into the studio.</source>
     <message>
         <source>%L1 cm</source>
         <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
     </message>
 </context>
 </TS>

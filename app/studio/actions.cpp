@@ -97,11 +97,11 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.hold_feet = make(window, Texts::tr("&Hold Feet"), Qt::Key_I);
   actions.hold_feet->setToolTip(Texts::tr("Compress with or without inverse kinematics (I)"));
   actions.without_ik =
-      make(window, Texts::tr("Without &IK"), Qt::Key_B, QStringLiteral("without-ik"));
+      make(window, Texts::tr("Without I&K"), Qt::Key_B, QStringLiteral("without-ik"));
   actions.without_ik->setCheckable(true);
   actions.without_ik->setToolTip(
       Texts::tr("See the compressed figure before its feet are held (B)"));
-  actions.reset_layout = make(window, Texts::tr("Reset &Layout"));
+  actions.reset_layout = make(window, Texts::tr("Reset La&yout"));
   actions.study = make(window, Texts::tr("&Study…"), Qt::CTRL | Qt::Key_T);
   actions.study->setToolTip(Texts::tr("Compare methods on many clips: size against error"));
   actions.guide = make(window, Texts::tr("&Guide"), QKeySequence::HelpContents);
@@ -160,7 +160,7 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
   for (const QDockWidget* dock : docks) view->addAction(dock->toggleViewAction());
   view->addSeparator();
   view->addAction(actions.reset_layout);
-  view->addMenu(Texts::tr("&Theme"))->addActions(actions.themes->actions());
+  view->addMenu(Texts::tr("The&me"))->addActions(actions.themes->actions());
   view->addMenu(Texts::tr("Lan&guage"))->addActions(actions.languages->actions());
 
   window->menuBar()->addMenu(Texts::tr("&Tools"))->addAction(actions.study);

@@ -31,10 +31,10 @@ bool namesJoints(const EncodeOptions& options) {
 }
 
 /// Throws Error.
-Skeleton skeletonOf(const TunedClip& clip) {
+Motion motionOf(const TunedClip& clip) {
   std::optional<std::filesystem::path> skeleton;
   if (!clip.skeleton.isEmpty()) skeleton = pathOf(clip.skeleton);
-  return read_motion(pathOf(clip.path), skeleton).motion.skeleton;
+  return read_motion(pathOf(clip.path), skeleton).motion;
 }
 
 /// As it waits in the queue. A clip that cannot be read is found out by the batch.
@@ -44,8 +44,12 @@ QueuedClip queuedClip(const TunedClip& clip) {
       .skeleton = clip.skeleton.toStdString()};
   if (!clip.settings) return queued;
   try {
-    queued.own = ownPresetOf(*clip.settings,
-                             namesJoints(clip.settings->encode) ? skeletonOf(clip) : Skeleton());
+    if (namesJoints(clip.settings->encode)) {
+      const Motion motion = motionOf(clip);
+      queued.own = ownPresetOf(fitting(*clip.settings, motion), motion.skeleton);
+    } else {
+      queued.own = ownPresetOf(*clip.settings, {});
+    }
     if (queued.own->name.empty()) queued.own->name = kNoPreset;
   } catch (const Error&) {
     // The batch will say what is wrong with it.
@@ -95,7 +99,14 @@ void BatchSession::setSettings(const BatchSettings& settings) {
   setState(State::Idle);
 }
 
+/// The queue of a batch that runs is not added to, and the user is told.
+bool BatchSession::refused() {
+  if (running()) emit noted(tr("Clips can be added when the batch has ended."));
+  return running();
+}
+
 void BatchSession::addClips(const QStringList& paths) {
+  if (refused()) return;
   to_find_ += paths;
   finding_.start(
       [paths = to_find_](const Job&) {
@@ -113,7 +124,7 @@ void BatchSession::addClips(const QStringList& paths) {
           else
             emit noted(QString::fromStdString(source.problem));
         }
-        if (!running()) queue_.add(clips);
+        if (!refused()) queue_.add(clips);
       },
       [this](const QString& message) {
         to_find_.clear();
@@ -123,6 +134,7 @@ void BatchSession::addClips(const QStringList& paths) {
 
 /// Settings hold joints by their numbers, presets by their names: those are in the files.
 void BatchSession::addTuned(const std::vector<TunedClip>& clips) {
+  if (refused()) return;
   to_name_.insert(to_name_.end(), clips.begin(), clips.end());
   naming_.start(
       [clips = to_name_](const Job&) {
@@ -132,7 +144,7 @@ void BatchSession::addTuned(const std::vector<TunedClip>& clips) {
       },
       [this](const std::vector<QueuedClip>& queued) {
         to_name_.clear();
-        if (!running()) take(queued);
+        if (!refused()) take(queued);
       },
       [this](const QString& message) {
         to_name_.clear();

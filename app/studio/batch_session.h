@@ -43,10 +43,11 @@ class BatchSession : public QObject {
   const BatchSettings& settings() const { return settings_; }
   void setSettings(const BatchSettings& settings);
 
-  /// Files, and folders for all clips below them.
+  /// Files, and folders for all clips below them. While it runs, none: noted().
   void addClips(const QStringList& paths);
 
-  /// Clips with the settings they were tuned by, which lock them; without any: as all others.
+  /// Clips with the settings they were tuned by, which lock them; without any: as all others. While
+  /// it runs, none: noted().
   void addTuned(const std::vector<TunedClip>& clips);
 
   PresetShelf* presets() const { return presets_; }
@@ -90,6 +91,7 @@ class BatchSession : public QObject {
 
  private:
   Batch batch() const;
+  bool refused();
   void take(const std::vector<QueuedClip>& clips);
   void setState(State state, const QString& failure = {});
   void advance(const BatchCounts& counts, const std::vector<BatchStep>& steps);

@@ -9,6 +9,9 @@ namespace mocapress {
 /// What a clip begins with where nothing else is known of it: those of "Gameplay".
 ClipSettings usualSettings();
 
+/// Without what a clip does not have: its file may be another than when the settings were kept.
+ClipSettings fitting(ClipSettings settings, const Motion& motion);
+
 /// The settings by names, so that other clips can take them. Edited contacts are left out.
 Preset presetOf(const ClipSettings& settings, const Skeleton& skeleton);
 

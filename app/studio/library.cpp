@@ -178,13 +178,8 @@ void Library::remove(const QList<int>& rows) {
   if (rows.isEmpty()) return;
   std::map<int, ProjectClip> clips;
   for (const int row : rows) clips.emplace(row, project_.clips[static_cast<std::size_t>(row)]);
-  const auto take_out = [this, clips] {
-    for (const auto& [row, clip] : clips) takeOut(clip.path);
-  };
-  const auto put_back = [this, clips] {  // the first row first, so that each is its own again
-    for (const auto& [row, clip] : clips) putBack(clip, row);
-  };
-  session_->history()->push(new ClipRemoval(take_out, put_back));
+  session_->history()->push(
+      new ClipRemoval([this, clips] { takeOut(clips); }, [this, clips] { putBack(clips); }));
 }
 
 std::vector<LibraryEntry> Library::entries() const {
@@ -193,26 +188,29 @@ std::vector<LibraryEntry> Library::entries() const {
   return entries;
 }
 
-void Library::takeOut(const QString& path) {
-  const int row = model_->rowOf(path);
-  if (row < 0) return;
-  project_.clips.erase(project_.clips.begin() + row);
+void Library::takeOut(const std::map<int, ProjectClip>& clips) {
+  QSet<QString> paths;
+  for (const auto& [row, clip] : clips) paths.insert(clip.path);
+  const auto is_out = [&](const auto& one) { return paths.contains(one.path); };
+  std::erase_if(project_.clips, is_out);
   std::vector<LibraryEntry> left = entries();
-  left.erase(left.begin() + row);
+  std::erase_if(left, is_out);
   model_->setEntries(std::move(left));
   touch();
   emit currentChanged();
 }
 
-/// With all that was decided about it, where it was.
-void Library::putBack(const ProjectClip& clip, int row) {
-  if (project_.find(clip.path)) return;
-  row = std::min(row, model_->rowCount());
-  project_.clips.insert(project_.clips.begin() + row, clip);
+/// With all that was decided about them, where they were: the first row first.
+void Library::putBack(const std::map<int, ProjectClip>& clips) {
   std::vector<LibraryEntry> all = entries();
-  all.insert(all.begin() + row, entryOf(clip, {}));
+  for (const auto& [row, clip] : clips) {
+    if (project_.find(clip.path)) continue;
+    const auto place = std::min<std::ptrdiff_t>(row, std::ssize(all));
+    project_.clips.insert(project_.clips.begin() + place, clip);
+    all.insert(all.begin() + place, entryOf(clip, {}));
+    unread_.push_back(clip.path);
+  }
   model_->setEntries(std::move(all));
-  unread_.push_back(clip.path);
   readNextOutline();
   touch();
   emit currentChanged();
@@ -310,6 +308,10 @@ void Library::noteOutcome() {
   ProjectClip* clip = openNow();
   const DecodedPtr& decoded = session_->document().decoded();
   if (!clip || !decoded || !decoded->distortion) return;
+  if (!clip->settings) {  // opened as it came: what it came to is by these from now on
+    clip->settings = session_->document().settings();
+    touch();
+  }
   const EncodeOptions& options = session_->document().options();
   const Outcome outcome{decoded->ratio, decoded->distortion->eps(options.weighting),
                         decoded->distortion->max.cm, decoded->compressed.motion_bytes(),
@@ -376,6 +378,7 @@ void Library::openProject(const QString& path) {
   write();
   if (!load(path)) return;
   session_->forgetHistories();
+  withdrawn_.clear();
   path_ = path;
   if (const int row = currentRow(); row >= 0) openClip(row);
 }
@@ -391,6 +394,7 @@ void Library::startNew() {
   path_ = home_;
   project_ = {};
   session_->forgetHistories();
+  withdrawn_.clear();
   unread_.clear();
   model_->setEntries({});
   touch();

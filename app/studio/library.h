@@ -73,8 +73,8 @@ class Library : public QObject {
  private:
   void change(const QString& path, const Review& review);
   std::vector<LibraryEntry> entries() const;
-  void takeOut(const QString& path);
-  void putBack(const ProjectClip& clip, int row);
+  void takeOut(const std::map<int, ProjectClip>& clips);  // by row
+  void putBack(const std::map<int, ProjectClip>& clips);
   void noteOpened(const QString& path, const QString& skeleton);
   void noteSettings();
   void noteOutcome();

@@ -359,11 +359,24 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
   const QString first = urls.value(0).toLocalFile();
   if (urls.size() == 1 && !QFileInfo(first).isDir()) return files_->open(first);
-  QStringList clips;
+  QStringList clips, skeletons, folders;
   for (const QUrl& url : urls) {
     const QString path = url.toLocalFile();
-    QFileInfo(path).isDir() ? library_->addFolder(path) : static_cast<void>(clips << path);
+    const QString kind = QFileInfo(path).suffix().toLower();
+    if (path.isEmpty()) continue;
+    if (QFileInfo(path).isDir())
+      folders << path;
+    else if (kind == QLatin1String("bvh") || kind == QLatin1String("amc"))
+      clips << path;
+    else if (kind == QLatin1String("asf"))
+      skeletons << path;
   }
+  if (clips.size() == 1 && folders.isEmpty())  // with its skeleton, it may be
+    return files_->open(clips[0], skeletons.size() == 1 && clips[0].endsWith(QLatin1String(".amc"),
+                                                                             Qt::CaseInsensitive)
+                                      ? skeletons[0]
+                                      : QString());
+  for (const QString& folder : folders) library_->addFolder(folder);
   library_->add(clips);
 }
 

@@ -7,6 +7,7 @@
 #include "app/studio/session.h"
 #include "widgets/models/palette.h"
 #include "widgets/models/pinned_model.h"
+#include "widgets/models/study_rows_model.h"
 #include "widgets/panels/names.h"
 #include "widgets/panels/pinned_panel.h"
 #include "widgets/viewport/viewport.h"
@@ -26,8 +27,11 @@ PinnedResults::PinnedResults(Session* session, PinnedModel* model, PinnedPanel* 
   const Document* document = &session->document();
   connect(document, &Document::clipChanged, this, [this] {
     pins_.clear();
+    final_ = false;
     show();
   });
+  connect(session, &Session::recompressing, this, [this] { setFinal(false); });
+  connect(session, &Session::settled, this, [this] { setFinal(true); });
   connect(document, &Document::decodedChanged, this, &PinnedResults::showWhetherToPin);
   connect(document, &Document::optionsChanged, this, [this] {
     if (!pins_.empty()) show();  // the weighting may be another
@@ -41,7 +45,8 @@ PinnedResults::PinnedResults(Session* session, PinnedModel* model, PinnedPanel* 
 bool PinnedResults::canPin() const {
   const Document& document = session_->document();
   const DecodedPtr& decoded = document.decoded();
-  return document.original() && decoded && decoded->distortion && pins_.size() < kMostPinned &&
+  return final_ && document.final() && document.original() && decoded && decoded->distortion &&
+         pins_.size() < kMostPinned &&
          std::none_of(pins_.begin(), pins_.end(),
                       [&](const Pin& pin) { return pin.decoded == decoded; });
 }
@@ -49,8 +54,10 @@ bool PinnedResults::canPin() const {
 void PinnedResults::pinCurrent() {
   if (!canPin()) return;
   const DecodedPtr& decoded = session_->document().decoded();
-  const QString name = displayName(decoded->compressed.provenance.method);
-  pins_.push_back({name, freeColour(), decoded, session_->document().options()});
+  const EncodeOptions& options = session_->document().options();
+  const QString name = tr("%1, %2").arg(targetText(options.target),
+                                        displayName(decoded->compressed.provenance.method));
+  pins_.push_back({name, freeColour(), decoded, options});
   show();
 }
 
@@ -68,6 +75,11 @@ void PinnedResults::rename(int row, const QString& name) {
 void PinnedResults::makeCurrent(int row) {
   if (row < 0 || row >= static_cast<int>(pins_.size())) return;
   session_->setOptions(pins_[static_cast<std::size_t>(row)].options);
+}
+
+void PinnedResults::setFinal(bool final) {
+  final_ = final;
+  showWhetherToPin();
 }
 
 QColor PinnedResults::freeColour() const {

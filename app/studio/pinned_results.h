@@ -23,7 +23,7 @@ class PinnedResults : public QObject {
   PinnedResults(Session* session, PinnedModel* model, PinnedPanel* panel, Viewport* viewport,
                 QObject* parent = nullptr);
 
-  /// There is a result, measured, that is not pinned yet, and room for it.
+  /// There is a final result to the settings, measured, that is not pinned yet, and room for it.
   bool canPin() const;
 
   void pinCurrent();
@@ -45,6 +45,7 @@ class PinnedResults : public QObject {
   };
 
   QColor freeColour() const;
+  void setFinal(bool final);
   void show();
   void showWhetherToPin();
 
@@ -53,6 +54,7 @@ class PinnedResults : public QObject {
   PinnedPanel* panel_;
   Viewport* viewport_;
   std::vector<Pin> pins_;
+  bool final_ = false;  // the result is that of the document's options
 };
 
 }  // namespace mocapress

@@ -20,12 +20,6 @@ std::filesystem::path pathOf(const QString& text) {
   return text.toStdU16String();
 }
 
-bool isBuiltIn(const std::string& name) {
-  const auto built_in = built_in_presets();
-  return std::any_of(built_in.begin(), built_in.end(),
-                     [&](const Preset& one) { return slug(one.name) == slug(name); });
-}
-
 }  // namespace
 
 class PresetShelf::Command : public QUndoCommand {
@@ -50,7 +44,7 @@ PresetShelf::PresetShelf(const QString& file, QObject* parent) : QObject(parent)
   try {
     own_ = parse_presets(file_.toStdString(), read_text(pathOf(file_)));
   } catch (const Error&) {
-    // As it is: what cannot be read is not written over before the user saves a preset.
+    unreadable_ = true;  // and stays as it is, see write()
   }
 }
 
@@ -69,6 +63,12 @@ const Preset* PresetShelf::own(const std::string& name) const {
   const auto found =
       std::find_if(own_.begin(), own_.end(), [&](const Preset& one) { return one.name == name; });
   return found == own_.end() ? nullptr : &*found;
+}
+
+bool PresetShelf::isBuiltIn(const std::string& name) {
+  const auto built_in = built_in_presets();
+  return std::any_of(built_in.begin(), built_in.end(),
+                     [&](const Preset& one) { return slug(one.name) == slug(name); });
 }
 
 bool PresetShelf::isFree(const std::string& name) {
@@ -132,7 +132,8 @@ void PresetShelf::change(const QString& text, const std::vector<Edit>& edits) {
     apply(edits, false);
 }
 
-/// In its place where there was one of that name.
+/// In its place where there was one of that name. What was changed since, in the history of another
+/// clip, stays.
 void PresetShelf::apply(const std::vector<Edit>& edits, bool backwards) {
   for (const Edit& edit : edits) {
     const std::optional<Preset>& from = backwards ? edit.after : edit.before;
@@ -140,6 +141,9 @@ void PresetShelf::apply(const std::vector<Edit>& edits, bool backwards) {
     const std::string& name = from ? from->name : to->name;
     const auto place =
         std::find_if(own_.begin(), own_.end(), [&](const Preset& one) { return one.name == name; });
+    const std::optional<Preset> now = place == own_.end() ? std::nullopt : std::optional(*place);
+    const bool taken = to && to->name != name && own(to->name);
+    if (now != from || taken) continue;
     if (place == own_.end()) {
       if (to) own_.push_back(*to);
     } else if (to) {
@@ -152,7 +156,25 @@ void PresetShelf::apply(const std::vector<Edit>& edits, bool backwards) {
   emit changed();
 }
 
+/// What could not be read is kept beside the new file. False: it could not be.
+bool PresetShelf::setAside() {
+  if (!unreadable_) return true;
+  QString kept = file_ + QStringLiteral(".unreadable");
+  for (int i = 2; QFile::exists(kept); ++i)
+    kept = QStringLiteral("%1.unreadable%2").arg(file_).arg(i);
+  QFile file(file_);
+  if (file.exists() && !file.rename(kept)) {
+    emit noted(tr("Presets could not be kept: %1").arg(file.errorString()));
+    return false;
+  }
+  unreadable_ = false;
+  emit noted(tr("The presets kept before could not be read; their file is %1 now.")
+                 .arg(QDir::toNativeSeparators(kept)));
+  return true;
+}
+
 void PresetShelf::write() {
+  if (!setAside()) return;
   QDir().mkpath(QFileInfo(file_).absolutePath());
   QSaveFile file(file_);
   const QByteArray text =

@@ -18,6 +18,7 @@ class PresetShelf : public QObject {
   Q_OBJECT
 
  public:
+  /// A file that cannot be read is kept under another name once there is something to write.
   explicit PresetShelf(const QString& file, QObject* parent = nullptr);
 
   /// In the folder of the settings.
@@ -28,6 +29,10 @@ class PresetShelf : public QObject {
 
   /// Where changes go that the user can undo; unset: they cannot.
   void setHistory(std::function<QUndoStack*()> history) { history_ = std::move(history); }
+
+  /// Whether a preset of the user's may have this name; if not, noted().
+  bool isFree(const std::string& name);
+  static bool isBuiltIn(const std::string& name);
 
   /// Takes the place of an own one of that name. False, and noted(): a built-in one has that name.
   bool save(const Preset& preset);
@@ -49,13 +54,14 @@ class PresetShelf : public QObject {
   };
   class Command;
 
-  bool isFree(const std::string& name);
   const Preset* own(const std::string& name) const;
   void change(const QString& text, const std::vector<Edit>& edits);
   void apply(const std::vector<Edit>& edits, bool backwards);
+  bool setAside();
   void write();
 
   QString file_;
+  bool unreadable_ = false;  // what is in the file
   std::vector<Preset> own_;
   std::function<QUndoStack*()> history_;
 };

@@ -58,7 +58,8 @@ void connectShelf(PresetChooser* chooser, PresetShelf* shelf, QWidget* window) {
 
 Preset askForName(const Preset& preset, QWidget* window) {
   Preset named = preset;
-  named.name = askForText(Texts::tr("Save as Preset"), QString::fromStdString(preset.name), window)
+  const std::string offered = PresetShelf::isBuiltIn(preset.name) ? std::string() : preset.name;
+  named.name = askForText(Texts::tr("Save as Preset"), QString::fromStdString(offered), window)
                    .toStdString();
   return named;
 }
@@ -79,6 +80,7 @@ PresetViews::PresetViews(Session* session, PresetShelf* shelf, PresetChooser* ch
 }
 
 void PresetViews::save(const Preset& preset) {
+  if (!shelf_->isFree(preset.name)) return;  // before there is a step to undo
   QUndoStack* history = session_->history();
   history->beginMacro(tr("Save Preset"));
   if (shelf_->save(preset)) session_->namePreset(QString::fromStdString(preset.name));

@@ -27,23 +27,6 @@ std::vector<int> worstFirst(const Eigen::MatrixXf& distances) {
   return order;
 }
 
-/// Without what a clip does not have: its file may be another than when the settings were kept.
-ClipSettings fitting(ClipSettings settings, const Motion& motion) {
-  const auto points = static_cast<int>(landmarks(motion.skeleton).size());
-  if (auto& correction = settings.encode.correction)
-    std::erase_if(correction->joints,
-                  [&](int joint) { return joint < 0 || joint >= motion.skeleton.joint_count(); });
-  if (auto& contacts = settings.encode.contacts)
-    std::erase_if(*contacts, [&](const ContactSpan& span) {
-      return span.landmark < 0 || span.landmark >= points || span.first_frame < 0 ||
-             span.last_frame < span.first_frame || span.last_frame >= motion.clip.frames();
-    });
-  auto& factors = settings.encode.importance.joints;
-  if (std::ssize(factors) != motion.skeleton.joint_count()) factors.clear();
-  if (settings.encode.target.kind == Target::Kind::CoefficientRatio) settings.encode.target = {};
-  return settings;
-}
-
 QString absolute(const QString& path) {
   return QFileInfo(path).absoluteFilePath();
 }
@@ -207,6 +190,8 @@ void Session::setContacts(const std::vector<ContactSpan>& contacts) {
 }
 
 void Session::change(const ClipSettings& settings) {
+  // What stands already is no step.
+  if (firstDifference(document_.settings(), settings) == SettingsField::None) return;
   Tuning tuning = tuning_;
   // The document's may have been loaded without a change.
   tuning.both[static_cast<std::size_t>(tuning.active)] = settings;

@@ -72,7 +72,7 @@ ViewActions makeViewActions(QMainWindow* window) {
     actions.modes->addAction(mode);
   }
   actions.mode[0]->setChecked(true);
-  actions.swap = make_here("swap", Texts::tr("S&wap"), Qt::Key_X,
+  actions.swap = make_here("swap", Texts::tr("Sw&ap"), Qt::Key_X,
                            Texts::tr("Exchange the places of original and compressed figure"));
   actions.blink = make_here("blink", Texts::tr("&Blink"), Qt::Key_C,
                             Texts::tr("Original and compressed figure take turns in one place"));
@@ -94,7 +94,7 @@ ViewActions makeViewActions(QMainWindow* window) {
   actions.trail_poses->actions().at(1)->setChecked(true);
   actions.follow = make_here("follow", Texts::tr("&Follow"), Qt::Key_F,
                              Texts::tr("The camera moves with the figure"));
-  actions.in_place = make_here("in-place", Texts::tr("&In Place"), Qt::Key_G,
+  actions.in_place = make_here("in-place", Texts::tr("I&n Place"), Qt::Key_G,
                                Texts::tr("Play without the root's way over the ground"));
   actions.floor = make_here("floor", Texts::tr("F&loor View"), Qt::Key_V,
                             Texts::tr("Look straight down, as on a plan"));

@@ -227,5 +227,32 @@ TEST_F(BatchInTheStudio, WritesItsQueueAndAScriptForSlurm) {
   EXPECT_EQ(queue.presets[queue.items[2].preset], session_.queue()->common());
 }
 
+TEST_F(BatchInTheStudio, WhileItRunsClipsAreRefusedAloud) {
+  addClips(2, 900);
+  session_.start();
+  ASSERT_TRUE(session_.running());
+  QSignalSpy noted(&session_, &BatchSession::noted);
+  session_.addClips({path("clip0.bvh")});
+  session_.addTuned({{path("clip1.bvh"), {}, {}}});
+  EXPECT_EQ(noted.count(), 2);
+  EXPECT_EQ(session_.queue()->rowCount(), 2);
+  ASSERT_TRUE(waitForEnd());
+}
+
+TEST_F(BatchInTheStudio, SettingsOfJointsThatAreNoLongerInTheFileAreLeftOut) {
+  addClips(1);
+  ClipSettings settings;
+  settings.encode.correction = CorrectionOptions{.joints = {5000}};
+  settings.encode.contacts = std::vector<ContactSpan>{{5000, 1, 2}};
+  settings.encode.importance.joints = std::vector<double>(5000, 2.0);
+  session_.addTuned({{path("clip0.bvh"), {}, settings}});
+  ASSERT_TRUE(
+      QTest::qWaitFor([this] { return session_.queue()->clips()[0].own.has_value(); }, kPatience));
+  const Preset& own = *session_.queue()->clips()[0].own;
+  EXPECT_TRUE(own.correction->effectors.empty());
+  EXPECT_TRUE(own.contacts->empty());
+  EXPECT_TRUE(own.importance.factors.empty());
+}
+
 }  // namespace
 }  // namespace mocapress

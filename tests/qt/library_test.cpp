@@ -400,5 +400,37 @@ TEST_F(InALibrary, SettingsThatDoNotFitTheClipAreLeftOut) {
   EXPECT_EQ(run.session.document().contacts(), (std::vector<ContactSpan>{{4, 10, 20}}));
 }
 
+TEST_F(InALibrary, AClipThatWasOpenedKeepsTheSettingsItsOutcomeIsBy) {
+  Run run;
+  run.library.add({clip("walk.bvh", 1), clip("jump.bvh", 2)});
+  settleAfter(run, [&] { run.library.openClip(0); });
+  const std::vector<TunedClip> tuned = run.library.tuned({0});
+  ASSERT_TRUE(tuned[0].settings);
+  EXPECT_EQ(tuned[0].settings->encode.target.value, 10);
+  settleAfter(run, [&] { run.library.openClip(1); });
+  settleAfter(run, [&] { run.session.setOptions(standard(40)); });
+  settleAfter(run, [&] { run.library.openClip(0); });
+  EXPECT_EQ(run.session.document().options().target.value, 10);
+}
+
+TEST_F(InALibrary, SeveralClipsGoAndComeBackInOneChangeOfTheList) {
+  Run run;
+  run.library.add({clip("a.bvh", 1), clip("b.bvh", 2), clip("c.bvh", 3), clip("d.bvh", 4)});
+  QSignalSpy reset(&run.model, &LibraryModel::modelReset);
+  run.library.remove({3, 0, 2});
+  EXPECT_EQ(reset.count(), 1);
+  ASSERT_EQ(run.model.rowCount(), 1);
+  EXPECT_TRUE(run.library.project().clips[0].path.endsWith(QStringLiteral("b.bvh")));
+  run.session.history()->undo();
+  EXPECT_EQ(reset.count(), 2);
+  ASSERT_EQ(run.model.rowCount(), 4);
+  for (int row = 0; row < 4; ++row) {
+    const QString name = QString(QLatin1Char(static_cast<char>('a' + row)));
+    EXPECT_TRUE(run.model.entry(row).path.endsWith(name + QStringLiteral(".bvh"))) << row;
+    EXPECT_EQ(run.library.project().clips[static_cast<std::size_t>(row)].path,
+              run.model.entry(row).path);
+  }
+}
+
 }  // namespace
 }  // namespace mocapress

@@ -123,5 +123,27 @@ TEST_F(ALibraryTree, AFolderIsRemovedWithAllThatIsInIt) {
   EXPECT_EQ(removed[0][0].value<QList<int>>(), (QList<int>{1, 0, 3}));
 }
 
+TEST_F(ALibraryTree, AllThatIsSelectedIsChosenAndStaysSoWhenOneOfThemIsCurrent) {
+  LibraryPanel panel(&clips_);
+  panel.setCurrent(0);
+  QItemSelectionModel* selection = panel.view()->selectionModel();
+  for (const int clip : {2, 1})  // as with Ctrl
+    selection->setCurrentIndex(panel.tree()->indexOf(clip), QItemSelectionModel::Select);
+  EXPECT_EQ(panel.chosenRows().size(), 3u);
+  panel.setCurrent(1);
+  EXPECT_EQ(panel.chosenRows().size(), 3u);
+  panel.setCurrent(2);
+  EXPECT_EQ(panel.chosenRows().size(), 3u);
+  QSignalSpy removed(&panel, &LibraryPanel::removeRequested);
+  panel.removeButton()->click();
+  ASSERT_EQ(removed.count(), 1);
+  EXPECT_EQ(removed[0][0].value<QList<int>>().size(), 3);
+  panel.setCurrent(3);
+  EXPECT_EQ(panel.chosenRows(), std::vector<int>{3}) << "another clip is chosen alone";
+  // A folder and a clip in it: each clip once.
+  selection->select(panel.tree()->indexOf(0).parent(), QItemSelectionModel::Select);
+  EXPECT_EQ(panel.chosenRows().size(), 3u);
+}
+
 }  // namespace
 }  // namespace mocapress

@@ -197,6 +197,20 @@ TEST_F(StudioWindow, OpensWhatIsDroppedOnIt) {
   EXPECT_EQ(document_.frames(), 80);
 }
 
+TEST_F(StudioWindow, OfSeveralDroppedFilesOnlyMotionsCountAndASingleOneIsOpened) {
+  QMimeData data;
+  QFile notes(QFileInfo(writeClip("dropped.bvh", 70)).path() + QStringLiteral("/notes.txt"));
+  ASSERT_TRUE(notes.open(QIODevice::WriteOnly));
+  data.setUrls({QUrl::fromLocalFile(notes.fileName()),
+                QUrl::fromLocalFile(writeClip("dropped.bvh", 70)),
+                QUrl(QStringLiteral("https://example.org/walk.bvh"))});
+  QSignalSpy settled(&window_.session(), &Session::settled);
+  QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window_, &drop);
+  ASSERT_TRUE(settled.wait(kPatience));
+  EXPECT_EQ(document_.frames(), 70);
+}
+
 TEST_F(StudioWindow, KeysPlayAndStep) {
   openAndSettle(writeClip("motion.bvh", 120));
   Playback& playback = window_.playback();

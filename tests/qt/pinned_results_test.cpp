@@ -74,7 +74,7 @@ TEST_F(Pinning, AResultStaysAsItWasWhileOthersAreTried) {
 }
 
 TEST_F(Pinning, FourHaveColoursOfTheirOwnAndAFifthHasNoRoom) {
-  for (const double ratio : {10.0, 20.0, 30.0, 40.0}) {
+  for (const double ratio : {15.0, 20.0, 30.0, 40.0}) {
     tune(ratio);
     results_.pinCurrent();
   }
@@ -120,6 +120,25 @@ TEST_F(Pinning, AnotherClipBeginsWithoutPins) {
   open("jump.bvh", 2);
   EXPECT_EQ(model_.rowCount(), 0);
   EXPECT_TRUE(viewport_.pinned().empty());
+}
+
+TEST_F(Pinning, OnlyAFinalResultIsPinned) {
+  session_.setOptions(standard(30));
+  EXPECT_FALSE(panel_.pinButton()->isEnabled()) << "what is shown is still by other settings";
+  results_.pinCurrent();
+  EXPECT_EQ(model_.rowCount(), 0);
+  QSignalSpy settled(&session_, &Session::settled);
+  ASSERT_TRUE(settled.wait(kPatience));
+  EXPECT_TRUE(panel_.pinButton()->isEnabled());
+}
+
+TEST_F(Pinning, NamesSayTheTargetAndHaveRoom) {
+  results_.pinCurrent();
+  EXPECT_TRUE(model_.entries()[0].name.contains(QStringLiteral("10:1")));
+  panel_.resize(200, 200);
+  panel_.show();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [this] { return panel_.view()->columnWidth(PinnedModel::Name) >= 90; }, kPatience));
 }
 
 }  // namespace

@@ -89,5 +89,30 @@ TEST_F(PresetShelfTest, AFileThatCannotBeReadStaysAsItIs) {
   EXPECT_EQ(read_text(path("odd.json").toStdString()), "{ not JSON");
 }
 
+TEST_F(PresetShelfTest, WhatCannotBeReadIsSetAsideWhenAPresetIsSaved) {
+  write_text(path("odd.json").toStdString(), "{ not JSON");
+  PresetShelf shelf(path("odd.json"));
+  QSignalSpy noted(&shelf, &PresetShelf::noted);
+  shelf.save(mine());
+  EXPECT_EQ(read_text(path("odd.json.unreadable").toStdString()), "{ not JSON");
+  EXPECT_EQ(PresetShelf(path("odd.json")).all().back(), mine());
+  ASSERT_EQ(noted.count(), 1);
+  EXPECT_TRUE(noted[0][0].toString().contains(QStringLiteral("odd.json.unreadable")));
+}
+
+TEST_F(PresetShelfTest, UndoingLeavesAloneWhatWasChangedSince) {
+  QUndoStack one;
+  QUndoStack other;
+  QUndoStack* current = &one;
+  shelf_.setHistory([&current] { return current; });
+  shelf_.save(mine());
+  current = &other;
+  Preset changed = mine();
+  changed.target.value = 30;
+  shelf_.save(changed);
+  one.undo();
+  EXPECT_EQ(shelf_.all().back(), changed);
+}
+
 }  // namespace
 }  // namespace mocapress

@@ -151,5 +151,37 @@ TEST_F(PresetsOfAClip, ThatNameAJointTheClipLacksAreAMessage) {
   EXPECT_EQ(shown(), "Gameplay");
 }
 
+TEST_F(PresetsOfAClip, ANameThatIsTakenLeavesTheHistoryAsItIs) {
+  shelf_.setHistory([this] { return session_.history(); });
+  EncodeOptions changed = options();
+  changed.target.value = 0.7;
+  session_.setOptions(changed);
+  session_.history()->undo();
+  Preset named = chooser_.preset();
+  named.name = "Crowd";
+  QSignalSpy noted(&shelf_, &PresetShelf::noted);
+  views_.save(named);
+  EXPECT_EQ(noted.count(), 1);
+  EXPECT_TRUE(session_.history()->canRedo());
+  EXPECT_FALSE(session_.history()->canUndo());
+}
+
+TEST_F(PresetsOfAClip, ChoosingTheOneThatStandsIsNoStep) {
+  choose("Gameplay");
+  EXPECT_FALSE(session_.history()->canUndo());
+}
+
+TEST(ClipPreset, FittingLeavesOutWhatTheClipOfNowDoesNotHave) {
+  const Motion walk{samples::walk_clip()};
+  ClipSettings settings = usualSettings();
+  settings.encode.correction = CorrectionOptions{.joints = {-1, 2, 5000}};
+  settings.encode.contacts = std::vector<ContactSpan>{{3, 10, 20}, {5000, 1, 2}, {3, 5, 1 << 20}};
+  settings.encode.importance.joints = {1, 2};
+  const ClipSettings fit = fitting(settings, walk);
+  EXPECT_EQ(fit.encode.correction->joints, std::vector<int>{2});
+  EXPECT_EQ(fit.encode.contacts, (std::vector<ContactSpan>{{3, 10, 20}}));
+  EXPECT_TRUE(fit.encode.importance.joints.empty());
+}
+
 }  // namespace
 }  // namespace mocapress

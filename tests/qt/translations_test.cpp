@@ -6,9 +6,13 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QFile>
+#include <QKeySequence>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QSet>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -155,6 +159,18 @@ QStringList cutOff(const QWidget& window) {
   return found;
 }
 
+/// Keys that stand for more than one entry of a menu.
+QStringList sharedKeys(const QMenu& menu) {
+  QStringList shared;
+  QSet<QString> taken;
+  for (const QAction* action : menu.actions()) {
+    const QString key = QKeySequence::mnemonic(action->text()).toString();
+    if (!key.isEmpty() && taken.contains(key)) shared << action->text();
+    taken.insert(key);
+  }
+  return shared;
+}
+
 TEST(Translations, LayoutsHoldInEveryLanguage) {
   for (const QString& language : shippedLanguages()) {
     QSettings().clear();
@@ -167,6 +183,8 @@ TEST(Translations, LayoutsHoldInEveryLanguage) {
       window.show();
       ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
       EXPECT_EQ(cutOff(window).join(QLatin1Char('\n')).toStdString(), "") << qPrintable(language);
+      const QMenu* view = window.menuBar()->actions().at(3)->menu();
+      EXPECT_EQ(sharedKeys(*view).join(QLatin1Char('\n')).toStdString(), "");
       EXPECT_LE(window.minimumSizeHint().width(), 1440) << qPrintable(language);
       EXPECT_LE(window.minimumSizeHint().height(), 900) << qPrintable(language);
       StudyWindow* study = window.showStudy();

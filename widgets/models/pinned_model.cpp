@@ -61,6 +61,8 @@ QVariant PinnedModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
     case Qt::EditRole:
       return textOf(entry, index.column());
+    case Qt::ToolTipRole:
+      return is_name ? QVariant(entry.name) : QVariant();
     case Qt::DecorationRole:
       return is_name ? QVariant(entry.colour) : QVariant();
     case Qt::TextAlignmentRole:

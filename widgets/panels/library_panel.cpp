@@ -11,6 +11,7 @@
 #include <QStyledItemDelegate>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/models/library_model.h"
 #include "widgets/models/library_tree.h"
@@ -144,7 +145,7 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   ways->addAction(tr("&Clips…"), this, &LibraryPanel::addRequested);
   ways->addAction(tr("&Folder…"), this, &LibraryPanel::addFolderRequested);
   add_->setMenu(ways);
-  remove_->setToolTip(tr("Take the clip out of the project; its file stays."));
+  remove_->setToolTip(tr("Take the chosen clips out of the project; their files stay."));
   verdict_->setAccessibleName(tr("Verdict"));
   verdict_->setToolTip(tr("What quality assurance says about the clip as it is compressed now."));
   verdict_->addItem(tr("Not reviewed"), static_cast<int>(Verdict::None));
@@ -181,6 +182,8 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
     showReview();
     if (row >= 0) emit openRequested(row);
   });
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &LibraryPanel::showReview);
   connect(view_, &QTreeView::collapsed, this,
           [this](const QModelIndex& folder) { collapsed_.insert(tree_->folderPath(folder)); });
   connect(view_, &QTreeView::expanded, this,
@@ -195,9 +198,7 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
 }
 
 void LibraryPanel::showMenu(const QPoint& place) {
-  std::vector<int> rows;
-  for (const QModelIndex& index : view_->selectionModel()->selectedIndexes())
-    if (const int row = tree_->clipOf(index); row >= 0) rows.push_back(row);
+  const std::vector<int> rows = chosenRows();
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   QAction* selected = menu->addAction(tr("Export Selected, Each by Its Own Settings…"));
@@ -215,10 +216,13 @@ int LibraryPanel::current() const {
 
 void LibraryPanel::setCurrent(int row) {
   chosen_ = row >= 0 ? model_->entry(row).path : QString();
-  {
-    const QSignalBlocker blocker(view_->selectionModel());
-    const QModelIndex index = tree_->indexOf(row);
-    view_->setCurrentIndex(index);
+  if (const QModelIndex index = tree_->indexOf(row); index != view_->currentIndex()) {
+    using Selection = QItemSelectionModel;
+    Selection* selection = view_->selectionModel();
+    const QSignalBlocker blocker(selection);
+    // One of several that are chosen leaves them so.
+    selection->setCurrentIndex(
+        index, selection->isSelected(index) ? Selection::NoUpdate : Selection::ClearAndSelect);
     if (index.isValid()) view_->scrollTo(index);
   }
   view_->viewport()->update();
@@ -247,10 +251,17 @@ void LibraryPanel::showTree() {
   showReview();
 }
 
-/// A clip, or all that are in a folder.
+std::vector<int> LibraryPanel::chosenRows() const {
+  std::vector<int> rows;
+  for (const QModelIndex& index : view_->selectionModel()->selectedIndexes())
+    for (const int row : tree_->clipsBelow(index))
+      if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+  return rows;
+}
+
 void LibraryPanel::removeChosen() {
-  if (!view_->currentIndex().isValid()) return;
-  const std::vector<int> rows = tree_->clipsBelow(view_->currentIndex());
+  const std::vector<int> rows = chosenRows();
+  if (rows.empty()) return;
   emit removeRequested(QList<int>(rows.begin(), rows.end()));
 }
 
@@ -258,7 +269,7 @@ void LibraryPanel::showReview() {
   const int row = current();
   for (QWidget* each : {static_cast<QWidget*>(verdict_), static_cast<QWidget*>(note_)})
     each->setEnabled(row >= 0);
-  remove_->setEnabled(view_->currentIndex().isValid());
+  remove_->setEnabled(view_->selectionModel()->hasSelection());
   const LibraryEntry shown = row >= 0 ? model_->entry(row) : LibraryEntry();
   verdict_->setCurrentIndex(verdict_->findData(static_cast<int>(shown.verdict)));
   if (note_->text() != shown.note) note_->setText(shown.note);

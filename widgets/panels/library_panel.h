@@ -28,6 +28,9 @@ class LibraryPanel : public QWidget {
   /// The clip that is open; -1: none of the list. Emits nothing.
   void setCurrent(int row);
 
+  /// The clips that are selected, and all below selected folders.
+  std::vector<int> chosenRows() const;
+
   QTreeView* view() const { return view_; }
   LibraryTree* tree() const { return tree_; }
   QPushButton* removeButton() const { return remove_; }

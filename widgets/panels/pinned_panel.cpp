@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/pinned_panel.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/models/pinned_model.h"
 
 namespace mocapress {
+namespace {
+
+constexpr int kLeastName = 90;  // px
+
+}  // namespace
 
 PinnedPanel::PinnedPanel(PinnedModel* model, QWidget* parent)
     : QWidget(parent),
@@ -28,7 +35,11 @@ PinnedPanel::PinnedPanel(PinnedModel* model, QWidget* parent)
   view_->header()->setStretchLastSection(false);
   view_->header()->setMinimumSectionSize(40);
   view_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  view_->header()->setSectionResizeMode(PinnedModel::Name, QHeaderView::Stretch);
+  view_->header()->setSectionResizeMode(PinnedModel::Name, QHeaderView::Fixed);
+  view_->viewport()->installEventFilter(this);
+  connect(view_->header(), &QHeaderView::sectionResized, this, [this](int column) {
+    if (column != PinnedModel::Name) fitNames();
+  });
   pin_->setToolTip(
       tr("Keep the current result in view, as a figure of its own colour, while "
          "other settings are tried."));
@@ -56,6 +67,19 @@ PinnedPanel::PinnedPanel(PinnedModel* model, QWidget* parent)
   });
   setCanPin(false);
   showChosen();
+}
+
+bool PinnedPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == view_->viewport() && event->type() == QEvent::Resize) fitNames();
+  return QWidget::eventFilter(watched, event);
+}
+
+/// Names take the room there is; where that is too little, the columns scroll.
+void PinnedPanel::fitNames() {
+  QHeaderView* header = view_->header();
+  const int others = header->length() - header->sectionSize(PinnedModel::Name);
+  const int room = view_->viewport()->width() - others;
+  header->resizeSection(PinnedModel::Name, std::max(kLeastName, room));
 }
 
 int PinnedPanel::current() const {

@@ -33,6 +33,8 @@ class PinnedPanel : public QWidget {
   void makeCurrentRequested(int row);
 
  private:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void fitNames();
   int current() const;
   void showChosen();
 

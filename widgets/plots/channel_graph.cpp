@@ -50,6 +50,7 @@ ChannelGraph::ChannelGraph(QWidget* parent)
       bands_plot_(new QCustomPlot(this)) {
   channels_->setAccessibleName(tr("Channel"));
   channels_->setToolTip(tr("One degree of freedom of the chosen joint."));
+  channels_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   curves_plot_->setAccessibleName(tr("Channel over time"));
   curves_plot_->setToolTip(
       tr("The channel as recorded and as compressed, and below what is between them. Click to "

@@ -21,6 +21,8 @@ namespace {
 
 constexpr int kLeastHeight = 220;
 constexpr double kReach = 12;            // px from a point at which it answers
+constexpr int kBeside = 9;               // px from the mark to its label
+constexpr int kBelow = 6;                // px
 constexpr int kStill = 4;                // px a click may wander
 constexpr QSize kPictureSize(960, 640);  // px at scale 1, points of a page
 constexpr double kPictureScale = 2;
@@ -184,15 +186,50 @@ void RatePlot::placeMarks() {
   here_label_->position->setCoords(here_->ratio, here_->eps_cm);
 }
 
-/// Right of the mark, or below it where there is no room.
+/// Beside the mark, in that of its corners which is farthest from the curves.
 void RatePlot::placeHereLabel() {
   if (!here_) return;
-  const double room = plot_->axisRect()->right() - plot_->xAxis->coordToPixel(here_->ratio);
-  const int width = QFontMetrics(font()).horizontalAdvance(here_label_->text()) + 9;
-  const bool beside = room > width;
-  const Qt::Alignment below = room > width / 2.0 ? Qt::AlignHCenter : Qt::AlignRight;
-  here_label_->setPositionAlignment((beside ? Qt::AlignLeft : below) | Qt::AlignTop);
-  here_label_->setPadding(beside ? QMargins(9, 6, 0, 0) : QMargins(0, 18, 0, 0));
+  const QPointF mark(plot_->xAxis->coordToPixel(here_->ratio),
+                     plot_->yAxis->coordToPixel(here_->eps_cm));
+  const QSizeF size = QFontMetricsF(font()).boundingRect(here_label_->text()).size();
+  double most = -1;
+  for (const bool right : {true, false})
+    for (const bool below : {true, false}) {
+      const QRectF text({mark.x() + (right ? kBeside : -kBeside - size.width()),
+                         mark.y() + (below ? kBelow : -kBelow - size.height())},
+                        size);
+      if (!QRectF(plot_->axisRect()->rect()).contains(text)) continue;
+      const double clear = clearance(text);
+      if (clear <= most) continue;
+      most = clear;
+      here_label_->setPositionAlignment((right ? Qt::AlignLeft : Qt::AlignRight) |
+                                        (below ? Qt::AlignTop : Qt::AlignBottom));
+      here_label_->setPadding(
+          {right ? kBeside : 0, below ? kBelow : 0, right ? 0 : kBeside, below ? 0 : kBelow});
+    }
+}
+
+/// px from the nearest curve, or legend; 0: one is in it.
+double RatePlot::clearance(const QRectF& place) const {
+  constexpr int kSteps = 16;  // between two points of a curve
+  if (plot_->legend->visible() && place.intersects(plot_->legend->outerRect())) return 0;
+  double least = std::numeric_limits<double>::infinity();
+  const auto at = [this](const CurvePoint& point) {
+    return QPointF(plot_->xAxis->coordToPixel(point.ratio),
+                   plot_->yAxis->coordToPixel(point.eps_cm));
+  };
+  for (const RateCurve& curve : curves_)
+    for (std::size_t i = 1; i < curve.line.size(); ++i) {
+      const QPointF from = at(curve.line[i - 1]);
+      const QPointF to = at(curve.line[i]);
+      for (int step = 0; step <= kSteps; ++step) {
+        const QPointF point = from + (to - from) * step / kSteps;
+        const double x = std::max({place.left() - point.x(), 0.0, point.x() - place.right()});
+        const double y = std::max({place.top() - point.y(), 0.0, point.y() - place.bottom()});
+        least = std::min(least, std::hypot(x, y));
+      }
+    }
+  return least;
 }
 
 void RatePlot::showAll() {

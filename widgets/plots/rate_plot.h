@@ -68,6 +68,7 @@ class RatePlot : public QWidget {
   void placeMarks();
   void showAll();
   void placeHereLabel();
+  double clearance(const QRectF& place) const;
   void applyColours();
   const RatePoint* pointAt(const QPoint& position) const;
   const RatePoint* pointOf(int row) const;
