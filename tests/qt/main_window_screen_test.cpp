@@ -205,6 +205,10 @@ TEST_F(StudioWindow, OfSeveralDroppedFilesOnlyMotionsCountAndASingleOneIsOpened)
                 QUrl::fromLocalFile(writeClip("dropped.bvh", 70)),
                 QUrl(QStringLiteral("https://example.org/walk.bvh"))});
   QSignalSpy settled(&window_.session(), &Session::settled);
+  // Qt drops only where something was dragged in.
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window_, &enter);
+  EXPECT_TRUE(enter.isAccepted());
   QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(&window_, &drop);
   ASSERT_TRUE(settled.wait(kPatience));
