@@ -2973,11 +2973,14 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
 </context>
 <context>
-    <name>mocapress::Library</name>
+    <name>mocapress::FolderSearch</name>
     <message>
         <source>There are no clips in %1.</source>
         <translation>Il n'y a aucune séquence dans %1.</translation>
     </message>
+</context>
+<context>
+    <name>mocapress::Library</name>
 </context>
 <context>
     <name>mocapress::LibraryTree</name>

@@ -2954,11 +2954,14 @@ Click to load it into the studio.</source>
     </message>
 </context>
 <context>
-    <name>mocapress::Library</name>
+    <name>mocapress::FolderSearch</name>
     <message>
         <source>There are no clips in %1.</source>
         <translation>%1 にはクリップがありません。</translation>
     </message>
+</context>
+<context>
+    <name>mocapress::Library</name>
 </context>
 <context>
     <name>mocapress::LibraryTree</name>

@@ -7,19 +7,16 @@
 #include <QSet>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <map>
 
 #include "app/studio/session.h"
 #include "core/base/error.h"
-#include "core/batch/batch.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
 namespace {
 
 constexpr std::chrono::milliseconds kWriteDelay{800};
-constexpr double kRatioTolerance = 0.02;
 
 /// What is read from the clips' files, kept from row to row.
 LibraryEntry entryOf(const ProjectClip& clip, const LibraryEntry& read) {
@@ -38,24 +35,30 @@ void writeText(const QString& path, const QByteArray& text) {
     throw Error(path.toStdString() + ": " + file.errorString().toStdString());
 }
 
-}  // namespace
-
-bool meets(const Target& target, const DecodedClip& decoded, Weighting weighting) {
-  const auto bytes = static_cast<double>(decoded.compressed.motion_bytes());
-  switch (target.kind) {
+/// What a compression came to, of the kind its target is of.
+double quantityOf(const DecodedClip& decoded, const EncodeOptions& options) {
+  switch (options.target.kind) {
     case Target::Kind::Ratio:
-      return std::abs(decoded.ratio / target.value - 1) <= kRatioTolerance;
+      return decoded.ratio;
     case Target::Kind::Size:
-      return bytes <= target.value;
+      return static_cast<double>(decoded.compressed.motion_bytes());
     case Target::Kind::Error:
-      return decoded.distortion && decoded.distortion->eps(weighting) <= target.value;
+      return decoded.distortion->eps(options.weighting);
     case Target::Kind::MaxError:
-      return decoded.distortion && decoded.distortion->max.cm <= target.value;
+      return decoded.distortion->max.cm;
     case Target::Kind::CoefficientRatio:
       break;
   }
-  return true;
+  return options.target.value;
 }
+
+/// Requires a distortion.
+Outcome outcomeOf(const DecodedClip& decoded, const EncodeOptions& options) {
+  return {decoded.ratio, decoded.distortion->eps(options.weighting), decoded.distortion->max.cm,
+          decoded.compressed.motion_bytes(), reached(options.target, quantityOf(decoded, options))};
+}
+
+}  // namespace
 
 Library::Library(Session* session, LibraryModel* model, QObject* parent)
     : QObject(parent), session_(session), model_(model) {
@@ -70,6 +73,8 @@ Library::Library(Session* session, LibraryModel* model, QObject* parent)
           [this](const OpenRequest& request) { noteOpened(request.path, request.skeleton); });
   connect(&session->document(), &Document::optionsChanged, this, &Library::noteSettings);
   connect(session, &Session::settled, this, &Library::noteOutcome);
+  connect(&folder_search_, &FolderSearch::found, this, &Library::add);
+  connect(&folder_search_, &FolderSearch::failed, this, &Library::failed);
 }
 
 Library::~Library() {
@@ -145,33 +150,7 @@ void Library::add(const QStringList& paths) {
 }
 
 void Library::addFolder(const QString& path) {
-  folders_ << path;
-  searchNextFolder();
-}
-
-void Library::searchNextFolder() {
-  if (finding_.busy() || folders_.isEmpty()) return;
-  const QString folder = folders_.takeFirst();
-  // The runner is busy until its delivery has returned.
-  const auto go_on = [this] {
-    QMetaObject::invokeMethod(this, &Library::searchNextFolder, Qt::QueuedConnection);
-  };
-  finding_.start(
-      [folder](const Job&) {
-        QStringList found;
-        for (const SourceClip& clip : find_sources({folder.toStdString()}))
-          if (clip.problem.empty()) found << QString::fromStdString(clip.path);
-        return found;
-      },
-      [this, folder, go_on](const QStringList& found) {
-        if (found.isEmpty()) emit failed(tr("There are no clips in %1.").arg(folder));
-        add(found);
-        go_on();
-      },
-      [this, go_on](const QString& message) {
-        emit failed(message);
-        go_on();
-      });
+  folder_search_.search(path);
 }
 
 void Library::remove(const QList<int>& rows) {
@@ -312,10 +291,7 @@ void Library::noteOutcome() {
     clip->settings = session_->document().settings();
     touch();
   }
-  const EncodeOptions& options = session_->document().options();
-  const Outcome outcome{decoded->ratio, decoded->distortion->eps(options.weighting),
-                        decoded->distortion->max.cm, decoded->compressed.motion_bytes(),
-                        meets(options.target, *decoded, options.weighting)};
+  const Outcome outcome = outcomeOf(*decoded, session_->document().options());
   if (clip->outcome == outcome) return;
   // What was approved is no longer what there is, until it is again.
   const auto withdrawn = withdrawn_.find(clip->path);

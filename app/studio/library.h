@@ -12,6 +12,7 @@
 #include "app/jobs/clip_outline.h"
 #include "app/jobs/job_runner.h"
 #include "app/studio/batch_session.h"
+#include "app/studio/folder_search.h"
 #include "app/studio/project.h"
 #include "app/studio/review_change.h"
 
@@ -80,7 +81,6 @@ class Library : public QObject {
   void noteOutcome();
   void show(const ProjectClip& clip);
   void readNextOutline();
-  void searchNextFolder();
   void touch();
   void write();
   bool load(const QString& path);
@@ -95,16 +95,12 @@ class Library : public QObject {
   QTimer write_later_;
   JobRunner writing_;
   JobRunner outlines_;
-  QStringList folders_;  // to be searched
-  JobRunner finding_;
+  FolderSearch folder_search_;
   std::deque<QString> unread_;  // paths whose outline is not known yet
   bool changed_ = false;        // since the last write
 
   // Verdicts that were taken back with the outcome they were about: by path.
   std::map<QString, std::pair<Outcome, Verdict>> withdrawn_;
 };
-
-/// Whether a compression met what was asked of it.
-bool meets(const Target& target, const DecodedClip& decoded, Weighting weighting);
 
 }  // namespace mocapress

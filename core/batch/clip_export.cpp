@@ -214,25 +214,8 @@ class Export {
   }
 
   std::string came_to() const {
-    const Measurement& m = *row_.measured;
     Target found = preset_.target;
-    switch (found.kind) {
-      case Target::Kind::Ratio:
-        found.value = m.ratio;
-        break;
-      case Target::Kind::CoefficientRatio:
-        found.value = m.coefficient_ratio.value_or(0);
-        break;
-      case Target::Kind::Size:
-        found.value = static_cast<double>(m.motion_bytes);
-        break;
-      case Target::Kind::Error:
-        found.value = m.eps_cm(preset_.weighting);
-        break;
-      case Target::Kind::MaxError:
-        found.value = m.max_error_cm;
-        break;
-    }
+    found.value = row_.measured->quantity(found.kind, preset_.weighting);
     return target_text(found);
   }
 

@@ -175,12 +175,12 @@ std::uint64_t seed_from(const Json& json, const Keys& keys) {
 
 Json to_json(const Preset& preset) {
   Json json = {{"name", preset.name},
-          {"method", preset.method},
-          {"coding", preset.coding ? Json(name(*preset.coding)) : Json()},
-          {"weighting", name(preset.weighting)},
-          {"target", {{"kind", name(preset.target.kind)}, {"value", preset.target.value}}},
-          {"seed", preset.seed},
-          {"ik", preset.correction ? to_json(*preset.correction) : Json()}};
+               {"method", preset.method},
+               {"coding", preset.coding ? Json(name(*preset.coding)) : Json()},
+               {"weighting", name(preset.weighting)},
+               {"target", {{"kind", name(preset.target.kind)}, {"value", preset.target.value}}},
+               {"seed", preset.seed},
+               {"ik", preset.correction ? to_json(*preset.correction) : Json()}};
   if (preset.effort != Effort::Default) json["effort"] = name(preset.effort);
   if (!preset.importance.is_even()) json["importance"] = to_json(preset.importance);
   if (preset.contacts) json[kContacts] = to_json(*preset.contacts);

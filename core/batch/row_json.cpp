@@ -207,11 +207,7 @@ std::string csv_field(const Json& value) {
 }  // namespace
 
 bool keeps_promise(const Preset& preset, const Measurement& measured) {
-  StudyRow row;
-  row.target = preset.target;
-  row.weighting = preset.weighting;
-  row.measured = measured;
-  return row.reached();
+  return reached(preset.target, measured.quantity(preset.target.kind, preset.weighting));
 }
 
 std::string to_report_line(const BatchRow& row) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/codec/count_search.h"
+#include "core/codec/decoder.h"
 
 namespace mocapress {
 namespace {
@@ -75,7 +76,7 @@ ClosedLoopWork work_of(Effort effort) {
 /// How much coarser the scale is at which `work` meets the target, by a rough trial's excess. How
 /// much more error and bytes that has than work would leave differs little from clip to clip
 /// (measured on corpus/train).
-double scale_after_rough_trial(double excess, const Target& target, const ClosedLoopWork& work) {
+double coarser_after_rough_trial(double excess, const Target& target, const ClosedLoopWork& work) {
   const bool by_error = is_by_error(target);
   const bool swept = work.sweeps > 0;
   const double more = by_error ? (swept ? -0.52 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
@@ -114,6 +115,14 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, const C
     trials.try_scale(middle * (1 + (i % 2 == 0 ? -kBeside : kBeside) * ((i + 1) / 2)), work);
 }
 
+/// A few more trials around what was found, each with more work.
+void try_harder(const ClosedLoopWork& work, ScaleSearch& trials) {
+  trials.prefer_cheap();
+  const double middle = trials.best().scale;
+  for (const double coarser : {1.01, 1.02, 1.03, 1.0, 1.04})
+    if (trials.may_go_on()) trials.try_scale(coarser * middle, work);
+}
+
 /// Goes nearer to the bound with the weights as they are, while that takes no more bytes. A short
 /// clip has few values to choose from, and its worst error jumps from scale to scale.
 void close_in(const Goal& goal, const ClosedLoopWork& work, const AttemptScale& attempt,
@@ -138,32 +147,12 @@ void close_in(const Goal& goal, const ClosedLoopWork& work, const AttemptScale& 
   }
 }
 
-}  // namespace
-
-Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
-                   const AttemptScale& attempt) {
-  const ClosedLoopWork work = work_of(effort);
-  Trial rough = attempt(guess.likely, {.compensate = false, .sweeps = 0}, {});
-  if (!rough.complete) return rough;
-  const double first_scale = guess.likely * scale_after_rough_trial(rough.excess, target, work);
-  if (effort == Effort::Draft) return attempt(first_scale, work, {});
-  ScaleSearch trials(goal, target, attempt);
-  seek(guess, goal, first_scale, work_of(Effort::Default), trials);
-  if (effort != Effort::Best || !trials.met()) return std::move(trials.best());
-  // A few more around there, each with more work.
-  trials.prefer_cheap();
-  const double middle = trials.best().scale;
-  for (const double coarser : {1.01, 1.02, 1.03, 1.0, 1.04})
-    if (trials.may_go_on()) trials.try_scale(coarser * middle, work);
-  return std::move(trials.best());
-}
-
-void hold_worst_frames(const Goal& goal, int frames, Effort effort, const AttemptScale& attempt,
-                       const std::function<void(const Trial&, Eigen::VectorXd& weights)>& raise,
-                       Trial& best) {
+/// Larger scales may do where the frames weigh more that exceed the bound. Replaces `best` where
+/// something smaller is found.
+void hold_worst_frames(const Goal& goal, int frames, const ClosedLoopWork& work,
+                       const AttemptScale& attempt, Trial& best) {
   constexpr int kRounds = 5;
   constexpr double kLeastStep = 1.04;
-  const ClosedLoopWork work = work_of(effort);
   Eigen::VectorXd best_weights;  // none: all alike
   for (double step = 1.3; step > kLeastStep;) {
     const double scale = step * best.scale;
@@ -174,7 +163,7 @@ void hold_worst_frames(const Goal& goal, int frames, Effort effort, const Attemp
       best.complete = trial.complete;
       if (!trial.complete) return;
       if (!goal.met(trial.excess)) {
-        raise(trial, weights);
+        goal.raise_where_exceeded(decode(trial.compressed), weights);
         continue;
       }
       held = trial.compressed.motion_bytes() < best.compressed.motion_bytes();
@@ -185,6 +174,23 @@ void hold_worst_frames(const Goal& goal, int frames, Effort effort, const Attemp
     if (!held) step = std::sqrt(step);
   }
   close_in(goal, work, attempt, best_weights, best);
+}
+
+}  // namespace
+
+Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
+                   int frames, const AttemptScale& attempt) {
+  const ClosedLoopWork work = work_of(effort);
+  Trial rough = attempt(guess.likely, {.compensate = false, .sweeps = 0}, {});
+  if (!rough.complete) return rough;
+  const double first_scale = guess.likely * coarser_after_rough_trial(rough.excess, target, work);
+  if (effort == Effort::Draft) return attempt(first_scale, work, {});
+  ScaleSearch trials(goal, target, attempt);
+  seek(guess, goal, first_scale, work_of(Effort::Default), trials);
+  if (effort == Effort::Best && trials.met()) try_harder(work, trials);
+  if (target.kind == Target::Kind::MaxError && trials.may_go_on())
+    hold_worst_frames(goal, frames, work, attempt, trials.best());
+  return std::move(trials.best());
 }
 
 }  // namespace mocapress

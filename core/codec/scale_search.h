@@ -22,14 +22,9 @@ struct ScaleGuess {
 
 /// The best trial that a search for the closed loop's scale comes to, with its bytes coded. It
 /// meets the goal unless that is out of reach, the effort is a draft, or a trial was incomplete.
+/// Errors at single of the `frames` decide the scale that a hard maximum needs: there, larger
+/// scales are tried with more weight on those.
 Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
-                   const AttemptScale& attempt);
-
-/// Errors at single frames decide the scale that a hard bound needs. Larger scales may do where
-/// those frames weigh more: `raise` makes them, given what a trial decodes to. Replaces `best`
-/// where something smaller is found.
-void hold_worst_frames(const Goal& goal, int frames, Effort effort, const AttemptScale& attempt,
-                       const std::function<void(const Trial&, Eigen::VectorXd& weights)>& raise,
-                       Trial& best);
+                   int frames, const AttemptScale& attempt);
 
 }  // namespace mocapress

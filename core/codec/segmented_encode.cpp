@@ -35,15 +35,8 @@ class SegmentedEncode {
     };
     const ScaleGuess guess{.likely = likely_scale(options_.target, raw_bytes(motion_.clip)),
                            .finest = [this] { return finest_scale_; }};
-    Trial best = search_scale(guess, options_.target, goal_, options_.effort, attempt);
-    if (options_.target.kind == Target::Kind::MaxError && options_.effort != Effort::Draft &&
-        best.complete)
-      hold_worst_frames(
-          goal_, layout_.frames, options_.effort, attempt,
-          [&](const Trial& trial, Eigen::VectorXd& weights) {
-            goal_.raise_where_exceeded(decode(trial.compressed), weights);
-          },
-          best);
+    Trial best =
+        search_scale(guess, options_.target, goal_, options_.effort, layout_.frames, attempt);
     if (best.complete && options_.effort != Effort::Draft)
       goal_.require_met(best.excess, best.achieved,
                         best.count == layout_.coded_frames() * motion_.clip.channels.cols());

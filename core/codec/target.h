@@ -16,4 +16,9 @@ struct Target {
   double value = 25;
 };
 
+/// Whether a clip that came to `achieved`, the target's quantity, is as was asked. Figures that
+/// went through a text and back are forgiven their rounding; a coefficient ratio is met by
+/// construction.
+bool reached(const Target& target, double achieved);
+
 }  // namespace mocapress

@@ -222,16 +222,8 @@ class TargetedEncode {
     const ScaleGuess guess{
         .likely = likely_scale(options_.target, raw_bytes(analysis_.motion().clip)),
         .finest = [&] { return loop().finest_scale(); }};
-    Trial best = search_scale(guess, options_.target, goal_, options_.effort, attempt);
-    if (options_.target.kind == Target::Kind::MaxError && options_.effort != Effort::Draft &&
-        best.complete)
-      hold_worst_frames(
-          goal_, analysis_.motion().clip.frames(), options_.effort, attempt,
-          [&](const Trial& trial, Eigen::VectorXd& weights) {
-            goal_.raise_where_exceeded(decode(trial.compressed), weights);
-          },
-          best);
-    return best;
+    return search_scale(guess, options_.target, goal_, options_.effort,
+                        analysis_.motion().clip.frames(), attempt);
   }
 
   Trial attempt_scale(double scale, const ClosedLoopWork& work,

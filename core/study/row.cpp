@@ -1,35 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "core/study/row.h"
 
-#include <cmath>
 #include <cstdio>
 
 #include "core/study/plan.h"
 
 namespace mocapress {
-namespace {
-
-constexpr double kRatioTolerance = 0.02;
-constexpr double kRounding = 1e-9;
-
-}  // namespace
+double Measurement::quantity(Target::Kind kind, Weighting weighting) const {
+  switch (kind) {
+    case Target::Kind::Ratio:
+      return ratio;
+    case Target::Kind::CoefficientRatio:
+      return coefficient_ratio.value_or(0);
+    case Target::Kind::Size:
+      return static_cast<double>(motion_bytes);
+    case Target::Kind::Error:
+      return eps_cm(weighting);
+    case Target::Kind::MaxError:
+      return max_error_cm;
+  }
+  return 0;
+}
 
 bool StudyRow::reached() const {
-  if (!measured) return false;
-  const double bound = target.value * (1 + kRounding);
-  switch (target.kind) {
-    case Target::Kind::Ratio:
-      return std::abs(measured->ratio / target.value - 1) <= kRatioTolerance + kRounding;
-    case Target::Kind::CoefficientRatio:
-      return measured->coefficient_ratio.has_value();
-    case Target::Kind::Size:
-      return static_cast<double>(measured->motion_bytes) <= bound;
-    case Target::Kind::Error:
-      return measured->eps_cm(weighting) <= bound;
-    case Target::Kind::MaxError:
-      return measured->max_error_cm <= bound;
-  }
-  return false;
+  return measured && mocapress::reached(target, measured->quantity(target.kind, weighting));
 }
 
 std::string StudyRow::key() const {

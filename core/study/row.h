@@ -37,6 +37,8 @@ struct Measurement {
   double eps_cm(Weighting weighting) const {
     return weighting == Weighting::BoneEnds ? eps_bone_ends_cm : eps_joint_origins_cm;
   }
+  /// Of the kind a target is of; 0: unknown.
+  double quantity(Target::Kind kind, Weighting weighting) const;
   double ms_per_frame() const { return frames > 0 ? 1000 * encode_seconds / frames : 0; }
 
   bool operator==(const Measurement&) const = default;

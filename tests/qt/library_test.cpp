@@ -3,26 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <QComboBox>
 #include <QFile>
-#include <QLineEdit>
 #include <QSignalSpy>
 #include <QSysInfo>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QToolButton>
-#include <QTreeView>
 
-#include "app/jobs/settings_key.h"
 #include "app/studio/session.h"
-#include "app/studio/settings_json.h"
-#include "core/base/error.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
 #include "widgets/models/library_model.h"
-#include "widgets/models/library_tree.h"
-#include "widgets/panels/library_panel.h"
-#include "widgets/panels/slot_control.h"
 
 namespace mocapress {
 namespace {
@@ -31,123 +21,6 @@ constexpr int kPatience = 60'000;  // ms
 
 EncodeOptions standard(double ratio) {
   return {.method = Method::Standard, .target = {Target::Kind::Ratio, ratio}};
-}
-
-ClipSettings elaborate() {
-  ClipSettings settings;
-  settings.encode = {.method = Method::ClosedLoop,
-                     .coding = Coding::Rle16,
-                     .basis = Basis::Linear,
-                     .weighting = Weighting::JointOrigins,
-                     .target = {Target::Kind::MaxError, 1.25},
-                     .seed = 0xffff'ffff'ffff'fff1,
-                     .effort = Effort::Best,
-                     .importance = {.joints = {1, 0.5, 4}, .contacts = 20}};
-  settings.preset = QStringLiteral("Mine");
-  settings.encode.correction =
-      CorrectionOptions{.joints = {4, 7}, .ratio = 12.5, .at = CorrectAt::Contacts};
-  settings.encode.contacts = std::vector<ContactSpan>{{4, 10, 20}, {7, 0, 3}};
-  settings.contacts.begin_speed = 12;
-  return settings;
-}
-
-TEST(SettingsJson, BringsEverySettingBack) {
-  for (const ClipSettings& settings : {ClipSettings(), elaborate()}) {
-    const ClipSettings back = settingsFrom(toJson(settings));
-    EXPECT_EQ(settingsKey(back.encode), settingsKey(settings.encode));
-    EXPECT_EQ(back.contacts, settings.contacts);
-    EXPECT_EQ(back.preset, settings.preset);
-  }
-}
-
-TEST(SettingsJson, RefusesNamesItDoesNotKnow) {
-  QJsonObject json = toJson(ClipSettings());
-  json[QStringLiteral("method")] = QStringLiteral("magic");
-  EXPECT_THROW(settingsFrom(json), Error);
-}
-
-TEST(ProjectFile, BringsClipsBackRelativeToItsFolder) {
-  Project project;
-  project.current = QStringLiteral("/motions/walk.bvh");
-  project.clips = {{.path = QStringLiteral("/motions/walk.bvh"),
-                    .settings = elaborate(),
-                    .outcome = Outcome{25, 0.5, 2, 1000, false},
-                    .verdict = Verdict::Rejected,
-                    .note = QStringLiteral("knee pops — frame 12")},
-                   {.path = QStringLiteral("/motions/cmu/09_01.amc"),
-                    .skeleton = QStringLiteral("/motions/cmu/09.asf")}};
-  const QByteArray text = projectText(project, QDir(QStringLiteral("/motions")));
-  EXPECT_FALSE(text.contains("/motions"));
-  const Project moved = parseProject(text, QDir(QStringLiteral("/elsewhere")));
-  ASSERT_EQ(moved.clips.size(), 2u);
-  EXPECT_EQ(moved.current, QStringLiteral("/elsewhere/walk.bvh"));
-  EXPECT_EQ(moved.clips[0].verdict, Verdict::Rejected);
-  EXPECT_EQ(moved.clips[0].note, project.clips[0].note);
-  EXPECT_EQ(moved.clips[0].outcome, project.clips[0].outcome);
-  EXPECT_EQ(settingsKey(moved.clips[0].settings->encode), settingsKey(elaborate().encode));
-  EXPECT_EQ(moved.clips[1].skeleton, QStringLiteral("/elsewhere/cmu/09.asf"));
-  EXPECT_FALSE(moved.clips[1].settings);
-}
-
-TEST(ProjectFile, RefusesWhatIsNoneAndWhatIsNewer) {
-  for (const char* text : {"", "{", "{}", "[1, 2]",
-                           "{\"format\": \"mocapress-project\", "
-                           "\"version\": 99}",
-                           "{\"format\": \"mocapress-project\", \"clips\": [{}]}"})
-    EXPECT_THROW(parseProject(text, {}), Error) << text;
-}
-
-TEST(LibraryModel, SaysInWordsWhatItsPicturesShow) {
-  LibraryModel model;
-  LibraryEntry entry{.path = QStringLiteral("/a/walk.bvh")};
-  model.setEntry(entry);
-  entry.frames = 120;
-  entry.outcome = Outcome{25, 0.5, 2, 1000, false};
-  model.setEntry(entry);
-  ASSERT_EQ(model.rowCount(), 1);
-  const QString words = model.index(0).data(Qt::AccessibleTextRole).toString();
-  EXPECT_TRUE(words.contains(QStringLiteral("walk.bvh")));
-  EXPECT_TRUE(words.contains(QStringLiteral("25.0 : 1, 0.50 cm")));
-  EXPECT_TRUE(words.contains(QStringLiteral("target missed")));
-  entry.trouble = QStringLiteral("line 3: nonsense");
-  model.setEntry(entry);
-  EXPECT_TRUE(model.index(0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("nonsense")));
-}
-
-TEST(LibraryPanel, ShowsTheReviewOfTheCurrentClipAndTellsOfChanges) {
-  LibraryModel model;
-  model.setEntries({{.path = QStringLiteral("a")},
-                    {.path = QStringLiteral("b"),
-                     .verdict = Verdict::Approved,
-                     .note = QStringLiteral("fine")}});
-  LibraryPanel panel(&model);
-  QSignalSpy opened(&panel, &LibraryPanel::openRequested);
-  panel.setCurrent(1);
-  EXPECT_EQ(panel.note()->text(), QStringLiteral("fine"));
-  EXPECT_EQ(panel.verdict()->currentData().toInt(), static_cast<int>(Verdict::Approved));
-  EXPECT_EQ(opened.count(), 0);
-  panel.view()->setCurrentIndex(panel.tree()->indexOf(0));
-  ASSERT_EQ(opened.count(), 1);
-  EXPECT_EQ(opened[0][0].toInt(), 0);
-  QSignalSpy noted(&panel, &LibraryPanel::noteEdited);
-  QTest::keyClicks(panel.note(), QStringLiteral("x"));
-  ASSERT_EQ(noted.count(), 1);
-  EXPECT_EQ(noted[0][1].toString(), QStringLiteral("x"));
-}
-
-TEST(SlotControl, AsksToSwitchOnlyForTheOther) {
-  SlotControl control;
-  control.setSlots(0, {QStringLiteral("25 : 1"), QString()});
-  QSignalSpy asked(&control, &SlotControl::switchRequested);
-  control.slot(0)->click();
-  EXPECT_EQ(asked.count(), 0);
-  EXPECT_TRUE(control.slot(0)->isChecked());
-  control.slot(1)->click();
-  EXPECT_EQ(asked.count(), 1);
-  EXPECT_TRUE(control.slot(0)->isChecked());  // until it is told
-  control.setSlots(1, {});
-  EXPECT_TRUE(control.slot(1)->isChecked());
-  EXPECT_FALSE(control.slot(0)->isChecked());
 }
 
 class InALibrary : public testing::Test {
@@ -384,7 +257,7 @@ TEST_F(InALibrary, SlotsAreSwitchedCopiedAndUndone) {
 
 TEST_F(InALibrary, SettingsThatDoNotFitTheClipAreLeftOut) {
   const QString walk = clip("walk.bvh", 1);
-  ClipSettings settings = elaborate();
+  ClipSettings settings;
   settings.encode = standard(15);
   settings.encode.contacts = std::vector<ContactSpan>{{99, 0, 3}, {4, 10, 5000}, {4, 10, 20}};
   Project project;

@@ -5,11 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
-#include <QDropEvent>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
-#include <QMimeData>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
@@ -23,6 +21,7 @@
 #include "app/studio/screenshot.h"
 #include "app/studio/trace.h"
 #include "core/formats/motion_file.h"
+#include "tests/qt/studio_at_work.h"
 #include "tests/support/test_motion.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/message_bar.h"
@@ -32,7 +31,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kPatience = 60'000;  // ms
+using test::kPatience;
 
 bool isRed(QRgb pixel) {
   return qRed(pixel) > 90 && qRed(pixel) > 2 * qGreen(pixel) && qRed(pixel) > 2 * qBlue(pixel);
@@ -42,13 +41,6 @@ int redPixels(const QImage& image) {
   int count = 0;
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) count += isRed(image.pixel(x, y));
-  return count;
-}
-
-int differingPixels(const QImage& a, const QImage& b) {
-  int count = 0;
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = 0; x < a.width(); ++x) count += a.pixel(x, y) != b.pixel(x, y);
   return count;
 }
 
@@ -108,7 +100,7 @@ TEST_F(StudioWindow, ShowsBothFiguresOfTheSampleAfterADragAndSavesWhatItShows) {
   const QImage both = capture();
   EXPECT_GT(redPixels(both), 200);
   viewport_->setOriginal(nullptr);
-  EXPECT_GT(differingPixels(both, capture()), 200) << "the ghost of the original";
+  EXPECT_GT(test::differing(both, capture()), 200) << "the ghost of the original";
   viewport_->setCompressed(nullptr);
   EXPECT_EQ(redPixels(capture()), 0);
 
@@ -185,32 +177,19 @@ TEST_F(StudioWindow, AnUnreadableFileIsAMessageInTheWindow) {
 }
 
 TEST_F(StudioWindow, OpensWhatIsDroppedOnIt) {
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(writeClip("dropped.bvh", 80))});
   QSignalSpy settled(&window_.session(), &Session::settled);
-  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&window_, &enter);
-  EXPECT_TRUE(enter.isAccepted());
-  QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&window_, &drop);
+  test::drop(window_, {QUrl::fromLocalFile(writeClip("dropped.bvh", 80))});
   ASSERT_TRUE(settled.wait(kPatience));
   EXPECT_EQ(document_.frames(), 80);
 }
 
 TEST_F(StudioWindow, OfSeveralDroppedFilesOnlyMotionsCountAndASingleOneIsOpened) {
-  QMimeData data;
-  QFile notes(QFileInfo(writeClip("dropped.bvh", 70)).path() + QStringLiteral("/notes.txt"));
+  QFile notes(path("notes.txt"));
   ASSERT_TRUE(notes.open(QIODevice::WriteOnly));
-  data.setUrls({QUrl::fromLocalFile(notes.fileName()),
-                QUrl::fromLocalFile(writeClip("dropped.bvh", 70)),
-                QUrl(QStringLiteral("https://example.org/walk.bvh"))});
   QSignalSpy settled(&window_.session(), &Session::settled);
-  // Qt drops only where something was dragged in.
-  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&window_, &enter);
-  EXPECT_TRUE(enter.isAccepted());
-  QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&window_, &drop);
+  test::drop(window_, {QUrl::fromLocalFile(notes.fileName()),
+                       QUrl::fromLocalFile(writeClip("dropped.bvh", 70)),
+                       QUrl(QStringLiteral("https://example.org/walk.bvh"))});
   ASSERT_TRUE(settled.wait(kPatience));
   EXPECT_EQ(document_.frames(), 70);
 }

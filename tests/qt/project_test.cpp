@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/project.h"
+
+#include <gtest/gtest.h>
+
+#include "app/jobs/settings_key.h"
+#include "core/base/error.h"
+#include "tests/qt/elaborate_settings.h"
+
+namespace mocapress {
+namespace {
+
+using test::elaborate;
+
+TEST(ProjectFile, BringsClipsBackRelativeToItsFolder) {
+  Project project;
+  project.current = QStringLiteral("/motions/walk.bvh");
+  project.clips = {{.path = QStringLiteral("/motions/walk.bvh"),
+                    .settings = elaborate(),
+                    .outcome = Outcome{25, 0.5, 2, 1000, false},
+                    .verdict = Verdict::Rejected,
+                    .note = QStringLiteral("knee pops — frame 12")},
+                   {.path = QStringLiteral("/motions/cmu/09_01.amc"),
+                    .skeleton = QStringLiteral("/motions/cmu/09.asf")}};
+  const QByteArray text = projectText(project, QDir(QStringLiteral("/motions")));
+  EXPECT_FALSE(text.contains("/motions"));
+  const Project moved = parseProject(text, QDir(QStringLiteral("/elsewhere")));
+  ASSERT_EQ(moved.clips.size(), 2u);
+  EXPECT_EQ(moved.current, QStringLiteral("/elsewhere/walk.bvh"));
+  EXPECT_EQ(moved.clips[0].verdict, Verdict::Rejected);
+  EXPECT_EQ(moved.clips[0].note, project.clips[0].note);
+  EXPECT_EQ(moved.clips[0].outcome, project.clips[0].outcome);
+  EXPECT_EQ(settingsKey(moved.clips[0].settings->encode), settingsKey(elaborate().encode));
+  EXPECT_EQ(moved.clips[1].skeleton, QStringLiteral("/elsewhere/cmu/09.asf"));
+  EXPECT_FALSE(moved.clips[1].settings);
+}
+
+TEST(ProjectFile, RefusesWhatIsNoneAndWhatIsNewer) {
+  for (const char* text : {"", "{", "{}", "[1, 2]",
+                           "{\"format\": \"mocapress-project\", "
+                           "\"version\": 99}",
+                           "{\"format\": \"mocapress-project\", \"clips\": [{}]}"})
+    EXPECT_THROW(parseProject(text, {}), Error) << text;
+}
+
+}  // namespace
+}  // namespace mocapress

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/qt/studio_at_work.h"
+
+#include <QDropEvent>
+#include <QMimeData>
+#include <set>
+
+#include "app/studio/screenshot.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress::test {
+namespace {
+
+// Each picture is kept at the guide's width too. In resources/guide compare.png is view-wipe,
+// inspect session-3-heat-map, curve session-3-rate-distortion and pinned pinned-side-by-side; the
+// README's studio.png is library.
+constexpr int kGuideWidth = 900;
+
+}  // namespace
+
+QString picturePath(const QString& name) {
+  const QDir folder(QStringLiteral(MOCAPRESS_BINARY_DIR "/pictures"));
+  folder.mkpath(QStringLiteral("guide"));
+  return folder.filePath(name + QStringLiteral(".png"));
+}
+
+int differing(const QImage& a, const QImage& b) {
+  int count = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) count += a.pixel(x, y) != b.pixel(x, y);
+  return count;
+}
+
+std::size_t coloursIn(const QImage& picture, const QRect& area) {
+  std::set<QRgb> colours;
+  for (int y = area.top(); y < area.bottom(); y += 2)
+    for (int x = area.left(); x < area.right(); x += 2) colours.insert(picture.pixel(x, y));
+  return colours.size();
+}
+
+int pixelsNear(const QImage& picture, const QRect& area, const QColor& colour) {
+  int count = 0;
+  for (int y = area.top(); y < area.bottom(); ++y)
+    for (int x = area.left(); x < area.right(); ++x) {
+      const QColor seen = picture.pixelColor(x, y);
+      const int away = std::abs(seen.hsvHue() - colour.hsvHue());
+      count += seen.hsvSaturation() > 100 && std::min(away, 360 - away) < 8;
+    }
+  return count;
+}
+
+void drop(QWidget& widget, const QList<QUrl>& urls) {
+  QMimeData data;
+  data.setUrls(urls);
+  // Qt drops only where something was dragged in.
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&widget, &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&widget, &drop);
+}
+
+QImage Studio::picture(const QString& name) {
+  QSignalSpy captured(window_.views().viewport, &Viewport::captured);
+  window_.views().viewport->capture();
+  EXPECT_TRUE(captured.count() > 0 || captured.wait(kPatience));
+  QTest::qWait(150);
+  EXPECT_TRUE(writeScreenshot(window_, picturePath(name)));
+  QImage picture(picturePath(name));
+  // As the guide takes it.
+  picture.scaledToWidth(kGuideWidth, Qt::SmoothTransformation)
+      .save(picturePath(QStringLiteral("guide/") + name));
+  return picture;
+}
+
+}  // namespace mocapress::test

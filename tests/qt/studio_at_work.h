@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real window at work, and pictures of it. Needs an X display with OpenGL (Xvfb will do).
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QImage>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTranslator>
+
+#include "app/studio/main_window.h"
+
+namespace mocapress::test {
+
+inline constexpr int kPatience = 60'000;  // ms
+
+/// In the build folder.
+QString picturePath(const QString& name);
+
+int differing(const QImage& a, const QImage& b);
+
+/// How many colours there are to see: of an empty or grey area hardly any.
+std::size_t coloursIn(const QImage& picture, const QRect& area);
+
+/// Of about that hue, whatever the light.
+int pixelsNear(const QImage& picture, const QRect& area, const QColor& colour);
+
+/// Files or folders let fall on a widget.
+void drop(QWidget& widget, const QList<QUrl>& urls);
+
+/// A window at work.
+class Studio {
+ public:
+  Studio() {
+    window_.resize(1440, 900);
+    window_.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window_));
+  }
+
+  MainWindow* operator->() { return &window_; }
+
+  template <typename Act>
+  void settleAfter(Act act) {
+    QSignalSpy settled(&window_.session(), &Session::settled);
+    act();
+    ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.session().busy(); }, kPatience));
+  }
+
+  void open(const QString& path) {
+    settleAfter([&] { window_.files().open(path); });
+  }
+
+  /// Once the 3D view has drawn what was done last.
+  QImage picture(const QString& name);
+
+  QRect areaOf(const QWidget* widget) {
+    return {widget->mapTo(&window_, QPoint()), widget->size()};
+  }
+
+ private:
+  MainWindow window_;
+};
+
+class StudioTour : public testing::Test {
+ protected:
+  StudioTour() {
+    QSettings().clear();
+    // English has plural forms too: the pictures are to be shown.
+    EXPECT_TRUE(english_.load(QStringLiteral(":/i18n/mocapress_en.qm")));
+    QCoreApplication::installTranslator(&english_);
+  }
+  ~StudioTour() override {
+    QCoreApplication::removeTranslator(&english_);
+    QSettings().clear();
+  }
+  QTranslator english_;
+  QTemporaryDir directory_;
+};
+
+}  // namespace mocapress::test
