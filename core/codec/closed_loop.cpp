@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/codec/rate_table.h"
@@ -11,8 +12,8 @@
 namespace mocapress {
 namespace {
 
-constexpr double kDeadZone = 0.1;  // what is added before details are cut to whole steps
-constexpr double kLambda = 0.04;   // squared steps of error that a bit is worth
+constexpr double kDeadZone = 0.1;   // what is added before details are cut to whole steps
+constexpr double kBitPrice = 0.04;  // squared steps of error that a bit is worth
 constexpr double kLeastMoved =
     1e-4;  // of the mean curvature: what moves no landmark counts so much
 
@@ -78,16 +79,8 @@ double likely_scale(const Target& target, std::size_t raw_bytes) {
 class ClosedLoopRun {
  public:
   ClosedLoopRun(const ClosedLoop& loop, double scale, const Eigen::VectorXd& frame_weights)
-      : loop_(loop),
-        bands_(loop.transform_.lifting.bands()),
-        frame_weights_(frame_weights),
-        rates_(bands_) {
-    if (weighted()) {
-      weighted_curvature_ = frame_weights.asDiagonal() * loop.curvature_;
-      weighted_coefficient_curvature_ = loop.coefficient_curvature(weighted_curvature_);
-    }
+      : ClosedLoopRun(loop, frame_weights) {
     coded_.scale = file_scale(scale);
-    lambda_ = kLambda * coded_.scale * coded_.scale;
     for (int j = 0; j < channels(); ++j)
       coded_.fineness.push_back(
           std::clamp(static_cast<int>(std::lround(std::log2(loop.mean_curvature_(j)))),
@@ -95,8 +88,14 @@ class ClosedLoopRun {
     coded_.values.resize(loop.transform_.per_channel(), channels());
     for (int j = 0; j < channels(); ++j)
       coded_.values.col(j) = quantised(j, loop.transform_.values.col(j));
-    errors_ = reconstruct(coded_, loop.transform_.lifting) - loop.original_.channels;
-    pass([&](int j) { energy_ += errors_.col(j).dot(gradient_); });
+    begin();
+  }
+
+  ClosedLoopRun(const ClosedLoop& loop, QuantisedSignals coded,
+                const Eigen::VectorXd& frame_weights)
+      : ClosedLoopRun(loop, frame_weights) {
+    coded_ = std::move(coded);
+    begin();
   }
 
   ClosedLoop::Result run(const ClosedLoopWork& work, const Observer<ClosedLoopProgress>& observer) {
@@ -115,8 +114,60 @@ class ClosedLoopRun {
     return result;
   }
 
+  ClosedLoop::Result coarsen(ErrorBound& bound, const Observer<ClosedLoopProgress>& observer) {
+    constexpr double kDearer = 1.5;  // what a bit may cost, from sweep to sweep
+    constexpr int kMostSweeps = 24;
+    constexpr int kLeastSweeps = 4;
+    constexpr double kNear = 0.985;
+    constexpr double kLeastGain = 0.01;
+    ClosedLoop::Result result;
+    bound_ = &bound;
+    double bits = total_bits();
+    for (bool gains = true; gains && result.sweeps < kMostSweeps && result.complete;) {
+      bit_price_ *= kDearer;
+      bound.begin(decoded());
+      pass([&](int j) { sweep(j); });
+      ++result.sweeps;
+      result.eps_cm = eps_cm();
+      const double before = std::exchange(bits, total_bits());
+      gains = result.sweeps < kLeastSweeps || bound.furthest() < kNear ||
+              bits < (1 - kLeastGain) * before;
+      result.complete = go_on(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
+    }
+    result.coded = std::move(coded_);
+    return result;
+  }
+
  private:
+  ClosedLoopRun(const ClosedLoop& loop, const Eigen::VectorXd& frame_weights)
+      : loop_(loop),
+        bands_(loop.transform_.lifting.bands()),
+        frame_weights_(frame_weights),
+        rates_(bands_) {
+    if (!weighted()) return;
+    weighted_curvature_ = frame_weights.asDiagonal() * loop.curvature_;
+    weighted_coefficient_curvature_ = loop.coefficient_curvature(weighted_curvature_);
+  }
+
+  void begin() {
+    errors_ = reconstruct(coded_, loop_.transform_.lifting) - loop_.original_.channels;
+    pass([&](int j) { energy_ += errors_.col(j).dot(gradient_); });
+  }
+
+  Clip decoded() const {
+    return {loop_.original_.sample_rate_hz, loop_.original_.channels + errors_};
+  }
+
+  /// By rates learned from the values as they are.
+  double total_bits() {
+    rates_.learn(coded_.values);
+    double bits = 0;
+    for (int j = 0; j < channels(); ++j) bits += rates_.bits(coded_.values.col(j).data());
+    return bits;
+  }
+
   int channels() const { return loop_.transform_.channels(); }
+  double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit
   bool weighted() const { return frame_weights_.size() > 0; }
   const Eigen::MatrixXd& curvature() const {
     return weighted() ? weighted_curvature_ : loop_.curvature_;
@@ -182,7 +233,7 @@ class ClosedLoopRun {
     loop_.transform_.lifting.inverse(samples, samples);
     const Eigen::VectorXd delta = target - loop_.original_.channels.col(j) - errors_.col(j);
     const double saved = rates_.bits(coded_.values.col(j).data()) - rates_.bits(values.data());
-    if (energy_of(j, delta) >= lambda_ * saved) return;
+    if (energy_of(j, delta) >= lambda() * saved) return;
     coded_.values.col(j) = values;
     move(j, delta);
   }
@@ -197,6 +248,7 @@ class ClosedLoopRun {
     int* const values = coded_.values.col(j).data();
     const double channel_step = coded_.step(j);
     count_alive(values);
+    if (bound_) bound_->next();
     Eigen::VectorXd slopes(gradient.size());
     loop_.transform_.lifting.correlate(
         std::span(gradient.data(), static_cast<std::size_t>(gradient.size())),
@@ -212,12 +264,14 @@ class ClosedLoopRun {
         const double slope = function.values.dot(gradient.segment(function.first, size));
         const int moved = best_move(values, b, i, slope * step, curve * step * step);
         if (moved == 0) continue;
+        const Eigen::VectorXd change = moved * step * function.values;
+        if (bound_ && !bound_->allows(function.first, change)) continue;
+        if (bound_) bound_->add(function.first, change);
         alive_[static_cast<std::size_t>(b)] += (values[c] + moved != 0) - (values[c] != 0);
         values[c] += moved;
-        delta.segment(function.first, size) += moved * step * function.values;
+        delta.segment(function.first, size) += change;
         gradient.segment(function.first, size) +=
-            moved * step *
-            function.values.cwiseProduct(curvature().col(j).segment(function.first, size));
+            change.cwiseProduct(curvature().col(j).segment(function.first, size));
       }
     if (!delta.isZero(0)) move(j, delta);
   }
@@ -244,7 +298,7 @@ class ClosedLoopRun {
       if (value == now) continue;
       const double x = value - now;
       const double cost =
-          x * (2 * slope + x * curve) + lambda_ * (bits_with(values, b, i, value) - bits_now);
+          x * (2 * slope + x * curve) + lambda() * (bits_with(values, b, i, value) - bits_now);
       if (cost >= least) continue;
       least = cost;
       move = value - now;
@@ -274,9 +328,10 @@ class ClosedLoopRun {
   QuantisedSignals coded_;
   Eigen::MatrixXd errors_;           // frames x channels: decoded minus original
   double energy_ = 0;                // the sum of squared errors that makes, frames weighted
+  ErrorBound* bound_ = nullptr;      // that must hold, if any
   ErrorSweep* under_way_ = nullptr;  // the pass under way
   Eigen::VectorXd gradient_;         // where it is, frames weighted
-  double lambda_ = 0;                // of it that a bit is worth
+  double bit_price_ = kBitPrice;     // squared steps
   std::vector<int> alive_;  // how many of each band are not zero, of the channel being swept
 };
 
@@ -284,6 +339,11 @@ ClosedLoop::Result ClosedLoop::quantise(double scale, const ClosedLoopWork& work
                                         const Eigen::VectorXd& frame_weights,
                                         const Observer<ClosedLoopProgress>& observer) const {
   return ClosedLoopRun(*this, scale, frame_weights).run(work, observer);
+}
+
+ClosedLoop::Result ClosedLoop::coarsen(QuantisedSignals coded, ErrorBound& bound,
+                                       const Observer<ClosedLoopProgress>& observer) const {
+  return ClosedLoopRun(*this, std::move(coded), {}).coarsen(bound, observer);
 }
 
 }  // namespace mocapress

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/codec/error_bound.h"
 #include "core/codec/quantised_signals.h"
 #include "core/codec/target.h"
 #include "core/select/error_model.h"
@@ -43,6 +44,11 @@ class ClosedLoop {
   Result quantise(double scale, const ClosedLoopWork& work = {},
                   const Eigen::VectorXd& frame_weights = {},
                   const Observer<ClosedLoopProgress>& observer = {}) const;
+
+  /// Drops more and more of what was quantised, what is cheapest first, as long as the bound holds.
+  /// Frames count alike. Ends near the bound, where a sweep saves little more.
+  Result coarsen(QuantisedSignals coded, ErrorBound& bound,
+                 const Observer<ClosedLoopProgress>& observer = {}) const;
 
   /// Of finer scales the largest coefficients would not fit.
   double finest_scale() const;

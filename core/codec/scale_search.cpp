@@ -148,9 +148,9 @@ void close_in(const Goal& goal, const ClosedLoopWork& work, const AttemptScale& 
 }
 
 /// Larger scales may do where the frames weigh more that exceed the bound. Replaces `best` where
-/// something smaller is found.
-void hold_worst_frames(const Goal& goal, int frames, const ClosedLoopWork& work,
-                       const AttemptScale& attempt, Trial& best) {
+/// something smaller is found. Returns the weights that did it: none where all are alike.
+Eigen::VectorXd hold_worst_frames(const Goal& goal, int frames, const ClosedLoopWork& work,
+                                  const AttemptScale& attempt, Trial& best) {
   constexpr int kRounds = 5;
   constexpr double kLeastStep = 1.04;
   Eigen::VectorXd best_weights;  // none: all alike
@@ -161,7 +161,7 @@ void hold_worst_frames(const Goal& goal, int frames, const ClosedLoopWork& work,
     for (int round = 0; round < kRounds && !held; ++round) {
       Trial trial = attempt(scale, work, weights);
       best.complete = trial.complete;
-      if (!trial.complete) return;
+      if (!trial.complete) return best_weights;
       if (!goal.met(trial.excess)) {
         goal.raise_where_exceeded(decode(trial.compressed), weights);
         continue;
@@ -173,24 +173,38 @@ void hold_worst_frames(const Goal& goal, int frames, const ClosedLoopWork& work,
     }
     if (!held) step = std::sqrt(step);
   }
-  close_in(goal, work, attempt, best_weights, best);
+  return best_weights;
+}
+
+/// Goes to the bound where it may, else nearer to it.
+void approach_bound(const Goal& goal, const Target& target, const ClosedLoopWork& work,
+                    const ScaleTrials& trials, const Eigen::VectorXd& weights, Trial& best) {
+  if (!trials.coarsen) return close_in(goal, work, trials.attempt, weights, best);
+  constexpr double kRounding = 1e-4;  // between what is coarsened and what is decoded
+  Trial coarser = trials.coarsen(best, (1 - kRounding) * target.value);
+  best.complete = coarser.complete;
+  if (!coarser.complete || !goal.met(coarser.excess)) return;
+  if (coarser.compressed.motion_bytes() < best.compressed.motion_bytes()) best = std::move(coarser);
 }
 
 }  // namespace
 
 Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
-                   int frames, const AttemptScale& attempt) {
+                   int frames, const ScaleTrials& trials) {
   const ClosedLoopWork work = work_of(effort);
-  Trial rough = attempt(guess.likely, {.compensate = false, .sweeps = 0}, {});
+  Trial rough = trials.attempt(guess.likely, {.compensate = false, .sweeps = 0}, {});
   if (!rough.complete) return rough;
   const double first_scale = guess.likely * coarser_after_rough_trial(rough.excess, target, work);
-  if (effort == Effort::Draft) return attempt(first_scale, work, {});
-  ScaleSearch trials(goal, target, attempt);
-  seek(guess, goal, first_scale, work_of(Effort::Default), trials);
-  if (effort == Effort::Best && trials.met()) try_harder(work, trials);
-  if (target.kind == Target::Kind::MaxError && trials.may_go_on())
-    hold_worst_frames(goal, frames, work, attempt, trials.best());
-  return std::move(trials.best());
+  if (effort == Effort::Draft) return trials.attempt(first_scale, work, {});
+  ScaleSearch search(goal, target, trials.attempt);
+  seek(guess, goal, first_scale, work_of(Effort::Default), search);
+  if (effort == Effort::Best && search.met()) try_harder(work, search);
+  if (target.kind == Target::Kind::MaxError && search.may_go_on()) {
+    const Eigen::VectorXd weights =
+        hold_worst_frames(goal, frames, work, trials.attempt, search.best());
+    if (search.may_go_on()) approach_bound(goal, target, work, trials, weights, search.best());
+  }
+  return std::move(search.best());
 }
 
 }  // namespace mocapress

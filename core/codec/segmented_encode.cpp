@@ -36,7 +36,7 @@ class SegmentedEncode {
     const ScaleGuess guess{.likely = likely_scale(options_.target, raw_bytes(motion_.clip)),
                            .finest = [this] { return finest_scale_; }};
     Trial best =
-        search_scale(guess, options_.target, goal_, options_.effort, layout_.frames, attempt);
+        search_scale(guess, options_.target, goal_, options_.effort, layout_.frames, {attempt});
     if (best.complete && options_.effort != Effort::Draft)
       goal_.require_met(best.excess, best.achieved,
                         best.count == layout_.coded_frames() * motion_.clip.channels.cols());

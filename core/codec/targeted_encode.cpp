@@ -215,15 +215,19 @@ class TargetedEncode {
   }
 
   Trial closed_loop() {
-    const auto attempt = [&](double scale, const ClosedLoopWork& work,
-                             const Eigen::VectorXd& frame_weights) {
-      return attempt_scale(scale, work, frame_weights);
-    };
+    ScaleTrials trials{
+        .attempt = [&](double scale, const ClosedLoopWork& work, const Eigen::VectorXd& weights) {
+          return attempt_scale(scale, work, weights);
+        }};
+    if (!correction_)  // which would have to be made anew for each change
+      trials.coarsen = [&](const Trial& trial, double bound_cm) {
+        return coarsen(trial, bound_cm);
+      };
     const ScaleGuess guess{
         .likely = likely_scale(options_.target, raw_bytes(analysis_.motion().clip)),
         .finest = [&] { return loop().finest_scale(); }};
     return search_scale(guess, options_.target, goal_, options_.effort,
-                        analysis_.motion().clip.frames(), attempt);
+                        analysis_.motion().clip.frames(), trials);
   }
 
   Trial attempt_scale(double scale, const ClosedLoopWork& work,
@@ -243,17 +247,33 @@ class TargetedEncode {
 
   Trial code_at(double scale, const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
                 bool with_bytes = true) {
-    Trial trial{.compressed = empty_clip(), .scale = scale};
-    const auto observe = [&](const ClosedLoopProgress& p) {
+    Trial trial = trial_of(loop().quantise(scale, work, frame_weights, observe_pass()), with_bytes);
+    trial.scale = scale;
+    return trial;
+  }
+
+  Trial coarsen(const Trial& trial, double bound_cm) {
+    ErrorBound bound(analysis_.motion().skeleton, analysis_.original_tracks(), bound_cm);
+    QuantisedSignals coded = AdaptiveSegments(trial.compressed).next();
+    Trial coarser = trial_of(loop().coarsen(std::move(coded), bound, observe_pass()), true);
+    coarser.scale = trial.scale;
+    weigh(coarser);
+    return coarser;
+  }
+
+  Observer<ClosedLoopProgress> observe_pass() {
+    return [this, pass = pass_++](const ClosedLoopProgress& p) {
       return go_on(observer_,
-                   EncodeProgress{.pass = pass_, .iteration = p.sweep, .eps_cm = p.eps_cm});
+                   EncodeProgress{.pass = pass, .iteration = p.sweep, .eps_cm = p.eps_cm});
     };
-    ClosedLoop::Result result = loop().quantise(scale, work, frame_weights, observe);
-    ++pass_;
-    trial.iterations = result.sweeps;
-    trial.eps_cm = result.eps_cm;
-    trial.complete = result.complete;
-    trial.count = static_cast<int>((result.coded.values.array() != 0).count());
+  }
+
+  Trial trial_of(ClosedLoop::Result result, bool with_bytes) {
+    Trial trial{.compressed = empty_clip(),
+                .count = static_cast<int>((result.coded.values.array() != 0).count()),
+                .eps_cm = result.eps_cm,
+                .iterations = result.sweeps,
+                .complete = result.complete};
     if (with_bytes) finish(std::move(result.coded), trial.compressed);
     return trial;
   }

@@ -95,7 +95,27 @@ TEST(ClosedLoop, HoldsAHardBound) {
   const Encoding bounded =
       encoder.encode({.method = Method::ClosedLoop, .target = {Target::Kind::MaxError, 1}});
   EXPECT_LE(bounded.distortion.max.cm, 1);
-  EXPECT_GT(bounded.distortion.max.cm, 0.7);
+  EXPECT_GT(bounded.distortion.max.cm, 0.98);
+}
+
+TEST(ClosedLoop, CoarsensUpToTheBoundAndNotBeyond) {
+  const Motion& motion = analysis().motion();
+  const Eigen::MatrixXd& tracks = analysis().original_tracks();
+  const auto furthest_cm = [&](const QuantisedSignals& coded) {
+    const Clip decoded{motion.clip.sample_rate_hz,
+                       reconstruct(coded, analysis().in(Basis::Cubic).ranked.lifting)};
+    return measure(motion.skeleton, tracks, decoded).max.cm;
+  };
+  const auto kept = [](const QuantisedSignals& coded) {
+    return (coded.values.array() != 0).count();
+  };
+  const QuantisedSignals fine = loop().quantise(0.5).coded;
+  const double bound_cm = 1.5 * furthest_cm(fine);
+  ErrorBound bound(motion.skeleton, tracks, bound_cm);
+  const QuantisedSignals coarse = loop().coarsen(fine, bound).coded;
+  EXPECT_LE(furthest_cm(coarse), bound_cm * (1 + 1e-6));
+  EXPECT_GT(furthest_cm(coarse), 0.98 * bound_cm);
+  EXPECT_LT(kept(coarse), 0.95 * static_cast<double>(kept(fine)));
 }
 
 TEST(ClosedLoop, EndsWhenToldTo) {

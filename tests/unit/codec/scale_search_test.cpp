@@ -34,7 +34,11 @@ TEST(ScaleSearch, MeetsEveryKindOfTargetWithinTwoPercent) {
       EXPECT_LE(achieved, eps);
       EXPECT_GT(achieved, 0.96 * eps);
     }
-    EXPECT_LE(encoded({Target::Kind::MaxError, 1.5}, effort).distortion.max.cm, 1.5);
+    for (const double bound : {0.4, 1.5, 4.0}) {
+      const double furthest = encoded({Target::Kind::MaxError, bound}, effort).distortion.max.cm;
+      EXPECT_LE(furthest, bound);
+      EXPECT_GT(furthest, 0.98 * bound);
+    }
   }
 }
 

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/motion/landmarks.h"
+
+namespace mocapress {
+
+/// A bound on how far any landmark may be from its original, while one channel after another
+/// changes. Exact: what hangs on a joint turns about it as one piece.
+class ErrorBound {
+ public:
+  /// The skeleton and `original_tracks`, landmark_tracks(), must outlive this.
+  ErrorBound(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks, double bound_cm);
+
+  /// Begins a pass over the channels of this clip.
+  void begin(const Clip& decoded);
+
+  /// The largest distance over the bound.
+  double furthest() const;
+
+  /// Goes on to the next channel, 0 first.
+  void next();
+
+  /// Whether `delta`, added to that channel from a frame on, takes no landmark beyond the bound;
+  /// nor further where it is beyond.
+  bool allows(Eigen::Index first_frame, const Eigen::VectorXd& delta) const;
+  void add(Eigen::Index first_frame, const Eigen::VectorXd& delta);
+
+ private:
+  using Rotations = std::vector<Eigen::Matrix3d>;  // one a frame
+
+  /// A landmark that the channel moves, by sin(delta) * along + (1 - cos(delta)) * across, or by
+  /// delta * along where it translates. Both frames x 3, cm.
+  struct Moved {
+    Eigen::Index landmark;
+    Eigen::MatrixX3d along;
+    Eigen::MatrixX3d across;
+  };
+
+  /// What `delta` does, as factors of both.
+  struct Step {
+    Eigen::ArrayXd along;
+    Eigen::ArrayXd across;
+  };
+
+  void enter_joint(int joint);
+  void find_moved();
+  bool is_at_or_below(int joint, int other) const;
+  Step step_of(const Eigen::VectorXd& delta) const;
+  Eigen::ArrayX3d errors_after(const Moved& moved, Eigen::Index first_frame,
+                               const Step& step) const;
+
+  const Skeleton& skeleton_;
+  const Eigen::MatrixXd& original_tracks_;
+  const double squared_bound_;
+  const std::vector<Landmark> points_;
+  Eigen::MatrixXd channels_;  // frames x channels
+  Eigen::MatrixXd errors_;    // frames x 3 * landmarks, cm
+  Eigen::MatrixXd squared_;   // of them: frames x landmarks
+  int channel_ = -1;
+  int joint_ = -1;                           // of the channel
+  std::vector<Rotations> world_from_joint_;  // of the joints before that
+  Rotations world_from_axes_;                // before the channel's own turn
+  std::vector<Moved> moved_;
+};
+
+}  // namespace mocapress
