@@ -773,8 +773,8 @@
         <translation>La boucle fermée arrondit chaque coefficient selon son effet sur l&apos;erreur dans le monde, et donne de loin les plus petits fichiers. Les autres sont celles de l&apos;article, qui choisissent les coefficients à garder : le recuit les déplace vers les canaux où ils réduisent le plus l&apos;erreur, standard garde les plus grands de tous, par canal en garde autant de chacun.</translation>
     </message>
     <message>
-        <source>Best looks longer for something smaller: a few per cent, for five times the time.</source>
-        <translation>Le meilleur cherche plus longtemps plus petit : quelques pour cent, pour cinq fois le temps.</translation>
+        <source>Best looks longer for something smaller: a few per cent, for some ten times the time.</source>
+        <translation>Le meilleur cherche plus longtemps plus petit : quelques pour cent, pour une dizaine de fois le temps.</translation>
     </message>
     <message>
         <source>Only the closed loop can try harder: the paper&apos;s methods end where they end.</source>

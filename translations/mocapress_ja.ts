@@ -768,8 +768,8 @@
         <translation>閉ループは、ワールドでの誤差への影響を見ながら各係数を丸め、群を抜いて小さくなります。ほかは論文の手法で、残す係数を選びます。焼きなましは誤差が最も減るチャンネルへ係数を移し、標準は全体で大きいものを、チャンネル別は各チャンネルから同じ数だけ残します。</translation>
     </message>
     <message>
-        <source>Best looks longer for something smaller: a few per cent, for five times the time.</source>
-        <translation>「最良」はより小さくなるものを長く探します。5 倍の時間で数パーセント小さくなります。</translation>
+        <source>Best looks longer for something smaller: a few per cent, for some ten times the time.</source>
+        <translation>「最良」はより小さくなるものを長く探します。10 倍ほどの時間で数パーセント小さくなります。</translation>
     </message>
     <message>
         <source>Only the closed loop can try harder: the paper&apos;s methods end where they end.</source>

@@ -14,6 +14,7 @@ namespace mocapress {
 struct ClosedLoopWork {
   bool compensate = true;  // each channel for the others, once
   int sweeps = 5;          // over all coefficients
+  bool pairs = false;      // the later ones with two channels at a time, too
 };
 
 struct ClosedLoopProgress {

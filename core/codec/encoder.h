@@ -22,7 +22,7 @@ class ClipAnalysis;
 enum class Effort {
   Draft,    // while a slider moves: about the target, which is not promised
   Default,  // the target is met
-  Best,     // a few per cent smaller, for five times the time
+  Best,     // a few per cent smaller, for some ten times the time
 };
 
 /// "draft", "default", "best".

@@ -67,10 +67,15 @@ ClosedLoopWork work_of(Effort effort) {
     case Effort::Draft:
       return {.sweeps = 0};
     case Effort::Best:
-      return {.sweeps = 12};
+      return {.sweeps = 6, .pairs = true};
     default:
       return {};
   }
+}
+
+/// With which the scale follows the target.
+double power_of_scale(const Target& target) {
+  return is_by_error(target) ? 1.35 : 1.7;
 }
 
 /// How much coarser the scale is at which `work` meets the target, by a rough trial's excess. How
@@ -80,8 +85,7 @@ double coarser_after_rough_trial(double excess, const Target& target, const Clos
   const bool by_error = is_by_error(target);
   const bool swept = work.sweeps > 0;
   const double more = by_error ? (swept ? -0.52 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
-  const double power = by_error ? 1.35 : 1.7;  // with which the scale follows the target
-  return std::exp(power * std::clamp(excess - more, -3.0, 3.0));
+  return std::exp(power_of_scale(target) * std::clamp(excess - more, -3.0, 3.0));
 }
 
 /// Tries scales until the target is met. The scale is sought as a count that grows as it gets
@@ -115,12 +119,17 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, const C
     trials.try_scale(middle * (1 + (i % 2 == 0 ? -kBeside : kBeside) * ((i + 1) / 2)), work);
 }
 
-/// A few more trials around what was found, each with more work.
-void try_harder(const ClosedLoopWork& work, ScaleSearch& trials) {
+/// A few more trials, each with more work, at scales where that should just meet the target. They
+/// differ by chance, too.
+void try_harder(const Target& target, const ClosedLoopWork& work, ScaleSearch& trials) {
+  constexpr int kTrials = 4;
+  constexpr double kAside = 0.003;  // where a scale was tried
   trials.prefer_cheap();
-  const double middle = trials.best().scale;
-  for (const double coarser : {1.01, 1.02, 1.03, 1.0, 1.04})
-    if (trials.may_go_on()) trials.try_scale(coarser * middle, work);
+  double scale = trials.best().scale;
+  for (int i = 0; i < kTrials && trials.may_go_on(); ++i) {
+    const double excess = trials.try_scale(scale, work);
+    scale *= std::exp(power_of_scale(target) * excess - kAside);
+  }
 }
 
 /// Goes nearer to the bound with the weights as they are, while that takes no more bytes. A short
@@ -198,7 +207,7 @@ Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& go
   if (effort == Effort::Draft) return trials.attempt(first_scale, work, {});
   ScaleSearch search(goal, target, trials.attempt);
   seek(guess, goal, first_scale, work_of(Effort::Default), search);
-  if (effort == Effort::Best && search.met()) try_harder(work, search);
+  if (effort == Effort::Best && search.met()) try_harder(target, work, search);
   if (target.kind == Target::Kind::MaxError && search.may_go_on()) {
     const Eigen::VectorXd weights =
         hold_worst_frames(goal, frames, work, trials.attempt, search.best());

@@ -224,14 +224,24 @@ void ErrorModel::add(const PointResponse& response) {
 void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
                                  Eigen::MatrixXd& gradient) const {
   for (const PointTerm& term : terms_) term.add_to_gradient(channel, delta, gradient);
-  const auto c = static_cast<std::size_t>(channel);
   for (Eigen::Index first = 0; first < delta.size(); first += kBlock) {
-    const Eigen::Index frames = std::min(kBlock, delta.size() - first);
-    const Eigen::ArrayXf step = delta.segment(first, frames).cast<float>();
-    if ((step == 0).all()) continue;
+    const auto step = delta.segment(first, std::min(kBlock, delta.size() - first));
+    if (!step.isZero(0)) add_to_gradient(channel, first, step, 0, gradient);
+  }
+}
+
+void ErrorModel::add_to_gradient(int channel, Eigen::Index first_frame,
+                                 const Eigen::Ref<const Eigen::VectorXd>& delta, int first_channel,
+                                 Eigen::MatrixXd& gradient) const {
+  const auto c = static_cast<std::size_t>(channel);
+  for (Eigen::Index done = 0; done < delta.size(); done += kBlock) {
+    const Eigen::Index first = first_frame + done;
+    const Eigen::Index frames = std::min(kBlock, delta.size() - done);
+    const Eigen::ArrayXf step = delta.segment(done, frames).cast<float>();
     // The force that one channel calls up does work along the motion of the other: that of the
     // lower one is of all landmarks that both move.
     const auto add = [&](const Block<6, float>& mine, const Eigen::MatrixXf& theirs, int other) {
+      if (other < first_channel) return;
       const auto them = columns<6>(theirs, other, first, frames);
       const Block<1, float> work =
           mine.col(0) * them.col(0) + mine.col(1) * them.col(1) + mine.col(2) * them.col(2) +

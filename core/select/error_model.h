@@ -62,6 +62,15 @@ class ErrorModel {
   /// Touches only the channels that share landmarks with it.
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
 
+  /// The same of an error in some frames, from `first_frame` on, and for the channels from
+  /// `first_channel` on. Without has_terms() only.
+  void add_to_gradient(int channel, Eigen::Index first_frame,
+                       const Eigen::Ref<const Eigen::VectorXd>& delta, int first_channel,
+                       Eigen::MatrixXd& gradient) const;
+
+  /// Whether errors of some points count otherwise.
+  bool has_terms() const { return !terms_.empty(); }
+
  private:
   friend class ErrorSweep;
 

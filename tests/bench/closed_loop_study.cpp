@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How small the closed loop gets each study clip at a given error, how fast, and against whom, as
 // Markdown tables. Times are processor seconds of all threads together.
-// Usage: mocapress-closed-loop-study CORPUS/study [EFFORT]
+// Usage: mocapress-closed-loop-study CORPUS/study [best]
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/codec/encoder.h"
@@ -44,11 +45,12 @@ constexpr std::array kPaper = {PaperRow{"09_01", 1.4, 48},  PaperRow{"09_01", 0.
                                PaperRow{"49_02", 0.45, 37}, PaperRow{"49_02", 0.29, 27},
                                PaperRow{"49_02", 0.14, 15}, PaperRow{"49_02", 0.05, 6.4}};
 
-double ratio_at(const Encoder& encoder, Weighting weighting, double eps_cm) {
+double ratio_at(const Encoder& encoder, Weighting weighting, double eps_cm, Effort effort) {
   const Encoding encoding = encoder.encode({.method = Method::ClosedLoop,
                                             .coding = Coding::Adaptive,
                                             .weighting = weighting,
-                                            .target = {Target::Kind::Error, eps_cm}});
+                                            .target = {Target::Kind::Error, eps_cm},
+                                            .effort = effort});
   return compression_ratio(encoder.motion().clip, encoding.compressed.motion_bytes());
 }
 
@@ -56,7 +58,7 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-void against_peers(const fs::path& folder) {
+void against_peers(const fs::path& folder, Effort effort) {
   std::vector<fs::path> clips;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".amc") clips.push_back(entry.path());
@@ -78,7 +80,7 @@ void against_peers(const fs::path& folder) {
     std::string speeds;
     for (std::size_t i = 0; i < kErrors.size(); ++i) {
       const double start = processor_seconds();
-      const double ratio = ratio_at(Encoder(motion), Weighting::BoneEnds, kErrors[i]);
+      const double ratio = ratio_at(Encoder(motion), Weighting::BoneEnds, kErrors[i], effort);
       const double took = processor_seconds() - start;
       seconds[i] += took;
       logs[i] += std::log(ratio);
@@ -106,14 +108,15 @@ void against_peers(const fs::path& folder) {
   std::printf(" |\n\n");
 }
 
-void against_paper(const fs::path& folder) {
+void against_paper(const fs::path& folder, Effort effort) {
   std::printf("| clip | eps_x cm, joint-origins | ratio | of the paper's optimised |\n");
   std::printf("| --- | --- | --- | --- |\n");
   std::map<std::string, Encoder> encoders;
   for (const PaperRow& row : kPaper) {
     if (!encoders.contains(row.clip))
       encoders.emplace(row.clip, read_motion(folder / (std::string(row.clip) + ".amc")).motion);
-    const double ratio = ratio_at(encoders.at(row.clip), Weighting::JointOrigins, row.eps_cm);
+    const double ratio =
+        ratio_at(encoders.at(row.clip), Weighting::JointOrigins, row.eps_cm, effort);
     std::printf("| %s | %g | %.1f | %.2f |\n", row.clip, row.eps_cm, ratio, ratio / row.ratio);
   }
 }
@@ -122,13 +125,15 @@ void against_paper(const fs::path& folder) {
 }  // namespace mocapress
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "Usage: mocapress-closed-loop-study CORPUS/study\n");
+  const bool best = argc == 3 && std::string_view(argv[2]) == "best";
+  if (argc != 2 && !best) {
+    std::fprintf(stderr, "Usage: mocapress-closed-loop-study CORPUS/study [best]\n");
     return 2;
   }
   try {
-    mocapress::against_peers(argv[1]);
-    mocapress::against_paper(argv[1]);
+    const auto effort = best ? mocapress::Effort::Best : mocapress::Effort::Default;
+    mocapress::against_peers(argv[1], effort);
+    mocapress::against_paper(argv[1], effort);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "mocapress-closed-loop-study: %s\n", error.what());

@@ -146,7 +146,7 @@ void CompressionPanel::showWhatApplies() {
   const bool closed = options_.method == Method::ClosedLoop;
   effort_->setEnabled(closed);
   effort_->setToolTip(
-      closed ? tr("Best looks longer for something smaller: a few per cent, for five times the "
+      closed ? tr("Best looks longer for something smaller: a few per cent, for some ten times the "
                   "time.")
              : tr("Only the closed loop can try harder: the paper's methods end where they end."));
   coding_->setEnabled(!closed);

@@ -50,6 +50,23 @@ TEST_P(ErrorModelOf, GradientIsTheBruteForceFormTimesTheError) {
   }
 }
 
+TEST_P(ErrorModelOf, GradientOfSomeFramesAndChannelsIsPartOfTheWhole) {
+  Random random(5);
+  Eigen::VectorXd delta(40);
+  for (double& d : delta) d = random.unit() - 0.5;
+  for (const int channel : {0, 4, model_.channels() - 1}) {
+    Eigen::VectorXd padded = Eigen::VectorXd::Zero(150);
+    padded.segment(70, 40) = delta;
+    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(150, model_.channels());
+    model_.add_to_gradient(channel, padded, whole);
+    Eigen::MatrixXd part = Eigen::MatrixXd::Zero(150, model_.channels());
+    model_.add_to_gradient(channel, 70, delta, 3, part);
+    EXPECT_TRUE(part.leftCols(3).isZero(0));
+    EXPECT_TRUE(part.rightCols(model_.channels() - 3)
+                    .isApprox(whole.rightCols(model_.channels() - 3), 1e-5));
+  }
+}
+
 TEST_P(ErrorModelOf, EnergyOfStepsAddsUpToTheQuadraticForm) {
   Random random(9);
   Eigen::MatrixXd error = Eigen::MatrixXd::Zero(150, model_.channels());
