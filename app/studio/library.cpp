@@ -8,6 +8,7 @@
 #include <chrono>
 #include <map>
 
+#include "app/studio/clip_outcome.h"
 #include "app/studio/edit_step.h"
 #include "app/studio/session.h"
 #include "core/base/error.h"
@@ -33,29 +34,6 @@ void writeText(const QString& path, const QByteArray& text) {
   QSaveFile file(path);
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
     throw Error(path.toStdString() + ": " + file.errorString().toStdString());
-}
-
-/// What a compression came to, of the kind its target is of.
-double quantityOf(const DecodedClip& decoded, const EncodeOptions& options) {
-  switch (options.target.kind) {
-    case Target::Kind::Ratio:
-      return decoded.ratio;
-    case Target::Kind::Size:
-      return static_cast<double>(decoded.compressed.motion_bytes());
-    case Target::Kind::Error:
-      return decoded.distortion->eps(options.weighting);
-    case Target::Kind::MaxError:
-      return decoded.distortion->max.cm;
-    case Target::Kind::CoefficientRatio:
-      break;
-  }
-  return options.target.value;
-}
-
-/// Requires a distortion.
-Outcome outcomeOf(const DecodedClip& decoded, const EncodeOptions& options) {
-  return {decoded.ratio, decoded.distortion->eps(options.weighting), decoded.distortion->max.cm,
-          decoded.compressed.motion_bytes(), reached(options.target, quantityOf(decoded, options))};
 }
 
 }  // namespace
