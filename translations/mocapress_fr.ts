@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>Open Pro&amp;ject…</source>
-        <translation>Ouvrir un pro&amp;jet…</translation>
+        <translation>Ouvrir un &amp;projet…</translation>
     </message>
     <message>
         <source>Sa&amp;ve Project As…</source>
@@ -57,7 +57,7 @@
     </message>
     <message>
         <source>Switch between &amp;A and B</source>
-        <translation>Passer de &amp;A à B</translation>
+        <translation>Passer de A à &amp;B</translation>
     </message>
     <message>
         <source>&amp;Copy Settings to the Other</source>
@@ -133,7 +133,7 @@
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation>&amp;Sombre</translation>
+        <translation>S&amp;ombre</translation>
     </message>
     <message>
         <source>&amp;About Mocapress</source>
@@ -201,7 +201,7 @@
     </message>
     <message>
         <source>Keep this result in view beside those of other settings (D)</source>
-        <translation>Garder ce résultat en vue à côté de ceux d'autres réglages (D)</translation>
+        <translation>Garder ce résultat en vue à côté de ceux d&apos;autres réglages (D)</translation>
     </message>
 </context>
 <context>
@@ -458,6 +458,22 @@
         <source>Clips can be added when the batch has ended.</source>
         <translation>Des séquences peuvent être ajoutées quand le lot est terminé.</translation>
     </message>
+    <message>
+        <source>Output</source>
+        <translation>Sortie</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Remove Clips</source>
+        <translation>Retirer des séquences</translation>
+    </message>
+    <message>
+        <source>Add Clips</source>
+        <translation>Ajouter des séquences</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchStatus</name>
@@ -638,6 +654,14 @@
     <message>
         <source>A change while clips are selected is theirs alone, and locks them.</source>
         <translation>Un changement fait pendant une sélection ne vaut que pour ces clips, et les verrouille.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
     </message>
 </context>
 <context>
@@ -1127,6 +1151,13 @@
     </message>
 </context>
 <context>
+    <name>mocapress::FolderSearch</name>
+    <message>
+        <source>There are no clips in %1.</source>
+        <translation>Il n&apos;y a aucune séquence dans %1.</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::FootskatePanel</name>
     <message>
         <source>Findings of footskate</source>
@@ -1382,6 +1413,17 @@
     </message>
 </context>
 <context>
+    <name>mocapress::Library</name>
+    <message>
+        <source>Add Clips</source>
+        <translation>Ajouter des séquences</translation>
+    </message>
+    <message>
+        <source>Remove Clip</source>
+        <translation>Retirer la séquence</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::LibraryModel</name>
     <message>
         <source>Cannot be read</source>
@@ -1491,7 +1533,7 @@
     </message>
     <message>
         <source>Words of a clip&apos;s name, folder or state: “walks missed”.</source>
-        <translation>Mots du nom, du dossier ou de l'état d'une séquence : « marches manquée ».</translation>
+        <translation>Mots du nom, du dossier ou de l&apos;état d&apos;une séquence : « marches manquée ».</translation>
     </message>
     <message>
         <source>&amp;Clips…</source>
@@ -1500,6 +1542,20 @@
     <message>
         <source>&amp;Folder…</source>
         <translation>&amp;Dossier…</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryTree</name>
+    <message numerus="yes">
+        <source>%Ln clip(s)</source>
+        <translation>
+            <numerusform>%Ln séquence</numerusform>
+            <numerusform>%Ln séquences</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %L2 missed</source>
+        <translation>%1, %L2 cible manquée</translation>
     </message>
 </context>
 <context>
@@ -1697,6 +1753,107 @@
     <message>
         <source>≥ %1 cm</source>
         <translation>≥ %1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedModel</name>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Double click to give it another name.</source>
+        <translation>Double-cliquer pour changer le nom.</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Taux</translation>
+    </message>
+    <message>
+        <source>Compression ratio</source>
+        <translation>Taux de compression</translation>
+    </message>
+    <message>
+        <source>Weighted root mean square distance from the original.</source>
+        <translation>Distance quadratique moyenne pondérée à l’original.</translation>
+    </message>
+    <message>
+        <source>95 % of all points and frames are within.</source>
+        <translation>95 % de tous les points et de toutes les images sont en deçà.</translation>
+    </message>
+    <message>
+        <source>Greatest distance of any point at any frame.</source>
+        <translation>Plus grande distance d&apos;un point, toutes images confondues.</translation>
+    </message>
+    <message>
+        <source>Footskate: how far standing feet slide.</source>
+        <translation>Glissement : de combien glissent les pieds posés.</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>eps_x</source>
+        <translation>eps_x</translation>
+    </message>
+    <message>
+        <source>p95</source>
+        <translation>p95</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Skate</source>
+        <translation>Glisse</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedPanel</name>
+    <message>
+        <source>Pin This</source>
+        <translation>Épingler</translation>
+    </message>
+    <message>
+        <source>Make Current</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>Ôter</translation>
+    </message>
+    <message>
+        <source>Pinned results</source>
+        <translation>Résultats épinglés</translation>
+    </message>
+    <message>
+        <source>Keep the current result in view, as a figure of its own colour, while other settings are tried.</source>
+        <translation>Garder en vue le résultat actuel, figure de sa propre couleur, pendant que d&apos;autres réglages sont essayés.</translation>
+    </message>
+    <message>
+        <source>Go on from the settings of the chosen result. Can be undone.</source>
+        <translation>Continuer à partir des réglages du résultat choisi. Peut être annulé.</translation>
+    </message>
+    <message>
+        <source>Take the chosen result out of the view.</source>
+        <translation>Retirer de la vue le résultat choisi.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedResults</name>
+    <message>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
+    </message>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -2125,10 +2282,6 @@
     <message>
         <source>Verdict</source>
         <translation>Verdict</translation>
-    </message>
-    <message>
-        <source>Remove Clip</source>
-        <translation>Retirer la séquence</translation>
     </message>
 </context>
 <context>
@@ -2970,131 +3123,6 @@ Cliquer pour le charger dans le studio.</translation>
             <numerusform>%n note sur la lecture de cette séquence</numerusform>
             <numerusform>%n notes sur la lecture de cette séquence</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::FolderSearch</name>
-    <message>
-        <source>There are no clips in %1.</source>
-        <translation>Il n'y a aucune séquence dans %1.</translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::Library</name>
-</context>
-<context>
-    <name>mocapress::LibraryTree</name>
-    <message numerus="yes">
-        <source>%Ln clip(s)</source>
-        <translation>
-            <numerusform>%Ln séquence</numerusform>
-            <numerusform>%Ln séquences</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1, %L2 missed</source>
-        <translation>%1, %L2 cible manquée</translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::PinnedModel</name>
-    <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
-    </message>
-    <message>
-        <source>Double click to give it another name.</source>
-        <translation>Double-cliquer pour changer le nom.</translation>
-    </message>
-    <message>
-        <source>Ratio</source>
-        <translation>Taux</translation>
-    </message>
-    <message>
-        <source>Compression ratio</source>
-        <translation>Taux de compression</translation>
-    </message>
-    <message>
-        <source>Weighted root mean square distance from the original.</source>
-        <translation>Distance quadratique moyenne pondérée à l’original.</translation>
-    </message>
-    <message>
-        <source>95 % of all points and frames are within.</source>
-        <translation>95 % de tous les points et de toutes les images sont en deçà.</translation>
-    </message>
-    <message>
-        <source>Greatest distance of any point at any frame.</source>
-        <translation>Plus grande distance d'un point, toutes images confondues.</translation>
-    </message>
-    <message>
-        <source>Footskate: how far standing feet slide.</source>
-        <translation>Glissement : de combien glissent les pieds posés.</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>cm</translation>
-    </message>
-    <message>
-        <source>eps_x</source>
-        <translation>eps_x</translation>
-    </message>
-    <message>
-        <source>p95</source>
-        <translation>p95</translation>
-    </message>
-    <message>
-        <source>Max</source>
-        <translation>Max</translation>
-    </message>
-    <message>
-        <source>Skate</source>
-        <translation>Glisse</translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::PinnedPanel</name>
-    <message>
-        <source>Pin This</source>
-        <translation>Épingler</translation>
-    </message>
-    <message>
-        <source>Make Current</source>
-        <translation>Reprendre</translation>
-    </message>
-    <message>
-        <source>Unpin</source>
-        <translation>Ôter</translation>
-    </message>
-    <message>
-        <source>Pinned results</source>
-        <translation>Résultats épinglés</translation>
-    </message>
-    <message>
-        <source>Keep the current result in view, as a figure of its own colour, while other settings are tried.</source>
-        <translation>Garder en vue le résultat actuel, figure de sa propre couleur, pendant que d'autres réglages sont essayés.</translation>
-    </message>
-    <message>
-        <source>Go on from the settings of the chosen result. Can be undone.</source>
-        <translation>Continuer à partir des réglages du résultat choisi. Peut être annulé.</translation>
-    </message>
-    <message>
-        <source>Take the chosen result out of the view.</source>
-        <translation>Retirer de la vue le résultat choisi.</translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::PinnedResults</name>
-    <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
-    <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
 </context>
 </TS>

@@ -458,6 +458,22 @@
         <source>Clips can be added when the batch has ended.</source>
         <translation>クリップの追加は、一括処理が終わってからできます。</translation>
     </message>
+    <message>
+        <source>Output</source>
+        <translation>出力</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Remove Clips</source>
+        <translation>クリップを外す</translation>
+    </message>
+    <message>
+        <source>Add Clips</source>
+        <translation>クリップを追加</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchStatus</name>
@@ -633,6 +649,14 @@
     <message>
         <source>A change while clips are selected is theirs alone, and locks them.</source>
         <translation>クリップを選択中の変更はそれらだけのもので、ロックします。</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
     </message>
 </context>
 <context>
@@ -1119,6 +1143,13 @@
     </message>
 </context>
 <context>
+    <name>mocapress::FolderSearch</name>
+    <message>
+        <source>There are no clips in %1.</source>
+        <translation>%1 にはクリップがありません。</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::FootskatePanel</name>
     <message>
         <source>Findings of footskate</source>
@@ -1374,6 +1405,17 @@
     </message>
 </context>
 <context>
+    <name>mocapress::Library</name>
+    <message>
+        <source>Add Clips</source>
+        <translation>クリップを追加</translation>
+    </message>
+    <message>
+        <source>Remove Clip</source>
+        <translation>クリップを外す</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::LibraryModel</name>
     <message>
         <source>Cannot be read</source>
@@ -1491,6 +1533,19 @@
     <message>
         <source>&amp;Folder…</source>
         <translation>フォルダー(&amp;F)…</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryTree</name>
+    <message numerus="yes">
+        <source>%Ln clip(s)</source>
+        <translation>
+            <numerusform>クリップ %Ln 個</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %L2 missed</source>
+        <translation>%1、未達 %L2</translation>
     </message>
 </context>
 <context>
@@ -1687,6 +1742,107 @@
     <message>
         <source>≥ %1 cm</source>
         <translation>≥ %1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedModel</name>
+    <message>
+        <source>Result</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>Double click to give it another name.</source>
+        <translation>ダブルクリックで名前を変更します。</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Compression ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Weighted root mean square distance from the original.</source>
+        <translation>オリジナルからの重み付き二乗平均平方根距離。</translation>
+    </message>
+    <message>
+        <source>95 % of all points and frames are within.</source>
+        <translation>すべての点とフレームの 95 % がこの範囲に入ります。</translation>
+    </message>
+    <message>
+        <source>Greatest distance of any point at any frame.</source>
+        <translation>全フレーム、全点での最大距離。</translation>
+    </message>
+    <message>
+        <source>Footskate: how far standing feet slide.</source>
+        <translation>フットスケート：接地した足が滑る距離。</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>eps_x</source>
+        <translation>eps_x</translation>
+    </message>
+    <message>
+        <source>p95</source>
+        <translation>p95</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Skate</source>
+        <translation>滑り</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedPanel</name>
+    <message>
+        <source>Pin This</source>
+        <translation>ピン留め</translation>
+    </message>
+    <message>
+        <source>Make Current</source>
+        <translation>現在の設定に</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>外す</translation>
+    </message>
+    <message>
+        <source>Pinned results</source>
+        <translation>ピン留めした結果</translation>
+    </message>
+    <message>
+        <source>Keep the current result in view, as a figure of its own colour, while other settings are tried.</source>
+        <translation>ほかの設定を試す間、現在の結果を独自の色の人形として表示し続けます。</translation>
+    </message>
+    <message>
+        <source>Go on from the settings of the chosen result. Can be undone.</source>
+        <translation>選んだ結果の設定から続けます。元に戻せます。</translation>
+    </message>
+    <message>
+        <source>Take the chosen result out of the view.</source>
+        <translation>選んだ結果を表示から外します。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PinnedResults</name>
+    <message>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
+    </message>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
     </message>
 </context>
 <context>
@@ -2114,10 +2270,6 @@
     <message>
         <source>Verdict</source>
         <translation>判定</translation>
-    </message>
-    <message>
-        <source>Remove Clip</source>
-        <translation>クリップを外す</translation>
     </message>
 </context>
 <context>
@@ -2951,130 +3103,6 @@ Click to load it into the studio.</source>
         <translation>
             <numerusform>このクリップの読み込みに関する注記 %n 件</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::FolderSearch</name>
-    <message>
-        <source>There are no clips in %1.</source>
-        <translation>%1 にはクリップがありません。</translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::Library</name>
-</context>
-<context>
-    <name>mocapress::LibraryTree</name>
-    <message numerus="yes">
-        <source>%Ln clip(s)</source>
-        <translation>
-            <numerusform>クリップ %Ln 個</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1, %L2 missed</source>
-        <translation>%1、未達 %L2</translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::PinnedModel</name>
-    <message>
-        <source>Result</source>
-        <translation>結果</translation>
-    </message>
-    <message>
-        <source>Double click to give it another name.</source>
-        <translation>ダブルクリックで名前を変更します。</translation>
-    </message>
-    <message>
-        <source>Ratio</source>
-        <translation>圧縮率</translation>
-    </message>
-    <message>
-        <source>Compression ratio</source>
-        <translation>圧縮率</translation>
-    </message>
-    <message>
-        <source>Weighted root mean square distance from the original.</source>
-        <translation>オリジナルからの重み付き二乗平均平方根距離。</translation>
-    </message>
-    <message>
-        <source>95 % of all points and frames are within.</source>
-        <translation>すべての点とフレームの 95 % がこの範囲に入ります。</translation>
-    </message>
-    <message>
-        <source>Greatest distance of any point at any frame.</source>
-        <translation>全フレーム、全点での最大距離。</translation>
-    </message>
-    <message>
-        <source>Footskate: how far standing feet slide.</source>
-        <translation>フットスケート：接地した足が滑る距離。</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>cm</translation>
-    </message>
-    <message>
-        <source>eps_x</source>
-        <translation>eps_x</translation>
-    </message>
-    <message>
-        <source>p95</source>
-        <translation>p95</translation>
-    </message>
-    <message>
-        <source>Max</source>
-        <translation>最大</translation>
-    </message>
-    <message>
-        <source>Skate</source>
-        <translation>滑り</translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::PinnedPanel</name>
-    <message>
-        <source>Pin This</source>
-        <translation>ピン留め</translation>
-    </message>
-    <message>
-        <source>Make Current</source>
-        <translation>現在の設定に</translation>
-    </message>
-    <message>
-        <source>Unpin</source>
-        <translation>外す</translation>
-    </message>
-    <message>
-        <source>Pinned results</source>
-        <translation>ピン留めした結果</translation>
-    </message>
-    <message>
-        <source>Keep the current result in view, as a figure of its own colour, while other settings are tried.</source>
-        <translation>ほかの設定を試す間、現在の結果を独自の色の人形として表示し続けます。</translation>
-    </message>
-    <message>
-        <source>Go on from the settings of the chosen result. Can be undone.</source>
-        <translation>選んだ結果の設定から続けます。元に戻せます。</translation>
-    </message>
-    <message>
-        <source>Take the chosen result out of the view.</source>
-        <translation>選んだ結果を表示から外します。</translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::PinnedResults</name>
-    <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
-    <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1、%2</translation>
     </message>
 </context>
 </TS>

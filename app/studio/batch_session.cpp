@@ -88,8 +88,7 @@ void BatchSession::remember() {
   rememberBatch(memory_, {settings_, queue_.common(), queue_.clips()});
 }
 
-void BatchSession::setSettings(const BatchSettings& settings) {
-  if (settings == settings_ || running()) return;
+void BatchSession::apply(const BatchSettings& settings) {
   const bool elsewhere = settings.folder != settings_.folder || settings.names != settings_.names ||
                          settings.formats != settings_.formats;
   settings_ = settings;
@@ -124,7 +123,7 @@ void BatchSession::addClips(const QStringList& paths) {
           else
             emit noted(QString::fromStdString(source.problem));
         }
-        if (!refused()) queue_.add(clips);
+        if (!refused()) add(clips);
       },
       [this](const QString& message) {
         to_find_.clear();
@@ -150,19 +149,6 @@ void BatchSession::addTuned(const std::vector<TunedClip>& clips) {
         to_name_.clear();
         emit noted(message);
       });
-}
-
-/// Those that are there already get the settings.
-void BatchSession::take(const std::vector<QueuedClip>& clips) {
-  queue_.add(clips);
-  for (const QueuedClip& clip : clips) {
-    const auto& queued = queue_.clips();
-    const auto at = std::find_if(queued.begin(), queued.end(), [&](const QueuedClip& one) {
-      return one.source.path == clip.source.path;
-    });
-    if (at != queued.end() && at->own != clip.own)
-      queue_.setOwn({static_cast<int>(at - queued.begin())}, clip.own);
-  }
 }
 
 /// Clips by their rows; the common preset first, then those of locked clips.

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QStringList>
 #include <QTimer>
+#include <QUndoStack>
 #include <optional>
 #include <vector>
 
@@ -41,7 +42,20 @@ class BatchSession : public QObject {
   const BatchQueueModel* queue() const { return &queue_; }
 
   const BatchSettings& settings() const { return settings_; }
+
+  /// These change nothing while it runs, and are steps of history(), as adding clips is.
   void setSettings(const BatchSettings& settings);
+  void setCommon(const Preset& preset);
+  void setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset);
+  void remove(const std::vector<int>& rows);
+
+  /// What was done to the queue and its settings.
+  const QUndoStack& history() const { return history_; }
+  QUndoStack& history() { return history_; }
+
+  /// Nothing while it runs.
+  void undo();
+  void redo();
 
   /// Files, and folders for all clips below them. While it runs, none: noted().
   void addClips(const QStringList& paths);
@@ -92,6 +106,8 @@ class BatchSession : public QObject {
  private:
   Batch batch() const;
   bool refused();
+  void apply(const BatchSettings& settings);
+  void add(const std::vector<QueuedClip>& clips);
   void take(const std::vector<QueuedClip>& clips);
   void setState(State state, const QString& failure = {});
   void advance(const BatchCounts& counts, const std::vector<BatchStep>& steps);
@@ -101,6 +117,7 @@ class BatchSession : public QObject {
   QString memory_;
   BatchQueueModel queue_;
   BatchSettings settings_;
+  QUndoStack history_;
   PresetShelf* presets_;
   State state_ = State::Idle;
   QString failure_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/batch_window.h"
 
+#include <QAction>
 #include <QCloseEvent>
 #include <QDesktopServices>
 #include <QDir>
@@ -14,6 +15,7 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
+#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -82,6 +84,18 @@ BatchWindow::BatchWindow(BatchSession* session, QWidget* parent)
   showProgress();
 }
 
+QAction* BatchWindow::makeStep(QAction* step, QKeySequence::StandardKey key, const QString& icon,
+                               QHBoxLayout* tools) {
+  step->setShortcut(key);
+  step->setIcon(themedIcon(icon));
+  addAction(step);
+  auto* button = new QToolButton(this);
+  button->setDefaultAction(step);
+  button->setAutoRaise(true);
+  tools->addWidget(button);
+  return step;
+}
+
 QWidget* BatchWindow::makeQueue() {
   auto* queue = new QWidget(this);
   auto* files =
@@ -95,6 +109,10 @@ QWidget* BatchWindow::makeQueue() {
   tools->addWidget(files);
   tools->addWidget(folder);
   tools->addStretch(1);
+  undo_ = makeStep(session_->history().createUndoAction(this, tr("Undo")), QKeySequence::Undo,
+                   QStringLiteral("undo"), tools);
+  redo_ = makeStep(session_->history().createRedoAction(this, tr("Redo")), QKeySequence::Redo,
+                   QStringLiteral("redo"), tools);
   auto* column = new QVBoxLayout(queue);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -195,12 +213,12 @@ void BatchWindow::connectSession() {
 void BatchWindow::connectQueue() {
   BatchQueueModel* queue = session_->queue();
   connect(view_, &BatchQueueView::dropped, session_, &BatchSession::addClips);
-  connect(view_, &BatchQueueView::removeRequested, queue, &BatchQueueModel::remove);
-  connect(view_, &BatchQueueView::lockToggled, queue, [queue](int row) {
+  connect(view_, &BatchQueueView::removeRequested, session_, &BatchSession::remove);
+  connect(view_, &BatchQueueView::lockToggled, session_, [this, queue](int row) {
     const bool locked = queue->clips()[static_cast<std::size_t>(row)].own.has_value();
     const std::optional<Preset> preset =
         locked ? std::nullopt : std::optional(queue->presetOf(row));
-    queue->setOwn({row}, preset);
+    session_->setOwn({row}, preset);
   });
   connect(view_, &BatchQueueView::selectedRowsChanged, this, &BatchWindow::showSelection);
   connect(view_, &BatchQueueView::openRequested, this, [this, queue](int row) {
@@ -220,7 +238,7 @@ void BatchWindow::connectPresets() {
   connect(editor_->chooser(), &PresetChooser::saveRequested, this, &BatchWindow::savePreset);
   connectShelf(editor_->chooser(), session_->presets(), this);
   connect(unlock_, &QPushButton::clicked, this,
-          [this] { session_->queue()->setOwn(view_->selectedRows(), std::nullopt); });
+          [this] { session_->setOwn(view_->selectedRows(), std::nullopt); });
 }
 
 void BatchWindow::chooseFiles() {
@@ -263,9 +281,9 @@ void BatchWindow::writeSlurm() {
 void BatchWindow::changePreset(const Preset& preset) {
   const std::vector<int> rows = view_->selectedRows();
   if (rows.empty())
-    session_->queue()->setCommon(preset);
+    session_->setCommon(preset);
   else
-    session_->queue()->setOwn(rows, preset);
+    session_->setOwn(rows, preset);
 }
 
 void BatchWindow::showSelection() {
@@ -303,6 +321,8 @@ void BatchWindow::showProgress() {
   slurm_->setEnabled(!running && session_->obstacle().isEmpty());
   settings_->setEnabled(!running);
   view_->setEditable(!running);
+  undo_->setEnabled(!running && session_->history().canUndo());
+  redo_->setEnabled(!running && session_->history().canRedo());
   progress_->setValue(static_cast<int>(kSteps * session_->fraction()));
   status_->setText(statusOf(*session_));
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QKeySequence>
 #include <QWidget>
 
 #include "app/studio/batch_session.h"
 
+class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -44,6 +46,8 @@ class BatchWindow : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  QAction* makeStep(QAction* step, QKeySequence::StandardKey key, const QString& icon,
+                    QHBoxLayout* tools);
   QWidget* makeQueue();
   QWidget* makeSettings();
   QWidget* makeFoot();
@@ -64,6 +68,8 @@ class BatchWindow : public QWidget {
   BatchQueueView* view_;
   PresetEditor* editor_;
   BatchOutput* output_;
+  QAction* undo_ = nullptr;
+  QAction* redo_ = nullptr;
   QWidget* settings_ = nullptr;
   QLabel* whose_;
   QPushButton* unlock_;

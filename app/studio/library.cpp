@@ -4,11 +4,12 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
-#include <QSet>
 #include <algorithm>
 #include <chrono>
 #include <map>
 
+#include "app/studio/clip_outcome.h"
+#include "app/studio/edit_step.h"
 #include "app/studio/session.h"
 #include "core/base/error.h"
 #include "widgets/models/library_model.h"
@@ -33,29 +34,6 @@ void writeText(const QString& path, const QByteArray& text) {
   QSaveFile file(path);
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
     throw Error(path.toStdString() + ": " + file.errorString().toStdString());
-}
-
-/// What a compression came to, of the kind its target is of.
-double quantityOf(const DecodedClip& decoded, const EncodeOptions& options) {
-  switch (options.target.kind) {
-    case Target::Kind::Ratio:
-      return decoded.ratio;
-    case Target::Kind::Size:
-      return static_cast<double>(decoded.compressed.motion_bytes());
-    case Target::Kind::Error:
-      return decoded.distortion->eps(options.weighting);
-    case Target::Kind::MaxError:
-      return decoded.distortion->max.cm;
-    case Target::Kind::CoefficientRatio:
-      break;
-  }
-  return options.target.value;
-}
-
-/// Requires a distortion.
-Outcome outcomeOf(const DecodedClip& decoded, const EncodeOptions& options) {
-  return {decoded.ratio, decoded.distortion->eps(options.weighting), decoded.distortion->max.cm,
-          decoded.compressed.motion_bytes(), reached(options.target, quantityOf(decoded, options))};
 }
 
 }  // namespace
@@ -105,9 +83,7 @@ bool Library::begin(const QString& path) {
 }
 
 void Library::end() {
-  write_later_.stop();
-  write();
-  writing_.finish();
+  writeAll();
   lock_.reset();
 }
 
@@ -135,18 +111,20 @@ bool Library::load(const QString& path) {
 void Library::add(const QStringList& paths) {
   QSet<QString> known;
   for (const ProjectClip& clip : project_.clips) known.insert(clip.path);
-  std::vector<LibraryEntry> entries;
+  auto clips = std::make_shared<ClipsByRow>();  // as they are when they are taken out again
+  QSet<QString> fresh;
   for (const QString& each : paths) {
     const QString path = QFileInfo(each).absoluteFilePath();
     if (known.contains(path)) continue;
     known.insert(path);
-    project_.clips.push_back({.path = path});
-    entries.push_back(entryOf(project_.clips.back(), {}));
-    unread_.push_back(path);
+    fresh.insert(path);
+    clips->emplace(static_cast<int>(project_.clips.size() + clips->size()),
+                   ProjectClip{.path = path});
   }
-  model_->addEntries(entries);
-  readNextOutline();
-  touch();
+  if (fresh.isEmpty()) return;
+  session_->history()->push(new EditStep(
+      tr("Add Clips"), [this, clips] { putBack(*clips); },
+      [this, clips, fresh] { *clips = takeOut(fresh); }));
 }
 
 void Library::addFolder(const QString& path) {
@@ -155,10 +133,12 @@ void Library::addFolder(const QString& path) {
 
 void Library::remove(const QList<int>& rows) {
   if (rows.isEmpty()) return;
-  std::map<int, ProjectClip> clips;
-  for (const int row : rows) clips.emplace(row, project_.clips[static_cast<std::size_t>(row)]);
-  session_->history()->push(
-      new ClipRemoval([this, clips] { takeOut(clips); }, [this, clips] { putBack(clips); }));
+  QSet<QString> paths;
+  for (const int row : rows) paths.insert(project_.clips[static_cast<std::size_t>(row)].path);
+  auto clips = std::make_shared<ClipsByRow>();
+  session_->history()->push(new EditStep(
+      tr("Remove Clip"), [this, clips, paths] { *clips = takeOut(paths); },
+      [this, clips] { putBack(*clips); }));
 }
 
 std::vector<LibraryEntry> Library::entries() const {
@@ -167,9 +147,11 @@ std::vector<LibraryEntry> Library::entries() const {
   return entries;
 }
 
-void Library::takeOut(const std::map<int, ProjectClip>& clips) {
-  QSet<QString> paths;
-  for (const auto& [row, clip] : clips) paths.insert(clip.path);
+Library::ClipsByRow Library::takeOut(const QSet<QString>& paths) {
+  ClipsByRow clips;
+  for (std::size_t row = 0; row < project_.clips.size(); ++row)
+    if (const ProjectClip& clip = project_.clips[row]; paths.contains(clip.path))
+      clips.emplace(static_cast<int>(row), clip);
   const auto is_out = [&](const auto& one) { return paths.contains(one.path); };
   std::erase_if(project_.clips, is_out);
   std::vector<LibraryEntry> left = entries();
@@ -177,10 +159,11 @@ void Library::takeOut(const std::map<int, ProjectClip>& clips) {
   model_->setEntries(std::move(left));
   touch();
   emit currentChanged();
+  return clips;
 }
 
 /// With all that was decided about them, where they were: the first row first.
-void Library::putBack(const std::map<int, ProjectClip>& clips) {
+void Library::putBack(const ClipsByRow& clips) {
   std::vector<LibraryEntry> all = entries();
   for (const auto& [row, clip] : clips) {
     if (project_.find(clip.path)) continue;
@@ -232,6 +215,18 @@ void Library::change(const QString& path, const Review& review) {
     show(*reviewed);
     emit currentChanged();
   }));
+}
+
+std::vector<Pin> Library::pinsOf(const QString& path) {
+  const ProjectClip* clip = project_.find(path);
+  return clip ? clip->pins : std::vector<Pin>();
+}
+
+void Library::setPins(const QString& path, const std::vector<Pin>& pins) {
+  ProjectClip* clip = project_.find(path);
+  if (!clip) return;
+  clip->pins = pins;
+  touch();
 }
 
 std::vector<TunedClip> Library::tuned(const std::vector<int>& rows) const {
@@ -350,8 +345,15 @@ void Library::write() {
       });
 }
 
-void Library::openProject(const QString& path) {
+/// Another file is written from now on: what waits for the one before must not be replaced by it.
+void Library::writeAll() {
+  write_later_.stop();
   write();
+  writing_.finish();
+}
+
+void Library::openProject(const QString& path) {
+  writeAll();
   if (!load(path)) return;
   session_->forgetHistories();
   withdrawn_.clear();
@@ -360,13 +362,14 @@ void Library::openProject(const QString& path) {
 }
 
 void Library::saveAs(const QString& path) {
+  writeAll();
   path_ = path;
   changed_ = true;
   write();
 }
 
 void Library::startNew() {
-  write();
+  writeAll();
   path_ = home_;
   project_ = {};
   session_->forgetHistories();

@@ -3,6 +3,7 @@
 
 #include <QLockFile>
 #include <QObject>
+#include <QSet>
 #include <QStringList>
 #include <QTimer>
 #include <deque>
@@ -43,6 +44,7 @@ class Library : public QObject {
   /// All is written, and this was no crash.
   void end();
 
+  /// Those that are not there yet. Adding and removing are steps of the open clip's history.
   void add(const QStringList& paths);
 
   /// All clips below it, found in the background.
@@ -51,6 +53,10 @@ class Library : public QObject {
   void openClip(int row);
   void setVerdict(int row, Verdict verdict);
   void setNote(int row, const QString& note);
+
+  /// What was pinned of a clip.
+  std::vector<Pin> pinsOf(const QString& path);
+  void setPins(const QString& path, const std::vector<Pin>& pins);
 
   /// Goes on with a project that has a name; the one before is written.
   void openProject(const QString& path);
@@ -74,8 +80,10 @@ class Library : public QObject {
  private:
   void change(const QString& path, const Review& review);
   std::vector<LibraryEntry> entries() const;
-  void takeOut(const std::map<int, ProjectClip>& clips);  // by row
-  void putBack(const std::map<int, ProjectClip>& clips);
+  using ClipsByRow = std::map<int, ProjectClip>;
+
+  ClipsByRow takeOut(const QSet<QString>& paths);
+  void putBack(const ClipsByRow& clips);
   void noteOpened(const QString& path, const QString& skeleton);
   void noteSettings();
   void noteOutcome();
@@ -83,6 +91,7 @@ class Library : public QObject {
   void readNextOutline();
   void touch();
   void write();
+  void writeAll();
   bool load(const QString& path);
   ProjectClip* openNow();
 

@@ -81,6 +81,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   presets_->setHistory([this] { return session_->history(); });
   preset_views_ = new PresetViews(session_, presets_, views_.compression->presets(), this);
   pinned_ = new PinnedResults(session_, pinned_model_, pinned_panel_, views_.viewport, this);
+  pinned_->setMemory([this](const QString& path) { return library_->pinsOf(path); });
+  connect(pinned_, &PinnedResults::edited, library_, &Library::setPins);
   inspector_ = new Inspector(session_, playback_, inspection_, this);
   // After the presenter: an answer counts once the view has it.
   trace_ = new Trace(session_, views_.viewport, this);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/studio/clip_preset.h"
 #include "app/studio/session.h"
 #include "widgets/models/palette.h"
 #include "widgets/models/pinned_model.h"
@@ -28,6 +29,7 @@ PinnedResults::PinnedResults(Session* session, PinnedModel* model, PinnedPanel* 
   connect(document, &Document::clipChanged, this, [this] {
     pins_.clear();
     final_ = false;
+    recall();
     show();
   });
   connect(session, &Session::recompressing, this, [this] { setFinal(false); });
@@ -46,9 +48,9 @@ bool PinnedResults::canPin() const {
   const Document& document = session_->document();
   const DecodedPtr& decoded = document.decoded();
   return final_ && document.final() && document.original() && decoded && decoded->distortion &&
-         pins_.size() < kMostPinned &&
+         pins_.size() + unmade_.size() < kMostPinned &&
          std::none_of(pins_.begin(), pins_.end(),
-                      [&](const Pin& pin) { return pin.decoded == decoded; });
+                      [&](const Result& result) { return result.decoded == decoded; });
 }
 
 void PinnedResults::pinCurrent() {
@@ -57,24 +59,70 @@ void PinnedResults::pinCurrent() {
   const EncodeOptions& options = session_->document().options();
   const QString name = tr("%1, %2").arg(targetText(options.target),
                                         displayName(decoded->compressed.provenance.method));
-  pins_.push_back({name, freeColour(), decoded, options});
-  show();
+  pins_.push_back({{name, freeColour(), options}, decoded});
+  noteEdit();
 }
 
 void PinnedResults::unpin(int row) {
   if (row < 0 || row >= static_cast<int>(pins_.size())) return;
   pins_.erase(pins_.begin() + row);
-  show();
+  noteEdit();
 }
 
 void PinnedResults::rename(int row, const QString& name) {
-  pins_[static_cast<std::size_t>(row)].name = name;
-  show();
+  pins_[static_cast<std::size_t>(row)].pin.name = name;
+  noteEdit();
 }
 
 void PinnedResults::makeCurrent(int row) {
   if (row < 0 || row >= static_cast<int>(pins_.size())) return;
-  session_->setOptions(pins_[static_cast<std::size_t>(row)].options);
+  session_->setOptions(pins_[static_cast<std::size_t>(row)].pin.options);
+}
+
+void PinnedResults::recall() {
+  making_.abandon();
+  unmade_.clear();
+  const OriginalPtr& original = session_->document().original();
+  if (!memory_ || !original) return;
+  for (Pin& pin : memory_(original->path)) {
+    pin.options = fitting({pin.options, {}, {}}, original->motion()).encode;
+    if (unmade_.size() < kMostPinned) unmade_.push_back(std::move(pin));
+  }
+  makeNext();
+}
+
+/// One after the other; one that cannot be made any more is left out.
+void PinnedResults::makeNext() {
+  if (unmade_.empty()) return;
+  const auto take = [this](const DecodedPtr& decoded) {
+    const Pin pin = std::move(unmade_.front());
+    unmade_.pop_front();
+    if (decoded) pins_.push_back({pin, decoded});
+    if (!pin.colour.isValid() && decoded) pins_.back().pin.colour = freeColour();
+    show();
+    // The runner is busy until its delivery has returned.
+    QMetaObject::invokeMethod(this, &PinnedResults::makeNext, Qt::QueuedConnection);
+  };
+  making_.start(
+      [encoder = session_->document().original()->encoder,
+       options = unmade_.front().options](const Job& job) {
+        const auto observer = [&job](const EncodeProgress&) { return !job.stopRequested(); };
+        return decodedClip(encoder->encode(options, observer), *encoder, options);
+      },
+      take, [take](const QString&) { take(nullptr); });
+}
+
+void PinnedResults::noteEdit() {
+  show();
+  if (const OriginalPtr& original = session_->document().original())
+    emit edited(original->path, all());
+}
+
+std::vector<Pin> PinnedResults::all() const {
+  std::vector<Pin> pins;
+  for (const Result& result : pins_) pins.push_back(result.pin);
+  pins.insert(pins.end(), unmade_.begin(), unmade_.end());
+  return pins;
 }
 
 void PinnedResults::setFinal(bool final) {
@@ -83,8 +131,9 @@ void PinnedResults::setFinal(bool final) {
 }
 
 QColor PinnedResults::freeColour() const {
-  const auto found = std::find_if(kColours.begin(), kColours.end(), [this](QRgb colour) {
-    return std::none_of(pins_.begin(), pins_.end(),
+  const std::vector<Pin> taken = all();
+  const auto found = std::find_if(kColours.begin(), kColours.end(), [&](QRgb colour) {
+    return std::none_of(taken.begin(), taken.end(),
                         [&](const Pin& pin) { return pin.colour == QColor(colour); });
   });
   return {*found};
@@ -94,17 +143,13 @@ void PinnedResults::show() {
   const Weighting weighting = session_->document().options().weighting;
   std::vector<PinnedEntry> entries;
   std::vector<PinnedFigure> figures;
-  for (const Pin& pin : pins_) {
-    const Distortion& distortion = *pin.decoded->distortion;
-    PinnedEntry entry{pin.name,
-                      pin.colour,
-                      pin.decoded->ratio,
-                      distortion.eps(weighting),
-                      distortion.p95,
-                      distortion.max.cm,
-                      {}};
-    if (pin.decoded->footskate) entry.footskate_cm = pin.decoded->footskate->total_cm;
-    figures.push_back({pin.decoded->tracks,
+  for (const auto& [pin, decoded] : pins_) {
+    const Distortion& distortion = *decoded->distortion;
+    PinnedEntry entry{
+        pin.name,          pin.colour, decoded->ratio, distortion.eps(weighting), distortion.p95,
+        distortion.max.cm, {}};
+    if (decoded->footskate) entry.footskate_cm = decoded->footskate->total_cm;
+    figures.push_back({decoded->tracks,
                        pin.colour,
                        {pin.name, tr("%L1 : 1").arg(entry.ratio, 0, 'f', 1),
                         tr("%L1 cm").arg(entry.eps_cm, 0, 'f', 2)}});

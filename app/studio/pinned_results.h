@@ -3,9 +3,13 @@
 
 #include <QColor>
 #include <QObject>
+#include <deque>
+#include <functional>
 #include <vector>
 
+#include "app/jobs/job_runner.h"
 #include "app/studio/document.h"
+#include "app/studio/pin.h"
 
 namespace mocapress {
 
@@ -15,7 +19,7 @@ class Session;
 class Viewport;
 
 /// Results of the open clip that stay in view while other settings are tried. They go with the
-/// clip.
+/// clip, and are there again with it, made anew in the background.
 class PinnedResults : public QObject {
   Q_OBJECT
 
@@ -25,6 +29,10 @@ class PinnedResults : public QObject {
 
   /// There is a final result to the settings, measured, that is not pinned yet, and room for it.
   bool canPin() const;
+
+  /// What was pinned of a clip before.
+  using Memory = std::function<std::vector<Pin>(const QString& path)>;
+  void setMemory(Memory memory) { memory_ = std::move(memory); }
 
   void pinCurrent();
   void unpin(int row);
@@ -36,14 +44,19 @@ class PinnedResults : public QObject {
  signals:
   void canPinChanged(bool can);
 
+  /// By the user: all that is pinned of the clip now.
+  void edited(const QString& path, const std::vector<Pin>& pins);
+
  private:
-  struct Pin {
-    QString name;
-    QColor colour;
+  struct Result {
+    Pin pin;
     DecodedPtr decoded;
-    EncodeOptions options;
   };
 
+  void recall();
+  void makeNext();
+  void noteEdit();
+  std::vector<Pin> all() const;
   QColor freeColour() const;
   void setFinal(bool final);
   void show();
@@ -53,7 +66,10 @@ class PinnedResults : public QObject {
   PinnedModel* model_;
   PinnedPanel* panel_;
   Viewport* viewport_;
-  std::vector<Pin> pins_;
+  Memory memory_;
+  std::vector<Result> pins_;
+  std::deque<Pin> unmade_;  // of those kept, not made anew yet
+  JobRunner making_;
   bool final_ = false;  // the result is that of the document's options
 };
 

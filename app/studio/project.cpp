@@ -33,6 +33,21 @@ Outcome outcomeFrom(const QJsonObject& json) {
           json.value(QStringLiteral("met")).toBool()};
 }
 
+QJsonArray toJson(const std::vector<Pin>& pins) {
+  QJsonArray json;
+  for (const Pin& pin : pins)
+    json << QJsonObject{{QStringLiteral("name"), pin.name},
+                        {QStringLiteral("colour"), pin.colour.name()},
+                        {QStringLiteral("settings"), toJson(ClipSettings{pin.options, {}, {}})}};
+  return json;
+}
+
+Pin pinFrom(const QJsonObject& json) {
+  return {json.value(QStringLiteral("name")).toString(),
+          QColor(json.value(QStringLiteral("colour")).toString()),
+          settingsFrom(json.value(QStringLiteral("settings")).toObject()).encode};
+}
+
 QJsonObject toJson(const ProjectClip& clip, const QDir& folder) {
   QJsonObject json{{QStringLiteral("path"), folder.relativeFilePath(clip.path)}};
   if (!clip.skeleton.isEmpty())
@@ -43,6 +58,7 @@ QJsonObject toJson(const ProjectClip& clip, const QDir& folder) {
     json.insert(QStringLiteral("verdict"),
                 QLatin1String(kVerdicts[static_cast<std::size_t>(clip.verdict)]));
   if (!clip.note.isEmpty()) json.insert(QStringLiteral("note"), clip.note);
+  if (!clip.pins.empty()) json.insert(QStringLiteral("pins"), toJson(clip.pins));
   return json;
 }
 
@@ -64,6 +80,8 @@ ProjectClip clipFrom(const QJsonObject& json, const QDir& folder) {
   for (std::size_t i = 0; i < kVerdicts.size(); ++i)
     if (verdict == QLatin1String(kVerdicts[i])) clip.verdict = static_cast<Verdict>(i);
   clip.note = json.value(QStringLiteral("note")).toString();
+  for (const auto& pin : json.value(QStringLiteral("pins")).toArray())
+    clip.pins.push_back(pinFrom(pin.toObject()));
   return clip;
 }
 

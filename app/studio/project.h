@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/studio/document.h"
+#include "app/studio/pin.h"
 #include "widgets/models/library_entry.h"
 
 namespace mocapress {
@@ -20,6 +21,7 @@ struct ProjectClip {
   std::optional<Outcome> outcome;
   Verdict verdict = Verdict::None;
   QString note;
+  std::vector<Pin> pins;
 };
 
 /// Clips that belong together.

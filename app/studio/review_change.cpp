@@ -30,9 +30,4 @@ bool ReviewChange::mergeWith(const QUndoCommand* newer) {
   return true;
 }
 
-ClipRemoval::ClipRemoval(std::function<void()> take_out, std::function<void()> put_back)
-    : take_out_(std::move(take_out)), put_back_(std::move(put_back)) {
-  setText(Texts::tr("Remove Clip"));
-}
-
 }  // namespace mocapress

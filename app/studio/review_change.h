@@ -36,16 +36,4 @@ class ReviewChange : public QUndoCommand {
   QElapsedTimer made_;
 };
 
-/// A clip taken out of the library, that can be put back.
-class ClipRemoval : public QUndoCommand {
- public:
-  ClipRemoval(std::function<void()> take_out, std::function<void()> put_back);
-
-  void undo() override { put_back_(); }
-  void redo() override { take_out_(); }
-
- private:
-  std::function<void()> take_out_, put_back_;
-};
-
 }  // namespace mocapress

@@ -68,7 +68,10 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
   if (!isOpen(request.path) || !request.comparison.empty()) return start(request);
   opening_.abandon();
   const ClipSettings before = document_.settings();
-  document_.loadOptions(*request.options);
+  EncodeOptions wanted = *request.options;
+  wanted.contacts = before.encode.contacts;
+  if (settingsKey(wanted) == settingsKey(before.encode)) return apply(tuning_);  // no step
+  document_.loadOptions(wanted);
   Tuning tuning = tuning_;
   tuning.both[static_cast<std::size_t>(tuning.active)] = document_.settings();
   changeTuning(tuning, before);
@@ -219,7 +222,8 @@ void Session::switchSlot() {
 void Session::copyToOtherSlot() {
   Tuning tuning = tuning_;
   tuning.both.fill(document_.settings());
-  changeTuning(tuning);
+  const ClipSettings& other = tuning_.both[static_cast<std::size_t>(1 - tuning_.active)];
+  if (firstDifference(other, document_.settings()) != SettingsField::None) changeTuning(tuning);
 }
 
 void Session::apply(const Tuning& tuning) {

@@ -1,52 +1,76 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/item_list.h"
 
+#include <algorithm>
+
 namespace mocapress {
+namespace {
+
+/// How much of a path is its folder, with the / at its end.
+std::size_t folder_length(const std::string& path) {
+  return path.rfind('/') + 1;  // npos + 1 is 0
+}
+
+}  // namespace
 
 ItemList::ItemList(std::initializer_list<BatchItem> items) {
   for (const BatchItem& item : items) push_back(item);
 }
 
 /// No file name holds a 0, and a problem that does is cut there.
-std::size_t ItemList::append(const BatchItem& item) {
-  const std::size_t offset = text_.size();
-  for (const std::string& field :
-       {item.input, item.skeleton, item.output, std::to_string(item.preset), item.problem}) {
+ItemList::Place ItemList::append(const BatchItem& item) {
+  const Place place{text_.size(), index_of_folder(item.input), index_of_folder(item.output)};
+  for (const std::string& field : {item.input.substr(folder_length(item.input)), item.skeleton,
+                                   item.output.substr(folder_length(item.output)),
+                                   std::to_string(item.preset), item.problem}) {
     text_ += field.c_str();
     text_ += '\0';
   }
-  return offset;
+  return place;
+}
+
+/// Clips come folder by folder: only those of the last few items are looked for.
+std::uint32_t ItemList::index_of_folder(const std::string& path) {
+  constexpr std::ptrdiff_t kLooked = 4;
+  const std::string folder = path.substr(0, folder_length(path));
+  const auto first = folders_.end() - std::min(kLooked, std::ssize(folders_));
+  const auto found = std::find(first, folders_.end(), folder);
+  const auto index = static_cast<std::uint32_t>(found - folders_.begin());
+  if (found == folders_.end()) folders_.push_back(folder);
+  return index;
 }
 
 void ItemList::push_back(const BatchItem& item) {
-  offsets_.push_back(append(item));
+  places_.push_back(append(item));
 }
 
 /// What was there stays behind: few are replaced.
 void ItemList::replace(std::size_t index, const BatchItem& item) {
-  offsets_[index] = append(item);
+  places_[index] = append(item);
 }
 
 void ItemList::erase(std::size_t index) {
-  offsets_.erase(offsets_.begin() + static_cast<std::ptrdiff_t>(index));
+  places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
 void ItemList::shrink() {
   text_.shrink_to_fit();
-  offsets_.shrink_to_fit();
+  folders_.shrink_to_fit();
+  places_.shrink_to_fit();
 }
 
 BatchItem ItemList::operator[](std::size_t index) const {
-  const char* at = text_.data() + offsets_[index];
+  const Place& place = places_[index];
+  const char* at = text_.data() + place.offset;
   const auto next = [&at] {
     const std::string field(at);
     at += field.size() + 1;
     return field;
   };
   BatchItem item;
-  item.input = next();
+  item.input = folders_[place.input_folder] + next();
   item.skeleton = next();
-  item.output = next();
+  item.output = folders_[place.output_folder] + next();
   item.preset = std::stoul(next());
   item.problem = next();
   return item;

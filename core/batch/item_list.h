@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -32,8 +33,8 @@ class ItemList {
   /// Gives back what growing took in advance.
   void shrink();
 
-  std::size_t size() const { return offsets_.size(); }
-  bool empty() const { return offsets_.empty(); }
+  std::size_t size() const { return places_.size(); }
+  bool empty() const { return places_.empty(); }
   BatchItem operator[](std::size_t index) const;
 
   class Iterator {
@@ -56,10 +57,20 @@ class ItemList {
   bool operator==(const ItemList& other) const;
 
  private:
-  std::size_t append(const BatchItem& item);
+  struct Place {
+    std::size_t offset;          // in text_
+    std::uint32_t input_folder;  // indices into folders_
+    std::uint32_t output_folder;
+  };
 
-  std::string text_;  // of each item: input, skeleton, output, preset and problem, each ended by 0
-  std::vector<std::size_t> offsets_;
+  Place append(const BatchItem& item);
+  std::uint32_t index_of_folder(const std::string& path);
+
+  // Of each item, each ended by 0: the last part of input, skeleton, the last part of output,
+  // preset and problem.
+  std::string text_;
+  std::vector<std::string> folders_;  // each ends with a /, or is empty
+  std::vector<Place> places_;
 };
 
 }  // namespace mocapress

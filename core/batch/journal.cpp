@@ -95,7 +95,7 @@ std::optional<BatchRow> JournalReader::row_at(std::size_t place) {
 }
 
 Journal::Journal(const fs::path& path, const Batch& batch, const Shard& shard, Start start)
-    : path_(path), places_(batch.items.size()) {
+    : path_(path) {
   const JournalHeader header{batch.items.size(), fingerprint(batch), shard};
   std::error_code none;
   const std::uintmax_t size = fs::file_size(path_, none);
@@ -132,6 +132,7 @@ void Journal::open(bool create) {
 
 /// Copies what counts to a new file, which takes the old one's place.
 void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
+  places_.resize(batch.items.size());
   std::unordered_map<std::uint64_t, std::size_t> wanted;
   for (std::size_t i = 0; i < batch.items.size(); ++i)
     if (const BatchItem item = batch.items[i]; header.shard.has(item))
@@ -149,7 +150,9 @@ void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
         if (found == wanted.end()) return;
         BatchRow moved = row;
         moved.index = found->second;
+        const std::uint64_t begin = end_;
         append(moved);
+        places_[moved.index] = {begin, static_cast<std::size_t>(end_ - begin - 1)};
       });
     } catch (const InputError&) {  // no header: nothing of it counts
     }
@@ -166,7 +169,7 @@ void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
 }
 
 std::optional<BatchRow> Journal::find(std::size_t index) const {
-  const Place& place = places_[index];
+  const Place place = index < places_.size() ? places_[index] : Place();
   if (place.length == 0) return std::nullopt;
   std::string line(place.length, '\0');
   const ssize_t got = ::pread(file_, line.data(), line.size(), static_cast<off_t>(place.offset));
@@ -175,10 +178,7 @@ std::optional<BatchRow> Journal::find(std::size_t index) const {
 }
 
 void Journal::append(const BatchRow& row) {
-  const std::string line = to_journal_line(row);
-  const Place place{end_, line.size()};
-  write_line(line);
-  places_[row.index] = place;
+  write_line(to_journal_line(row));
 }
 
 void Journal::write_line(const std::string& line) {

@@ -64,7 +64,8 @@ class Journal {
   Journal& operator=(const Journal&) = delete;
   ~Journal();
 
-  /// The row of a clip of the batch, if there is one: what cannot be read is not there.
+  /// The row of a clip of the batch that was kept on resuming, if there is one: what cannot be read
+  /// is not there.
   std::optional<BatchRow> find(std::size_t index) const;
 
   /// Appends a row and hands it to the system at once. Throws WriteError.
@@ -84,7 +85,7 @@ class Journal {
   std::filesystem::path path_;
   int file_ = -1;
   std::uint64_t end_ = 0;
-  std::vector<Place> places_;  // by the index of the clip
+  std::vector<Place> places_;  // by the index of the clip; empty: nothing is kept
 };
 
 }  // namespace mocapress

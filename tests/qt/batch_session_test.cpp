@@ -39,7 +39,7 @@ class BatchInTheStudio : public testing::Test {
     ASSERT_TRUE(QTest::qWaitFor([&] { return session_.queue()->rowCount() == count; }, kPatience));
     session_.setSettings({.folder = path("out")});
     const Preset rough{.name = "rough", .target = {Target::Kind::Error, 2}};
-    session_.queue()->setCommon(rough);
+    session_.setCommon(rough);
   }
 
   bool waitForEnd() {
@@ -237,6 +237,75 @@ TEST_F(BatchInTheStudio, WhileItRunsClipsAreRefusedAloud) {
   EXPECT_EQ(noted.count(), 2);
   EXPECT_EQ(session_.queue()->rowCount(), 2);
   ASSERT_TRUE(waitForEnd());
+}
+
+TEST_F(BatchInTheStudio, EditsAreUndoneAndRedoneStepByStep) {
+  addClips(3);
+  const Preset fine{.name = "fine", .target = {Target::Kind::Error, 0.2}};
+  const Preset usual = session_.queue()->common();
+  session_.setOwn({0, 2}, built_in_presets()[3]);
+  session_.setCommon(fine);
+  session_.remove({0, 1});
+  BatchSettings elsewhere = session_.settings();
+  elsewhere.folder = path("elsewhere");
+  session_.setSettings(elsewhere);
+  const auto names = [this] {
+    std::string all;
+    for (const QueuedClip& clip : session_.queue()->clips())
+      all += QFileInfo(QString::fromStdString(clip.source.path)).baseName().back().toLatin1();
+    return all;
+  };
+  EXPECT_EQ(names(), "2");
+  const int steps = session_.history().index();
+  session_.undo();
+  EXPECT_EQ(session_.settings().folder, path("out"));
+  session_.undo();
+  EXPECT_EQ(names(), "012");
+  EXPECT_TRUE(session_.queue()->clips()[0].own && session_.queue()->clips()[2].own);
+  session_.undo();
+  EXPECT_EQ(session_.queue()->common(), usual);
+  session_.undo();
+  EXPECT_FALSE(session_.queue()->clips()[0].own || session_.queue()->clips()[2].own);
+  while (session_.history().canUndo()) session_.undo();
+  EXPECT_EQ(names(), "");
+  while (session_.history().canRedo()) session_.redo();
+  EXPECT_EQ(session_.history().index(), steps);
+  EXPECT_EQ(names(), "2");
+  EXPECT_EQ(session_.queue()->common(), fine);
+  EXPECT_TRUE(session_.queue()->clips()[0].own);
+  EXPECT_EQ(session_.settings().folder, path("elsewhere"));
+}
+
+TEST_F(BatchInTheStudio, WhatChangesNothingIsNoStepAndWhatIsTypedIsOne) {
+  addClips(1);
+  const int steps = session_.history().count();
+  session_.setCommon(session_.queue()->common());
+  session_.setSettings(session_.settings());
+  session_.setOwn({0}, std::nullopt);
+  session_.remove({});
+  EXPECT_EQ(session_.history().count(), steps);
+  session_.addTuned({{path("clip0.bvh"), {}, {}}, {path("clip1.bvh"), {}, {}}});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.queue()->rowCount() == 2; }, kPatience));
+  EXPECT_EQ(session_.history().count(), steps + 1);
+  BatchSettings settings = session_.settings();
+  for (const char* names : {"a", "ab", "abc"}) {
+    settings.names = QString::fromLatin1(names);
+    session_.setSettings(settings);
+  }
+  EXPECT_EQ(session_.history().count(), steps + 2);
+  session_.undo();
+  EXPECT_EQ(session_.settings().names, QStringLiteral("{folder}/{stem}"));
+}
+
+TEST_F(BatchInTheStudio, WhileItRunsNothingIsUndone) {
+  addClips(1, 900);
+  session_.start();
+  ASSERT_TRUE(session_.running());
+  session_.undo();
+  session_.remove({0});
+  EXPECT_EQ(session_.queue()->rowCount(), 1);
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(count(Clip::Done), 1);
 }
 
 TEST_F(BatchInTheStudio, SettingsOfJointsThatAreNoLongerInTheFileAreLeftOut) {

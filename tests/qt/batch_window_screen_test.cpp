@@ -115,6 +115,17 @@ TEST(BatchWindowOnScreen, ClipsAreDroppedSetUpExportedAndReportedOn) {
   EXPECT_TRUE(window->view()->selectedRows().empty());
   emit window->editor()->chooser()->box()->activated(1);
 
+  // What is done to the queue is undone here, and not in the studio.
+  window->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window));
+  emit window->view()->removeRequested({1, 2});
+  EXPECT_EQ(session->queue()->rowCount(), 11);
+  QTest::keyClick(window, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(session->queue()->rowCount(), 13);
+  QTest::keyClick(window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(session->queue()->rowCount(), 11);
+  QTest::keyClick(window, Qt::Key_Z, Qt::ControlModifier);
+
   QTest::mouseClick(window->startButton(), Qt::LeftButton);
   ASSERT_TRUE(session->running());
   ASSERT_TRUE(QTest::qWaitFor([&] { return session->counts().done >= 5; }, kPatience));

@@ -178,6 +178,39 @@ TEST_F(InALibrary, AClipThatWasRemovedComesBackAsItWas) {
   EXPECT_EQ(run.model.entry(0).path, walk);
 }
 
+TEST_F(InALibrary, ClipsThatWereAddedAreTakenOutAgainAndComeBackAsTheyWere) {
+  Run run;
+  const QString walk = clip("walk.bvh", 1);
+  const QString jump = clip("jump.bvh", 2);
+  settleAfter(run, [&] { run.session.open(walk); });
+  run.library.add({walk});
+  EXPECT_FALSE(run.session.history()->canUndo()) << "it was there";
+  run.library.add({walk, jump});
+  ASSERT_EQ(run.model.rowCount(), 2);
+  EXPECT_EQ(run.session.history()->undoText().toStdString(), "Add Clips");
+  run.library.setNote(1, QStringLiteral("good"));
+  run.session.history()->undo();
+  EXPECT_EQ(run.model.rowCount(), 1);
+  EXPECT_EQ(run.library.project().clips.size(), 1u);
+  run.session.history()->redo();
+  ASSERT_EQ(run.model.rowCount(), 2);
+  EXPECT_EQ(run.model.entry(1).path, jump);
+  EXPECT_EQ(run.model.entry(1).note, QStringLiteral("good"));
+}
+
+TEST_F(InALibrary, AChangeOfFileLosesNothingOfTheOneBefore) {
+  Run run;
+  run.library.begin(file());
+  run.library.add({clip("walk.bvh", 1)});
+  // At once: what is to be written to the first file is still on its way.
+  run.library.saveAs(directory_.filePath(QStringLiteral("b.mocapress")));
+  run.library.add({clip("jump.bvh", 2)});
+  run.library.openProject(file());
+  EXPECT_EQ(run.library.project().clips.size(), 1u);
+  run.library.openProject(directory_.filePath(QStringLiteral("b.mocapress")));
+  EXPECT_EQ(run.library.project().clips.size(), 2u);
+}
+
 TEST_F(InALibrary, AnotherProjectHasNothingToUndo) {
   Run run;
   run.library.begin(file());
@@ -247,6 +280,9 @@ TEST_F(InALibrary, SlotsAreSwitchedCopiedAndUndone) {
   ASSERT_TRUE(session.slotAnswer(0) && session.slotAnswer(1));
   EXPECT_NEAR(session.slotAnswer(1)->ratio, 40, 1);
   settleAfter(run, [&] { session.copyToOtherSlot(); });
+  const int steps = session.history()->count();
+  session.copyToOtherSlot();
+  EXPECT_EQ(session.history()->count(), steps) << "they are the same";
   settleAfter(run, [&] { session.switchSlot(); });
   EXPECT_DOUBLE_EQ(target(), 10);
   settleAfter(run, [&] { session.history()->undo(); });  // the switch

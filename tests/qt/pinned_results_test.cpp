@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>
+#include <map>
 
 #include "app/studio/session.h"
 #include "core/formats/motion_file.h"
@@ -120,6 +121,46 @@ TEST_F(Pinning, AnotherClipBeginsWithoutPins) {
   open("jump.bvh", 2);
   EXPECT_EQ(model_.rowCount(), 0);
   EXPECT_TRUE(viewport_.pinned().empty());
+}
+
+TEST_F(Pinning, AreThereAgainWithTheirClipMadeAnew) {
+  std::map<QString, std::vector<Pin>> kept;
+  results_.setMemory([&](const QString& path) { return kept[path]; });
+  QObject::connect(&results_, &PinnedResults::edited, &results_,
+                   [&](const QString& path, const auto& pins) { kept[path] = pins; });
+  results_.pinCurrent();
+  tune(40);
+  results_.pinCurrent();
+  results_.rename(0, QStringLiteral("hero"));
+  const std::vector<PinnedEntry> before = model_.entries();
+  open("jump.bvh", 2);
+  EXPECT_EQ(model_.rowCount(), 0);
+  open("walk.bvh", 1);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return model_.rowCount() == 2; }, kPatience));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const PinnedEntry& now = model_.entries()[i];
+    EXPECT_EQ(now.name, before[i].name);
+    EXPECT_EQ(now.colour, before[i].colour);
+    EXPECT_DOUBLE_EQ(now.ratio, before[i].ratio);
+    EXPECT_DOUBLE_EQ(now.max_cm, before[i].max_cm);
+  }
+  // One that is taken away meanwhile does not come back.
+  results_.unpin(0);
+  open("jump.bvh", 2);
+  open("walk.bvh", 1);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return model_.rowCount() == 1; }, kPatience));
+  EXPECT_EQ(model_.entries()[0].name, before[1].name);
+}
+
+TEST_F(Pinning, OneThatCannotBeMadeAnewIsLeftOut) {
+  Pin impossible{QStringLiteral("no"), {}, standard(10)};
+  impossible.options.target = {Target::Kind::Size, 1};
+  const Pin fine{QStringLiteral("yes"), {}, standard(20)};
+  results_.setMemory([&](const QString&) { return std::vector{impossible, fine}; });
+  open("jump.bvh", 2);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return model_.rowCount() == 1; }, kPatience));
+  EXPECT_EQ(model_.entries()[0].name, fine.name);
+  EXPECT_TRUE(model_.entries()[0].colour.isValid());
 }
 
 TEST_F(Pinning, OnlyAFinalResultIsPinned) {

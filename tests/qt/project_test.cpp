@@ -19,7 +19,8 @@ TEST(ProjectFile, BringsClipsBackRelativeToItsFolder) {
                     .settings = elaborate(),
                     .outcome = Outcome{25, 0.5, 2, 1000, false},
                     .verdict = Verdict::Rejected,
-                    .note = QStringLiteral("knee pops — frame 12")},
+                    .note = QStringLiteral("knee pops — frame 12"),
+                    .pins = {{QStringLiteral("hero"), QColor(1, 2, 3), elaborate().encode}}},
                    {.path = QStringLiteral("/motions/cmu/09_01.amc"),
                     .skeleton = QStringLiteral("/motions/cmu/09.asf")}};
   const QByteArray text = projectText(project, QDir(QStringLiteral("/motions")));
@@ -31,8 +32,22 @@ TEST(ProjectFile, BringsClipsBackRelativeToItsFolder) {
   EXPECT_EQ(moved.clips[0].note, project.clips[0].note);
   EXPECT_EQ(moved.clips[0].outcome, project.clips[0].outcome);
   EXPECT_EQ(settingsKey(moved.clips[0].settings->encode), settingsKey(elaborate().encode));
+  ASSERT_EQ(moved.clips[0].pins.size(), 1u);
+  const Pin& pin = moved.clips[0].pins[0];
+  EXPECT_EQ(pin.name, QStringLiteral("hero"));
+  EXPECT_EQ(pin.colour, QColor(1, 2, 3));
+  EXPECT_EQ(settingsKey(pin.options), settingsKey(elaborate().encode));
+  EXPECT_TRUE(moved.clips[1].pins.empty());
   EXPECT_EQ(moved.clips[1].skeleton, QStringLiteral("/elsewhere/cmu/09.asf"));
   EXPECT_FALSE(moved.clips[1].settings);
+}
+
+TEST(ProjectFile, OfBeforeThereWerePinsStillOpens) {
+  const Project project = parseProject(
+      R"({"format": "mocapress-project", "version": 1, "clips": [{"path": "walk.bvh"}]})",
+      QDir(QStringLiteral("/motions")));
+  ASSERT_EQ(project.clips.size(), 1u);
+  EXPECT_TRUE(project.clips[0].pins.empty());
 }
 
 TEST(ProjectFile, RefusesWhatIsNoneAndWhatIsNewer) {

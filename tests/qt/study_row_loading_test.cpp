@@ -76,6 +76,9 @@ TEST_F(StudyRowLoading, ChangesTheSettingsOfTheClipThatIsOpen) {
   settleAfter([&] { session_.openRow(bound); });
   expectShown(bound);
   EXPECT_EQ(document_.options().target, bound.target);
+  const int steps = session_.history()->count();
+  settleAfter([&] { session_.openRow(bound); });
+  EXPECT_EQ(session_.history()->count(), steps) << "nothing was changed";
 }
 
 TEST_F(StudyRowLoading, ShowsAComparisonMethodAsIfReadFromAFile) {

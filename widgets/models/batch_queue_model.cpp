@@ -77,13 +77,19 @@ void BatchQueueModel::setCommon(const Preset& preset) {
 }
 
 void BatchQueueModel::setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset) {
-  for (const int row : rows) {
+  std::map<int, std::optional<Preset>> by_row;
+  for (const int row : rows) by_row[row] = preset;
+  setOwn(by_row);
+}
+
+void BatchQueueModel::setOwn(const std::map<int, std::optional<Preset>>& by_row) {
+  for (const auto& [row, preset] : by_row) {
     QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
     const Preset before = presetOf(row);
     clip.own = preset;
     presetOf(row) == before ? changed(row) : wait(row);
   }
-  if (!rows.empty()) emit edited();
+  if (!by_row.empty()) emit edited();
 }
 
 void BatchQueueModel::add(const std::vector<QueuedClip>& clips) {
@@ -97,6 +103,15 @@ void BatchQueueModel::add(const std::vector<QueuedClip>& clips) {
   clips_.insert(clips_.end(), fresh.begin(), fresh.end());
   endInsertRows();
   emit edited();
+}
+
+void BatchQueueModel::insert(const std::map<int, QueuedClip>& clips) {
+  for (const auto& [row, clip] : clips) {
+    beginInsertRows({}, row, row);
+    clips_.insert(clips_.begin() + row, clip);
+    endInsertRows();
+  }
+  if (!clips.empty()) emit edited();
 }
 
 void BatchQueueModel::remove(std::vector<int> rows) {

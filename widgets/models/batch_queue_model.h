@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -44,9 +45,13 @@ class BatchQueueModel : public QAbstractTableModel {
   /// What a clip has comes of its preset: one that gets another is waiting again.
   void setCommon(const Preset& preset);
   void setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset);
+  void setOwn(const std::map<int, std::optional<Preset>>& by_row);
 
   /// Those that are not there yet.
   void add(const std::vector<QueuedClip>& clips);
+
+  /// Each at its row, as remove() took them.
+  void insert(const std::map<int, QueuedClip>& clips);
   void remove(std::vector<int> rows);
 
   /// Of a running batch, whose indices are rows.

@@ -58,9 +58,10 @@ TEST(ItemList, GivesBackWhatItTookWhateverWasReplacedAndErased) {
   std::vector<BatchItem> kept;
   ItemList list;
   for (std::size_t i = 0; i < 50; ++i) {
-    kept.push_back({.input = "/in/" + std::string(i, 'x'),
+    const std::string folder = "/in/" + std::to_string(i / 8) + '/';
+    kept.push_back({.input = (i % 7 ? folder : "") + std::string(i, 'x'),
                     .skeleton = i % 3 ? "" : "/s.asf",
-                    .output = std::to_string(i),
+                    .output = (i % 2 ? "a/" : "") + std::to_string(i),
                     .preset = 7 * i,
                     .problem = i % 5 ? "" : "no"});
     list.push_back(kept.back());
