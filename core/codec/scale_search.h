@@ -18,6 +18,8 @@ using AttemptScale = std::function<Trial(double scale, const ClosedLoopWork& wor
 struct ScaleGuess {
   double likely;                   // to meet the target
   std::function<double()> finest;  // asked for after the first trial; finer ones do not fit
+  int trials_for_near_enough =
+      4;  // after as many the full tolerance will do: fewer where they are dear
 };
 
 /// The best trial that a search for the closed loop's scale comes to, with its bytes coded. It
