@@ -346,8 +346,9 @@ double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& 
 }
 
 Original original_of(const ClipAnalysis& analysis) {
-  return Original(analysis.motion(),
-                  [&]() -> const Eigen::MatrixXd& { return analysis.original_tracks(); });
+  return Original(analysis.motion(), [from = &analysis]() -> const Eigen::MatrixXd& {
+    return from->original_tracks();
+  });
 }
 
 }  // namespace mocapress
