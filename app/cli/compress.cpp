@@ -41,8 +41,8 @@ struct Compress {
     if (options.correction && !of_wavelets)
       throw CLI::ValidationError("--ik", "corrects wavelets only");
     options.importance = importance.importance(encoder.wavelets().motion().skeleton);
-    options.contacts =
-        contacts.spans(encoder.wavelets().motion(), encoder.wavelets().original_tracks());
+    options.contacts = contacts.spans(encoder.wavelets().motion());
+    options.figures_only = true;
     Compression made = encoder.compress(contender, options);
     if (!output.empty()) write_bytes(output, made.file);
     const Report report{

@@ -69,13 +69,12 @@ void ContactInput::add_options(CLI::App& command) {
       ->excludes(of_speed);
 }
 
-std::vector<ContactSpan> ContactInput::spans(const Motion& motion,
-                                             const Eigen::MatrixXd& tracks) const {
+std::vector<ContactSpan> ContactInput::spans(const Motion& motion) const {
   if (file) return read_contacts(*file, motion);
   ContactSettings settings;
   if (!height.empty()) settings.begin_height = height[0], settings.end_height = height[1];
   if (!speed.empty()) settings.begin_speed = speed[0], settings.end_speed = speed[1];
-  return find_foot_contacts(motion.skeleton, tracks, motion.clip.sample_rate_hz, settings);
+  return find_foot_contacts(motion, settings);
 }
 
 Json contacts_json(const Skeleton& skeleton, const std::vector<ContactSpan>& contacts) {

@@ -19,9 +19,9 @@ struct ContactInput {
 
   void add_options(CLI::App& command);
 
-  /// `tracks` of the original. Throws InputError for a file that is not valid, and
+  /// Of the original. Throws InputError for a file that is not valid, and
   /// CLI::ValidationError for thresholds that are not.
-  std::vector<ContactSpan> spans(const Motion& motion, const Eigen::MatrixXd& tracks) const;
+  std::vector<ContactSpan> spans(const Motion& motion) const;
 };
 
 /// The spans as a file has them: an array of objects with joint, first_frame and last_frame, frames

@@ -24,7 +24,7 @@ struct Contacts {
   void run() const {
     const Motion motion = source.read(clip);
     const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
-    const std::vector<ContactSpan> spans = contacts.spans(motion, tracks);
+    const std::vector<ContactSpan> spans = contacts.spans(motion);
     Json all = contacts_json(motion.skeleton, spans);
     if (output) write_text(*output, all.dump(2) + "\n");
     if (compressed) add_findings(all, spans, tracks, motion);

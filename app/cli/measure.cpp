@@ -31,7 +31,7 @@ struct Measure {
                            std::to_string(motion.clip.frames()) + " of " +
                            std::to_string(motion.clip.channels.cols()));
     const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
-    const std::vector<ContactSpan> contacts = contact_input.spans(motion, tracks);
+    const std::vector<ContactSpan> contacts = contact_input.spans(motion);
     const Footskate footskate = measure_footskate(
         contacts, tracks, landmark_tracks(motion.skeleton, decoded), decoded.sample_rate_hz);
     const Report report{

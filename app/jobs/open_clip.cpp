@@ -33,6 +33,9 @@ OriginalPtr readOriginal(const OpenRequest& request) {
   original.path = request.path;
   original.warnings = std::move(file.warnings);
   original.encoder = std::make_shared<const Encoder>(std::move(file.motion));
+  // Here, off the GUI thread, and not where they are first shown.
+  original.encoder->original_tracks();
+  original.encoder->contacts();
   return std::make_shared<const OriginalClip>(std::move(original));
 }
 

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/fnv1a.h"
 #include "core/batch/staged_file.h"
-#include "core/compare/compared_file.h"
+#include "core/batch/verification.h"
 #include "core/formats/amc.h"
 #include "core/formats/asf.h"
 #include "core/formats/bvh.h"
@@ -183,6 +183,7 @@ class Export {
 
   EncodeOptions options_for(const Motion& motion) const {
     EncodeOptions options = encode_options(preset_, motion.skeleton);
+    options.figures_only = true;  // what is put in place is measured anew
     for (const ContactSpan& span : options.contacts.value_or(std::vector<ContactSpan>()))
       if (span.last_frame >= motion.clip.frames())
         throw Error("the preset has a contact up to frame " + std::to_string(span.last_frame) +
@@ -190,24 +191,17 @@ class Export {
     return options;
   }
 
-  /// Measures what the disk gave back; the decoded motion is from there on.
+  /// Measures what the disk gave back; the decoded motion, where a format wants it, is from there
+  /// on.
   void verify(const ClipInHand& clip, const Bytes& bytes, Compression& made) {
-    OpenedMcpr opened;
-    try {
-      opened = read_mcpr(bytes);
-    } catch (const FormatError& error) {
-      throw Error(std::string("verification: what was written cannot be read: ") + error.what());
-    }
-    const Motion& original = clip.motion();
-    if (opened.decoded.frames() != original.clip.frames() ||
-        opened.decoded.channels.cols() != original.clip.channels.cols())
-      throw Error("verification: what was written has another shape");
-    const Eigen::MatrixXd& tracks = clip.encoder().wavelets().original_tracks();
-    made.distortion = measure(original.skeleton, tracks, opened.decoded);
-    made.decoded = std::move(opened.decoded);
+    const bool asks_for_motion =
+        std::any_of(batch_.formats.begin(), batch_.formats.end(),
+                    [](OutputFormat format) { return format != OutputFormat::Mcpr; });
+    Verification found = mocapress::verify(bytes, clip.encoder().wavelets(), asks_for_motion);
+    made.distortion = std::move(found.distortion);
+    made.decoded = std::move(found.decoded);
     row_.measured = clip.measure(made);
-    row_.worst = worst_pose(original.skeleton, tracks,
-                            landmark_tracks(original.skeleton, made.decoded), made.distortion.max);
+    row_.worst = std::move(found.worst);
     if (!keeps_promise(preset_, *row_.measured))
       throw Error("verification: " + target_text(preset_.target) +
                   " was asked for, but it came to " + came_to());

@@ -15,33 +15,41 @@ double rounded(double cm) {
   return std::round(100 * cm) / 100;
 }
 
-PosePoints points_at(const Eigen::MatrixXd& tracks, int frame) {
-  PosePoints points;
-  for (Eigen::Index p = 0; p + 2 < tracks.cols(); p += 3) {
-    const Eigen::Vector3d point = tracks.block<1, 3>(frame, p).transpose();
-    points.push_back(point.unaryExpr(&rounded));
-  }
-  return points;
+void round_all(PosePoints& points) {
+  for (Eigen::Vector3d& point : points) point = point.unaryExpr(&rounded).eval();
 }
 
 }  // namespace
 
-WorstPose worst_pose(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
-                     const Eigen::MatrixXd& decoded_tracks, const WorstPoint& worst) {
+PosePoints points_at(const TrackRows& tracks, int frame) {
+  PosePoints points;
+  for (Eigen::Index p = 0; p + 2 < tracks.cols(); p += 3)
+    points.emplace_back(tracks.block<1, 3>(frame, p).transpose());
+  return points;
+}
+
+double ground_of(const Eigen::MatrixXd& original_tracks) {
+  double ground_cm = std::numeric_limits<double>::infinity();
+  for (int landmark = 0; 3 * landmark < original_tracks.cols(); ++landmark)
+    ground_cm = std::min(ground_cm, ground_height(original_tracks, landmark));
+  return ground_cm;
+}
+
+WorstPose worst_pose(const Skeleton& skeleton, PosePoints original, PosePoints decoded,
+                     double ground_cm, const WorstPoint& worst) {
+  round_all(original);
+  round_all(decoded);
   WorstPose pose{.frame = worst.frame,
                  .landmark = landmarks(skeleton)[static_cast<std::size_t>(worst.landmark)].name,
                  .point = worst.landmark,
+                 .ground_cm = rounded(ground_cm),
                  .bones = figure_shape(skeleton),
-                 .original = points_at(original_tracks, worst.frame),
-                 .decoded = points_at(decoded_tracks, worst.frame)};
+                 .original = std::move(original),
+                 .decoded = std::move(decoded)};
   for (DrawnBone& bone : pose.bones) {
     bone.from_radius = rounded(bone.from_radius);
     bone.to_radius = rounded(bone.to_radius);
   }
-  pose.ground_cm = std::numeric_limits<double>::infinity();
-  for (int landmark = 0; 3 * landmark < original_tracks.cols(); ++landmark)
-    pose.ground_cm = std::min(pose.ground_cm, ground_height(original_tracks, landmark));
-  pose.ground_cm = rounded(pose.ground_cm);
   pose.facing = facing(skeleton, pose.original).unaryExpr(&rounded).normalized();
   return pose;
 }

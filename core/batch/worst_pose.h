@@ -21,9 +21,16 @@ struct WorstPose {
   PosePoints decoded;
 };
 
-/// Tracks as landmark_tracks() gives them. Rounded to 0.1 mm, as it is kept.
-WorstPose worst_pose(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
-                     const Eigen::MatrixXd& decoded_tracks, const WorstPoint& worst);
+/// The landmarks at a frame of landmark_tracks().
+PosePoints points_at(const TrackRows& tracks, int frame);
+
+/// The lowest that any landmark rests at, of landmark_tracks().
+double ground_of(const Eigen::MatrixXd& original_tracks);
+
+/// Of the landmarks where the original and the decoded clip have them. Rounded to 0.1 mm, as it is
+/// kept.
+WorstPose worst_pose(const Skeleton& skeleton, PosePoints original, PosePoints decoded,
+                     double ground_cm, const WorstPoint& worst);
 
 /// A scene as SVG: the compressed figure over its original, the gap marked.
 std::string worst_scene(const WorstPose& pose, const std::string& label);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/clip_analysis.h"
 
+#include "core/codec/segments.h"
+
 namespace mocapress {
 
 BasisAnalysis::BasisAnalysis(const Motion& motion, Basis basis)
@@ -10,11 +12,22 @@ BasisAnalysis::BasisAnalysis(const Clip& columns, const std::vector<double>& com
                              Basis basis)
     : ranked(rank_coefficients(columns, basis)), standard(ranked, comparable), scales(comparable) {}
 
-ClipAnalysis::ClipAnalysis(Motion motion)
-    : motion_(std::move(motion)),
-      original_tracks_(landmark_tracks(motion_.skeleton, motion_.clip)),
-      contacts_(
-          find_foot_contacts(motion_.skeleton, original_tracks_, motion_.clip.sample_rate_hz)) {}
+const Eigen::MatrixXd& ClipAnalysis::original_tracks() const {
+  return original_tracks_.get(Only(), [&] {
+    return std::make_unique<Eigen::MatrixXd>(landmark_tracks(motion_.skeleton, motion_.clip));
+  });
+}
+
+const std::vector<ContactSpan>& ClipAnalysis::contacts() const {
+  // Of a clip that falls into segments nothing else may need all tracks.
+  const bool is_long = motion_.clip.frames() > SegmentPlan().longest;
+  const Eigen::MatrixXd* tracks = is_long ? nullptr : &original_tracks();
+  return contacts_.get(Only(), [&] {
+    return std::make_unique<std::vector<ContactSpan>>(
+        is_long ? find_foot_contacts(motion_)
+                : find_foot_contacts(motion_.skeleton, *tracks, motion_.clip.sample_rate_hz));
+  });
+}
 
 const Coefficients& ClipAnalysis::coefficients(Basis basis) const {
   return coefficients_.get(

@@ -30,17 +30,17 @@ struct BasisAnalysis {
 /// and safe to use from several threads at a time.
 class ClipAnalysis {
  public:
-  explicit ClipAnalysis(Motion motion);
+  explicit ClipAnalysis(Motion motion) : motion_(std::move(motion)) {}
 
   const Motion& motion() const { return motion_; }
-  const Eigen::MatrixXd& original_tracks() const { return original_tracks_; }
+  const Eigen::MatrixXd& original_tracks() const;       // landmark_tracks()
   const Coefficients& coefficients(Basis basis) const;  // what a closed loop needs of a basis
   const BasisAnalysis& in(Basis basis) const;
   const ErrorModel& model(Weighting weighting) const;
   const ClosedLoop& closed_loop(Basis basis, Weighting weighting) const;
 
   /// Of the feet, as found on the original; empty where there are no feet.
-  const std::vector<ContactSpan>& contacts() const { return contacts_; }
+  const std::vector<ContactSpan>& contacts() const;
 
  private:
   template <typename Key, typename Value>
@@ -60,9 +60,13 @@ class ClipAnalysis {
     mutable std::map<Key, std::unique_ptr<const Value>> values_;
   };
 
+  struct Only {  // key of what there is one of
+    bool operator<(Only) const { return false; }
+  };
+
   Motion motion_;
-  Eigen::MatrixXd original_tracks_;  // landmark_tracks()
-  std::vector<ContactSpan> contacts_;
+  OnDemand<Only, Eigen::MatrixXd> original_tracks_;
+  OnDemand<Only, std::vector<ContactSpan>> contacts_;
   OnDemand<Basis, Coefficients> coefficients_;
   OnDemand<Basis, BasisAnalysis> bases_;
   OnDemand<Weighting, ErrorModel> models_;

@@ -39,29 +39,26 @@ Eigen::MatrixXd decode_segment(const QuantisedSignals& coded, Basis basis,
   return decode_signals(coded.values, steps, basis, limits);
 }
 
-/// frames x signals of all segments.
-Eigen::MatrixXd decode_adaptive(const CompressedClip& compressed) {
+void visit_adaptive(const CompressedClip& compressed, const DecodedBlock& visit) {
   const std::vector<float> limits = wide_limits(compressed);
   const SegmentLayout layout = compressed.segment_layout();
+  const int channels = compressed.skeleton.channel_count();
   AdaptiveSegments segments(compressed);
-  const auto next = [&] { return decode_segment(segments.next(), compressed.basis, limits); };
-  if (layout.count() == 1) return next();
-  Eigen::MatrixXd samples(compressed.frames, std::ssize(limits));
-  for (int k = 0; k < layout.count(); ++k) lay_over(next(), layout, k, samples);
-  return samples;
+  SegmentJoin join(layout);
+  for (int k = 0; k < layout.count(); ++k) {
+    Eigen::MatrixXd samples = join.next(decode_segment(segments.next(), compressed.basis, limits));
+    Uncorrected block{.clip = {compressed.sample_rate_hz, {}}, .differences = {}};
+    if (compressed.correction) {
+      block.clip.channels = samples.leftCols(channels);
+      block.differences = samples.rightCols(samples.cols() - channels);
+    } else {
+      block.clip.channels = std::move(samples);
+    }
+    visit(layout.first(k), block);
+  }
 }
 
-}  // namespace
-
-Uncorrected decode_uncorrected(const CompressedClip& compressed) {
-  if (!is_of_words(compressed.coding)) {
-    Eigen::MatrixXd decoded = decode_adaptive(compressed);
-    if (!compressed.correction)
-      return {.clip = {compressed.sample_rate_hz, std::move(decoded)}, .differences = {}};
-    const int channels = compressed.skeleton.channel_count();
-    return {.clip = {compressed.sample_rate_hz, decoded.leftCols(channels)},
-            .differences = decoded.rightCols(decoded.cols() - channels)};
-  }
+void visit_words(const CompressedClip& compressed, const DecodedBlock& visit) {
   const std::vector<std::byte> words = unpack_motion(compressed);
   ByteReader reader(words);
   const auto next = [&](int count) {
@@ -71,6 +68,33 @@ Uncorrected decode_uncorrected(const CompressedClip& compressed) {
   decoded.clip = {compressed.sample_rate_hz, next(compressed.skeleton.channel_count())};
   if (compressed.correction) decoded.differences = next(compressed.correction->signal_count());
   reader.expect_end();
+  visit(0, decoded);
+}
+
+}  // namespace
+
+void visit_decoded(const CompressedClip& compressed, const DecodedBlock& visit) {
+  if (is_of_words(compressed.coding))
+    visit_words(compressed, visit);
+  else
+    visit_adaptive(compressed, visit);
+}
+
+void put_rows(Eigen::MatrixXd rows, int first, int all, Eigen::MatrixXd& matrix) {
+  if (rows.rows() == all) {
+    matrix = std::move(rows);
+    return;
+  }
+  matrix.resize(all, rows.cols());
+  matrix.middleRows(first, rows.rows()) = rows;
+}
+
+Uncorrected decode_uncorrected(const CompressedClip& compressed) {
+  Uncorrected decoded{.clip = {compressed.sample_rate_hz, {}}, .differences = {}};
+  visit_decoded(compressed, [&](int first, Uncorrected& block) {
+    put_rows(std::move(block.clip.channels), first, compressed.frames, decoded.clip.channels);
+    put_rows(std::move(block.differences), first, compressed.frames, decoded.differences);
+  });
   return decoded;
 }
 
@@ -82,9 +106,12 @@ CorrectionReport correct(const CompressedClip& compressed, const Eigen::MatrixXd
 }
 
 Clip decode(const CompressedClip& compressed) {
-  Uncorrected decoded = decode_uncorrected(compressed);
-  correct(compressed, decoded.differences, decoded.clip);
-  return std::move(decoded.clip);
+  Clip clip{compressed.sample_rate_hz, {}};
+  visit_decoded(compressed, [&](int first, Uncorrected& block) {
+    correct(compressed, block.differences, block.clip);
+    put_rows(std::move(block.clip.channels), first, compressed.frames, clip.channels);
+  });
+  return clip;
 }
 
 }  // namespace mocapress

@@ -3,49 +3,76 @@
 
 #include <algorithm>
 #include <chrono>
-#include <set>
+#include <optional>
 
 #include "core/codec/clip_analysis.h"
 #include "core/codec/decoder.h"
+#include "core/codec/original.h"
 #include "core/codec/targeted_encode.h"
 #include "core/ik/knee.h"
-#include "core/motion/track_blocks.h"
 
 namespace mocapress {
 namespace {
 
-/// Corrects `decoded` and says what came of it.
-CorrectionResult apply(const CompressedClip& compressed, const Clip& original, double ratio,
-                       Uncorrected& decoded) {
-  CorrectionResult result{
-      .ratio = ratio, .bytes = compressed.correction_bytes(), .uncorrected = decoded.clip};
-  result.report = correct(compressed, decoded.differences, decoded.clip);
-  const std::vector<Effector>& effectors = compressed.correction->effectors;
-  result.fastest_knee = fastest_knee(compressed.skeleton, effectors, decoded.clip);
-  result.fastest_knee_of_original = fastest_knee(compressed.skeleton, effectors, original);
-  return result;
-}
+/// Decodes what an encoding came to, measures it, and keeps of it what is asked for.
+class Outcome {
+ public:
+  Outcome(const ClipAnalysis& analysis, const EncodeOptions& options,
+          const CompressedClip& compressed)
+      : original_(compressed.segments ? Original(analysis.motion()) : original_of(analysis)),
+        keeps_all_(!options.figures_only),
+        compressed_(compressed),
+        distortion_(compressed.skeleton, compressed.frames,
+                    keeps_all_ || !compressed.segments ? Detail::Distances : Detail::Figures),
+        footskate_(contacts_for(analysis, options), compressed.sample_rate_hz) {
+    if (compressed.correction)
+      knees_.emplace(compressed.skeleton, compressed.correction->effectors);
+  }
 
-/// Distortion and footskate. Of a long clip's tracks only those of landmarks in contact are ever
-/// all in memory: the other columns are not touched.
-void compare(const ClipAnalysis& analysis, const std::vector<ContactSpan>& contacts,
-             Encoding& encoding) {
-  const Skeleton& skeleton = analysis.motion().skeleton;
-  const Eigen::MatrixXd& original_tracks = analysis.original_tracks();
-  std::set<Eigen::Index> in_contact;
-  for (const ContactSpan& span : contacts) in_contact.insert(span.landmark);
-  Eigen::MatrixXd contact_tracks(original_tracks.rows(), original_tracks.cols());
-  DistortionMeter meter(skeleton, original_tracks);
-  visit_tracks(skeleton, encoding.decoded, [&](int first, const Eigen::MatrixXd& tracks) {
-    meter.add(first, tracks);
-    for (const Eigen::Index landmark : in_contact)
-      contact_tracks.block(first, 3 * landmark, tracks.rows(), 3) =
-          tracks.middleCols<3>(3 * landmark);
-  });
-  encoding.distortion = meter.distortion();
-  encoding.footskate =
-      measure_footskate(contacts, original_tracks, contact_tracks, encoding.decoded.sample_rate_hz);
-}
+  void run(double correction_ratio, Encoding& encoding) {
+    if (keeps_all_) decoded_.sample_rate_hz = compressed_.sample_rate_hz;
+    visit_decoded(compressed_, [&](int first, Uncorrected& block) { add(first, block); });
+    encoding.decoded = std::move(decoded_);
+    encoding.distortion = distortion_.distortion();
+    if (!keeps_all_) encoding.distortion.distances.resize(0, 0);
+    encoding.footskate = footskate_.footskate();
+    if (!knees_) return;
+    correction_.ratio = correction_ratio;
+    correction_.bytes = compressed_.correction_bytes();
+    correction_.fastest_knee = knees_->fastest();
+    correction_.fastest_knee_of_original = fastest_knee(
+        compressed_.skeleton, compressed_.correction->effectors, original_.motion().clip);
+    encoding.correction = std::move(correction_);
+  }
+
+ private:
+  void add(int first, Uncorrected& block) {
+    if (knees_) correct(first, block);
+    original_.compare(first, block.clip,
+                      [&](int from, const TrackRows& original, const TrackRows& decoded) {
+                        distortion_.add(from, original, decoded);
+                        footskate_.add(from, original, decoded);
+                      });
+    if (keeps_all_)
+      put_rows(std::move(block.clip.channels), first, compressed_.frames, decoded_.channels);
+  }
+
+  void correct(int first, Uncorrected& block) {
+    if (keeps_all_)
+      put_rows(block.clip.channels, first, compressed_.frames, correction_.uncorrected.channels);
+    correction_.report.add(mocapress::correct(compressed_, block.differences, block.clip));
+    knees_->add(block.clip);
+  }
+
+  const Original original_;
+  const bool keeps_all_;
+  const CompressedClip& compressed_;
+  DistortionMeter distortion_;
+  FootskateMeter footskate_;
+  std::optional<KneeSpeed> knees_;  // none: no correction
+  CorrectionResult correction_;
+  Clip decoded_;
+};
 
 }  // namespace
 
@@ -87,11 +114,7 @@ Encoding Encoder::encode(const EncodeOptions& options,
   TargetedEncoding found = encode_to_target(*analysis_, effective, observer);
 
   Encoding encoding;
-  Uncorrected decoded = decode_uncorrected(found.compressed);
-  if (found.compressed.correction)
-    encoding.correction = apply(found.compressed, motion().clip, found.correction_ratio, decoded);
-  encoding.decoded = std::move(decoded.clip);
-  compare(*analysis_, contacts_for(*analysis_, options), encoding);
+  Outcome(*analysis_, effective, found.compressed).run(found.correction_ratio, encoding);
   encoding.compressed = std::move(found.compressed);
   encoding.compressed.provenance = {options.method, options.weighting, options.seed,
                                     static_cast<float>(encoding.distortion.eps(options.weighting)),

@@ -40,6 +40,7 @@ struct EncodeOptions {
   std::optional<CorrectionOptions> correction;       // its size counts in ratio and size
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
   SegmentPlan segments;                              // of a closed loop
+  bool figures_only = false;                         // what the encoding is made of: Encoding
 };
 
 /// The coding that will be used: the closed loop has one of its own, whatever was asked for.
@@ -59,12 +60,15 @@ struct CorrectionResult {
   double ratio = 0;       // r_IK, asked for or found
   std::size_t bytes = 0;  // of the motion's
   CorrectionReport report;
-  Clip uncorrected;
+  Clip uncorrected;         // empty where only figures were asked for
   double fastest_knee = 0;  // radians/s, with the correction
   double fastest_knee_of_original = 0;
 };
 
-/// A finished encode, decoded again and measured.
+/// A finished encode, decoded again and measured. Where only figures are asked for, the decoded
+/// clip and the distances stay empty and percentiles are those of DistanceCounts: of a closed loop
+/// in segments, what encoding takes then does not grow with the clip, but for the contacts, the
+/// coded bytes and, under a hard maximum, a weight for each frame.
 struct Encoding {
   CompressedClip compressed;
   Clip decoded;
@@ -78,8 +82,8 @@ struct Encoding {
 };
 
 /// Compresses one motion, as often and with whatever options one likes: what does not depend on
-/// them (transform, order of coefficients, original poses) is computed once, on construction. Const
-/// and safe to use from several threads at a time.
+/// them (transform, order of coefficients, original poses) is computed once, when first asked for.
+/// Const and safe to use from several threads at a time.
 class Encoder {
  public:
   explicit Encoder(Motion motion);

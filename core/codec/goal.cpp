@@ -16,20 +16,40 @@ constexpr double kTolerance = 0.02;
 
 }  // namespace
 
-double Goal::achieved(std::size_t motion_bytes, const std::function<Clip()>& decoded) const {
+double Goal::achieved(std::size_t motion_bytes, const Comparison& compare) const {
+  const Motion& motion = original_.motion();
+  const auto measured = [&] {
+    DistortionMeter meter(motion.skeleton, motion.clip.frames(), Detail::Means);
+    compare([&](int first, const TrackRows& original, const TrackRows& decoded) {
+      meter.add(first, original, decoded);
+    });
+    return meter;
+  };
   switch (target_.kind) {
     case Target::Kind::CoefficientRatio:
       return target_.value;  // the encoder's to count
     case Target::Kind::Ratio:
-      return compression_ratio(motion_.clip, motion_bytes);
+      return compression_ratio(motion.clip, motion_bytes);
     case Target::Kind::Size:
       return static_cast<double>(motion_bytes);
     case Target::Kind::Error:
-      return exact_eps(motion_.skeleton, original_tracks_, decoded(), weighting_);
+      return measured().eps(weighting_);
     case Target::Kind::MaxError:
-      return measure(motion_.skeleton, original_tracks_, decoded()).max.cm;
+      return measured().worst().cm;
   }
   return 0;
+}
+
+double Goal::achieved(const CompressedClip& compressed) const {
+  return achieved(compressed.motion_bytes(), Comparison([&](const Original::Visit& visit) {
+                    original_.compare(compressed, visit);
+                  }));
+}
+
+double Goal::achieved(std::size_t motion_bytes, const std::function<Clip()>& decoded) const {
+  return achieved(motion_bytes, Comparison([&](const Original::Visit& visit) {
+                    original_.compare(0, decoded(), visit);
+                  }));
 }
 
 double Goal::excess(double achieved) const {
@@ -59,13 +79,18 @@ void Goal::require_met(double excess, double achieved, bool everything_kept) con
   throw TargetMissed(text);
 }
 
-void Goal::raise_where_exceeded(const Clip& decoded, Eigen::VectorXd& weights) const {
+void Goal::raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const {
   constexpr double kMostWeight = 1e4;
-  const Distortion distortion = measure(motion_.skeleton, original_tracks_, decoded);
-  const Eigen::VectorXd excess =
-      distortion.distances.rowwise().maxCoeff().cast<double>() / (0.95 * target_.value);
-  for (Eigen::Index t = 0; t < weights.size(); ++t)
-    if (excess(t) > 1) weights(t) = std::min(weights(t) * excess(t) * excess(t), kMostWeight);
+  original_.compare(
+      compressed, [&](int first, const TrackRows& original, const TrackRows& decoded) {
+        const Eigen::VectorXf worst =
+            squared_distances(original, decoded).rowwise().maxCoeff().cwiseSqrt().cast<float>();
+        const Eigen::VectorXd excess = worst.cast<double>() / (0.95 * target_.value);
+        for (Eigen::Index t = 0; t < excess.size(); ++t) {
+          double& weight = weights(first + t);
+          if (excess(t) > 1) weight = std::min(weight * excess(t) * excess(t), kMostWeight);
+        }
+      });
 }
 
 bool Goal::better(double excess, double other) const {
@@ -92,7 +117,8 @@ double Goal::likely_coefficient_ratio() const {
     case Target::Kind::Ratio:
       return kUsual * target_.value;
     case Target::Kind::Size:
-      return kUsual * static_cast<double>(raw_bytes(motion_.clip)) / std::max(target_.value, 1.0);
+      return kUsual * static_cast<double>(raw_bytes(original_.motion().clip)) /
+             std::max(target_.value, 1.0);
     default:
       return 15;
   }

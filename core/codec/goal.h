@@ -4,9 +4,8 @@
 #include <functional>
 
 #include "core/codec/count_search.h"
+#include "core/codec/original.h"
 #include "core/codec/target.h"
-#include "core/motion/clip.h"
-#include "core/motion/landmarks.h"
 
 namespace mocapress {
 
@@ -15,15 +14,11 @@ namespace mocapress {
 /// with the number of coefficients.
 class Goal {
  public:
-  /// `original_tracks` are landmark_tracks() of the motion; both must outlive the goal.
-  Goal(const Motion& motion, const Eigen::MatrixXd& original_tracks, const Target& target,
-       Weighting weighting)
-      : motion_(motion),
-        original_tracks_(original_tracks),
-        target_(target),
-        weighting_(weighting) {}
+  Goal(Original original, const Target& target, Weighting weighting)
+      : original_(std::move(original)), target_(target), weighting_(weighting) {}
 
   /// The target's quantity for a coded clip, which is only decoded for the errors.
+  double achieved(const CompressedClip& compressed) const;
   double achieved(std::size_t motion_bytes, const std::function<Clip()>& decoded) const;
   double excess(double achieved) const;
 
@@ -35,7 +30,7 @@ class Goal {
   void require_met(double excess, double achieved, bool everything_kept) const;
 
   /// Raises the weights of frames at which a clip exceeds a hard maximum.
-  void raise_where_exceeded(const Clip& decoded, Eigen::VectorXd& weights) const;
+  void raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const;
 
   /// Whether `excess` is a better outcome than `other`: a kept promise first, then nearness.
   bool better(double excess, double other) const;
@@ -47,8 +42,11 @@ class Goal {
   double likely_coefficient_ratio() const;
 
  private:
-  const Motion& motion_;
-  const Eigen::MatrixXd& original_tracks_;
+  /// Visits what was decoded beside the original.
+  using Comparison = std::function<void(const Original::Visit&)>;
+  double achieved(std::size_t motion_bytes, const Comparison& compare) const;
+
+  Original original_;
   Target target_;
   Weighting weighting_;
 };

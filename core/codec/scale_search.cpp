@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "core/codec/count_search.h"
-#include "core/codec/decoder.h"
 
 namespace mocapress {
 namespace {
@@ -96,7 +95,6 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, const C
   constexpr double kPower = 0.7;
   constexpr double kNear = 0.015;  // so near, one trial is enough
   constexpr double kNearEnough = 0.02;
-  constexpr int kMany = 4;
   constexpr int kManyMore = 6;  // where it is met at all
   constexpr int kMost = 12;
   constexpr double kBeside = 0.01;
@@ -105,7 +103,8 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, const C
   };
   // Neighbouring scales differ by chance as much as by their size: a narrow window may stay empty.
   const auto will_do = [&] {
-    return trials.is_near(kNear) || (trials.is_near(kNearEnough) && trials.tried() >= kMany) ||
+    return trials.is_near(kNear) ||
+           (trials.is_near(kNearEnough) && trials.tried() >= guess.trials_for_near_enough) ||
            (trials.met() && trials.tried() >= kManyMore);
   };
   CountSearch search(count_of(guess.finest()), count_of(first_scale), goal.window(), kMost);
@@ -172,7 +171,7 @@ Eigen::VectorXd hold_worst_frames(const Goal& goal, int frames, const ClosedLoop
       best.complete = trial.complete;
       if (!trial.complete) return best_weights;
       if (!goal.met(trial.excess)) {
-        goal.raise_where_exceeded(decode(trial.compressed), weights);
+        goal.raise_where_exceeded(trial.compressed, weights);
         continue;
       }
       held = trial.compressed.motion_bytes() < best.compressed.motion_bytes();

@@ -21,6 +21,8 @@ using CoarsenTrial = std::function<Trial(const Trial& trial, double bound_cm)>;
 struct ScaleGuess {
   double likely;                   // to meet the target
   std::function<double()> finest;  // asked for after the first trial; finer ones do not fit
+  int trials_for_near_enough =
+      4;  // after as many the full tolerance will do: fewer where they are dear
 };
 
 /// What a search tries.

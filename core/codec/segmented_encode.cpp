@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/codec/decoder.h"
 #include "core/codec/goal.h"
 #include "core/codec/scale_search.h"
 #include "core/metrics/rate.h"
@@ -21,7 +20,7 @@ class SegmentedEncode {
         options_(options),
         layout_(layout),
         observer_(observer),
-        goal_(motion_, analysis.original_tracks(), options.target, options.weighting) {
+        goal_(Original(motion_), options.target, options.weighting) {
     if (options_.target.kind == Target::Kind::Size)
       share_of_size_ = static_cast<double>(layout.length) / std::max(layout.frames, 1);
     if (options_.correction && !options_.correction->ratio)
@@ -34,7 +33,8 @@ class SegmentedEncode {
       return attempt_scale(scale, work, frame_weights);
     };
     const ScaleGuess guess{.likely = likely_scale(options_.target, raw_bytes(motion_.clip)),
-                           .finest = [this] { return finest_scale_; }};
+                           .finest = [this] { return finest_scale_; },
+                           .trials_for_near_enough = 2};
     Trial best =
         search_scale(guess, options_.target, goal_, options_.effort, layout_.frames, {attempt});
     if (best.complete && options_.effort != Effort::Draft)
@@ -98,7 +98,7 @@ class SegmentedEncode {
     }
     ++pass_;
     trial.eps_cm = std::sqrt(trial.eps_cm / static_cast<double>(layout_.coded_frames()));
-    weigh(trial);
+    weigh(work, trial);
     return trial;
   }
 
@@ -130,17 +130,16 @@ class SegmentedEncode {
     trial.complete = trial.complete && part.trial.complete;
   }
 
-  void weigh(Trial& trial) const {
-    const bool by_model = options_.effort == Effort::Draft &&
-                          options_.target.kind == Target::Kind::Error && !options_.correction &&
-                          options_.importance.is_even();
+  void weigh(const ClosedLoopWork& work, Trial& trial) const {
+    const bool is_guess = options_.effort == Effort::Draft || !work.compensate;
+    const bool by_model = is_guess && options_.target.kind == Target::Kind::Error &&
+                          !options_.correction && options_.importance.is_even();
     if (by_model)
       trial.achieved = trial.eps_cm;  // near enough, and there already
     else if (options_.target.kind == Target::Kind::CoefficientRatio)
       trial.achieved = static_cast<double>(motion_.clip.channels.size()) / std::max(trial.count, 1);
     else
-      trial.achieved =
-          goal_.achieved(trial.compressed.motion_bytes(), [&] { return decode(trial.compressed); });
+      trial.achieved = goal_.achieved(trial.compressed);
     trial.excess = goal_.excess(trial.achieved);
   }
 

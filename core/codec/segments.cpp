@@ -29,20 +29,16 @@ std::vector<ContactSpan> frames_of(const std::vector<ContactSpan>& contacts, int
   return inside;
 }
 
-void lay_over(const Eigen::MatrixXd& segment_samples, const SegmentLayout& layout, int segment,
-              Eigen::MatrixXd& samples) {
-  const int first = layout.first(segment);
-  const int shared = segment == 0 ? 0 : layout.overlap;
-  for (int i = 0; i < shared; ++i) {
-    const float share = decoder::share_of_later(layout, i);
-    for (Eigen::Index s = 0; s < samples.cols(); ++s) {
-      double& sample = samples(first + i, s);
-      sample = static_cast<double>(decoder::blended(
-          static_cast<float>(sample), static_cast<float>(segment_samples(i, s)), share));
-    }
+Eigen::MatrixXd SegmentJoin::next(Eigen::MatrixXd samples) {
+  for (Eigen::Index i = 0; i < shared_.rows(); ++i) {
+    const float share = decoder::share_of_later(layout_, static_cast<int>(i));
+    for (Eigen::Index s = 0; s < samples.cols(); ++s)
+      samples(i, s) = static_cast<double>(decoder::blended(
+          static_cast<float>(shared_(i, s)), static_cast<float>(samples(i, s)), share));
   }
-  const Eigen::Index alone = segment_samples.rows() - shared;
-  samples.middleRows(first + shared, alone) = segment_samples.bottomRows(alone);
+  if (++segment_ == layout_.count()) return samples;
+  shared_ = samples.bottomRows(layout_.overlap);
+  return samples.topRows(layout_.hop());
 }
 
 }  // namespace mocapress

@@ -28,7 +28,7 @@ class TargetedEncode {
         options_(options),
         observer_(observer),
         contacts_(contacts_for(analysis, options)),
-        goal_(analysis.motion(), analysis.original_tracks(), options.target, options.weighting) {
+        goal_(original_of(analysis), options.target, options.weighting) {
     const Motion& motion = analysis.motion();
     const bool heeds_model =
         options.method == Method::Annealed || options.method == Method::ClosedLoop;
@@ -192,10 +192,9 @@ class TargetedEncode {
 
   void weigh(Trial& trial) const {
     const CompressedClip& compressed = trial.compressed;
-    trial.achieved =
-        options_.target.kind == Target::Kind::CoefficientRatio
-            ? static_cast<double>(coefficients_.total()) / std::max(trial.count, 1)
-            : goal_.achieved(compressed.motion_bytes(), [&] { return decode(compressed); });
+    trial.achieved = options_.target.kind == Target::Kind::CoefficientRatio
+                         ? static_cast<double>(coefficients_.total()) / std::max(trial.count, 1)
+                         : goal_.achieved(compressed);
     trial.excess = goal_.excess(trial.achieved);
   }
 
@@ -364,6 +363,12 @@ ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& op
 
 double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& options) {
   return TargetedEncode(analysis, options, {}).split();
+}
+
+Original original_of(const ClipAnalysis& analysis) {
+  return Original(analysis.motion(), [from = &analysis]() -> const Eigen::MatrixXd& {
+    return from->original_tracks();
+  });
 }
 
 }  // namespace mocapress

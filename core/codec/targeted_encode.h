@@ -3,6 +3,7 @@
 
 #include "core/codec/clip_analysis.h"
 #include "core/codec/encoder.h"
+#include "core/codec/original.h"
 #include "core/codec/trial.h"
 
 namespace mocapress {
@@ -39,5 +40,8 @@ double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& 
 /// The contacts that count: edited ones, or those found on the original.
 const std::vector<ContactSpan>& contacts_for(const ClipAnalysis& analysis,
                                              const EncodeOptions& options);
+
+/// With its tracks whole, kept by the analysis.
+Original original_of(const ClipAnalysis& analysis);
 
 }  // namespace mocapress

@@ -18,23 +18,34 @@ std::vector<std::byte> write_compared(const ComparisonMethod& method, const Comp
   return write_container(container);
 }
 
-OpenedMcpr read_mcpr(std::span<const std::byte> bytes) {
+OpenedMcpr read_coded_mcpr(std::span<const std::byte> bytes) {
   Container container = read_any_container(bytes);
   OpenedMcpr opened{.compressed = std::move(container.clip), .decoded = {}};
   CompressedClip& clip = opened.compressed;
   if (!container.of_comparison) {
     opened.method = contender_name(clip);
-    opened.decoded = decode(clip);
     return opened;
   }
   ByteReader payload(clip.motion);
   opened.of_wavelets = false;
   opened.method = payload.read_short_string();
-  const ComparisonMethod* method = find_comparison_method(opened.method);
-  if (method == nullptr) payload.fail("unknown method of compression: " + opened.method);
+  if (find_comparison_method(opened.method) == nullptr)
+    payload.fail("unknown method of compression: " + opened.method);
   const auto motion = payload.take(payload.remaining());
   clip.motion = {motion.begin(), motion.end()};
-  opened.decoded = method->decode(clip.skeleton, clip.sample_rate_hz, clip.frames, clip.motion);
+  return opened;
+}
+
+Clip decode(const OpenedMcpr& opened) {
+  const CompressedClip& clip = opened.compressed;
+  if (opened.of_wavelets) return decode(clip);
+  return find_comparison_method(opened.method)
+      ->decode(clip.skeleton, clip.sample_rate_hz, clip.frames, clip.motion);
+}
+
+OpenedMcpr read_mcpr(std::span<const std::byte> bytes) {
+  OpenedMcpr opened = read_coded_mcpr(bytes);
+  opened.decoded = decode(opened);
   return opened;
 }
 

@@ -31,6 +31,10 @@ struct OpenedMcpr {
 /// Throws FormatError.
 OpenedMcpr read_mcpr(std::span<const std::byte> bytes);
 
+/// The same in two steps: `decoded` is left to decode(), or to who wants but a part of it.
+OpenedMcpr read_coded_mcpr(std::span<const std::byte> bytes);
+Clip decode(const OpenedMcpr& opened);
+
 /// The same from a file. Throws InputError, which names file and byte offset.
 OpenedMcpr open_mcpr(const std::filesystem::path& path);
 

@@ -93,14 +93,13 @@ Compression compress_wavelets(const Encoder& encoder, const EncodeOptions& optio
 /// Searches the detail of a comparison method that meets the target of one compress() call.
 class DetailSearch {
  public:
-  DetailSearch(const Motion& motion, const Eigen::MatrixXd& original_tracks,
-               const ComparisonMethod& method, const DetailCoder& coder,
+  DetailSearch(Original original, const ComparisonMethod& method, const DetailCoder& coder,
                const EncodeOptions& options)
-      : motion_(motion),
+      : motion_(original.motion()),
         method_(method),
         coder_(coder),
         target_(options.target),
-        goal_(motion, original_tracks, options.target, options.weighting) {}
+        goal_(std::move(original), options.target, options.weighting) {}
 
   struct Trial {
     std::vector<std::byte> motion;
@@ -223,8 +222,8 @@ Compression ContenderEncoder::compress(const Contender& contender, const EncodeO
   const auto start = std::chrono::steady_clock::now();
   const Motion& motion = parts_->wavelets.motion();
   const Eigen::MatrixXd& tracks = parts_->wavelets.original_tracks();
-  const DetailSearch search(motion, tracks, *method, parts_->coder(*method, options.weighting),
-                            options);
+  const DetailSearch search(Original(motion, [&]() -> const Eigen::MatrixXd& { return tracks; }),
+                            *method, parts_->coder(*method, options.weighting), options);
   auto [best, complete] = search.run(observer);
   if (complete) search.check(best);
 

@@ -25,11 +25,12 @@ std::span<const Contender> contenders();
 /// nullptr when there is none of that name.
 const Contender* find_contender(std::string_view name);
 
-/// Sets method and basis to those of a contender that is wavelets. False: it is a comparison method,
-/// and nothing was set.
+/// Sets method and basis to those of a contender that is wavelets. False: it is a comparison
+/// method, and nothing was set.
 bool choose_wavelets(const Contender& contender, EncodeOptions& options);
 
-/// A motion compressed by a contender, decoded again and measured.
+/// A motion compressed by a contender, decoded again and measured. EncodeOptions::figures_only is
+/// heeded by wavelets.
 struct Compression {
   std::vector<std::byte> file;   // the .mcpr
   std::size_t motion_bytes = 0;  // what the ratio counts

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
-#include "core/ik/effector.h"
+#include "core/ik/correction.h"
+#include "core/motion/track_blocks.h"
 
 namespace mocapress {
 namespace {
@@ -82,6 +84,21 @@ std::vector<ContactSpan> find_foot_contacts(const Skeleton& skeleton, const Eige
   std::vector<int> landmarks;  // a joint's number is that of the landmark at its origin
   for (const Effector& foot : find_feet(skeleton)) landmarks.push_back(foot.joint);
   return find_contacts(tracks, sample_rate_hz, landmarks, settings);
+}
+
+std::vector<ContactSpan> find_foot_contacts(const Motion& motion, const ContactSettings& settings) {
+  const std::vector<Effector> feet = find_feet(motion.skeleton);
+  Eigen::MatrixXd tracks(motion.clip.frames(), 3 * std::ssize(feet));
+  visit_tracks(motion.skeleton, motion.clip, [&](int first, const Eigen::MatrixXd& block) {
+    tracks.middleRows(first, block.rows()) = effector_tracks(block, feet);
+  });
+  std::vector<int> numbers(feet.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  std::vector<ContactSpan> spans =
+      find_contacts(tracks, motion.clip.sample_rate_hz, numbers, settings);
+  for (ContactSpan& span : spans)
+    span.landmark = feet[static_cast<std::size_t>(span.landmark)].joint;
+  return spans;
 }
 
 }  // namespace mocapress

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/motion/skeleton.h"
+#include "core/motion/clip.h"
 
 namespace mocapress {
 
@@ -43,6 +43,10 @@ std::vector<ContactSpan> find_contacts(const Eigen::MatrixXd& tracks, double sam
 /// The same for the feet of a skeleton, as find_feet() finds them. None where there are no feet.
 std::vector<ContactSpan> find_foot_contacts(const Skeleton& skeleton, const Eigen::MatrixXd& tracks,
                                             double sample_rate_hz,
+                                            const ContactSettings& settings = {});
+
+/// The same of a motion: of its landmarks only those of the feet are ever all in memory.
+std::vector<ContactSpan> find_foot_contacts(const Motion& motion,
                                             const ContactSettings& settings = {});
 
 }  // namespace mocapress

@@ -7,27 +7,47 @@
 namespace mocapress {
 namespace {
 
-/// Horizontal way (cm) of a landmark from frame t - 1 to t.
-double step(const Eigen::MatrixXd& tracks, int landmark, int t) {
-  return std::hypot(tracks(t, 3 * landmark) - tracks(t - 1, 3 * landmark),
-                    tracks(t, 3 * landmark + 2) - tracks(t - 1, 3 * landmark + 2));
+/// Horizontal way (cm) of a landmark from one row of tracks to another.
+template <typename Row, typename Next>
+double way(const Row& row, const Next& next, int landmark) {
+  return std::hypot(next(3 * landmark) - row(3 * landmark),
+                    next(3 * landmark + 2) - row(3 * landmark + 2));
+}
+
+/// The same to row t of some, from the one before or, at the first, from `last`.
+double step(const Eigen::RowVectorXd& last, const TrackRows& tracks, int t, int landmark) {
+  return t == 0 ? way(last, tracks.row(0), landmark)
+                : way(tracks.row(t - 1), tracks.row(t), landmark);
 }
 
 }  // namespace
 
-Footskate measure_footskate(const std::vector<ContactSpan>& contacts,
-                            const Eigen::MatrixXd& original_tracks,
-                            const Eigen::MatrixXd& decoded_tracks, double sample_rate_hz) {
-  Footskate footskate;
-  for (const ContactSpan& span : contacts) {
-    SlideFinding finding{span, 0, 0, span.first_frame};
-    for (int t = span.first_frame + 1; t <= span.last_frame; ++t) {
-      const double way = step(decoded_tracks, span.landmark, t);
-      finding.slid_cm += way - step(original_tracks, span.landmark, t);
-      if (way * sample_rate_hz <= finding.worst_speed_cm_s) continue;
-      finding.worst_speed_cm_s = way * sample_rate_hz;
+FootskateMeter::FootskateMeter(const std::vector<ContactSpan>& contacts, double sample_rate_hz)
+    : sample_rate_hz_(sample_rate_hz) {
+  for (const ContactSpan& span : contacts) findings_.push_back({span, 0, 0, span.first_frame});
+}
+
+void FootskateMeter::add(int first_frame, const TrackRows& original, const TrackRows& decoded) {
+  const auto end = first_frame + static_cast<int>(decoded.rows());
+  if (end == first_frame) return;
+  for (SlideFinding& finding : findings_) {
+    const ContactSpan& span = finding.span;
+    for (int t = std::max(span.first_frame + 1, first_frame);
+         t < std::min(span.last_frame + 1, end); ++t) {
+      const double slid = step(last_decoded_, decoded, t - first_frame, span.landmark);
+      finding.slid_cm += slid - step(last_original_, original, t - first_frame, span.landmark);
+      if (slid * sample_rate_hz_ <= finding.worst_speed_cm_s) continue;
+      finding.worst_speed_cm_s = slid * sample_rate_hz_;
       finding.worst_frame = t;
     }
+  }
+  last_original_ = original.bottomRows<1>();
+  last_decoded_ = decoded.bottomRows<1>();
+}
+
+Footskate FootskateMeter::footskate() const {
+  Footskate footskate;
+  for (const SlideFinding& finding : findings_) {
     if (finding.slid_cm <= 0) continue;
     footskate.total_cm += finding.slid_cm;
     footskate.findings.push_back(finding);
@@ -36,6 +56,14 @@ Footskate measure_footskate(const std::vector<ContactSpan>& contacts,
       footskate.findings.begin(), footskate.findings.end(),
       [](const SlideFinding& a, const SlideFinding& b) { return a.slid_cm > b.slid_cm; });
   return footskate;
+}
+
+Footskate measure_footskate(const std::vector<ContactSpan>& contacts,
+                            const Eigen::MatrixXd& original_tracks,
+                            const Eigen::MatrixXd& decoded_tracks, double sample_rate_hz) {
+  FootskateMeter meter(contacts, sample_rate_hz);
+  meter.add(0, original_tracks, decoded_tracks);
+  return meter.footskate();
 }
 
 }  // namespace mocapress

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/contact/contact_spans.h"
+#include "core/motion/track_blocks.h"
 
 namespace mocapress {
 
@@ -20,6 +21,24 @@ struct SlideFinding {
 struct Footskate {
   double total_cm = 0;  // over all contacts; a contact that slid less than the original counts 0
   std::vector<SlideFinding> findings;  // one a contact that slid further, the worst first
+};
+
+/// Measures clips whose tracks come some frames at a time, in time and none left out.
+class FootskateMeter {
+ public:
+  FootskateMeter(const std::vector<ContactSpan>& contacts, double sample_rate_hz);
+
+  /// Rows of landmark_tracks() of both clips, from first_frame on.
+  void add(int first_frame, const TrackRows& original, const TrackRows& decoded);
+
+  /// Once all are there.
+  Footskate footskate() const;
+
+ private:
+  double sample_rate_hz_;
+  std::vector<SlideFinding> findings_;  // one a contact, slid further or not
+  Eigen::RowVectorXd last_original_;    // of the frames before
+  Eigen::RowVectorXd last_decoded_;
 };
 
 /// Horizontal (x, z) way of each contact's landmark in the decoded clip and in the original, frame

@@ -71,7 +71,8 @@ typedef struct mcpr_info {
   uint32_t channels;
   uint32_t effectors;  /* of the IK correction; 0: none */
   size_t motion_bytes; /* of the file: coded motion, segments and correction */
-  size_t read_bytes;   /* scratch memory that mcpr_read needs */
+  size_t read_bytes;   /* scratch memory that mcpr_read needs; of a long clip in segments that of
+                          one segment, and its motion_bytes */
 } mcpr_info;
 
 mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits, mcpr_info* info);
@@ -85,7 +86,8 @@ mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, 
 typedef struct mcpr_clip mcpr_clip;
 
 /* Makes the resident form. It has no pointers: it may be moved and copied as bytes, within one
- * program and version. `scratch` is what mcpr_read left and is needed no longer after this. */
+ * program and version. `scratch` is what mcpr_read left and is needed no longer after this. Takes
+ * as long as mcpr_read where the clip is in segments. */
 mcpr_result mcpr_build(const void* scratch, size_t scratch_size, void* resident,
                        size_t resident_size, const mcpr_clip** clip);
 

@@ -54,12 +54,13 @@ Opening::Opening(Memory& memory, const FileSections& sections)
       kin_(memory.take<SignalKin>(sections.signal_count())),
       contexts_(memory.take<AdaptiveBit>(static_cast<std::uint64_t>(
           ContextLayout(static_cast<int>(sections.signal_count())).end))),
-      segment_sizes_(
-          memory.take<std::uint32_t>(static_cast<std::uint64_t>(sections.segments.count()))),
+      coded_motion_(
+          memory.take<std::uint8_t>(sections.segments.count() > 1 ? sections.motion.size : 0)),
+      segments_(memory.take<Segment>(static_cast<std::uint64_t>(sections.segments.count()))),
       fineness_(memory.take<std::int32_t>(sections.signal_count())),
-      values_(memory.take<std::int32_t>(sections.value_count())),
-      steps_(memory.take<float>(static_cast<std::uint64_t>(sections.segments.count()) *
-                                sections.signal_count())),
+      values_(memory.take<std::int32_t>(static_cast<std::uint64_t>(sections.segments.length) *
+                                        sections.signal_count())),
+      steps_(memory.take<float>(sections.signal_count())),
       wide_limits_(memory.take<float>(sections.signal_count())),
       reach_(memory.take<float>(sections.joints)),
       notes_(memory.take<std::uint8_t>(sections.signal_count())),
@@ -128,41 +129,51 @@ mcpr_result Opening::read_motion() {
   const auto signal_count = static_cast<int>(sections_.signal_count());
   kin_finder_.find({static_cast<int>(sections_.joints), parents_, channel_counts_}, kin_);
   set_correction_kin(channels, signal_count - channels, kin_ + channels);
-  std::fill_n(values_, sections_.value_count(), 0);
   find_wide_limits();
   std::size_t first_byte = 0;
   for (int k = 0; k < sections_.segments.count(); ++k) {
-    segment_sizes_[k] = sections_.segment_size(k);
-    const mcpr_result result = read_segment(k, first_byte);
+    segments_[k] = {first_byte, sections_.segment_size(k), 0};
+    const mcpr_result result = read_segment(k);
     if (failed(result)) return result;
-    first_byte += segment_sizes_[k];
+    segments_[k].resident_bytes = ResidentSignals::size(source(k));
+    first_byte += segments_[k].bytes;
   }
+  // The file is done with.
+  if (sections_.segments.count() > 1)
+    std::copy_n(sections_.motion.data, sections_.motion.size, coded_motion_);
+  sections_.motion.data = coded_motion_;
   return kOk;
 }
 
-mcpr_result Opening::read_segment(int segment, std::size_t first_byte) {
-  const std::uint8_t* const bytes = sections_.motion.data + first_byte;
-  const std::size_t size = segment_sizes_[segment];
-  const std::size_t start = sections_.motion.offset + first_byte;
-  Cursor head(bytes, size, start);
+/// Unless it is the one that was decoded last.
+mcpr_result Opening::read_segment(int segment) {
+  if (segment == decoded_) return kOk;
+  const Segment& coded = segments_[segment];
+  decoded_ = segment;
+  return decode_segment(segment, {sections_.motion.data + coded.first_byte, coded.bytes,
+                                  sections_.motion.offset + coded.first_byte});
+}
+
+mcpr_result Opening::decode_segment(int segment, const Bytes& coded) {
+  Cursor head(coded.data, coded.size, coded.offset);
   const auto scale = std::bit_cast<float>(std::uint32_t{head.read<std::uint16_t>()} << 16);
   if (head.failed() || !std::isfinite(scale) || scale <= 0)
-    return failure(MCPR_INVALID, start, "the scale of steps is no positive number");
-  const QuantisedSource coded = source(segment);
-  std::fill_n(fineness_, coded.signal_count, 0);
-  RangeDecoder bits(bytes + 2, size - 2);
-  CoefficientModel model(coded.signal_count, contexts_);
+    return failure(MCPR_INVALID, coded.offset, "the scale of steps is no positive number");
+  const int frames = sections_.segments.frames_of(segment);
+  const auto signal_count = static_cast<int>(sections_.signal_count());
+  std::fill_n(fineness_, signal_count, 0);
+  std::fill_n(values_, std::int64_t{frames} * signal_count, 0);
+  RangeDecoder bits(coded.data + 2, coded.size - 2);
+  CoefficientModel model(signal_count, contexts_);
   model.begin();
-  const Bands bands(coded.length);
-  const QuantisedView view{coded.length, coded.signal_count, fineness_,
-                           values_ + (coded.values - values_)};
+  const Bands bands(frames);
+  const QuantisedView view{frames, signal_count, fineness_, values_};
   CoefficientCoder(bits, kin_, bands, model, view, coder_notes_).run();
-  const std::size_t offset = start + 2 + bits.position();
+  const std::size_t offset = coded.offset + 2 + bits.position();
   if (bits.exhausted()) return failure(MCPR_INVALID, offset, "the coded motion ends early");
   if (bits.refused()) return failure(MCPR_INVALID, offset, "a number of the motion out of bounds");
   if (!bits.is_at_end()) return failure(MCPR_INVALID, offset, "bytes after the coded motion");
-  float* const steps = steps_ + (coded.steps - steps_);
-  for (int s = 0; s < coded.signal_count; ++s) steps[s] = step_of(scale, fineness_[s]);
+  for (int s = 0; s < signal_count; ++s) steps_[s] = step_of(scale, fineness_[s]);
   return kOk;
 }
 
@@ -174,19 +185,16 @@ void Opening::find_wide_limits() {
       wide_limits_[joints_[j].first_channel + c] = wide_limit(joints_[j].kinds[c], reach_[j]);
 }
 
+/// Of the segment that is decoded.
 QuantisedSource Opening::source(int segment) const {
-  const SegmentLayout& segments = sections_.segments;
-  const auto signal_count = static_cast<std::ptrdiff_t>(sections_.signal_count());
-  // All segments before it are of full length.
-  const std::int32_t* const values = values_ + signal_count * segments.length * segment;
   const std::uint64_t bytes =
-      segment_sizes_[segment] + (segments.count() == 1 ? sections_.correction_bytes : 0);
-  return {.length = segments.frames_of(segment),
-          .signal_count = static_cast<int>(signal_count),
+      segments_[segment].bytes + (sections_.segments.count() == 1 ? sections_.correction_bytes : 0);
+  return {.length = sections_.segments.frames_of(segment),
+          .signal_count = static_cast<int>(sections_.signal_count()),
           .wavelet = sections_.wavelet,
-          .steps = steps_ + signal_count * segment,
+          .steps = steps_,
           .wide_limits = wide_limits_,
-          .values = values,
+          .values = values_,
           .notes = notes_,
           .budget_bytes = kBudget * bytes / 10};
 }
@@ -252,14 +260,15 @@ std::uint64_t Opening::lay_out(std::byte* memory) {
   return block.used();
 }
 
-void Opening::lay_out_motion(Block& block, ClipBlock& head, std::byte* memory) const {
+void Opening::lay_out_motion(Block& block, ClipBlock& head, std::byte* memory) {
   head.segments = sections_.segments;
   head.largest = {sections_.segments.length, static_cast<int>(sections_.signal_count()), 0};
   const auto segments = static_cast<std::uint64_t>(sections_.segments.count());
   head.motions = block.reserve(sizeof(std::uint32_t) * segments);
   for (int k = 0; k < sections_.segments.count(); ++k) {
-    const std::uint32_t offset = block.reserve(ResidentSignals::size(source(k)));
+    const std::uint32_t offset = block.reserve(segments_[k].resident_bytes);
     if (memory == nullptr) continue;
+    read_segment(k);  // as before, when it was found to be valid
     block.at<std::uint32_t>(head.motions)[k] = offset;
     const auto* const motion = ResidentSignals::build(source(k), memory + offset);
     head.largest.wide_count = std::max(head.largest.wide_count, motion->shape().wide_count);

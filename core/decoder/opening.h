@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From the bytes of a file to a clip, in two steps: everything decoded into scratch memory, then
-// the resident form made of it.
+// the resident form made of it. Of a clip in segments scratch memory holds but one decoded, and the
+// coded bytes of all: each is decoded once to check and to measure it, and again to build it.
 #pragma once
 
 #include "clip.h"
@@ -40,8 +41,9 @@ class Opening {
   mcpr_result read_motion();
   class Block;
   std::uint64_t lay_out(std::byte* memory);
-  void lay_out_motion(Block& block, ClipBlock& head, std::byte* memory) const;
-  mcpr_result read_segment(int segment, std::size_t first_byte);
+  void lay_out_motion(Block& block, ClipBlock& head, std::byte* memory);
+  mcpr_result read_segment(int segment);
+  mcpr_result decode_segment(int segment, const Bytes& coded);
   void find_wide_limits();
   QuantisedSource source(int segment) const;
 
@@ -53,10 +55,17 @@ class Opening {
   std::uint32_t name_bytes_ = 0;
   SignalKin* kin_;
   AdaptiveBit* contexts_;
-  std::uint32_t* segment_sizes_;  // bytes of each
+  std::uint8_t* coded_motion_;  // a copy of MOTN, where it is in segments
+  struct Segment {
+    std::size_t first_byte;  // in MOTN
+    std::size_t bytes;
+    std::uint64_t resident_bytes;
+  };
+  Segment* segments_;
+  int decoded_ = -1;  // the segment that the next three are of
   std::int32_t* fineness_;
-  std::int32_t* values_;  // of all signals of one segment, then of the next
-  float* steps_;          // the same
+  std::int32_t* values_;
+  float* steps_;
   float* wide_limits_;
   float* reach_;  // of each joint
   std::uint8_t* notes_;

@@ -52,12 +52,13 @@ class Corrector {
   std::vector<Eigen::Vector3d> targets_;
 };
 
-CorrectionReport both(const CorrectionReport& a, const CorrectionReport& b) {
-  return {std::max(a.worst_miss_cm, b.worst_miss_cm), a.unreached + b.unreached,
-          a.iterations + b.iterations};
-}
-
 }  // namespace
+
+void CorrectionReport::add(const CorrectionReport& other) {
+  worst_miss_cm = std::max(worst_miss_cm, other.worst_miss_cm);
+  unreached += other.unreached;
+  iterations += other.iterations;
+}
 
 Eigen::MatrixXd effector_tracks(const Eigen::MatrixXd& landmark_tracks,
                                 const std::vector<Effector>& effectors) {
@@ -79,7 +80,7 @@ CorrectionReport apply_correction(const Skeleton& skeleton, const std::vector<Ef
     CorrectionReport report;
     for (int t = first; t < end; ++t) corrector.correct(differences, t, clip, report);
     const std::lock_guard lock(mutex);
-    all = both(all, report);
+    all.add(report);
   });
   return all;
 }

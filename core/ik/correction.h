@@ -20,6 +20,9 @@ struct CorrectionReport {
   double worst_miss_cm = 0;
   int unreached = 0;    // limbs at frames with an effector further than kReachedCm from its target
   long iterations = 0;  // of the solver, over all frames
+
+  /// Of further frames.
+  void add(const CorrectionReport& other);
 };
 
 /// Moves each effector by `differences` (frames x 3 * effectors, cm, in the world) from where the

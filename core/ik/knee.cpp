@@ -21,18 +21,28 @@ int knee_of(const Effector& effector) {
   return effector.chain[std::min<std::size_t>(1, effector.chain.size() - 1)];
 }
 
+KneeSpeed::KneeSpeed(const Skeleton& skeleton, const std::vector<Effector>& effectors)
+    : skeleton_(skeleton), effectors_(effectors) {}
+
+void KneeSpeed::add(const Clip& frames) {
+  const bool is_first = last_.empty();
+  last_.resize(effectors_.size());
+  for (std::size_t e = 0; e < effectors_.size(); ++e)
+    for (int t = 0; t < frames.frames(); ++t) {
+      const Eigen::Matrix3d now = local_rotation(skeleton_, knee_of(effectors_[e]), frames, t);
+      if (t > 0 || !is_first) {
+        const double angle = Eigen::AngleAxisd(last_[e].transpose() * now).angle();
+        fastest_ = std::max(fastest_, angle * frames.sample_rate_hz);
+      }
+      last_[e] = now;
+    }
+}
+
 double fastest_knee(const Skeleton& skeleton, const std::vector<Effector>& effectors,
                     const Clip& clip) {
-  double fastest = 0;
-  for (const Effector& effector : effectors) {
-    Eigen::Matrix3d before;
-    for (int t = 0; t < clip.frames(); ++t) {
-      const Eigen::Matrix3d now = local_rotation(skeleton, knee_of(effector), clip, t);
-      if (t > 0) fastest = std::max(fastest, Eigen::AngleAxisd(before.transpose() * now).angle());
-      before = now;
-    }
-  }
-  return fastest * clip.sample_rate_hz;
+  KneeSpeed speed(skeleton, effectors);
+  speed.add(clip);
+  return speed.fastest();
 }
 
 }  // namespace mocapress

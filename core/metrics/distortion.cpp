@@ -6,16 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/motion/track_blocks.h"
-
 namespace mocapress {
 namespace {
-
-/// The mean over time of the weighted sum over landmarks, and its root.
-double eps_from(const Eigen::MatrixXd& squared, const Eigen::VectorXd& weights) {
-  if (squared.rows() == 0) return 0;
-  return std::sqrt(squared.colwise().mean().dot(weights));
-}
 
 /// The smallest value that at least `share` of all values do not exceed. Reorders `values`.
 double percentile(std::vector<float>& values, double share) {
@@ -29,42 +21,65 @@ double percentile(std::vector<float>& values, double share) {
 
 }  // namespace
 
-DistortionMeter::DistortionMeter(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks)
-    : skeleton_(skeleton),
-      original_tracks_(original_tracks),
-      squared_(original_tracks.rows(), original_tracks.cols() / 3) {}
+Eigen::MatrixXd squared_distances(const TrackRows& original, const TrackRows& decoded) {
+  assert(original.rows() == decoded.rows() && original.cols() == decoded.cols());
+  Eigen::MatrixXd squared(original.rows(), original.cols() / 3);
+  for (Eigen::Index p = 0; p < squared.cols(); ++p)
+    squared.col(p) =
+        (original.middleCols<3>(3 * p) - decoded.middleCols<3>(3 * p)).rowwise().squaredNorm();
+  return squared;
+}
 
-void DistortionMeter::add(int first_frame, const Eigen::MatrixXd& decoded_tracks) {
-  const Eigen::Index count = decoded_tracks.rows();
-  assert(first_frame + count <= squared_.rows() &&
-         decoded_tracks.cols() == original_tracks_.cols());
-  for (Eigen::Index p = 0; p < squared_.cols(); ++p)
-    squared_.col(p).segment(first_frame, count) =
-        (original_tracks_.middleCols<3>(3 * p).middleRows(first_frame, count) -
-         decoded_tracks.middleCols<3>(3 * p))
-            .rowwise()
-            .squaredNorm();
+DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail detail)
+    : detail_(detail),
+      bone_end_weights_(landmark_weights(skeleton, Weighting::BoneEnds)),
+      joint_origin_weights_(landmark_weights(skeleton, Weighting::JointOrigins)),
+      squares_(Eigen::VectorXd::Zero(bone_end_weights_.size())) {
+  if (detail == Detail::Distances) distances_.resize(frames, squares_.size());
+}
+
+void DistortionMeter::add(int first_frame, const TrackRows& original, const TrackRows& decoded) {
+  const Eigen::MatrixXd squared = squared_distances(original, decoded);
+  if (squared.size() == 0) return;
+  for (Eigen::Index p = 0; p < squared.cols(); ++p) squares_(p) += squared.col(p).sum();
+  frames_ += squared.rows();
+  Eigen::Index frame = 0;
+  Eigen::Index landmark = 0;
+  const double worst = squared.maxCoeff(&frame, &landmark);
+  if (worst > worst_square_) {
+    worst_square_ = worst;
+    worst_ = {first_frame + static_cast<int>(frame), static_cast<int>(landmark), std::sqrt(worst)};
+  }
+  if (detail_ == Detail::Distances)
+    distances_.middleRows(first_frame, squared.rows()) = squared.cwiseSqrt().cast<float>();
+  if (detail_ == Detail::Figures)
+    for (const double square : squared.reshaped())
+      counts_.add(static_cast<float>(std::sqrt(square)));
 }
 
 double DistortionMeter::eps(Weighting weighting) const {
-  return eps_from(squared_, landmark_weights(skeleton_, weighting));
+  if (frames_ == 0) return 0;
+  const Eigen::VectorXd& weights =
+      weighting == Weighting::BoneEnds ? bone_end_weights_ : joint_origin_weights_;
+  double mean_square = 0;
+  for (Eigen::Index p = 0; p < weights.size(); ++p)
+    mean_square += squares_(p) / static_cast<double>(frames_) * weights(p);
+  return std::sqrt(mean_square);
 }
 
 Distortion DistortionMeter::distortion() const {
-  Distortion distortion;
-  distortion.eps_bone_ends = eps(Weighting::BoneEnds);
-  distortion.eps_joint_origins = eps(Weighting::JointOrigins);
-  distortion.distances = squared_.cwiseSqrt().cast<float>();
-  if (squared_.size() == 0) return distortion;
-
-  Eigen::Index frame = 0;
-  Eigen::Index landmark = 0;
-  const double worst = squared_.maxCoeff(&frame, &landmark);
-  distortion.max = {static_cast<int>(frame), static_cast<int>(landmark), std::sqrt(worst)};
-  std::vector<float> all(distortion.distances.data(),
-                         distortion.distances.data() + distortion.distances.size());
-  distortion.p95 = percentile(all, 0.95);
-  distortion.p99 = percentile(all, 0.99);
+  Distortion distortion{.eps_bone_ends = eps(Weighting::BoneEnds),
+                        .eps_joint_origins = eps(Weighting::JointOrigins),
+                        .max = worst_,
+                        .distances = distances_};
+  if (detail_ == Detail::Distances) {
+    std::vector<float> all(distances_.data(), distances_.data() + distances_.size());
+    distortion.p95 = percentile(all, 0.95);
+    distortion.p99 = percentile(all, 0.99);
+  } else {
+    distortion.p95 = counts_.percentile(0.95);
+    distortion.p99 = counts_.percentile(0.99);
+  }
   return distortion;
 }
 
@@ -75,10 +90,11 @@ Distortion measure(const Skeleton& skeleton, const Clip& original, const Clip& d
 namespace {
 
 DistortionMeter meter_of(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
-                         const Clip& decoded) {
-  DistortionMeter meter(skeleton, original_tracks);
-  visit_tracks(skeleton, decoded,
-               [&](int first, const Eigen::MatrixXd& tracks) { meter.add(first, tracks); });
+                         const Clip& decoded, Detail detail) {
+  DistortionMeter meter(skeleton, decoded.frames(), detail);
+  visit_tracks(skeleton, decoded, [&](int first, const Eigen::MatrixXd& tracks) {
+    meter.add(first, original_tracks.middleRows(first, tracks.rows()), tracks);
+  });
   return meter;
 }
 
@@ -86,20 +102,20 @@ DistortionMeter meter_of(const Skeleton& skeleton, const Eigen::MatrixXd& origin
 
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                    const Clip& decoded) {
-  return meter_of(skeleton, original_tracks, decoded).distortion();
+  return meter_of(skeleton, original_tracks, decoded, Detail::Distances).distortion();
 }
 
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                    const Eigen::MatrixXd& decoded_tracks) {
   assert(original_tracks.rows() == decoded_tracks.rows());
-  DistortionMeter meter(skeleton, original_tracks);
-  meter.add(0, decoded_tracks);
+  DistortionMeter meter(skeleton, static_cast<int>(decoded_tracks.rows()), Detail::Distances);
+  meter.add(0, original_tracks, decoded_tracks);
   return meter.distortion();
 }
 
 double exact_eps(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                  const Clip& decoded, Weighting weighting) {
-  return meter_of(skeleton, original_tracks, decoded).eps(weighting);
+  return meter_of(skeleton, original_tracks, decoded, Detail::Means).eps(weighting);
 }
 
 }  // namespace mocapress

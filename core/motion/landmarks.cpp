@@ -38,6 +38,13 @@ Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting) 
   return weights / weights.sum();
 }
 
+void place_landmarks(const std::vector<Landmark>& points, const Pose& pose, int frame,
+                     Eigen::MatrixXd& tracks) {
+  for (std::size_t p = 0; p < points.size(); ++p)
+    tracks.block<1, 3>(frame, 3 * static_cast<Eigen::Index>(p)) =
+        pose.to_world(points[p].joint, points[p].in_joint).transpose();
+}
+
 Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip) {
   const std::vector<Landmark> points = landmarks(skeleton);
   Eigen::MatrixXd tracks(clip.frames(), 3 * static_cast<Eigen::Index>(points.size()));
@@ -45,9 +52,7 @@ Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip) {
     Pose pose;
     for (int t = first; t < end; ++t) {
       compute_pose(skeleton, clip.channels.row(t), pose);
-      for (std::size_t p = 0; p < points.size(); ++p)
-        tracks.block<1, 3>(t, 3 * static_cast<Eigen::Index>(p)) =
-            pose.to_world(points[p].joint, points[p].in_joint).transpose();
+      place_landmarks(points, pose, t, tracks);
     }
   });
   return tracks;

@@ -12,6 +12,8 @@
 
 namespace mocapress {
 
+struct Pose;
+
 /// A point fixed to a joint, whose way through the world is compared.
 struct Landmark {
   int joint;
@@ -33,6 +35,10 @@ std::string_view name(Weighting weighting);
 
 /// One weight for each of landmarks(skeleton), summing to 1.
 Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting);
+
+/// Puts where landmarks are in the world into a row of landmark_tracks().
+void place_landmarks(const std::vector<Landmark>& points, const Pose& pose, int frame,
+                     Eigen::MatrixXd& tracks);
 
 /// World positions (cm) of all landmarks over a clip: frames x 3 * landmarks, x y z of landmark 0
 /// first. Frames are computed in parallel.

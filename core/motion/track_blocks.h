@@ -7,6 +7,9 @@
 
 namespace mocapress {
 
+/// Some frames of landmark_tracks(), where they stand.
+using TrackRows = Eigen::Ref<const Eigen::MatrixXd>;
+
 /// landmark_tracks() of some frames: those of `first_frame` and after.
 using TrackBlock = std::function<void(int first_frame, const Eigen::MatrixXd& tracks)>;
 

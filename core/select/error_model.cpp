@@ -71,9 +71,14 @@ struct Inertia {
   }
 };
 
+}  // namespace
+
 /// Of the skeleton's own channels: unit axes.
-SignalMoves channel_moves(const Skeleton& skeleton, const Clip& original) {
-  SignalMoves moves;
+ErrorModel::Posed ErrorModel::pose_channels(const Skeleton& skeleton, const Clip& original) {
+  const std::vector<Landmark> points = landmarks(skeleton);
+  Posed posed;
+  posed.tracks.resize(original.frames(), 3 * std::ssize(points));
+  SignalMoves& moves = posed.moves;
   for (int c = 0; c < skeleton.channel_count(); ++c)
     moves.places.push_back({skeleton.channel_joint(c), is_rotation(skeleton.channel_kind(c))});
   moves.axes.resize(original.frames(), 3 * static_cast<Eigen::Index>(skeleton.channel_count()));
@@ -81,6 +86,7 @@ SignalMoves channel_moves(const Skeleton& skeleton, const Clip& original) {
     Pose pose;
     for (int t = first; t < end; ++t) {
       compute_pose(skeleton, original.channels.row(t), pose);
+      place_landmarks(points, pose, t, posed.tracks);
       for (int j = 0; j < skeleton.joint_count(); ++j) {
         const Joint& joint = skeleton.joint(j);
         const Eigen::Matrix3d world_from_parent =
@@ -98,28 +104,31 @@ SignalMoves channel_moves(const Skeleton& skeleton, const Clip& original) {
       }
     }
   });
-  return moves;
+  return posed;
 }
-
-}  // namespace
 
 ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original, Weighting weighting)
     : ErrorModel(skeleton, original, landmark_weights(skeleton, weighting)) {}
 
 ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
                        const Eigen::VectorXd& weights)
-    : ErrorModel(skeleton, original, weights, channel_moves(skeleton, original)) {}
+    : ErrorModel(skeleton, weights, pose_channels(skeleton, original)) {}
 
 ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
                        const Eigen::VectorXd& weights, SignalMoves moves)
-    : places_(moves.places), above_(moves.places.size()), below_(moves.places.size()) {
+    : ErrorModel(skeleton, weights, Posed{std::move(moves), landmark_tracks(skeleton, original)}) {}
+
+ErrorModel::ErrorModel(const Skeleton& skeleton, const Eigen::VectorXd& weights, const Posed& posed)
+    : places_(posed.moves.places),
+      above_(posed.moves.places.size()),
+      below_(posed.moves.places.size()) {
   const auto joints = static_cast<std::size_t>(skeleton.joint_count());
   for (int j = 0; j < skeleton.joint_count(); ++j) parents_.push_back(skeleton.joint(j).parent);
   std::vector<std::vector<int>> joint_channels(joints);
-  for (std::size_t c = 0; c < moves.places.size(); ++c)
-    joint_channels[static_cast<std::size_t>(moves.places[c].joint)].push_back(static_cast<int>(c));
-  for (std::size_t c = 0; c < moves.places.size(); ++c) {
-    int joint = moves.places[c].joint;
+  for (std::size_t c = 0; c < places_.size(); ++c)
+    joint_channels[static_cast<std::size_t>(places_[c].joint)].push_back(static_cast<int>(c));
+  for (std::size_t c = 0; c < places_.size(); ++c) {
+    int joint = places_[c].joint;
     const auto& beside = joint_channels[static_cast<std::size_t>(joint)];
     below_[c].insert(below_[c].end(), beside.begin(), beside.end());
     while ((joint = skeleton.joint(joint).parent) >= 0)
@@ -128,14 +137,15 @@ ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
         below_[static_cast<std::size_t>(other)].push_back(static_cast<int>(c));
       }
   }
-  compute_motions(skeleton, original, weights, moves);
+  compute_motions(skeleton, weights, posed);
 }
 
-void ErrorModel::compute_motions(const Skeleton& skeleton, const Clip& original,
-                                 const Eigen::VectorXd& weights, const SignalMoves& moves) {
+void ErrorModel::compute_motions(const Skeleton& skeleton, const Eigen::VectorXd& weights,
+                                 const Posed& posed) {
   const std::vector<Landmark> points = landmarks(skeleton);
   assert(weights.size() == static_cast<Eigen::Index>(points.size()));
-  const Eigen::MatrixXd tracks = landmark_tracks(skeleton, original);
+  const Eigen::MatrixXd& tracks = posed.tracks;
+  const SignalMoves& moves = posed.moves;
   const Eigen::Index rows = moves.axes.rows();
   origin_ = tracks.leftCols(3);
   const auto channels = static_cast<Eigen::Index>(moves.places.size());
@@ -243,9 +253,9 @@ void ErrorModel::add_to_gradient(int channel, Eigen::Index first_frame,
     const auto add = [&](const Block<6, float>& mine, const Eigen::MatrixXf& theirs, int other) {
       if (other < first_channel) return;
       const auto them = columns<6>(theirs, other, first, frames);
-      const Block<1, float> work =
-          mine.col(0) * them.col(0) + mine.col(1) * them.col(1) + mine.col(2) * them.col(2) +
-          mine.col(3) * them.col(3) + mine.col(4) * them.col(4) + mine.col(5) * them.col(5);
+      const Block<1, float> work = mine.col(0) * them.col(0) + mine.col(1) * them.col(1) +
+                                   mine.col(2) * them.col(2) + mine.col(3) * them.col(3) +
+                                   mine.col(4) * them.col(4) + mine.col(5) * them.col(5);
       gradient.col(other).segment(first, frames).array() += work.cast<double>();
     };
     const Block<6, float> motion = columns<6>(motions_, channel, first, frames).colwise() * step;

@@ -74,8 +74,15 @@ class ErrorModel {
  private:
   friend class ErrorSweep;
 
-  void compute_motions(const Skeleton& skeleton, const Clip& original,
-                       const Eigen::VectorXd& weights, const SignalMoves& moves);
+  /// Signals, and where landmarks are.
+  struct Posed {
+    SignalMoves moves;
+    Eigen::MatrixXd tracks;  // landmark_tracks()
+  };
+  static Posed pose_channels(const Skeleton& skeleton, const Clip& original);
+  ErrorModel(const Skeleton& skeleton, const Eigen::VectorXd& weights, const Posed& posed);
+  void compute_motions(const Skeleton& skeleton, const Eigen::VectorXd& weights,
+                       const Posed& posed);
 
   std::vector<SignalMoves::Place> places_;
   std::vector<int> parents_;             // of joints

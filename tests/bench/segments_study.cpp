@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: MIT
 // Long clips in segments: memory, what they cost in bytes, and whether their seams can be seen.
-// Usage: mocapress-segments-study memory CLIP FRAMES [LONGEST]
+// Usage: mocapress-segments-study memory CLIP FRAMES[,FRAMES...] [LONGEST]
 //        mocapress-segments-study seams CLIP LONGEST [EPS_CM]
 // A clip of more frames than it has is repeated, there and back again. LONGEST: frames of a
-// segment. Figures are printed as Markdown.
+// segment. Figures are printed as Markdown. Memory is that of a process of its own for each number
+// of frames: what is resident at most while it encodes, measures and writes the file, less what was
+// before, with the clip as the encoder takes it.
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <ctime>
 #include <exception>
 #include <fstream>
+#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "core/codec/container.h"
 #include "core/codec/encoder.h"
+#include "core/decoder/mocapress_decoder.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/rate.h"
 
@@ -59,20 +69,54 @@ EncodeOptions options_at(double eps_cm, int longest) {
   return options;
 }
 
+/// What the runtime decoder takes to open a file.
+double scratch_memory(const std::vector<std::byte>& file) {
+  mcpr_limits limits = mcpr_default_limits();
+  limits.values = UINT64_MAX;
+  limits.scratch_bytes = SIZE_MAX;
+  mcpr_info info{};
+  if (const mcpr_result result = mcpr_inspect(file.data(), file.size(), &limits, &info);
+      result.status != MCPR_OK)
+    throw std::runtime_error(result.message);
+  return mebibytes(static_cast<double>(info.read_bytes));
+}
+
 void memory(const Motion& motion, int frames, int longest) {
   Motion longer = repeated(motion, frames);
   const double values = static_cast<double>(longer.clip.channels.size());
+  EncodeOptions options = options_at(0.5, longest);
+  options.figures_only = true;
   const double before = present_memory();
   const std::clock_t start = std::clock();
   const Encoder encoder(std::move(longer));
-  const Encoding encoding = encoder.encode(options_at(0.5, longest));
+  const Encoding encoding = encoder.encode(options);
+  const std::vector<std::byte> file = write_container(encoding.compressed);
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   const double beyond = peak_memory() - before;
-  std::printf("| %d | %d | %.0f MiB | %.0f MiB | %.1f bytes | %.1f | %.3f cm | %.0f |\n", frames,
-              encoding.compressed.segment_layout().count(), mebibytes(8 * values), beyond,
-              beyond * (1 << 20) / values,
+  std::printf("| %d | %d | %.0f MiB | %.0f MiB | %.0f KiB | %.1f MiB | %.1f | %.4f cm | %.0f |\n",
+              frames, encoding.compressed.segment_layout().count(), mebibytes(8 * values), beyond,
+              static_cast<double>(file.size()) / 1024, scratch_memory(file),
               compression_ratio(encoder.motion().clip, encoding.compressed.motion_bytes()),
               encoding.distortion.eps_bone_ends, frames / seconds);
+}
+
+/// The peak of a process never falls: each number of frames has one.
+void memory_of_each(const std::string& path, const std::string& lengths, int longest) {
+  std::printf(
+      "| frames | segments | clip | beyond | file | to open it | ratio | eps_x | frames/s |\n");
+  std::printf("| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  std::istringstream list(lengths);
+  for (std::string frames; std::getline(list, frames, ',');) {
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child == 0) {
+      memory(read_motion(path).motion, std::stoi(frames), longest);
+      return;
+    }
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) < 0 || status != 0)
+      throw std::runtime_error("no figures of " + frames + " frames");
+  }
 }
 
 /// Errors of landmarks and of their velocities over some frames.
@@ -135,16 +179,19 @@ void seams(const Motion& motion, int longest, double eps_cm) {
 
 int run(int count, char** arguments) {
   if (count < 4) {
-    std::fprintf(stderr, "usage: %s memory CLIP FRAMES [LONGEST] | seams CLIP LONGEST [EPS_CM]\n",
-                 arguments[0]);
+    std::fprintf(
+        stderr,
+        "usage: %s memory CLIP FRAMES[,FRAMES...] [LONGEST] | seams CLIP LONGEST [EPS_CM]\n",
+        arguments[0]);
     return 2;
   }
-  const Motion motion = read_motion(arguments[2]).motion;
-  const int number = std::stoi(arguments[3]);
-  if (std::string(arguments[1]) == "memory")
-    memory(motion, number, count > 4 ? std::stoi(arguments[4]) : SegmentPlan().longest);
+  const std::string what = arguments[1];
+  if (what == "memory")
+    memory_of_each(arguments[2], arguments[3],
+                   count > 4 ? std::stoi(arguments[4]) : SegmentPlan().longest);
   else
-    seams(motion, number, count > 4 ? std::stod(arguments[4]) : 0.5);
+    seams(read_motion(arguments[2]).motion, std::stoi(arguments[3]),
+          count > 4 ? std::stod(arguments[4]) : 0.5);
   return 0;
 }
 

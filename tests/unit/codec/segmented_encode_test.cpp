@@ -159,5 +159,57 @@ TEST(SegmentedEncode, SeamsHaveNoMoreErrorThanElsewhereAndDoNotJump) {
   }
 }
 
+/// The same figures, percentiles to the precision they have without distances.
+void expect_same_figures(const Encoding& figures, const Encoding& whole) {
+  EXPECT_EQ(figures.distortion.eps_bone_ends, whole.distortion.eps_bone_ends);
+  EXPECT_EQ(figures.distortion.eps_joint_origins, whole.distortion.eps_joint_origins);
+  EXPECT_EQ(figures.distortion.max.cm, whole.distortion.max.cm);
+  EXPECT_EQ(figures.distortion.max.frame, whole.distortion.max.frame);
+  EXPECT_NEAR(figures.distortion.p95, whole.distortion.p95,
+              DistanceCounts::kPrecision * whole.distortion.p95);
+  EXPECT_NEAR(figures.distortion.p99, whole.distortion.p99,
+              DistanceCounts::kPrecision * whole.distortion.p99);
+  EXPECT_EQ(figures.footskate.total_cm, whole.footskate.total_cm);
+  EXPECT_EQ(figures.coefficient_ratio, whole.coefficient_ratio);
+}
+
+TEST(SegmentedEncode, AskedForFiguresAloneItGivesTheSameBytesAndFigures) {
+  for (const int longest : {320, kFrames})
+    for (const bool corrected : {false, true}) {
+      EncodeOptions asked = options({Target::Kind::Ratio, 60}, longest);
+      if (corrected) asked.correction.emplace().ratio = 16;
+      const Encoding whole = walk().encode(asked);
+      asked.figures_only = true;
+      const Encoding figures = walk().encode(asked);
+      EXPECT_EQ(write_container(figures.compressed), write_container(whole.compressed));
+      expect_same_figures(figures, whole);
+      EXPECT_EQ(whole.decoded.frames(), kFrames);
+      EXPECT_EQ(whole.distortion.distances.rows(), kFrames);
+      EXPECT_EQ(figures.decoded.frames(), 0);
+      EXPECT_EQ(figures.distortion.distances.size(), 0);
+      ASSERT_EQ(figures.correction.has_value(), corrected);
+      if (!corrected) continue;
+      EXPECT_EQ(figures.correction->fastest_knee, whole.correction->fastest_knee);
+      EXPECT_EQ(figures.correction->report.iterations, whole.correction->report.iterations);
+      EXPECT_EQ(figures.correction->uncorrected.frames(), 0);
+      EXPECT_EQ(whole.correction->uncorrected.channels,
+                decode_uncorrected(whole.compressed).clip.channels);
+    }
+}
+
+TEST(SegmentedEncode, WhatIsMeasuredInBlocksIsWhatTheWholeMeasures) {
+  const Encoding encoding = walk().encode(options({Target::Kind::Ratio, 60}));
+  const Motion& motion = walk().motion();
+  const Distortion whole = measure(motion.skeleton, walk().original_tracks(), encoding.decoded);
+  EXPECT_NEAR(encoding.distortion.eps_bone_ends, whole.eps_bone_ends, 1e-12);
+  EXPECT_EQ(encoding.distortion.max.cm, whole.max.cm);
+  EXPECT_TRUE(encoding.distortion.distances == whole.distances);
+  EXPECT_EQ(encoding.footskate.total_cm,
+            measure_footskate(walk().contacts(), walk().original_tracks(),
+                              landmark_tracks(motion.skeleton, encoding.decoded),
+                              motion.clip.sample_rate_hz)
+                .total_cm);
+}
+
 }  // namespace
 }  // namespace mocapress

@@ -234,5 +234,19 @@ TEST(Segments, ThirtyThousandOfThemAreBeyondTheUsualLimitsAndDecodeInTime) {
   EXPECT_EQ(decode(read_container(bytes)).frames(), kFrames);
 }
 
+TEST(Segments, AreVisitedInTimeAndNoMoreThanOneAtATime) {
+  const Uncorrected whole = decode_uncorrected(clip());
+  int next = 0;
+  visit_decoded(clip(), [&](int first, Uncorrected& block) {
+    EXPECT_EQ(first, next);
+    const int frames = block.clip.frames();
+    EXPECT_LE(frames, 256);
+    EXPECT_EQ(block.clip.channels, whole.clip.channels.middleRows(first, frames));
+    EXPECT_EQ(block.differences, whole.differences.middleRows(first, frames));
+    next += frames;
+  });
+  EXPECT_EQ(next, 600);
+}
+
 }  // namespace
 }  // namespace mocapress

@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "core/motion/landmarks.h"
+#include "resources/samples/generator/samples.h"
+
 namespace mocapress {
 namespace {
 
@@ -63,6 +66,17 @@ TEST(ContactSpans, OfAPointThatNeverRestsAreNone) {
 
 TEST(ContactSpans, OfAClipWithoutFramesAreNone) {
   EXPECT_TRUE(find_contacts(Eigen::MatrixXd(0, 3), kRate, {0}).empty());
+}
+
+TEST(FindFootContacts, OfALongMotionAreThoseOfItsTracks) {
+  const Motion walk = samples::walk_clip();
+  Motion longer{walk.skeleton, {walk.clip.sample_rate_hz, {}}};
+  longer.clip.channels = walk.clip.channels.replicate(9000 / walk.clip.frames() + 1, 1);
+  const std::vector<ContactSpan> contacts = find_foot_contacts(longer);
+  EXPECT_GT(contacts.size(), 50u);
+  EXPECT_EQ(contacts,
+            find_foot_contacts(longer.skeleton, landmark_tracks(longer.skeleton, longer.clip),
+                               longer.clip.sample_rate_hz));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace mocapress {
 namespace {
 
@@ -64,6 +66,23 @@ TEST(Footskate, ListsTheWorstFirst) {
   ASSERT_EQ(footskate.findings.size(), 2u);
   EXPECT_GT(footskate.findings[0].slid_cm, footskate.findings[1].slid_cm);
   EXPECT_EQ(footskate.findings[0].span.first_frame, 60);
+}
+
+TEST(Footskate, OfBlocksIsThatOfTheWhole) {
+  const Eigen::MatrixXd decoded = slid(slid(still(), 12, 30, 3), 70, 80, 5);
+  const Footskate whole = measure_footskate(kContacts, still(), decoded, kRate);
+  for (const int length : {1, 7, 33, 75}) {
+    FootskateMeter meter(kContacts, kRate);
+    for (int first = 0; first < 100; first += length) {
+      const int count = std::min(length, 100 - first);
+      meter.add(first, still().middleRows(first, count), decoded.middleRows(first, count));
+    }
+    const Footskate in_blocks = meter.footskate();
+    EXPECT_EQ(in_blocks.total_cm, whole.total_cm);
+    ASSERT_EQ(in_blocks.findings.size(), 2u);
+    EXPECT_EQ(in_blocks.findings[0].worst_frame, whole.findings[0].worst_frame);
+    EXPECT_EQ(in_blocks.findings[1].worst_speed_cm_s, whole.findings[1].worst_speed_cm_s);
+  }
 }
 
 }  // namespace

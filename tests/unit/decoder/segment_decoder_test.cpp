@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/base/random.h"
@@ -200,6 +201,45 @@ TEST(SegmentDecoder, LimitsCountSharedFramesTwice) {
   EXPECT_EQ(OpenedClip(file, &limits).result.status, MCPR_LIMIT);
   limits.values = 780 * values;
   EXPECT_EQ(OpenedClip(file, &limits).result.status, MCPR_OK);
+}
+
+TEST(SegmentDecoder, ReadingTakesTheMemoryOfOneSegmentAndTheCodedBytes) {
+  const auto file_of = [](int frames) {
+    return write_container(
+        test::segmented_clip(test::smooth_motion(frames), {frames, 256, 16}, true));
+  };
+  const OpenedClip few(file_of(700));
+  const OpenedClip many(file_of(7000));
+  ASSERT_NE(many.clip, nullptr) << many.result.message;
+  constexpr std::size_t kMoreSegments = 26;
+  EXPECT_LT(many.info.read_bytes - few.info.read_bytes,
+            many.info.motion_bytes - few.info.motion_bytes + 24 * kMoreSegments + 64);
+}
+
+TEST(SegmentDecoder, TheFileIsDoneWithOnceItWasRead) {
+  auto file = write_container(three_segments().compressed);
+  const AlignedBytes scratch(three_segments().opened.info.read_bytes);
+  std::size_t size = 0;
+  ASSERT_EQ(
+      mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &size).status,
+      MCPR_OK);
+  std::fill(file.begin(), file.end(), std::byte{0x5A});
+  const AlignedBytes resident(size);
+  for (int built = 0; built < 2; ++built) {  // as often as one likes
+    const mcpr_clip* clip = nullptr;
+    ASSERT_EQ(mcpr_build(scratch.data(), scratch.size(), resident.data(), size, &clip).status,
+              MCPR_OK);
+    for (const mcpr_request& request :
+         {mcpr_request{}, mcpr_request{.output = MCPR_POSITIONS, .corrected = 1}}) {
+      const AlignedBytes frame_scratch(mcpr_scratch_bytes(clip, &request));
+      std::vector<float> out(700 * mcpr_frame_values(clip, &request));
+      ASSERT_EQ(mcpr_decode_frames(clip, &request, 0, 700, out.data(), frame_scratch.data(),
+                                   frame_scratch.size())
+                    .status,
+                MCPR_OK);
+      EXPECT_EQ(out, three_segments().opened.frames(request, 0, 700));
+    }
+  }
 }
 
 }  // namespace

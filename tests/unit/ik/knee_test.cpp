@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "resources/samples/generator/samples.h"
@@ -34,6 +35,17 @@ TEST(Knee, AWholeTurnIsNoTurn) {
   const int channel = motion.skeleton.first_channel(knee_of(feet.front()));
   motion.clip.channels.col(channel).tail(10).array() += 2 * std::numbers::pi;
   EXPECT_NEAR(fastest_knee(motion.skeleton, feet, motion.clip), before, 1e-9);
+}
+
+TEST(Knee, OfBlocksIsThatOfTheWhole) {
+  const Motion motion = samples::walk_clip();
+  const std::vector<Effector> feet = find_feet(motion.skeleton);
+  KneeSpeed speed(motion.skeleton, feet);
+  for (int first = 0; first < motion.clip.frames(); first += 13)
+    speed.add({motion.clip.sample_rate_hz,
+               motion.clip.channels.middleRows(first, std::min(13, motion.clip.frames() - first))});
+  EXPECT_EQ(speed.fastest(), fastest_knee(motion.skeleton, feet, motion.clip));
+  EXPECT_GT(speed.fastest(), 0);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
@@ -68,6 +70,26 @@ TEST(Distortion, PercentilesLeaveRareGlitchesToTheMaximum) {
 TEST(Distortion, OfAClipWithoutFramesIsZero) {
   const Motion motion = test::smooth_motion(0);
   EXPECT_EQ(measure(motion.skeleton, motion.clip, motion.clip).eps_bone_ends, 0);
+}
+
+TEST(Distortion, FiguresOfBlocksAreThoseOfTheWhole) {
+  const Motion motion = test::smooth_motion(200);
+  const Eigen::MatrixXd original = landmark_tracks(motion.skeleton, motion.clip);
+  const Eigen::MatrixXd decoded =
+      landmark_tracks(motion.skeleton, test::smooth_motion(200, 2).clip);
+  const Distortion whole = measure(motion.skeleton, original, decoded);
+  DistortionMeter meter(motion.skeleton, 200, Detail::Figures);
+  for (const auto& [first, count] : {std::pair(0, 70), {70, 1}, {71, 129}})
+    meter.add(first, original.middleRows(first, count), decoded.middleRows(first, count));
+  const Distortion figures = meter.distortion();
+  EXPECT_NEAR(figures.eps_bone_ends, whole.eps_bone_ends, 1e-12 * whole.eps_bone_ends);
+  EXPECT_NEAR(figures.eps_joint_origins, whole.eps_joint_origins, 1e-12 * whole.eps_joint_origins);
+  EXPECT_EQ(figures.max.cm, whole.max.cm);
+  EXPECT_EQ(figures.max.frame, whole.max.frame);
+  EXPECT_EQ(figures.max.landmark, whole.max.landmark);
+  EXPECT_NEAR(figures.p95, whole.p95, DistanceCounts::kPrecision * whole.p95);
+  EXPECT_NEAR(figures.p99, whole.p99, DistanceCounts::kPrecision * whole.p99);
+  EXPECT_EQ(figures.distances.size(), 0);
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/original.h"
+
+#include "core/codec/decoder.h"
+
+namespace mocapress {
+
+void Original::compare(int first_frame, const Clip& decoded, const Visit& visit) const {
+  visit_tracks(motion_.skeleton, decoded, [&](int first, const Eigen::MatrixXd& tracks) {
+    const int from = first_frame + first;
+    const auto count = static_cast<int>(tracks.rows());
+    if (tracks_)
+      visit(from, tracks_().middleRows(from, count), tracks);
+    else
+      visit(from, landmark_tracks(motion_.skeleton, frames_of(motion_, from, count).clip), tracks);
+  });
+}
+
+void Original::compare(const CompressedClip& compressed, const Visit& visit) const {
+  visit_decoded(compressed, [&](int first, Uncorrected& block) {
+    correct(compressed, block.differences, block.clip);
+    compare(first, block.clip, visit);
+  });
+}
+
+}  // namespace mocapress
