@@ -87,14 +87,21 @@ double coarser_after_rough_trial(double excess, const Target& target, const Clos
   return std::exp(power_of_scale(target) * std::clamp(excess - more, -3.0, 3.0));
 }
 
+/// What a search need not go on from: coarsening makes up for more.
+double near_enough(const ScaleGuess& guess, const Target& target, const ScaleTrials& trials) {
+  const bool will_coarsen = target.kind == Target::Kind::MaxError && trials.coarsen;
+  return guess.dear && will_coarsen ? 0.15 : 0.02;
+}
+
 /// Tries scales until the target is met. The scale is sought as a count that grows as it gets
 /// finer: by a power with which 1 / error and bytes grow about in proportion.
-void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, const ClosedLoopWork& work,
-          ScaleSearch& trials) {
+void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double near_enough,
+          const ClosedLoopWork& work, ScaleSearch& trials) {
   constexpr double kLength = 1e6;  // cm
   constexpr double kPower = 0.7;
   constexpr double kNear = 0.015;  // so near, one trial is enough
-  constexpr double kNearEnough = 0.02;
+  constexpr int kFew = 2;
+  constexpr int kMany = 4;
   constexpr int kManyMore = 6;  // where it is met at all
   constexpr int kMost = 12;
   constexpr double kBeside = 0.01;
@@ -104,7 +111,7 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, const C
   // Neighbouring scales differ by chance as much as by their size: a narrow window may stay empty.
   const auto will_do = [&] {
     return trials.is_near(kNear) ||
-           (trials.is_near(kNearEnough) && trials.tried() >= guess.trials_for_near_enough) ||
+           (trials.is_near(near_enough) && trials.tried() >= (guess.dear ? kFew : kMany)) ||
            (trials.met() && trials.tried() >= kManyMore);
   };
   CountSearch search(count_of(guess.finest()), count_of(first_scale), goal.window(), kMost);
@@ -205,11 +212,12 @@ Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& go
   const double first_scale = guess.likely * coarser_after_rough_trial(rough.excess, target, work);
   if (effort == Effort::Draft) return trials.attempt(first_scale, work, {});
   ScaleSearch search(goal, target, trials.attempt);
-  seek(guess, goal, first_scale, work_of(Effort::Default), search);
+  seek(guess, goal, first_scale, near_enough(guess, target, trials), work_of(Effort::Default),
+       search);
   if (effort == Effort::Best && search.met()) try_harder(target, work, search);
   if (target.kind == Target::Kind::MaxError && search.may_go_on()) {
-    const Eigen::VectorXd weights =
-        hold_worst_frames(goal, frames, work, trials.attempt, search.best());
+    Eigen::VectorXd weights;
+    if (!guess.dear) weights = hold_worst_frames(goal, frames, work, trials.attempt, search.best());
     if (search.may_go_on()) approach_bound(goal, target, work, trials, weights, search.best());
   }
   return std::move(search.best());

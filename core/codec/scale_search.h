@@ -21,14 +21,13 @@ using CoarsenTrial = std::function<Trial(const Trial& trial, double bound_cm)>;
 struct ScaleGuess {
   double likely;                   // to meet the target
   std::function<double()> finest;  // asked for after the first trial; finer ones do not fit
-  int trials_for_near_enough =
-      4;  // after as many the full tolerance will do: fewer where they are dear
+  bool dear = false;               // fewer trials: the full tolerance will do sooner
 };
 
 /// What a search tries.
 struct ScaleTrials {
   AttemptScale attempt;
-  CoarsenTrial coarsen = {};  // none: that cannot be done
+  CoarsenTrial coarsen = {};  // none: cannot be done
 };
 
 /// The best trial that a search for the closed loop's scale comes to, with its bytes coded. It

@@ -28,15 +28,19 @@ class SegmentedEncode {
   }
 
   TargetedEncoding run() {
-    const AttemptScale attempt = [this](double scale, const ClosedLoopWork& work,
-                                        const Eigen::VectorXd& frame_weights) {
+    ScaleTrials trials{.attempt = [this](double scale, const ClosedLoopWork& work,
+                                         const Eigen::VectorXd& frame_weights) {
       return attempt_scale(scale, work, frame_weights);
-    };
+    }};
+    if (!options_.correction)
+      trials.coarsen = [this](const Trial& trial, double bound_cm) {
+        return coarsen(trial, bound_cm);
+      };
     const ScaleGuess guess{.likely = likely_scale(options_.target, raw_bytes(motion_.clip)),
                            .finest = [this] { return finest_scale_; },
-                           .trials_for_near_enough = 2};
+                           .dear = true};
     Trial best =
-        search_scale(guess, options_.target, goal_, options_.effort, layout_.frames, {attempt});
+        search_scale(guess, options_.target, goal_, options_.effort, layout_.frames, trials);
     if (best.complete && options_.effort != Effort::Draft)
       goal_.require_met(best.excess, best.achieved,
                         best.count == layout_.coded_frames() * motion_.clip.channels.cols());
@@ -82,6 +86,49 @@ class SegmentedEncode {
 
   Trial attempt_scale(double scale, const ClosedLoopWork& work,
                       const Eigen::VectorXd& frame_weights) {
+    Trial trial = encode_all(scale, [&](const Part& part, const EncodeOptions& options,
+                                        const Observer<EncodeProgress>& observer) {
+      const ClosedLoopWork cancelled{.compensate = false, .sweeps = 0};
+      const Eigen::VectorXd weights = frame_weights.size() > 0
+                                          ? frame_weights.segment(part.first, part.frames).eval()
+                                          : frame_weights;
+      ScaleTrial coded = encode_at_scale(part.analysis, options, scale,
+                                         part.go_on ? work : cancelled, weights, observer);
+      finest_scale_ = std::max(finest_scale_, coded.finest_scale);
+      // Without sweeps nobody was asked yet.
+      if (work.sweeps == 0 && part.go_on)
+        coded.trial.complete = observer(EncodeProgress{.iteration = part.index + 1});
+      return std::move(coded.trial);
+    });
+    weigh(work, trial);
+    return trial;
+  }
+
+  /// Each segment by itself: where two are blended, the error is no larger than both of theirs, but
+  /// for what is not linear.
+  Trial coarsen(const Trial& trial, double bound_cm) {
+    AdaptiveSegments coded(trial.compressed);
+    Trial coarser = encode_all(trial.scale, [&](const Part& part, const EncodeOptions& options,
+                                                const Observer<EncodeProgress>& observer) {
+      if (!part.go_on) return Trial{.complete = false};
+      return coarsen_to_bound(part.analysis, options, coded.next(), bound_cm, observer);
+    });
+    if (coarser.complete) weigh({}, coarser);
+    return coarser;
+  }
+
+  /// A segment to be coded.
+  struct Part {
+    int index;
+    const ClipAnalysis& analysis;
+    int first;  // frame
+    int frames;
+    bool go_on;  // false: the observer ended it
+  };
+
+  /// Not weighed yet.
+  template <typename EncodePart>
+  Trial encode_all(double scale, const EncodePart& encode) {
     Trial trial{.compressed = {.skeleton = motion_.skeleton,
                                .sample_rate_hz = motion_.clip.sample_rate_hz,
                                .frames = layout_.frames,
@@ -89,45 +136,33 @@ class SegmentedEncode {
                                .coding = options_.coding,
                                .segments = CodedSegments{layout_.length, layout_.overlap, {}}},
                 .scale = scale};
+    double squares = 0;
     for (int k = 0; k < layout_.count(); ++k) {
-      const ClosedLoopWork cancelled{.compensate = false, .sweeps = 0};
-      add_segment(k, scale, trial.complete ? work : cancelled, frame_weights, trial);
-      // Without sweeps nobody was asked yet.
-      if (work.sweeps == 0 && trial.complete)
-        trial.complete = go_on(observer_, EncodeProgress{.pass = pass_, .iteration = k + 1});
+      const ClipAnalysis analysis(motion_of(k));  // gone before the next
+      const Part part{k, analysis, layout_.first(k), layout_.frames_of(k), trial.complete};
+      const Trial coded = encode(part, options_for(k), [&](const EncodeProgress& of_segment) {
+        EncodeProgress progress = of_segment;
+        progress.pass = pass_;
+        progress.iteration += trial.iterations;
+        return go_on(observer_, progress);
+      });
+      add(coded, trial);
+      squares += part.frames * coded.eps_cm * coded.eps_cm;
     }
     ++pass_;
-    trial.eps_cm = std::sqrt(trial.eps_cm / static_cast<double>(layout_.coded_frames()));
-    weigh(work, trial);
+    trial.eps_cm = std::sqrt(squares / static_cast<double>(layout_.coded_frames()));
     return trial;
   }
 
-  /// Until the last, trial.eps_cm sums squares.
-  void add_segment(int segment, double scale, const ClosedLoopWork& work,
-                   const Eigen::VectorXd& frame_weights, Trial& trial) {
-    const ClipAnalysis analysis(motion_of(segment));  // gone before the next
-    const int first = layout_.first(segment);
-    const int frames = layout_.frames_of(segment);
-    const auto observe = [&](const EncodeProgress& of_segment) {
-      EncodeProgress progress = of_segment;
-      progress.pass = pass_;
-      progress.iteration += trial.iterations;
-      return go_on(observer_, progress);
-    };
-    const ScaleTrial part = encode_at_scale(
-        analysis, options_for(segment), scale, work,
-        frame_weights.size() > 0 ? frame_weights.segment(first, frames).eval() : frame_weights,
-        observe);
-    finest_scale_ = std::max(finest_scale_, part.finest_scale);
-    const CompressedClip& coded = part.trial.compressed;
-    CompressedClip& whole = trial.compressed;
-    whole.motion.insert(whole.motion.end(), coded.motion.begin(), coded.motion.end());
-    whole.segments->bytes.push_back(static_cast<std::uint32_t>(coded.motion.size()));
-    whole.correction = coded.correction;
-    trial.count += part.trial.count;
-    trial.iterations += part.trial.iterations;
-    trial.eps_cm += frames * part.trial.eps_cm * part.trial.eps_cm;
-    trial.complete = trial.complete && part.trial.complete;
+  static void add(const Trial& segment, Trial& whole) {
+    const CompressedClip& coded = segment.compressed;
+    CompressedClip& to = whole.compressed;
+    to.motion.insert(to.motion.end(), coded.motion.begin(), coded.motion.end());
+    to.segments->bytes.push_back(static_cast<std::uint32_t>(coded.motion.size()));
+    to.correction = coded.correction;
+    whole.count += segment.count;
+    whole.iterations += segment.iterations;
+    whole.complete = whole.complete && segment.complete;
   }
 
   void weigh(const ClosedLoopWork& work, Trial& trial) const {

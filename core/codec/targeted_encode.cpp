@@ -73,6 +73,14 @@ class TargetedEncode {
     return {code_at(scale, work, frame_weights), loop().finest_scale()};
   }
 
+  Trial coarsen(QuantisedSignals coded, double bound_cm) {
+    ErrorBound bound(analysis_.motion().skeleton, analysis_.original_tracks(), bound_cm);
+    const double scale = coded.scale;
+    Trial coarser = trial_of(loop().coarsen(std::move(coded), bound, observe_pass()), true);
+    coarser.scale = scale;
+    return coarser;
+  }
+
   double split() { return find_split(count_for(goal_.likely_coefficient_ratio())); }
 
  private:
@@ -220,7 +228,9 @@ class TargetedEncode {
         }};
     if (!correction_)  // which would have to be made anew for each change
       trials.coarsen = [&](const Trial& trial, double bound_cm) {
-        return coarsen(trial, bound_cm);
+        Trial coarser = coarsen(AdaptiveSegments(trial.compressed).next(), bound_cm);
+        weigh(coarser);
+        return coarser;
       };
     const ScaleGuess guess{
         .likely = likely_scale(options_.target, raw_bytes(analysis_.motion().clip)),
@@ -249,15 +259,6 @@ class TargetedEncode {
     Trial trial = trial_of(loop().quantise(scale, work, frame_weights, observe_pass()), with_bytes);
     trial.scale = scale;
     return trial;
-  }
-
-  Trial coarsen(const Trial& trial, double bound_cm) {
-    ErrorBound bound(analysis_.motion().skeleton, analysis_.original_tracks(), bound_cm);
-    QuantisedSignals coded = AdaptiveSegments(trial.compressed).next();
-    Trial coarser = trial_of(loop().coarsen(std::move(coded), bound, observe_pass()), true);
-    coarser.scale = trial.scale;
-    weigh(coarser);
-    return coarser;
   }
 
   Observer<ClosedLoopProgress> observe_pass() {
@@ -359,6 +360,12 @@ ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& op
                            const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
                            const Observer<EncodeProgress>& observer) {
   return TargetedEncode(analysis, options, observer).run_at(scale, work, frame_weights);
+}
+
+Trial coarsen_to_bound(const ClipAnalysis& analysis, const EncodeOptions& options,
+                       QuantisedSignals coded, double bound_cm,
+                       const Observer<EncodeProgress>& observer) {
+  return TargetedEncode(analysis, options, observer).coarsen(std::move(coded), bound_cm);
 }
 
 double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& options) {

@@ -34,6 +34,11 @@ ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& op
                            const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
                            const Observer<EncodeProgress>& observer);
 
+/// ClosedLoop::coarsen() of what was coded before, not weighed.
+Trial coarsen_to_bound(const ClipAnalysis& analysis, const EncodeOptions& options,
+                       QuantisedSignals coded, double bound_cm,
+                       const Observer<EncodeProgress>& observer);
+
 /// The r_IK that serves the target best, of options that leave it open.
 double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& options);
 
