@@ -2,8 +2,8 @@
 #include "core/codec/scale_search.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/codec/count_search.h"
@@ -87,10 +87,9 @@ double coarser_after_rough_trial(double excess, const Target& target, const Clos
   return std::exp(power_of_scale(target) * std::clamp(excess - more, -3.0, 3.0));
 }
 
-/// What a search need not go on from: coarsening makes up for more.
-double near_enough(const ScaleGuess& guess, const Target& target, const ScaleTrials& trials) {
-  const bool will_coarsen = target.kind == Target::Kind::MaxError && trials.coarsen;
-  return guess.dear && will_coarsen ? 0.15 : 0.02;
+/// From where a search need not go on: coarsening makes up for more.
+double near_enough(const ScaleGuess& guess, const Target& target) {
+  return guess.dear && target.kind == Target::Kind::MaxError ? 0.15 : 0.02;
 }
 
 /// Tries scales until the target is met. The scale is sought as a count that grows as it gets
@@ -138,37 +137,12 @@ void try_harder(const Target& target, const ClosedLoopWork& work, ScaleSearch& t
   }
 }
 
-/// Goes nearer to the bound with the weights as they are, while that takes no more bytes. A short
-/// clip has few values to choose from, and its worst error jumps from scale to scale.
-void close_in(const Goal& goal, const ClosedLoopWork& work, const AttemptScale& attempt,
-              const Eigen::VectorXd& weights, Trial& best) {
-  constexpr double kNear = 0.02;
-  constexpr double kPower = 1.3;  // with which the scale follows the error
-  constexpr std::array kShares = {1.0, 0.7, 1.3, 0.85, 0.5, 1.15, 0.6, 0.3};  // of the way there
-  std::size_t in_vain = 0;  // in a row; as many as there are shares would only be repeated
-  for (std::size_t i = 0; i < 2 * kShares.size() && in_vain < kShares.size() && best.excess > kNear;
-       ++i) {
-    const double way = kPower * best.excess * kShares[i % kShares.size()];
-    Trial trial = attempt(best.scale * std::exp(way), work, weights);
-    best.complete = trial.complete;
-    if (!trial.complete) return;
-    if (goal.met(trial.excess) && trial.excess < best.excess &&
-        trial.compressed.motion_bytes() <= best.compressed.motion_bytes()) {
-      best = std::move(trial);
-      in_vain = 0;
-    } else {
-      ++in_vain;
-    }
-  }
-}
-
 /// Larger scales may do where the frames weigh more that exceed the bound. Replaces `best` where
-/// something smaller is found. Returns the weights that did it: none where all are alike.
-Eigen::VectorXd hold_worst_frames(const Goal& goal, int frames, const ClosedLoopWork& work,
-                                  const AttemptScale& attempt, Trial& best) {
+/// something smaller is found.
+void hold_worst_frames(const Goal& goal, int frames, const ClosedLoopWork& work,
+                       const AttemptScale& attempt, Trial& best) {
   constexpr int kRounds = 5;
   constexpr double kLeastStep = 1.04;
-  Eigen::VectorXd best_weights;  // none: all alike
   for (double step = 1.3; step > kLeastStep;) {
     const double scale = step * best.scale;
     Eigen::VectorXd weights = Eigen::VectorXd::Ones(frames);
@@ -176,7 +150,7 @@ Eigen::VectorXd hold_worst_frames(const Goal& goal, int frames, const ClosedLoop
     for (int round = 0; round < kRounds && !held; ++round) {
       Trial trial = attempt(scale, work, weights);
       best.complete = trial.complete;
-      if (!trial.complete) return best_weights;
+      if (!trial.complete) return;
       if (!goal.met(trial.excess)) {
         goal.raise_where_exceeded(trial.compressed, weights);
         continue;
@@ -184,22 +158,33 @@ Eigen::VectorXd hold_worst_frames(const Goal& goal, int frames, const ClosedLoop
       held = trial.compressed.motion_bytes() < best.compressed.motion_bytes();
       if (!held) break;
       best = std::move(trial);
-      best_weights = weights;
     }
     if (!held) step = std::sqrt(step);
   }
-  return best_weights;
 }
 
-/// Goes to the bound where it may, else nearer to it.
-void approach_bound(const Goal& goal, const Target& target, const ClosedLoopWork& work,
-                    const ScaleTrials& trials, const Eigen::VectorXd& weights, Trial& best) {
-  if (!trials.coarsen) return close_in(goal, work, trials.attempt, weights, best);
+/// Saves what room is left up to the bound. What is coarsened is the motion without its
+/// correction, which makes more or less of the same errors.
+void approach_bound(const Goal& goal, const Target& target, const CoarsenTrial& coarsen,
+                    Trial& best) {
+  constexpr int kMost = 4;
+  constexpr double kNear = 0.02;
   constexpr double kRounding = 1e-4;  // between what is coarsened and what is decoded
-  Trial coarser = trials.coarsen(best, (1 - kRounding) * target.value);
-  best.complete = coarser.complete;
-  if (!coarser.complete || !goal.met(coarser.excess)) return;
-  if (coarser.compressed.motion_bytes() < best.compressed.motion_bytes()) best = std::move(coarser);
+  const Trial fine = best;
+  double bound_cm = (1 - kRounding) * target.value;
+  double met_cm = 0;  // the largest bound with which the target was met, and the smallest without
+  double missed_cm = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMost && (i == 0 || best.excess > kNear); ++i) {
+    Trial coarser = coarsen(fine, bound_cm);
+    best.complete = coarser.complete;
+    if (!coarser.complete) return;
+    const bool met = goal.met(coarser.excess);
+    (met ? met_cm : missed_cm) = bound_cm;
+    bound_cm *= std::exp(coarser.excess - kNear / 2);
+    if (bound_cm <= met_cm || bound_cm >= missed_cm) bound_cm = (met_cm + missed_cm) / 2;
+    if (met && coarser.compressed.motion_bytes() < best.compressed.motion_bytes())
+      best = std::move(coarser);
+  }
 }
 
 }  // namespace
@@ -212,13 +197,11 @@ Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& go
   const double first_scale = guess.likely * coarser_after_rough_trial(rough.excess, target, work);
   if (effort == Effort::Draft) return trials.attempt(first_scale, work, {});
   ScaleSearch search(goal, target, trials.attempt);
-  seek(guess, goal, first_scale, near_enough(guess, target, trials), work_of(Effort::Default),
-       search);
+  seek(guess, goal, first_scale, near_enough(guess, target), work_of(Effort::Default), search);
   if (effort == Effort::Best && search.met()) try_harder(target, work, search);
   if (target.kind == Target::Kind::MaxError && search.may_go_on()) {
-    Eigen::VectorXd weights;
-    if (!guess.dear) weights = hold_worst_frames(goal, frames, work, trials.attempt, search.best());
-    if (search.may_go_on()) approach_bound(goal, target, work, trials, weights, search.best());
+    if (!guess.dear) hold_worst_frames(goal, frames, work, trials.attempt, search.best());
+    if (search.may_go_on()) approach_bound(goal, target, trials.coarsen, search.best());
   }
   return std::move(search.best());
 }

@@ -27,7 +27,7 @@ struct ScaleGuess {
 /// What a search tries.
 struct ScaleTrials {
   AttemptScale attempt;
-  CoarsenTrial coarsen = {};  // none: cannot be done
+  CoarsenTrial coarsen;
 };
 
 /// The best trial that a search for the closed loop's scale comes to, with its bytes coded. It

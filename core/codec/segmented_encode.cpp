@@ -28,14 +28,13 @@ class SegmentedEncode {
   }
 
   TargetedEncoding run() {
-    ScaleTrials trials{.attempt = [this](double scale, const ClosedLoopWork& work,
-                                         const Eigen::VectorXd& frame_weights) {
-      return attempt_scale(scale, work, frame_weights);
-    }};
-    if (!options_.correction)
-      trials.coarsen = [this](const Trial& trial, double bound_cm) {
-        return coarsen(trial, bound_cm);
-      };
+    const ScaleTrials trials{
+        .attempt =
+            [this](double scale, const ClosedLoopWork& work, const Eigen::VectorXd& weights) {
+              return attempt_scale(scale, work, weights);
+            },
+        .coarsen = [this](const Trial& trial,
+                          double bound_cm) { return coarsen(trial, bound_cm); }};
     const ScaleGuess guess{.likely = likely_scale(options_.target, raw_bytes(motion_.clip)),
                            .finest = [this] { return finest_scale_; },
                            .dear = true};

@@ -76,6 +76,7 @@ class TargetedEncode {
   Trial coarsen(QuantisedSignals coded, double bound_cm) {
     ErrorBound bound(analysis_.motion().skeleton, analysis_.original_tracks(), bound_cm);
     const double scale = coded.scale;
+    drop_correction(coded);
     Trial coarser = trial_of(loop().coarsen(std::move(coded), bound, observe_pass()), true);
     coarser.scale = scale;
     return coarser;
@@ -222,16 +223,17 @@ class TargetedEncode {
   }
 
   Trial closed_loop() {
-    ScaleTrials trials{
-        .attempt = [&](double scale, const ClosedLoopWork& work, const Eigen::VectorXd& weights) {
-          return attempt_scale(scale, work, weights);
-        }};
-    if (!correction_)  // which would have to be made anew for each change
-      trials.coarsen = [&](const Trial& trial, double bound_cm) {
-        Trial coarser = coarsen(AdaptiveSegments(trial.compressed).next(), bound_cm);
-        weigh(coarser);
-        return coarser;
-      };
+    const ScaleTrials trials{
+        .attempt =
+            [this](double scale, const ClosedLoopWork& work, const Eigen::VectorXd& weights) {
+              return attempt_scale(scale, work, weights);
+            },
+        .coarsen =
+            [this](const Trial& trial, double bound_cm) {
+              Trial coarser = coarsen(AdaptiveSegments(trial.compressed).next(), bound_cm);
+              weigh(coarser);
+              return coarser;
+            }};
     const ScaleGuess guess{
         .likely = likely_scale(options_.target, raw_bytes(analysis_.motion().clip)),
         .finest = [&] { return loop().finest_scale(); }};
@@ -259,6 +261,13 @@ class TargetedEncode {
     Trial trial = trial_of(loop().quantise(scale, work, frame_weights, observe_pass()), with_bytes);
     trial.scale = scale;
     return trial;
+  }
+
+  /// It is made anew for what is coarser.
+  void drop_correction(QuantisedSignals& coded) const {
+    const int channels = coefficients_.channels();
+    coded.values.conservativeResize(Eigen::NoChange, channels);
+    coded.fineness.resize(static_cast<std::size_t>(channels));
   }
 
   Observer<ClosedLoopProgress> observe_pass() {

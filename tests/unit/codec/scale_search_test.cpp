@@ -42,6 +42,16 @@ TEST(ScaleSearch, MeetsEveryKindOfTargetWithinTwoPercent) {
   }
 }
 
+TEST(ScaleSearch, HoldsAHardMaximumWithACorrectionToo) {
+  for (const double bound : {1.5, 3.0}) {
+    EncodeOptions options{.method = Method::ClosedLoop, .target = {Target::Kind::MaxError, bound}};
+    options.correction.emplace().ratio = 16;
+    const double furthest = run().encode(options).distortion.max.cm;
+    EXPECT_LE(furthest, bound);
+    EXPECT_GT(furthest, 0.85 * bound);
+  }
+}
+
 TEST(ScaleSearch, FindsSomethingSmallerWithTheBestEffort) {
   const auto bytes = [](Effort effort) {
     return encoded({Target::Kind::Error, 0.3}, effort).compressed.motion_bytes();

@@ -56,9 +56,13 @@ TEST(SegmentedEncode, MeetsEveryKindOfTarget) {
 }
 
 TEST(SegmentedEncode, HoldsAHardMaximum) {
-  const double max_cm = walk().encode(options({Target::Kind::MaxError, 2})).distortion.max.cm;
-  EXPECT_LE(max_cm, 2);
-  EXPECT_GT(max_cm, 0.98 * 2);
+  for (const bool corrected : {false, true}) {
+    EncodeOptions asked = options({Target::Kind::MaxError, 2});
+    if (corrected) asked.correction.emplace().ratio = 16;
+    const double max_cm = walk().encode(asked).distortion.max.cm;
+    EXPECT_LE(max_cm, 2);
+    EXPECT_GT(max_cm, 0.98 * 2);
+  }
 }
 
 TEST(SegmentedEncode, WhatIsMeasuredIsWhatTheFileDecodesTo) {
