@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/file.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <locale>
+#include <ostream>
+#include <streambuf>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/staged_file.h"
 
 namespace mocapress {
 namespace {
@@ -27,22 +32,28 @@ Buffer read_whole(const std::filesystem::path& path) {
   return buffer;
 }
 
-/// Removes the half-written file unless it was renamed into place.
-class TemporaryBeside {
+/// Hands a stream's text on to a staged file, a piece at a time.
+class StagedBuffer : public std::streambuf {
  public:
-  explicit TemporaryBeside(const std::filesystem::path& target) : path_(target) {
-    path_ += ".part";
+  explicit StagedBuffer(StagedFile& file) : file_(file) { begin(); }
+
+ protected:
+  int_type overflow(int_type next) override {
+    sync();
+    if (!traits_type::eq_int_type(next, traits_type::eof())) sputc(static_cast<char>(next));
+    return traits_type::not_eof(next);
   }
-  TemporaryBeside(const TemporaryBeside&) = delete;
-  TemporaryBeside& operator=(const TemporaryBeside&) = delete;
-  ~TemporaryBeside() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
+  int sync() override {
+    file_.write({pbase(), static_cast<std::size_t>(pptr() - pbase())});
+    begin();
+    return 0;
   }
-  const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path path_;
+  void begin() { setp(piece_.data(), piece_.data() + piece_.size()); }
+
+  StagedFile& file_;
+  std::array<char, 1 << 14> piece_;
 };
 
 }  // namespace
@@ -56,21 +67,25 @@ std::string read_text(const std::filesystem::path& path) {
 }
 
 void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  const TemporaryBeside temporary(path);
-  {
-    std::ofstream stream(temporary.path(), std::ios::binary | std::ios::trunc);
-    stream.write(reinterpret_cast<const char*>(bytes.data()),
-                 static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    if (!stream) throw WriteError(path.string() + ": cannot be written: " + std::strerror(errno));
-  }
-  std::error_code error;
-  std::filesystem::rename(temporary.path(), path, error);
-  if (error) throw WriteError(path.string() + ": cannot be written: " + error.message());
+  StagedFile file(path);
+  file.write(bytes);
+  file.commit();
 }
 
 void write_text(const std::filesystem::path& path, std::string_view text) {
   write_bytes(path, std::as_bytes(std::span(text)));
+}
+
+void write_stream(const std::filesystem::path& path,
+                  const std::function<void(std::ostream&)>& write) {
+  StagedFile file(path);
+  StagedBuffer buffer(file);
+  std::ostream stream(&buffer);
+  stream.exceptions(std::ios::badbit);  // what the file throws gets through
+  stream.imbue(std::locale::classic());
+  write(stream);
+  stream.flush();
+  file.commit();
 }
 
 }  // namespace mocapress

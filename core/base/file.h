@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,9 +16,13 @@ namespace mocapress {
 std::vector<std::byte> read_bytes(const std::filesystem::path& path);
 std::string read_text(const std::filesystem::path& path);
 
-/// Writes beside `path` and renames, so that a reader sees the old file or the new one and a
-/// failure leaves the old one. Throws WriteError.
+/// As a StagedFile: a reader sees the old file or the new one, and a failure leaves the old one.
+/// Throws WriteError.
 void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_text(const std::filesystem::path& path, std::string_view text);
+
+/// The same for text that is too long to be kept in memory. The stream knows no locale.
+void write_stream(const std::filesystem::path& path,
+                  const std::function<void(std::ostream&)>& write);
 
 }  // namespace mocapress

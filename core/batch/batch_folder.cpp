@@ -40,6 +40,7 @@ BatchOutcome run_batch_in(const fs::path& folder, const Batch& batch,
   {
     Journal journal(journal_path, batch, options.shard, start_of(options));
     outcome = run_batch(batch, folder, journal, options, control, observer);
+    if (journal.warning()) outcome.warnings.push_back(*journal.warning());
   }
   if (!outcome.complete) return outcome;
   JournalReader reader(journal_path);

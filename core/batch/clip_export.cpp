@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/fnv1a.h"
-#include "core/batch/staged_file.h"
+#include "core/base/staged_file.h"
 #include "core/batch/verification.h"
 #include "core/formats/amc.h"
 #include "core/formats/asf.h"
@@ -166,7 +166,7 @@ class Export {
     if (!made.complete) throw Stopped{};
     report(ClipProgress::Stage::Verifying, 0.85);
     // It is measured whether it is among the outputs or not.
-    StagedFile mcpr(folder_ / (item_.output + ".mcpr"), made.file);
+    StagedFile mcpr = staged(item_.output + ".mcpr", made.file);
     verify(clip, mcpr.read_back(), made);
     std::vector<StagedFile> files;
     for (const OutputFormat format : batch_.formats) {
@@ -242,26 +242,38 @@ class Export {
     }
   }
 
+  /// In folders made for it.
+  StagedFile staged(const std::string& name, const Bytes& bytes) const {
+    const fs::path path = folder_ / name;
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (error) throw WriteError(path.string() + ": cannot be written: " + error.message());
+    StagedFile file(path);
+    file.write(bytes);
+    return file;
+  }
+
   /// Written, read back and the same; it is what will be put in place.
   void stage_file(const char* extension, const Bytes& bytes, std::vector<StagedFile>& files) {
     const std::string name = item_.output + extension;
-    files.emplace_back(folder_ / name, bytes);
+    files.push_back(staged(name, bytes));
     if (files.back().read_back() != bytes)
       throw Error("verification: " + name + " does not read back as it was written");
     row_.files.push_back({name, bytes.size(), hash_of_bytes(bytes)});
   }
 
   void put_in_place(std::vector<StagedFile>& files) {
-    std::vector<bool> replaced;
+    using Existing = StagedFile::Existing;
+    std::vector<Existing> existing;
     for (std::size_t i = 0; i < files.size(); ++i) {
       std::error_code error;
       const bool is_there = fs::exists(files[i].path(), error);
       const bool same =
           is_there && rights_.resumed && hash_of(files[i].path()) == row_.files[i].hash;
       if (is_there && !same && !may_replace(row_.files[i].name)) refuse(files[i].path());
-      replaced.push_back(is_there);
+      existing.push_back(is_there ? Existing::Replace : Existing::Refuse);
     }
-    for (std::size_t i = 0; i < files.size(); ++i) files[i].put_in_place(replaced[i]);
+    for (std::size_t i = 0; i < files.size(); ++i) files[i].commit(existing[i]);
   }
 
   const Batch& batch_;

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/journal.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -51,17 +47,6 @@ std::uint64_t key_of(const std::string& output) {
   return hash.state();
 }
 
-/// Everything, however often the system takes only a part. False: errno says why.
-bool write_all(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(file, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
 }  // namespace
 
 JournalReader::JournalReader(const fs::path& path) : stream_(path, std::ios::binary) {
@@ -95,39 +80,17 @@ std::optional<BatchRow> JournalReader::row_at(std::size_t place) {
 }
 
 Journal::Journal(const fs::path& path, const Batch& batch, const Shard& shard, Start start)
-    : path_(path) {
+    : path_(path), lines_(path) {
   const JournalHeader header{batch.items.size(), fingerprint(batch), shard};
-  std::error_code none;
-  const std::uintmax_t size = fs::file_size(path_, none);
-  const bool is_there = !none && size > 0;
+  const bool is_there = lines_.size() > 0;
   if (is_there && start == Start::New)
-    fail("holds a batch already: it can be resumed, or overwritten");
-  try {
-    open(true);
-    if (is_there && start == Start::Resume) {
-      keep_rows_of(batch, header);
-      return;
-    }
-    if (::ftruncate(file_, 0) != 0) fail(std::strerror(errno));
-    write_line(to_line(header));
-  } catch (...) {
-    if (file_ >= 0) ::close(file_);
-    throw;
-  }
-}
-
-Journal::~Journal() {
-  if (file_ >= 0) ::close(file_);
-}
-
-void Journal::open(bool create) {
-  const int file =
-      ::open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | (create ? O_CREAT : 0), 0666);
-  if (file < 0) fail(std::strerror(errno));
-  if (file_ >= 0) ::close(file_);
-  file_ = file;
-  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    fail("another run is at work on this batch");
+    throw WriteError(path_.string() + ": holds a batch already: it can be resumed, or overwritten");
+  if (is_there && start == Start::Resume)
+    keep_rows_of(batch, header);
+  else if (is_there)
+    lines_.replace([&](StagedFile& file) { file.write(to_line(header) + '\n'); });
+  else
+    lines_.append(to_line(header));
 }
 
 /// Copies what counts to a new file, which takes the old one's place.
@@ -137,57 +100,36 @@ void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
   for (std::size_t i = 0; i < batch.items.size(); ++i)
     if (const BatchItem item = batch.items[i]; header.shard.has(item))
       wanted.emplace(key_of(item.output), i);
-  const fs::path target = std::exchange(path_, fs::path(path_) += ".part");
-  const int locked = std::exchange(file_, -1);  // until the new file is in place and locked too
-  try {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-    open(true);
-    write_line(to_line(header));
+  lines_.replace([&](StagedFile& file) {
+    std::uint64_t end = 0;
+    const auto write = [&](const std::string& line) {
+      file.write(line + '\n');
+      const Place place{end, line.size()};
+      end += line.size() + 1;
+      return place;
+    };
+    write(to_line(header));
     try {
-      JournalReader(target).for_each([&](const BatchRow& row) {
+      JournalReader(path_).for_each([&](const BatchRow& row) {
         const auto found = wanted.find(key_of(row.output));
         if (found == wanted.end()) return;
         BatchRow moved = row;
         moved.index = found->second;
-        const std::uint64_t begin = end_;
-        append(moved);
-        places_[moved.index] = {begin, static_cast<std::size_t>(end_ - begin - 1)};
+        places_[moved.index] = write(to_journal_line(moved));
       });
     } catch (const InputError&) {  // no header: nothing of it counts
     }
-    fs::rename(path_, target);
-  } catch (const fs::filesystem_error& error) {
-    ::close(locked);
-    fail(error.code().message());
-  } catch (...) {
-    ::close(locked);
-    throw;
-  }
-  ::close(locked);
-  path_ = target;
+  });
 }
 
 std::optional<BatchRow> Journal::find(std::size_t index) const {
   const Place place = index < places_.size() ? places_[index] : Place();
   if (place.length == 0) return std::nullopt;
-  std::string line(place.length, '\0');
-  const ssize_t got = ::pread(file_, line.data(), line.size(), static_cast<off_t>(place.offset));
-  if (got != static_cast<ssize_t>(line.size())) return std::nullopt;
-  return parse_batch_row(line);
+  return parse_batch_row(lines_.read(place.offset, place.length));
 }
 
 void Journal::append(const BatchRow& row) {
-  write_line(to_journal_line(row));
-}
-
-void Journal::write_line(const std::string& line) {
-  if (!write_all(file_, line + '\n')) fail(std::strerror(errno));
-  end_ += line.size() + 1;
-}
-
-void Journal::fail(const std::string& why) const {
-  throw WriteError(path_.string() + ": " + why);
+  lines_.append(to_journal_line(row));
 }
 
 }  // namespace mocapress

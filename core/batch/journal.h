@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/appended_file.h"
 #include "core/batch/row.h"
 
 namespace mocapress {
@@ -60,15 +61,15 @@ class Journal {
   /// are of `batch` and `shard`, whatever is left half-written. Anew: it is emptied. Throws
   /// WriteError, also when another run has it open.
   Journal(const std::filesystem::path& path, const Batch& batch, const Shard& shard, Start start);
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
-  ~Journal();
+
+  /// That other runs could not be kept away from it.
+  const std::optional<Warning>& warning() const { return lines_.warning(); }
 
   /// The row of a clip of the batch that was kept on resuming, if there is one: what cannot be read
   /// is not there.
   std::optional<BatchRow> find(std::size_t index) const;
 
-  /// Appends a row and hands it to the system at once. Throws WriteError.
+  /// Appends a row; it is on the disk then. Throws WriteError.
   void append(const BatchRow& row);
 
  private:
@@ -77,14 +78,10 @@ class Journal {
     std::size_t length = 0;  // 0: there is no row
   };
 
-  void open(bool create);
-  void write_line(const std::string& line);
   void keep_rows_of(const Batch& batch, const JournalHeader& header);
-  [[noreturn]] void fail(const std::string& why) const;
 
   std::filesystem::path path_;
-  int file_ = -1;
-  std::uint64_t end_ = 0;
+  AppendedFile lines_;
   std::vector<Place> places_;  // by the index of the clip; empty: nothing is kept
 };
 

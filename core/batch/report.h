@@ -12,9 +12,9 @@ namespace mocapress {
 /// Gives every row to the visitor, one at a time and in the order of the batch; as often as asked.
 using BatchRows = std::function<void(const std::function<void(const BatchRow&)>&)>;
 
-/// Writes report.csv, report.json and report.html, `suffix` before their extensions; each beside
-/// its place and renamed. One row is in memory at a time. The same rows make the same bytes.
-/// `waiting` clips have no row yet. Throws WriteError.
+/// Writes report.csv, report.json and report.html, `suffix` before their extensions. One row is in
+/// memory at a time. The same rows make the same bytes. `waiting` clips have no row yet. Throws
+/// WriteError.
 void write_batch_report(const std::filesystem::path& folder, const std::string& suffix,
                         const BatchRows& rows, std::size_t waiting);
 

@@ -65,7 +65,7 @@ class Run {
       });
     });
     if (failure_) std::rethrow_exception(failure_);
-    return {counts_, counts_.done == counts_.clips};
+    return {counts_, counts_.done == counts_.clips, {}};
   }
 
  private:

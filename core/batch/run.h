@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/batch/clip_export.h"
 #include "core/batch/control.h"
@@ -45,6 +46,7 @@ struct BatchRunOptions {
 struct BatchOutcome {
   BatchCounts counts;
   bool complete = true;  // false: some clips are still waiting
+  Warnings warnings;     // of the journal; those of clips are in their rows
 };
 
 /// Does the clips of a shard into `folder`, each on one thread while there are others to do, the

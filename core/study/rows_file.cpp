@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/study/rows_file.h"
 
-#include <cerrno>
-#include <cstring>
+#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -37,18 +37,16 @@ std::vector<StudyRow> read_rows(const std::filesystem::path& path) {
   return WholeRows(read_text(path)).rows;
 }
 
-RowsFile::RowsFile(std::filesystem::path path) : path_(std::move(path)) {
-  const std::string text = std::filesystem::exists(path_) ? read_text(path_) : std::string();
+RowsFile::RowsFile(const std::filesystem::path& path) : lines_(path) {
+  const std::string text = lines_.read(0, lines_.size());
+  if (text.size() != lines_.size()) throw InputError(path.string(), 0, 0, "cannot be read");
   WholeRows whole(text);
   rows_ = std::move(whole.rows);
-  if (whole.lines != text) write_text(path_, whole.lines);
-  stream_.open(path_, std::ios::binary | std::ios::app);
-  if (!stream_) throw WriteError(path_.string() + ": cannot be written: " + std::strerror(errno));
+  if (whole.lines != text) lines_.replace([&](StagedFile& file) { file.write(whole.lines); });
 }
 
 void RowsFile::append(const StudyRow& row) {
-  stream_ << to_json_line(row) << '\n' << std::flush;
-  if (!stream_) throw WriteError(path_.string() + ": cannot be written: " + std::strerror(errno));
+  lines_.append(to_json_line(row));
 }
 
 }  // namespace mocapress

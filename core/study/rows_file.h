@@ -2,9 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <vector>
 
+#include "core/base/appended_file.h"
 #include "core/study/row.h"
 
 namespace mocapress {
@@ -17,19 +18,21 @@ std::vector<StudyRow> read_rows(const std::filesystem::path& path);
 class RowsFile {
  public:
   /// Opens or makes the file. Lines that are no whole row (the last of a run that died) are
-  /// dropped. Throws InputError, WriteError.
-  explicit RowsFile(std::filesystem::path path);
+  /// dropped. Throws InputError, and WriteError, also when another run has it open.
+  explicit RowsFile(const std::filesystem::path& path);
 
   /// The rows that were there.
   const std::vector<StudyRow>& rows() const { return rows_; }
 
-  /// Appends a row and hands it to the system at once. Throws WriteError.
+  /// That other runs could not be kept away from it.
+  const std::optional<Warning>& warning() const { return lines_.warning(); }
+
+  /// Appends a row; it is on the disk then. Throws WriteError.
   void append(const StudyRow& row);
 
  private:
-  std::filesystem::path path_;
+  AppendedFile lines_;
   std::vector<StudyRow> rows_;
-  std::ofstream stream_;
 };
 
 }  // namespace mocapress

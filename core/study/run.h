@@ -25,7 +25,7 @@ using RowSink = std::function<void(const StudyRow&)>;
 
 struct StudyOutcome {
   std::vector<StudyRow> rows;  // in the order of jobs_of(plan), whatever the order they ended in
-  Warnings warnings;           // of the readers, in the order of the clips
+  Warnings warnings;           // of the readers in the order of the clips, and of the rows' file
   bool complete = true;        // false: the observer ended it early, and only some rows are there
 };
 

@@ -107,7 +107,10 @@ StudyOutcome run_study_kept(const fs::path& folder, const StudyPlan& plan,
   fs::create_directories(folder, error);
   if (error) throw WriteError(folder.string() + ": cannot be made: " + error.message());
   RowsFile file(folder / kRowsSoFar);
-  return run_study(plan, file.rows(), [&](const StudyRow& row) { file.append(row); }, observer);
+  StudyOutcome outcome = run_study(
+      plan, file.rows(), [&](const StudyRow& row) { file.append(row); }, observer);
+  if (file.warning()) outcome.warnings.push_back(*file.warning());
+  return outcome;
 }
 
 std::optional<std::string> study_report(const StudyPlan& plan, const Results& results,

@@ -28,8 +28,8 @@ StudyOutcome run_study_kept(const std::filesystem::path& folder, const StudyPlan
 std::optional<std::string> study_report(const StudyPlan& plan, const Results& results,
                                         const Observer<EncodeProgress>& observer = {});
 
-/// run_study_kept(), and when all rows are there the tables and the report, each written beside and
-/// renamed; an observer that says no before leaves those of an earlier run.
+/// run_study_kept(), and when all rows are there the tables and the report; an observer that says
+/// no before leaves those of an earlier run.
 StudyOutcome run_study_in(const std::filesystem::path& folder, const StudyPlan& plan,
                           const Observer<StudyProgress>& observer = {});
 

@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <ostream>
 
 #include "core/base/error.h"
+#include "tests/support/own_process.h"
 
 namespace mocapress {
 namespace {
@@ -37,7 +38,43 @@ TEST_F(File, AFailedWriteLeavesTheOldFile) {
   std::filesystem::create_directories(target / "inside");
   EXPECT_THROW(write_text(target, "new"), WriteError);
   EXPECT_TRUE(std::filesystem::exists(target / "inside"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "folder-in-the-way.part"));
+  const auto entries = std::filesystem::directory_iterator(folder_);
+  EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
+}
+
+TEST_F(File, AStreamWritesLongTextsWholeAndInNoLocale) {
+  const std::string word(1000, 'w');
+  write_stream(folder_ / "a.txt", [&](std::ostream& out) {
+    for (int i = 0; i < 100; ++i) out << word;
+    out << 1234.5;
+  });
+  const std::string text = read_text(folder_ / "a.txt");
+  EXPECT_EQ(text.size(), 100'006u);
+  EXPECT_TRUE(text.ends_with("w1234.5"));
+}
+
+TEST_F(File, AStreamThatFailsLeavesTheOldFile) {
+  write_text(folder_ / "a.txt", "old");
+  EXPECT_THROW(write_stream(folder_ / "a.txt",
+                            [](std::ostream& out) {
+                              out << "half";
+                              throw InputError("clip.bvh", 0, 0, "is gone");
+                            }),
+               InputError);
+  EXPECT_EQ(read_text(folder_ / "a.txt"), "old");
+}
+
+TEST_F(File, AStreamSaysWhatStoppedIt) {
+  const std::string said = test::in_own_process([&]() -> std::string {
+    if (!test::limit_file_size(1 << 10)) return test::kSkip;
+    write_stream(folder_ / "a.txt", [&](std::ostream& out) {
+      for (int i = 0; i < 1000; ++i) out << "line " << i << '\n';
+    });
+    return "";
+  });
+  if (said == test::kSkip) GTEST_SKIP() << "no limits can be set here";
+  EXPECT_EQ(said, "threw: " + (folder_ / "a.txt").string() + ": cannot be written: File too large");
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
 TEST_F(File, RefusesAMissingFileAndAFolderByName) {

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A file that grows. After open(2) on O_APPEND and flock(2).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/base/file_descriptor.h"
+#include "core/base/staged_file.h"
+
+namespace mocapress {
+
+/// A file of lines, open in one process at a time. A line is on the disk when append() returns, and
+/// a line that could not be written whole is taken out again.
+class AppendedFile {
+ public:
+  /// As flock(2).
+  using Lock = int (*)(int file, int operation);
+
+  /// Opens the file or makes it; links as with StagedFile. Throws WriteError, also while another
+  /// process has it open.
+  explicit AppendedFile(std::filesystem::path path, Lock lock);
+  explicit AppendedFile(std::filesystem::path path);
+  AppendedFile(const AppendedFile&) = delete;
+  AppendedFile& operator=(const AppendedFile&) = delete;
+
+  /// Removes a file that it made and in which there is nothing.
+  ~AppendedFile();
+
+  /// That the file system has no locks: then nothing keeps other processes away.
+  const std::optional<Warning>& warning() const { return warning_; }
+
+  std::uint64_t size() const { return size_; }
+
+  /// Fewer bytes where the file ends before.
+  std::string read(std::uint64_t offset, std::size_t length) const;
+
+  /// `line` without its end. Throws WriteError.
+  void append(std::string_view line);
+
+  /// Replaces all contents at once by what `write` gives. Throws WriteError, and what `write`
+  /// throws.
+  void replace(const std::function<void(StagedFile&)>& write);
+
+ private:
+  struct Opened {
+    FileDescriptor file;
+    bool made = false;
+  };
+
+  void open();
+  Opened open_at_its_place() const;
+  void take_lock(int file);
+  [[noreturn]] void fail(int error) const;
+
+  std::filesystem::path path_;
+  std::filesystem::path target_;  // the end of its links
+  Lock lock_;
+  FileDescriptor file_;
+  bool made_ = false;
+  std::uint64_t size_ = 0;
+  std::optional<Warning> warning_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "core/base/staged_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostLinks = 40;  // as Linux follows
+constexpr mode_t kNewFile = 0666;
+constexpr mode_t kPrivate = 0600;
+constexpr mode_t kPermissions = 0777;
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& why) {
+  throw WriteError(path.string() + ": cannot be written: " + why);
+}
+
+/// Hidden, and nobody can guess it.
+std::string random_name() {
+  std::array<unsigned char, 16> random;
+  if (::getentropy(random.data(), random.size()) != 0) return {};
+  std::string name = ".mocapress-";
+  constexpr const char* kDigits = "0123456789abcdef";
+  for (const unsigned char byte : random) {
+    name += kDigits[byte >> 4];
+    name += kDigits[byte & 15];
+  }
+  return name;
+}
+
+/// Through which an open file can be given a name.
+std::string link_to(int file) {
+  return "/proc/self/fd/" + std::to_string(file);
+}
+
+/// As Linux's protected_symlinks has it: who plants a link in a shared folder does not decide what
+/// others overwrite.
+bool may_be_planted(const fs::path& path, const struct stat& link) {
+  struct stat folder;
+  const fs::path parent = path.has_parent_path() ? path.parent_path() : ".";
+  if (::stat(parent.c_str(), &folder) != 0) return false;
+  constexpr mode_t kShared = S_ISVTX | S_IWOTH;
+  return (folder.st_mode & kShared) == kShared && link.st_uid != ::geteuid() &&
+         link.st_uid != folder.st_uid;
+}
+
+/// What may not be replaced is refused. True: a file is there.
+bool is_replaced(const fs::path& path, const fs::path& target, struct stat& there) {
+  if (::stat(target.c_str(), &there) != 0) return false;
+  if (S_ISDIR(there.st_mode)) refuse(path, "is a folder, not a file");
+  if (!S_ISREG(there.st_mode)) refuse(path, "is not a regular file");
+  if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
+    refuse(path, std::strerror(errno));
+  return true;
+}
+
+/// Where the group cannot be kept, its permissions are not handed to another one.
+void keep_permissions(int file, const struct stat& old) {
+  constexpr auto kSameOwner = static_cast<uid_t>(-1);
+  mode_t mode = old.st_mode & kPermissions;
+  if (::fchown(file, old.st_uid, old.st_gid) != 0 && ::fchown(file, kSameOwner, old.st_gid) != 0)
+    mode &= ~static_cast<mode_t>(S_IRWXG);
+  ::fchmod(file, mode);  // a file system without permissions has none to keep
+}
+
+/// Where the file system cannot rename without replacing, looks first.
+int rename_to_free_place(int folder, const char* from, const char* to) {
+  if (::renameat2(folder, from, folder, to, RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return -1;
+  if (::faccessat(folder, to, F_OK, AT_SYMLINK_NOFOLLOW) == 0) {
+    errno = EEXIST;
+    return -1;
+  }
+  return ::renameat(folder, from, folder, to);
+}
+
+}  // namespace
+
+fs::path end_of_links(const fs::path& path) {
+  fs::path target = path;
+  for (int links = 0; links < kMostLinks; ++links) {
+    struct stat link;
+    if (::lstat(target.c_str(), &link) != 0 || !S_ISLNK(link.st_mode)) return target;
+    if (may_be_planted(target, link))
+      refuse(path, "is a link that somebody else put into a folder shared by all");
+    std::error_code error;
+    target = target.parent_path() / fs::read_symlink(target, error);
+    if (error) refuse(path, error.message());
+  }
+  refuse(path, std::strerror(ELOOP));
+}
+
+StagedFile::StagedFile(fs::path path, Temporary temporary) : path_(std::move(path)) {
+  const fs::path target = end_of_links(path_);
+  struct stat old;
+  const bool replaces = is_replaced(path_, target, old);
+  place_ = target.filename();
+  if (place_.empty()) fail(path_.empty() ? ENOENT : EISDIR);
+  folder_ = open_folder_of(target);
+  if (!folder_) fail(errno);
+  const mode_t mode = replaces ? kPrivate : kNewFile;
+  if (temporary == Temporary::Unnamed) open_unnamed(mode);
+  if (!file_) open_named(mode);
+  if (replaces) keep_permissions(file_.number(), old);
+}
+
+StagedFile::~StagedFile() {
+  if (!name_.empty()) ::unlinkat(folder_.number(), name_.c_str(), 0);
+}
+
+/// Nothing is left of it should we be killed. May leave it to open_named() to say why it cannot be.
+void StagedFile::open_unnamed(mode_t mode) {
+  FileDescriptor file(::openat(folder_.number(), ".", O_TMPFILE | O_RDWR | O_CLOEXEC, mode));
+  if (file && ::access(link_to(file.number()).c_str(), F_OK) == 0) file_ = std::move(file);
+}
+
+void StagedFile::open_named(mode_t mode) {
+  std::string name = random_name();
+  file_ = FileDescriptor(::openat(folder_.number(), name.c_str(),
+                                  O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+  if (!file_) fail(errno);
+  name_ = std::move(name);
+}
+
+void StagedFile::write(std::span<const std::byte> bytes) {
+  write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+void StagedFile::write(std::string_view text) {
+  if (!write_all(file_.number(), text)) fail(errno);
+}
+
+std::vector<std::byte> StagedFile::read_back() const {
+  struct stat now;
+  if (::fstat(file_.number(), &now) != 0) fail(errno);
+  std::vector<std::byte> bytes(static_cast<std::size_t>(now.st_size));
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t got =
+        ::pread(file_.number(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) fail(got < 0 ? errno : EIO);
+    done += static_cast<std::size_t>(got);
+  }
+  return bytes;
+}
+
+void StagedFile::commit(Existing existing) {
+  if (!synchronise(file_.number())) fail(errno);
+  if (name_.empty()) give_name();
+  take_place(existing);
+  if (!synchronise_folder(folder_.number())) fail(errno);
+}
+
+void StagedFile::give_name() {
+  std::string name = random_name();
+  if (::linkat(AT_FDCWD, link_to(file_.number()).c_str(), folder_.number(), name.c_str(),
+               AT_SYMLINK_FOLLOW) != 0)
+    fail(errno);
+  name_ = std::move(name);
+}
+
+void StagedFile::take_place(Existing existing) {
+  const int folder = folder_.number();
+  const int failed = existing == Existing::Replace
+                         ? ::renameat(folder, name_.c_str(), folder, place_.c_str())
+                         : rename_to_free_place(folder, name_.c_str(), place_.c_str());
+  if (failed) fail(errno);
+  name_.clear();
+}
+
+void StagedFile::fail(int error) const {
+  refuse(path_, std::strerror(error));
+}
+
+}  // namespace mocapress

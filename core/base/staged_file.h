@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The one way to write a file. After open(2) on O_TMPFILE, rename(2) and fsync(2).
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/file_descriptor.h"
+
+namespace mocapress {
+
+/// A file that takes its place whole or not at all. Whatever fails, a full disk, a kill or a power
+/// cut, the place has the old file or the new one, and nothing else is left behind.
+///
+/// Until commit() the file has no name. Where the file system has no such files, it has a random
+/// name beside its place, and is made there anew: neither a file nor a link is ever reused.
+///
+/// What is at the place already:
+/// - A file keeps its permissions, and its owner and group where we may set them. A new file gets
+///   those of the umask.
+/// - A link stays, and what it points to is written. A link that somebody else put into a folder
+///   where everyone may write, such as /tmp, is refused.
+/// - A file that is write-protected, a folder, a device and the like are refused.
+class StagedFile {
+ public:
+  enum class Existing { Replace, Refuse };
+  enum class Temporary { Unnamed, Named };  // Unnamed: where the file system offers it
+
+  /// Throws WriteError, as all of these do.
+  explicit StagedFile(std::filesystem::path path, Temporary temporary = Temporary::Unnamed);
+  StagedFile(StagedFile&&) noexcept = default;
+  StagedFile& operator=(StagedFile&&) = delete;
+
+  /// Removes what was not committed.
+  ~StagedFile();
+
+  /// The place, as it was given.
+  const std::filesystem::path& path() const { return path_; }
+
+  void write(std::span<const std::byte> bytes);
+  void write(std::string_view text);
+
+  /// All that was written, as the file system gives it back.
+  std::vector<std::byte> read_back() const;
+
+  /// Waits until the contents are on the disk, puts the file in place, and waits until its name is
+  /// on the disk. May be called once, as the last of all.
+  void commit(Existing existing = Existing::Replace);
+
+ private:
+  void open_unnamed(mode_t mode);
+  void open_named(mode_t mode);
+  void give_name();
+  void take_place(Existing existing);
+  [[noreturn]] void fail(int error) const;
+
+  std::filesystem::path path_;
+  std::string place_;      // its name in the folder
+  FileDescriptor folder_;  // so that it stays the same folder whatever is renamed
+  FileDescriptor file_;
+  std::string name_;  // the random one; empty: it has none
+};
+
+/// Where writing to `path` writes: the end of its links. Throws WriteError.
+std::filesystem::path end_of_links(const std::filesystem::path& path);
+
+}  // namespace mocapress
