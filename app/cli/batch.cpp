@@ -135,6 +135,14 @@ struct BatchCommand {
   void write_slurm(Batch batch) const {
     std::error_code error;
     const fs::path target = fs::absolute(folder).lexically_normal();
+    const fs::path queue = target / kQueueFile;
+    SlurmJob job{.program = fs::read_symlink("/proc/self/exe", error).string(),
+                 .arguments = {queue.string()},
+                 .folder = target.string(),
+                 .shards = slurm_tasks};
+    if (jobs > 0) job.processors = jobs;
+    if (overwrite) job.arguments.emplace_back("--overwrite");
+    const std::string script = slurm_script(job);
     fs::create_directories(target, error);
     if (error) throw WriteError(folder + ": cannot be made: " + error.message());
     for (std::size_t i = 0; i < batch.items.size(); ++i) {
@@ -144,15 +152,8 @@ struct BatchCommand {
         item.skeleton = fs::absolute(item.skeleton).lexically_normal().string();
       batch.items.replace(i, item);
     }
-    const fs::path queue = target / kQueueFile;
     write_text(queue, queue_text(batch));
-    SlurmJob job{.program = fs::read_symlink("/proc/self/exe", error).string(),
-                 .arguments = {queue.string()},
-                 .folder = target.string(),
-                 .shards = slurm_tasks};
-    if (jobs > 0) job.processors = jobs;
-    if (overwrite) job.arguments.emplace_back("--overwrite");
-    write_text(slurm_file, slurm_script(job));
+    write_text(slurm_file, script);
     std::fprintf(stderr, "%zu clips in %d tasks: sbatch %s\n", batch.items.size(), slurm_tasks,
                  slurm_file.c_str());
   }

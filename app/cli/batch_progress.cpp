@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/cli/motion_input.h"
 #include "core/batch/preset_json.h"
 
 #include <nlohmann/json.hpp>
@@ -100,13 +101,14 @@ void BatchReporter::print_row(const BatchProgress& progress) {
 
 void BatchReporter::end(const BatchOutcome& outcome, const std::filesystem::path& report) const {
   const BatchCounts& counts = outcome.counts;
+  line_.clear();
+  print_warnings(outcome.warnings);
   if (json_) {
     print_line({{"event", outcome.complete ? "end" : "stopped"},
                 {"batch", counts_json(counts, line_.elapsed_seconds())},
                 {"report", outcome.complete ? Json(report.string()) : Json()}});
     return;
   }
-  line_.clear();
   std::fprintf(stderr, "%zu of %zu clips done", counts.done - counts.failed, counts.clips);
   if (counts.kept > 0) std::fprintf(stderr, ", %zu of them before", counts.kept);
   if (counts.failed > 0) std::fprintf(stderr, "; %zu failed", counts.failed);

@@ -2,11 +2,26 @@
 // Based on: the Slurm manual, sbatch(1): job arrays, --open-mode, --requeue, --dependency.
 #include "core/batch/slurm_script.h"
 
+#include <algorithm>
+
+#include "core/base/error.h"
+
 namespace mocapress {
 namespace {
 
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
+
+[[noreturn]] void refuse(std::string word, const std::string& why) {
+  std::replace_if(word.begin(), word.end(), &is_control, '?');
+  throw WriteError("a script for sbatch cannot name " + word + ": it has " + why + " in it");
+}
+
 /// As one word of a shell.
 std::string quoted(const std::string& word) {
+  if (std::any_of(word.begin(), word.end(), &is_control))
+    refuse(word, "a line break or another control character");
   constexpr const char* kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=,:+";
   if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) return word;
@@ -15,11 +30,15 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// Slurm replaces %A and the like in the names of logs; a doubled % is one. An #SBATCH line is
-/// split at blanks but where quoted.
+/// Slurm replaces %A and the like in the names of logs; a doubled % is one. It replaces none where
+/// there is a backslash. An #SBATCH line is split at blanks but where quoted.
 std::string log_name(const std::string& folder, const std::string& name) {
+  if (folder.find('\\') != folder.npos) refuse(folder, "a backslash");
   std::string path;
-  for (const char c : folder) path.append(c == '%' ? 2 : 1, c);
+  for (const char c : folder) {
+    if (c == '"') path += '\\';
+    path.append(c == '%' ? 2 : 1, c);
+  }
   return "\"" + path + "/" + name + "\"";
 }
 

@@ -16,7 +16,8 @@ struct SlurmJob {
 };
 
 /// A script for sbatch: an array of one task a shard, each of which may be requeued and then goes
-/// on where it was, and a job that merges their reports when all have ended.
+/// on where it was, and a job that merges their reports when all have ended. Throws WriteError
+/// where a name cannot be quoted: one with control characters, or a folder with a backslash.
 std::string slurm_script(const SlurmJob& job);
 
 }  // namespace mocapress

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -40,17 +41,34 @@ class Running {
     posix_spawn_file_actions_destroy(&files);
   }
 
-  void send(int signal) const { kill(pid_, signal); }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+  ~Running() {
+    send(SIGKILL);
+    wait();
+  }
 
-  /// The exit code, or the number of the signal that ended it, negative.
-  int wait() const {
-    int status = 0;
-    waitpid(pid_, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  void send(int signal) {
+    if (!ended()) kill(pid_, signal);
+  }
+
+  bool ended() {
+    if (!status_) {
+      int status = 0;
+      if (waitpid(pid_, &status, WNOHANG) == pid_) status_ = status;
+    }
+    return status_.has_value();
+  }
+
+  /// The exit code, or the number of the signal that ended it, negative. Unset: it does not end.
+  std::optional<int> wait() {
+    if (!comes_true([this] { return ended(); })) return std::nullopt;
+    return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : -WTERMSIG(*status_);
   }
 
  private:
   pid_t pid_ = -1;
+  std::optional<int> status_;
 };
 
 class CliBatch : public CommandLine {
@@ -109,9 +127,9 @@ TEST_F(CliBatch, KilledAnywhereAndResumedIsTheSameBytesAsUndisturbed) {
   ASSERT_EQ(mocapress(batch("whole", {"--max-error", "0.3"})).exit_code, 0);
   const auto undisturbed = contents("whole");
   int kills = 0;
-  int code = 0;
+  std::optional<int> code;
   for (int run = 0; run < 60; ++run) {
-    const Running running(
+    Running running(
         [&] {
           auto words = batch("killed", {"--max-error", "0.3", "--resume", "--json-progress"});
           words.insert(words.begin(), MOCAPRESS_EXECUTABLE);
@@ -120,7 +138,8 @@ TEST_F(CliBatch, KilledAnywhereAndResumedIsTheSameBytesAsUndisturbed) {
         file("progress"));
     if (kills < 6) {
       // As soon as it has done something more, and at another moment of that each time.
-      while (fs::file_size(file("progress")) < 600) std::this_thread::yield();
+      ASSERT_TRUE(
+          comes_true([&] { return fs::file_size(file("progress")) >= 600 || running.ended(); }));
       std::this_thread::sleep_for(std::chrono::milliseconds(7 * kills));
       running.send(SIGKILL);
     }
@@ -137,9 +156,9 @@ TEST_F(CliBatch, AskedToTerminateLeavesWhatCanBeResumed) {
   write_clips(12);
   auto words = batch("out", {"--max-error", "0.1", "--jobs", "1", "--json-progress"});
   words.insert(words.begin(), MOCAPRESS_EXECUTABLE);
-  const Running running(words, file("progress"));
-  while (!(read_text(file("progress")).find("clip-done") != std::string::npos))
-    std::this_thread::yield();
+  Running running(words, file("progress"));
+  ASSERT_TRUE(comes_true(
+      [&] { return read_text(file("progress")).find("clip-done") != std::string::npos; }));
   running.send(SIGTERM);
   EXPECT_EQ(running.wait(), 128 + SIGTERM);
   EXPECT_EQ(lines(read_text(file("progress"))).back()["event"], "stopped");

@@ -4,9 +4,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
+#include <thread>
 
 #include "core/base/file.h"
 
@@ -76,6 +79,19 @@ Outcome run_program(const std::vector<std::string>& words) {
                   read_text(folder / "err")};
   fs::remove_all(folder);
   return outcome;
+}
+
+bool comes_true(const std::function<bool()>& condition) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  while (!condition()) {
+    const Clock::duration passed = Clock::now() - begin;
+    if (passed > std::chrono::minutes(3)) return false;
+    // Often at first, and no burden later.
+    std::this_thread::sleep_for(std::clamp<Clock::duration>(
+        passed / 10, std::chrono::milliseconds(1), std::chrono::milliseconds(100)));
+  }
+  return true;
 }
 
 CommandLine::CommandLine() : folder_(new_folder()) {}

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct Outcome {
 
 /// Runs a program found like the shell does, words as they are.
 Outcome run_program(const std::vector<std::string>& words);
+
+/// Waits for what another process does, for as long as a slow machine may take.
+bool comes_true(const std::function<bool()>& condition);
 
 /// Tests of the `mocapress` executable, each in a folder of its own that is removed at the end.
 class CommandLine : public testing::Test {

@@ -3,10 +3,7 @@
 // (Debian: slurmctld slurmd slurm-client munge).
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <cstdlib>
-#include <functional>
-#include <thread>
 
 #include "core/base/file.h"
 #include "tests/system/command.h"
@@ -33,15 +30,6 @@ class Slurm : public CommandLine {
 
   fs::path node() const { return file("node"); }
   fs::path out() const { return file("out"); }
-
-  /// Looks now and then, for as long as a slow machine may take.
-  static bool comes_true(const std::function<bool()>& condition) {
-    for (int tries = 0; tries < 1200; ++tries) {
-      if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
-    return false;
-  }
 
   static bool queue_is_empty() { return run_program({"squeue", "--noheader"}).out.empty(); }
 

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// What every command leaves behind where it cannot write, and what it leaves alone.
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include "core/base/file.h"
+#include "tests/system/command.h"
+#include "tests/system/sample_clips.h"
+
+namespace mocapress::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::HasSubstr;
+
+class CliWriting : public CommandLine {
+ protected:
+  /// Where no file may become larger than 2 kB, as on a disk that fills up.
+  static Outcome cramped(const std::vector<std::string>& arguments) {
+    std::vector<std::string> words = {"sh", "-c", "trap '' XFSZ; ulimit -f 4; exec \"$@\"", "sh",
+                                      MOCAPRESS_EXECUTABLE};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return run_program(words);
+  }
+
+  /// Everything below a folder.
+  std::vector<std::string> names(const std::string& folder) const {
+    std::vector<std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(file(folder)))
+      all.push_back(entry.path().lexically_relative(file(folder)));
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+};
+
+TEST_F(CliWriting, AFileThatDoesNotFitIsFiveAndTheOldOneIsLeft) {
+  fs::create_directories(file("out"));
+  const std::string clip = write("walk.bvh", test_bvh());
+  ASSERT_EQ(mocapress({"compress", clip, "-o", file("walk.mcpr")}).exit_code, 0);
+  for (const char* name : {"out/a.mcpr", "out/a.bvh", "out/a.csv"}) write(name, "old");
+  for (const auto& [command, source, name] : {std::tuple("compress", "walk.bvh", "out/a.mcpr"),
+                                              std::tuple("decompress", "walk.mcpr", "out/a.bvh"),
+                                              std::tuple("decompress", "walk.mcpr", "out/a.csv")}) {
+    std::vector<std::string> words = {command, file(source), "-o", file(name)};
+    if (command == std::string("compress")) words.insert(words.end(), {"--target-error", "0.001"});
+    const Outcome outcome = cramped(words);
+    EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(name + std::string(": cannot be written: File too large")));
+    EXPECT_EQ(read_text(file(name)), "old");
+  }
+  EXPECT_EQ(names("out").size(), 3u);
+}
+
+TEST_F(CliWriting, ABatchThatDoesNotFitLeavesNoHalfFiles) {
+  write_sample_clips(file("in"), 2);
+  const Outcome outcome =
+      cramped({"batch", file("in"), "-o", file("out"), "--format", "bvh", "--jobs", "1"});
+  EXPECT_TRUE(outcome.exit_code == 5 || outcome.exit_code == 7) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("File too large"));
+  EXPECT_THAT(names("out"),
+              testing::Each(testing::AnyOf("in", "batch.jsonl", "report.csv", "report.json")));
+  const Outcome resumed =
+      mocapress({"batch", file("in"), "-o", file("out"), "--format", "bvh", "--resume"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_THAT(names("out"), Contains("in/clip_100.bvh"));
+}
+
+TEST_F(CliWriting, AStudyThatDoesNotFitKeepsTheOldReport) {
+  write_sample_clips(file("in"), 1);
+  fs::create_directories(file("out"));
+  write("out/report.html", "old");
+  const std::vector<std::string> study = {"study",     file("in"), "-o",       file("out"),
+                                          "--methods", "standard", "--ratios", "10"};
+  const Outcome outcome = cramped(study);
+  EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
+  EXPECT_EQ(read_text(file("out/report.html")), "old");
+  EXPECT_EQ(mocapress(study).exit_code, 0);
+  EXPECT_NE(read_text(file("out/report.html")), "old");
+  EXPECT_THAT(names("out"),
+              testing::ElementsAre("report.html", "rows.csv", "rows.json", "rows.jsonl"));
+}
+
+TEST_F(CliWriting, WhatTheUserHasBesideIsLeftAlone) {
+  const std::string clip = write("walk.bvh", test_bvh());
+  write("walk.mcpr.part", "the user's own");
+  write("victim", "precious");
+  fs::create_symlink("victim", file("other.mcpr.part"));
+  for (const char* name : {"walk.mcpr", "other.mcpr"})
+    EXPECT_EQ(mocapress({"compress", clip, "-o", file(name)}).exit_code, 0);
+  EXPECT_EQ(read_text(file("walk.mcpr.part")), "the user's own");
+  EXPECT_EQ(read_text(file("victim")), "precious");
+  EXPECT_EQ(names(".").size(), 6u);
+}
+
+TEST_F(CliWriting, ALinkStaysAndWhatItPointsToIsWritten) {
+  const std::string clip = write("walk.bvh", test_bvh());
+  fs::create_directories(file("store"));
+  fs::create_symlink("store/walk.mcpr", file("walk.mcpr"));
+  ASSERT_EQ(mocapress({"compress", clip, "-o", file("walk.mcpr")}).exit_code, 0);
+  EXPECT_TRUE(fs::is_symlink(file("walk.mcpr")));
+  EXPECT_EQ(mocapress({"info", file("store/walk.mcpr")}).exit_code, 0);
+}
+
+TEST_F(CliWriting, APipeIsNotReplaced) {
+  const std::string clip = write("walk.bvh", test_bvh());
+  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+  const Outcome outcome = mocapress({"compress", clip, "-o", file("pipe")});
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("pipe: cannot be written: is not a regular file"));
+  EXPECT_TRUE(fs::is_fifo(file("pipe")));
+}
+
+TEST_F(CliWriting, ASlurmScriptThatCannotNameItsFolderIsRefusedBeforeAnythingIsWritten) {
+  write_sample_clips(file("in"), 1);
+  const Outcome outcome =
+      mocapress({"batch", file("in"), "-o", file("two\nlines"), "--write-slurm", file("job.sh")});
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_THAT(outcome.err, testing::ContainsRegex("two.lines.*: it has a line break"));
+  EXPECT_FALSE(fs::exists(file("job.sh")));
+  EXPECT_FALSE(fs::exists(file("two\nlines")));
+}
+
+}  // namespace
+}  // namespace mocapress::test
