@@ -455,6 +455,10 @@
         <translation>%1 écrit : soumettez-le avec sbatch.</translation>
     </message>
     <message>
+        <source>The queue could not be kept: %1</source>
+        <translation>La file d&apos;attente n&apos;a pu être gardée : %1</translation>
+    </message>
+    <message>
         <source>Clips can be added when the batch has ended.</source>
         <translation>Des séquences peuvent être ajoutées quand le lot est terminé.</translation>
     </message>

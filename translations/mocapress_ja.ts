@@ -455,6 +455,10 @@
         <translation>%1 を書き出しました: sbatch で投入してください。</translation>
     </message>
     <message>
+        <source>The queue could not be kept: %1</source>
+        <translation>キューを保存できませんでした: %1</translation>
+    </message>
+    <message>
         <source>Clips can be added when the batch has ended.</source>
         <translation>クリップの追加は、一括処理が終わってからできます。</translation>
     </message>

@@ -7,10 +7,10 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 #include <QStandardPaths>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/batch/preset_json.h"
 
 namespace mocapress {
@@ -48,6 +48,16 @@ BatchSettings settingsFrom(const QJsonObject& json) {
   return settings;
 }
 
+/// What cannot be taken over now stays for another time.
+void takeOver(const QString& old, const QString& file) {
+  try {
+    QDir().mkpath(QFileInfo(file).absolutePath());
+    write_text(file.toStdU16String(), read_text(old.toStdU16String()));
+    QFile::remove(old);
+  } catch (const Error&) {
+  }
+}
+
 }  // namespace
 
 RememberedBatch rememberedBatch(const QString& file) {
@@ -83,15 +93,17 @@ void rememberBatch(const QString& file, const RememberedBatch& batch) {
                          {QStringLiteral("common"), toJson(batch.common)},
                          {QStringLiteral("clips"), clips}};
   QDir().mkpath(QFileInfo(file).absolutePath());
-  QSaveFile stored(file);
-  if (!stored.open(QIODevice::WriteOnly)) return;
-  stored.write(QJsonDocument(json).toJson());
-  stored.commit();
+  write_text(file.toStdU16String(), QJsonDocument(json).toJson().toStdString());
 }
 
 QString batchMemory() {
-  return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) +
-         QStringLiteral("/batch.json");
+  const auto file_in = [](QStandardPaths::StandardLocation location) {
+    return QDir(QStandardPaths::writableLocation(location)).filePath(QStringLiteral("batch.json"));
+  };
+  const QString file = file_in(QStandardPaths::AppDataLocation);
+  const QString once = file_in(QStandardPaths::CacheLocation);  // until November 2026
+  if (QFile::exists(once) && !QFile::exists(file)) takeOver(once, file);
+  return file;
 }
 
 }  // namespace mocapress

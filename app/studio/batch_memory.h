@@ -19,9 +19,12 @@ struct RememberedBatch {
 
 /// The usual one where there is none, or none that can be read.
 RememberedBatch rememberedBatch(const QString& file);
+
+/// Throws WriteError.
 void rememberBatch(const QString& file, const RememberedBatch& batch);
 
-/// Where the queue is remembered unless told otherwise.
+/// Where the queue is remembered unless told otherwise: with the user's data. A queue that is still
+/// in the cache, where it was before, is moved there.
 QString batchMemory();
 
 }  // namespace mocapress

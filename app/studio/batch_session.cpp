@@ -85,7 +85,11 @@ BatchSession::~BatchSession() {
 }
 
 void BatchSession::remember() {
-  rememberBatch(memory_, {settings_, queue_.common(), queue_.clips()});
+  try {
+    rememberBatch(memory_, {settings_, queue_.common(), queue_.clips()});
+  } catch (const Error& error) {
+    emit noted(tr("The queue could not be kept: %1").arg(QString::fromStdString(error.what())));
+  }
 }
 
 void BatchSession::apply(const BatchSettings& settings) {
@@ -255,6 +259,8 @@ void BatchSession::advance(const BatchCounts& counts, const std::vector<BatchSte
 void BatchSession::end(const BatchOutcome& outcome) {
   counts_ = outcome.counts;
   queue_.stopWorking();
+  for (const Warning& warning : outcome.warnings)
+    emit noted(QString::fromStdString(warning.text()));
   setState(outcome.complete ? State::Complete : State::Stopped);
 }
 
@@ -291,9 +297,7 @@ QString BatchSession::report() const {
 
 void BatchSession::writeSlurm(const QString& path, int tasks) {
   try {
-    QDir().mkpath(settings_.folder);
     const QString queue = QDir(settings_.folder).filePath(QStringLiteral("queue.json"));
-    write_text(pathOf(queue), queue_text(batch()));
     const QString beside =
         QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("mocapress"));
     SlurmJob job{
@@ -302,7 +306,10 @@ void BatchSession::writeSlurm(const QString& path, int tasks) {
         .folder = settings_.folder.toStdString(),
         .shards = tasks};
     if (settings_.overwrite) job.arguments.emplace_back("--overwrite");
-    write_text(pathOf(path), slurm_script(job));
+    const std::string script = slurm_script(job);
+    QDir().mkpath(settings_.folder);
+    write_text(pathOf(queue), queue_text(batch()));
+    write_text(pathOf(path), script);
     emit noted(tr("Wrote %1: submit it with sbatch.").arg(QDir::toNativeSeparators(path)));
   } catch (const Error& error) {
     emit noted(QString::fromStdString(error.what()));

@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QPointer>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QUndoStack>
 #include <algorithm>
@@ -176,11 +175,11 @@ bool PresetShelf::setAside() {
 void PresetShelf::write() {
   if (!setAside()) return;
   QDir().mkpath(QFileInfo(file_).absolutePath());
-  QSaveFile file(file_);
-  const QByteArray text =
-      own_.empty() ? QByteArray("[]\n") : QByteArray::fromStdString(presets_text(own_));
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-    emit noted(tr("Presets could not be kept: %1").arg(file.errorString()));
+  try {
+    write_text(pathOf(file_), own_.empty() ? std::string("[]\n") : presets_text(own_));
+  } catch (const Error& error) {
+    emit noted(tr("Presets could not be kept: %1").arg(QString::fromStdString(error.what())));
+  }
 }
 
 }  // namespace mocapress

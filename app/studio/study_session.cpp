@@ -44,6 +44,8 @@ StudySession::StudySession(const QString& cache, QObject* parent)
           [this](const QString& message) { setState(State::Failed, message); });
   connect(&runner_, &StudyRunner::ended, this, [this](const StudyOutcome& outcome) {
     rows_ = outcome.rows;
+    for (const Warning& warning : outcome.warnings)
+      emit noted(QString::fromStdString(warning.text()));
     setState(outcome.complete ? State::Complete : State::Cancelled);
   });
   connect(&exporting_, &JobRunner::busyChanged, this, &StudySession::exportingChanged);

@@ -80,6 +80,9 @@ class StudySession : public QObject {
   /// Clips that could not be added.
   void addFailed(const QString& message);
 
+  /// Worth telling, and no more than that.
+  void noted(const QString& message);
+
   void exportingChanged(bool exporting);
   void exported(const QString& path);
   void exportFailed(const QString& message);

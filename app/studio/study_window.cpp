@@ -85,6 +85,7 @@ void StudyWindow::connectSession() {
   connect(session_, &StudySession::progressed, this, &StudyWindow::showProgress);
   connect(session_, &StudySession::exportingChanged, this, &StudyWindow::showProgress);
   connect(session_, &StudySession::addFailed, note_, &QLabel::setText);
+  connect(session_, &StudySession::noted, note_, &QLabel::setText);
   connect(session_, &StudySession::exportFailed, note_, &QLabel::setText);
   connect(session_, &StudySession::exported, note_, [this](const QString& path) {
     note_->setText(tr("Wrote %1.").arg(QDir::toNativeSeparators(path)));

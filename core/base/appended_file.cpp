@@ -77,7 +77,7 @@ void AppendedFile::take_lock(int file) {
     if (errno == EWOULDBLOCK) throw WriteError(path_.string() + ": another run is at work on it");
     warning_ = Warning{path_.string(), 0,
                        std::string("cannot be locked (") + std::strerror(errno) +
-                           "): no other run may be at work on it"};
+                           "): make sure that no other run is at work on it"};
     return;
   }
 }

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QSignalSpy>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -117,10 +120,15 @@ TEST_F(BatchInTheStudio, PausedItStaysWhereItIsUntilItGoesOn) {
   session_.start();
   session_.pause();
   EXPECT_EQ(session_.state(), State::Paused);
-  QTest::qWait(150);
-  const std::size_t done = session_.counts().done;
-  QTest::qWait(150);
-  EXPECT_EQ(session_.counts().done, done);
+  // By the time another one has done the same, this one would have too.
+  BatchSession other(path("other.json"), &presets_);
+  other.queue()->setCommon(session_.queue()->common());
+  other.queue()->add(session_.queue()->clips());
+  other.setSettings({.folder = path("other")});
+  other.start();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !other.running(); }, kPatience));
+  EXPECT_EQ(other.counts().done, 4u);
+  EXPECT_LT(session_.counts().done, 4u);
   EXPECT_EQ(session_.state(), State::Paused);
   session_.goOn();
   ASSERT_TRUE(waitForEnd());
@@ -159,7 +167,11 @@ TEST_F(BatchInTheStudio, GoesAwayWhilePausedWithoutWaitingForEver) {
   other->start();
   other->pause();
   other.reset();
-  SUCCEED();
+  BatchSession later(path("other.json"), &presets_);
+  later.start();  // the batch's folder was let go
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !later.running(); }, kPatience));
+  EXPECT_EQ(later.state(), State::Complete);
+  EXPECT_EQ(later.queue()->count(Clip::Done), 2);
 }
 
 TEST_F(BatchInTheStudio, TheQueueOutlivesTheProgram) {
@@ -174,6 +186,48 @@ TEST_F(BatchInTheStudio, TheQueueOutlivesTheProgram) {
   EXPECT_EQ(later.settings(), session_.settings());
   EXPECT_EQ(later.queue()->count(Clip::Waiting), 3);
   ASSERT_TRUE(waitForEnd());
+}
+
+TEST_F(BatchInTheStudio, AQueueThatCannotBeKeptIsSaid) {
+  QFile::remove(path("memory.json"));
+  QDir().mkpath(path("memory.json"));  // a folder where the file should be
+  QSignalSpy noted(&session_, &BatchSession::noted);
+  addClips(1);
+  session_.start();
+  ASSERT_GE(noted.count(), 1);
+  EXPECT_TRUE(noted[0][0].toString().contains(path("memory.json")));
+  ASSERT_TRUE(waitForEnd());
+}
+
+TEST_F(BatchInTheStudio, AQueueIsKeptWithTheDataAndOneInTheCacheIsTakenOver) {
+  const auto file_in = [](QStandardPaths::StandardLocation location) {
+    return QStandardPaths::writableLocation(location) + QStringLiteral("/batch.json");
+  };
+  const QString old = file_in(QStandardPaths::CacheLocation);
+  const QString file = file_in(QStandardPaths::AppDataLocation);
+  ASSERT_NE(old, file);
+  QDir().mkpath(QFileInfo(old).path());
+  write_text(old.toStdString(), "the queue of before");
+  QFile::remove(file);
+  EXPECT_EQ(batchMemory(), file);
+  EXPECT_FALSE(QFileInfo::exists(old));
+  EXPECT_EQ(read_text(file.toStdString()), "the queue of before");
+  write_text(old.toStdString(), "an older program's");
+  EXPECT_EQ(batchMemory(), file);
+  EXPECT_EQ(read_text(file.toStdString()), "the queue of before");
+  QFile::remove(old);
+  QFile::remove(file);
+}
+
+TEST_F(BatchInTheStudio, AFolderThatSlurmCannotNameIsRefusedAndNothingIsWritten) {
+  addClips(1);
+  session_.setSettings({.folder = path("two\nlines")});
+  QSignalSpy noted(&session_, &BatchSession::noted);
+  session_.writeSlurm(path("job.sh"), 5);
+  ASSERT_EQ(noted.count(), 1);
+  EXPECT_TRUE(noted[0][0].toString().contains(QStringLiteral("line break")));
+  EXPECT_FALSE(QFileInfo::exists(path("job.sh")));
+  EXPECT_FALSE(QFileInfo::exists(path("two\nlines")));
 }
 
 TEST_F(BatchInTheStudio, AMemoryThatCannotBeReadIsAnEmptyQueue) {

@@ -80,7 +80,7 @@ TEST_F(Files, DiscardLeavesAndCancelStays) {
   EXPECT_FALSE(left);
   answer(QMessageBox::Cancel);
   EXPECT_FALSE(left);
-  QTest::qWait(10);  // the closed question is deleted
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.findChild<QMessageBox*>(); }, kPatience));
   files_.leave([&] { left = true; });
   answer(QMessageBox::Discard);
   EXPECT_TRUE(left);

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   const QTemporaryDir settings;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   qputenv("XDG_CACHE_HOME", settings.path().toUtf8());
-  qputenv("XDG_DATA_HOME", settings.path().toUtf8());
+  qputenv("XDG_DATA_HOME", settings.filePath(QStringLiteral("data")).toUtf8());
   QApplication application(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("mocapress-tests"));
   QCoreApplication::setApplicationName(QStringLiteral("Mocapress"));

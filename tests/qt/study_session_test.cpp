@@ -210,8 +210,14 @@ TEST_F(StudyInTheStudio, CanBeDroppedInTheMiddleOfARun) {
     StudySession brief(path("brief"));
     brief.setSettings(long_one);
     brief.run();
-    QTest::qWait(wait_ms);
+    QTest::qWait(wait_ms);  // wherever it is by then
   }
+  StudySession later(path("brief"));  // its rows were let go, and are whole
+  later.setSettings(settings({writeClip("two.bvh", 120)}));
+  later.run();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !later.running(); }, kPatience));
+  EXPECT_EQ(later.state(), State::Complete) << later.failure().toStdString();
+  EXPECT_EQ(later.rows().size(), 4u);
 }
 
 TEST(StudyMemory, RemembersAllButTheClips) {
