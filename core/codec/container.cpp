@@ -11,16 +11,17 @@
 #include "core/base/byte_cursor.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/codec/room.h"
 #include "core/codec/skeleton_section.h"
+#include "core/decoder/format_limits.h"
 
 namespace mocapress {
 namespace {
 
 constexpr std::string_view kMagic = "MCPR";
 constexpr std::uint16_t kVersion = 1;
-constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 26;
-constexpr std::uint64_t kMostWithoutBytes = std::uint64_t{1} << 22;
-constexpr std::uint64_t kMostSamplesOfByte = std::uint64_t{1} << 15;
+constexpr std::size_t kSectionHead = 12;  // tag, size, checksum
+constexpr std::size_t kSections = 6;      // where the file has their number
 
 std::span<const std::byte> bytes_of(std::string_view text) {
   return std::as_bytes(std::span(text));
@@ -79,9 +80,7 @@ void read_description(std::span<const std::byte> payload, std::size_t offset,
   if (!std::isfinite(clip.sample_rate_hz) || clip.sample_rate_hz <= 0)
     reader.fail("the sample rate is no positive number");
   const auto frames = reader.read<std::uint32_t>();
-  const auto channels = static_cast<std::uint64_t>(clip.skeleton.channel_count());
-  if (frames > kMostSamples || frames * channels > kMostSamples)
-    reader.fail("more than 2^26 samples");
+  if (frames > decoder::kMostFrames) reader.fail("more than 2^22 frames");
   clip.frames = static_cast<int>(frames);
   clip.basis = read_enum(reader, Basis::Haar, Basis::Cubic, "basis");
   const auto coding = read_enum(reader, kNoCoding, Coding::Adaptive, "coding");
@@ -235,14 +234,24 @@ class SectionReader {
   int left_;
 };
 
-/// What is decoded, and the time that takes, grows with the file: FORMAT.md, CLIP.
-bool has_room(const CompressedClip& clip) {
+/// Those of all segments. A clip without signals counts as one signal.
+std::uint64_t sample_count(const CompressedClip& clip) {
   const int signals =
       clip.skeleton.channel_count() + (clip.correction ? clip.correction->signal_count() : 0);
-  const auto samples = static_cast<std::uint64_t>(clip.segment_layout().coded_frames()) *
-                       static_cast<std::uint64_t>(std::max(signals, 1));
-  return samples <=
-         kMostWithoutBytes + kMostSamplesOfByte * static_cast<std::uint64_t>(clip.motion.size());
+  return static_cast<std::uint64_t>(clip.segment_layout().coded_frames()) *
+         static_cast<std::uint64_t>(std::max(signals, 1));
+}
+
+/// Makes a file as long as its samples ask for: FORMAT.md, Limits.
+std::vector<std::byte> with_room(ByteWriter file, std::uint64_t samples) {
+  const std::size_t size = file.bytes().size();
+  if (samples <= decoder::most_values_of(size)) return file.release();
+  std::size_t zeros = 0;
+  while (samples > decoder::most_values_of(size + kSectionHead + zeros)) ++zeros;
+  write_section(file, "room", std::vector<std::byte>(zeros));
+  std::vector<std::byte> bytes = file.release();
+  bytes[kSections] = static_cast<std::byte>(std::to_integer<int>(bytes[kSections]) + 1);
+  return bytes;
 }
 
 }  // namespace
@@ -253,7 +262,8 @@ std::vector<std::byte> write_container(const CompressedClip& clip) {
 
 std::vector<std::byte> write_container(const Container& container) {
   const CompressedClip& clip = container.clip;
-  if (!has_room(clip)) throw Error("a clip of so many frames that hardly moves has no file");
+  check_room({clip.skeleton, clip.sample_rate_hz, clip.segment_layout(),
+              clip.correction ? static_cast<int>(clip.correction->effectors.size()) : 0});
   ByteWriter file;
   file.append(bytes_of(kMagic));
   file.write(kVersion);
@@ -266,7 +276,7 @@ std::vector<std::byte> write_container(const Container& container) {
   if (clip.segments) write_section(file, "SEGS", write_segments(*clip.segments));
   write_section(file, motion_tag(container), clip.motion);
   if (clip.correction) write_section(file, "IKCO", write_correction(*clip.correction));
-  return file.release();
+  return with_room(std::move(file), sample_count(clip));
 }
 
 namespace {
@@ -307,7 +317,10 @@ Container read(std::span<const std::byte> bytes, bool wavelets_only) {
     clip.correction =
         read_correction(correction->payload, correction->payload_offset, clip.skeleton);
   file.expect_end();
-  if (!has_room(clip))
+  const std::uint64_t samples = sample_count(clip);
+  if (samples > decoder::kMostValues)
+    throw FormatError(description.payload_offset + 8, "more than 2^26 values");
+  if (samples > decoder::most_values_of(bytes.size()))
     throw FormatError(motion.payload_offset, "more samples than so few bytes may stand for");
   return container;
 }

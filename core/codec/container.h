@@ -9,8 +9,7 @@
 
 namespace mocapress {
 
-/// Throws Error for more samples than the bytes may stand for, as a clip has that stands still for
-/// a quarter of an hour.
+/// Throws Error where no file can hold the clip: check_room().
 std::vector<std::byte> write_container(const CompressedClip& clip);
 
 /// Throws FormatError on anything but a whole, intact file of a known version, whose motion is

@@ -8,6 +8,7 @@
 #include "core/codec/clip_analysis.h"
 #include "core/codec/decoder.h"
 #include "core/codec/original.h"
+#include "core/codec/room.h"
 #include "core/codec/targeted_encode.h"
 #include "core/ik/knee.h"
 
@@ -74,6 +75,19 @@ class Outcome {
   Clip decoded_;
 };
 
+/// The clip that these options lead to.
+ClipShape shape_for(const Motion& motion, const EncodeOptions& options) {
+  const int frames = motion.clip.frames();
+  ClipShape shape{motion.skeleton, motion.clip.sample_rate_hz,
+                  options.method == Method::ClosedLoop ? even_segments(frames, options.segments)
+                                                       : SegmentLayout::whole(frames)};
+  if (options.correction)
+    shape.effectors =
+        static_cast<int>(options.correction->joints.empty() ? find_feet(motion.skeleton).size()
+                                                            : options.correction->joints.size());
+  return shape;
+}
+
 }  // namespace
 
 std::string_view name(Effort effort) {
@@ -111,6 +125,7 @@ Encoding Encoder::encode(const EncodeOptions& options,
   const auto start = std::chrono::steady_clock::now();
   EncodeOptions effective = options;
   effective.coding = effective_coding(options);
+  check_room(shape_for(motion(), effective));
   TargetedEncoding found = encode_to_target(*analysis_, effective, observer);
 
   Encoding encoding;

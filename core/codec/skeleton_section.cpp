@@ -9,13 +9,15 @@
 #include "core/base/own_memory.h"
 #include "core/codec/deflate.h"
 #include "core/codec/range_coder.h"
+#include "core/decoder/format_limits.h"
 #include "core/decoder/joint_bytes.h"
 
 namespace mocapress {
 namespace {
 
-constexpr int kMostJoints = 4096;
-constexpr std::size_t kMostBytes = std::size_t{4} << 20;  // inflated
+using decoder::kMostBytesOfJoint;
+using decoder::kMostDepth;
+using decoder::kMostJoints;
 
 enum JointFlags : std::uint8_t { kHasAxes = 1, kHasEndSite = 2 };
 
@@ -88,7 +90,13 @@ std::vector<std::byte> joint_bytes(const Skeleton& skeleton) {
 Skeleton read_joints(ByteReader& reader, int joints) {
   if (joints == 0 || joints > kMostJoints) reader.fail("between 1 and 4096 joints are allowed");
   Skeleton skeleton;
-  for (int j = 0; j < joints; ++j) skeleton.add(read_joint(reader, j));
+  std::vector<int> depths;  // of each joint, 1 at a root
+  for (int j = 0; j < joints; ++j) {
+    Joint joint = read_joint(reader, j);
+    depths.push_back(joint.parent < 0 ? 1 : depths[static_cast<std::size_t>(joint.parent)] + 1);
+    if (depths.back() > kMostDepth) reader.fail("joints are nested deeper than 1000");
+    skeleton.add(std::move(joint));
+  }
   reader.expect_end();
   return skeleton;
 }
@@ -113,7 +121,8 @@ std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
 }
 
 Skeleton decode_skeleton(std::span<const std::byte> payload) {
-  const auto bytes = inflate_bytes(payload, kMostBytes);
+  const auto bytes =
+      inflate_bytes(payload, sizeof(std::uint16_t) + kMostBytesOfJoint * kMostJoints);
   ByteReader reader(bytes);
   const auto joints = reader.read<std::uint16_t>();
   return read_joints(reader, joints);
@@ -137,7 +146,9 @@ Skeleton decode_joints(std::span<const std::byte> payload, std::size_t offset) {
   const auto size = head.read<std::uint32_t>();
   const int joints = head.read<std::uint16_t>();
   const int channels = head.read<std::uint16_t>();
-  if (size > kMostBytes) head.fail("a skeleton of more than 4 MiB");
+  if (joints == 0 || joints > kMostJoints) head.fail("between 1 and 4096 joints are allowed");
+  if (size > kMostBytesOfJoint * static_cast<std::size_t>(joints))
+    head.fail("more bytes than so many joints can have");
   std::vector<std::byte> bytes(size);
   const std::span<const std::byte> coded = head.take(head.remaining());
   decoder::RangeDecoder bits(reinterpret_cast<const std::uint8_t*>(coded.data()), coded.size());

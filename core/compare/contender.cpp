@@ -14,6 +14,7 @@
 #include "core/codec/container.h"
 #include "core/codec/count_search.h"
 #include "core/codec/goal.h"
+#include "core/codec/room.h"
 #include "core/compare/compared_file.h"
 
 namespace mocapress {
@@ -221,6 +222,8 @@ Compression ContenderEncoder::compress(const Contender& contender, const EncodeO
 
   const auto start = std::chrono::steady_clock::now();
   const Motion& motion = parts_->wavelets.motion();
+  check_room(
+      {motion.skeleton, motion.clip.sample_rate_hz, SegmentLayout::whole(motion.clip.frames())});
   const Eigen::MatrixXd& tracks = parts_->wavelets.original_tracks();
   const DetailSearch search(Original(motion, [&]() -> const Eigen::MatrixXd& { return tracks; }),
                             *method, parts_->coder(*method, options.weighting), options);

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "cursor.h"
+#include "format_limits.h"
 
 namespace mocapress::decoder {
 namespace {
@@ -61,6 +62,7 @@ class SectionsReader {
       : limits_(limits), sections_(sections) {}
 
   mcpr_result read(Cursor file) {
+    file_bytes_ = file.left();
     const std::uint8_t* const magic = file.take(4);
     if (magic == nullptr || std::memcmp(magic, "MCPR", 4) != 0)
       return failure(MCPR_NOT_A_CLIP, 0, "not a Mocapress file");
@@ -118,8 +120,9 @@ class SectionsReader {
     sections_.joints = cursor.read<std::uint16_t>();
     sections_.channels = cursor.read<std::uint16_t>();
     if (cursor.failed()) return failure(MCPR_INVALID, cursor.offset(), "JNTS is too short");
-    if (sections_.joint_bytes > 4U << 20 || sections_.joints == 0 ||
-        sections_.joints > kMostJoints || sections_.channels > 6 * sections_.joints)
+    if (sections_.joints == 0 || sections_.joints > kMostJoints ||
+        sections_.joint_bytes > kMostBytesOfJoint * sections_.joints ||
+        sections_.channels > kMostChannelsOfJoint * sections_.joints)
       return failure(MCPR_INVALID, payload.offset, "a skeleton of impossible size");
     if (sections_.joints > limits_.joints || sections_.channels > limits_.channels)
       return failure(MCPR_LIMIT, payload.offset, "more joints or channels than the limits allow");
@@ -141,10 +144,8 @@ class SectionsReader {
     const auto coding = cursor.read<std::uint8_t>();
     const auto method = cursor.read<std::uint8_t>();
     const auto weighting = cursor.read<std::uint8_t>();
-    constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 26;
-    if (sections_.frames > kMostSamples ||
-        std::uint64_t{sections_.frames} * sections_.channels > kMostSamples)
-      return failure(MCPR_INVALID, at - 4, "more than 2^26 samples");
+    if (sections_.frames > kMostFrames)
+      return failure(MCPR_INVALID, at - 4, "more than 2^22 frames");
     if (basis > 2) return failure(MCPR_INVALID, at, "unknown basis");
     if (coding > 3) return failure(MCPR_INVALID, at + 1, "unknown coding");
     if (coding != 3) return failure(MCPR_UNSUPPORTED, at + 1, "not of the coding adaptive");
@@ -187,17 +188,19 @@ class SectionsReader {
     return kOk;
   }
 
-  /// What is decoded, and the time that takes, grows with the file: FORMAT.md, CLIP.
+  /// What is decoded, and the time that takes, grows with the file: FORMAT.md, Limits.
   mcpr_result check_room() const {
     const auto samples = static_cast<std::uint64_t>(sections_.segments.coded_frames()) *
                          std::max(sections_.signal_count(), 1U);
-    if (samples > (std::uint64_t{1} << 22) + (std::uint64_t{sections_.motion.size} << 15))
+    if (samples > most_values_of(file_bytes_))
       return failure(MCPR_INVALID, sections_.motion.offset,
                      "more samples than so few bytes may stand for");
     return kOk;
   }
 
   mcpr_result check_values(std::size_t offset) const {
+    if (sections_.value_count() > kMostValues)
+      return failure(MCPR_INVALID, offset, "more than 2^26 values");
     if (sections_.value_count() > limits_.values)
       return failure(MCPR_LIMIT, offset, "more values than the limits allow");
     return kOk;
@@ -226,6 +229,7 @@ class SectionsReader {
 
   const mcpr_limits& limits_;
   FileSections& sections_;
+  std::size_t file_bytes_ = 0;
   Expected next_ = Expected::Joints;
 };
 

@@ -2,8 +2,11 @@
 #include "frame_decoder.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <cstring>
+
+#include "format_limits.h"
 
 namespace mocapress::decoder {
 namespace {
@@ -52,15 +55,25 @@ JointPlace place_in_parent(const JointModel& joint, const float* row) {
   return place;
 }
 
+/// Whether they are the clip's, and none stands there twice.
+bool are_channels_of(const ClipBlock& clip, const std::uint16_t* channels, std::uint32_t count) {
+  if (count > clip.channel_count) return false;
+  std::bitset<kMostChannels> seen;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (channels[i] >= clip.channel_count || seen[channels[i]]) return false;
+    seen[channels[i]] = true;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool is_possible(const ClipBlock& clip, const mcpr_request& request) {
   if (request.output < MCPR_CHANNELS || request.output > MCPR_POSITIONS) return false;
   if (rows_of(request.path) == nullptr) return false;
-  if (request.channels == nullptr) return true;
-  if (request.output != MCPR_CHANNELS || request.channel_count > clip.channel_count) return false;
-  return std::all_of(request.channels, request.channels + request.channel_count,
-                     [&](std::uint16_t channel) { return channel < clip.channel_count; });
+  if (request.channels == nullptr) return request.channel_count == 0;
+  return request.output == MCPR_CHANNELS &&
+         are_channels_of(clip, request.channels, request.channel_count);
 }
 
 std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "format_limits.h"
+
 namespace mocapress::decoder {
 
 LimbPlanner::LimbPlanner(Memory& memory, int joints) : joint_count_(joints) {
@@ -21,9 +23,12 @@ const char* LimbPlanner::plan(const JointModel* joints, const EffectorEnds* effe
   for (int e = 0; e < count; ++e)
     if (const char* const wrong = mark(e)) return wrong;
   group_effectors();
-  for (int l = 0; l < limb_count_; ++l)
-    if (groups_[l].count > kMostEffectorsOfLimb || size(l).turns > kMostAngles)
-      return "a limb has more effectors or angles than can be solved together";
+  for (int l = 0; l < limb_count_; ++l) {
+    const LimbPlan plan = size(l);
+    if (plan.effectors > kMostEffectorsOfLimb || plan.turns > kMostAngles ||
+        plan.links > kMostLinks)
+      return "a limb has more effectors, angles or joints than can be solved together";
+  }
   return nullptr;
 }
 

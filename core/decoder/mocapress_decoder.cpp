@@ -7,6 +7,7 @@
 #include <limits>
 #include <new>
 
+#include "format_limits.h"
 #include "frame_decoder.h"
 #include "opening.h"
 
@@ -44,8 +45,12 @@ mcpr_result check_file(const void* file, std::size_t size, const mcpr_limits* li
   return kOk;
 }
 
+bool is_clip(const mcpr_clip* clip) {
+  return clip != nullptr && clip->block.mark == ClipBlock::kMark;
+}
+
 mcpr_result check_request(const mcpr_clip* clip, const mcpr_request* request) {
-  if (clip == nullptr || clip->block.mark != ClipBlock::kMark) return argument("no clip");
+  if (!is_clip(clip)) return argument("no clip");
   if (request == nullptr || !is_possible(clip->block, *request))
     return argument("the clip cannot be decoded so");
   return kOk;
@@ -53,7 +58,7 @@ mcpr_result check_request(const mcpr_clip* clip, const mcpr_request* request) {
 
 mcpr_result check_scratch(const mcpr_clip* clip, const mcpr_request* request, const void* scratch,
                           std::size_t size) {
-  if (!is_aligned(scratch) || size < mcpr_scratch_bytes(clip, request))
+  if (scratch == nullptr || !is_aligned(scratch) || size < mcpr_scratch_bytes(clip, request))
     return failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
   return kOk;
 }
@@ -85,12 +90,12 @@ const char* mcpr_status_message(mcpr_status status) {
 }
 
 mcpr_limits mcpr_default_limits(void) {
-  return {.frames = 1U << 22,
-          .joints = 1024,
-          .channels = 4096,
-          .values = std::uint64_t{1} << 24,
-          .scratch_bytes = std::size_t{128} << 20,
-          .resident_bytes = std::size_t{32} << 20,
+  return {.frames = kMostFrames,
+          .joints = kMostJoints,
+          .channels = kMostChannels,
+          .values = kMostValues,
+          .scratch_bytes = kMostScratchBytes,
+          .resident_bytes = kMostResidentBytes,
           .solver_iterations = kMostSweeps};
 }
 
@@ -133,13 +138,12 @@ mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, 
   return kOk;
 }
 
-mcpr_result mcpr_build(const void* scratch, size_t scratch_size, void* resident,
-                       size_t resident_size, const mcpr_clip** clip) {
+mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident, size_t resident_size,
+                       const mcpr_clip** clip) {
   if (clip == nullptr) return argument("nowhere to put the clip");
   if (scratch == nullptr || !is_aligned(scratch) || scratch_size < sizeof(Opening))
     return argument("not the scratch memory of mcpr_read");
-  // The opening works in its own memory while it lays the clip out.
-  auto* const opening = std::launder(static_cast<Opening*>(const_cast<void*>(scratch)));
+  auto* const opening = std::launder(static_cast<Opening*>(scratch));
   if (opening->mark != Opening::kMark) return argument("mcpr_read did not succeed");
   const std::uint64_t bytes = opening->resident_size();
   if (resident == nullptr || !is_aligned(resident) || resident_size < bytes)
@@ -150,6 +154,7 @@ mcpr_result mcpr_build(const void* scratch, size_t scratch_size, void* resident,
 }
 
 mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip) {
+  if (!is_clip(clip)) return {};
   const ClipBlock& block = clip->block;
   return {.sample_rate = block.sample_rate,
           .frames = static_cast<std::uint32_t>(block.segments.frames),
@@ -162,7 +167,7 @@ mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip) {
 }
 
 mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out) {
-  if (clip == nullptr || out == nullptr || joint >= clip->block.joint_count)
+  if (!is_clip(clip) || out == nullptr || joint >= clip->block.joint_count)
     return argument("no such joint");
   const JointModel& model = clip->block.joint_models()[joint];
   *out = {};

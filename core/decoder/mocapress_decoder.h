@@ -2,7 +2,7 @@
  *
  * The runtime decoder of Mocapress: plays .mcpr files of the coding "adaptive" in an engine.
  *
- * A file is opened once into a compact resident form, about half as large again as the file's
+ * A file is opened once into a compact resident form, about twice as large as the file's coded
  * motion. From that any channels, any stretch of frames, any instant between frames and any level
  * of detail are decoded by themselves. Nothing is allocated, thrown, locked or kept in globals:
  * memory is the caller's, a clip is read-only once it was built, and any number of threads may
@@ -44,10 +44,11 @@ typedef struct mcpr_result {
 /* "damaged file" ...: a name for a status. Never null. */
 const char* mcpr_status_message(mcpr_status status);
 
-/* What a file may ask for. A file that asks for more is refused before any work is done for it. */
+/* What a file may ask for. A file that asks for more is refused before any work is done for it;
+ * the resident form, whose size nothing tells before, after mcpr_read. */
 typedef struct mcpr_limits {
   uint32_t frames;
-  uint32_t joints;       /* at most 4096 */
+  uint32_t joints;
   uint32_t channels;     /* of all joints together */
   uint64_t values;       /* frames * (channels + 3 * effectors); frames that two segments of a long
                             clip share count twice */
@@ -57,8 +58,10 @@ typedef struct mcpr_limits {
                                  60 or 12 */
 } mcpr_limits;
 
-/* Frames 2^22, joints 1024, channels 4096, values 2^24, scratch memory 128 MiB, resident form 32
- * MiB, 60 iterations. */
+/* Those of the format, so that every file that can be written opens: frames 2^22, joints 4096,
+ * channels 24576, values 2^26, scratch memory 528 MiB, resident form 272 MiB, 60 iterations. That
+ * is hours of motion: give less where files come from strangers and memory is dear. More than the
+ * format allows is refused whatever is given. */
 mcpr_limits mcpr_default_limits(void);
 
 /* ---------------------------------------------------------------- opening */
@@ -86,10 +89,10 @@ mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, 
 typedef struct mcpr_clip mcpr_clip;
 
 /* Makes the resident form. It has no pointers: it may be moved and copied as bytes, within one
- * program and version. `scratch` is what mcpr_read left and is needed no longer after this. Takes
- * as long as mcpr_read where the clip is in segments. */
-mcpr_result mcpr_build(const void* scratch, size_t scratch_size, void* resident,
-                       size_t resident_size, const mcpr_clip** clip);
+ * program and version. `scratch` is what mcpr_read left, in its place; it is worked in, and needed
+ * no longer after this. Takes as long as mcpr_read where the clip is in segments. */
+mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident, size_t resident_size,
+                       const mcpr_clip** clip);
 
 /* ---------------------------------------------------------------- looking at a clip */
 
@@ -105,6 +108,7 @@ typedef struct mcpr_clip_info {
   size_t skeleton_bytes; /* of them the skeleton's: names, offsets, axes */
 } mcpr_clip_info;
 
+/* All zero where there is no clip. */
 mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip);
 
 /* A joint, parents before children. Its frame maps to its parent's by
@@ -148,8 +152,8 @@ typedef struct mcpr_request {
   mcpr_output output;
   int corrected;            /* 1: with the clip's IK correction, if it has one */
   uint32_t bands_left_out;  /* of the finest; each halves the rate of what is left of the motion */
-  const uint16_t* channels; /* MCPR_CHANNELS only: which, in any order; null: all */
-  uint32_t channel_count;   /* of `channels` */
+  const uint16_t* channels; /* MCPR_CHANNELS only: which, in any order, none twice; null: all */
+  uint32_t channel_count;   /* of `channels`; 0 where that is null */
   mcpr_path path;
   uint32_t solver_iterations; /* at most, for a limb at a frame; 0: as many as the format's solvers
                                  take */
@@ -162,8 +166,8 @@ size_t mcpr_frame_values(const mcpr_clip* clip, const mcpr_request* request);
 size_t mcpr_scratch_bytes(const mcpr_clip* clip, const mcpr_request* request);
 
 /* Frames first .. first + count - 1, row after row, each of mcpr_frame_values() floats. Where a
- * subset of channels is asked for, which may name each but once, only those are computed, unless
- * the correction turns one of them. */
+ * subset of channels is asked for, only those are computed, unless the correction turns one of
+ * them. */
 mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request, uint32_t first,
                                uint32_t count, float* out, void* scratch, size_t scratch_size);
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <new>
 
+#include "format_limits.h"
 #include "joint_records.h"
 #include "wide_limits.h"
 
@@ -14,7 +15,6 @@ namespace mocapress::decoder {
 namespace {
 
 constexpr std::uint64_t kBudget = 20;  // tenths of the motion in the file, for its resident form
-constexpr int kMostLinks = 256;        // of a limb: bounds the work of a solver
 
 float step_of(float scale, int fineness) {
   const double whole = std::ldexp(static_cast<double>(scale), -(fineness >> 1));
@@ -51,6 +51,7 @@ Opening::Opening(Memory& memory, const FileSections& sections)
       joints_(memory.take<JointModel>(sections.joints)),
       parents_(memory.take<std::int16_t>(sections.joints)),
       channel_counts_(memory.take<std::uint8_t>(sections.joints)),
+      depths_(memory.take<std::uint16_t>(sections.joints)),
       kin_(memory.take<SignalKin>(sections.signal_count())),
       contexts_(memory.take<AdaptiveBit>(static_cast<std::uint64_t>(
           ContextLayout(static_cast<int>(sections.signal_count())).end))),
@@ -97,6 +98,10 @@ mcpr_result Opening::read_joint_records() {
     JointRecord record;
     const mcpr_result result = read_joint(cursor, j, record);
     if (failed(result)) return failure(result.status, offset, result.message);
+    const int parent = record.model.parent;
+    depths_[j] = static_cast<std::uint16_t>(parent < 0 ? 1 : depths_[parent] + 1);
+    if (depths_[j] > kMostDepth)
+      return failure(MCPR_INVALID, offset, "joints are nested deeper than 1000");
     record.model.first_channel = static_cast<std::uint16_t>(channels);
     record.model.name = name_bytes_;
     joints_[j] = record.model;
@@ -117,10 +122,6 @@ mcpr_result Opening::plan_limbs() {
     effectors_[e] = {sections_.effector[e].joint, sections_.effector[e].top};
   if (const char* const wrong = limb_planner_.plan(joints_, effectors_, count))
     return failure(MCPR_INVALID, sections_.effector_offset, wrong);
-  for (int l = 0; l < limb_planner_.limb_count(); ++l)
-    if (limb_planner_.size(l).links > kMostLinks)
-      return failure(MCPR_LIMIT, sections_.effector_offset,
-                     "more than 256 joints from the root to the effectors of a limb");
   return kOk;
 }
 

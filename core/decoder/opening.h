@@ -52,6 +52,7 @@ class Opening {
   JointModel* joints_;
   std::int16_t* parents_;
   std::uint8_t* channel_counts_;
+  std::uint16_t* depths_;  // of each joint, 1 at a root
   std::uint32_t name_bytes_ = 0;
   SignalKin* kin_;
   AdaptiveBit* contexts_;

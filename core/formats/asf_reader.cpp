@@ -5,6 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "core/decoder/format_limits.h"
 #include "core/formats/asf.h"
 #include "core/formats/text_cursor.h"
 
@@ -156,7 +157,10 @@ void AsfReader::read_root() {
 
 void AsfReader::read_bones() {
   while (in_section()) {
+    const Token begin = cursor_.peek();
     cursor_.expect("begin");
+    if (bones_.size() == decoder::kMostJoints)
+      cursor_.fail(begin, "more than " + std::to_string(decoder::kMostJoints) + " bones");
     read_bone();
   }
 }
@@ -179,6 +183,9 @@ void AsfReader::read_bone_property(Bone& bone, const Token& keyword) {
   if (is("name")) {
     if (!cursor_.on_line(keyword.line)) cursor_.fail(keyword, "expected a name after 'name'");
     const Token name = cursor_.take();
+    if (name.text.size() > decoder::kMostNameBytes)
+      cursor_.fail(name, "the name of a bone has more than " +
+                             std::to_string(decoder::kMostNameBytes) + " bytes");
     bone.name = name.text;
     if (!bone_named_.emplace(name.text, static_cast<int>(bones_.size())).second)
       cursor_.fail(name, "a second bone named " + quoted(name));
@@ -253,12 +260,18 @@ int AsfReader::take_bone() {
 std::vector<int> AsfReader::depth_first() const {
   std::vector<int> order;
   std::vector<int> waiting = {0};
+  std::vector<int> depths(bones_.size(), 1);
   while (!waiting.empty()) {
     const int b = waiting.back();
     waiting.pop_back();
     order.push_back(b);
-    const auto& children = bones_[static_cast<std::size_t>(b)].children;
-    waiting.insert(waiting.end(), children.rbegin(), children.rend());
+    const Bone& bone = bones_[static_cast<std::size_t>(b)];
+    const int depth = depths[static_cast<std::size_t>(b)];
+    if (depth > decoder::kMostDepth)
+      cursor_.fail(bone.at, "bone '" + bone.name + "' is nested deeper than " +
+                                std::to_string(decoder::kMostDepth));
+    for (const int child : bone.children) depths[static_cast<std::size_t>(child)] = depth + 1;
+    waiting.insert(waiting.end(), bone.children.rbegin(), bone.children.rend());
   }
   if (order.size() == bones_.size()) return order;
   std::vector<bool> reached(bones_.size(), false);

@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "core/base/error.h"
+#include "core/decoder/format_limits.h"
 #include "core/formats/asf.h"
 #include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
@@ -29,6 +30,7 @@ class AsfWriter {
 
  private:
   void make_bones();
+  void check_limits() const;
   void write_root();
   void write_bone(std::size_t index);
   void write_hierarchy();
@@ -84,6 +86,7 @@ std::string dof_words(const Joint& joint) {
 
 std::string AsfWriter::write() {
   make_bones();
+  check_limits();
   text_ = ":version 1.10\n:name mocapress\n:units\n  mass 1.0\n  length ";
   append_number(text_, kAsfLengthUnit);
   text_ += "\n  angle deg\n";
@@ -114,6 +117,22 @@ void AsfWriter::make_bones() {
   }
   if (const auto& end = skeleton_.joint(0).end_site)
     bones_.push_back({unique("root_end", taken), 0, *end, nullptr});
+}
+
+/// What no reader here would take: bones that carry others count and nest too.
+void AsfWriter::check_limits() const {
+  if (bones_.size() > decoder::kMostJoints)
+    throw Error("an .asf of this skeleton would have " + std::to_string(bones_.size()) +
+                " bones, at most " + std::to_string(decoder::kMostJoints) + " are possible");
+  std::vector<int> depths;
+  for (const Bone& bone : bones_) {
+    if (bone.name.size() > decoder::kMostNameBytes)
+      throw Error("a bone's name would be too long for an .asf: " + bone.name);
+    depths.push_back(bone.parent < 0 ? 1 : depths[static_cast<std::size_t>(bone.parent)] + 1);
+    if (depths.back() > decoder::kMostDepth)
+      throw Error("in an .asf bones of this skeleton would be nested deeper than " +
+                  std::to_string(decoder::kMostDepth));
+  }
 }
 
 void AsfWriter::write_root() {

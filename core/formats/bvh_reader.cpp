@@ -4,6 +4,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/decoder/format_limits.h"
 #include "core/formats/bvh.h"
 #include "core/formats/bvh_conventions.h"
 #include "core/formats/text_cursor.h"
@@ -14,7 +15,6 @@ namespace mocapress {
 namespace {
 
 constexpr double kFallbackRate = 30;  // Hz, of a file whose Frame Time is nonsense
-constexpr std::size_t kMaxDepth = 1000;
 
 std::string number(double value) {
   std::string text;
@@ -121,11 +121,17 @@ void BvhReader::read_tree() {
 
 void BvhReader::open_joint(std::vector<int>& open) {
   const Token keyword = cursor_.take();
-  if (open.size() == kMaxDepth)
-    cursor_.fail(keyword, "joints are nested deeper than " + std::to_string(kMaxDepth));
+  if (open.size() == decoder::kMostDepth)
+    cursor_.fail(keyword, "joints are nested deeper than " + std::to_string(decoder::kMostDepth));
+  if (joints_.size() == decoder::kMostJoints)
+    cursor_.fail(keyword, "more than " + std::to_string(decoder::kMostJoints) + " joints");
   if (cursor_.at_end() || cursor_.next_is("{")) cursor_.fail_expecting("the name of the joint");
   Joint joint;
-  joint.name = cursor_.take_line('{').text;
+  const Token name = cursor_.take_line('{');
+  if (name.text.size() > decoder::kMostNameBytes)
+    cursor_.fail(name, "the name of a joint has more than " +
+                           std::to_string(decoder::kMostNameBytes) + " bytes");
+  joint.name = name.text;
   joint.parent = open.empty() ? -1 : open.back();
   cursor_.expect("{");
   open.push_back(static_cast<int>(joints_.size()));

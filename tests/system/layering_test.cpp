@@ -27,7 +27,7 @@ struct RoomRules {
 const std::map<std::string, RoomRules> kRooms = {
     {"core/base", {{"core/decoder"}}},
     {"core/motion", {{"core/base"}}},
-    {"core/formats", {{"core/base", "core/motion"}}},
+    {"core/formats", {{"core/base", "core/motion", "core/decoder"}}},
     {"core/decoder", {{}, false, true}},
     {"core/wavelet", {{"core/base"}}},
     {"core/metrics", {{"core/base", "core/motion"}}},

@@ -6,6 +6,7 @@
 
 #include <cstring>
 
+#include "core/base/byte_cursor.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/codec/decoder.h"
@@ -146,7 +147,7 @@ TEST(Container, RefusesMoreSamplesThanItsBytesMayStandFor) {
   const Place place = find_section(file, "CLIP");
   const auto signals = static_cast<std::size_t>(clip.skeleton.channel_count() +
                                                 clip.correction.value().signal_count());
-  const std::size_t most = ((1U << 22) + (clip.motion.size() << 15)) / signals;
+  const std::size_t most = ((1U << 22) + (file.size() << 15)) / signals;
   const auto claim = [&](std::size_t frames) {
     const auto claimed = static_cast<std::uint32_t>(frames);
     std::memcpy(file.data() + place.start + 12 + 8, &claimed, 4);
@@ -156,6 +157,25 @@ TEST(Container, RefusesMoreSamplesThanItsBytesMayStandFor) {
   EXPECT_EQ(read_container(file).frames, static_cast<int>(most));
   claim(most + 1);
   EXPECT_THROW(read_container(file), FormatError);
+}
+
+TEST(Container, AClipThatHardlyMovesHasAFileHoweverLongItIs) {
+  // Ten hours of three channels that stand still.
+  CompressedClip clip{.frames = 1 << 22, .coding = Coding::Rle16, .motion = {}};
+  clip.provenance.method = Method::Standard;
+  clip.skeleton.add(
+      {.name = "stone",
+       .channels = {ChannelKind::RotationX, ChannelKind::RotationY, ChannelKind::RotationZ}});
+  ByteWriter words;
+  for (int c = 0; c < 3; ++c) words.write(std::int8_t{0});
+  for (int c = 0; c < 3; ++c) words.write(std::int16_t{-32768});
+  clip.motion = words.release();
+  const auto file = write_container(clip);
+  EXPECT_EQ(find_section(file, "room").start + 12 + find_section(file, "room").size, file.size());
+  EXPECT_GE((std::size_t{1} << 22) + (file.size() << 15), std::size_t{3} << 22);
+  EXPECT_LT((std::size_t{1} << 22) + ((file.size() - 1) << 15), std::size_t{3} << 22);
+  EXPECT_EQ(read_container(file).frames, clip.frames);
+  EXPECT_EQ(read_container(file).motion, clip.motion);
 }
 
 TEST(Container, RefusesAnEffectorThatIsNone) {

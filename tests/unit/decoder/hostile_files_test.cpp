@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "core/base/byte_cursor.h"
+#include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/codec/container.h"
 #include "core/codec/encoder.h"
+#include "core/codec/room.h"
+#include "core/codec/skeleton_section.h"
 #include "core/decoder/range_decoder.h"
 #include "tests/fuzz/file_sections.h"
 #include "tests/support/opened_clip.h"
@@ -118,11 +121,14 @@ std::vector<std::byte> bomb(int joints, std::uint32_t frames, std::size_t motion
 }
 
 TEST(HostileFiles, ABombOfValuesIsRefusedByItsHeadersAlone) {
+  mcpr_info info;
   // 2^26 values in some hundred bytes.
   const auto file = bomb(16, (1U << 26) / 96, 20);
   EXPECT_LT(file.size(), 400u);
-  mcpr_info info;
-  EXPECT_EQ(mcpr_inspect(file.data(), file.size(), nullptr, &info).status, MCPR_LIMIT);
+  EXPECT_EQ(mcpr_inspect(file.data(), file.size(), nullptr, &info).status, MCPR_INVALID);
+  // More than any file may have, in bytes enough.
+  const auto larger = bomb(16, (1U << 26) / 96 + 1, 4000);
+  EXPECT_EQ(mcpr_inspect(larger.data(), larger.size(), nullptr, &info).status, MCPR_INVALID);
 }
 
 TEST(HostileFiles, ABombWithinTheLimitsTakesTheMemoryThatIsStated) {
@@ -141,12 +147,12 @@ TEST(HostileFiles, ABombWithinTheLimitsTakesTheMemoryThatIsStated) {
 
 TEST(HostileFiles, FewBytesMayNotStandForMoreSamplesThanThatWhateverTheLimits) {
   mcpr_limits limits = mcpr_default_limits();
-  limits.frames = 1U << 26;
-  limits.values = 1U << 26;
   limits.scratch_bytes = std::size_t{1} << 32;
   mcpr_info info;
-  const std::uint32_t most = ((1U << 22) + (22U << 15)) / 96;  // the motion is 2 bytes and 20
+  const std::size_t size = bomb(16, 1, 20).size();
+  const auto most = static_cast<std::uint32_t>(((1U << 22) + (size << 15)) / 96);
   const auto held = bomb(16, most, 20);
+  ASSERT_EQ(held.size(), size);
   EXPECT_EQ(mcpr_inspect(held.data(), held.size(), &limits, &info).status, MCPR_OK);
   const auto beyond = bomb(16, most + 1, 20);
   EXPECT_EQ(mcpr_inspect(beyond.data(), beyond.size(), &limits, &info).status, MCPR_INVALID);
@@ -154,12 +160,66 @@ TEST(HostileFiles, FewBytesMayNotStandForMoreSamplesThanThatWhateverTheLimits) {
 
 TEST(HostileFiles, BombsOfJointsAndOfLimbsAreRefused) {
   mcpr_info info;
-  const auto joints = bomb(4096, 1, 20);
-  EXPECT_EQ(mcpr_inspect(joints.data(), joints.size(), nullptr, &info).status, MCPR_LIMIT);
+  const auto joints = bomb(900, 1, 20);
+  mcpr_limits limits = mcpr_default_limits();
+  limits.joints = 899;
+  EXPECT_EQ(mcpr_inspect(joints.data(), joints.size(), &limits, &info).status, MCPR_LIMIT);
   // A limb whose every step would turn hundreds of joints.
-  EXPECT_EQ(OpenedClip(bomb(600, 0, 4, 1)).result.status, MCPR_LIMIT);
+  EXPECT_EQ(OpenedClip(bomb(600, 0, 4, 1)).result.status, MCPR_INVALID);
   // One with more effectors than are solved together.
   EXPECT_EQ(OpenedClip(bomb(100, 0, 4, 9)).result.status, MCPR_INVALID);
+}
+
+/// The file with JNTS's number of joints, then bytes and channels, as its head promises them.
+std::vector<std::byte> promising(std::vector<std::byte> file, std::uint32_t bytes,
+                                 std::uint16_t joints) {
+  std::memcpy(file.data() + 20, &bytes, 4);
+  std::memcpy(file.data() + 24, &joints, 2);
+  test::mend_checksums(file);
+  return file;
+}
+
+TEST(HostileFiles, JointsBoundTheBytesThatTheyAreDecodedFrom) {
+  constexpr std::uint32_t kBytesOfJoint = 306;  // FORMAT.md, Limits
+  const auto file = bomb(3, 1, 20);
+  mcpr_info info;
+  const auto inspect = [&](const std::vector<std::byte>& changed) {
+    return mcpr_inspect(changed.data(), changed.size(), nullptr, &info).status;
+  };
+  EXPECT_EQ(inspect(promising(file, 3 * kBytesOfJoint, 3)), MCPR_OK);
+  EXPECT_EQ(inspect(promising(file, 3 * kBytesOfJoint + 1, 3)), MCPR_INVALID);
+  EXPECT_EQ(inspect(promising(file, 4U << 20, 3)), MCPR_INVALID);
+  EXPECT_THROW(read_container(promising(file, 3 * kBytesOfJoint + 1, 3)), FormatError);
+  // More joints that the bits do not hold: refused as soon as they end.
+  EXPECT_EQ(OpenedClip(promising(file, 4096 * kBytesOfJoint, 4096)).result.status, MCPR_INVALID);
+}
+
+TEST(HostileFiles, JointsNestedDeeperThanIsStatedAreRefused) {
+  CompressedClip clip{.coding = Coding::Adaptive, .motion = {}};
+  for (int j = 0; j < 1000; ++j) clip.skeleton.add({.name = "", .parent = j - 1});
+  const std::vector<std::byte> joints = encode_joints(clip.skeleton);
+  EXPECT_EQ(decode_joints(joints, 0).joint_count(), 1000);
+  EXPECT_NO_THROW(check_room({clip.skeleton, 120, SegmentLayout::whole(1)}));
+  clip.skeleton.add({.name = "", .parent = 999});
+  EXPECT_THROW(decode_joints(encode_joints(clip.skeleton), 0), FormatError);
+  EXPECT_THROW(write_container(clip), Error);
+  // The runtime decoder, of a file that no writer here makes.
+  std::vector<std::byte> file = bomb(1, 0, 4);
+  std::uint32_t before = 0;
+  std::memcpy(&before, file.data() + 12, 4);
+  const auto deep = [&](const Skeleton& skeleton) {
+    const std::vector<std::byte> payload = encode_joints(skeleton);
+    std::vector<std::byte> changed(file.begin(), file.begin() + 20);
+    const auto size = static_cast<std::uint32_t>(payload.size());
+    std::memcpy(changed.data() + 12, &size, 4);
+    changed.insert(changed.end(), payload.begin(), payload.end());
+    changed.insert(changed.end(), file.begin() + 20 + before, file.end());
+    test::mend_checksums(changed);
+    return changed;
+  };
+  const mcpr_result refused = OpenedClip(deep(clip.skeleton)).result;
+  EXPECT_EQ(refused.status, MCPR_INVALID);
+  EXPECT_NE(std::string(refused.message).find("deeper"), std::string::npos) << refused.message;
 }
 
 TEST(HostileFiles, BytesHoldNoMoreBitsThanIsStated) {

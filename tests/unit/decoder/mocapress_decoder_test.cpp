@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "core/base/random.h"
 #include "core/codec/container.h"
@@ -209,6 +210,88 @@ TEST(Decoder, RefusesWhatTheClipDoesNotHave) {
   EXPECT_TRUE(opened().moment({}, kFrames - 0.5).empty());
   EXPECT_TRUE(opened().moment({}, -0.1).empty());
   EXPECT_TRUE(opened().moment({}, std::numeric_limits<double>::quiet_NaN()).empty());
+}
+
+TEST(Decoder, RefusesAChannelThatIsAskedForTwice) {
+  const auto values = [](const std::vector<std::uint16_t>& channels) {
+    const mcpr_request request{.channels = channels.data(),
+                               .channel_count = static_cast<std::uint32_t>(channels.size())};
+    return mcpr_frame_values(opened().clip, &request);
+  };
+  EXPECT_EQ(values({3, 9, 4}), 3u);
+  EXPECT_EQ(values({3, 9, 3}), 0u);
+  const std::uint16_t twice[] = {5, 5};
+  for (const int corrected : {0, 1})
+    EXPECT_TRUE(opened()
+                    .frames({.corrected = corrected, .channels = twice, .channel_count = 2}, 0, 1)
+                    .empty());
+}
+
+TEST(Decoder, RefusesEveryNullThatItCannotDoWithout) {
+  const auto& file = corrected_file();
+  mcpr_info info;
+  EXPECT_EQ(mcpr_inspect(nullptr, file.size(), nullptr, &info).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_inspect(nullptr, 0, nullptr, &info).status, MCPR_NOT_A_CLIP);
+  EXPECT_EQ(mcpr_inspect(file.data(), file.size(), nullptr, nullptr).status, MCPR_ARGUMENT);
+
+  const std::size_t need = opened().info.read_bytes;
+  const AlignedBytes opening(need);
+  std::size_t size = 0;
+  EXPECT_EQ(mcpr_read(nullptr, file.size(), nullptr, opening.data(), need, &size).status,
+            MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, nullptr, need, &size).status, MCPR_MEMORY);
+  EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, opening.data(), need, nullptr).status,
+            MCPR_ARGUMENT);
+  ASSERT_EQ(mcpr_read(file.data(), file.size(), nullptr, opening.data(), need, &size).status,
+            MCPR_OK);
+
+  const AlignedBytes resident(size);
+  const mcpr_clip* clip = nullptr;
+  EXPECT_EQ(mcpr_build(nullptr, need, resident.data(), size, &clip).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_build(opening.data(), need, nullptr, size, &clip).status, MCPR_MEMORY);
+  EXPECT_EQ(mcpr_build(opening.data(), need, resident.data(), size, nullptr).status, MCPR_ARGUMENT);
+  ASSERT_EQ(mcpr_build(opening.data(), need, resident.data(), size, &clip).status, MCPR_OK);
+
+  EXPECT_EQ(mcpr_clip_describe(nullptr).frames, 0u);
+  mcpr_joint joint;
+  EXPECT_EQ(mcpr_clip_joint(nullptr, 0, &joint).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_clip_joint(clip, 0, nullptr).status, MCPR_ARGUMENT);
+
+  const mcpr_request request{};
+  EXPECT_EQ(mcpr_frame_values(nullptr, &request), 0u);
+  EXPECT_EQ(mcpr_frame_values(clip, nullptr), 0u);
+  EXPECT_EQ(mcpr_scratch_bytes(nullptr, &request), 0u);
+  EXPECT_EQ(mcpr_scratch_bytes(clip, nullptr), 0u);
+  const mcpr_request no_channels{.channels = nullptr, .channel_count = 2};
+  EXPECT_EQ(mcpr_frame_values(clip, &no_channels), 0u);
+
+  const std::size_t scratch_size = mcpr_scratch_bytes(clip, &request);
+  const AlignedBytes scratch(scratch_size);
+  std::vector<float> out(mcpr_frame_values(clip, &request));
+  const auto frames = [&](const mcpr_clip* of, const mcpr_request* asked, float* to, void* memory) {
+    return mcpr_decode_frames(of, asked, 0, 1, to, memory, scratch_size).status;
+  };
+  const auto moment = [&](const mcpr_clip* of, const mcpr_request* asked, float* to, void* memory) {
+    return mcpr_decode_moment(of, asked, 0.5, to, memory, scratch_size).status;
+  };
+  EXPECT_EQ(frames(nullptr, &request, out.data(), scratch.data()), MCPR_ARGUMENT);
+  EXPECT_EQ(frames(clip, nullptr, out.data(), scratch.data()), MCPR_ARGUMENT);
+  EXPECT_EQ(frames(clip, &request, nullptr, scratch.data()), MCPR_ARGUMENT);
+  EXPECT_EQ(frames(clip, &request, out.data(), nullptr), MCPR_MEMORY);
+  EXPECT_EQ(frames(clip, &request, out.data(), scratch.data()), MCPR_OK);
+  EXPECT_EQ(moment(nullptr, &request, out.data(), scratch.data()), MCPR_ARGUMENT);
+  EXPECT_EQ(moment(clip, nullptr, out.data(), scratch.data()), MCPR_ARGUMENT);
+  EXPECT_EQ(moment(clip, &request, nullptr, scratch.data()), MCPR_ARGUMENT);
+  EXPECT_EQ(moment(clip, &request, out.data(), nullptr), MCPR_MEMORY);
+  EXPECT_EQ(moment(clip, &request, out.data(), scratch.data()), MCPR_OK);
+}
+
+TEST(Decoder, SaysThatItWritesToTheMemoryItBuildsFrom) {
+  // What is const may stand in memory that cannot be written.
+  EXPECT_TRUE((std::is_invocable_v<decltype(mcpr_build), void*, std::size_t, void*, std::size_t,
+                                   const mcpr_clip**>));
+  EXPECT_FALSE((std::is_invocable_v<decltype(mcpr_build), const void*, std::size_t, void*,
+                                    std::size_t, const mcpr_clip**>));
 }
 
 TEST(Decoder, RefusesTooLittleMemory) {

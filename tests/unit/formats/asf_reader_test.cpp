@@ -137,5 +137,29 @@ TEST(Asf, RefusesACycleOffTheRoot) {
             std::string::npos);
 }
 
+/// The root and so many bones, each below the one before.
+std::string chain(int bones, std::size_t name_size = 0) {
+  std::string data = ":units\n  length 1\n:root\n  order RX\n:bonedata\n";
+  std::string hierarchy = ":hierarchy\n  begin\n";
+  std::string parent = "root";
+  for (int b = 1; b <= bones; ++b) {
+    const std::string name = "b" + std::to_string(b) + std::string(name_size, 'n');
+    data += "  begin\n    name " + name + "\n    direction 0 1 0\n    length 1\n  end\n";
+    hierarchy += "    " + parent + ' ' + name + '\n';
+    parent = name;
+  }
+  return data + hierarchy + "  end\n";
+}
+
+TEST(Asf, RefusesWhatNoFileMayHold) {
+  EXPECT_EQ(error_of(chain(999)), "reads");
+  EXPECT_NE(error_of(chain(1000)).find("nested deeper than 1000"), std::string::npos);
+  EXPECT_NE(error_of(chain(4096)).find("more than 4096 bones"), std::string::npos);
+  EXPECT_EQ(error_of(chain(1, 253)), "reads");
+  EXPECT_NE(error_of(chain(1, 254)).find("more than 255 bytes"), std::string::npos);
+  EXPECT_NE(error_of(replaced(kSmallAsf, "dof rx", "dof rx rx")).find("twice in one bone"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace mocapress

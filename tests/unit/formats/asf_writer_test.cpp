@@ -85,5 +85,18 @@ TEST(AcclaimWriter, RefusesSeveralRoots) {
   EXPECT_THROW(asf_text(skeleton), Error);
 }
 
+TEST(AcclaimWriter, RefusesWhatNoReaderHereWouldTake) {
+  // Each joint needs a bone that carries it to its place.
+  Skeleton star;
+  star.add({.name = "root"});
+  while (star.joint_count() < 3000)
+    star.add({.name = "j", .parent = 0, .offset = Eigen::Vector3d(1, star.joint_count(), 0)});
+  EXPECT_THROW(asf_text(star), Error);
+  Skeleton chain;
+  for (int j = 0; j < 1001; ++j)
+    chain.add({.name = "j", .parent = j - 1, .offset = Eigen::Vector3d(0, 1, 0)});
+  EXPECT_THROW(asf_text(chain), Error);
+}
+
 }  // namespace
 }  // namespace mocapress

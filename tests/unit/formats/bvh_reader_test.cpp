@@ -240,5 +240,30 @@ TEST(Bvh, RefusesEndlessNestingWithoutRecursing) {
   EXPECT_NE(error_of(text).find("joints are nested deeper than 1000"), std::string::npos);
 }
 
+TEST(Bvh, RefusesMoreJointsThanAnyFileMayHave) {
+  const auto siblings = [](int joints) {
+    std::string text = "HIERARCHY ROOT r { OFFSET 0 0 0 CHANNELS 1 Xrotation\n";
+    for (int j = 1; j < joints; ++j) text += "JOINT j" + std::to_string(j) + " { OFFSET 0 1 0 }\n";
+    return text + "} MOTION Frames: 1 Frame Time: 0.01\n1\n";
+  };
+  EXPECT_EQ(error_of(siblings(4096)), "reads");
+  EXPECT_NE(error_of(siblings(4097)).find("f.bvh:4097:1: more than 4096 joints"), std::string::npos)
+      << error_of(siblings(4097));
+}
+
+TEST(Bvh, RefusesNamesLongerThanAnyFileMayHave) {
+  const auto named = [](std::size_t size) {
+    return replaced(kSmallBvh, "Spine", std::string(size, 'n'));
+  };
+  EXPECT_EQ(error_of(named(255)), "reads");
+  EXPECT_NE(error_of(named(256)).find("more than 255 bytes"), std::string::npos);
+}
+
+TEST(Bvh, RefusesMoreThanSixChannelsOfAJoint) {
+  EXPECT_NE(error_of(replaced(kSmallBvh, "CHANNELS 6 Xposition", "CHANNELS 7 Xposition Xposition"))
+                .find("twice in one joint"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace mocapress
