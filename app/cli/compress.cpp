@@ -8,7 +8,8 @@
 #include "app/cli/motion_input.h"
 #include "app/cli/option_words.h"
 #include "app/cli/report.h"
-#include "core/base/file.h"
+#include "core/base/staged_file.h"
+#include "core/batch/verification.h"
 #include "core/compare/comparison_method.h"
 #include "core/compare/contender.h"
 
@@ -44,7 +45,7 @@ struct Compress {
     options.contacts = contacts.spans(encoder.wavelets().motion());
     options.figures_only = true;
     Compression made = encoder.compress(contender, options);
-    if (!output.empty()) write_bytes(output, made.file);
+    Verification found = write(made.file, encoder.wavelets());
     const Report report{
         .input = input,
         .original = &encoder.wavelets().motion(),
@@ -53,14 +54,26 @@ struct Compress {
         .coding = of_wavelets ? std::optional(options.coding) : std::nullopt,
         .motion_bytes = made.motion_bytes,
         .file_bytes = made.file.size(),
-        .distortion = std::move(made.distortion),
-        .footskate_cm = footskate_of(*options.contacts, made.footskate),
+        .verified_by = std::string(found.by),
+        .distortion = std::move(found.distortion),
+        .footskate_cm = footskate_of(*options.contacts, found.footskate),
         .correction_bytes = made.correction ? std::optional(made.correction->bytes) : std::nullopt,
         .correction = std::move(made.correction),
         .coefficient_ratio = made.coefficient_ratio,
         .iterations = made.iterations,
         .encode_seconds = made.seconds};
     json ? print(to_json(report)) : print(report);
+  }
+
+  /// Measures what the disk gives back, before that takes the place of anything.
+  Verification write(const std::vector<std::byte>& file, const Encoder& original) const {
+    const VerificationRequest request{.contacts = *options.contacts};
+    if (output.empty()) return verify(file, original, request);
+    StagedFile staged(output);
+    staged.write(file);
+    Verification found = verify(staged.read_back(), original, request);
+    staged.commit();
+    return found;
   }
 };
 
@@ -76,7 +89,9 @@ void add_compress(CLI::App& app) {
   command->add_option("--method", call->method, "Wavelets, or what they are compared with")
       ->transform(one_of_the_methods())
       ->capture_default_str();
-  command->add_option("--coding", call->coding, "How they are coded (closed-loop: adaptive, others: deflate)")
+  command
+      ->add_option("--coding", call->coding,
+                   "How they are coded (closed-loop: adaptive, others: deflate)")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
   command->add_option("--weighting", call->options.weighting, "Of eps_x (bone-ends)")
       ->transform(one_of({Weighting::BoneEnds, Weighting::JointOrigins}));

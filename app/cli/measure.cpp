@@ -42,6 +42,7 @@ struct Measure {
         .coding = opened.coding(),
         .motion_bytes = opened.compressed.motion_bytes(),
         .file_bytes = std::filesystem::file_size(compressed),
+        .verified_by = "library",
         .distortion = mocapress::measure(motion.skeleton, tracks, decoded),
         .footskate_cm = footskate_of(contacts, footskate),
         .correction_bytes = opened.compressed.correction

@@ -56,6 +56,7 @@ Json to_json(const Report& report) {
       {"ik_ratio", report.correction ? Json(report.correction->ratio) : Json()},
       {"ik_bytes", or_null(report.correction_bytes)},
       {"footskate_cm", or_null(report.footskate_cm)},
+      {"verified_by", report.verified_by},
   };
 }
 

@@ -21,6 +21,7 @@ struct Report {
   std::optional<Coding> coding;  // unset: of a comparison method
   std::size_t motion_bytes = 0;
   std::size_t file_bytes = 0;
+  std::string verified_by;  // Verification::by
   Distortion distortion;
   std::optional<double> footskate_cm;           // beyond the original's own; unset: no contacts
   std::optional<std::size_t> correction_bytes;  // unset: no correction

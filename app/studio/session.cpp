@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "app/jobs/clip_saving.h"
 #include "app/jobs/settings_key.h"
 #include "app/studio/clip_preset.h"
 #include "app/studio/settings_change.h"
 #include "app/studio/study_row_request.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/motion/landmarks.h"
 
 namespace mocapress {
@@ -267,8 +267,8 @@ void Session::save(const QString& path) {
   const DecodedPtr decoded = document_.decoded();
   if (!decoded) return;
   saving_.start(
-      [decoded, path](const Job&) {
-        write_bytes(path.toStdU16String(), decoded->file);
+      [decoded, original = document_.original(), path](const Job&) {
+        saveClip(path, *decoded, original.get());
         return path;
       },
       [this, decoded](const QString& saved_path) {

@@ -157,9 +157,9 @@ class Export {
     for (const Warning& warning : clip.warnings()) row_.warnings.push_back(warning.text());
     row_.joints = clip.motion().skeleton.joint_count();
     report(ClipProgress::Stage::Encoding, 0.1);
+    const EncodeOptions options = options_for(clip.motion());
     Compression made = clip.encoder().compress(
-        *find_contender(preset_.method), options_for(clip.motion()),
-        [&](const EncodeProgress& progress) {
+        *find_contender(preset_.method), options, [&](const EncodeProgress& progress) {
           return go_on(observer_,
                        ClipProgress{ClipProgress::Stage::Encoding, encoding_fraction(progress)});
         });
@@ -167,7 +167,7 @@ class Export {
     report(ClipProgress::Stage::Verifying, 0.85);
     // It is measured whether it is among the outputs or not.
     StagedFile mcpr = staged(item_.output + ".mcpr", made.file);
-    verify(clip, mcpr.read_back(), made);
+    verify(clip, mcpr.read_back(), options.contacts.value_or(clip.contacts()), made);
     std::vector<StagedFile> files;
     for (const OutputFormat format : batch_.formats) {
       if (format != OutputFormat::Mcpr) {
@@ -193,12 +193,16 @@ class Export {
 
   /// Measures what the disk gave back; the decoded motion, where a format wants it, is from there
   /// on.
-  void verify(const ClipInHand& clip, const Bytes& bytes, Compression& made) {
+  void verify(const ClipInHand& clip, const Bytes& bytes, const std::vector<ContactSpan>& contacts,
+              Compression& made) {
     const bool asks_for_motion =
         std::any_of(batch_.formats.begin(), batch_.formats.end(),
                     [](OutputFormat format) { return format != OutputFormat::Mcpr; });
-    Verification found = mocapress::verify(bytes, clip.encoder().wavelets(), asks_for_motion);
+    Verification found =
+        mocapress::verify(bytes, clip.encoder().wavelets(), {contacts, asks_for_motion});
+    row_.verified_by = found.by;
     made.distortion = std::move(found.distortion);
+    made.footskate = std::move(found.footskate);
     made.decoded = std::move(found.decoded);
     row_.measured = clip.measure(made);
     row_.worst = std::move(found.worst);

@@ -32,6 +32,7 @@ struct BatchRow {
   InputStamp stamp;
   int joints = 0;
   std::optional<Measurement> measured;  // of the file as read back
+  std::string verified_by;              // Verification::by; empty: it was not measured
   std::vector<WrittenFile> files;
   std::vector<std::string> warnings;  // what the reader repaired or guessed
   std::optional<WorstPose> worst;

@@ -54,6 +54,7 @@ void add_measurement(Json& json, const BatchRow& row) {
   add("ik_bytes", or_null(m.ik_bytes));
   add("knee_speed_ratio", or_null(m.knee_speed_ratio));
   add("iterations", or_null(m.iterations));
+  add("verified_by", row.verified_by);
 }
 
 Measurement measurement_from(const Json& json) {
@@ -176,6 +177,7 @@ BatchRow row_from(const Json& json) {
   if (!json.at("frames").is_null()) {
     row.measured = measurement_from(json);
     json.at("joints").get_to(row.joints);
+    json.at("verified_by").get_to(row.verified_by);
     json.at("encode_seconds").get_to(row.measured->encode_seconds);
   }
   for (const Json& file : json.at("written"))

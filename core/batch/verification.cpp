@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/verification.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "core/base/error.h"
+#include "core/codec/decoder.h"
 #include "core/codec/original.h"
+#include "core/codec/runtime_clip.h"
 #include "core/compare/compared_file.h"
 
 namespace mocapress {
@@ -17,49 +22,110 @@ Eigen::MatrixXd tracks_of_some(const Motion& motion) {
                          {motion.clip.sample_rate_hz, motion.clip.channels(frames, Eigen::all)});
 }
 
-Verification compare(const OpenedMcpr& opened, const Encoder& encoder, bool asks_for_motion) {
-  const Motion& motion = encoder.motion();
-  const CompressedClip& compressed = opened.compressed;
-  if (compressed.frames != motion.clip.frames() ||
-      compressed.skeleton.channel_count() != motion.clip.channels.cols())
-    throw Error("verification: what was written has another shape");
-  const bool is_long = compressed.segments.has_value();
-  const Original::Tracks tracks = [&]() -> const Eigen::MatrixXd& {
-    return encoder.original_tracks();
-  };
-  const Original original(motion, is_long ? Original::Tracks() : tracks);
-  const bool in_blocks = is_long && !asks_for_motion;
-  DistortionMeter meter(motion.skeleton, motion.clip.frames(),
-                        in_blocks ? Detail::Figures : Detail::Distances);
-  PosePoints wanted;
-  PosePoints found;
-  const auto visit = [&](int first, const TrackRows& there, const TrackRows& decoded) {
-    meter.add(first, there, decoded);
-    const int row = meter.worst().frame - first;
-    if (row < 0 || row >= there.rows()) return;  // one of those before is still the worst
-    wanted = points_at(there, row);
-    found = points_at(decoded, row);
-  };
-  Verification verification;
-  if (in_blocks) {
-    original.compare(compressed, visit);
-  } else {
-    verification.decoded = decode(opened);
-    original.compare(0, verification.decoded, visit);
-  }
-  verification.distortion = meter.distortion();
-  const double ground_cm = is_long ? ground_of(tracks_of_some(motion)) : ground_of(tracks());
-  verification.worst =
-      worst_pose(motion.skeleton, std::move(wanted), std::move(found), ground_cm, meter.worst());
-  return verification;
+/// Turned axes as the quaternions of 32-bit floats in the file leave them.
+bool same_axes(const Skeleton& a, const Skeleton& b) {
+  constexpr double kPrecision = 1e-5;
+  return std::equal(a.joints().begin(), a.joints().end(), b.joints().begin(), b.joints().end(),
+                    [](const Joint& x, const Joint& y) {
+                      return (x.joint_from_axes - y.joint_from_axes).cwiseAbs().maxCoeff() <
+                             kPrecision;
+                    });
 }
+
+/// The decoded motion, block after block of frames.
+using Block = std::function<void(int first, const Clip& block)>;
+
+class Verifier {
+ public:
+  Verifier(std::span<const std::byte> file, const Encoder& encoder,
+           const VerificationRequest& request)
+      : file_(file),
+        opened_(read_coded_mcpr(file)),
+        encoder_(encoder),
+        request_(request),
+        motion_(encoder.motion()),
+        is_long_(opened_.compressed.segments.has_value()) {
+    const CompressedClip& found = opened_.compressed;
+    if (found.frames != motion_.clip.frames() ||
+        found.sample_rate_hz != motion_.clip.sample_rate_hz ||
+        found.skeleton.channel_count() != motion_.skeleton.channel_count() ||
+        !same_axes(found.skeleton, motion_.skeleton))
+      refuse();
+  }
+
+  Verification run() {
+    const Original::Tracks tracks = [this]() -> const Eigen::MatrixXd& {
+      return encoder_.original_tracks();
+    };
+    const Original original(motion_, is_long_ ? Original::Tracks() : tracks);
+    const bool in_blocks = is_long_ && !request_.motion;
+    DistortionMeter distortion(motion_.skeleton, motion_.clip.frames(),
+                               in_blocks ? Detail::Figures : Detail::Distances);
+    FootskateMeter footskate(request_.contacts, motion_.clip.sample_rate_hz);
+    PosePoints wanted;
+    PosePoints found;
+    const auto visit = [&](int first, const TrackRows& there, const TrackRows& decoded) {
+      distortion.add(first, there, decoded);
+      footskate.add(first, there, decoded);
+      const int row = distortion.worst().frame - first;
+      if (row < 0 || row >= there.rows()) return;  // one of those before is still the worst
+      wanted = points_at(there, row);
+      found = points_at(decoded, row);
+    };
+    Verification verification;
+    const Block compare = [&](int first, const Clip& block) {
+      original.compare(first, block, visit);
+      if (!in_blocks)
+        put_rows(block.channels, first, motion_.clip.frames(), verification.decoded.channels);
+    };
+    if (!in_blocks) verification.decoded.sample_rate_hz = motion_.clip.sample_rate_hz;
+    verification.by = decode(compare);
+    verification.distortion = distortion.distortion();
+    verification.footskate = footskate.footskate();
+    const double ground_cm = is_long_ ? ground_of(tracks_of_some(motion_)) : ground_of(tracks());
+    verification.worst = worst_pose(motion_.skeleton, std::move(wanted), std::move(found),
+                                    ground_cm, distortion.worst());
+    return verification;
+  }
+
+ private:
+  [[noreturn]] static void refuse() {
+    throw Error("verification: what was written has another shape");
+  }
+
+  /// By whom.
+  std::string_view decode(const Block& visit) const {
+    if (opened_.coding() != Coding::Adaptive) {
+      visit(0, mocapress::decode(opened_));
+      return "library";
+    }
+    constexpr int kBlock = 8192;
+    const RuntimeClip clip(file_);
+    const mcpr_clip_info info = clip.info();
+    const int frames = motion_.clip.frames();
+    if (info.frames != static_cast<std::uint32_t>(frames) ||
+        info.sample_rate != motion_.clip.sample_rate_hz || !clip.has_joints_of(motion_.skeleton))
+      refuse();
+    for (int first = 0; first < frames; first += kBlock)
+      visit(first,
+            {motion_.clip.sample_rate_hz, clip.frames(first, std::min(kBlock, frames - first))});
+    return "runtime";
+  }
+
+  std::span<const std::byte> file_;
+  const OpenedMcpr opened_;
+  const Encoder& encoder_;
+  const VerificationRequest& request_;
+  const Motion& motion_;
+  const bool is_long_;
+};
 
 }  // namespace
 
 Verification verify(std::span<const std::byte> file, const Encoder& original,
-                    bool asks_for_motion) {
+                    const VerificationRequest& request) {
   try {
-    return compare(read_coded_mcpr(file), original, asks_for_motion);
+    return Verifier(file, original, request).run();
   } catch (const FormatError& error) {
     throw Error(std::string("verification: what was written cannot be read: ") + error.what());
   }

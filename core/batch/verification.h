@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include "core/batch/worst_pose.h"
 #include "core/codec/encoder.h"
@@ -11,14 +13,26 @@ namespace mocapress {
 
 /// What a .mcpr file was found to hold, against its original.
 struct Verification {
+  /// Who decoded it: "runtime", the runtime decoder through its C interface and within its default
+  /// limits, as an engine would; or "library", of what no engine plays (the paper's codings and the
+  /// comparison methods).
+  std::string_view by;
   Distortion distortion;
+  Footskate footskate;
   WorstPose worst;
   Clip decoded;  // empty where it was not asked for
+};
+
+/// What is asked of a verification.
+struct VerificationRequest {
+  std::vector<ContactSpan> contacts;  // where footskate is measured
+  bool motion = false;                // the decoded clip is wanted
 };
 
 /// Reads, decodes and measures a file. A clip in segments whose motion is not asked for is decoded
 /// some frames at a time, its percentiles are those of DistanceCounts, and it has no distances.
 /// Throws Error where the file cannot be read or has another shape than its original.
-Verification verify(std::span<const std::byte> file, const Encoder& original, bool asks_for_motion);
+Verification verify(std::span<const std::byte> file, const Encoder& original,
+                    const VerificationRequest& request = {});
 
 }  // namespace mocapress

@@ -37,8 +37,9 @@ class Corrector {
         targets_.push_back(limb.position(static_cast<int>(e)) +
                            differences.block<1, 3>(frame, 3 * places_[l][e]).transpose());
       const IkOutcome outcome = solve(solver_, limb, targets_);
+      // In the 32-bit floats that the runtime decoder gives: they are what is measured.
       for (int a = 0; a < limb.angle_count(); ++a)
-        clip.channels(frame, limb.channel(a)) = limb.angles()(a);
+        clip.channels(frame, limb.channel(a)) = static_cast<float>(limb.angles()(a));
       report.worst_miss_cm = std::max(report.worst_miss_cm, outcome.miss_cm);
       report.unreached += outcome.reached ? 0 : 1;
       report.iterations += outcome.iterations;

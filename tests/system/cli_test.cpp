@@ -33,7 +33,7 @@ std::set<std::string> keys_of(const json& object) {
   return keys;
 }
 
-const std::set<std::string> kStringKeys = {"input", "method", "weighting", "coding"};
+const std::set<std::string> kStringKeys = {"input", "method", "weighting", "coding", "verified_by"};
 const std::set<std::string> kIntegerKeys = {"frames",    "channels",     "joints",
                                             "raw_bytes", "motion_bytes", "file_bytes"};
 const std::set<std::string> kNumberKeys = {
@@ -76,6 +76,14 @@ TEST_F(Cli, CompressReportsExactlyTheDocumentedKeys) {
   EXPECT_NEAR(report["ratio"].get<double>(),
               report["raw_bytes"].get<double>() / report["motion_bytes"].get<double>(), 1e-9);
   EXPECT_EQ(report["eps_x_cm"], report["eps_x_bone_ends_cm"]);
+  EXPECT_EQ(report["verified_by"], "library") << "no engine plays annealed wavelets in DEFLATE";
+}
+
+TEST_F(Cli, CompressReadsBackWhatItWroteAsAnEngineWould) {
+  const json report = compress({"--method", "closed-loop"});
+  EXPECT_EQ(report["verified_by"], "runtime");
+  const json measured = json_of({"measure", clip_, packed_, "--json"});
+  EXPECT_NEAR(measured["max_error_cm"].get<double>(), report["max_error_cm"].get<double>(), 1e-4);
 }
 
 TEST_F(Cli, HoldsTheFeetOfASampleAndReportsIt) {

@@ -26,8 +26,9 @@ TEST(Verification, OfSegmentsOneByOneIsThatOfTheWhole) {
   const CompressedClip compressed = in_segments();
   ASSERT_TRUE(compressed.segments);
   const std::vector<std::byte> file = write_container(compressed);
-  const Verification in_blocks = verify(file, original(), false);
-  const Verification whole = verify(file, original(), true);
+  const Verification in_blocks = verify(file, original());
+  const Verification whole = verify(file, original(), {.motion = true});
+  EXPECT_EQ(in_blocks.by, "runtime");
   EXPECT_EQ(in_blocks.decoded.frames(), 0);
   EXPECT_EQ(whole.decoded.channels, decode(compressed).channels);
   EXPECT_NEAR(in_blocks.distortion.eps_bone_ends, whole.distortion.eps_bone_ends, 1e-12);
@@ -47,9 +48,70 @@ TEST(Verification, OfSegmentsOneByOneIsThatOfTheWhole) {
 
 TEST(Verification, WhatIsNoFileOrAnothersIsRefused) {
   const std::vector<std::byte> file = write_container(in_segments());
-  EXPECT_THROW(verify(std::span(file).first(file.size() / 2), original(), false), Error);
+  EXPECT_THROW(verify(std::span(file).first(file.size() / 2), original()), Error);
   const Encoder shorter(test::smooth_motion(799));
-  EXPECT_THROW(verify(file, shorter, false), Error);
+  EXPECT_THROW(verify(file, shorter), Error);
+}
+
+TEST(Verification, AnotherSkeletonIsRefused) {
+  const Encoding encoding =
+      original().encode({.method = Method::ClosedLoop, .target = {Target::Kind::Ratio, 30}});
+  EXPECT_NO_THROW(verify(write_container(encoding.compressed), original()));
+  const auto changed = [&](const std::function<void(Joint&)>& change) {
+    CompressedClip clip = encoding.compressed;
+    Skeleton skeleton;
+    for (Joint joint : clip.skeleton.joints()) {
+      if (skeleton.joint_count() == 3) change(joint);
+      skeleton.add(std::move(joint));
+    }
+    clip.skeleton = skeleton;
+    return write_container(clip);
+  };
+  EXPECT_NO_THROW(verify(changed([](Joint&) {}), original()));
+  EXPECT_THROW(verify(changed([](Joint& joint) { joint.name += "x"; }), original()), Error);
+  EXPECT_THROW(verify(changed([](Joint& joint) { joint.offset.y() += 0.01; }), original()), Error);
+  EXPECT_THROW(verify(changed([](Joint& joint) {
+                        joint.joint_from_axes = axis_rotation(0, 0.01) * joint.joint_from_axes;
+                      }),
+                      original()),
+               Error);
+}
+
+TEST(Verification, IsWhatTheRuntimeDecoderGivesWithTheCorrectionToo) {
+  const Motion& motion = original().motion();
+  EncodeOptions options{.method = Method::ClosedLoop, .target = {Target::Kind::Ratio, 20}};
+  options.correction =
+      CorrectionOptions{.joints = {motion.skeleton.joint_count() - 1}, .ratio = 8.0};
+  options.contacts = {{motion.skeleton.joint_count() - 1, 100, 300}};
+  const Encoding encoding = original().encode(options);
+  const std::vector<std::byte> file = write_container(encoding.compressed);
+  const Verification found =
+      verify(file, original(), {.contacts = *options.contacts, .motion = true});
+  EXPECT_EQ(found.by, "runtime");
+  EXPECT_EQ(found.decoded.channels, decode(read_container(file)).channels);
+  EXPECT_NEAR(found.distortion.max.cm, encoding.distortion.max.cm, 1e-3);
+  EXPECT_NEAR(found.footskate.total_cm, encoding.footskate.total_cm, 1e-3);
+}
+
+TEST(Verification, OfWhatNoEnginePlaysIsTheLibrarys) {
+  const Encoding encoding =
+      original().encode({.method = Method::Standard, .target = {Target::Kind::Ratio, 10}});
+  const Verification found = verify(write_container(encoding.compressed), original());
+  EXPECT_EQ(found.by, "library");
+  EXPECT_EQ(found.distortion.max.cm, encoding.distortion.max.cm);
+}
+
+TEST(Verification, IsWithinTheDefaultLimitsOfTheRuntimeDecoder) {
+  // A skeleton that core's reader takes, and an engine with its defaults must take too.
+  Motion motion = test::smooth_motion(4);
+  while (motion.skeleton.joint_count() < 1100)
+    motion.skeleton.add({.name = "j" + std::to_string(motion.skeleton.joint_count()),
+                         .parent = motion.skeleton.joint_count() / 2});
+  const Encoder encoder(motion);
+  const Encoding encoding = encoder.encode({.method = Method::Standard,
+                                            .coding = Coding::Adaptive,
+                                            .target = {Target::Kind::CoefficientRatio, 2}});
+  EXPECT_EQ(verify(write_container(encoding.compressed), encoder).by, "runtime");
 }
 
 }  // namespace

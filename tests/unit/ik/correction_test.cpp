@@ -74,6 +74,7 @@ TEST_F(Correction, MovesNoJointFurtherThanTheFeet) {
 
 TEST_F(Correction, OfNothingChangesNothing) {
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(60, 3 * std::ssize(feet_));
+  damaged_.channels = damaged_.channels.cast<float>().cast<double>().eval();  // as decoded
   for (const IkSolver solver : kSolvers) {
     Clip corrected = damaged_;
     apply_correction(motion_.skeleton, feet_, solver, none, corrected);

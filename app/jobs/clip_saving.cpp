@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/clip_saving.h"
+
+#include <filesystem>
+
+#include "core/base/staged_file.h"
+#include "core/batch/verification.h"
+
+namespace mocapress {
+
+void saveClip(const QString& path, const DecodedClip& decoded, const OriginalClip* original) {
+  StagedFile file(std::filesystem::path(path.toStdU16String()));
+  file.write(decoded.file);
+  const bool was_encoded_here = decoded.coefficient_ratio.has_value();
+  if (original && was_encoded_here)
+    verify(file.read_back(), *original->encoder);
+  else
+    read_mcpr(file.read_back());
+  file.commit();
+}
+
+}  // namespace mocapress
