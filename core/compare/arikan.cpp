@@ -47,6 +47,7 @@ struct Codebook {
     const double step = read_finite(reader);
     for (Cluster& cluster : clusters) {
       const int components = reader.read<std::uint16_t>();
+      if (components > 3 * coordinates) reader.fail("more components than there are");
       cluster.mean = read_steps(reader, 3 * coordinates, step);
       const std::size_t needed = static_cast<std::size_t>(components) *
                                  (sizeof(float) + 6 * static_cast<std::size_t>(coordinates));
@@ -137,13 +138,25 @@ class ClipDecoder {
   int segments_;
 };
 
-/// Neither part inflates to more, whatever is in it.
-std::size_t most_bytes(const Skeleton& skeleton, int frames) {
-  constexpr std::size_t kMost = std::size_t{1} << 29;
-  constexpr std::size_t kCodebook = std::size_t{1} << 27;  // may hold much for a short clip
-  const auto samples =
-      static_cast<std::size_t>(frames) * (static_cast<std::size_t>(skeleton.channel_count()) + 1);
-  return std::min(kMost, kCodebook + 64 * samples);
+/// Of a clip, at most.
+std::size_t segments_of(int frames) {
+  return static_cast<std::size_t>(curve_count(frames, kShortestCurve));
+}
+
+/// No clip's part inflates to more, whatever is in it.
+std::size_t most_clip_bytes(const VirtualMarkers& markers, int frames) {
+  const std::size_t segments = segments_of(frames);
+  const auto coordinates = static_cast<std::size_t>(markers.coordinates());
+  const std::size_t others = markers.other_channels().size();
+  return 4 * others + 2 * markers.angles().size() + 4 + others * (4 + 6 * segments) +
+         segments * (1 + 6 * coordinates);
+}
+
+/// Nor does a codebook: there are no more clusters than segments, and no more components in all.
+std::size_t most_codebook_bytes(const VirtualMarkers& markers, std::size_t segments) {
+  const std::size_t of_vector = 6 * static_cast<std::size_t>(markers.coordinates());
+  constexpr std::size_t kMostClusters = 255;
+  return 6 + std::min(segments, kMostClusters) * (2 + of_vector) + segments * (4 + of_vector);
 }
 
 class ArikanCoder : public DetailCoder {
@@ -181,9 +194,11 @@ class Arikan : public ComparisonMethod {
 
   Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
               std::span<const std::byte> motion) const override {
-    const auto bytes = inflate_bytes(motion, most_bytes(skeleton, frames));
+    const VirtualMarkers markers(skeleton);
+    const auto bytes = inflate_bytes(motion, most_codebook_bytes(markers, segments_of(frames)) +
+                                                 most_clip_bytes(markers, frames));
     ByteReader reader(bytes);
-    const Codebook codebook(reader, VirtualMarkers(skeleton).coordinates());
+    const Codebook codebook(reader, markers.coordinates());
     Clip clip{sample_rate_hz,
               ClipDecoder(skeleton, frames, codebook).decode(reader, skeleton.channel_count())};
     reader.expect_end();
@@ -233,12 +248,14 @@ ArikanDatabase compress_database(std::span<const Motion> motions, Weighting weig
 Clip decode_from_database(const Skeleton& skeleton, double sample_rate_hz, int frames,
                           std::span<const std::byte> codebook_bytes,
                           std::span<const std::byte> clip_bytes) {
-  const std::size_t most = most_bytes(skeleton, frames);
-  const auto shared = inflate_bytes(codebook_bytes, most);
+  constexpr int kMostFramesOfDatabase = 1 << 20;  // it is of more clips than this
+  const VirtualMarkers markers(skeleton);
+  const auto shared = inflate_bytes(
+      codebook_bytes, most_codebook_bytes(markers, segments_of(kMostFramesOfDatabase)));
   ByteReader codebook_reader(shared);
-  const Codebook codebook(codebook_reader, VirtualMarkers(skeleton).coordinates());
+  const Codebook codebook(codebook_reader, markers.coordinates());
   codebook_reader.expect_end();
-  const auto own = inflate_bytes(clip_bytes, most);
+  const auto own = inflate_bytes(clip_bytes, most_clip_bytes(markers, frames));
   ByteReader reader(own);
   Clip clip{sample_rate_hz,
             ClipDecoder(skeleton, frames, codebook).decode(reader, skeleton.channel_count())};

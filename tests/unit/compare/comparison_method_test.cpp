@@ -188,6 +188,18 @@ TEST_P(EveryComparisonMethod, RefusesRandomBytes) {
   }
 }
 
+TEST_P(EveryComparisonMethod, InflatesNoMoreThanSomeTimesItsClip) {
+  const Motion motion = test::smooth_motion(50);
+  const auto raw = static_cast<std::size_t>(4 * motion.clip.channels.size());
+  try {
+    decode(motion, deflate_bytes(Bytes(16 * raw)));
+    FAIL();
+  } catch (const FormatError& error) {
+    EXPECT_NE(std::string(error.what()).find("inflates to more than it may"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_P(EveryComparisonMethod, HasANameATitleAndANote) {
   EXPECT_EQ(find_comparison_method(method().name()), &method());
   EXPECT_FALSE(method().title().empty());
