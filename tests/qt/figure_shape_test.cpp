@@ -87,7 +87,28 @@ TEST(FigureShape, ShowsALonePointAndNoPoint) {
 TEST(FigureShape, CentresOnTheBoxAroundAllLandmarks) {
   Eigen::MatrixXd tracks(1, 9);
   tracks << 0, 0, 0, 10, 2, 4, 1, 1, -8;
-  EXPECT_EQ(FigureShape::centre(tracks, 0), QVector3D(5, 1, -2));
+  Skeleton three;
+  for (const int parent : {-1, 0, 0}) three.add(joint(parent, {0, 0, 0}));
+  EXPECT_EQ(FigureShape(three).centre(tracks, 0), QVector3D(5, 1, -2));
+}
+
+TEST(FigureShape, TheBodyBeginsWhereSomethingWalksAwayFromTheFloor) {
+  Skeleton game;
+  game.add(joint(-1, {0, 0, 0}));
+  Joint hips = joint(0, {0, 90, 0});
+  hips.channels = {ChannelKind::TranslationX, ChannelKind::TranslationY};
+  game.add(hips);
+  game.add(joint(1, {0, 60, 0}));
+  game.add(joint(1, {10, -80, 0}));
+  const FigureShape shape(game);
+  EXPECT_EQ(shape.bodyRoot(), 1);
+  Clip clip;
+  clip.channels = Eigen::RowVector2d(900, 0);
+  const Eigen::MatrixXd tracks = landmark_tracks(game, clip);
+  EXPECT_GT(shape.centre(tracks, 0).x(), 850);
+  EXPECT_EQ(shape.body(tracks, 0).size(), 3u);
+
+  EXPECT_EQ(FigureShape(test::small_skeleton()).bodyRoot(), 0);
 }
 
 }  // namespace

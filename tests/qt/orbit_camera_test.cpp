@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace mocapress {
 namespace {
 
@@ -35,6 +37,65 @@ TEST(OrbitCamera, SeesTheWholeSphereInAnyShapeOfWindow) {
       ASSERT_TRUE(seen);
       EXPECT_TRUE(QRectF(QPointF(0, 0), size).contains(*seen));
     }
+  }
+}
+
+/// A figure with its arms spread, of any height.
+std::vector<QVector3D> figure(float height) {
+  std::vector<QVector3D> points;
+  for (const QVector3D point : {QVector3D(0.1f, 0, 0.05f),
+                                {-0.1f, 0, -0.1f},
+                                {0, 0.55f, 0},
+                                {0.5f, 0.8f, 0},
+                                {-0.5f, 0.8f, 0.1f},
+                                {0, 1, 0.02f}})
+    points.push_back(height * (point + QVector3D(3, 0, -2)));
+  return points;
+}
+
+TEST(OrbitCamera, FramesAFigureOfAnySizeInAnyShapeOfWindowWithoutWaste) {
+  for (const float height : {0.01f, 1.0f, 100.0f, 170.0f, 1e4f, 1e6f})
+    for (const QSizeF size : {QSizeF(800, 600), QSizeF(300, 900), QSizeF(1600, 200)}) {
+      OrbitCamera camera;
+      camera.setViewSize(size);
+      camera.frame(figure(height), 0.1f * height);
+      QRectF seen;
+      for (const QVector3D& point : figure(height)) {
+        const auto at = camera.project(point);
+        ASSERT_TRUE(at);
+        EXPECT_TRUE(QRectF(QPointF(), size).contains(*at)) << height;
+        const QRectF here(*at, QSizeF(1, 1));
+        seen = seen.isNull() ? here : seen.united(here);
+      }
+      EXPECT_GT(std::max(seen.width() / size.width(), seen.height() / size.height()), 0.75)
+          << height;
+      EXPECT_NEAR(seen.center().x(), size.width() / 2, 0.06 * size.width());
+      EXPECT_NEAR(seen.center().y(), size.height() / 2, 0.06 * size.height());
+      EXPECT_LT(camera.nearPlane(), camera.distance() - height);
+      EXPECT_GT(camera.farPlane(), camera.distance() + height);
+    }
+}
+
+TEST(OrbitCamera, FramesASinglePoint) {
+  OrbitCamera camera;
+  camera.setViewSize({800, 600});
+  camera.frame(std::vector<QVector3D>{{5, 6, 7}}, 10);
+  EXPECT_LT(pixelsBetween(camera.project({5, 6, 7}), {400, 300}), kTolerance);
+  EXPECT_GT(camera.distance(), 10);
+}
+
+TEST(OrbitCamera, ZoomEndsWhereTheFigureIsStillSeen) {
+  for (const float height : {1.0f, 170.0f, 1e4f}) {
+    OrbitCamera camera;
+    camera.setViewSize({900, 700});
+    camera.frame(figure(height), 0.1f * height);
+    for (int notch = 0; notch < 300; ++notch) camera.zoom(-1);
+    const double pixels =
+        std::abs(camera.project(figure(height)[5])->y() - camera.project(figure(height)[0])->y());
+    EXPECT_GT(pixels, 15) << height;
+    for (int notch = 0; notch < 300; ++notch) camera.zoom(1);
+    EXPECT_GT(camera.distance(), 0.02f * height);
+    EXPECT_LT(camera.distance(), 0.2f * height);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <QScreen>
 #include <QSignalSpy>
 #include <QTest>
+#include <QWheelEvent>
 #include <QWindow>
 #include <cstdio>
 
@@ -224,6 +225,76 @@ TEST_F(ViewportScreen, HasANewFigureOnTheScreenWhenItSaysDrawn) {
     const QImage screen = viewport_.screen()->grabWindow(0).toImage();
     EXPECT_EQ(isRed(screen.pixel(neck)), shown);
   }
+}
+
+/// The part of a picture that differs from another, the title left out.
+QRect changed(const QImage& a, const QImage& b) {
+  const QRect title(0, 0, 160, 40);
+  QRect area;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x)
+      if (!title.contains(x, y) && difference(a.pixel(x, y), b.pixel(x, y)) > 12)
+        area |= QRect(x, y, 1, 1);
+  return area;
+}
+
+TEST_F(ViewportScreen, ShowsTheWholeFigureOfAnySizeWhenItIsOpenedAndOnReset) {
+  for (const double scale : {0.01, 1.0, 100.0}) {
+    Skeleton person;
+    Joint hips = joint(-1, scale * Eigen::Vector3d(0, 95, 0));
+    hips.channels = {ChannelKind::TranslationX};
+    person.add(hips);
+    person.add(joint(0, scale * Eigen::Vector3d(0, 75, 0)));
+    person.add(joint(0, scale * Eigen::Vector3d(15, -90, 0)));
+    person.add(joint(1, scale * Eigen::Vector3d(70, -20, 10)));
+    Clip clip;
+    clip.channels = Eigen::Vector2d(scale * 3000, scale * 3030);  // far from the origin
+    const auto tracks = std::make_shared<const Eigen::MatrixXd>(landmark_tracks(person, clip));
+    const auto bare = [&] {
+      viewport_.setOriginal(nullptr);
+      viewport_.setCompressed(nullptr);
+      const QImage nothing = picture();
+      viewport_.setCompressed(tracks);
+      return nothing;
+    };
+    for (const bool reset : {false, true}) {
+      viewport_.resize(reset ? QSize(360, 520) : QSize(640, 480));
+      viewport_.setSkeleton(person);
+      viewport_.setCompressed(tracks);
+      if (reset) {
+        QWheelEvent wheel(QPointF(100, 100), QPointF(100, 100), {}, {0, -2400}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(scene(), &wheel);
+        viewport_.resetCamera();
+      }
+      const QImage nothing = bare();
+      const QImage image = picture();
+      ASSERT_EQ(image.size(), nothing.size());
+      const QRect figure = changed(image, nothing);
+      EXPECT_TRUE(image.rect().adjusted(3, 3, -3, -3).contains(figure)) << scale << reset;
+      EXPECT_GT(std::max(static_cast<double>(figure.width()) / image.width(),
+                         static_cast<double>(figure.height()) / image.height()),
+                0.7)
+          << scale << reset;
+    }
+  }
+}
+
+TEST_F(ViewportScreen, AViewOfAnotherShapeStillShowsAllUntilTheUserLooksAtSomething) {
+  viewport_.resize(200, 600);
+  const auto whole = [&] {
+    for (int landmark = 0; landmark < 4; ++landmark)
+      if (!QRect({}, viewport_.size()).contains(seen(original_, 0, landmark))) return false;
+    return true;
+  };
+  EXPECT_TRUE(QTest::qWaitFor(whole, kPatience));
+  QTest::mousePress(scene(), Qt::LeftButton, {}, {50, 50});
+  QTest::mouseMove(scene(), {110, 50});
+  QTest::mouseRelease(scene(), Qt::LeftButton, {}, {110, 50});
+  const QVector3D eye = viewport_.camera().eye();
+  viewport_.resize(640, 480);
+  picture();
+  EXPECT_EQ(viewport_.camera().eye(), eye);
 }
 
 TEST_F(ViewportScreen, PaintsAFrameOfTwoHundredJointsInLittleTime) {

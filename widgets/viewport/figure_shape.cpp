@@ -28,9 +28,9 @@ struct Box {
   QVector3D low, high;
 };
 
-Box boxAround(const Eigen::MatrixXd& tracks, int frame) {
-  Box box{landmarkAt(tracks, frame, 0), landmarkAt(tracks, frame, 0)};
-  for (int p = 1; p < tracks.cols() / 3; ++p) {
+Box boxAround(const Eigen::MatrixXd& tracks, int frame, int first) {
+  Box box{landmarkAt(tracks, frame, first), landmarkAt(tracks, frame, first)};
+  for (int p = first + 1; p < tracks.cols() / 3; ++p) {
     const QVector3D point = landmarkAt(tracks, frame, p);
     for (int axis = 0; axis < 3; ++axis) {
       box.low[axis] = std::min(box.low[axis], point[axis]);
@@ -38,6 +38,23 @@ Box boxAround(const Eigen::MatrixXd& tracks, int frame) {
     }
   }
   return box;
+}
+
+bool isMoved(const Joint& joint) {
+  return std::any_of(joint.channels.begin(), joint.channels.end(),
+                     [](ChannelKind kind) { return !is_rotation(kind); });
+}
+
+/// Joints come parents first: those above the body are the first ones.
+int bodyRootOf(const Skeleton& skeleton) {
+  std::vector<int> children(static_cast<std::size_t>(skeleton.joint_count()), 0);
+  for (const Joint& joint : skeleton.joints())
+    if (joint.parent >= 0) ++children[static_cast<std::size_t>(joint.parent)];
+  int root = 0;
+  while (root + 1 < skeleton.joint_count() && children[static_cast<std::size_t>(root)] == 1 &&
+         skeleton.joint(root + 1).parent == root && isMoved(skeleton.joint(root + 1)))
+    ++root;
+  return root;
 }
 
 float longestSide(const Box& box) {
@@ -57,8 +74,10 @@ QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark) {
 }
 
 FigureShape::FigureShape(const Skeleton& skeleton)
-    : ball_radii_(static_cast<std::size_t>(skeleton.joint_count())) {
-  size_ = skeleton.joint_count() > 0 ? longestSide(boxAround(restTracks(skeleton), 0)) : 0;
+    : ball_radii_(static_cast<std::size_t>(skeleton.joint_count())),
+      body_root_(bodyRootOf(skeleton)) {
+  size_ =
+      skeleton.joint_count() > 0 ? longestSide(boxAround(restTracks(skeleton), 0, body_root_)) : 0;
   if (size_ <= 0) size_ = 100;  // a lone point is still drawn as a ball to see and to click
   std::fill(ball_radii_.begin(), ball_radii_.end(), kThinnest * size_);
 
@@ -105,8 +124,15 @@ void FigureShape::pose(const Eigen::MatrixXd& tracks, int frame, const FigureMar
                   tintAt(bone.end)};
 }
 
-QVector3D FigureShape::centre(const Eigen::MatrixXd& tracks, int frame) {
-  const Box box = boxAround(tracks, frame);
+std::vector<QVector3D> FigureShape::body(const Eigen::MatrixXd& tracks, int frame) const {
+  std::vector<QVector3D> points;
+  for (int p = body_root_; p < tracks.cols() / 3; ++p)
+    points.push_back(landmarkAt(tracks, frame, p));
+  return points;
+}
+
+QVector3D FigureShape::centre(const Eigen::MatrixXd& tracks, int frame) const {
+  const Box box = boxAround(tracks, frame, body_root_);
   return (box.low + box.high) / 2;
 }
 

@@ -50,6 +50,10 @@ class FigureShape {
   /// Of those the bones, which come last. They are round at their ends.
   int boneCount() const { return static_cast<int>(bones_.size()); }
 
+  /// The first joint that carries the body. A game's root on the floor does not: the hips walk away
+  /// from it. Landmarks from here on are the body's.
+  int bodyRoot() const { return body_root_; }
+
   /// The longest side (cm) of the box around the rest pose.
   float size() const { return size_; }
 
@@ -57,8 +61,11 @@ class FigureShape {
   void pose(const Eigen::MatrixXd& tracks, int frame, const FigureMarks& marks,
             std::span<Capsule> capsules) const;
 
-  /// The centre of the box around a frame's landmarks.
-  static QVector3D centre(const Eigen::MatrixXd& tracks, int frame);
+  /// The body's landmarks at a frame.
+  std::vector<QVector3D> body(const Eigen::MatrixXd& tracks, int frame) const;
+
+  /// The centre of the box around them.
+  QVector3D centre(const Eigen::MatrixXd& tracks, int frame) const;
 
  private:
   struct Bone {
@@ -68,6 +75,7 @@ class FigureShape {
   };
   std::vector<Bone> bones_;
   std::vector<float> ball_radii_;  // cm, one a joint
+  int body_root_;
   float size_;
 };
 

@@ -10,7 +10,10 @@ namespace {
 
 constexpr float kRadiansPerPixel = 0.007f;
 constexpr float kDistancePerNotch = 0.85f;
-constexpr float kSteepest = 89;  // degrees
+constexpr float kSteepest = 89;   // degrees
+constexpr float kFilled = 0.86f;  // of the view, by what is framed
+constexpr float kNearest = 0.1f;  // to the target, per radius
+constexpr float kFurthest = 60;   // likewise: a person is some 40 pixels high then
 constexpr QVector3D kUp{0, 1, 0};
 
 constexpr float radians(float degrees) {
@@ -38,6 +41,50 @@ void OrbitCamera::lookAt(const QVector3D& centre, float radius) {
   elevation_ = radians(12);
 }
 
+void OrbitCamera::frame(std::span<const QVector3D> points, float least_radius) {
+  if (points.empty()) return;
+  QVector3D low = points[0], high = points[0];
+  for (const QVector3D& point : points)
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], point[axis]);
+      high[axis] = std::max(high[axis], point[axis]);
+    }
+  const QVector3D centre = (low + high) / 2;
+  float radius = least_radius;
+  for (const QVector3D& point : points) radius = std::max(radius, (point - centre).length());
+  lookAt(centre, radius);
+  if (radius <= least_radius) return;  // a point has nothing to fill the view with
+  // The distance from which all is seen depends on where the middle is, and that on the distance.
+  constexpr int kRounds = 4;
+  const QVector3D right = this->right();
+  const QVector3D up = QVector3D::crossProduct(targetToEye(), right);
+  const float tallest = kFilled * kHalfHeight;
+  const float widest = tallest * aspectRatio();
+  for (int round = 0; round < kRounds; ++round) {
+    float left_most = 1e9f, right_most = -1e9f, lowest = 1e9f, highest = -1e9f;  // at distance 1
+    for (const QVector3D& point : points) {
+      const QVector3D away = point - target_;
+      const float depth = distance_ - QVector3D::dotProduct(away, targetToEye());
+      const float x = QVector3D::dotProduct(away, right) / depth;
+      const float y = QVector3D::dotProduct(away, up) / depth;
+      left_most = std::min(left_most, x);
+      right_most = std::max(right_most, x);
+      lowest = std::min(lowest, y);
+      highest = std::max(highest, y);
+    }
+    target_ += distance_ * ((left_most + right_most) / 2 * right + (lowest + highest) / 2 * up);
+    distance_ = radius_;  // not among the points, were they all in one line of sight
+    for (const QVector3D& point : points) {
+      const QVector3D away = point - target_;
+      distance_ = std::max({distance_,
+                            QVector3D::dotProduct(away, targetToEye()) +
+                                std::abs(QVector3D::dotProduct(away, right)) / widest,
+                            QVector3D::dotProduct(away, targetToEye()) +
+                                std::abs(QVector3D::dotProduct(away, up)) / tallest});
+    }
+  }
+}
+
 void OrbitCamera::lookDown() {
   azimuth_ = 0;
   elevation_ = radians(kSteepest);
@@ -58,7 +105,7 @@ void OrbitCamera::pan(const QPointF& pixels) {
 
 void OrbitCamera::zoom(float notches) {
   distance_ *= std::pow(kDistancePerNotch, notches);
-  distance_ = std::clamp(distance_, 0.1f * radius_, 100 * radius_);
+  distance_ = std::clamp(distance_, kNearest * radius_, kFurthest * radius_);
 }
 
 QMatrix4x4 OrbitCamera::clipFromWorld() const {

@@ -6,6 +6,7 @@
 #include <QSizeF>
 #include <QVector3D>
 #include <optional>
+#include <span>
 
 namespace mocapress {
 
@@ -20,6 +21,10 @@ class OrbitCamera {
   /// Looks at a sphere from the front right, so that the whole of it is in sight.
   void lookAt(const QVector3D& centre, float radius);
 
+  /// Looks at points from the front right, so near that they fill the view but for a margin. The
+  /// limits of zoom() and both planes follow their size, which is taken as `least_radius` at least.
+  void frame(std::span<const QVector3D> points, float least_radius);
+
   /// The same sphere from above, as on a floor plan.
   void lookDown();
 
@@ -29,7 +34,8 @@ class OrbitCamera {
   /// A drag: what lies at the target's depth stays under the hand.
   void pan(const QPointF& pixels);
 
-  /// Positive notches of the wheel go nearer, between a fraction and many times the radius.
+  /// Positive notches of the wheel go nearer: as far as a fraction of the radius, and away as far
+  /// as what was looked at is still seen.
   void zoom(float notches);
 
   void moveBy(const QVector3D& offset) { target_ += offset; }

@@ -16,7 +16,7 @@
 namespace mocapress {
 namespace {
 
-constexpr float kRadiusPerSize = 0.56f;  // of the ball in sight, per size of the figure
+constexpr float kLeastRadius = 0.1f;     // of what is framed, per size of the figure
 constexpr float kTrailPerSize = 0.006f;  // radius of a trail, per size of the figure
 constexpr float kPathPerSize = 0.006f;   // radius of a joint's path, likewise
 constexpr float kDiscPerSize = 0.055f;   // radius of a foot's disc, likewise
@@ -42,6 +42,7 @@ void prepareViewport() {
 
 Viewport::Viewport(QWidget* parent) : QWidget(parent) {
   setMinimumSize(160, 120);
+  setFocusPolicy(Qt::StrongFocus);
   camera_.lookAt({0, 90, 0}, 100);
   blink_.setInterval(kBlinkTime);
   connect(&blink_, &QTimer::timeout, this, [this] {
@@ -84,6 +85,7 @@ void Viewport::setSkeleton(const Skeleton& skeleton) {
   slides_.clear();
   selected_joint_ = -1;
   camera_is_framed_ = false;
+  frame_ = 0;  // the last clip's means nothing here
   if (scene_) scene_->setCell(gridCell(shape_->size()));
   arrangeFigures();
 }
@@ -155,18 +157,22 @@ void Viewport::setFollow(bool follow) {
   follow_ = follow;
   const Eigen::MatrixXd* tracks = leadingTracks();
   if (!follow || !tracks) return;
-  camera_.moveBy(FigureShape::centre(*tracks, frameOf(*tracks)) + offset() - camera_.target());
+  camera_.moveBy(shape_->centre(*tracks, frameOf(*tracks)) + offset() - camera_.target());
   showCamera();
 }
 
 void Viewport::resetCamera() {
-  if (const Eigen::MatrixXd* tracks = leadingTracks())
-    camera_.lookAt(FigureShape::centre(*tracks, frameOf(*tracks)) + offset(),
-                   kRadiusPerSize * shape_->size());
+  camera_is_as_framed_ = true;
+  if (const Eigen::MatrixXd* tracks = leadingTracks()) {
+    std::vector<QVector3D> body = shape_->body(*tracks, frameOf(*tracks));
+    for (QVector3D& point : body) point += offset();
+    camera_.frame(body, kLeastRadius * shape_->size());
+  }
   showCamera();
 }
 
 void Viewport::lookDown() {
+  camera_is_as_framed_ = false;
   camera_.lookDown();
   showCamera();
 }
@@ -180,7 +186,7 @@ void Viewport::capture() {
 
 void Viewport::showFigures() {
   if (const Eigen::MatrixXd* tracks = leadingTracks()) {
-    const QVector3D root = landmarkAt(*tracks, frameOf(*tracks), 0) + offset();
+    const QVector3D root = landmarkAt(*tracks, frameOf(*tracks), shape_->bodyRoot()) + offset();
     if (!std::exchange(camera_is_framed_, true)) {
       resetCamera();
     } else if (follow_) {
@@ -301,7 +307,9 @@ void Viewport::sizeCamera() {
   if (!scene_) return;
   camera_.setViewSize({static_cast<double>(scene_->width()) / arrangement_.panes,
                        static_cast<double>(scene_->height())});
-  showCamera();
+  // In a view of another shape the figure may no longer be whole. Where the user has looked at
+  // something, that stays.
+  camera_is_as_framed_ ? resetCamera() : showCamera();
 }
 
 void Viewport::showOverlay() {
@@ -316,7 +324,8 @@ void Viewport::showOverlay() {
 QVector3D Viewport::offset() const {
   const Eigen::MatrixXd* tracks = leadingTracks();
   if (!options_.in_place || !tracks) return {};
-  QVector3D away = landmarkAt(*tracks, 0, 0) - landmarkAt(*tracks, frameOf(*tracks), 0);
+  const int root = shape_->bodyRoot();
+  QVector3D away = landmarkAt(*tracks, 0, root) - landmarkAt(*tracks, frameOf(*tracks), root);
   away.setY(0);
   return away;
 }

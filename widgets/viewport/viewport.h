@@ -158,8 +158,9 @@ class Viewport : public QWidget {
   bool follow_ = false;
 
   OrbitCamera camera_;
-  bool camera_is_framed_ = false;
-  QVector3D root_;  // of the leading figure when last shown, cm
+  bool camera_is_framed_ = false;     // on this skeleton
+  bool camera_is_as_framed_ = false;  // and nobody has turned, moved or zoomed it since
+  QVector3D root_;                    // of the leading figure when last shown, cm
 
   QPointF pressed_at_;
   QPointF dragged_to_;

@@ -31,6 +31,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       release(*static_cast<QMouseEvent*>(event));
       break;
     case QEvent::Wheel:
+      camera_is_as_framed_ = false;
       camera_.zoom(
           static_cast<float>(static_cast<QWheelEvent*>(event)->angleDelta().y() / kWheelStep));
       showCamera();
@@ -73,6 +74,7 @@ void Viewport::drag(const QMouseEvent& event) {
   is_click_ = false;
   const QPointF step = event.position() - dragged_to_;
   dragged_to_ = event.position();
+  camera_is_as_framed_ = false;
   if (event.buttons() & Qt::LeftButton)
     camera_.orbit(step);
   else
