@@ -49,12 +49,26 @@ void screenshotAndQuit(MainWindow& window, const QString& path) {
   QObject::connect(session, &Session::compressFailed, &window, give_up);
 }
 
-int run(int argc, char** argv) {
-  prepareViewport();
-  QApplication application(argc, argv);
+void nameProgram() {
   QCoreApplication::setOrganizationName(QStringLiteral("mocapress"));
   QCoreApplication::setApplicationName(QStringLiteral("Mocapress"));
   QCoreApplication::setApplicationVersion(QStringLiteral(MOCAPRESS_VERSION));
+}
+
+/// --help and --version, where there need not be a display.
+void say(int argc, char** argv) {
+  QCoreApplication application(argc, argv);
+  nameProgram();
+  if (!chosenLanguage().isEmpty()) QLocale::setDefault(QLocale(chosenLanguage()));
+  installTranslations(application);
+  parseLaunchOptions(application);
+}
+
+int run(int argc, char** argv) {
+  if (asksForWords({argv + 1, argv + argc})) say(argc, argv);
+  prepareViewport();
+  QApplication application(argc, argv);
+  nameProgram();
   QGuiApplication::setDesktopFileName(QStringLiteral("org.mocapress.Studio"));
   QApplication::setStyle(new StudioStyle);
   if (!chosenLanguage().isEmpty()) QLocale::setDefault(QLocale(chosenLanguage()));
@@ -72,10 +86,10 @@ int run(int argc, char** argv) {
   const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
   const bool goes_on = options.screenshot.isEmpty() &&
                        window.library().begin(data + QStringLiteral("/session.mocapress"));
-  if (options.file.isEmpty() && !goes_on)
+  if (!options.files.isEmpty())
+    window.open(options.files, options.skeleton);
+  else if (!goes_on)
     window.files().openFirst();
-  else if (!options.file.isEmpty())
-    window.files().open(options.file, options.skeleton);
   return QApplication::exec();
 }
 

@@ -62,10 +62,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%L1 cm of footskate in %Ln contact(s)</source>
+        <source>%1 of footskate in %Ln contact(s): %2 each in the mean, %3 in the worst</source>
         <translation>
-            <numerusform>%L1 cm of footskate in %Ln contact</numerusform>
-            <numerusform>%L1 cm of footskate in %Ln contacts</numerusform>
+            <numerusform>%1 of footskate in %Ln contact: %2 each in the mean, %3 in the worst</numerusform>
+            <numerusform>%1 of footskate in %Ln contacts: %2 each in the mean, %3 in the worst</numerusform>
         </translation>
     </message>
 </context>

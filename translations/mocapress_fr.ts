@@ -203,6 +203,10 @@
         <source>Keep this result in view beside those of other settings (D)</source>
         <translation>Garder ce résultat en vue à côté de ceux d&apos;autres réglages (D)</translation>
     </message>
+    <message>
+        <source>Error S&amp;cale</source>
+        <translation>Éc&amp;helle d&apos;erreur</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -211,20 +215,28 @@
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Pass %1</source>
-        <translation>Passe %1</translation>
-    </message>
-    <message>
         <source>Progress of the refinement</source>
         <translation>Avancement de l&apos;affinage</translation>
     </message>
     <message>
-        <source>The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed loop sweeps over all of them, until nothing helps. Most targets take several passes.</source>
-        <translation>L&apos;ébauche est affinée : le recuit déplace de moins en moins de coefficients à la fois, une boucle fermée les parcourt tous, jusqu&apos;à ce que plus rien n&apos;aide. La plupart des cibles demandent plusieurs passes.</translation>
-    </message>
-    <message>
         <source>Stop refining. The best so far is kept where it beats the draft.</source>
         <translation>Arrêter l&apos;affinage. Le meilleur résultat obtenu est gardé s&apos;il vaut mieux que l&apos;ébauche.</translation>
+    </message>
+    <message>
+        <source>%L1 s left</source>
+        <translation>encore %L1 s</translation>
+    </message>
+    <message>
+        <source>%L1 min left</source>
+        <translation>encore %L1 min</translation>
+    </message>
+    <message>
+        <source>The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed loop sweeps over all of them, until nothing helps. Most targets take several passes; how many is a guess until the last.</source>
+        <translation>L&apos;ébauche est affinée : le recuit déplace de moins en moins de coefficients à la fois, une boucle fermée les parcourt tous, jusqu&apos;à ce que plus rien n&apos;aide. La plupart des cibles demandent plusieurs passes ; leur nombre reste une estimation jusqu&apos;à la dernière.</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Temps restant</translation>
     </message>
 </context>
 <context>
@@ -561,10 +573,6 @@
         <translation>A&amp;nnuler</translation>
     </message>
     <message>
-        <source>Open Re&amp;port</source>
-        <translation>Ouvrir le ra&amp;pport</translation>
-    </message>
-    <message>
         <source>Slurm Script…</source>
         <translation>Script Slurm…</translation>
     </message>
@@ -666,6 +674,10 @@
     <message>
         <source>Redo</source>
         <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Open Rep&amp;ort</source>
+        <translation>Ouvrir le rapp&amp;ort</translation>
     </message>
 </context>
 <context>
@@ -848,16 +860,16 @@
         <translation>Contacts</translation>
     </message>
     <message>
-        <source>%1 on the ground, frames %L2–%L3; slides %L4 cm further than the original. Drag an end to move it.</source>
-        <translation>%1 au sol, images %L2–%L3 ; glisse de %L4 cm de plus que l&apos;original. Tirer un bout pour le déplacer.</translation>
-    </message>
-    <message>
         <source>Remove Contact</source>
         <translation>Retirer le contact</translation>
     </message>
     <message>
         <source>Add Contact Here</source>
         <translation>Ajouter un contact ici</translation>
+    </message>
+    <message>
+        <source>%1 on the ground, frames %L2–%L3; slides %4 further than the original. Drag an end to move it.</source>
+        <translation>%1 au sol, images %L2–%L3 ; glisse %4 de plus que l&apos;original. Tirez une extrémité pour la déplacer.</translation>
     </message>
 </context>
 <context>
@@ -881,10 +893,6 @@
 </context>
 <context>
     <name>mocapress::CorrectionControl</name>
-    <message>
-        <source>&amp;Hold feet (IK)</source>
-        <translation>&amp;Tenir les pieds (IK)</translation>
-    </message>
     <message>
         <source>Auto</source>
         <translation>Auto</translation>
@@ -948,6 +956,10 @@
             <numerusform>%Ln articulations</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Hold feet (IK)</source>
+        <translation>Tenir les pieds (IK)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ErrorGraph</name>
@@ -973,6 +985,13 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ErrorScaleChoice</name>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatique</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ErrorStrip</name>
     <message>
         <source>Error strip</source>
@@ -987,12 +1006,16 @@
         <translation>Erreur</translation>
     </message>
     <message>
-        <source>Greatest error at every frame as a column, the mean as a line. Shift and drag chooses the range that is played.</source>
-        <translation>Erreur maximale de chaque image en colonne, la moyenne en ligne. Maj et glisser choisit la plage lue.</translation>
+        <source>Errors of this size and more are as high and as light as it gets. Click to choose another scale.</source>
+        <translation>Les erreurs de cette taille et plus sont les plus hautes et les plus claires. Cliquez pour choisir une autre échelle.</translation>
     </message>
     <message>
-        <source>A jump of one frame: %1 at frame %L2, %L3 cm</source>
-        <translation>Un saut d&apos;une image : %1 à l&apos;image %L2, %L3 cm</translation>
+        <source>Greatest error at every frame as a column, the mean as a line. The wheel zooms, with Shift it moves along; Shift and drag chooses the range that is played.</source>
+        <translation>L&apos;erreur maximale de chaque image en colonne, la moyenne en ligne. La molette agrandit, avec Maj elle fait défiler ; Maj et glisser choisit la plage lue.</translation>
+    </message>
+    <message>
+        <source>A jump of one frame: %1 at frame %L2, %3</source>
+        <translation>Un saut d&apos;une image : %1 à l&apos;image %L2, %3</translation>
     </message>
 </context>
 <context>
@@ -1051,13 +1074,6 @@
         <source>No foot stands on the ground in this clip.</source>
         <translation>Aucun pied n&apos;est posé au sol dans cette séquence.</translation>
     </message>
-    <message numerus="yes">
-        <source>%L1 cm of footskate in %Ln contact(s)</source>
-        <translation>
-            <numerusform>%L1 cm de glissement en %Ln contact</numerusform>
-            <numerusform>%L1 cm de glissement en %Ln contacts</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, without IK</source>
         <translation>%1, sans IK</translation>
@@ -1074,13 +1090,24 @@
         <source>Refinement cancelled; the draft is kept</source>
         <translation>Affinage annulé ; l&apos;ébauche est gardée</translation>
     </message>
+    <message>
+        <source>No answer to these settings; the draft is kept</source>
+        <translation>Pas de réponse à ces réglages ; l&apos;ébauche est gardée</translation>
+    </message>
+    <message>
+        <source>No answer to these settings; the last one is kept</source>
+        <translation>Pas de réponse à ces réglages ; la précédente est gardée</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of footskate in %Ln contact(s): %2 each in the mean, %3 in the worst</source>
+        <translation>
+            <numerusform>%1 de glissement en %Ln contact : %2 chacun en moyenne, %3 au pire</numerusform>
+            <numerusform>%1 de glissement en %Ln contacts : %2 chacun en moyenne, %3 au pire</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::FiguresBar</name>
-    <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
-    </message>
     <message>
         <source>eps_x</source>
         <translation>eps_x</translation>
@@ -1231,16 +1258,8 @@
         <translation>Les erreurs se mesurent contre l&apos;original.</translation>
     </message>
     <message>
-        <source>0 cm</source>
-        <translation>0 cm</translation>
-    </message>
-    <message>
-        <source>≥ %L1 cm</source>
-        <translation>≥ %L1 cm</translation>
-    </message>
-    <message>
-        <source>%1, frame %L2: %L3 cm</source>
-        <translation>%1, image %L2 : %L3 cm</translation>
+        <source>%1, frame %L2: %3</source>
+        <translation>%1, image %L2 : %3</translation>
     </message>
 </context>
 <context>
@@ -1272,6 +1291,14 @@
     <message>
         <source>Mouse</source>
         <translation>Souris</translation>
+    </message>
+    <message>
+        <source>Wheel over the timeline: zoom; with Shift: move along</source>
+        <translation>Molette sur la frise : agrandir ; avec Maj : faire défiler</translation>
+    </message>
+    <message>
+        <source>Click on the scale of the error strip: choose another</source>
+        <translation>Clic sur l&apos;échelle de la bande d&apos;erreur : en choisir une autre</translation>
     </message>
 </context>
 <context>
@@ -1358,14 +1385,6 @@
         <translation>Articulation</translation>
     </message>
     <message>
-        <source>Mean cm</source>
-        <translation>Moy. cm</translation>
-    </message>
-    <message>
-        <source>Max cm</source>
-        <translation>Max cm</translation>
-    </message>
-    <message>
         <source>Joint origins and bone ends, in the skeleton&apos;s order.</source>
         <translation>Origines d&apos;articulations et bouts d&apos;os, dans l&apos;ordre du squelette.</translation>
     </message>
@@ -1376,6 +1395,14 @@
     <message>
         <source>Greatest distance in the world from the original, at any frame.</source>
         <translation>Plus grande distance à l&apos;original dans l&apos;espace, à une image.</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
     </message>
 </context>
 <context>
@@ -1390,10 +1417,6 @@
     <message>
         <source>Compress human motion capture clips with wavelets, and see what it does.</source>
         <translation>Compresser des captures de mouvement humain par ondelettes, et voir ce que cela fait.</translation>
-    </message>
-    <message>
-        <source>A .bvh, .amc or .mcpr file.</source>
-        <translation>Un fichier .bvh, .amc ou .mcpr.</translation>
     </message>
     <message>
         <source>The .asf skeleton of an .amc.</source>
@@ -1414,6 +1437,25 @@
     <message>
         <source>Write a picture of the window once the clip is compressed, and quit.</source>
         <translation>Écrire une image de la fenêtre une fois la séquence compressée, et quitter.</translation>
+    </message>
+    <message>
+        <source>A .bvh, .amc or .mcpr file. Several, and folders, come into the library.</source>
+        <translation>Un fichier .bvh, .amc ou .mcpr. Plusieurs, et des dossiers, vont dans la bibliothèque.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Lengths</name>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>&lt; %1 mm</source>
+        <translation>&lt; %1 mm</translation>
     </message>
 </context>
 <context>
@@ -1445,10 +1487,6 @@
         </translation>
     </message>
     <message>
-        <source>%L1 : 1, %L2 cm</source>
-        <translation>%L1 : 1, %L2 cm</translation>
-    </message>
-    <message>
         <source>✓ approved</source>
         <translation>✓ approuvée</translation>
     </message>
@@ -1463,6 +1501,10 @@
     <message>
         <source>! target missed</source>
         <translation>! cible manquée</translation>
+    </message>
+    <message>
+        <source>%L1 : 1, %2</source>
+        <translation>%L1 : 1, %2</translation>
     </message>
 </context>
 <context>
@@ -1565,10 +1607,6 @@
 <context>
     <name>mocapress::LibraryViews</name>
     <message>
-        <source>%L1 : 1, %L2 cm</source>
-        <translation>%L1 : 1, %L2 cm</translation>
-    </message>
-    <message>
         <source>Add Clips</source>
         <translation>Ajouter des séquences</translation>
     </message>
@@ -1591,6 +1629,10 @@
     <message>
         <source>Add Folder</source>
         <translation>Ajouter un dossier</translation>
+    </message>
+    <message>
+        <source>%L1 : 1, %2</source>
+        <translation>%L1 : 1, %2</translation>
     </message>
 </context>
 <context>
@@ -1670,6 +1712,14 @@
         <source>Pinned</source>
         <translation>Épinglés</translation>
     </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Ouverture de %1…</translation>
+    </message>
+    <message>
+        <source>Left out, for the library takes motions: %1</source>
+        <translation>Laissés de côté, la bibliothèque prend des mouvements : %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::MessageBar</name>
@@ -1688,6 +1738,10 @@
     <message>
         <source>What may help</source>
         <translation>Ce qui peut aider</translation>
+    </message>
+    <message>
+        <source>Something is being done</source>
+        <translation>Un travail est en cours</translation>
     </message>
 </context>
 <context>
@@ -1754,10 +1808,6 @@
         <source>Compressed</source>
         <translation>Compressé</translation>
     </message>
-    <message>
-        <source>≥ %1 cm</source>
-        <translation>≥ %1 cm</translation>
-    </message>
 </context>
 <context>
     <name>mocapress::PinnedModel</name>
@@ -1792,10 +1842,6 @@
     <message>
         <source>Footskate: how far standing feet slide.</source>
         <translation>Glissement : de combien glissent les pieds posés.</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>cm</translation>
     </message>
     <message>
         <source>eps_x</source>
@@ -1852,12 +1898,15 @@
         <translation>%L1 : 1</translation>
     </message>
     <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Presenter</name>
+    <message>
+        <source>Out of reach for this clip by this method.</source>
+        <translation>Hors de portée pour cette séquence par cette méthode.</translation>
     </message>
 </context>
 <context>
@@ -2160,10 +2209,6 @@
 <context>
     <name>mocapress::ResultPanel</name>
     <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
-    </message>
-    <message>
         <source>%1, %L2 : 1</source>
         <translation>%1, %L2 : 1</translation>
     </message>
@@ -2276,6 +2321,19 @@
         <comment>bytes</comment>
         <translation>%1 / %2</translation>
     </message>
+    <message>
+        <source>A contact: mean / worst</source>
+        <translation>Un contact : moyen / pire</translation>
+    </message>
+    <message>
+        <source>Footskate of one contact: it compares clips of any length.</source>
+        <translation>Glissement d&apos;un contact : compare des séquences de toute longueur.</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>footskate</comment>
+        <translation>%1 / %2</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ReviewChange</name>
@@ -2354,10 +2412,6 @@
         <translation>Pendant que l&apos;original est posé au sol.</translation>
     </message>
     <message>
-        <source>Slid cm</source>
-        <translation>Glissé cm</translation>
-    </message>
-    <message>
         <source>Way over the ground beyond that of the original.</source>
         <translation>Chemin sur le sol au-delà de celui de l&apos;original.</translation>
     </message>
@@ -2368,6 +2422,10 @@
     <message>
         <source>Greatest speed over the ground.</source>
         <translation>Plus grande vitesse sur le sol.</translation>
+    </message>
+    <message>
+        <source>Slid</source>
+        <translation>Glissé</translation>
     </message>
 </context>
 <context>
@@ -2881,6 +2939,21 @@ Cliquer pour le charger dans le studio.</translation>
     <message>
         <source>Drag: a draft follows at once, and is refined when you pause.</source>
         <translation>Glissez : une ébauche suit aussitôt, affinée dès que vous marquez une pause.</translation>
+    </message>
+    <message>
+        <source>Trouble with the target</source>
+        <translation>Problème avec la cible</translation>
+    </message>
+    <message>
+        <source>There is nothing to ask for at zero.</source>
+        <translation>À zéro, il n&apos;y a rien à demander.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Timeline</name>
+    <message>
+        <source>Part of the clip in sight</source>
+        <translation>Partie visible de la séquence</translation>
     </message>
 </context>
 <context>

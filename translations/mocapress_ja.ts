@@ -203,6 +203,10 @@
         <source>Keep this result in view beside those of other settings (D)</source>
         <translation>この結果をほかの設定の結果と並べて表示し続けます (D)</translation>
     </message>
+    <message>
+        <source>Error S&amp;cale</source>
+        <translation>誤差の尺度(&amp;C)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -211,20 +215,28 @@
         <translation>中止</translation>
     </message>
     <message>
-        <source>Pass %1</source>
-        <translation>走査 %1</translation>
-    </message>
-    <message>
         <source>Progress of the refinement</source>
         <translation>仕上げの進み具合</translation>
     </message>
     <message>
-        <source>The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed loop sweeps over all of them, until nothing helps. Most targets take several passes.</source>
-        <translation>下書きを仕上げます。焼きなましは一度に動かす係数を減らしながら、閉ループは全係数を繰り返し見直しながら、改善がなくなるまで続けます。ほとんどの目標には数回の走査が必要です。</translation>
-    </message>
-    <message>
         <source>Stop refining. The best so far is kept where it beats the draft.</source>
         <translation>仕上げを止めます。下書きより良ければ、それまでの最良の結果を残します。</translation>
+    </message>
+    <message>
+        <source>%L1 s left</source>
+        <translation>残り %L1 秒</translation>
+    </message>
+    <message>
+        <source>%L1 min left</source>
+        <translation>残り %L1 分</translation>
+    </message>
+    <message>
+        <source>The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed loop sweeps over all of them, until nothing helps. Most targets take several passes; how many is a guess until the last.</source>
+        <translation>下書きを仕上げます：焼きなましは一度に動かす係数を減らしていき、閉ループは全係数を巡り、改善がなくなるまで続けます。多くの目標は数回の処理を要し、その回数は最後まで推定です。</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>残り時間</translation>
     </message>
 </context>
 <context>
@@ -557,10 +569,6 @@
         <translation>中止(&amp;C)</translation>
     </message>
     <message>
-        <source>Open Re&amp;port</source>
-        <translation>報告を開く(&amp;P)</translation>
-    </message>
-    <message>
         <source>Slurm Script…</source>
         <translation>Slurm スクリプト…</translation>
     </message>
@@ -661,6 +669,10 @@
     <message>
         <source>Redo</source>
         <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>Open Rep&amp;ort</source>
+        <translation>報告を開く(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -843,16 +855,16 @@
         <translation>接地</translation>
     </message>
     <message>
-        <source>%1 on the ground, frames %L2–%L3; slides %L4 cm further than the original. Drag an end to move it.</source>
-        <translation>%1 が接地、フレーム %L2–%L3。元より %L4 cm 多く滑ります。端をドラッグして移動。</translation>
-    </message>
-    <message>
         <source>Remove Contact</source>
         <translation>接地を削除</translation>
     </message>
     <message>
         <source>Add Contact Here</source>
         <translation>ここに接地を追加</translation>
+    </message>
+    <message>
+        <source>%1 on the ground, frames %L2–%L3; slides %4 further than the original. Drag an end to move it.</source>
+        <translation>%1 が接地、フレーム %L2～%L3。元より %4 多く滑ります。端をドラッグして動かせます。</translation>
     </message>
 </context>
 <context>
@@ -876,10 +888,6 @@
 </context>
 <context>
     <name>mocapress::CorrectionControl</name>
-    <message>
-        <source>&amp;Hold feet (IK)</source>
-        <translation>足を固定(IK)(&amp;H)</translation>
-    </message>
     <message>
         <source>Auto</source>
         <translation>自動</translation>
@@ -942,6 +950,10 @@
             <numerusform>%Ln 個の関節</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Hold feet (IK)</source>
+        <translation>足を固定 (IK)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ErrorGraph</name>
@@ -967,6 +979,13 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ErrorScaleChoice</name>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>自動(&amp;A)</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ErrorStrip</name>
     <message>
         <source>Error strip</source>
@@ -981,12 +1000,16 @@
         <translation>誤差</translation>
     </message>
     <message>
-        <source>Greatest error at every frame as a column, the mean as a line. Shift and drag chooses the range that is played.</source>
-        <translation>各フレームの最大誤差を柱、平均を線で表示。Shift＋ドラッグで再生範囲を選びます。</translation>
+        <source>Errors of this size and more are as high and as light as it gets. Click to choose another scale.</source>
+        <translation>この大きさ以上の誤差は最も高く明るく示されます。クリックで別の尺度を選べます。</translation>
     </message>
     <message>
-        <source>A jump of one frame: %1 at frame %L2, %L3 cm</source>
-        <translation>1フレームの飛び：%1、フレーム %L2、%L3 cm</translation>
+        <source>Greatest error at every frame as a column, the mean as a line. The wheel zooms, with Shift it moves along; Shift and drag chooses the range that is played.</source>
+        <translation>各フレームの最大誤差を柱で、平均を線で示します。ホイールで拡大、Shift+ホイールで移動、Shift+ドラッグで再生範囲を選びます。</translation>
+    </message>
+    <message>
+        <source>A jump of one frame: %1 at frame %L2, %3</source>
+        <translation>1フレームの飛び：%1、フレーム %L2、%3</translation>
     </message>
 </context>
 <context>
@@ -1044,12 +1067,6 @@
         <source>No foot stands on the ground in this clip.</source>
         <translation>このクリップでは足が接地しません。</translation>
     </message>
-    <message numerus="yes">
-        <source>%L1 cm of footskate in %Ln contact(s)</source>
-        <translation>
-            <numerusform>%Ln 回の接地で足滑り %L1 cm</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, without IK</source>
         <translation>%1、IKなし</translation>
@@ -1066,13 +1083,23 @@
         <source>Refinement cancelled; the draft is kept</source>
         <translation>仕上げを中止。下書きを残しました</translation>
     </message>
+    <message>
+        <source>No answer to these settings; the draft is kept</source>
+        <translation>この設定では結果が出ません。下書きを残しました</translation>
+    </message>
+    <message>
+        <source>No answer to these settings; the last one is kept</source>
+        <translation>この設定では結果が出ません。前の結果を残しました</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of footskate in %Ln contact(s): %2 each in the mean, %3 in the worst</source>
+        <translation>
+            <numerusform>接地 %Ln 回で足滑り %1：平均 %2、最悪 %3</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::FiguresBar</name>
-    <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
-    </message>
     <message>
         <source>eps_x</source>
         <translation>eps_x</translation>
@@ -1223,16 +1250,8 @@
         <translation>誤差は元と比べて計測されます。</translation>
     </message>
     <message>
-        <source>0 cm</source>
-        <translation>0 cm</translation>
-    </message>
-    <message>
-        <source>≥ %L1 cm</source>
-        <translation>≥ %L1 cm</translation>
-    </message>
-    <message>
-        <source>%1, frame %L2: %L3 cm</source>
-        <translation>%1、フレーム %L2：%L3 cm</translation>
+        <source>%1, frame %L2: %3</source>
+        <translation>%1、フレーム %L2：%3</translation>
     </message>
 </context>
 <context>
@@ -1264,6 +1283,14 @@
     <message>
         <source>Mouse</source>
         <translation>マウス</translation>
+    </message>
+    <message>
+        <source>Wheel over the timeline: zoom; with Shift: move along</source>
+        <translation>タイムライン上でホイール：拡大縮小、Shift を押しながら：移動</translation>
+    </message>
+    <message>
+        <source>Click on the scale of the error strip: choose another</source>
+        <translation>誤差の帯の目盛りをクリック：別の尺度を選ぶ</translation>
     </message>
 </context>
 <context>
@@ -1350,14 +1377,6 @@
         <translation>関節</translation>
     </message>
     <message>
-        <source>Mean cm</source>
-        <translation>平均 cm</translation>
-    </message>
-    <message>
-        <source>Max cm</source>
-        <translation>最大 cm</translation>
-    </message>
-    <message>
         <source>Joint origins and bone ends, in the skeleton&apos;s order.</source>
         <translation>関節の原点と骨の先端(スケルトンの順)。</translation>
     </message>
@@ -1368,6 +1387,14 @@
     <message>
         <source>Greatest distance in the world from the original, at any frame.</source>
         <translation>空間での元との距離、全フレームの最大。</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
     </message>
 </context>
 <context>
@@ -1382,10 +1409,6 @@
     <message>
         <source>Compress human motion capture clips with wavelets, and see what it does.</source>
         <translation>人のモーションキャプチャをウェーブレットで圧縮し、その結果を見ます。</translation>
-    </message>
-    <message>
-        <source>A .bvh, .amc or .mcpr file.</source>
-        <translation>.bvh、.amc、.mcpr のいずれかのファイル。</translation>
     </message>
     <message>
         <source>The .asf skeleton of an .amc.</source>
@@ -1406,6 +1429,25 @@
     <message>
         <source>Write a picture of the window once the clip is compressed, and quit.</source>
         <translation>圧縮が済んだらウィンドウの画像を書いて終了します。</translation>
+    </message>
+    <message>
+        <source>A .bvh, .amc or .mcpr file. Several, and folders, come into the library.</source>
+        <translation>.bvh、.amc、.mcpr のファイル。複数のファイルやフォルダーはライブラリに入ります。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Lengths</name>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>&lt; %1 mm</source>
+        <translation>%1 mm 未満</translation>
     </message>
 </context>
 <context>
@@ -1436,10 +1478,6 @@
         </translation>
     </message>
     <message>
-        <source>%L1 : 1, %L2 cm</source>
-        <translation>%L1 : 1、%L2 cm</translation>
-    </message>
-    <message>
         <source>✓ approved</source>
         <translation>✓ 承認</translation>
     </message>
@@ -1454,6 +1492,10 @@
     <message>
         <source>! target missed</source>
         <translation>! 目標未達</translation>
+    </message>
+    <message>
+        <source>%L1 : 1, %2</source>
+        <translation>%L1 : 1、%2</translation>
     </message>
 </context>
 <context>
@@ -1555,10 +1597,6 @@
 <context>
     <name>mocapress::LibraryViews</name>
     <message>
-        <source>%L1 : 1, %L2 cm</source>
-        <translation>%L1 : 1、%L2 cm</translation>
-    </message>
-    <message>
         <source>Add Clips</source>
         <translation>クリップを追加</translation>
     </message>
@@ -1581,6 +1619,10 @@
     <message>
         <source>Add Folder</source>
         <translation>フォルダーの追加</translation>
+    </message>
+    <message>
+        <source>%L1 : 1, %2</source>
+        <translation>%L1 : 1、%2</translation>
     </message>
 </context>
 <context>
@@ -1659,6 +1701,14 @@
         <source>Pinned</source>
         <translation>ピン留め</translation>
     </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 を開いています…</translation>
+    </message>
+    <message>
+        <source>Left out, for the library takes motions: %1</source>
+        <translation>ライブラリはモーションだけを扱うため除きました：%1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::MessageBar</name>
@@ -1677,6 +1727,10 @@
     <message>
         <source>What may help</source>
         <translation>対処</translation>
+    </message>
+    <message>
+        <source>Something is being done</source>
+        <translation>処理中です</translation>
     </message>
 </context>
 <context>
@@ -1743,10 +1797,6 @@
         <source>Compressed</source>
         <translation>圧縮後</translation>
     </message>
-    <message>
-        <source>≥ %1 cm</source>
-        <translation>≥ %1 cm</translation>
-    </message>
 </context>
 <context>
     <name>mocapress::PinnedModel</name>
@@ -1781,10 +1831,6 @@
     <message>
         <source>Footskate: how far standing feet slide.</source>
         <translation>フットスケート：接地した足が滑る距離。</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>cm</translation>
     </message>
     <message>
         <source>eps_x</source>
@@ -1841,12 +1887,15 @@
         <translation>%L1 : 1</translation>
     </message>
     <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <translation>%1、%2</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Presenter</name>
+    <message>
+        <source>Out of reach for this clip by this method.</source>
+        <translation>このクリップではこの手法で到達できません。</translation>
     </message>
 </context>
 <context>
@@ -2148,10 +2197,6 @@
 <context>
     <name>mocapress::ResultPanel</name>
     <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
-    </message>
-    <message>
         <source>%1, %L2 : 1</source>
         <translation>%1、%L2 : 1</translation>
     </message>
@@ -2264,6 +2309,19 @@
         <comment>bytes</comment>
         <translation>%1 / %2</translation>
     </message>
+    <message>
+        <source>A contact: mean / worst</source>
+        <translation>接地ごと：平均 / 最悪</translation>
+    </message>
+    <message>
+        <source>Footskate of one contact: it compares clips of any length.</source>
+        <translation>一度の接地あたりの滑り：長さの違うクリップも比べられます。</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>footskate</comment>
+        <translation>%1 / %2</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ReviewChange</name>
@@ -2342,10 +2400,6 @@
         <translation>元が接地している間。</translation>
     </message>
     <message>
-        <source>Slid cm</source>
-        <translation>滑り cm</translation>
-    </message>
-    <message>
         <source>Way over the ground beyond that of the original.</source>
         <translation>元を超えて地面を動いた距離。</translation>
     </message>
@@ -2356,6 +2410,10 @@
     <message>
         <source>Greatest speed over the ground.</source>
         <translation>地面に対する最大速度。</translation>
+    </message>
+    <message>
+        <source>Slid</source>
+        <translation>滑り</translation>
     </message>
 </context>
 <context>
@@ -2863,6 +2921,21 @@ Click to load it into the studio.</source>
     <message>
         <source>Drag: a draft follows at once, and is refined when you pause.</source>
         <translation>ドラッグすると下書きがすぐに追い、手を止めると仕上げます。</translation>
+    </message>
+    <message>
+        <source>Trouble with the target</source>
+        <translation>目標の問題</translation>
+    </message>
+    <message>
+        <source>There is nothing to ask for at zero.</source>
+        <translation>0 では指定になりません。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Timeline</name>
+    <message>
+        <source>Part of the clip in sight</source>
+        <translation>表示中の範囲</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,18 @@ EncodeOptions quickOptions(EncodeOptions wanted) {
   return wanted;
 }
 
+/// encode(), and says of a missed target before it is thrown that it is one.
+template <typename Missed>
+Encoding encodeOrTell(const Encoder& encoder, const EncodeOptions& options,
+                      const Observer<EncodeProgress>& observer, const Missed& missed) {
+  try {
+    return encoder.encode(options, observer);
+  } catch (const TargetMissed&) {
+    missed();
+    throw;
+  }
+}
+
 /// What ended early need not have met its target: worth keeping if it is better at no more bytes.
 bool worthKeeping(const DecodedClip& refined, const DecodedClip& quick) {
   const Weighting weighting = refined.compressed.provenance.weighting;
@@ -83,9 +95,12 @@ bool Compressor::busy() const {
 void Compressor::startQuick() {
   newer_wanted_ = false;
   const EncodeOptions options = quickOptions(wanted_);
-  const auto work = [encoder = encoder_, options](const Job& job) {
+  out_of_reach_ = false;
+  const auto work = [this, encoder = encoder_, options](const Job& job) {
     return decodedClip(
-        encoder->encode(options, [&job](const EncodeProgress&) { return !job.stopRequested(); }),
+        encodeOrTell(
+            *encoder, options, [&job](const EncodeProgress&) { return !job.stopRequested(); },
+            [&] { job.post([this] { out_of_reach_ = true; }); }),
         *encoder, options);
   };
   quick_.start(
@@ -97,8 +112,12 @@ void Compressor::startQuick() {
         else if (refines())
           refine_later_.start();  // it may reach what the quick answer does not
         else
-          emit failed(message);
+          fail(message);
       });
+}
+
+void Compressor::fail(const QString& message) {
+  emit failed(message, out_of_reach_);
 }
 
 void Compressor::quickDone(const DecodedPtr& decoded) {
@@ -118,6 +137,7 @@ void Compressor::answerFinally(const DecodedPtr& decoded) {
 }
 
 void Compressor::startRefining() {
+  out_of_reach_ = false;
   const auto work = [this, encoder = encoder_, options = wanted_](const Job& job) {
     std::vector<EncodeProgress> states;
     auto reported = Clock::now();
@@ -130,13 +150,14 @@ void Compressor::startRefining() {
       }
       return !job.stopRequested();
     };
-    Encoding encoding = encoder->encode(options, observer);
+    Encoding encoding = encodeOrTell(*encoder, options, observer,
+                                     [&] { job.post([this] { out_of_reach_ = true; }); });
     job.post([this, states] { emit progressed(states); });
     return decodedClip(std::move(encoding), *encoder, options);
   };
   refine_.start(
       work, [this](const DecodedPtr& decoded) { refined(decoded); },
-      [this](const QString& message) { emit failed(message); });
+      [this](const QString& message) { fail(message); });
 }
 
 void Compressor::refined(const DecodedPtr& decoded) {

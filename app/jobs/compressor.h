@@ -44,7 +44,9 @@ class Compressor : public QObject {
   void progressed(const std::vector<EncodeProgress>& states);
 
   void refiningChanged(bool refining);
-  void failed(const QString& message);
+
+  /// `out_of_reach`: no settings of the method meet the target.
+  void failed(const QString& message, bool out_of_reach);
 
  private:
   void answerFinally(const DecodedPtr& decoded);
@@ -55,6 +57,7 @@ class Compressor : public QObject {
   void quickDone(const DecodedPtr& decoded);
   void startRefining();
   void refined(const DecodedPtr& decoded);
+  void fail(const QString& message);
 
   JobRunner quick_;
   JobRunner refine_;
@@ -62,6 +65,7 @@ class Compressor : public QObject {
   std::shared_ptr<const Encoder> encoder_;
   EncodeOptions wanted_;
   bool newer_wanted_ = false;  // than what the quick job answers
+  bool out_of_reach_ = false;  // what the newest job found
   DecodedPtr quick_answer_;    // null: there is none to these settings
   ResultCache results_;        // of the encoder's clip
 };

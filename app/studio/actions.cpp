@@ -154,6 +154,7 @@ QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWi
 
   QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
   addInGroups(view, actions.view);
+  view->addMenu(Texts::tr("Error S&cale"))->addActions(actions.error_scales->actions());
   view->addSeparator();
   view->addActions({actions.hold_feet, actions.without_ik});
   view->addSeparator();

@@ -47,6 +47,7 @@ struct Actions {
   QAction* about = nullptr;
   QActionGroup* themes = nullptr;     // by ThemeChoice
   QActionGroup* languages = nullptr;  // data(): its code, empty: the system's
+  QActionGroup* error_scales = nullptr;
   ViewActions view;
   TransportActions transport;
 };

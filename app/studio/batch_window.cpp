@@ -57,7 +57,7 @@ BatchWindow::BatchWindow(BatchSession* session, QWidget* parent)
       start_(new QPushButton(this)),
       stop_(new QPushButton(tr("&Stop after Current"), this)),
       cancel_(new QPushButton(tr("&Cancel"), this)),
-      report_(new QPushButton(tr("Open Re&port"), this)),
+      report_(new QPushButton(tr("Open Rep&ort"), this)),
       slurm_(new QPushButton(tr("Slurm Script…"), this)),
       progress_(new QProgressBar(this)),
       status_(new QLabel(this)),

@@ -79,6 +79,7 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
   original_ = std::move(original);
   decoded_ = std::move(decoded);
   final_ = decoded_ != nullptr;
+  unanswered_ = false;
   saved_path_ = saved_path;
   saved_ = decoded_;
   touched_ = false;
@@ -99,6 +100,15 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
 void Document::setDecoded(DecodedPtr decoded, bool final) {
   decoded_ = std::move(decoded);
   final_ = final;
+  unanswered_ = false;
+  emit decodedChanged();
+  emit shownChanged();
+  emit titleChanged();
+}
+
+void Document::setUnanswered() {
+  final_ = true;
+  unanswered_ = true;
   emit decodedChanged();
   emit shownChanged();
   emit titleChanged();

@@ -40,6 +40,9 @@ class Document : public QObject {
   /// No better answer to these options is on its way, nor a first one.
   bool final() const { return final_; }
 
+  /// There is none: what is shown was made by other settings, or is a draft.
+  bool unanswered() const { return unanswered_; }
+
   /// The .mcpr that was opened or saved last; empty: none.
   const QString& savedPath() const { return saved_path_; }
 
@@ -81,6 +84,9 @@ class Document : public QObject {
 
   void setDecoded(DecodedPtr decoded, bool final);
 
+  /// To these options no answer will come.
+  void setUnanswered();
+
   /// By the user.
   void setOptions(const EncodeOptions& options);
   void setSettings(const ClipSettings& settings);
@@ -112,6 +118,7 @@ class Document : public QObject {
   OriginalPtr original_;
   DecodedPtr decoded_;
   bool final_ = true;
+  bool unanswered_ = false;
   QString saved_path_;
   DecodedPtr saved_;
   bool touched_ = false;

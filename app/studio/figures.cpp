@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 
 #include "core/compare/contender.h"
+#include "core/contact/slide_per_contact.h"
+#include "widgets/models/length_text.h"
 #include "widgets/panels/names.h"
 
 namespace mocapress {
@@ -35,7 +37,10 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
   figures.max_cm = static_cast<double>(provenance.max_error_cm);
   figures.coefficient_ratio = decoded.coefficient_ratio;
   figures.bits_per_joint_sample = decoded.bits_per_joint_sample;
-  if (decoded.footskate) figures.footskate_cm = decoded.footskate->total_cm;
+  if (decoded.footskate) {
+    figures.footskate_cm = decoded.footskate->total_cm;
+    figures.slide = slide_per_contact(*decoded.footskate, document.contacts().size());
+  }
   if (decoded.compressed.correction)
     figures.correction_bytes = decoded.compressed.correction_bytes();
   if (decoded.correction) {
@@ -65,6 +70,10 @@ QString stateOf(const Document& document) {
     return Figures::tr("%1, from the file, measured against the original")
         .arg(displayMethod(decoded));
   if (!document.final()) return Figures::tr("Draft; the refined answer is on its way");
+  if (document.unanswered())
+    return decoded.effort == Effort::Draft || method != document.options().method
+               ? Figures::tr("No answer to these settings; the draft is kept")
+               : Figures::tr("No answer to these settings; the last one is kept");
   if (!decoded.complete) return Figures::tr("Refinement cancelled; the best so far is kept");
   if (method != document.options().method || decoded.effort == Effort::Draft)
     return Figures::tr("Refinement cancelled; the draft is kept");
@@ -81,8 +90,13 @@ QString footskateSummary(const Document& document) {
   if (!footskate) return Figures::tr("Footskate is measured against the original.");
   const auto contacts = static_cast<int>(document.contacts().size());
   if (contacts == 0) return Figures::tr("No foot stands on the ground in this clip.");
-  const QString slid = Figures::tr("%L1 cm of footskate in %Ln contact(s)", nullptr, contacts)
-                           .arg(footskate->total_cm, 0, 'f', 1);
+  const SlidePerContact each =
+      slide_per_contact(*footskate, document.contacts().size()).value_or(SlidePerContact());
+  const QString slid =
+      Figures::tr("%1 of footskate in %Ln contact(s): %2 each in the mean, %3 in the worst",
+                  nullptr, contacts)
+          .arg(lengthText(footskate->total_cm), lengthText(each.mean_cm),
+               lengthText(each.worst_cm));
   return document.uncorrected() ? Figures::tr("%1, without IK").arg(slid) : slid;
 }
 

@@ -51,6 +51,8 @@ QString shortcutSheet(const QMenuBar& menus) {
       Texts::tr("Right or middle drag: move"),
       Texts::tr("Wheel: nearer or further"),
       Texts::tr("Click on a joint: choose it"),
+      Texts::tr("Wheel over the timeline: zoom; with Shift: move along"),
+      Texts::tr("Click on the scale of the error strip: choose another"),
       Texts::tr("Drag an end of a contact: move it; right button: add or remove"),
       Texts::tr("Shift and drag on the error strip: choose the range that is played")};
   html += QStringLiteral("<h3>%1</h3><ul><li>%2</li></ul>")

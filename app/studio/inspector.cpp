@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/studio/clip_curve.h"
+#include "app/studio/error_scale_choice.h"
 #include "app/studio/figures.h"
 #include "app/studio/session.h"
 #include "core/motion/landmarks.h"
@@ -71,14 +72,16 @@ ChannelCurves curvesOf(const Document& document, int channel) {
 }  // namespace
 
 Inspector::Inspector(Session* session, Playback* playback, const InspectionViews& views,
-                     QObject* parent)
+                     ErrorScaleChoice* error_scale, QObject* parent)
     : QObject(parent),
       session_(session),
       playback_(playback),
       views_(views),
+      error_scale_(error_scale),
       curve_(new ClipCurve(session, this)) {
   const Document* document = &session->document();
   connect(document, &Document::clipChanged, this, [this] {
+    views_.timeline->showAll();
     showErrors();
     showContacts();
     showJoint();
@@ -91,6 +94,7 @@ Inspector::Inspector(Session* session, Playback* playback, const InspectionViews
   connect(document, &Document::shownChanged, this, &Inspector::showContacts);
   connect(document, &Document::optionsChanged, this, &Inspector::showContacts);
   connect(document, &Document::currentJointChanged, this, &Inspector::showJoint);
+  connect(error_scale_, &ErrorScaleChoice::changed, this, &Inspector::showErrors);
   connect(curve_, &ClipCurve::changed, this, &Inspector::showCurve);
   connectViews();
   showCurve();
@@ -98,6 +102,9 @@ Inspector::Inspector(Session* session, Playback* playback, const InspectionViews
 
 void Inspector::connectViews() {
   Timeline* timeline = views_.timeline;
+  for (QWidget* coloured :
+       {static_cast<QWidget*>(timeline->errors()), static_cast<QWidget*>(views_.heat_map)})
+    coloured->addActions(error_scale_->actions());
   connect(timeline, &Timeline::seekRequested, playback_, &Playback::seek);
   connect(timeline->contacts(), &ContactStrip::contactsEdited, session_, &Session::setContacts);
   connect(timeline->errors(), &ErrorStrip::rangeChosen, playback_,
@@ -125,7 +132,7 @@ void Inspector::showErrors() {
   const Document& document = session_->document();
   const DecodedPtr& decoded = document.decoded();
   const bool measured = decoded && decoded->distortion;
-  const ErrorScale scale = errorScaleFor(measured ? decoded->distortion->p99 : 0);
+  const ErrorScale scale = error_scale_->scaleFor(decoded);
   const HeatMap::Distances distances =
       measured ? HeatMap::Distances(decoded, &decoded->distortion->distances) : nullptr;
   const ErrorProfile profile = distances ? errorProfile(*distances) : ErrorProfile();

@@ -12,6 +12,7 @@ namespace mocapress {
 
 class ChannelGraph;
 class ClipCurve;
+class ErrorScaleChoice;
 class FiguresBar;
 class HeatMap;
 class Playback;
@@ -34,7 +35,7 @@ class Inspector : public QObject {
 
  public:
   Inspector(Session* session, Playback* playback, const InspectionViews& views,
-            QObject* parent = nullptr);
+            ErrorScaleChoice* error_scale, QObject* parent = nullptr);
 
   /// Plays from the worst frame to the next worst, or back.
   void showNextWorst(int step);
@@ -61,6 +62,7 @@ class Inspector : public QObject {
   Session* session_;
   Playback* playback_;
   InspectionViews views_;
+  ErrorScaleChoice* error_scale_;
   ClipCurve* curve_;
   std::map<QObject*, std::function<void()>> waiting_;
   std::vector<int> worst_;  // frames, the worst first

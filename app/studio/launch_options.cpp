@@ -3,6 +3,9 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace mocapress {
 namespace {
@@ -19,14 +22,23 @@ std::optional<double> positive(const QString& text) {
 
 }  // namespace
 
+bool asksForWords(std::span<char* const> arguments) {
+  constexpr std::array kAsking = {"-h", "--help", "--help-all", "-v", "--version"};
+  return std::any_of(arguments.begin(), arguments.end(), [&](std::string_view argument) {
+    return std::find(kAsking.begin(), kAsking.end(), argument) != kAsking.end();
+  });
+}
+
 LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
   QCommandLineParser parser;
   parser.setApplicationDescription(
       Launch::tr("Compress human motion capture clips with wavelets, and see what it does."));
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument(QStringLiteral("file"), Launch::tr("A .bvh, .amc or .mcpr file."),
-                               QStringLiteral("[FILE]"));
+  parser.addPositionalArgument(
+      QStringLiteral("file"),
+      Launch::tr("A .bvh, .amc or .mcpr file. Several, and folders, come into the library."),
+      QStringLiteral("[FILE|FOLDER...]"));
   const QCommandLineOption skeleton(QStringLiteral("skeleton"),
                                     Launch::tr("The .asf skeleton of an .amc."),
                                     QStringLiteral("ASF"));
@@ -45,7 +57,7 @@ LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
   parser.addOptions({skeleton, ratio, ik, trace, screenshot});
   parser.process(application);
   LaunchOptions options;
-  options.file = parser.positionalArguments().value(0);
+  options.files = parser.positionalArguments();
   options.skeleton = parser.value(skeleton);
   options.ratio = positive(parser.value(ratio));
   options.ik = positive(parser.value(ik));

@@ -122,9 +122,11 @@ void Library::add(const QStringList& paths) {
                    ProjectClip{.path = path});
   }
   if (fresh.isEmpty()) return;
+  const int first = clips->begin()->first;
   session_->history()->push(new EditStep(
       tr("Add Clips"), [this, clips] { putBack(*clips); },
       [this, clips, fresh] { *clips = takeOut(fresh); }));
+  emit added(first);
 }
 
 void Library::addFolder(const QString& path) {

@@ -74,6 +74,9 @@ class Library : public QObject {
 
  signals:
   void currentChanged();
+
+  /// Clips that were not there before, the first of them in this row.
+  void added(int row);
   void recovered(int clips);
   void failed(const QString& message);
 

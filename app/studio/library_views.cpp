@@ -5,6 +5,7 @@
 
 #include "app/studio/library.h"
 #include "app/studio/session.h"
+#include "widgets/models/length_text.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/slot_control.h"
 
@@ -38,9 +39,9 @@ void LibraryViews::showSlots() {
     if (const DecodedPtr& decoded = session_->slotAnswer(static_cast<int>(slot));
         decoded && decoded->distortion)
       summaries[slot] =
-          tr("%L1 : 1, %L2 cm")
+          tr("%L1 : 1, %2")
               .arg(decoded->ratio, 0, 'f', 1)
-              .arg(decoded->distortion->eps(decoded->compressed.provenance.weighting), 0, 'f', 2);
+              .arg(lengthText(decoded->distortion->eps(decoded->compressed.provenance.weighting)));
   slots_->setSlots(session_->tuning().active, summaries);
   slots_->setEnabled(session_->document().original() != nullptr);
 }

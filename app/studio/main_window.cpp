@@ -16,6 +16,7 @@
 #include <QScrollBar>
 #include <QStatusBar>
 #include <QVBoxLayout>
+#include <chrono>
 #include <tuple>
 
 #include "app/studio/batch_memory.h"
@@ -57,6 +58,7 @@ constexpr int kSidebarWidth = 320;
 constexpr int kLibraryWidth = 240;
 constexpr int kJointsWidth = 310;
 constexpr int kBelowHeight = 240;
+constexpr std::chrono::milliseconds kSlowOpening{400};  // from here on it is said
 
 QFrame* makeRule(QWidget* parent) {
   auto* rule = new QFrame(parent);
@@ -72,24 +74,27 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setAcceptDrops(true);
   resize(kFirstSize);
   actions_ = makeActions(playback_, session_->histories(), this);
+  actions_.error_scales = error_scale_;
   setCentralWidget(makeCentre());
   addDocks();
   recent_ = addMenus(this, actions_, layout_.docks());
   layout_.restore();
-  new Presenter(session_, playback_, models_, views_, this);
+  new Presenter(session_, playback_, models_, views_, error_scale_, this);
   library_views_ = new LibraryViews(session_, library_, library_panel_, slot_control_, this);
   presets_->setHistory([this] { return session_->history(); });
   preset_views_ = new PresetViews(session_, presets_, views_.compression->presets(), this);
   pinned_ = new PinnedResults(session_, pinned_model_, pinned_panel_, views_.viewport, this);
   pinned_->setMemory([this](const QString& path) { return library_->pinsOf(path); });
   connect(pinned_, &PinnedResults::edited, library_, &Library::setPins);
-  inspector_ = new Inspector(session_, playback_, inspection_, this);
+  inspector_ = new Inspector(session_, playback_, inspection_, error_scale_, this);
   // After the presenter: an answer counts once the view has it.
   trace_ = new Trace(session_, views_.viewport, this);
   connectFileActions();
   connectWindowActions();
   connectMessages();
   updateTitle();
+  // Keys play and step from the start: no field takes them for text.
+  views_.viewport->setFocus();
 }
 
 QWidget* MainWindow::makeCentre() {
@@ -296,9 +301,21 @@ void MainWindow::showHere() {
 
 void MainWindow::connectMessages() {
   connect(&session_->document(), &Document::titleChanged, this, &MainWindow::updateTitle);
+  slow_opening_.setSingleShot(true);
+  slow_opening_.setInterval(kSlowOpening);
+  connect(&slow_opening_, &QTimer::timeout, messages_,
+          [this] { messages_->showWork(tr("Opening %1…").arg(QFileInfo(opening_).fileName())); });
+  connect(session_, &Session::opening, this, [this](const QString& path) {
+    opening_ = path;
+    slow_opening_.start();
+  });
+  connect(session_, &Session::opened, &slow_opening_, &QTimer::stop);
+  connect(session_, &Session::openFailed, &slow_opening_, &QTimer::stop);
   connect(session_, &Session::opened, messages_, &QWidget::hide);
   connect(session_, &Session::compressFailed, messages_,
-          [this](const QString& message) { messages_->showError(message); });
+          [this](const QString& message, bool out_of_reach) {
+            if (!out_of_reach) messages_->showError(message);  // else it is said beside the target
+          });
   connect(session_, &Session::saveFailed, messages_,
           [this](const QString& message) { messages_->showError(message); });
   connect(files_, &ClipFiles::openFailed, messages_,
@@ -307,6 +324,9 @@ void MainWindow::connectMessages() {
           });
   connect(presets_, &PresetShelf::noted, messages_,
           [this](const QString& message) { messages_->showNote(message); });
+  connect(library_, &Library::added, this, [this](int row) {
+    if (std::exchange(opens_added_, false)) library_->openClip(row);
+  });
   connect(library_, &Library::failed, messages_,
           [this](const QString& message) { messages_->showError(message); });
   connect(library_, &Library::recovered, messages_, [this](int clips) {
@@ -358,26 +378,35 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  const QList<QUrl> urls = event->mimeData()->urls();
-  const QString first = urls.value(0).toLocalFile();
-  if (urls.size() == 1 && !QFileInfo(first).isDir()) return files_->open(first);
-  QStringList clips, skeletons, folders;
-  for (const QUrl& url : urls) {
-    const QString path = url.toLocalFile();
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  open(paths);
+}
+
+void MainWindow::open(const QStringList& paths, const QString& skeleton) {
+  if (paths.size() == 1 && !QFileInfo(paths[0]).isDir()) return files_->open(paths[0], skeleton);
+  QStringList clips, skeletons, folders, others;
+  for (const QString& path : paths) {
     const QString kind = QFileInfo(path).suffix().toLower();
-    if (path.isEmpty()) continue;
     if (QFileInfo(path).isDir())
       folders << path;
     else if (kind == QLatin1String("bvh") || kind == QLatin1String("amc"))
       clips << path;
     else if (kind == QLatin1String("asf"))
       skeletons << path;
+    else
+      others << QFileInfo(path).fileName();
   }
+  if (!others.isEmpty())
+    messages_->showNote(
+        tr("Left out, for the library takes motions: %1").arg(others.join(QStringLiteral(", "))));
   if (clips.size() == 1 && folders.isEmpty())  // with its skeleton, it may be
     return files_->open(clips[0], skeletons.size() == 1 && clips[0].endsWith(QLatin1String(".amc"),
                                                                              Qt::CaseInsensitive)
                                       ? skeletons[0]
-                                      : QString());
+                                      : skeleton);
+  opens_added_ = opens_added_ || !session_->document().skeleton();
   for (const QString& folder : folders) library_->addFolder(folder);
   library_->add(clips);
 }

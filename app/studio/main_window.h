@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTimer>
 
 #include "app/studio/actions.h"
 #include "app/studio/clip_files.h"
+#include "app/studio/error_scale_choice.h"
 #include "app/studio/inspector.h"
 #include "app/studio/library.h"
 #include "app/studio/library_views.h"
@@ -50,7 +52,12 @@ class MainWindow : public QMainWindow {
   PinnedPanel& pinnedPanel() { return *pinned_panel_; }
   LibraryPanel& libraryPanel() { return *library_panel_; }
   MessageBar& messages() { return *messages_; }
+  const ErrorScaleChoice* errorScale() const { return error_scale_; }
   Trace& trace() { return *trace_; }
+
+  /// One file is opened, with its skeleton; several and folders come into the library, and the
+  /// first of them is opened if nothing is open yet.
+  void open(const QStringList& paths, const QString& skeleton = {});
 
   /// Opens, or brings to the front, the window that compares methods. It lives as long as this one.
   StudyWindow* showStudy();
@@ -84,6 +91,7 @@ class MainWindow : public QMainWindow {
   ClipFiles* files_ = new ClipFiles(session_, this);
   WindowLayout layout_{this};
   Theme* theme_ = new Theme(this);
+  ErrorScaleChoice* error_scale_ = new ErrorScaleChoice(this);
   Actions actions_;
   Views views_;
   InspectionViews inspection_;
@@ -103,6 +111,9 @@ class MainWindow : public QMainWindow {
   BatchWindow* batch_ = nullptr;  // none before it is asked for
   QString recovered_;             // what to say of it once its clip is open
   bool may_close_ = false;        // nothing would be lost
+  bool opens_added_ = false;      // what comes into the library next
+  QTimer slow_opening_;
+  QString opening_;  // the file that is being read
 };
 
 }  // namespace mocapress

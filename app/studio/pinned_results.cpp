@@ -6,6 +6,7 @@
 
 #include "app/studio/clip_preset.h"
 #include "app/studio/session.h"
+#include "widgets/models/length_text.h"
 #include "widgets/models/palette.h"
 #include "widgets/models/pinned_model.h"
 #include "widgets/models/study_rows_model.h"
@@ -149,10 +150,10 @@ void PinnedResults::show() {
         pin.name,          pin.colour, decoded->ratio, distortion.eps(weighting), distortion.p95,
         distortion.max.cm, {}};
     if (decoded->footskate) entry.footskate_cm = decoded->footskate->total_cm;
-    figures.push_back({decoded->tracks,
-                       pin.colour,
-                       {pin.name, tr("%L1 : 1").arg(entry.ratio, 0, 'f', 1),
-                        tr("%L1 cm").arg(entry.eps_cm, 0, 'f', 2)}});
+    figures.push_back(
+        {decoded->tracks,
+         pin.colour,
+         {pin.name, tr("%L1 : 1").arg(entry.ratio, 0, 'f', 1), lengthText(entry.eps_cm)}});
     entries.push_back(std::move(entry));
   }
   model_->setEntries(std::move(entries));

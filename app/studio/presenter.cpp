@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/presenter.h"
 
+#include "app/studio/error_scale_choice.h"
 #include "app/studio/figures.h"
 #include "app/studio/session.h"
 #include "core/motion/landmarks.h"
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/compression_panel.h"
+#include "widgets/panels/correction_control.h"
 #include "widgets/panels/footskate_panel.h"
 #include "widgets/panels/importance_panel.h"
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/result_panel.h"
+#include "widgets/panels/target_control.h"
 #include "widgets/panels/warnings_panel.h"
 #include "widgets/plots/error_graph.h"
 #include "widgets/timeline/playback.h"
@@ -41,8 +44,13 @@ std::vector<QString> landmarkNames(const Document& document) {
 }  // namespace
 
 Presenter::Presenter(Session* session, Playback* playback, const Models& models, const Views& views,
-                     QObject* parent)
-    : QObject(parent), session_(session), playback_(playback), models_(models), views_(views) {
+                     ErrorScaleChoice* error_scale, QObject* parent)
+    : QObject(parent),
+      session_(session),
+      playback_(playback),
+      models_(models),
+      views_(views),
+      error_scale_(error_scale) {
   connectDocument();
   connectViews();
   showOptions();
@@ -58,8 +66,28 @@ void Presenter::connectDocument() {
   connect(document, &Document::curvesChanged, this, &Presenter::showCurves);
   connect(document, &Document::currentJointChanged, this, &Presenter::showCurrentJoint);
   connect(document, &Document::optionsChanged, this, &Presenter::showOptions);
-  connect(session_, &Session::refiningChanged, views_.annealing, &AnnealingPanel::setRunning);
-  connect(session_, &Session::annealed, views_.annealing, &AnnealingPanel::append);
+  connect(error_scale_, &ErrorScaleChoice::changed, this, &Presenter::showErrors);
+  AnnealingPanel* annealing = views_.annealing;
+  connect(session_, &Session::recompressing, annealing, &AnnealingPanel::await);
+  connect(session_, &Session::opened, annealing, [this, annealing] {
+    session_->document().decoded() ? annealing->rest() : annealing->await();
+  });
+  connect(session_, &Session::refiningChanged, annealing, [this, annealing](bool refining) {
+    refining ? annealing->begin(session_->document().options()) : annealing->end();
+  });
+  connect(session_, &Session::annealed, annealing, &AnnealingPanel::append);
+  connect(session_, &Session::settled, annealing, &AnnealingPanel::rest);
+  connect(session_, &Session::compressFailed, annealing, [this, annealing] {
+    if (!session_->busy()) annealing->rest();
+  });
+  TargetControl* target = views_.compression->target();
+  connect(session_, &Session::recompressing, target, [target] { target->setTrouble({}); });
+  connect(session_, &Session::opened, target, [target] { target->setTrouble({}); });
+  connect(session_, &Session::compressFailed, target,
+          [target](const QString& message, bool out_of_reach) {
+            if (out_of_reach)
+              target->setTrouble(tr("Out of reach for this clip by this method."), message);
+          });
 }
 
 void Presenter::connectViews() {
@@ -117,7 +145,31 @@ void Presenter::showDecoded() {
   models_.joints->setDistances(distances ? *distances : Eigen::MatrixXf());
   models_.joints->setSelection(document.curves());
   views_.graph->setDistances(distances, document.sampleRate(), curvesOf(document));
-  views_.viewport->setErrors(distances, errorScaleFor(measured ? decoded->distortion->p99 : 0));
+  showErrors();
+  showTarget();
+}
+
+void Presenter::showErrors() {
+  const DecodedPtr& decoded = session_->document().decoded();
+  const bool measured = decoded && decoded->distortion;
+  views_.viewport->setErrors(
+      measured ? ErrorGraph::Distances(decoded, &decoded->distortion->distances) : nullptr,
+      error_scale_->scaleFor(decoded));
+}
+
+/// What came of the target, where the user goes on from it.
+void Presenter::showTarget() {
+  const Document& document = session_->document();
+  const DecodedPtr& decoded = document.decoded();
+  const bool answered = decoded && document.final() && !document.unanswered();
+  views_.compression->correction()->setFound(
+      answered && decoded->correction ? std::optional(decoded->correction->ratio) : std::nullopt);
+  if (!decoded || !decoded->distortion) return;
+  views_.compression->target()->setAchieved(
+      {{Target::Kind::Ratio, decoded->ratio},
+       {Target::Kind::Size, static_cast<double>(decoded->compressed.motion_bytes())},
+       {Target::Kind::Error, decoded->distortion->eps(document.options().weighting)},
+       {Target::Kind::MaxError, decoded->distortion->max.cm}});
 }
 
 void Presenter::showShown() {

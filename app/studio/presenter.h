@@ -10,6 +10,7 @@ namespace mocapress {
 
 class AnnealingPanel;
 class CompressionPanel;
+class ErrorScaleChoice;
 class ErrorGraph;
 class FootskatePanel;
 class ImportancePanel;
@@ -45,7 +46,7 @@ class Presenter : public QObject {
 
  public:
   Presenter(Session* session, Playback* playback, const Models& models, const Views& views,
-            QObject* parent = nullptr);
+            ErrorScaleChoice* error_scale, QObject* parent = nullptr);
 
  private:
   void connectDocument();
@@ -53,6 +54,8 @@ class Presenter : public QObject {
   void showClip();
   void showOptions();
   void showDecoded();
+  void showErrors();
+  void showTarget();
   void showShown();
   void showCurves();
   void showCurrentJoint();
@@ -64,6 +67,7 @@ class Presenter : public QObject {
   Playback* playback_;
   Models models_;
   Views views_;
+  ErrorScaleChoice* error_scale_;
 };
 
 }  // namespace mocapress

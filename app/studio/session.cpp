@@ -40,10 +40,11 @@ Session::Session(QObject* parent) : QObject(parent) {
   connect(&compressor_, &Compressor::answered, this, &Session::answer);
   connect(&compressor_, &Compressor::progressed, this, &Session::annealed);
   connect(&compressor_, &Compressor::refiningChanged, this, &Session::refiningChanged);
-  connect(&compressor_, &Compressor::failed, this, [this](const QString& message) {
-    document_.setDecoded(document_.decoded(), true);
-    emit compressFailed(message);
-  });
+  connect(&compressor_, &Compressor::failed, this,
+          [this](const QString& message, bool out_of_reach) {
+            document_.setUnanswered();
+            emit compressFailed(message, out_of_reach);
+          });
 }
 
 void Session::open(const QString& path, const QString& skeleton) {
@@ -78,6 +79,7 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
 }
 
 void Session::start(const OpenRequest& request) {
+  emit opening(request.path);
   opening_.start([request](const Job& job) { return openClip(request, job); },
                  [this, request](const OpenedClip& opened) { show(opened, request); },
                  [this, request](const QString& message) { emit openFailed(request, message); });

@@ -86,6 +86,8 @@ class Session : public QObject {
   bool refining() const { return compressor_.refining(); }
 
  signals:
+  /// The file is being read; opened() or openFailed() follows, unless another takes its place.
+  void opening(const QString& path);
   void opened(const OpenRequest& request);
   void openFailed(const OpenRequest& request, const QString& message);
   void saved(const QString& path);
@@ -93,7 +95,9 @@ class Session : public QObject {
 
   /// The user changed the options; an answer to them follows, or compressFailed().
   void recompressing();
-  void compressFailed(const QString& message);
+
+  /// `out_of_reach`: the method cannot meet the target with any settings.
+  void compressFailed(const QString& message, bool out_of_reach = false);
 
   void annealed(const std::vector<EncodeProgress>& states);
   void refiningChanged(bool refining);

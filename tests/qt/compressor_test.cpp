@@ -31,7 +31,10 @@ class CompressorTest : public testing::Test {
                        answers_.push_back({decoded, final});
                      });
     QObject::connect(&compressor_, &Compressor::failed,
-                     [this](const QString& message) { failures_ << message; });
+                     [this](const QString& message, bool out_of_reach) {
+                       failures_ << message;
+                       out_of_reach_ = out_of_reach;
+                     });
   }
 
   static EncodeOptions ratio(double value, Method method = Method::Annealed) {
@@ -49,6 +52,7 @@ class CompressorTest : public testing::Test {
   Compressor compressor_;
   std::vector<Answer> answers_;
   QStringList failures_;
+  bool out_of_reach_ = false;
 };
 
 using Compressing = CompressorTest;
@@ -175,8 +179,15 @@ TEST_F(Compressing, AMissedTargetIsAMessageAndTheNextRequestWorks) {
   compressor_.request(ratio(1e9));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failures_.empty(); }, kPatience));
   EXPECT_FALSE(compressor_.busy());
+  EXPECT_TRUE(out_of_reach_);
   compressor_.request(ratio(8));
   ASSERT_TRUE(waitForFinal());
+  failures_.clear();
+  EncodeOptions impossible = ratio(8, Method::Standard);
+  impossible.correction = CorrectionOptions{.joints = {0}};  // nothing is above the root
+  compressor_.request(impossible);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failures_.empty(); }, kPatience));
+  EXPECT_FALSE(out_of_reach_);
 }
 
 TEST_F(Compressing, NothingOfTheOldClipArrivesAfterANewOne) {

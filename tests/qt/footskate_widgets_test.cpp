@@ -12,12 +12,14 @@
 #include <QSlider>
 #include <QTest>
 #include <QTreeView>
+#include <cmath>
 
 #include "tests/support/test_motion.h"
 #include "widgets/models/slide_colour.h"
 #include "widgets/models/slide_model.h"
 #include "widgets/panels/correction_control.h"
 #include "widgets/panels/footskate_panel.h"
+#include "widgets/panels/number_box.h"
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/viewport/slide_marks.h"
 
@@ -41,7 +43,7 @@ TEST(CorrectionControl, TellsOfTheRatioOnlyWhileFeetAreHeld) {
   ASSERT_EQ(told.size(), 1u);
   EXPECT_EQ(told.back()->ratio, 16.0);
   control.slider()->setValue(500);
-  EXPECT_NEAR(*told.back()->ratio, 20, 1e-6);
+  EXPECT_NEAR(*told.back()->ratio, std::sqrt(200), 1e-6);
   control.hold()->click();
   EXPECT_FALSE(told.back());
 }
@@ -57,6 +59,20 @@ TEST(CorrectionControl, AutoLeavesTheSplitToTheEncoderAndTheNumberComesBack) {
   EXPECT_FALSE(control.slider()->isEnabled());
   found->click();
   EXPECT_EQ(told.back()->ratio, 8.0);
+}
+
+TEST(CorrectionControl, ShowsWhatAutoFound) {
+  CorrectionControl control;
+  control.setCorrection(CorrectionOptions{});
+  Chosen told;
+  record(control, told);
+  EXPECT_EQ(control.number()->text(), QStringLiteral("–")) << "not known yet";
+  control.setFound(5.6);
+  EXPECT_TRUE(control.number()->text().startsWith(QStringLiteral("5.6")));
+  EXPECT_FALSE(control.number()->isEnabled());
+  control.setFound({});
+  EXPECT_EQ(control.number()->text(), QStringLiteral("–"));
+  EXPECT_TRUE(told.empty());
 }
 
 TEST(CorrectionControl, OffersEveryJoint) {
@@ -89,7 +105,7 @@ TEST(SlideModel, ListsFindingsCountingFramesFromOne) {
   };
   EXPECT_EQ(text(SlideModel::Joint), "rfoot");
   EXPECT_EQ(text(SlideModel::Frames), QStringLiteral("51–100"));
-  EXPECT_EQ(text(SlideModel::Slid), QLocale().toString(3.0, 'f', 2));
+  EXPECT_EQ(text(SlideModel::Slid), QStringLiteral("3.00 cm"));
 }
 
 TEST(FootskatePanel, AClickOnAFindingSeeksToItsWorstFrame) {

@@ -25,7 +25,7 @@ TEST(LibraryModel, SaysInWordsWhatItsPicturesShow) {
   ASSERT_EQ(model.rowCount(), 1);
   const QString words = model.index(0).data(Qt::AccessibleTextRole).toString();
   EXPECT_TRUE(words.contains(QStringLiteral("walk.bvh")));
-  EXPECT_TRUE(words.contains(QStringLiteral("25.0 : 1, 0.50 cm")));
+  EXPECT_TRUE(words.contains(QStringLiteral("25.0 : 1, 5.0 mm")));
   EXPECT_TRUE(words.contains(QStringLiteral("target missed")));
   entry.trouble = QStringLiteral("line 3: nonsense");
   model.setEntry(entry);

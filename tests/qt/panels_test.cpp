@@ -6,15 +6,18 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
+#include <cmath>
 
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/message_bar.h"
+#include "widgets/panels/number_box.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/target_control.h"
 #include "widgets/panels/warnings_panel.h"
@@ -25,40 +28,93 @@
 namespace mocapress {
 namespace {
 
+/// As a user does: text and Enter.
+void type(NumberBox* box, const QString& text) {
+  box->selectAll();
+  QTest::keyClicks(box, text);
+  QTest::keyClick(box, Qt::Key_Return);
+}
+
+void choose(TargetControl& control, Target::Kind kind) {
+  const int index = control.kind()->findData(static_cast<int>(kind));
+  control.kind()->setCurrentIndex(index);
+  emit control.kind()->activated(index);
+}
+
 TEST(TargetControl, SliderAndNumberSayTheSame) {
   TargetControl control;
   std::vector<Target> targets;
   QObject::connect(&control, &TargetControl::targetChanged,
                    [&](const Target& target) { targets.push_back(target); });
-  auto* number = control.findChild<QDoubleSpinBox*>();
   control.slider()->setValue(500);
   ASSERT_EQ(targets.size(), 1U);
-  EXPECT_NEAR(targets[0].value, 20, 1e-6);
-  EXPECT_NEAR(number->value(), 20, 0.05);
-  number->setValue(200);
+  EXPECT_NEAR(targets[0].value, std::sqrt(2 * 1000), 1e-6);
+  EXPECT_NEAR(control.number()->value(), targets[0].value, 0.05);
+  control.number()->setValue(1000);
   ASSERT_EQ(targets.size(), 2U);
   EXPECT_EQ(control.slider()->value(), control.slider()->maximum());
 }
 
-TEST(TargetControl, RemembersTheValuesOfTheOtherKinds) {
+TEST(TargetControl, TakesWhatIsTypedHoweverLargeOrSmall) {
   TargetControl control;
-  control.setTarget({Target::Kind::Ratio, 33});
-  auto* kind = control.findChild<QComboBox*>();
-  const auto choose = [&](int index) {
-    kind->setCurrentIndex(index);
-    emit kind->activated(index);
-  };
-  std::vector<Target::Kind> kinds;
-  for (int index = 0; index < kind->count(); ++index) {
-    choose(index);
-    kinds.push_back(control.target().kind);
+  for (const auto& [kind, texts] :
+       {std::pair(Target::Kind::Ratio, QStringList{"264", "1.05", "1500", "25000", "0.5"}),
+        std::pair(Target::Kind::Error, QStringList{"0.0004", "0.0123", "75"}),
+        std::pair(Target::Kind::MaxError, QStringList{"0.005", "120"}),
+        std::pair(Target::Kind::Size, QStringList{"7", "123456789"})}) {
+    choose(control, kind);
+    for (const QString& text : texts) {
+      type(control.number(), text);
+      EXPECT_DOUBLE_EQ(control.target().value, text.toDouble()) << qPrintable(text);
+      EXPECT_TRUE(control.number()->text().startsWith(text))
+          << qPrintable(control.number()->text());
+    }
+  }
+}
+
+TEST(TargetControl, SaysWhatIsWrongBesideTheNumberAndLeavesIt) {
+  TargetControl control;
+  type(control.number(), QStringLiteral("5000"));
+  EXPECT_TRUE(control.trouble().isEmpty());
+  control.setTrouble(QStringLiteral("Out of reach"), QStringLiteral("the nearest is 312"));
+  EXPECT_TRUE(control.trouble().contains(QStringLiteral("Out of reach")));
+  EXPECT_DOUBLE_EQ(control.number()->value(), 5000);
+  type(control.number(), QStringLiteral("50"));
+  EXPECT_TRUE(control.trouble().isEmpty());
+
+  const QSignalSpy told(&control, &TargetControl::targetChanged);
+  type(control.number(), QStringLiteral("0"));
+  EXPECT_FALSE(control.trouble().isEmpty());
+  EXPECT_EQ(control.number()->value(), 0);
+  EXPECT_EQ(told.count(), 0);
+}
+
+TEST(TargetControl, AnotherKindAsksForWhatTheResultHasOfIt) {
+  TargetControl control;
+  control.setTarget({Target::Kind::Error, 0.5});
+  control.setAchieved({{Target::Kind::Ratio, 264.3},
+                       {Target::Kind::Size, 9876},
+                       {Target::Kind::Error, 0.49871},
+                       {Target::Kind::MaxError, 2.34561}});
+  choose(control, Target::Kind::Ratio);
+  EXPECT_DOUBLE_EQ(control.target().value, 264.3);
+  choose(control, Target::Kind::Size);
+  EXPECT_DOUBLE_EQ(control.target().value, 9876);
+  choose(control, Target::Kind::MaxError);
+  EXPECT_NEAR(control.target().value, 2.3457, 1e-9);  // which the result does not exceed
+  choose(control, Target::Kind::Error);
+  EXPECT_DOUBLE_EQ(control.target().value, 0.5);  // nothing came of the others yet
+}
+
+TEST(TargetControl, WithoutAResultEveryKindBeginsWithSomethingUsual) {
+  TargetControl control;
+  for (const auto kind :
+       {Target::Kind::Size, Target::Kind::Error, Target::Kind::MaxError, Target::Kind::Ratio}) {
+    choose(control, kind);
+    EXPECT_EQ(control.target().kind, kind);
     EXPECT_GT(control.target().value, 0);
   }
-  using enum Target::Kind;
-  EXPECT_EQ(kinds, (std::vector{Ratio, Size, Error, MaxError}));
-  choose(0);
-  EXPECT_EQ(control.target().kind, Target::Kind::Ratio);
-  EXPECT_DOUBLE_EQ(control.target().value, 33);
+  EXPECT_DOUBLE_EQ(control.target().value, Target().value);
 }
 
 TEST(CompressionPanel, ShowsOptionsSilentlyAndTellsOfChoices) {
@@ -103,34 +159,79 @@ TEST(ResultPanel, ShowsDashesForWhatIsNotKnown) {
   QStringList texts;
   for (const QLabel* label : panel.findChildren<QLabel*>()) texts << label->text();
   EXPECT_TRUE(texts.contains(QStringLiteral("12.3 : 1"))) << texts.join(u'|').toStdString();
-  EXPECT_TRUE(texts.contains(QStringLiteral("0.46 cm")));
-  EXPECT_EQ(texts.count(QStringLiteral("–")), 6);
+  EXPECT_TRUE(texts.contains(QStringLiteral("4.6 mm")));
+  EXPECT_EQ(texts.count(QStringLiteral("–")), 7);
 }
 
-TEST(AnnealingPanel, ProgressRunsFromNoneToAllOfAPass) {
-  EncodeProgress state;
-  EXPECT_DOUBLE_EQ(passProgress(state), 0);
-  state.first_step = 64;
-  double before = -1;
-  for (const int step : {64, 32, 16, 8, 4, 2, 1, 0}) {
-    state.step = step;
-    EXPECT_GT(passProgress(state), before);
-    before = passProgress(state);
-  }
-  EXPECT_DOUBLE_EQ(before, 1);
+TEST(ResultPanel, ShowsTheSlideOfAContactBesideTheTotal) {
+  ResultPanel panel;
+  ResultFigures figures;
+  figures.footskate_cm = 28.7;
+  figures.slide = SlidePerContact{.mean_cm = 0.04, .worst_cm = 2.39};
+  panel.setFigures(figures);
+  QStringList texts;
+  for (const QLabel* label : panel.findChildren<QLabel*>()) texts << label->text();
+  EXPECT_TRUE(texts.contains(QStringLiteral("28.7 cm")));
+  EXPECT_TRUE(texts.contains(QStringLiteral("0.4 mm / 2.39 cm"))) << texts.join(u'|').toStdString();
+}
+
+bool shown(const QWidget* widget) {
+  return !widget->isHidden();
 }
 
 TEST(AnnealingPanel, CanBeCancelledOnlyWhileItRuns) {
   AnnealingPanel panel;
   auto* cancel = panel.findChild<QPushButton*>();
   EXPECT_FALSE(cancel->isEnabled());
-  panel.setRunning(true);
+  panel.begin({});
   panel.append({{0, 0, 8, 8, 1.0}, {0, 1, 8, 8, 0.9}, {1, 0, 8, 8, 1.1}});
   const QSignalSpy cancelled(&panel, &AnnealingPanel::cancelRequested);
   cancel->click();
   EXPECT_EQ(cancelled.count(), 1);
-  panel.setRunning(false);
+  panel.end();
   EXPECT_FALSE(cancel->isEnabled());
+}
+
+TEST(AnnealingPanel, TheBarMovesWhileItRunsAndIsGoneAfter) {
+  AnnealingPanel panel;
+  const auto* bar = panel.findChild<QProgressBar*>();
+  EXPECT_FALSE(shown(bar));
+  panel.begin({.method = Method::ClosedLoop});
+  EXPECT_TRUE(shown(bar));
+  EXPECT_EQ(bar->value(), 0);
+  int before = 0;
+  for (int pass = 1; pass < 9; ++pass) {
+    panel.append({{.pass = pass, .iteration = 3, .eps_cm = 1}});
+    EXPECT_GT(bar->value(), before);
+    EXPECT_LT(bar->value(), bar->maximum());
+    before = bar->value();
+  }
+  panel.end();
+  EXPECT_FALSE(shown(bar));
+}
+
+TEST(AnnealingPanel, TheCurveIsOfThePresentRun) {
+  AnnealingPanel panel;
+  const auto* plot = panel.findChild<QCustomPlot*>();
+  panel.begin({});
+  panel.append({{0, 0, 8, 8, 1.0}, {0, 1, 4, 8, 0.9}});
+  panel.end();
+  EXPECT_EQ(plot->graphCount(), 1) << "of the run that ended";
+  panel.await();
+  EXPECT_EQ(plot->graphCount(), 0);
+  panel.append({{0, 2, 4, 8, 0.8}});
+  EXPECT_EQ(plot->graphCount(), 0) << "of a run that was superseded";
+}
+
+TEST(AnnealingPanel, AnAnswerThatTakesItsTimeIsSeenToBeOnItsWay) {
+  AnnealingPanel panel;
+  const auto* bar = panel.findChild<QProgressBar*>();
+  panel.await();
+  panel.end();  // of the run before
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown(bar); }, 60'000));
+  EXPECT_EQ(bar->maximum(), 0);
+  panel.rest();
+  EXPECT_FALSE(shown(bar));
 }
 
 TEST(MessageBar, OffersARemedyOnceAndLeavesWithIt) {

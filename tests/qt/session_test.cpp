@@ -72,6 +72,41 @@ TEST_F(Studio, OpensAMotionAndCompressesItAtOnce) {
   EXPECT_FALSE(document_.curves().names().isEmpty());
 }
 
+TEST_F(Studio, SpeaksOfACancelOnlyWhereSomebodyDid) {
+  openAndSettle(writeClip("motion.bvh", 800));
+  const auto says_cancelled = [&] {
+    return stateOf(document_).contains(QStringLiteral("cancel"), Qt::CaseInsensitive);
+  };
+  EXPECT_FALSE(says_cancelled());
+
+  QSignalSpy failed(&session_, &Session::compressFailed);
+  session_.setOptions(ratio(1e7));
+  ASSERT_TRUE(waitFor(failed));
+  EXPECT_TRUE(failed[0][1].toBool());
+  EXPECT_FALSE(says_cancelled()) << stateOf(document_).toStdString();
+  EXPECT_TRUE(document_.unanswered());
+
+  // One run after the other, each superseded.
+  QSignalSpy settled(&session_, &Session::settled);
+  for (int i = 0; i < 5; ++i) {
+    session_.setOptions(ratio(12 + i));
+    QTest::qWait(20);
+    EXPECT_FALSE(says_cancelled()) << stateOf(document_).toStdString();
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !session_.busy(); }, kPatience));
+  EXPECT_FALSE(says_cancelled());
+  EXPECT_FALSE(document_.unanswered());
+
+  settled.clear();
+  session_.setOptions(ratio(30));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.refining() || settled.count(); }, kPatience));
+  session_.cancelAnnealing();
+  ASSERT_TRUE(waitFor(settled));
+  const bool ended_early = document_.decoded()->compressed.provenance.method != Method::Annealed ||
+                           !document_.decoded()->complete;
+  EXPECT_EQ(says_cancelled(), ended_early) << stateOf(document_).toStdString();
+}
+
 TEST_F(Studio, ReportsAFileThatCannotBeReadAndKeepsWhatIsOpen) {
   openAndSettle(writeClip("motion.bvh", 100));
   QFile broken(path("broken.bvh"));

@@ -36,6 +36,7 @@
 #include "widgets/panels/preset_editor.h"
 #include "widgets/panels/target_control.h"
 #include "widgets/timeline/contact_strip.h"
+#include "widgets/timeline/error_strip.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/viewport/viewport.h"
 
@@ -163,7 +164,7 @@ TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
 
     QSlider* slider = studio->views().compression->target()->slider();
     studio.settleAfter([&] {
-      for (int position = slider->value(); position < 600; position += 25) {
+      for (int position = slider->value(); position < 700; position += 25) {
         slider->setValue(position);
         QTest::qWait(5);
       }
@@ -188,7 +189,9 @@ TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
     ContactStrip* contacts = studio->inspection().timeline->contacts();
     const std::vector<ContactSpan> found = document.contacts();
     ASSERT_GT(found.size(), 1u);
-    const TimeAxis axis{2.0 * kStripMargin + contacts->labelWidth(),
+    const int labels =
+        std::max(studio->inspection().timeline->errors()->labelWidth(), contacts->labelWidth());
+    const TimeAxis axis{2.0 * kStripMargin + labels,
                         static_cast<double>(contacts->width() - kStripMargin), document.frames()};
     const ContactSpan& first = found.front();
     const QPoint end(static_cast<int>(axis.xOf(first.last_frame + 1)), 10);

@@ -62,12 +62,12 @@ TEST_F(StudioTour, PinsFourResultsAndSeesThemInEveryWay) {
   ASSERT_TRUE(dock);
   dock->raise();
   TargetControl* target = studio->views().compression->target();
-  for (const int position : {300, 600, 800, 950}) {
+  for (const int position : {500, 700, 850, 950}) {
     studio.settleAfter([&] { target->slider()->setValue(position); });
     studio->actions().pin->trigger();
   }
   EXPECT_FALSE(studio->actions().pin->isEnabled());
-  studio.settleAfter([&] { target->slider()->setValue(500); });
+  studio.settleAfter([&] { target->slider()->setValue(600); });
   const auto& worst = studio->session().document().decoded()->distortion->max;
   studio->playback().seek(worst.frame);
   const QImage overlay = studio.picture(QStringLiteral("pinned-overlay"));

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QComboBox>
 #include <QImage>
 #include <QLabel>
+#include <QMenu>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -109,6 +112,95 @@ TEST_F(TimelineStrips, AContactsEndCanBeDragged) {
   EXPECT_GT(seek.count(), 0);
 }
 
+class ZoomedTimeline : public TimelineStrips {
+ protected:
+  void turn(double notches, double frame, Qt::KeyboardModifiers modifiers = {}) {
+    const QPointF place(xOf(frame), 20);
+    QWheelEvent wheel(place, timeline_.mapToGlobal(place), {}, {0, static_cast<int>(120 * notches)},
+                      Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&timeline_, &wheel);
+  }
+
+  int frameAt(int x) {
+    QSignalSpy seek(&timeline_, &Timeline::seekRequested);
+    QTest::mouseClick(timeline_.errors(), Qt::LeftButton, {}, {x, 20});
+    return seek.isEmpty() ? -1 : seek.last()[0].toInt();
+  }
+};
+
+TEST_F(ZoomedTimeline, TheWheelZoomsAboutTheMouse) {
+  EXPECT_TRUE(timeline_.scroll()->isHidden());
+  const int mouse = xOf(60.5);
+  ASSERT_EQ(frameAt(mouse), 60);
+  for (int notch = 0; notch < 4; ++notch) {
+    turn(1, 60.5);
+    EXPECT_EQ(frameAt(mouse), 60);
+  }
+  EXPECT_LT(timeline_.window().length, 50);
+  EXPECT_FALSE(timeline_.scroll()->isHidden());
+  turn(100, 60.5);
+  EXPECT_GE(timeline_.window().length, 10) << "some frames stay in sight";
+  turn(-200, 60.5);
+  EXPECT_EQ(timeline_.window(), FrameWindow());
+  EXPECT_TRUE(timeline_.scroll()->isHidden());
+}
+
+TEST_F(ZoomedTimeline, ShiftAndTheWheelMoveAlongAndSoDoesTheScrollBar) {
+  turn(4, 50);
+  const FrameWindow before = timeline_.window();
+  turn(-1, 50, Qt::ShiftModifier);
+  EXPECT_GT(timeline_.window().first, before.first);
+  EXPECT_DOUBLE_EQ(timeline_.window().length, before.length);
+  turn(-50, 50, Qt::ShiftModifier);
+  EXPECT_DOUBLE_EQ(timeline_.window().first + timeline_.window().length, kFrames);
+  timeline_.scroll()->setValue(7);
+  EXPECT_DOUBLE_EQ(timeline_.window().first, 7);
+}
+
+TEST_F(ZoomedTimeline, ThePlayheadStaysInSight) {
+  turn(6, 10);
+  for (const int frame : {80, 99, 30, 0}) {
+    timeline_.setFrame(frame);
+    EXPECT_LE(timeline_.window().first, frame);
+    EXPECT_GE(timeline_.window().first + timeline_.window().length, frame + 1);
+  }
+}
+
+TEST_F(ZoomedTimeline, AnotherClipIsSeenWhole) {
+  turn(6, 10);
+  timeline_.setContacts({}, kNames, 2 * kFrames);
+  EXPECT_EQ(timeline_.window(), FrameWindow());
+}
+
+TEST_F(ZoomedTimeline, NothingIsPaintedOverTheNames) {
+  const QRect names(0, 0, left_ - 6, timeline_.contacts()->height());
+  const auto picture = [&] { return timeline_.contacts()->grab().toImage().copy(names); };
+  const QImage before = picture();
+  turn(5, 45);
+  EXPECT_EQ(picture(), before);
+}
+
+TEST_F(TimelineStrips, TheScaleStandsBesideTheErrorsFromVioletToYellow) {
+  const QImage strip = timeline_.errors()->grab().toImage();
+  const QRect beside(0, 0, left_ - kStripMargin, strip.height());
+  EXPECT_GT(countOf(strip, viridis(0), beside), 2);
+  EXPECT_GT(countOf(strip, viridis(1), beside), 2);
+  timeline_.errors()->setErrors({}, {0.1}, kFrames);
+  EXPECT_NE(timeline_.errors()->grab().toImage().copy(beside), strip.copy(beside))
+      << "another scale, other numbers";
+}
+
+TEST_F(TimelineStrips, AClickOnTheScaleOffersOthersAndSeeksNothing) {
+  QAction other(QStringLiteral("5 cm"));
+  timeline_.errors()->addAction(&other);
+  const QSignalSpy seek(&timeline_, &Timeline::seekRequested);
+  QTest::mouseClick(timeline_.errors(), Qt::LeftButton, {}, {10, 25});
+  const auto* menu = timeline_.errors()->findChild<QMenu*>();
+  ASSERT_NE(menu, nullptr);
+  EXPECT_TRUE(menu->actions().contains(&other));
+  EXPECT_EQ(seek.count(), 0);
+}
+
 TEST(HeatImage, HasARowALandmarkAndKeepsTheWorstOfFramesThatShareAColumn) {
   Eigen::MatrixXf distances = Eigen::MatrixXf::Zero(1000, 3);
   distances(437, 1) = 2;
@@ -150,11 +242,11 @@ TEST(FiguresBar, NamesTheWeightingAndShowsEveryFigure) {
   QString all;
   for (const QLabel* label : bar.findChildren<QLabel*>()) all += label->text() + QLatin1Char('|');
   for (const char* text :
-       {"joint origins", "0.12 cm", "0.34 cm", "0.56 cm", "0.78 cm", "7.1 kB", "25.0 : 1", "2.50"})
+       {"joint origins", "1.2 mm", "3.4 mm", "5.6 mm", "7.8 mm", "7.1 kB", "25.0 : 1", "2.50"})
     EXPECT_TRUE(all.contains(QString::fromLatin1(text))) << text << " in " << qPrintable(all);
   bar.setFigures({});
   for (const QLabel* label : bar.findChildren<QLabel*>())
-    EXPECT_FALSE(label->text().contains(QStringLiteral("0.12")));
+    EXPECT_FALSE(label->text().contains(QStringLiteral("1.2 mm")));
 }
 
 TEST(ChannelGraph, DrawsWhatItIsGivenAndSeeks) {

@@ -6,12 +6,14 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QFile>
+#include <QGroupBox>
 #include <QKeySequence>
 #include <QLabel>
 #include <QMap>
 #include <QMenu>
 #include <QMenuBar>
 #include <QProcess>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -19,6 +21,7 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
+#include "app/studio/batch_window.h"
 #include "app/studio/main_window.h"
 #include "app/studio/study_window.h"
 #include "translations/languages.h"
@@ -173,6 +176,30 @@ QStringList sharedKeys(const QList<QAction*>& entries) {
   return shared;
 }
 
+/// Keys that stand for more than one thing in a window: a menu of its bar, a button, the label of a
+/// field. A key that stands for two opens neither.
+QStringList sharedKeysIn(const QWidget& window) {
+  QStringList shared;
+  QMap<QString, QString> taken;
+  const auto take = [&](const QString& text) {
+    const QString key = QKeySequence::mnemonic(text).toString();
+    if (key.isEmpty()) return;
+    if (taken.contains(key)) shared << QStringLiteral("%1 / %2").arg(taken[key], text);
+    taken[key] = text;
+  };
+  for (const auto* bar : window.findChildren<QMenuBar*>())
+    for (const QAction* menu : bar->actions()) take(menu->text());
+  const auto here = [&](const QWidget* widget) { return widget->window() == &window; };
+  for (const auto* button : window.findChildren<QAbstractButton*>())
+    if (here(button)) take(button->text());
+  for (const auto* box : window.findChildren<QGroupBox*>())
+    if (here(box)) take(box->title());
+  for (const auto* label : window.findChildren<QLabel*>())
+    if (here(label) && label->buddy()) take(label->text());
+  for (const auto* menu : window.findChildren<QMenu*>()) shared << sharedKeys(menu->actions());
+  return shared;
+}
+
 TEST(Translations, LayoutsHoldInEveryLanguage) {
   for (const QString& language : shippedLanguages()) {
     QSettings().clear();
@@ -187,12 +214,32 @@ TEST(Translations, LayoutsHoldInEveryLanguage) {
       EXPECT_EQ(cutOff(window).join(QLatin1Char('\n')).toStdString(), "") << qPrintable(language);
       EXPECT_EQ(sharedKeys(window.menuBar()->actions()).join(QLatin1Char('\n')).toStdString(), "")
           << qPrintable(language);
+      EXPECT_EQ(sharedKeysIn(window).join(QLatin1Char('\n')).toStdString(), "")
+          << qPrintable(language);
       EXPECT_LE(window.minimumSizeHint().width(), 1440) << qPrintable(language);
       EXPECT_LE(window.minimumSizeHint().height(), 900) << qPrintable(language);
       StudyWindow* study = window.showStudy();
       ASSERT_TRUE(QTest::qWaitForWindowExposed(study));
       EXPECT_EQ(cutOff(*study).join(QLatin1Char('\n')).toStdString(), "") << qPrintable(language);
+      EXPECT_EQ(sharedKeysIn(*study).join(QLatin1Char('\n')).toStdString(), "")
+          << qPrintable(language);
       study->close();
+      window.actions().batch->trigger();
+      auto* batch = window.findChild<BatchWindow*>();
+      ASSERT_NE(batch, nullptr);
+      for (const char* start : {"&Go On", "&Pause", "&Export"}) {  // what its button says by turns
+        const QString key =
+            QKeySequence::mnemonic(QCoreApplication::translate("mocapress::BatchStatus", start))
+                .toString();
+        for (const auto* button : batch->findChildren<QPushButton*>())
+          if (button->window() == batch && button != batch->startButton()) {
+            EXPECT_NE(QKeySequence::mnemonic(button->text()).toString(), key)
+                << qPrintable(language) << ": " << qPrintable(button->text());
+          }
+      }
+      EXPECT_EQ(sharedKeysIn(*batch).join(QLatin1Char('\n')).toStdString(), "")
+          << qPrintable(language);
+      batch->close();
     }
     QCoreApplication::removeTranslator(&texts);
   }

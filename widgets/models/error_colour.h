@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <array>
 
 namespace mocapress {
 
@@ -18,6 +19,9 @@ struct ErrorScale {
 
   bool operator==(const ErrorScale&) const = default;
 };
+
+/// Scales to choose from, cm. They do not depend on the clip: a colour means the same error in any.
+inline constexpr std::array kErrorScales = {0.1, 0.5, 1.0, 5.0};
 
 /// Up to the least of 1, 2 and 5 times a power of ten that is not below `cm`: steps wide enough
 /// that a scale stays while settings are tuned.

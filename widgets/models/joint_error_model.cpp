@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/joint_error_model.h"
 
-#include <QLocale>
 #include <cassert>
+
+#include "widgets/models/length_text.h"
 
 namespace mocapress {
 
@@ -69,7 +70,7 @@ QVariant JointErrorModel::errorData(int row, int column, int role) const {
   const bool known = errors_.rows() > 0;
   const double cm = known ? errors_(row, column - Mean) : -1;
   if (role == kSortRole) return cm;
-  if (role == Qt::DisplayRole) return known ? QLocale().toString(cm, 'f', 2) : QStringLiteral("–");
+  if (role == Qt::DisplayRole) return known ? lengthText(cm) : QStringLiteral("–");
   return {};
 }
 
@@ -84,7 +85,7 @@ QVariant JointErrorModel::headerData(int section, Qt::Orientation orientation, i
   const bool is_name = section == Name;
   switch (role) {
     case Qt::DisplayRole:
-      return is_name ? tr("Joint") : section == Mean ? tr("Mean cm") : tr("Max cm");
+      return is_name ? tr("Joint") : section == Mean ? tr("Mean") : tr("Max");
     case Qt::ToolTipRole:
       return is_name ? tr("Joint origins and bone ends, in the skeleton's order.")
              : section == Mean

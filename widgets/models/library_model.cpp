@@ -4,6 +4,8 @@
 #include <QFileInfo>
 #include <QStringList>
 
+#include "widgets/models/length_text.h"
+
 namespace mocapress {
 
 QString outcomeText(const LibraryEntry& entry) {
@@ -11,9 +13,9 @@ QString outcomeText(const LibraryEntry& entry) {
   if (!entry.outcome)
     return entry.frames == 0 ? LibraryModel::tr("Reading…")
                              : LibraryModel::tr("%Ln frame(s)", nullptr, entry.frames);
-  return LibraryModel::tr("%L1 : 1, %L2 cm")
+  return LibraryModel::tr("%L1 : 1, %2")
       .arg(entry.outcome->ratio, 0, 'f', 1)
-      .arg(entry.outcome->eps_cm, 0, 'f', 2);
+      .arg(lengthText(entry.outcome->eps_cm));
 }
 
 QString stateText(const LibraryEntry& entry) {

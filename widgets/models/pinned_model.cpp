@@ -3,6 +3,8 @@
 
 #include <QLocale>
 
+#include "widgets/models/length_text.h"
+
 namespace mocapress {
 namespace {
 
@@ -16,20 +18,16 @@ QString textOf(const PinnedEntry& entry, int column) {
     case PinnedModel::Ratio:
       return number(entry.ratio, 1);
     case PinnedModel::Eps:
-      return number(entry.eps_cm, 2);
+      return lengthText(entry.eps_cm);
     case PinnedModel::P95:
-      return number(entry.p95_cm, 2);
+      return lengthText(entry.p95_cm);
     case PinnedModel::Max:
-      return number(entry.max_cm, 2);
+      return lengthText(entry.max_cm);
     case PinnedModel::Footskate:
-      return entry.footskate_cm ? number(*entry.footskate_cm, 1) : QStringLiteral("–");
+      return entry.footskate_cm ? lengthText(*entry.footskate_cm) : QStringLiteral("–");
     default:
       return {};
   }
-}
-
-QString inCentimetres(const QString& what) {
-  return QStringLiteral("%1\n%2").arg(what, PinnedModel::tr("cm"));
 }
 
 }  // namespace
@@ -92,14 +90,13 @@ QVariant PinnedModel::headerData(int section, Qt::Orientation orientation, int r
     case Ratio:
       return shown ? tr("Ratio") : tr("Compression ratio");
     case Eps:
-      return shown ? inCentimetres(tr("eps_x"))
-                   : tr("Weighted root mean square distance from the original.");
+      return shown ? tr("eps_x") : tr("Weighted root mean square distance from the original.");
     case P95:
-      return shown ? inCentimetres(tr("p95")) : tr("95 % of all points and frames are within.");
+      return shown ? tr("p95") : tr("95 % of all points and frames are within.");
     case Max:
-      return shown ? inCentimetres(tr("Max")) : tr("Greatest distance of any point at any frame.");
+      return shown ? tr("Max") : tr("Greatest distance of any point at any frame.");
     case Footskate:
-      return shown ? inCentimetres(tr("Skate")) : tr("Footskate: how far standing feet slide.");
+      return shown ? tr("Skate") : tr("Footskate: how far standing feet slide.");
     default:
       return {};
   }

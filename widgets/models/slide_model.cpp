@@ -3,6 +3,8 @@
 
 #include <QLocale>
 
+#include "widgets/models/length_text.h"
+
 namespace mocapress {
 
 void SlideModel::setFindings(std::vector<SlideFinding> findings,
@@ -33,7 +35,7 @@ QVariant SlideModel::data(const QModelIndex& index, int role) const {
     case Frames:  // counted from 1, as the transport does
       return tr("%L1–%L2").arg(slide.span.first_frame + 1).arg(slide.span.last_frame + 1);
     case Slid:
-      return QLocale().toString(slide.slid_cm, 'f', 2);
+      return lengthText(slide.slid_cm);
     case Speed:
       return QLocale().toString(slide.worst_speed_cm_s, 'f', 0);
     default:
@@ -53,7 +55,7 @@ QVariant SlideModel::headerData(int section, Qt::Orientation orientation, int ro
              : role == Qt::ToolTipRole ? QVariant(tr("While the original stands on the ground."))
                                        : QVariant();
     case Slid:
-      return role == Qt::DisplayRole ? QVariant(tr("Slid cm"))
+      return role == Qt::DisplayRole ? QVariant(tr("Slid"))
              : role == Qt::ToolTipRole
                  ? QVariant(tr("Way over the ground beyond that of the original."))
                  : QVariant();

@@ -6,6 +6,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <chrono>
 #include <cmath>
 
 #include "widgets/plots/convergence_plot.h"
@@ -14,35 +15,46 @@ namespace mocapress {
 namespace {
 
 constexpr int kProgressSteps = 1000;
+constexpr std::chrono::milliseconds kSlow{300};
+
+/// "8 s", "2 min": nobody can tell more exactly.
+QString timeLeft(double seconds) {
+  if (seconds < 60) {
+    const int step = seconds < 10 ? 1 : 5;
+    return AnnealingPanel::tr("%L1 s left").arg(step * std::max(1, qRound(seconds / step)));
+  }
+  return AnnealingPanel::tr("%L1 min left").arg(qRound(seconds / 60));
+}
 
 }  // namespace
-
-double passProgress(const EncodeProgress& state) {
-  if (state.first_step <= 0) return 0;
-  return 1 - std::log2(state.step + 1) / std::log2(state.first_step + 1);
-}
 
 AnnealingPanel::AnnealingPanel(QWidget* parent)
     : QWidget(parent),
       progress_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)),
-      pass_(new QLabel(this)),
+      left_(new QLabel(this)),
       plot_(new ConvergencePlot(this)) {
   progress_->setAccessibleName(tr("Progress of the refinement"));
-  progress_->setRange(0, kProgressSteps);
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(8);
   progress_->setToolTip(
       tr("The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed "
-         "loop sweeps over all of them, until nothing helps. Most targets take several passes."));
+         "loop sweeps over all of them, until nothing helps. Most targets take several passes; how "
+         "many is a guess until the last."));
+  left_->setAccessibleName(tr("Time left"));
   cancel_->setToolTip(tr("Stop refining. The best so far is kept where it beats the draft."));
-  cancel_->setEnabled(false);
   plot_->setMinimumHeight(110);
+  // Nothing moves when the bar comes and goes.
+  for (QWidget* each : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(left_)}) {
+    QSizePolicy policy = each->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    each->setSizePolicy(policy);
+  }
 
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   row->addWidget(progress_, 1);
-  row->addWidget(pass_);
+  row->addWidget(left_);
   row->addWidget(cancel_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -50,30 +62,54 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
   column->addLayout(row);
   column->addWidget(plot_, 1);
 
+  slow_.setSingleShot(true);
+  slow_.setInterval(kSlow);
+  connect(&slow_, &QTimer::timeout, this, [this] {
+    progress_->setRange(0, 0);  // how long a draft takes is not known
+    progress_->show();
+  });
   connect(cancel_, &QPushButton::clicked, this, &AnnealingPanel::cancelRequested);
-  setRunning(false);
-  progress_->setValue(0);
+  setState(State::Idle);
 }
 
-void AnnealingPanel::setRunning(bool running) {
-  cancel_->setEnabled(running);
+void AnnealingPanel::setState(State state) {
+  state_ = state;
+  slow_.stop();
+  if (state == State::Waiting) slow_.start();
+  cancel_->setEnabled(state == State::Running);
+  progress_->setVisible(state == State::Running);
   progress_->setRange(0, kProgressSteps);
-  if (!running) {
-    if (!pass_->text().isEmpty()) progress_->setValue(kProgressSteps);
-    return;
-  }
   progress_->setValue(0);
-  pass_->clear();
+  left_->clear();
+}
+
+void AnnealingPanel::await() {
   plot_->clear();
+  setState(State::Waiting);
+}
+
+void AnnealingPanel::begin(const EncodeOptions& options) {
+  plot_->clear();
+  estimate_ = EncodeEstimate(options);
+  clock_.start();
+  setState(State::Running);
+}
+
+void AnnealingPanel::end() {
+  if (state_ == State::Running) setState(State::Idle);
+}
+
+void AnnealingPanel::rest() {
+  setState(State::Idle);
 }
 
 void AnnealingPanel::append(const std::vector<EncodeProgress>& states) {
-  if (states.empty()) return;
-  const EncodeProgress& newest = states.back();
-  // How many sweeps a closed loop takes is not known beforehand.
-  progress_->setRange(0, newest.first_step > 0 ? kProgressSteps : 0);
-  progress_->setValue(static_cast<int>(kProgressSteps * passProgress(newest)));
-  pass_->setText(tr("Pass %1").arg(newest.pass + 1));
+  if (states.empty() || state_ != State::Running) return;
+  for (const EncodeProgress& state : states)
+    estimate_.add(state, 1e-9 * static_cast<double>(clock_.nsecsElapsed()));
+  progress_->setValue(static_cast<int>(kProgressSteps * estimate_.share()));
+  const std::optional<double> left = estimate_.secondsLeft();
+  left_->setText(left ? timeLeft(*left) : QString());
   plot_->append(states);
 }
 

@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QMenu>
@@ -14,21 +13,23 @@
 
 #include "widgets/models/log_scale.h"
 #include "widgets/panels/names.h"
+#include "widgets/panels/number_box.h"
 
 namespace mocapress {
 namespace {
 
 constexpr double kFirstRatio = 16;  // of the paper's video
-constexpr LogScale kScale = {2, 200};
+constexpr LogScale kScale = {1, 200};
+const QString kNotKnownYet = QStringLiteral("–");
 
 }  // namespace
 
 CorrectionControl::CorrectionControl(QWidget* parent)
     : QWidget(parent),
       ratio_(kFirstRatio),
-      hold_(new QCheckBox(tr("&Hold feet (IK)"), this)),
+      hold_(new QCheckBox(tr("Hold feet (IK)"), this)),
       found_(new QCheckBox(tr("Auto"), this)),
-      value_(new QDoubleSpinBox(this)),
+      value_(new NumberBox(this)),
       slider_(new QSlider(Qt::Horizontal, this)),
       at_(new QComboBox(this)),
       joints_(new QToolButton(this)),
@@ -43,12 +44,8 @@ CorrectionControl::CorrectionControl(QWidget* parent)
   value_->setToolTip(
       tr("The paper's r_IK: coefficients of the correction over kept ones. Lower "
          "holds the feet better and costs more."));
-  value_->setRange(kScale.lowest, kScale.highest);
-  value_->setDecimals(1);
+  value_->setDecimalsShown(1, 3);
   value_->setSuffix(tr(" : 1"));
-  value_->setAlignment(Qt::AlignRight);
-  value_->setKeyboardTracking(false);
-  value_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   slider_->setAccessibleName(tr("IK ratio on a slider"));
   slider_->setToolTip(value_->toolTip());
   slider_->setRange(0, kScale.steps);
@@ -96,7 +93,8 @@ CorrectionControl::CorrectionControl(QWidget* parent)
     chosen.ratio = ratio_ = ratio;
     choose(chosen);
   };
-  connect(value_, &QDoubleSpinBox::valueChanged, this, choose_ratio);
+  connect(value_, &QDoubleSpinBox::valueChanged, this,
+          [=, this](double ratio) { ratio > 0 ? choose_ratio(ratio) : show(); });
   connect(slider_, &QSlider::valueChanged, this,
           [=](int position) { choose_ratio(kScale.value(position)); });
   connect(at_, &QComboBox::activated, this, [this] {
@@ -128,6 +126,11 @@ void CorrectionControl::setCorrection(const std::optional<CorrectionOptions>& co
   show();
 }
 
+void CorrectionControl::setFound(const std::optional<double>& ratio) {
+  found_ratio_ = ratio;
+  show();
+}
+
 void CorrectionControl::chooseJoints() {
   CorrectionOptions chosen = correction_;
   chosen.joints.clear();
@@ -152,8 +155,11 @@ void CorrectionControl::show() {
   const QSignalBlocker block_slider(slider_);
   const bool held = hold_->isChecked();
   found_->setChecked(!correction_.ratio);
-  value_->setValue(ratio_);
-  slider_->setValue(kScale.position(ratio_));
+  const bool unknown = !correction_.ratio && !found_ratio_;
+  const double ratio = correction_.ratio || unknown ? ratio_ : *found_ratio_;
+  value_->setSpecialValueText(unknown ? kNotKnownYet : QString());
+  value_->setValue(unknown ? 0 : ratio);
+  slider_->setValue(kScale.position(ratio));
   at_->setCurrentIndex(at_->findData(static_cast<int>(correction_.at)));
   QStringList names;
   for (QAction* action : joint_menu_->actions()) {

@@ -8,12 +8,13 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QMenu;
 class QSlider;
 class QToolButton;
 
 namespace mocapress {
+
+class NumberBox;
 
 /// Whether, how finely and where feet or other joints are held by inverse kinematics. Shows what it
 /// is told, and tells what the user chose.
@@ -29,7 +30,12 @@ class CorrectionControl : public QWidget {
   /// Emits nothing.
   void setCorrection(const std::optional<CorrectionOptions>& correction);
 
+  /// The ratio that the encoder chose where that is left to it; unset: not known yet.
+  void setFound(const std::optional<double>& ratio);
+
   QCheckBox* hold() const { return hold_; }
+  QCheckBox* found() const { return found_; }
+  NumberBox* number() const { return value_; }
   QSlider* slider() const { return slider_; }
 
  signals:
@@ -43,9 +49,10 @@ class CorrectionControl : public QWidget {
 
   CorrectionOptions correction_;
   double ratio_;  // for when it is no longer found by the encoder
+  std::optional<double> found_ratio_;
   QCheckBox* hold_;
   QCheckBox* found_;
-  QDoubleSpinBox* value_;
+  NumberBox* value_;
   QSlider* slider_;
   QComboBox* at_;
   QToolButton* joints_;

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLocale>
 
+#include "widgets/models/length_text.h"
 #include "widgets/panels/names.h"
 
 namespace mocapress {
@@ -12,8 +13,8 @@ namespace {
 
 const QString kUnknown = QStringLiteral("–");
 
-QString centimetres(const std::optional<double>& cm) {
-  return cm ? FiguresBar::tr("%L1 cm").arg(*cm, 0, 'f', 2) : kUnknown;
+QString distance(const std::optional<double>& cm) {
+  return cm ? lengthText(*cm) : kUnknown;
 }
 
 }  // namespace
@@ -61,11 +62,11 @@ void FiguresBar::setFigures(const std::optional<ResultFigures>& figures) {
   };
   eps_.caption->setText(figures ? tr("eps_x, %1").arg(displayName(known.weighting).toLower())
                                 : tr("eps_x"));
-  show(eps_, centimetres(known.eps_cm));
-  show(p95_, centimetres(known.p95_cm));
-  show(p99_, centimetres(known.p99_cm));
-  show(max_, centimetres(known.max_cm));
-  show(footskate_, centimetres(known.footskate_cm));
+  show(eps_, distance(known.eps_cm));
+  show(p95_, distance(known.p95_cm));
+  show(p99_, distance(known.p99_cm));
+  show(max_, distance(known.max_cm));
+  show(footskate_, distance(known.footskate_cm));
   show(size_, QLocale().formattedDataSize(static_cast<qint64>(known.motion_bytes), 1,
                                           QLocale::DataSizeSIFormat));
   show(ratio_, tr("%L1 : 1").arg(known.ratio, 0, 'f', 1));

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QStyle>
 #include <QToolButton>
 #include <chrono>
@@ -19,7 +20,10 @@ constexpr QRgb kNoteColour = 0xff0072b2;
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), text_(new QLabel(this)), remedy_(new QToolButton(this)) {
+    : QFrame(parent),
+      text_(new QLabel(this)),
+      work_(new QProgressBar(this)),
+      remedy_(new QToolButton(this)) {
   setAccessibleName(tr("Message"));
   setAutoFillBackground(true);
   text_->setWordWrap(true);
@@ -32,10 +36,15 @@ MessageBar::MessageBar(QWidget* parent)
   close->setToolTip(tr("Close"));
 
   remedy_->setAccessibleName(tr("What may help"));
+  work_->setAccessibleName(tr("Something is being done"));
+  work_->setRange(0, 0);  // how long it takes is not known
+  work_->setTextVisible(false);
+  work_->setMaximumSize(160, 8);
 
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 6, 6, 6);
   row->addWidget(text_, 1);
+  row->addWidget(work_);
   row->addWidget(remedy_);
   row->addWidget(close, 0, Qt::AlignTop);
 
@@ -52,6 +61,11 @@ void MessageBar::showNote(const QString& text) {
   leave_.start();
 }
 
+void MessageBar::showWork(const QString& text) {
+  showText(text, false, nullptr);
+  work_->show();
+}
+
 void MessageBar::showError(const QString& text, QAction* remedy) {
   showText(text, true, remedy);
 }
@@ -64,6 +78,7 @@ void MessageBar::showText(const QString& text, bool error, QAction* remedy) {
   leave_.stop();
   error_ = error;
   text_->setText(text);
+  work_->hide();
   remedy_->setDefaultAction(remedy);
   remedy_->setVisible(remedy != nullptr);
   applyColours();

@@ -6,6 +6,7 @@
 
 class QAction;
 class QLabel;
+class QProgressBar;
 class QPushButton;
 class QToolButton;
 
@@ -21,6 +22,9 @@ class MessageBar : public QFrame {
 
   void showNote(const QString& text);
 
+  /// Something is being done: stays until replaced or hidden.
+  void showWork(const QString& text);
+
   /// With a button for `remedy` where there is one; the bar keeps no ownership.
   void showError(const QString& text, QAction* remedy = nullptr);
 
@@ -35,6 +39,7 @@ class MessageBar : public QFrame {
 
   bool error_ = false;
   QLabel* text_;
+  QProgressBar* work_;
   QToolButton* remedy_;
   QTimer leave_;
 };

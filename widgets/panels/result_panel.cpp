@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QtMath>
 
+#include "widgets/models/length_text.h"
 #include "widgets/panels/names.h"
 
 namespace mocapress {
@@ -14,8 +15,8 @@ namespace {
 const QString kUnknown = QStringLiteral("–");
 constexpr double kHeadlineScale = 1.9;
 
-QString centimetres(const std::optional<double>& cm) {
-  return cm ? ResultPanel::tr("%L1 cm").arg(*cm, 0, 'f', 2) : kUnknown;
+QString distance(const std::optional<double>& cm) {
+  return cm ? lengthText(*cm) : kUnknown;
 }
 
 QString bytes(std::size_t count) {
@@ -68,6 +69,8 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   footskate_ = addRow(tr("Footskate"),
                       tr("Way of the feet over the ground while they stand, beyond the original's "
                          "own, summed over the clip."));
+  slide_ = addRow(tr("A contact: mean / worst"),
+                  tr("Footskate of one contact: it compares clips of any length."));
   bytes_ = addRow(tr("Motion / file"),
                   tr("Compressed motion bytes, and bytes of the whole file with its skeleton."));
   coefficient_ratio_ =
@@ -118,23 +121,27 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   if (!figures) {
     eps_name_->setText(tr("eps_x"));
     for (QLabel* label : {ratio_, eps_, bytes_, p95_, p99_, max_, coefficient_ratio_, bits_,
-                          footskate_, correction_, knee_})
+                          footskate_, slide_, correction_, knee_})
       label->setText(kUnknown);
     return;
   }
   ratio_->setText(tr("%L1 : 1").arg(figures->ratio, 0, 'f', 1));
-  eps_->setText(centimetres(figures->eps_cm));
+  eps_->setText(distance(figures->eps_cm));
   eps_name_->setText(tr("eps_x, %1").arg(displayName(figures->weighting).toLower()));
   bytes_->setText(
       tr("%1 / %2", "bytes").arg(bytes(figures->motion_bytes), bytes(figures->file_bytes)));
-  p95_->setText(centimetres(figures->p95_cm));
-  p99_->setText(centimetres(figures->p99_cm));
-  max_->setText(centimetres(figures->max_cm));
+  p95_->setText(distance(figures->p95_cm));
+  p99_->setText(distance(figures->p99_cm));
+  max_->setText(distance(figures->max_cm));
   coefficient_ratio_->setText(figures->coefficient_ratio
                                   ? tr("%L1 : 1").arg(*figures->coefficient_ratio, 0, 'f', 1)
                                   : kUnknown);
   bits_->setText(QLocale().toString(figures->bits_per_joint_sample, 'f', 2));
-  footskate_->setText(centimetres(figures->footskate_cm));
+  footskate_->setText(distance(figures->footskate_cm));
+  slide_->setText(figures->slide ? tr("%1 / %2", "footskate")
+                                       .arg(lengthText(figures->slide->mean_cm),
+                                            lengthText(figures->slide->worst_cm))
+                                 : kUnknown);
   correction_->setText(correctionText(*figures));
   knee_->setText(kneeText(*figures));
 }

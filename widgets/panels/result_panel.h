@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/contact/slide_per_contact.h"
 #include "core/motion/landmarks.h"
 
 class QGridLayout;
@@ -25,6 +26,7 @@ struct ResultFigures {
   std::optional<double> coefficient_ratio;
   double bits_per_joint_sample = 0;
   std::optional<double> footskate_cm;
+  std::optional<SlidePerContact> slide;
   std::optional<std::size_t> correction_bytes;
   std::optional<double> correction_ratio;  // r_IK
   std::optional<double> fastest_knee;      // radians/s
@@ -60,6 +62,7 @@ class ResultPanel : public QWidget {
   QLabel* coefficient_ratio_;
   QLabel* bits_;
   QLabel* footskate_;
+  QLabel* slide_;
   QLabel* correction_;
   QLabel* knee_;
 };

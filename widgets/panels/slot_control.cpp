@@ -9,7 +9,7 @@ namespace {
 
 const std::array<QString, 2> kNames = {QStringLiteral("A"), QStringLiteral("B")};
 
-const QString kWidest = QStringLiteral("A   199.9 : 1, 0.00 cm");
+const QString kWidest = QStringLiteral("A   199.9 : 1, 0.0 mm");
 
 }  // namespace
 

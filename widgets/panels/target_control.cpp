@@ -2,39 +2,50 @@
 #include "widgets/panels/target_control.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <cassert>
+#include <cmath>
 
 #include "widgets/models/log_scale.h"
+#include "widgets/panels/number_box.h"
 
 namespace mocapress {
 namespace {
+
+constexpr double kTakenOver = 1e4;  // steps a cm, of an error that is taken over
 
 /// How a kind of target is shown, and what it begins with.
 struct Unit {
   LogScale scale;
   double first;
-  int decimals;
+  int shown_decimals;
+  int most_decimals;
   QString suffix;
 };
 
 Unit unitOf(Target::Kind kind) {
   switch (kind) {
     case Target::Kind::Size:
-      return {{100, 1e6}, 10e3, 0, TargetControl::tr(" bytes")};
+      return {{100, 1e7}, 10e3, 0, 0, TargetControl::tr(" bytes")};
     case Target::Kind::Error:
-      return {{0.05, 10}, 0.5, 3, TargetControl::tr(" cm")};
+      return {{0.01, 10}, 0.5, 1, 6, TargetControl::tr(" cm")};
     case Target::Kind::MaxError:
-      return {{0.1, 20}, 2, 2, TargetControl::tr(" cm")};
+      return {{0.05, 20}, 2, 1, 6, TargetControl::tr(" cm")};
     case Target::Kind::Ratio:
     case Target::Kind::CoefficientRatio:
       break;
   }
-  return {{2, 200}, 25, 1, TargetControl::tr(" : 1")};
+  return {{2, 1000}, 25, 1, 3, TargetControl::tr(" : 1")};
+}
+
+/// In few digits, and so that what was achieved still meets it.
+double rounded(Target::Kind kind, double value) {
+  if (kind == Target::Kind::Ratio) return std::round(10 * value) / 10;
+  if (kind == Target::Kind::Size) return value;
+  return std::ceil(kTakenOver * value) / kTakenOver;
 }
 
 }  // namespace
@@ -43,7 +54,8 @@ TargetControl::TargetControl(QWidget* parent)
     : QWidget(parent),
       kind_(new QComboBox(this)),
       slider_(new QSlider(Qt::Horizontal, this)),
-      value_(new QDoubleSpinBox(this)) {
+      value_(new NumberBox(this)),
+      trouble_(new QLabel(this)) {
   kind_->setAccessibleName(tr("Target"));
   kind_->addItem(tr("Compression ratio"), static_cast<int>(Target::Kind::Ratio));
   kind_->addItem(tr("Size in bytes"), static_cast<int>(Target::Kind::Size));
@@ -59,16 +71,17 @@ TargetControl::TargetControl(QWidget* parent)
   slider_->setToolTip(tr("Drag: a draft follows at once, and is refined when you pause."));
   value_->setAccessibleName(tr("Target value"));
   value_->setToolTip(tr("The target as a number; type it or step through it."));
-  value_->setKeyboardTracking(false);
-  value_->setAlignment(Qt::AlignRight);
-  value_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  trouble_->setWordWrap(true);
+  trouble_->setAccessibleName(tr("Trouble with the target"));
+  trouble_->hide();
 
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(4);
   grid->addWidget(kind_, 0, 0);
   grid->addWidget(value_, 0, 1);
-  grid->addWidget(slider_, 1, 0, 1, 2);
+  grid->addWidget(trouble_, 1, 0, 1, 2);
+  grid->addWidget(slider_, 2, 0, 1, 2);
   grid->setColumnStretch(0, 1);
 
   connect(kind_, &QComboBox::activated, this, [this](int index) {
@@ -81,6 +94,7 @@ TargetControl::TargetControl(QWidget* parent)
     choose({target_.kind, unitOf(target_.kind).scale.value(position)});
   });
   connect(value_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    if (value <= 0) return setTrouble(tr("There is nothing to ask for at zero."));
     choose({target_.kind, value});
   });
   show();
@@ -93,8 +107,24 @@ void TargetControl::setTarget(const Target& target) {
   show();
 }
 
+void TargetControl::setAchieved(const std::map<Target::Kind, double>& achieved) {
+  for (const auto& [kind, value] : achieved)
+    if (value > 0) values_[kind] = rounded(kind, value);
+}
+
+void TargetControl::setTrouble(const QString& trouble, const QString& details) {
+  trouble_->setText(trouble.isEmpty() ? QString() : QStringLiteral("⚠ %1").arg(trouble));
+  trouble_->setToolTip(details);
+  trouble_->setVisible(!trouble.isEmpty());
+}
+
+QString TargetControl::trouble() const {
+  return trouble_->text();
+}
+
 void TargetControl::choose(const Target& target) {
   target_ = target;
+  setTrouble({});
   show();
   emit targetChanged(target_);
 }
@@ -106,8 +136,7 @@ void TargetControl::show() {
   const Unit unit = unitOf(target_.kind);
   kind_->setCurrentIndex(kind_->findData(static_cast<int>(target_.kind)));
   slider_->setValue(unit.scale.position(target_.value));
-  value_->setRange(unit.scale.lowest, unit.scale.highest);
-  value_->setDecimals(unit.decimals);
+  value_->setDecimalsShown(unit.shown_decimals, unit.most_decimals);
   value_->setSuffix(unit.suffix);
   value_->setValue(target_.value);
 }

@@ -2,13 +2,14 @@
 #include "widgets/plots/heat_map.h"
 
 #include <QHelpEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "widgets/models/length_text.h"
 
 namespace mocapress {
 namespace {
@@ -52,6 +53,7 @@ HeatMap::HeatMap(QWidget* parent) : QWidget(parent) {
   setAccessibleDescription(
       tr("Error of every joint at every frame. Arrow keys move to the next joint or frame."));
   setFocusPolicy(Qt::StrongFocus);
+  setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 void HeatMap::setDistances(Distances distances, std::vector<QString> names,
@@ -144,8 +146,8 @@ void HeatMap::paintEvent(QPaintEvent*) {
 
 void HeatMap::paintLegend(QPainter& painter) const {
   const QRectF area = mapArea();
-  const QString none = tr("0 cm");
-  const QString top = tr("≥ %L1 cm").arg(scale_.top_cm);
+  const QString none = QStringLiteral("0");
+  const QString top = QStringLiteral("≥ %1").arg(roundLengthText(scale_.top_cm));
   const double top_width = fontMetrics().horizontalAdvance(top) + 4;
   const double y = area.bottom() + kLegendHeight / 2.0 + 1;
   const double left = area.right() - top_width - kRampWidth - 6;
@@ -170,10 +172,10 @@ bool HeatMap::event(QEvent* event) {
   }
   const auto cm = static_cast<double>((*distances_)(cell->frame, cell->landmark));
   QToolTip::showText(help->globalPos(),
-                     tr("%1, frame %L2: %L3 cm")
+                     tr("%1, frame %L2: %3")
                          .arg(names_[static_cast<std::size_t>(cell->landmark)])
                          .arg(cell->frame + 1)
-                         .arg(cm, 0, 'f', 2),
+                         .arg(lengthText(cm)),
                      this);
   return true;
 }

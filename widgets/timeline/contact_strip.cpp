@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/models/length_text.h"
 #include "widgets/models/slide_colour.h"
 
 namespace mocapress {
@@ -75,7 +76,12 @@ void ContactStrip::setLabelWidth(int pixels) {
 
 TimeAxis ContactStrip::axis() const {
   return {static_cast<double>(2 * kStripMargin + label_width_),
-          static_cast<double>(width() - kStripMargin), frames_};
+          static_cast<double>(width() - kStripMargin), frames_, window_};
+}
+
+void ContactStrip::setWindow(const FrameWindow& window) {
+  window_ = window;
+  update();
 }
 
 std::optional<ContactStrip::Handle> ContactStrip::handleAt(const QPointF& position) const {
@@ -123,18 +129,20 @@ double ContactStrip::slideOf(const ContactSpan& span) const {
 }
 
 QString ContactStrip::describe(const ContactSpan& span) const {
-  return tr("%1 on the ground, frames %L2–%L3; slides %L4 cm further than the original. Drag an "
+  return tr("%1 on the ground, frames %L2–%L3; slides %4 further than the original. Drag an "
             "end "
             "to move it.")
       .arg(names_[static_cast<std::size_t>(span.landmark)])
       .arg(span.first_frame + 1)
       .arg(span.last_frame + 1)
-      .arg(slideOf(span), 0, 'f', 2);
+      .arg(lengthText(slideOf(span)));
 }
 
 void ContactStrip::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  const TimeAxis time = axis();
+  const QRectF plot(time.left, 0, time.right - time.left, height());
   for (const int landmark : lanes_) {
     const QRectF lane = barOf({landmark, 0, std::max(frames_ - 1, 0)});
     painter.setPen(palette().color(QPalette::PlaceholderText));
@@ -142,8 +150,9 @@ void ContactStrip::paintEvent(QPaintEvent*) {
                      Qt::AlignLeft | Qt::AlignVCenter, names_[static_cast<std::size_t>(landmark)]);
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().color(QPalette::AlternateBase));
-    painter.drawRoundedRect(lane, kCorner, kCorner);
+    painter.drawRoundedRect(lane.intersected(plot), kCorner, kCorner);
   }
+  painter.setClipRect(plot);
   painter.setPen(Qt::NoPen);
   for (const ContactSpan& span : contacts_) {
     painter.setBrush(slideColour(slideOf(span)));

@@ -24,6 +24,7 @@ class ContactStrip : public QWidget {
                    int frames);
   void setFindings(const std::vector<SlideFinding>& findings);
   void setFrame(int frame);
+  void setWindow(const FrameWindow& window);
 
   /// What its names take, and what they are given.
   int labelWidth() const { return names_width_; }
@@ -66,6 +67,7 @@ class ContactStrip : public QWidget {
   std::vector<int> lanes_;  // landmarks
   std::vector<QString> names_;
   int frames_ = 0;
+  FrameWindow window_;
   int frame_ = 0;
   int names_width_ = 0;  // pixels
   int label_width_ = 0;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/timeline/error_strip.h"
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
-#include <QLocale>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -10,12 +11,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/models/length_text.h"
+
 namespace mocapress {
 namespace {
 
 constexpr int kAbove = 9;  // pixels for the marks
 constexpr int kBelow = 2;
 constexpr double kMarkSize = 7;
+constexpr int kRampWidth = 5;
+constexpr int kRampGap = 4;
 constexpr QRgb kMark = 0xffd55e00;  // Okabe and Ito's vermilion
 
 }  // namespace
@@ -70,13 +75,24 @@ void ErrorStrip::setLabelWidth(int pixels) {
   showErrors();
 }
 
+/// Whatever the scale: the strip does not move when another is chosen.
 int ErrorStrip::labelWidth() const {
-  return fontMetrics().horizontalAdvance(tr("Error"));
+  int widest = 0;
+  for (const double cm : kErrorScales)
+    widest = std::max(widest, fontMetrics().horizontalAdvance(roundLengthText(cm)));
+  return fontMetrics().horizontalAdvance(tr("Error") + QStringLiteral("  ")) + widest + kRampGap +
+         kRampWidth;
 }
 
 TimeAxis ErrorStrip::axis() const {
   return {static_cast<double>(2 * kStripMargin + label_width_),
-          static_cast<double>(width() - kStripMargin), frames_};
+          static_cast<double>(width() - kStripMargin), frames_, window_};
+}
+
+void ErrorStrip::setWindow(const FrameWindow& window) {
+  if (window == window_) return;
+  window_ = window;
+  showErrors();
 }
 
 QRectF ErrorStrip::plotArea() const {
@@ -92,6 +108,8 @@ void ErrorStrip::paintEvent(QPaintEvent*) {
   painter.setPen(palette().color(QPalette::PlaceholderText));
   const QRectF label(kStripMargin, area.top(), label_width_, area.height());
   painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter, tr("Error"));
+  paintScale(painter);
+  painter.setClipRect(area.adjusted(0, -kAbove, 0, kBelow));
   if (profile_.frames() == frames_ && frames_ > 0) {
     if (errors_.isNull() || errors_.devicePixelRatio() != devicePixelRatioF())
       errors_ = paintedErrors();
@@ -103,6 +121,23 @@ void ErrorStrip::paintEvent(QPaintEvent*) {
   const double x = axis().xOf(frame_ + 0.5);
   painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
   painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+}
+
+/// What the height and the colour of a column mean.
+void ErrorStrip::paintScale(QPainter& painter) const {
+  const QRectF area = plotArea();
+  const double right = area.left() - kStripMargin;
+  for (double y = 0; y < area.height(); ++y)
+    painter.fillRect(QRectF(right - kRampWidth, area.bottom() - y - 1, kRampWidth, 1),
+                     viridis(y / (area.height() - 1)));
+  painter.setPen(palette().color(QPalette::WindowText));
+  // The top number may stand out above the plot by half its height.
+  const double line = fontMetrics().height();
+  const QRectF numbers(kStripMargin, area.top() - line / 4,
+                       right - kRampWidth - kRampGap - kStripMargin,
+                       area.height() + line / 4 + kBelow);
+  painter.drawText(numbers, Qt::AlignRight | Qt::AlignTop, roundLengthText(scale_.top_cm));
+  painter.drawText(numbers, Qt::AlignRight | Qt::AlignBottom, QStringLiteral("0"));
 }
 
 QPixmap ErrorStrip::paintedErrors() const {
@@ -173,15 +208,18 @@ bool ErrorStrip::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   QString text =
-      tr("Greatest error at every frame as a column, the mean as a line. Shift and drag "
-         "chooses the range that is played.");
+      help->pos().x() < axis().left
+          ? tr("Errors of this size and more are as high and as light as it gets. Click to choose "
+               "another scale.")
+          : tr("Greatest error at every frame as a column, the mean as a line. The wheel zooms, "
+               "with Shift it moves along; Shift and drag chooses the range that is played.");
   for (const Glitch& glitch : glitches_)
     if (std::abs(axis().xOf(glitch.frame + 0.5) - help->pos().x()) < kMarkSize &&
         help->pos().y() < 2 * kAbove)
-      text = tr("A jump of one frame: %1 at frame %L2, %L3 cm")
+      text = tr("A jump of one frame: %1 at frame %L2, %3")
                  .arg(names_[static_cast<std::size_t>(glitch.landmark)])
                  .arg(glitch.frame + 1)
-                 .arg(glitch.cm, 0, 'f', 2);
+                 .arg(lengthText(glitch.cm));
   QToolTip::showText(help->globalPos(), text, this);
   return true;
 }
@@ -194,6 +232,7 @@ void ErrorStrip::pointAt(double x, bool chooses_range) {
 
 void ErrorStrip::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
+  if (event->position().x() < axis().left) return showMenu(event->globalPosition().toPoint());
   range_from_ = axis().frameAt(event->position().x());
   pointAt(event->position().x(), event->modifiers() & Qt::ShiftModifier);
 }
@@ -201,6 +240,18 @@ void ErrorStrip::mousePressEvent(QMouseEvent* event) {
 void ErrorStrip::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() & Qt::LeftButton)
     pointAt(event->position().x(), event->modifiers() & Qt::ShiftModifier);
+}
+
+void ErrorStrip::contextMenuEvent(QContextMenuEvent* event) {
+  showMenu(event->globalPos());
+}
+
+void ErrorStrip::showMenu(const QPoint& global) {
+  if (actions().isEmpty()) return;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addActions(actions());
+  menu->popup(global);
 }
 
 }  // namespace mocapress

@@ -18,8 +18,9 @@ namespace mocapress {
 using FrameRange = std::pair<int, int>;
 
 /// The error over time in a narrow strip: greatest error as coloured columns, the mean as a line,
-/// one-frame glitches as marks, and the range that is played. A click or drag seeks, with Shift it
-/// chooses the range.
+/// one-frame glitches as marks, and the range that is played. Its scale stands beside it; a click
+/// on that opens a menu of the widget's actions. A click or drag seeks, with Shift it chooses the
+/// range.
 class ErrorStrip : public QWidget {
   Q_OBJECT
 
@@ -31,12 +32,13 @@ class ErrorStrip : public QWidget {
   void setGlitches(std::vector<Glitch> glitches, std::vector<QString> names);
   void setRange(const std::optional<FrameRange>& range);
   void setFrame(int frame);
+  void setWindow(const FrameWindow& window);
 
   /// Pixels left for names, in line with the strips below.
   void setLabelWidth(int pixels);
   int labelWidth() const;
 
-  QSize sizeHint() const override { return {200, 46}; }
+  QSize sizeHint() const override { return {200, 50}; }
 
  signals:
   void seekRequested(int frame);
@@ -49,6 +51,7 @@ class ErrorStrip : public QWidget {
   void changeEvent(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   TimeAxis axis() const;
@@ -57,9 +60,11 @@ class ErrorStrip : public QWidget {
   QPixmap paintedErrors() const;
   void paintColumns(QPainter& painter) const;
   void paintMean(QPainter& painter) const;
+  void paintScale(QPainter& painter) const;
   void paintGlitches(QPainter& painter) const;
   void paintRange(QPainter& painter) const;
   void pointAt(double x, bool chooses_range);
+  void showMenu(const QPoint& global);
 
   ErrorProfile profile_;
   ErrorScale scale_;
@@ -68,6 +73,7 @@ class ErrorStrip : public QWidget {
   std::vector<QString> names_;
   std::optional<FrameRange> range_;
   int frames_ = 0;
+  FrameWindow window_;
   int frame_ = 0;
   int label_width_ = 0;
   int range_from_ = 0;  // where the choice of a range began

@@ -1,23 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/timeline/timeline.h"
 
+#include <QScrollBar>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 #include <algorithm>
+#include <cmath>
 
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
 
 namespace mocapress {
+namespace {
+
+constexpr double kNotch = 120;           // Qt's angle delta of one
+constexpr double kLengthPerNotch = 0.8;  // of what is in sight
+constexpr double kMovePerNotch = 0.15;   // of what is in sight
+constexpr double kLeastFrames = 12;      // in sight
+constexpr double kLead = 0.05;           // of what is in sight, before a playhead that comes in
+
+double possibleLength(double wanted, int frames) {
+  const double all = std::max(frames, 1);
+  return std::clamp(wanted, std::min(kLeastFrames, all), all);
+}
+
+}  // namespace
 
 Timeline::Timeline(QWidget* parent)
-    : QWidget(parent), errors_(new ErrorStrip(this)), contacts_(new ContactStrip(this)) {
+    : QWidget(parent),
+      errors_(new ErrorStrip(this)),
+      contacts_(new ContactStrip(this)),
+      scroll_(new QScrollBar(Qt::Horizontal, this)) {
+  scroll_->setAccessibleName(tr("Part of the clip in sight"));
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->hide();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 2, 0, 0);
   column->setSpacing(0);
   column->addWidget(errors_);
   column->addWidget(contacts_);
+  column->addWidget(scroll_);
   connect(errors_, &ErrorStrip::seekRequested, this, &Timeline::seekRequested);
   connect(contacts_, &ContactStrip::seekRequested, this, &Timeline::seekRequested);
+  connect(scroll_, &QScrollBar::valueChanged, this,
+          [this](int first) { setWindow(first, window_.length); });
   errors_->setLabelWidth(errors_->labelWidth());
 }
 
@@ -27,11 +54,60 @@ void Timeline::setContacts(std::vector<ContactSpan> contacts, const std::vector<
   const int width = std::max(errors_->labelWidth(), contacts_->labelWidth());
   errors_->setLabelWidth(width);
   contacts_->setLabelWidth(width);
+  if (frames == frames_) return;
+  frames_ = frames;
+  showAll();
 }
 
 void Timeline::setFrame(int frame) {
   errors_->setFrame(frame);
   contacts_->setFrame(frame);
+  if (window_.length == 0) return;
+  if (frame < window_.first)
+    setWindow(frame + 1 - (1 - kLead) * window_.length, window_.length);
+  else if (frame + 1 > window_.first + window_.length)
+    setWindow(frame - kLead * window_.length, window_.length);
+}
+
+void Timeline::showAll() {
+  setWindow(0, frames_);
+}
+
+TimeAxis Timeline::axis() const {
+  const int labels = std::max(errors_->labelWidth(), contacts_->labelWidth());
+  return {static_cast<double>(2 * kStripMargin + labels),
+          static_cast<double>(width() - kStripMargin), frames_, window_};
+}
+
+void Timeline::setWindow(double first, double length) {
+  length = possibleLength(length, frames_);
+  const bool whole = length >= frames_;
+  window_ = whole ? FrameWindow() : FrameWindow{std::clamp(first, 0.0, frames_ - length), length};
+  errors_->setWindow(window_);
+  contacts_->setWindow(window_);
+  const QSignalBlocker blocker(scroll_);
+  scroll_->setRange(0, whole ? 0 : static_cast<int>(std::ceil(frames_ - length)));
+  scroll_->setPageStep(static_cast<int>(length));
+  scroll_->setSingleStep(std::max(1, static_cast<int>(kMovePerNotch * length)));
+  scroll_->setValue(static_cast<int>(std::lround(window_.first)));
+  scroll_->setVisible(!whole);
+}
+
+void Timeline::wheelEvent(QWheelEvent* event) {
+  const QPointF turned = QPointF(event->angleDelta()) / kNotch;
+  const bool sideways = std::abs(turned.x()) > std::abs(turned.y());
+  const TimeAxis time = axis();
+  event->accept();
+  if (sideways || (event->modifiers() & Qt::ShiftModifier)) {
+    const double notches = sideways ? turned.x() : turned.y();
+    return setWindow(window_.first - notches * kMovePerNotch * time.length(), time.length());
+  }
+  // What lies under the mouse stays there.
+  const double share =
+      std::clamp((event->position().x() - time.left) / (time.right - time.left), 0.0, 1.0);
+  const double length =
+      possibleLength(time.length() * std::pow(kLengthPerNotch, turned.y()), frames_);
+  setWindow(window_.first + share * (time.length() - length), length);
 }
 
 }  // namespace mocapress

@@ -5,13 +5,17 @@
 #include <vector>
 
 #include "core/contact/footskate.h"
+#include "widgets/timeline/time_axis.h"
+
+class QScrollBar;
 
 namespace mocapress {
 
 class ContactStrip;
 class ErrorStrip;
 
-/// The strips below the 3D view, in line with each other.
+/// The strips below the 3D view, in line with each other. The wheel zooms about the mouse, with
+/// Shift it moves along; a scroll bar stands below while a part is in sight.
 class Timeline : public QWidget {
   Q_OBJECT
 
@@ -20,18 +24,35 @@ class Timeline : public QWidget {
 
   ErrorStrip* errors() const { return errors_; }
   ContactStrip* contacts() const { return contacts_; }
+  QScrollBar* scroll() const { return scroll_; }
 
   /// ContactStrip::setContacts(), and leaves the same room for names in all strips.
   void setContacts(std::vector<ContactSpan> contacts, const std::vector<QString>& names,
                    int frames);
+
+  /// Where it is out of sight, the strips move along.
   void setFrame(int frame);
+
+  /// The whole clip is in sight again.
+  void showAll();
+
+  const FrameWindow& window() const { return window_; }
 
  signals:
   void seekRequested(int frame);
 
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+
  private:
+  void setWindow(double first, double length);
+  TimeAxis axis() const;
+
   ErrorStrip* errors_;
   ContactStrip* contacts_;
+  QScrollBar* scroll_;
+  int frames_ = 0;
+  FrameWindow window_;
 };
 
 }  // namespace mocapress

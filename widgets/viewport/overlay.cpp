@@ -4,10 +4,11 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QGuiApplication>
-#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <functional>
+
+#include "widgets/models/length_text.h"
 
 namespace mocapress {
 namespace {
@@ -145,8 +146,10 @@ void Overlay::showLegend(const OverlayContent& content) {
       const double share = static_cast<double>(tick) / kTicks;
       const double x = ramp.left() + share * ramp.width();
       painter.drawLine(QPointF(x, ramp.bottom()), QPointF(x, ramp.bottom() + 4));
-      const QString number = QLocale().toString(share * scale.top_cm, 'g', 3);
-      const QString text = tick < kTicks ? number : Texts::tr("≥ %1 cm").arg(number);
+      const QString length = roundLengthText(share * scale.top_cm);
+      const QString text = tick == 0       ? QStringLiteral("0")
+                           : tick < kTicks ? length
+                                           : QStringLiteral("≥ %1").arg(length);
       const QRectF around(x - 40, ramp.bottom() + 5, 80, 20);
       const double width = QFontMetricsF(font).horizontalAdvance(text);
       const double over = std::max(0.0, x + width / 2 - (kLegendSize.width() - 4));

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The studio's window without a screen.
+#include "app/studio/main_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QMenu>
+#include <QMenuBar>
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/formats/motion_file.h"
+#include "tests/support/test_motion.h"
+#include "widgets/panels/compression_panel.h"
+#include "widgets/panels/correction_control.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/number_box.h"
+#include "widgets/panels/target_control.h"
+#include "widgets/timeline/error_strip.h"
+#include "widgets/timeline/timeline.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+class StudioWindowTest : public testing::Test {
+ protected:
+  StudioWindowTest() {
+    QSettings().clear();
+    window_.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window_));
+  }
+  ~StudioWindowTest() override { QSettings().clear(); }
+
+  QString clip(const QString& name, int frames = 60) const {
+    const QString path = directory_.filePath(name);
+    QDir().mkpath(QFileInfo(path).path());
+    write_motion(path.toStdU16String(), test::smooth_motion(frames));
+    return path;
+  }
+
+  template <typename Act>
+  void settleAfter(Act act) {
+    QSignalSpy settled(&window_.session(), &Session::settled);
+    act();
+    ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.session().busy(); }, kPatience));
+  }
+
+  QAction* scale(double cm) {
+    for (QAction* action : window_.actions().error_scales->actions())
+      if (action->data().toDouble() == cm) return action;
+    return nullptr;
+  }
+
+  QTemporaryDir directory_;
+  MainWindow window_;
+  Document& document_ = window_.session().document();
+};
+
+using StudioWithoutAScreen = StudioWindowTest;
+
+TEST_F(StudioWithoutAScreen, KeysGoToTheViewAtTheStart) {
+  EXPECT_EQ(window_.focusWidget(), window_.views().viewport);
+  settleAfter([&] { window_.files().open(clip("walk.bvh")); });
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_End);
+  EXPECT_EQ(window_.playback().frame(), 59);
+}
+
+TEST_F(StudioWithoutAScreen, AltHOpensHelp) {
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_H, Qt::AltModifier);
+  const auto help = [&] {
+    const auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    return menu && menu->actions().contains(window_.actions().guide);
+  };
+  EXPECT_TRUE(QTest::qWaitFor(help, kPatience));
+  if (QWidget* menu = QApplication::activePopupWidget()) menu->close();
+  EXPECT_FALSE(window_.views().compression->correction()->hold()->isChecked());
+}
+
+TEST_F(StudioWithoutAScreen, SeveralFilesComeIntoTheLibraryAndTheFirstIsOpened) {
+  const QStringList clips = {clip("one.bvh", 70), clip("two.bvh"), clip("three.bvh")};
+  settleAfter([&] { window_.open(clips); });
+  ASSERT_EQ(window_.library().project().clips.size(), 3u);
+  EXPECT_TRUE(window_.session().isOpen(clips[0]));
+  EXPECT_EQ(document_.frames(), 70);
+}
+
+TEST_F(StudioWithoutAScreen, AFolderComesIntoTheLibraryAndItsFirstClipIsOpened) {
+  clip("walks/a/one.bvh");
+  clip("walks/b/two.bvh");
+  settleAfter([&] { window_.open({directory_.filePath(QStringLiteral("walks"))}); });
+  EXPECT_EQ(window_.library().project().clips.size(), 2u);
+  EXPECT_TRUE(document_.original());
+}
+
+TEST_F(StudioWithoutAScreen, WhatTheLibraryDoesNotTakeIsSaid) {
+  QFile notes(directory_.filePath(QStringLiteral("notes.txt")));
+  ASSERT_TRUE(notes.open(QIODevice::WriteOnly));
+  window_.open({clip("one.bvh"), clip("two.bvh"), notes.fileName()});
+  EXPECT_TRUE(window_.messages().text().contains(QStringLiteral("notes.txt")));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document_.final() && document_.decoded(); }, kPatience));
+}
+
+TEST_F(StudioWithoutAScreen, OneErrorScaleHoldsForAllAndIsRemembered) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh")); });
+  ASSERT_TRUE(scale(5)->isChecked());
+  const auto pictures = [&] {
+    return std::pair(window_.inspection().timeline->errors()->grab().toImage(),
+                     window_.errorScale()->scaleFor(document_.decoded()).top_cm);
+  };
+  const auto [before, top] = pictures();
+  EXPECT_DOUBLE_EQ(top, 5);
+  scale(0.1)->trigger();
+  const auto [after, finer] = pictures();
+  EXPECT_DOUBLE_EQ(finer, 0.1);
+  EXPECT_NE(after, before);
+  scale(0)->trigger();
+  EXPECT_EQ(window_.errorScale()->scaleFor(document_.decoded()),
+            errorScaleFor(document_.decoded()->distortion->p99));
+  scale(0.5)->trigger();
+  MainWindow next;
+  EXPECT_DOUBLE_EQ(next.errorScale()->scaleFor({}).top_cm, 0.5);
+}
+
+TEST_F(StudioWithoutAScreen, ATargetOutOfReachIsSaidBesideItAndStays) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh")); });
+  EncodeOptions options = document_.options();
+  options.target = {Target::Kind::Ratio, 20};
+  settleAfter([&] { window_.session().setOptions(options); });
+  TargetControl* target = window_.views().compression->target();
+  QSignalSpy failed(&window_.session(), &Session::compressFailed);
+  target->number()->setValue(1e6);
+  ASSERT_TRUE(failed.count() > 0 || failed.wait(kPatience));
+  EXPECT_FALSE(target->trouble().isEmpty());
+  EXPECT_DOUBLE_EQ(target->number()->value(), 1e6);
+  EXPECT_DOUBLE_EQ(document_.options().target.value, 1e6);
+  EXPECT_TRUE(window_.messages().isHidden()) << "said once, where it belongs";
+  settleAfter([&] { target->number()->setValue(10); });
+  EXPECT_TRUE(target->trouble().isEmpty());
+}
+
+TEST_F(StudioWithoutAScreen, TheRatioOfAResultIsTakenOverWhenARatioIsAskedFor) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh", 300)); });
+  EncodeOptions options = document_.options();
+  options.target = {Target::Kind::Error, 0.4};
+  settleAfter([&] { window_.session().setOptions(options); });
+  const double ratio = document_.decoded()->ratio;
+  TargetControl* target = window_.views().compression->target();
+  const int index = target->kind()->findData(static_cast<int>(Target::Kind::Ratio));
+  target->kind()->setCurrentIndex(index);
+  settleAfter([&] { emit target->kind()->activated(index); });
+  EXPECT_EQ(document_.options().target.kind, Target::Kind::Ratio);
+  EXPECT_NEAR(document_.options().target.value, ratio, 0.051);
+  EXPECT_NEAR(document_.decoded()->ratio, ratio, 0.03 * ratio);
+}
+
+TEST_F(StudioWithoutAScreen, WhatAutoFoundForTheFeetIsInTheField) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh", 200)); });
+  EncodeOptions options = document_.options();
+  options.target = {Target::Kind::Ratio, 12};
+  options.correction = CorrectionOptions{.joints = {4}};
+  settleAfter([&] { window_.session().setOptions(options); });
+  ASSERT_TRUE(document_.decoded()->correction);
+  const NumberBox* number = window_.views().compression->correction()->number();
+  EXPECT_NEAR(number->value(), document_.decoded()->correction->ratio, 0.001);
+  EXPECT_FALSE(number->isEnabled());
+}
+
+TEST(StudioProgram, SaysHelpAndVersionWithoutADisplay) {
+  for (const QString& option : {QStringLiteral("--help"), QStringLiteral("--version")}) {
+    QProcess studio;
+    QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+      bare.remove(QString::fromLatin1(name));
+    bare.insert(QStringLiteral("LC_ALL"), QStringLiteral("C"));
+    studio.setProcessEnvironment(bare);
+    studio.start(QStringLiteral(MOCAPRESS_STUDIO), {option});
+    ASSERT_TRUE(studio.waitForFinished(kPatience));
+    EXPECT_EQ(studio.exitStatus(), QProcess::NormalExit);
+    EXPECT_EQ(studio.exitCode(), 0) << studio.readAllStandardError().toStdString();
+    const QByteArray words = studio.readAllStandardOutput();
+    EXPECT_TRUE(words.contains(option == QLatin1String("--help") ? "--ratio" : "Mocapress"))
+        << words.toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace mocapress
