@@ -41,6 +41,7 @@ CLI::Validator parsed_by(Parse parse) {
 struct BatchCommand {
   std::vector<std::string> inputs;
   MotionInput source;
+  MotionOutput exporting;
   std::string folder;
   PresetArguments preset;
   std::vector<std::string> formats = {"mcpr"};
@@ -74,7 +75,8 @@ struct BatchCommand {
           throw CLI::ValidationError(option->get_name(), "is settled by the queue file");
       return parse_queue(inputs.front(), read_text(inputs.front()));
     }
-    Batch batch{.presets = {preset.read()}, .reading = source.options};
+    Batch batch{
+        .presets = {preset.read()}, .reading = source.options, .writing = exporting.options};
     batch.formats.clear();
     for (const std::string& format : formats)
       if (std::count(batch.formats.begin(), batch.formats.end(), *output_format(format)) == 0)
@@ -181,6 +183,7 @@ void add_batch(CLI::App& app) {
                    "Of the files: {folder}, {stem}, {type}, {preset}, {method} ({folder}/{stem})")
       ->type_name("PATTERN");
   call->source.add_options(*command);
+  call->exporting.add_options(*command);
   for (CLI::Option* option : command->get_options())
     if (const std::string name = option->get_name();
         name != "input" && name != "--output" && name != "--help")

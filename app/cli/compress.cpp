@@ -10,6 +10,7 @@
 #include "app/cli/report.h"
 #include "core/base/staged_file.h"
 #include "core/batch/verification.h"
+#include "core/codec/source_section.h"
 #include "core/compare/comparison_method.h"
 #include "core/compare/contender.h"
 
@@ -37,7 +38,8 @@ struct Compress {
     if (is_closed_loop && coding.value_or(Coding::Adaptive) != Coding::Adaptive)
       throw CLI::ValidationError("--coding", "the closed loop is coded adaptively");
     options.coding = is_closed_loop ? Coding::Adaptive : coding.value_or(options.coding);
-    const ContenderEncoder encoder(source.read(input));
+    MotionFile file = source.read_file(input);
+    const ContenderEncoder encoder(std::move(file.motion));
     options.correction = correction.options(encoder.wavelets().motion().skeleton);
     if (options.correction && !of_wavelets)
       throw CLI::ValidationError("--ik", "corrects wavelets only");
@@ -45,6 +47,7 @@ struct Compress {
     options.contacts = contacts.spans(encoder.wavelets().motion());
     options.figures_only = true;
     Compression made = encoder.compress(contender, options);
+    made.file = with_source(made.file, file.source);
     Verification found = write(made.file, encoder.wavelets());
     const Report report{
         .input = input,

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "app/cli/commands.h"
+#include "app/cli/motion_input.h"
+#include "core/codec/source_section.h"
 #include "core/compare/compared_file.h"
 #include "core/formats/motion_file.h"
 
@@ -14,6 +16,7 @@ void add_decompress(CLI::App& app) {
     std::string input;
     std::string output;
     std::optional<std::string> skeleton_output;
+    MotionOutput target;
   };
   CLI::App* command = app.add_subcommand("decompress", "Turn a .mcpr back into a motion file");
   const auto call = std::make_shared<Decompress>();
@@ -23,9 +26,11 @@ void add_decompress(CLI::App& app) {
       ->type_name("OUT");
   command->add_option("--skeleton-out", call->skeleton_output, "The .asf that goes with an .amc")
       ->type_name("S.asf");
+  call->target.add_options(*command);
   command->callback([call] {
     const OpenedMcpr opened = open_mcpr(call->input);
-    write_motion(call->output, {opened.compressed.skeleton, opened.decoded}, call->skeleton_output);
+    write_motion(call->output, {opened.compressed.skeleton, opened.decoded}, call->skeleton_output,
+                 load_source(call->input), call->target.options);
   });
 }
 

@@ -10,6 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
+#include "core/codec/source_section.h"
 #include "core/compare/compared_file.h"
 #include "core/metrics/rate.h"
 
@@ -23,6 +24,15 @@ bool is_mcpr(const std::string& path) {
   return extension == ".mcpr";
 }
 
+/// Null: not known.
+Json describe(const SourceFormat& source) {
+  if (source.kind == SourceFormat::Kind::None) return {};
+  return {{"format", source.kind == SourceFormat::Kind::Bvh ? "bvh" : "acclaim"},
+          {"cm_per_unit", source.cm_per_unit},
+          {"up", name(source.up)},
+          {"bvh_root", source.root ? Json(name(*source.root)) : Json()}};
+}
+
 Json describe_motion(const std::string& path, const MotionFile& file) {
   Json warnings = Json::array();
   for (const Warning& warning : file.warnings) warnings.push_back(warning.text());
@@ -34,6 +44,7 @@ Json describe_motion(const std::string& path, const MotionFile& file) {
           {"sample_rate_hz", clip.sample_rate_hz},
           {"seconds", clip.seconds()},
           {"raw_bytes", raw_bytes(clip)},
+          {"source", describe(file.source)},
           {"warnings", warnings}};
 }
 
@@ -60,7 +71,8 @@ Json describe_compressed(const std::string& path) {
           {"weighting", name(clip.provenance.weighting)},
           {"seed", of_wavelets(clip.provenance.seed)},
           {"eps_x_cm", clip.provenance.eps_cm},
-          {"max_error_cm", clip.provenance.max_error_cm}};
+          {"max_error_cm", clip.provenance.max_error_cm},
+          {"source", describe(load_source(path))}};
 }
 
 void print_lines(const Json& description) {

@@ -3,23 +3,57 @@
 
 #include <cstdio>
 
+#include "app/cli/option_words.h"
+#include "core/formats/text_cursor.h"
+
 namespace mocapress::cli {
+namespace {
+
+/// A number as large as one of a file may be; CLI::Range lets "nan" pass.
+CLI::Validator possible_size() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const auto value = parse_number(text);
+        const bool possible = value && *value >= 1e-9 && *value <= 1e9;
+        return possible ? std::string() : "not a number from 1e-9 to 1e9: " + text;
+      },
+      "");
+}
+
+/// "--rate" and its kin, or "--out-rate" and its.
+void add_format_options(CLI::App& command, const std::string& prefix, const std::string& of_file,
+                        ReadOptions& options) {
+  const auto flag = [&](const char* name) { return "--" + prefix + name; };
+  command.add_option(flag("rate"), options.sample_rate_hz, "Sample rate" + of_file)
+      ->type_name("HZ")
+      ->check(possible_size());
+  command.add_option(flag("cm-per-unit"), options.cm_per_unit, "Length unit in cm" + of_file)
+      ->type_name("CM")
+      ->check(possible_size());
+  command.add_option(flag("up"), options.up, "Axis that points up" + of_file)
+      ->transform(one_of({UpAxis::Y, UpAxis::Z}));
+  command
+      .add_option(flag("bvh-root"), options.bvh_root,
+                  "Whether positions of a BVH root add to its OFFSET or replace it" + of_file)
+      ->transform(one_of({TranslationConvention::Adds, TranslationConvention::Replaces}));
+}
+
+}  // namespace
 
 void MotionInput::add_options(CLI::App& command) {
   command.add_option("--skeleton", skeleton, "The .asf of an .amc that has none beside it")
       ->type_name("S.asf");
-  command.add_option("--rate", options.sample_rate_hz, "Sample rate in Hz, whatever the file says")
-      ->type_name("HZ")
-      ->check(CLI::PositiveNumber);
-  command.add_option("--cm-per-unit", options.cm_per_unit, "Length unit of a BVH file in cm")
-      ->type_name("CM")
-      ->check(CLI::PositiveNumber);
+  add_format_options(command, "", ", whatever the file says", options);
 }
 
-Motion MotionInput::read(const std::string& path) const {
+void MotionOutput::add_options(CLI::App& command) {
+  add_format_options(command, "out-", " of what is written [as its source had it]", options);
+}
+
+MotionFile MotionInput::read_file(const std::string& path) const {
   MotionFile file = read_motion(path, skeleton, options);
   print_warnings(file.warnings);
-  return std::move(file.motion);
+  return file;
 }
 
 void print_warnings(const Warnings& warnings) {

@@ -17,7 +17,15 @@ struct MotionInput {
   void add_options(CLI::App& command);
 
   /// Reads the file and says on standard error what was repaired or guessed.
-  Motion read(const std::string& path) const;
+  MotionFile read_file(const std::string& path) const;
+  Motion read(const std::string& path) const { return read_file(path).motion; }
+};
+
+/// How to write a motion file: what several commands ask of it in place of what its source had.
+struct MotionOutput {
+  WriteOptions options;
+
+  void add_options(CLI::App& command);
 };
 
 void print_warnings(const Warnings& warnings);

@@ -44,6 +44,7 @@ struct Batch {
   std::vector<Preset> presets;
   std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
   ReadOptions reading;
+  WriteOptions writing;  // of formats other than .mcpr
   ItemList items;
 };
 

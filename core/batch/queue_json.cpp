@@ -12,15 +12,36 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 template <typename T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
-
-template <typename T>
 std::optional<T> optional_at(const Json& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end() || found->is_null()) return std::nullopt;
   return found->get<T>();
+}
+
+template <typename Enum>
+std::optional<Enum> word_at(const Json& json, const std::string& key,
+                            std::initializer_list<Enum> values) {
+  const auto word = optional_at<std::string>(json, key.c_str());
+  if (!word) return std::nullopt;
+  for (const Enum value : values)
+    if (*word == name(value)) return value;
+  throw Error("has a " + key + " that is not known: " + *word);
+}
+
+/// Only what is set, under keys that begin with `prefix`.
+void put(Json& json, const std::string& prefix, const ReadOptions& options) {
+  if (options.sample_rate_hz) json[prefix + "rate_hz"] = *options.sample_rate_hz;
+  if (options.cm_per_unit) json[prefix + "cm_per_unit"] = *options.cm_per_unit;
+  if (options.up) json[prefix + "up"] = name(*options.up);
+  if (options.bvh_root) json[prefix + "bvh_root"] = name(*options.bvh_root);
+}
+
+ReadOptions format_options(const Json& json, const std::string& prefix) {
+  return {.sample_rate_hz = optional_at<double>(json, (prefix + "rate_hz").c_str()),
+          .cm_per_unit = optional_at<double>(json, (prefix + "cm_per_unit").c_str()),
+          .up = word_at(json, prefix + "up", {UpAxis::Y, UpAxis::Z}),
+          .bvh_root = word_at(json, prefix + "bvh_root",
+                              {TranslationConvention::Adds, TranslationConvention::Replaces})};
 }
 
 BatchItem item_from(const Json& json, std::size_t presets) {
@@ -41,9 +62,9 @@ std::string queue_text(const Batch& batch) {
   Json json = {{"mocapress_queue", 1},
                {"presets", Json::array()},
                {"formats", Json::array()},
-               {"rate_hz", or_null(batch.reading.sample_rate_hz)},
-               {"cm_per_unit", or_null(batch.reading.cm_per_unit)},
                {"clips", Json::array()}};
+  put(json, "", batch.reading);
+  put(json, "out_", batch.writing);
   for (const Preset& preset : batch.presets) json["presets"].push_back(to_json(preset));
   for (const OutputFormat format : batch.formats) json["formats"].push_back(name(format));
   for (const BatchItem item : batch.items)
@@ -67,8 +88,8 @@ Batch parse_queue(const std::string& file, const std::string& text) {
       if (!known) throw Error("has a format that is not known: " + format.get<std::string>());
       batch.formats.push_back(*known);
     }
-    batch.reading = {optional_at<double>(json, "rate_hz"),
-                     optional_at<double>(json, "cm_per_unit")};
+    batch.reading = format_options(json, "");
+    batch.writing = format_options(json, "out_");
     for (const Json& clip : json.at("clips"))
       batch.items.push_back(item_from(clip, batch.presets.size()));
     mark_collisions(batch);

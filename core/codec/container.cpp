@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/container.h"
 
-#include <zlib.h>
-
 #include <cctype>
 #include <cmath>
 #include <numeric>
@@ -12,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/codec/room.h"
+#include "core/codec/section.h"
 #include "core/codec/skeleton_section.h"
 #include "core/decoder/format_limits.h"
 
@@ -25,24 +24,6 @@ constexpr std::size_t kSections = 6;      // where the file has their number
 
 std::span<const std::byte> bytes_of(std::string_view text) {
   return std::as_bytes(std::span(text));
-}
-
-std::uint32_t checksum(std::span<const std::byte> head, std::span<const std::byte> payload) {
-  const auto update = [](uLong crc, std::span<const std::byte> bytes) {
-    if (bytes.empty()) return crc;  // zlib would begin anew where there is no memory at all
-    return crc32(crc, reinterpret_cast<const Bytef*>(bytes.data()),
-                 static_cast<uInt>(bytes.size()));
-  };
-  return static_cast<std::uint32_t>(update(update(0, head), payload));
-}
-
-void write_section(ByteWriter& file, std::string_view tag, std::span<const std::byte> payload) {
-  ByteWriter head;
-  head.append(bytes_of(tag));
-  head.write(static_cast<std::uint32_t>(payload.size()));
-  file.append(head.bytes());
-  file.write(checksum(head.bytes(), payload));
-  file.append(payload);
 }
 
 constexpr auto kNoCoding = static_cast<Coding>(0);  // of a comparison method
@@ -169,28 +150,6 @@ std::string_view motion_tag(const Container& container) {
 
 bool is_adaptive(const Container& container) {
   return !container.of_comparison && container.clip.coding == Coding::Adaptive;
-}
-
-struct Section {
-  std::string tag;
-  std::span<const std::byte> payload;
-  std::size_t payload_offset;
-};
-
-Section read_section(ByteReader& file) {
-  const std::size_t start = file.offset();
-  const auto tag = file.take(4);
-  const auto size = file.read<std::uint32_t>();
-  const auto crc = file.read<std::uint32_t>();
-  const std::size_t payload_offset = file.offset();
-  const auto payload = file.take(size);
-  Section section{{reinterpret_cast<const char*>(tag.data()), tag.size()}, payload, payload_offset};
-  ByteWriter head;
-  head.append(tag);
-  head.write(size);
-  if (checksum(head.bytes(), payload) != crc)
-    throw FormatError(start, "section " + section.tag + " is damaged: its checksum differs");
-  return section;
 }
 
 /// Reads sections in their fixed order, skipping optional ones.

@@ -20,6 +20,6 @@ MotionFile read_amc(const std::string& file, std::string_view text, const AsfSke
                     const ReadOptions& options = {});
 
 /// Degrees and asf_text()'s unit of length. Wants an acclaim_motion().
-std::string amc_text(const Motion& motion);
+std::string amc_text(const Motion& motion, double cm_per_unit = kAsfCmPerUnit);
 
 }  // namespace mocapress

@@ -11,6 +11,7 @@
 #include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
 #include "core/formats/value_repair.h"
+#include "core/motion/up_axis.h"
 
 namespace mocapress {
 namespace {
@@ -54,6 +55,7 @@ class AmcReader {
   AsfSkeleton skeleton_;
   double sample_rate_hz_;
   bool rate_is_given_;
+  UpAxis up_;
   double radians_per_unit_;
   bool forced_3dof_ = false;
   Warnings warnings_;
@@ -80,6 +82,7 @@ AmcReader::AmcReader(const std::string& file, std::string_view text, const AsfSk
       skeleton_(skeleton),
       sample_rate_hz_(options.sample_rate_hz.value_or(kUsualRate)),
       rate_is_given_(options.sample_rate_hz.has_value()),
+      up_(options.up.value_or(UpAxis::Y)),
       radians_per_unit_(skeleton.radians_per_unit),
       columns_(skeleton.joints.size()) {
   for (std::size_t j = 0; j < columns_.size(); ++j)
@@ -97,7 +100,9 @@ MotionFile AmcReader::read() {
     cursor_.fail(cursor_.peek(), "no bone has a value: nothing moves");
   unwrap_angles(motion.skeleton, motion.clip);
   warn_of_counts();
-  return {std::move(motion), std::move(warnings_)};
+  return {with_up_axis(motion, up_, UpAxis::Y),
+          std::move(warnings_),
+          {.kind = SourceFormat::Kind::Acclaim, .cm_per_unit = skeleton_.cm_per_unit, .up = up_}};
 }
 
 void AmcReader::read_header() {

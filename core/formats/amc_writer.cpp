@@ -15,7 +15,7 @@ struct Value {
 };
 
 /// The channels of a joint in the order of its dof: translations, then rotations, first done first.
-std::vector<Value> values_of(const Skeleton& skeleton, int joint) {
+std::vector<Value> values_of(const Skeleton& skeleton, int joint, double cm_per_unit) {
   std::vector<Value> translations;
   std::vector<Value> rotations;
   const auto& channels = skeleton.joint(joint).channels;
@@ -24,7 +24,7 @@ std::vector<Value> values_of(const Skeleton& skeleton, int joint) {
     if (is_rotation(channels[i]))
       rotations.push_back({channel, 180 / std::numbers::pi});
     else
-      translations.push_back({channel, 1 / kAsfCmPerUnit});
+      translations.push_back({channel, 1 / cm_per_unit});
   }
   translations.insert(translations.end(), rotations.rbegin(), rotations.rend());
   return translations;
@@ -32,11 +32,14 @@ std::vector<Value> values_of(const Skeleton& skeleton, int joint) {
 
 }  // namespace
 
-std::string amc_text(const Motion& motion) {
+std::string amc_text(const Motion& motion, double cm_per_unit) {
   const Skeleton& skeleton = motion.skeleton;
   const std::vector<std::string> names = asf_names(skeleton);
   std::vector<std::vector<Value>> lines;
-  for (int j = 0; j < skeleton.joint_count(); ++j) lines.push_back(values_of(skeleton, j));
+  for (int j = 0; j < skeleton.joint_count(); ++j)
+    lines.push_back(values_of(skeleton, j, cm_per_unit));
+
+  const int decimals = length_decimals(cm_per_unit);
 
   std::string text = ":FULLY-SPECIFIED\n:DEGREES\n:SAMPLES-PER-SECOND ";
   append_number(text, motion.clip.sample_rate_hz);
@@ -48,7 +51,8 @@ std::string amc_text(const Motion& motion) {
       text += names[j];
       for (const Value& value : lines[j]) {
         text += ' ';
-        append_number(text, motion.clip.channels(t, value.channel) * value.units_per_value);
+        append_number(text, motion.clip.channels(t, value.channel) * value.units_per_value,
+                      decimals);
       }
       text += '\n';
     }

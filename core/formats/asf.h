@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/formats/motion_file.h"
 #include "core/motion/clip.h"
 
 namespace mocapress {
@@ -47,12 +48,15 @@ Motion acclaim_motion(const Motion& motion);
 /// How an .asf and its .amc name the joints: one word each, unique, the root "root".
 std::vector<std::string> asf_names(const Skeleton& skeleton);
 
-/// Length unit 0.45 to the inch as at CMU, degrees. A child that does not sit at the end of its
-/// parent's bone gets a bone without dof, "to_<child>", to carry it there. Throws Error when the
-/// skeleton has several roots.
-std::string asf_text(const Skeleton& skeleton);
+/// CMU's unit of length is 0.45 to the inch.
+inline constexpr double kAsfCmPerUnit = 2.54 / 0.45;
 
-inline constexpr double kAsfLengthUnit = 0.45;
-inline constexpr double kAsfCmPerUnit = 2.54 / kAsfLengthUnit;
+/// The source's where that was Acclaim, unless asked otherwise; else CMU's.
+double asf_cm_per_unit(const SourceFormat& source, const ReadOptions& options = {});
+
+/// Degrees, the unit of length as given. A child that does not sit at the end of its parent's bone
+/// gets a bone without dof, "to_<child>", to carry it there. Throws Error when the skeleton has
+/// several roots.
+std::string asf_text(const Skeleton& skeleton, double cm_per_unit = kAsfCmPerUnit);
 
 }  // namespace mocapress

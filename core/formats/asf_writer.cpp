@@ -25,7 +25,8 @@ struct Bone {
 
 class AsfWriter {
  public:
-  explicit AsfWriter(const Skeleton& skeleton) : skeleton_(skeleton) {}
+  AsfWriter(const Skeleton& skeleton, double cm_per_unit)
+      : skeleton_(skeleton), cm_per_unit_(cm_per_unit) {}
   std::string write();
 
  private:
@@ -36,6 +37,7 @@ class AsfWriter {
   void write_hierarchy();
 
   const Skeleton& skeleton_;
+  double cm_per_unit_;
   std::vector<Bone> bones_;  // bone 0 is the root, which has no length
   std::string text_;
 };
@@ -51,13 +53,6 @@ std::vector<Eigen::Vector3d> bone_ends(const Skeleton& skeleton) {
   }
   ends[0].setZero();
   return ends;
-}
-
-/// `name`, or `name` with a number where it is taken already.
-std::string unique(const std::string& name, std::unordered_set<std::string>& taken) {
-  std::string candidate = name;
-  for (int n = 2; !taken.insert(candidate).second; ++n) candidate = name + '_' + std::to_string(n);
-  return candidate;
 }
 
 /// The word that stands for a joint: no keyword, frame number or comment.
@@ -88,7 +83,7 @@ std::string AsfWriter::write() {
   make_bones();
   check_limits();
   text_ = ":version 1.10\n:name mocapress\n:units\n  mass 1.0\n  length ";
-  append_number(text_, kAsfLengthUnit);
+  append_number(text_, 2.54 / cm_per_unit_, kDecimals);
   text_ += "\n  angle deg\n";
   write_root();
   text_ += ":bonedata\n";
@@ -109,14 +104,14 @@ void AsfWriter::make_bones() {
     int parent = bone_of_joint[static_cast<std::size_t>(joint.parent)];
     const Eigen::Vector3d way = joint.offset - bones_[static_cast<std::size_t>(parent)].end;
     if (!way.isZero(0)) {
-      bones_.push_back({unique("to_" + names[j], taken), parent, way, nullptr});
+      bones_.push_back({unique_word("to_" + names[j], taken), parent, way, nullptr});
       parent = static_cast<int>(bones_.size()) - 1;
     }
     bone_of_joint[j] = static_cast<int>(bones_.size());
     bones_.push_back({names[j], parent, ends[j], &joint});
   }
   if (const auto& end = skeleton_.joint(0).end_site)
-    bones_.push_back({unique("root_end", taken), 0, *end, nullptr});
+    bones_.push_back({unique_word("root_end", taken), 0, *end, nullptr});
 }
 
 /// What no reader here would take: bones that carry others count and nest too.
@@ -146,7 +141,7 @@ void AsfWriter::write_root() {
   std::transform(order.begin(), order.end(), order.begin(),
                  [](char c) { return c == ' ' ? c : static_cast<char>(c - 'a' + 'A'); });
   text_ += ":root\n  order" + order + "\n  axis " + axis + "\n  position";
-  append_vector(text_, root.offset / kAsfCmPerUnit, kDecimals);
+  append_vector(text_, root.offset / cm_per_unit_, kDecimals);
   text_ += "\n  orientation 0 0 0\n";
 }
 
@@ -158,7 +153,7 @@ void AsfWriter::write_bone(std::size_t index) {
   append_vector(text_, length > 0 ? (bone.end / length).eval() : Eigen::Vector3d::UnitX(),
                 kDecimals);
   text_ += "\n    length ";
-  append_number(text_, length / kAsfCmPerUnit, kDecimals);
+  append_number(text_, length / cm_per_unit_, kDecimals);
   text_ += "\n    axis";
   const Eigen::Matrix3d axes =
       bone.joint ? bone.joint->joint_from_axes : Eigen::Matrix3d::Identity();
@@ -194,12 +189,17 @@ std::vector<std::string> asf_names(const Skeleton& skeleton) {
   std::vector<std::string> names = {"root"};
   std::unordered_set<std::string> taken(names.begin(), names.end());
   for (int j = 1; j < skeleton.joint_count(); ++j)
-    names.push_back(unique(bone_name(skeleton.joint(j).name), taken));
+    names.push_back(unique_word(bone_name(skeleton.joint(j).name), taken));
   return names;
 }
 
-std::string asf_text(const Skeleton& skeleton) {
-  return AsfWriter(skeleton).write();
+double asf_cm_per_unit(const SourceFormat& source, const ReadOptions& options) {
+  const bool acclaim = source.kind == SourceFormat::Kind::Acclaim;
+  return options.cm_per_unit.value_or(acclaim ? source.cm_per_unit : kAsfCmPerUnit);
+}
+
+std::string asf_text(const Skeleton& skeleton, double cm_per_unit) {
+  return AsfWriter(skeleton, cm_per_unit).write();
 }
 
 }  // namespace mocapress

@@ -3,8 +3,10 @@
 // translation channel adds to the joint's OFFSET or replaces it: bvh_conventions.h guesses both.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/formats/motion_file.h"
 
@@ -14,10 +16,25 @@ namespace mocapress {
 MotionFile read_bvh(const std::string& file, std::string_view text,
                     const ReadOptions& options = {});
 
-/// Centimetres and degrees. A root that moves has OFFSET 0 and its position in its channels;
-/// another joint with translation channels repeats its OFFSET in them, so that both conventions, or
-/// the more widespread one, give the same motion. Joints turned by ASF's `axis` get the order Z Y
-/// X.
-std::string bvh_text(const Motion& motion);
+/// What a BVH leaves to its reader to know.
+struct BvhStyle {
+  double cm_per_unit = 1;
+
+  /// Of a root that moves. Unset: its OFFSET is zero, so that both conventions read the same.
+  std::optional<TranslationConvention> root;
+};
+
+/// As the source was, unless asked otherwise. A root that replaced its OFFSET keeps it. One that
+/// added to it gets an OFFSET of zero: everyone reads that, Blender and MotionBuilder too.
+BvhStyle bvh_style(const SourceFormat& source, const ReadOptions& options = {});
+
+/// Degrees, in a form that naive readers take: three rotations on every joint, which are zero where
+/// the joint has none, and names of one word each, no two alike. A joint below the root with
+/// translation channels repeats its OFFSET in them, so that the more widespread convention gives
+/// the same motion. Joints turned by ASF's `axis` get the order Z Y X.
+std::string bvh_text(const Motion& motion, const BvhStyle& style = {});
+
+/// How bvh_text() names the joints.
+std::vector<std::string> bvh_names(const Skeleton& skeleton);
 
 }  // namespace mocapress

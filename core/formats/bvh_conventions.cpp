@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/formats/bvh_conventions.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/landmarks.h"
@@ -9,56 +11,106 @@
 namespace mocapress {
 namespace {
 
-/// Where a joint's mean translation lies between zero (0) and its offset (1), looking only at the
-/// components it has channels for. Nothing without an offset or a channel.
-std::optional<double> share_of_offset(const Motion& motion, int index) {
-  const Joint& joint = motion.skeleton.joint(index);
+constexpr double kClear = 0.25;  // of the way from one convention to the other
+
+/// A translation channel of a joint along whose axis the joint has an offset.
+struct OffsetColumn {
+  Eigen::Index column;
+  int axis;
+  double offset;
+};
+
+std::vector<OffsetColumn> offset_columns(const Skeleton& skeleton, int index) {
+  const Joint& joint = skeleton.joint(index);
+  std::vector<OffsetColumn> columns;
+  for (std::size_t i = 0; i < joint.channels.size(); ++i) {
+    const int axis = axis_of(joint.channels[i]);
+    if (!is_rotation(joint.channels[i]) && joint.offset(axis) != 0)
+      columns.push_back(
+          {skeleton.first_channel(index) + static_cast<Eigen::Index>(i), axis, joint.offset(axis)});
+  }
+  return columns;
+}
+
+/// Where the mean translation lies between zero (0) and the offset (1).
+double share_of_offset(const Clip& clip, const std::vector<OffsetColumn>& columns) {
   double along = 0;
   double squared_length = 0;
-  for (std::size_t i = 0; i < joint.channels.size(); ++i) {
-    if (is_rotation(joint.channels[i])) continue;
-    const double offset = joint.offset(axis_of(joint.channels[i]));
-    const auto column = motion.skeleton.first_channel(index) + static_cast<Eigen::Index>(i);
-    along += motion.clip.channels.col(column).mean() * offset;
-    squared_length += offset * offset;
+  for (const OffsetColumn& column : columns) {
+    along += clip.channels.col(column.column).mean() * column.offset;
+    squared_length += column.offset * column.offset;
   }
-  if (squared_length <= 0) return std::nullopt;
   return along / squared_length;
 }
 
-struct Votes {
+bool begins_at_offset(const Clip& clip, const std::vector<OffsetColumn>& columns) {
+  constexpr double kRounding = 1e-4;  // of the offset: files have few decimals
+  return std::all_of(columns.begin(), columns.end(), [&](const OffsetColumn& column) {
+    return std::abs(clip.channels(0, column.column) - column.offset) <=
+           kRounding * std::abs(column.offset);
+  });
+}
+
+/// The height alone, where that is most of the offset.
+std::vector<OffsetColumn> steady_columns(const std::vector<OffsetColumn>& columns, UpAxis up) {
+  const int up_axis = up == UpAxis::Y ? 1 : 2;
+  double squared_length = 0;
+  for (const OffsetColumn& column : columns) squared_length += column.offset * column.offset;
+  for (const OffsetColumn& column : columns)
+    if (column.axis == up_axis && 2 * column.offset * column.offset > squared_length)
+      return {column};
+  return columns;
+}
+
+TranslationGuess guess_root(const Clip& clip, const std::vector<OffsetColumn>& columns, UpAxis up,
+                            const std::optional<TranslationGuess>& others) {
+  if (begins_at_offset(clip, columns)) return {TranslationConvention::Replaces, true};
+  if (others && others->clear) return *others;
+  const double share = share_of_offset(clip, steady_columns(columns, up));
+  if (std::abs(share) <= kClear) return {TranslationConvention::Adds, true};
+  return {TranslationConvention::Replaces, std::abs(share - 1) <= kClear};
+}
+
+std::optional<TranslationGuess> guess_others(const Motion& motion) {
   int all = 0;
   int replaces = 0;
   int unclear = 0;
-
-  void cast(double share) {
+  for (int j = 0; j < motion.skeleton.joint_count(); ++j) {
+    if (motion.skeleton.joint(j).parent < 0) continue;
+    const auto columns = offset_columns(motion.skeleton, j);
+    if (columns.empty()) continue;
+    const double share = share_of_offset(motion.clip, columns);
     ++all;
     replaces += share > 0.5;
-    unclear += share > 0.25 && share < 0.75;
+    unclear += share > kClear && share < 1 - kClear;
   }
-};
+  if (all == 0) return std::nullopt;
+  const bool clear = 2 * unclear <= all;
+  const bool adds = clear && 2 * replaces <= all;
+  return TranslationGuess{adds ? TranslationConvention::Adds : TranslationConvention::Replaces,
+                          clear};
+}
 
 }  // namespace
 
-std::optional<TranslationGuess> guess_translation(const Motion& motion) {
-  Votes roots;
-  Votes others;
-  for (int j = 0; j < motion.skeleton.joint_count(); ++j)
-    if (const auto share = share_of_offset(motion, j))
-      (motion.skeleton.joint(j).parent < 0 ? roots : others).cast(*share);
-  const Votes& votes = others.all > 0 ? others : roots;
-  if (votes.all == 0) return std::nullopt;
-  return TranslationGuess{2 * votes.replaces > votes.all ? TranslationConvention::Replaces
-                                                         : TranslationConvention::Adds,
-                          2 * votes.unclear <= votes.all};
+TranslationGuesses guess_translation(const Motion& motion, UpAxis up) {
+  TranslationGuesses guesses{{}, guess_others(motion)};
+  for (int j = 0; j < motion.skeleton.joint_count(); ++j) {
+    if (motion.skeleton.joint(j).parent >= 0) continue;
+    const auto columns = offset_columns(motion.skeleton, j);
+    if (columns.empty()) continue;
+    guesses.roots = guess_root(motion.clip, columns, up, guesses.others);
+    break;  // other roots are taken to do the same
+  }
+  return guesses;
 }
 
-void subtract_offsets(const Skeleton& skeleton, Clip& clip) {
+void subtract_offsets(const Skeleton& skeleton, bool of_roots, Clip& clip) {
   for (int c = 0; c < skeleton.channel_count(); ++c) {
     const ChannelKind kind = skeleton.channel_kind(c);
-    if (!is_rotation(kind))
-      clip.channels.col(c).array() -=
-          skeleton.joint(skeleton.channel_joint(c)).offset(axis_of(kind));
+    const Joint& joint = skeleton.joint(skeleton.channel_joint(c));
+    if (!is_rotation(kind) && (joint.parent < 0) == of_roots)
+      clip.channels.col(c).array() -= joint.offset(axis_of(kind));
   }
 }
 

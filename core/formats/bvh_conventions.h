@@ -6,24 +6,31 @@
 #include <optional>
 
 #include "core/motion/clip.h"
+#include "core/motion/source_format.h"
 
 namespace mocapress {
 
-/// Whether translation channels replace OFFSET (MotionBuilder, Mixamo, LAFAN1) or add to it.
-enum class TranslationConvention { Adds, Replaces };
-
+/// What the values say of a convention.
 struct TranslationGuess {
   TranslationConvention convention;
-  bool clear;  // false: the values fit neither well
+  bool clear;  // false: they fit neither well, and it is what Blender and MotionBuilder do
 };
 
-/// Each joint with an OFFSET and translation channels votes for what its values, on average over
-/// time, lie nearer to: OFFSET or zero. The root votes only where no other joint can. Nothing when
-/// no joint can vote: then both conventions say the same.
-std::optional<TranslationGuess> guess_translation(const Motion& motion);
+/// Of the roots and of the joints below them; unset where both conventions say the same, for want
+/// of an OFFSET or of translation channels.
+struct TranslationGuesses {
+  std::optional<TranslationGuess> roots;
+  std::optional<TranslationGuess> others;
+};
 
-/// Subtracts each joint's offset from its translation channels.
-void subtract_offsets(const Skeleton& skeleton, Clip& clip);
+/// Joints vote for what their values, on average over time, lie nearer to: OFFSET or zero. A root
+/// whose first frame is its OFFSET replaces it. Other roots do as the joints below them clearly do
+/// or, where there is no telling by those, as their own values say: by the height where OFFSET has
+/// one, for a root may walk anywhere.
+TranslationGuesses guess_translation(const Motion& motion, UpAxis up = UpAxis::Y);
+
+/// Subtracts offsets from translation channels: those of the roots or of the joints below them.
+void subtract_offsets(const Skeleton& skeleton, bool of_roots, Clip& clip);
 
 /// The largest side of the box around the rest pose: the height of a figure that stands or lies.
 double rest_height(const Skeleton& skeleton);

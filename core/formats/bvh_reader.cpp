@@ -10,6 +10,7 @@
 #include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
 #include "core/formats/value_repair.h"
+#include "core/motion/up_axis.h"
 
 namespace mocapress {
 namespace {
@@ -35,7 +36,10 @@ std::optional<ChannelKind> channel_named(std::string_view name) {
 class BvhReader {
  public:
   BvhReader(const std::string& file, std::string_view text, const ReadOptions& options)
-      : cursor_(file, text, "{}", '\0'), options_(options) {}
+      : cursor_(file, text, "{}", '\0'), options_(options) {
+    source_.kind = SourceFormat::Kind::Bvh;
+    source_.up = options.up.value_or(UpAxis::Y);
+  }
 
   MotionFile read();
 
@@ -55,6 +59,7 @@ class BvhReader {
   Motion motion_in_file_units();
   void settle_rate(Clip& clip);
   void settle_translation(Motion& motion);
+  void settle_translation(Motion& motion, const TranslationGuess& guess, bool of_roots);
   Motion in_centimetres(const Motion& motion);
 
   void warn(int line, std::string message) {
@@ -64,6 +69,7 @@ class BvhReader {
   TextCursor cursor_;
   ReadOptions options_;
   Warnings warnings_;
+  SourceFormat source_;
   std::vector<Joint> joints_;  // offsets in file units
   int dropped_end_sites_ = 0;
   std::size_t columns_ = 0;
@@ -83,9 +89,9 @@ MotionFile BvhReader::read() {
   Motion motion = motion_in_file_units();
   settle_rate(motion.clip);
   settle_translation(motion);
-  motion = in_centimetres(motion);
+  motion = with_up_axis(in_centimetres(motion), source_.up, UpAxis::Y);
   unwrap_angles(motion.skeleton, motion.clip);
-  return {std::move(motion), std::move(warnings_)};
+  return {std::move(motion), std::move(warnings_), source_};
 }
 
 void BvhReader::read_hierarchy() {
@@ -257,18 +263,29 @@ void BvhReader::settle_rate(Clip& clip) {
 }
 
 void BvhReader::settle_translation(Motion& motion) {
-  const auto guess = guess_translation(motion);
-  if (!guess) return;
-  const bool replaces = guess->convention == TranslationConvention::Replaces;
-  if (replaces) subtract_offsets(motion.skeleton, motion.clip);
-  if (replaces || !guess->clear)
-    warn(0, std::string("translation channels are taken to ") + (replaces ? "replace" : "add to") +
-                " the joints' OFFSET, as their values suggest");
+  const auto [roots, others] = guess_translation(motion, source_.up);
+  if (others) settle_translation(motion, *others, false);
+  if (!roots) return;
+  source_.root = options_.bvh_root.value_or(roots->convention);
+  if (!options_.bvh_root)
+    settle_translation(motion, *roots, true);
+  else if (*source_.root == TranslationConvention::Replaces)
+    subtract_offsets(motion.skeleton, true, motion.clip);
+}
+
+void BvhReader::settle_translation(Motion& motion, const TranslationGuess& guess, bool of_roots) {
+  if (guess.convention == TranslationConvention::Adds) return;
+  subtract_offsets(motion.skeleton, of_roots, motion.clip);
+  warn(0, std::string("translation channels of the ") +
+              (of_roots ? "root" : "joints below the root") + " are taken to replace OFFSET, as " +
+              (guess.clear ? "their values suggest"
+                           : "Blender and MotionBuilder do: their values do not tell"));
 }
 
 Motion BvhReader::in_centimetres(const Motion& motion) {
   const double height = rest_height(motion.skeleton);
   const double cm_per_unit = options_.cm_per_unit.value_or(guess_cm_per_unit(height));
+  source_.cm_per_unit = cm_per_unit;
   if (cm_per_unit == 1) return motion;
   if (!options_.cm_per_unit)
     warn(0, "no unit of length is given: a rest pose " + number(height) +

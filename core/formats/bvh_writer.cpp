@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <numbers>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "core/formats/bvh.h"
+#include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
 #include "core/formats/zyx_angles.h"
 
@@ -15,6 +19,63 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 bool translates(const Joint& joint) {
   return std::any_of(joint.channels.begin(), joint.channels.end(),
                      [](ChannelKind kind) { return !is_rotation(kind); });
+}
+
+/// Of its rotation channels no two turn about one axis: else no file can say them.
+bool has_an_order(const Joint& joint) {
+  std::array<int, kChannelKinds> times{};
+  for (const ChannelKind kind : joint.channels) ++times[static_cast<std::size_t>(kind)];
+  return std::all_of(times.begin() + 3, times.end(), [](int count) { return count <= 1; });
+}
+
+/// The axes of a joint's three rotations, the leftmost first. Those it has not stay at zero.
+std::array<int, 3> rotation_order(const Joint& joint) {
+  std::vector<int> order;
+  for (const ChannelKind kind : joint.channels)
+    if (is_rotation(kind)) order.push_back(axis_of(kind));
+  for (const int axis : {2, 1, 0})
+    if (std::find(order.begin(), order.end(), axis) == order.end()) order.push_back(axis);
+  return {order[0], order[1], order[2]};
+}
+
+/// Bytes of the character at the front of `text`; 0: it is no UTF-8, or is white space to a reader
+/// that knows more kinds of it than ASCII's.
+std::size_t character_size(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const std::size_t size = byte(0) < 0x80 ? 1 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
+  constexpr std::array<unsigned, 5> kSmallest = {0, 0, 0x80, 0x800, 0x10000};
+  if (size == 1) return 1;
+  if (byte(0) < 0xC2 || byte(0) > 0xF4 || text.size() < size) return 0;
+  unsigned code = byte(0) & (0x7FU >> size);
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+    code = code << 6 | (byte(i) & 0x3FU);
+  }
+  if (code < kSmallest[size] || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) return 0;
+  constexpr std::array<unsigned, 8> kSpaces = {0x85,   0xA0,   0x1680, 0x2028,
+                                               0x2029, 0x202F, 0x205F, 0x3000};
+  const bool is_space = (code >= 0x2000 && code <= 0x200A) ||
+                        std::find(kSpaces.begin(), kSpaces.end(), code) != kSpaces.end();
+  return is_space ? 0 : size;
+}
+
+/// The word that stands for a joint: UTF-8 without white space, braces, and quotes, which programs
+/// that put names into paths do not expect; no keyword.
+std::string joint_word(const std::string& name) {
+  const std::string plain = as_word(name, "{}\"'\\");
+  std::string word;
+  for (std::string_view rest = plain; !rest.empty();) {
+    const std::size_t size = character_size(rest);
+    if (size == 0)
+      word += '_';
+    else
+      word += rest.substr(0, size);
+    rest.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  for (const char* keyword : {"HIERARCHY", "ROOT", "JOINT", "OFFSET", "CHANNELS", "End", "Site",
+                              "MOTION", "Frames:", "Frame", "Time:"})
+    if (equals_ignoring_case(word, keyword)) return '_' + word;
+  return word;
 }
 
 struct Place {
@@ -46,8 +107,12 @@ std::vector<Place> depth_first(const Skeleton& skeleton) {
 
 class BvhWriter {
  public:
-  explicit BvhWriter(const Motion& motion)
-      : motion_(motion), order_(depth_first(motion.skeleton)) {}
+  BvhWriter(const Motion& motion, const BvhStyle& style)
+      : motion_(motion),
+        style_(style),
+        decimals_(length_decimals(style.cm_per_unit)),
+        names_(bvh_names(motion.skeleton)),
+        order_(depth_first(motion.skeleton)) {}
   std::string write();
 
  private:
@@ -55,9 +120,18 @@ class BvhWriter {
   void close_joints(std::size_t from_depth, std::size_t to_depth);
   void write_channels(const Joint& joint);
   void write_values(int joint, int frame);
+  void append_length(const Eigen::Vector3d& cm, int decimals) {
+    append_vector(text_, cm / style_.cm_per_unit, decimals);
+  }
+  /// One digit less than positions have: a .mcpr keeps offsets as 32-bit floats, and an artist's
+  /// round number shall come back as it was.
+  void append_offset(const Eigen::Vector3d& cm) { append_length(cm, decimals_ - 1); }
   void begin_line(std::size_t depth, const char* text) { text_.append(depth, '\t') += text; }
 
   const Motion& motion_;  // every joint_from_axes is identity
+  BvhStyle style_;
+  int decimals_;
+  std::vector<std::string> names_;
   std::vector<Place> order_;
   std::string text_;
 };
@@ -75,8 +149,10 @@ std::string BvhWriter::write() {
   append_number(text_, 1 / motion_.clip.sample_rate_hz, 10);
   text_ += '\n';
   for (int t = 0; t < motion_.clip.frames(); ++t) {
+    const std::size_t line = text_.size();
     for (const Place& place : order_) write_values(place.joint, t);
-    text_.back() = '\n';
+    text_.erase(line, 1);  // the space in front
+    text_ += '\n';
   }
   return std::move(text_);
 }
@@ -84,11 +160,11 @@ std::string BvhWriter::write() {
 void BvhWriter::open_joint(const Place& place) {
   const Joint& joint = motion_.skeleton.joint(place.joint);
   begin_line(place.depth, joint.parent < 0 ? "ROOT " : "JOINT ");
-  text_ += as_word(joint.name, "{}") + '\n';
+  text_ += names_[static_cast<std::size_t>(place.joint)] + '\n';
   begin_line(place.depth, "{\n");
   begin_line(place.depth + 1, "OFFSET");
-  const bool moving_root = joint.parent < 0 && translates(joint);
-  append_vector(text_, moving_root ? Eigen::Vector3d::Zero() : joint.offset);
+  const bool at_zero = joint.parent < 0 && translates(joint) && !style_.root;
+  append_offset(at_zero ? Eigen::Vector3d::Zero() : joint.offset);
   text_ += '\n';
   begin_line(place.depth + 1, "CHANNELS ");
   write_channels(joint);
@@ -96,7 +172,7 @@ void BvhWriter::open_joint(const Place& place) {
   begin_line(place.depth + 1, "End Site\n");
   begin_line(place.depth + 1, "{\n");
   begin_line(place.depth + 2, "OFFSET");
-  append_vector(text_, *joint.end_site);
+  append_offset(*joint.end_site);
   text_ += '\n';
   begin_line(place.depth + 1, "}\n");
 }
@@ -105,48 +181,54 @@ void BvhWriter::close_joints(std::size_t from_depth, std::size_t to_depth) {
   for (std::size_t depth = from_depth; depth > to_depth; --depth) begin_line(depth - 1, "}\n");
 }
 
-/// A joint that moves along any axis gets all three positions: they are absolute.
+/// A joint that moves along any axis gets all three positions: they may hold its offset too.
 void BvhWriter::write_channels(const Joint& joint) {
-  std::string names = translates(joint) ? " Xposition Yposition Zposition" : "";
-  long count = translates(joint) ? 3 : 0;
-  for (const ChannelKind kind : joint.channels) {
-    if (!is_rotation(kind)) continue;
-    names += std::string(" ") + "XYZ"[axis_of(kind)] + "rotation";
-    ++count;
-  }
-  text_ += std::to_string(count) + names + '\n';
+  text_ += translates(joint) ? "6 Xposition Yposition Zposition" : "3";
+  for (const int axis : rotation_order(joint)) text_ += std::string(" ") + "XYZ"[axis] + "rotation";
+  text_ += '\n';
 }
 
 void BvhWriter::write_values(int index, int frame) {
   const Joint& joint = motion_.skeleton.joint(index);
   const int first = motion_.skeleton.first_channel(index);
-  Eigen::Vector3d position = joint.offset;
-  std::string angles;
+  const bool adds = joint.parent < 0 && style_.root == TranslationConvention::Adds;
+  Eigen::Vector3d position = adds ? Eigen::Vector3d::Zero() : joint.offset;
+  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < joint.channels.size(); ++i) {
     const ChannelKind kind = joint.channels[i];
     const double value = motion_.clip.channels(frame, first + static_cast<int>(i));
-    if (!is_rotation(kind)) {
-      position(axis_of(kind)) += value;
-      continue;
-    }
-    append_number(angles, value * kDegrees);
-    angles += ' ';
+    (is_rotation(kind) ? angles : position)(axis_of(kind)) += value;
   }
-  if (translates(joint))
-    for (const double coordinate : position) {
-      append_number(text_, coordinate);
-      text_ += ' ';
-    }
-  text_ += angles;
+  if (translates(joint)) append_length(position, decimals_);
+  for (const int axis : rotation_order(joint)) {
+    text_ += ' ';
+    append_number(text_, angles(axis) * kDegrees);
+  }
 }
 
 }  // namespace
 
-std::string bvh_text(const Motion& motion) {
-  return BvhWriter(
-             with_zyx_angles(
-                 motion, [](const Joint& joint) { return !joint.joint_from_axes.isIdentity(0); }))
-      .write();
+BvhStyle bvh_style(const SourceFormat& source, const ReadOptions& options) {
+  const bool bvh = source.kind == SourceFormat::Kind::Bvh;
+  BvhStyle style{.cm_per_unit = options.cm_per_unit.value_or(bvh ? source.cm_per_unit : 1),
+                 .root = options.bvh_root};
+  if (!style.root && source.root == TranslationConvention::Replaces) style.root = source.root;
+  return style;
+}
+
+std::vector<std::string> bvh_names(const Skeleton& skeleton) {
+  std::vector<std::string> names;
+  std::unordered_set<std::string> taken;
+  for (const Joint& joint : skeleton.joints())
+    names.push_back(unique_word(joint_word(joint.name), taken));
+  return names;
+}
+
+std::string bvh_text(const Motion& motion, const BvhStyle& style) {
+  const Motion plain = with_zyx_angles(motion, [](const Joint& joint) {
+    return !joint.joint_from_axes.isIdentity(0) || !has_an_order(joint);
+  });
+  return BvhWriter(plain, style).write();
 }
 
 }  // namespace mocapress

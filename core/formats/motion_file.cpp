@@ -7,6 +7,7 @@
 #include "core/formats/bvh.h"
 #include "core/formats/csv.h"
 #include "core/formats/text_cursor.h"
+#include "core/motion/up_axis.h"
 
 namespace mocapress {
 namespace {
@@ -47,16 +48,26 @@ MotionFile read_motion(const path& file, const std::optional<path>& skeleton_pat
   return read_amc(file.string(), motion_text, skeleton, options);
 }
 
-void write_motion(const path& file, const Motion& motion,
-                  const std::optional<path>& skeleton_path) {
-  if (has_extension(file, ".bvh")) return write_text(file, bvh_text(motion));
-  if (has_extension(file, ".csv")) return write_text(file, csv_text(motion));
+Motion exported_motion(const Motion& motion, const SourceFormat& source,
+                       const WriteOptions& options) {
+  Motion exported = with_up_axis(motion, UpAxis::Y, options.up.value_or(source.up));
+  exported.clip.sample_rate_hz = options.sample_rate_hz.value_or(motion.clip.sample_rate_hz);
+  return exported;
+}
+
+void write_motion(const path& file, const Motion& motion, const std::optional<path>& skeleton_path,
+                  const SourceFormat& source, const WriteOptions& options) {
+  const Motion exported = exported_motion(motion, source, options);
+  if (has_extension(file, ".bvh"))
+    return write_text(file, bvh_text(exported, bvh_style(source, options)));
+  if (has_extension(file, ".csv")) return write_text(file, csv_text(exported));
   if (!has_extension(file, ".amc"))
     throw Error(file.string() + ": cannot be written: its extension is none of .bvh, .amc, .csv");
-  const Motion acclaim = acclaim_motion(motion);
+  const Motion acclaim = acclaim_motion(exported);
+  const double cm_per_unit = asf_cm_per_unit(source, options);
   write_text(skeleton_path.value_or(path(file).replace_extension(".asf")),
-             asf_text(acclaim.skeleton));
-  write_text(file, amc_text(acclaim));
+             asf_text(acclaim.skeleton, cm_per_unit));
+  write_text(file, amc_text(acclaim, cm_per_unit));
 }
 
 }  // namespace mocapress

@@ -6,19 +6,30 @@
 
 #include "core/base/error.h"
 #include "core/motion/clip.h"
+#include "core/motion/source_format.h"
 
 namespace mocapress {
 
-/// What a file does not say. Unset values are guessed, and the guess is a warning.
+/// What a file does not say, or says wrongly. Unset values are as it says or else guessed, and the
+/// guess is a warning.
 struct ReadOptions {
   std::optional<double> sample_rate_hz;  // AMC states none: 120 Hz, the CMU rate, unless given
   std::optional<double> cm_per_unit;     // BVH states none: guessed from the height of the skeleton
+  std::optional<UpAxis> up;              // neither states it: Y unless given
+  std::optional<TranslationConvention> bvh_root;  // BVH states none: guessed from its values
+
+  bool operator==(const ReadOptions&) const = default;
 };
+
+/// What a file to be written is to have, where it shall not be as its source was. The rate is only
+/// stated: no frame is added or left out.
+using WriteOptions = ReadOptions;
 
 /// A motion as read, with what had to be repaired or guessed.
 struct MotionFile {
-  Motion motion;  // cm, radians (unwrapped), seconds
+  Motion motion;  // cm, Y up, radians (unwrapped), seconds
   Warnings warnings;
+  SourceFormat source;
 };
 
 /// The .asf beside an .amc, of the same name or of the part before '_' (09_01.amc: 09_01.asf,
@@ -32,9 +43,15 @@ MotionFile read_motion(const std::filesystem::path& path,
                        const ReadOptions& options = {});
 
 /// Writes .bvh, .csv, or .amc with the skeleton at `skeleton_path` (by default beside the .amc,
-/// same name, extension .asf), by the extension of `path`. Throws WriteError; Error on an unknown
-/// extension.
+/// same name, extension .asf), by the extension of `path`: in the axes and, of its source's kind,
+/// the unit and root convention that `source` had, unless `options` ask for others. Throws
+/// WriteError; Error on an unknown extension.
 void write_motion(const std::filesystem::path& path, const Motion& motion,
-                  const std::optional<std::filesystem::path>& skeleton_path = {});
+                  const std::optional<std::filesystem::path>& skeleton_path = {},
+                  const SourceFormat& source = {}, const WriteOptions& options = {});
+
+/// The motion in the axes and at the rate of a file to be written.
+Motion exported_motion(const Motion& motion, const SourceFormat& source,
+                       const WriteOptions& options = {});
 
 }  // namespace mocapress

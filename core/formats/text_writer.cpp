@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/formats/text_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <string_view>
 
 namespace mocapress {
@@ -17,6 +19,10 @@ void append_number(std::string& text, double value, int decimals) {
     if (digits.ends_with('.')) digits.remove_suffix(1);
   }
   text += digits == "-0" ? "0" : digits;
+}
+
+int length_decimals(double cm_per_unit) {
+  return std::clamp(6 + static_cast<int>(std::floor(std::log10(cm_per_unit))), 4, 12);
 }
 
 void append_vector(std::string& text, const Eigen::Vector3d& vector, int decimals) {
@@ -36,6 +42,12 @@ std::string as_word(const std::string& name, const std::string& forbidden) {
     if (static_cast<unsigned char>(c) <= 0x20 || c == 0x7F || forbidden.find(c) != forbidden.npos)
       c = '_';
   return word;
+}
+
+std::string unique_word(const std::string& name, std::unordered_set<std::string>& taken) {
+  std::string candidate = name;
+  for (int n = 2; !taken.insert(candidate).second; ++n) candidate = name + '_' + std::to_string(n);
+  return candidate;
 }
 
 }  // namespace mocapress

@@ -11,6 +11,7 @@ ClipInHand::ClipInHand(const StudyPlan& plan, const std::filesystem::path& path)
 
 ClipInHand::ClipInHand(MotionFile file)
     : warnings_(std::move(file.warnings)),
+      source_(file.source),
       fingerprint_(mocapress::fingerprint(file.motion)),
       encoder_(std::move(file.motion)) {}
 

@@ -21,6 +21,7 @@ class ClipInHand {
   const Motion& motion() const { return encoder_.wavelets().motion(); }
   const std::string& fingerprint() const { return fingerprint_; }
   const Warnings& warnings() const { return warnings_; }
+  const SourceFormat& source() const { return source_; }
 
   /// Spans in which a foot is planted, in the original.
   const std::vector<ContactSpan>& contacts() const { return encoder_.wavelets().contacts(); }
@@ -31,6 +32,7 @@ class ClipInHand {
   explicit ClipInHand(MotionFile file);
 
   Warnings warnings_;
+  SourceFormat source_;
   std::string fingerprint_;
   ContenderEncoder encoder_;
 };

@@ -9,7 +9,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   std::string again;
   try {
-    again = mocapress::bvh_text(mocapress::read_bvh("fuzz.bvh", text).motion);
+    const mocapress::MotionFile file = mocapress::read_bvh("fuzz.bvh", text);
+    again = mocapress::bvh_text(file.motion, mocapress::bvh_style(file.source));
   } catch (const mocapress::Error&) {
     return 0;
   }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Core's reader and decoder on any bytes: a .mcpr file opens and decodes, or is refused as one.
+#include <cstdlib>
+
 #include "core/base/error.h"
 #include "core/codec/container.h"
 #include "core/codec/decoder.h"
+#include "core/codec/source_section.h"
 #include "tests/fuzz/file_sections.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -12,6 +15,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   mocapress::test::mend_checksums(file);
   try {
     const mocapress::Container container = mocapress::read_any_container(file);
+    // What is read of the source is what would be written again.
+    const mocapress::SourceFormat source = mocapress::source_of(file);
+    if (mocapress::source_of(mocapress::with_source(file, source)) != source) std::abort();
     const mocapress::CompressedClip& clip = container.clip;
     if (container.of_comparison ||
         Eigen::Index{clip.frames} * (clip.skeleton.channel_count() + 96) > kMostValues)

@@ -9,6 +9,7 @@
 #include "core/base/file.h"
 #include "core/codec/container.h"
 #include "core/codec/decoder.h"
+#include "core/codec/source_section.h"
 #include "core/formats/csv.h"
 #include "tests/golden/golden_motion.h"
 #include "tests/support/opened_clip.h"
@@ -150,6 +151,22 @@ TEST(GoldenSegments, TheWriterStillMakesTheSameFile) {
   EXPECT_TRUE(write_container(golden_segmented_clip()) == read_bytes(golden("v1_segments.mcpr")));
 }
 
+const SourceFormat kGoldenSource{.kind = SourceFormat::Kind::Bvh,
+                                 .cm_per_unit = 2.54,
+                                 .up = UpAxis::Z,
+                                 .root = TranslationConvention::Replaces};
+
+TEST(GoldenSource, Version1SaysWhatItAlwaysDid) {
+  const std::vector<std::byte> file = read_bytes(golden("v1_source.mcpr"));
+  EXPECT_EQ(source_of(file), kGoldenSource);
+  EXPECT_TRUE(played(file) == read_bytes(golden("v1_joints_expected.f32")));
+}
+
+TEST(GoldenSource, TheWriterStillMakesTheSameFile) {
+  EXPECT_TRUE(with_source(write_container(golden_adaptive_clip()), kGoldenSource) ==
+              read_bytes(golden("v1_source.mcpr")));
+}
+
 TEST(GoldenAdaptive, TheWriterStillMakesTheSameMotion) {
   EXPECT_TRUE(without_skeleton(write_container(golden_adaptive_clip())) ==
               without_skeleton(read_bytes(golden("v1_adaptive.mcpr"))));
@@ -172,6 +189,8 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
   // v1_adaptive.mcpr has the section SKEL, which writers no longer make for this coding.
   save_mcpr(golden("v1_joints.mcpr"), golden_adaptive_clip());
   write_bytes(golden("v1_joints_expected.f32"), played(write_container(golden_adaptive_clip())));
+  write_bytes(golden("v1_source.mcpr"),
+              with_source(write_container(golden_adaptive_clip()), kGoldenSource));
   save_mcpr(golden("v1_segments.mcpr"), golden_segmented_clip());
   write_bytes(golden("v1_segments_expected.f32"), played(write_container(golden_segmented_clip())));
   save_mcpr(golden("v1_correction.mcpr"), golden_corrected_clip());

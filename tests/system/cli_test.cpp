@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <set>
+#include <sstream>
 
 #include "core/base/file.h"
 #include "core/codec/container.h"
@@ -252,6 +253,77 @@ TEST_F(Cli, DecompressedFilesReadAgainAsTheDecodedMotion) {
       EXPECT_LT(nearest, 1e-4) << output << ", landmark " << p / 3;  // cm
     }
   }
+}
+
+/// The lines of a file that begin with `word`, indents left out.
+std::vector<std::string> lines_of(const std::string& path, const std::string& word) {
+  std::vector<std::string> found;
+  std::istringstream lines(read_text(path));
+  for (std::string line; std::getline(lines, line);) {
+    line.erase(0, line.find_first_not_of(" \t"));
+    if (line.starts_with(word)) found.push_back(line);
+  }
+  return found;
+}
+
+TEST_F(Cli, ExportsComeBackInTheUnitAxesRateAndRootConventionOfTheirSource) {
+  // A figure of 67 inches, Z up, whose root replaces its OFFSET.
+  std::string text =
+      "HIERARCHY\nROOT hips\n{\n  OFFSET 1 2 38\n  CHANNELS 6 Xposition Yposition "
+      "Zposition Zrotation Xrotation Yrotation\n  JOINT chest\n  {\n    OFFSET 0 0 20\n"
+      "    CHANNELS 3 Zrotation Xrotation Yrotation\n    End Site\n    {\n"
+      "      OFFSET 0 0 47\n    }\n  }\n}\nMOTION\nFrames: 60\nFrame Time: 0.04\n";
+  for (int t = 0; t < 60; ++t)
+    text += std::to_string(1 + 0.2 * t) + " 2 38.5 0 " + std::to_string(t) + " 0 0 0 0\n";
+  const std::string source = write("inches.bvh", text);
+  const json packed =
+      json_of({"compress", source, "-o", packed_, "--up", "z", "--max-error", "0.05", "--json"});
+  EXPECT_EQ(packed["file_bytes"], std::filesystem::file_size(packed_));
+  const json described = json_of({"info", packed_, "--json"})[0]["source"];
+  EXPECT_EQ(described, json::parse(R"({"format": "bvh", "cm_per_unit": 2.54, "up": "z",
+                                       "bvh_root": "replace"})"));
+  const auto decompress = [&](std::vector<std::string> options) {
+    const std::string back = file("back.bvh");
+    options.insert(options.begin(), {"decompress", packed_, "-o", back});
+    const Outcome outcome = mocapress(options);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return back;
+  };
+  const std::vector<std::string> offsets = lines_of(source, "OFFSET");
+  EXPECT_EQ(lines_of(decompress({}), "OFFSET"), offsets);
+  EXPECT_EQ(lines_of(file("back.bvh"), "CHANNELS"), lines_of(source, "CHANNELS"));
+  EXPECT_EQ(lines_of(file("back.bvh"), "Frame Time"), lines_of(source, "Frame Time"));
+  const Motion original = read_motion(source).motion;
+  const Motion again = read_motion(file("back.bvh")).motion;
+  EXPECT_LT((landmark_tracks(original.skeleton, original.clip) -
+             landmark_tracks(again.skeleton, again.clip))
+                .cwiseAbs()
+                .maxCoeff(),
+            0.051);
+
+  EXPECT_EQ(lines_of(decompress({"--out-cm-per-unit", "1", "--out-up", "y", "--out-bvh-root", "add",
+                                 "--out-rate", "50"}),
+                     "OFFSET"),
+            (std::vector<std::string>{"OFFSET 2.54 96.52 -5.08", "OFFSET 0 50.8 0",
+                                      "OFFSET 0 119.38 0"}));
+  EXPECT_EQ(lines_of(file("back.bvh"), "Frame Time").front(), "Frame Time: 0.02");
+}
+
+TEST_F(Cli, ReadsAndWritesAsItIsTold) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--up", "x"},
+                                                {"--bvh-root", "both"},
+                                                {"--cm-per-unit", "0"},
+                                                {"--cm-per-unit", "nan"},
+                                                {"--rate", "-1"}}) {
+    std::vector<std::string> words = {"info", clip_};
+    words.insert(words.end(), wrong.begin(), wrong.end());
+    EXPECT_EQ(mocapress(words).exit_code, 2) << wrong[0] << ' ' << wrong[1];
+  }
+  const json told =
+      json_of({"info", clip_, "--json", "--up", "z", "--cm-per-unit", "2.54", "--rate", "25"})[0];
+  EXPECT_EQ(told["sample_rate_hz"], 25);
+  EXPECT_EQ(told["source"]["up"], "z");
+  EXPECT_EQ(told["source"]["cm_per_unit"], 2.54);
 }
 
 TEST_F(Cli, DecompressedCsvHasALineForEachFrame) {

@@ -139,15 +139,16 @@ TEST(OutputName, OfTheSameStemIsAnotherWhereTheTypeIsNamed) {
 TEST(Queue, ComesBackFromItsFileAsItWas) {
   Batch batch{.presets = {built_in_presets().begin(), built_in_presets().end()},
               .formats = {OutputFormat::Bvh, OutputFormat::Mcpr},
-              .reading = {.sample_rate_hz = 60.0}};
+              .reading = {.sample_rate_hz = 60.0, .bvh_root = TranslationConvention::Replaces},
+              .writing = {.cm_per_unit = 2.54, .up = UpAxis::Z}};
   batch.items = {{.input = "/a/ü \"x\".bvh", .output = "a/x", .preset = 2},
                  {.input = "/b.amc", .skeleton = "/c.asf", .output = "b", .preset = 0}};
   const Batch read = parse_queue("", queue_text(batch));
   EXPECT_EQ(read.presets, batch.presets);
   EXPECT_EQ(read.formats, batch.formats);
   EXPECT_TRUE(read.items == batch.items);
-  EXPECT_EQ(read.reading.sample_rate_hz, 60.0);
-  EXPECT_FALSE(read.reading.cm_per_unit);
+  EXPECT_EQ(read.reading, batch.reading);
+  EXPECT_EQ(read.writing, batch.writing);
 }
 
 TEST(Queue, ThatIsNoneOrLeavesItsFolderIsRefused) {

@@ -22,24 +22,67 @@ Motion two_translating(const Eigen::Vector3d& root, const Eigen::Vector3d& child
   return motion;
 }
 
-TEST(TranslationConvention, FollowsTheJointsBelowTheRoot) {
-  const auto adds = guess_translation(two_translating({0, 100, 0}, {0, 0.5, 0}));
-  EXPECT_EQ(adds->convention, TranslationConvention::Adds);
-  EXPECT_TRUE(adds->clear);
+using enum TranslationConvention;
+
+/// A root alone, with this offset, at these places frame by frame.
+Motion root_at(const Eigen::Vector3d& offset, const std::vector<Eigen::Vector3d>& places) {
+  Motion motion;
+  motion.skeleton.add({.name = "root",
+                       .offset = offset,
+                       .channels = {ChannelKind::TranslationX, ChannelKind::TranslationY,
+                                    ChannelKind::TranslationZ}});
+  motion.clip.channels.resize(std::ssize(places), 3);
+  for (std::size_t t = 0; t < places.size(); ++t)
+    motion.clip.channels.row(static_cast<Eigen::Index>(t)) = places[t].transpose();
+  return motion;
+}
+
+TEST(TranslationConvention, OfJointsIsWhatTheirValuesLieNearerTo) {
+  const auto adds = guess_translation(two_translating({0, 3, 0}, {0, 0.5, 0}));
+  EXPECT_EQ(adds.others->convention, Adds);
+  EXPECT_TRUE(adds.others->clear);
   const auto replaces = guess_translation(two_translating({0, 0, 0}, {1, 20, 5}));
-  EXPECT_EQ(replaces->convention, TranslationConvention::Replaces);
+  EXPECT_EQ(replaces.others->convention, Replaces);
+}
+
+TEST(TranslationConvention, OfARootFollowsJointsThatSayItClearly) {
+  EXPECT_EQ(guess_translation(two_translating({0, 0, 0}, {1, 20, 5})).roots->convention, Replaces);
+  EXPECT_EQ(guess_translation(two_translating({0, 60, 0}, {0, 0, 0})).roots->convention, Adds);
+}
+
+TEST(TranslationConvention, ARootThatBeginsAtItsOffsetReplacesIt) {
+  // Walks back along its OFFSET, far enough to make the mean say "adds".
+  const Motion walk = root_at({100, 90, 40}, {{100, 90, 40}, {-100, 91, -40}, {-300, 89, -90}});
+  EXPECT_EQ(guess_translation(walk).roots->convention, Replaces);
+  EXPECT_TRUE(guess_translation(walk).roots->clear);
+  EXPECT_EQ(guess_translation(two_translating({0, 100, 0}, {0, 0, 0})).roots->convention, Replaces);
+}
+
+TEST(TranslationConvention, OfClipsOfOneDataSetIsTheSameWhereverTheyBegin) {
+  const Eigen::Vector3d offset(12, 95, -8);
+  for (const Eigen::Vector3d& begin : {offset, Eigen::Vector3d(300, 94, 20)})
+    EXPECT_EQ(guess_translation(root_at(offset, {begin, begin + Eigen::Vector3d(5, 1, -60)}))
+                  .roots->convention,
+              Replaces)
+        << begin.transpose();
 }
 
 TEST(TranslationConvention, IgnoresHowFarTheRootWalksSideways) {
-  Motion motion = two_translating({500, 95, -300}, {0, 0, 0});
-  Skeleton root_only;
-  root_only.add(motion.skeleton.joint(0));
-  motion = {root_only, {120, motion.clip.channels.leftCols(3)}};
-  EXPECT_EQ(guess_translation(motion)->convention, TranslationConvention::Replaces);
+  EXPECT_EQ(guess_translation(root_at({0, 100, 0}, {{500, 95, -300}})).roots->convention, Replaces);
+  EXPECT_EQ(guess_translation(root_at({30, 100, 0}, {{900, 2, 0}})).roots->convention, Adds);
+  EXPECT_EQ(guess_translation(root_at({30, 0, 100}, {{900, 0, 2}}), UpAxis::Z).roots->convention,
+            Adds);
 }
 
-TEST(TranslationConvention, SaysWhenNeitherFits) {
-  EXPECT_FALSE(guess_translation(two_translating({0, 0, 0}, {0, 10, 2}))->clear);
+TEST(TranslationConvention, IsThatOfBlenderAndMotionBuilderWhereNeitherFits) {
+  for (const double height : {-90.0, 40.0, 60.0, 300.0}) {
+    const auto guess = guess_translation(root_at({0, 100, 0}, {{0, height, 0}})).roots;
+    EXPECT_EQ(guess->convention, Replaces) << height;
+    EXPECT_FALSE(guess->clear) << height;
+  }
+  const auto joints = guess_translation(two_translating({0, 0, 0}, {0, 10, 2})).others;
+  EXPECT_EQ(joints->convention, Replaces);
+  EXPECT_FALSE(joints->clear);
 }
 
 TEST(TranslationConvention, HasNothingToGuessWithoutOffsets) {
@@ -49,7 +92,8 @@ TEST(TranslationConvention, HasNothingToGuessWithoutOffsets) {
   root.offset = {0, 100, 0};  // no channel along it
   motion.skeleton.add(root);
   motion.clip.channels = Eigen::MatrixXd::Ones(3, 1);
-  EXPECT_FALSE(guess_translation(motion));
+  EXPECT_FALSE(guess_translation(motion).roots);
+  EXPECT_FALSE(guess_translation(motion).others);
 }
 
 TEST(CmPerUnit, KeepsCentimetresThatArePlausible) {

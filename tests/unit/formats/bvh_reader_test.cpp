@@ -44,7 +44,7 @@ std::string quarter_turns(const std::string& channels) {
 }
 
 TEST(Bvh, ReadsASmallFileAsItStands) {
-  const auto [motion, warnings] = read(kSmallBvh);
+  const auto [motion, warnings, source] = read(kSmallBvh);
   EXPECT_TRUE(warnings.empty());
   ASSERT_EQ(motion.skeleton.joint_count(), 2);
   EXPECT_EQ(motion.skeleton.joint(0).name, "Hips");
@@ -107,7 +107,7 @@ TEST(Bvh, ReadsTheSameFileInOtherClothes) {
         replaced(kSmallBvh, "Frames: 2", "FRAMES :2"), "\xEF\xBB\xBF" + kSmallBvh,
         replaced(kSmallBvh, "rotation", "ROTATION"), kSmallBvh + "\n\n  \n",
         kSmallBvh.substr(0, kSmallBvh.size() - 1), replaced(kSmallBvh, "10 20 30", "10\n20\n30")}) {
-    const auto [motion, warnings] = read(text);
+    const auto [motion, warnings, source] = read(text);
     EXPECT_TRUE(warnings.empty()) << text;
     EXPECT_EQ(motion.skeleton.joint(0).name, "Hips") << text;
     EXPECT_TRUE(motion.clip.channels.isApprox(plain.clip.channels, kRounding)) << text;
@@ -118,7 +118,7 @@ TEST(Bvh, ReadsJointsWithoutChannelsOrEndSitesAndSeveralRoots) {
   const std::string text =
       "HIERARCHY\nROOT a b { CHANNELS 2 Yposition Zrotation JOINT fixed { OFFSET 0 170 0 } }\n"
       "ROOT prop { OFFSET 1 1 1 }\nMOTION\nFrames: 1\nFrame Time: 0.01\n7 90\n";
-  const auto [motion, warnings] = read(text);
+  const auto [motion, warnings, source] = read(text);
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(motion.skeleton.joint(0).name, "a b");
   EXPECT_EQ(motion.skeleton.joint(2).parent, -1);
@@ -176,7 +176,7 @@ TEST(Bvh, RefusesJunkWithItsPlace) {
 
 TEST(Bvh, RepairsValuesThatAreNoNumbers) {
   const std::string text = replaced(kSmallBvh, "4 5 6 11", "-nan 1e300 1.#QNAN 11");
-  const auto [motion, warnings] = read(text);
+  const auto [motion, warnings, source] = read(text);
   EXPECT_EQ(motion.clip.channels(1, 0), motion.clip.channels(0, 0));
   EXPECT_EQ(motion.clip.channels(1, 1), motion.clip.channels(0, 1));
   EXPECT_EQ(motion.clip.channels(1, 2), motion.clip.channels(0, 2));
@@ -199,7 +199,7 @@ TEST(Bvh, GuessesARateWhereFrameTimeIsNonsense) {
 TEST(Bvh, GuessesTheUnitFromTheHeightUnlessTold) {
   const std::string metres = replaced(
       replaced(replaced(kSmallBvh, "0 90 0", "0 0 0"), "0 40 0", "0 .7 0"), "0 60 0", "0 1 0");
-  const auto [motion, warnings] = read(metres);
+  const auto [motion, warnings, source] = read(metres);
   EXPECT_NEAR(motion.skeleton.joint(1).offset.y(), 70, kRounding);
   EXPECT_NEAR(motion.clip.channels(0, 0), 100, kRounding);
   ASSERT_EQ(warnings.size(), 1u);
@@ -214,11 +214,45 @@ TEST(Bvh, GuessesTheUnitFromTheHeightUnlessTold) {
 TEST(Bvh, TakesTranslationsThatRepeatTheOffsetForAbsolute) {
   const std::string absolute =
       replaced(replaced(kSmallBvh, "1 2 3 10", "1 91 3 10"), "4 5 6 11", "4 95 6 11");
-  const auto [motion, warnings] = read(absolute);
+  const auto [motion, warnings, source] = read(absolute);
   EXPECT_NEAR(motion.clip.channels(0, 1), 1, kRounding);
   EXPECT_NEAR(motion.clip.channels(1, 1), 5, kRounding);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].message.find("taken to replace"), std::string::npos);
+}
+
+TEST(Bvh, ReadsTheRootAsItIsTold) {
+  const auto height = [](const std::string& text, TranslationConvention convention) {
+    const MotionFile file = read_bvh("f", text, {.bvh_root = convention});
+    EXPECT_EQ(file.source.root, convention);
+    EXPECT_TRUE(file.warnings.empty());
+    return file.motion.skeleton.joint(0).offset.y() + file.motion.clip.channels(0, 1);
+  };
+  const std::string absolute = replaced(kSmallBvh, "1 2 3 10", "1 91 3 10");
+  EXPECT_NEAR(height(kSmallBvh, TranslationConvention::Adds), 92, kRounding);
+  EXPECT_NEAR(height(kSmallBvh, TranslationConvention::Replaces), 2, kRounding);
+  EXPECT_NEAR(height(absolute, TranslationConvention::Adds), 181, kRounding);
+  EXPECT_NEAR(height(absolute, TranslationConvention::Replaces), 91, kRounding);
+}
+
+TEST(Bvh, SaysWhatItsSourceWas) {
+  EXPECT_EQ(read(kSmallBvh).source,
+            (SourceFormat{.kind = SourceFormat::Kind::Bvh, .root = TranslationConvention::Adds}));
+  const MotionFile told = read_bvh("f", replaced(kSmallBvh, "OFFSET 0 90 0", "OFFSET 0 0 0"),
+                                   {.sample_rate_hz = {}, .cm_per_unit = 2.54, .up = UpAxis::Z});
+  EXPECT_EQ(told.source,
+            (SourceFormat{.kind = SourceFormat::Kind::Bvh, .cm_per_unit = 2.54, .up = UpAxis::Z}));
+}
+
+TEST(Bvh, StandsUpWhereZIsUp) {
+  const Motion lying = read(kSmallBvh).motion;
+  const Motion standing = read_bvh("f", kSmallBvh, {.up = UpAxis::Z}).motion;
+  const Pose was = rest_pose(lying.skeleton);
+  const Pose is = rest_pose(standing.skeleton);
+  for (std::size_t j = 0; j < was.origin.size(); ++j) {
+    const Eigen::Vector3d& p = was.origin[j];
+    EXPECT_LT((is.origin[j] - Eigen::Vector3d(p.x(), p.z(), -p.y())).norm(), kRounding);
+  }
 }
 
 TEST(Bvh, KeepsDuplicateNamesWithAWarning) {

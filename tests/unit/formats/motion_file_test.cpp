@@ -5,6 +5,7 @@
 
 #include "core/base/file.h"
 #include "core/formats/asf.h"
+#include "core/formats/bvh.h"
 #include "tests/support/motion_texts.h"
 #include "tests/support/same_motion.h"
 #include "tests/support/test_motion.h"
@@ -80,6 +81,74 @@ TEST_F(MotionFiles, ComeBackAsTheyWereWritten) {
   write_motion(folder_ / "out.CSV", motion);
   EXPECT_EQ(read_text(folder_ / "out.CSV").find("time_s,"), 0u);
   EXPECT_THROW(write_motion(folder_ / "no" / "such" / "folder.bvh", motion), WriteError);
+}
+
+/// Reads, writes as its source was, and gives the file's text.
+std::string rewritten(const std::string& text, const ReadOptions& reading = {},
+                      const WriteOptions& writing = {}) {
+  const MotionFile file = read_bvh("f.bvh", text, reading);
+  const fs::path path = fs::path(testing::TempDir()) / "mocapress-rewritten.bvh";
+  write_motion(path, file.motion, {}, file.source, writing);
+  std::string written = read_text(path);
+  fs::remove(path);
+  return written;
+}
+
+/// The small file, as tall in inches, its root standing at its OFFSET.
+std::string in_inches() {
+  std::string text = test::kSmallBvh;
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{"0 90 0", "0 30 0"},
+                                                        {"0 40 0", "0 15 0"},
+                                                        {"0 60 0", "0 21 0"},
+                                                        {"1 2 3 10", "1 30 3 10"}})
+    text = test::replaced(text, from, to);
+  return text;
+}
+
+TEST_F(MotionFiles, InInchesStayInInches) {
+  const std::string text = rewritten(in_inches(), {.cm_per_unit = 2.54});
+  for (const char* line : {"OFFSET 0 30 0\n", "OFFSET 0 15 0\n", "OFFSET 0 21 0\n",
+                           "\n1 30 3 10 20 30 1 2 3\n", "\nFrame Time: 0.0083333333\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+}
+
+TEST_F(MotionFiles, AreAsAskedForWhereTheirSourceWasNot) {
+  const std::string text = rewritten(in_inches(), {.cm_per_unit = 2.54},
+                                     {.sample_rate_hz = 60.0,
+                                      .cm_per_unit = 1.0,
+                                      .up = UpAxis::Z,
+                                      .bvh_root = TranslationConvention::Adds});
+  for (const char* line : {"OFFSET 0 0 76.2\n", "OFFSET 0 0 38.1\n", "OFFSET 0 0 53.34\n",
+                           "\n2.54 -7.62 0 -10 20 30 ", "\nFrame Time: 0.0166666667\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+}
+
+TEST_F(MotionFiles, WithZUpComeBackWithZUp) {
+  const std::string again =
+      rewritten(test::kSmallBvh, {.up = UpAxis::Z, .bvh_root = TranslationConvention::Replaces});
+  for (const char* line :
+       {"OFFSET 0 90 0\n", "OFFSET 0 40 0\n", "OFFSET 0 60 0\n", "Zrotation Yrotation Xrotation",
+        "Xrotation Yrotation Zrotation", "\n1 2 3 10 20 30 1 2 3\n"})
+    EXPECT_NE(again.find(line), std::string::npos) << line << again;
+}
+
+TEST_F(MotionFiles, OfAcclaimKeepTheirUnit) {
+  write_text(folder_ / "a.asf", test::replaced(test::kSmallAsf, "length 0.45", "length 1"));
+  write_text(folder_ / "a.amc", test::kSmallAmc);
+  const MotionFile file = read_motion(folder_ / "a.amc");
+  EXPECT_EQ(file.source, (SourceFormat{.kind = SourceFormat::Kind::Acclaim, .cm_per_unit = 2.54}));
+  write_motion(folder_ / "b.amc", file.motion, {}, file.source);
+  EXPECT_NE(read_text(folder_ / "b.asf").find("length 1\n"), std::string::npos);
+  EXPECT_NE(read_text(folder_ / "b.amc").find("root 1 2 3 10 20 30\n"), std::string::npos);
+  write_motion(folder_ / "c.bvh", file.motion, {}, file.source);
+  EXPECT_EQ(read_motion(folder_ / "c.bvh", {}, {.sample_rate_hz = {}, .cm_per_unit = 1.0})
+                .motion.skeleton.joint(1)
+                .offset,
+            file.motion.skeleton.joint(1).offset);
+  write_motion(folder_ / "d.amc", file.motion, {}, file.source,
+               {.sample_rate_hz = {}, .cm_per_unit = kAsfCmPerUnit});
+  EXPECT_NE(read_text(folder_ / "d.asf").find("length 0.45\n"), std::string::npos);
 }
 
 }  // namespace

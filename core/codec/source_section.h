@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The section `srce` of a .mcpr file: FORMAT.md. It says nothing of the motion, so that the reader
+// and the writer of clips need not know it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "core/motion/source_format.h"
+
+namespace mocapress {
+
+/// The file with the section at its end, in place of one it had; without, where `source` is of no
+/// kind or has a unit that FORMAT.md does not allow. Wants a whole file as write_container() makes
+/// it.
+std::vector<std::byte> with_source(std::span<const std::byte> mcpr, const SourceFormat& source);
+
+/// What the section says; of no kind where there is none. Throws FormatError.
+SourceFormat source_of(std::span<const std::byte> mcpr);
+
+/// The same of a file. Throws InputError.
+SourceFormat load_source(const std::filesystem::path& mcpr);
+
+}  // namespace mocapress
