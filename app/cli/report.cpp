@@ -13,9 +13,13 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;  // in a radian
 
 void print(const CorrectionResult& correction) {
-  std::fprintf(stderr, "  r_IK %.3g; knees turn at up to %.0f degrees/s (original %.0f)\n",
-               correction.ratio, correction.fastest_knee * kDegrees,
-               correction.fastest_knee_of_original * kDegrees);
+  if (correction.slide_without_cm)
+    std::fprintf(stderr, "  r_IK found: %.3g, against %.2f cm of footskate without a correction\n",
+                 correction.ratio, *correction.slide_without_cm);
+  else
+    std::fprintf(stderr, "  r_IK %.3g\n", correction.ratio);
+  std::fprintf(stderr, "  knees turn at up to %.0f degrees/s (original %.0f)\n",
+               correction.fastest_knee * kDegrees, correction.fastest_knee_of_original * kDegrees);
   if (correction.report.unreached > 0)
     std::fprintf(stderr, "  out of reach of %d limbs and frames, by up to %.2f cm\n",
                  correction.report.unreached, correction.report.worst_miss_cm);
@@ -56,6 +60,8 @@ Json to_json(const Report& report) {
       {"ik_ratio", report.correction ? Json(report.correction->ratio) : Json()},
       {"ik_bytes", or_null(report.correction_bytes)},
       {"footskate_cm", or_null(report.footskate_cm)},
+      {"footskate_without_ik_cm",
+       report.correction ? or_null(report.correction->slide_without_cm) : Json()},
       {"verified_by", report.verified_by},
   };
 }

@@ -118,6 +118,7 @@ std::string clip_line(const BatchRow& row) {
   const Measurement& m = *row.measured;
   std::string method = row.preset.method;
   if (row.preset.correction) method += ", feet held";
+  if (m.ik_ratio_used) method += ", r_IK " + figure(*m.ik_ratio_used);
   return line(row_head(row.output) + cell(escaped(row.preset.name), "name") +
               cell(escaped(method), "name") +
               cell(escaped(target_text(row.preset.target)), "name") +

@@ -51,6 +51,7 @@ void add_measurement(Json& json, const BatchRow& row) {
   add("worst_point", row.worst ? Json(row.worst->landmark) : Json());
   add("contacts", m.contacts);
   add("footskate_cm", or_null(m.footskate_cm));
+  add("ik_ratio_used", or_null(m.ik_ratio_used));
   add("ik_bytes", or_null(m.ik_bytes));
   add("knee_speed_ratio", or_null(m.knee_speed_ratio));
   add("iterations", or_null(m.iterations));
@@ -75,6 +76,7 @@ Measurement measurement_from(const Json& json) {
   json.at("worst_frame").get_to(m.worst_frame);
   json.at("contacts").get_to(m.contacts);
   m.footskate_cm = optional_at<double>(json, "footskate_cm");
+  m.ik_ratio_used = optional_at<double>(json, "ik_ratio_used");
   m.ik_bytes = optional_at<std::size_t>(json, "ik_bytes");
   m.knee_speed_ratio = optional_at<double>(json, "knee_speed_ratio");
   m.iterations = optional_at<int>(json, "iterations");

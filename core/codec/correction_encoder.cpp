@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "core/codec/difference_fit.h"
 #include "core/ik/response.h"
 
 namespace mocapress {
@@ -46,6 +45,14 @@ Eigen::VectorXd window_of(int joint, const std::vector<ContactSpan>& contacts, E
     }
   }
   return window;
+}
+
+/// 1 where a contact goes on from the frame before: a step into one does not slide.
+Eigen::VectorXd steps_in_contact(const Eigen::ArrayXd& contact) {
+  Eigen::VectorXd within = Eigen::VectorXd::Zero(contact.size());
+  for (Eigen::Index t = 1; t < contact.size(); ++t)
+    if (contact(t - 1) == 1 && contact(t) == 1) within(t) = 1;
+  return within;
 }
 
 }  // namespace
@@ -103,8 +110,8 @@ void CorrectionEncoder::limit_to_contacts(const std::vector<Effector>& effectors
   }
 }
 
-CoefficientFit CorrectionEncoder::select(const Clip& reconstructed, double ratio,
-                                         Basis basis) const {
+DifferenceFit CorrectionEncoder::select(const Clip& reconstructed, double ratio, Basis basis,
+                                        const CodedStep& coded_step) const {
   Clip differences{reconstructed.sample_rate_hz, original_};
   differences.channels -= effector_tracks(landmark_tracks(skeleton_, reconstructed), effectors_);
   if (at_ == CorrectAt::Contacts)
@@ -116,11 +123,11 @@ CoefficientFit CorrectionEncoder::select(const Clip& reconstructed, double ratio
     const auto contact = contacts_.col(s / 3).array();
     const bool up = s % 3 == 1;  // what rises and falls does not slide
     weights.push_back({.place = 1 + (kPlaceInContact - 1) * contact,
-                       .step = (up ? 0 : kStepInContact) * (contact == 1).cast<double>()});
+                       .step = (up ? 0 : kStepInContact) * steps_in_contact(contact)});
   }
   const auto total = static_cast<double>(differences.channels.size());
   const auto count = static_cast<int>(std::lround(std::clamp(total / ratio, 0.0, total)));
-  return fit_coefficients(differences, weights, basis, count);
+  return fit_differences(differences, weights, basis, count, coded_step);
 }
 
 }  // namespace mocapress

@@ -46,7 +46,8 @@ class CorrectionEncoder {
   CodedCorrection correction() const { return {solver_, effectors_}; }
 
   /// The coefficients that the differences get: total / ratio in all.
-  CoefficientFit select(const Clip& reconstructed, double ratio, Basis basis) const;
+  DifferenceFit select(const Clip& reconstructed, double ratio, Basis basis,
+                       const CodedStep& coded_step) const;
 
  private:
   void limit_to_contacts(const std::vector<Effector>& effectors, PointResponse& response) const;

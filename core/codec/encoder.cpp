@@ -30,7 +30,7 @@ class Outcome {
       knees_.emplace(compressed.skeleton, compressed.correction->effectors);
   }
 
-  void run(double correction_ratio, Encoding& encoding) {
+  void run(const TargetedEncoding& found, Encoding& encoding) {
     if (keeps_all_) decoded_.sample_rate_hz = compressed_.sample_rate_hz;
     visit_decoded(compressed_, [&](int first, Uncorrected& block) { add(first, block); });
     encoding.decoded = std::move(decoded_);
@@ -38,7 +38,8 @@ class Outcome {
     if (!keeps_all_) encoding.distortion.distances.resize(0, 0);
     encoding.footskate = footskate_.footskate();
     if (!knees_) return;
-    correction_.ratio = correction_ratio;
+    correction_.ratio = found.correction_ratio;
+    correction_.slide_without_cm = found.slide_without_cm;
     correction_.bytes = compressed_.correction_bytes();
     correction_.fastest_knee = knees_->fastest();
     correction_.fastest_knee_of_original = fastest_knee(
@@ -129,7 +130,7 @@ Encoding Encoder::encode(const EncodeOptions& options,
   TargetedEncoding found = encode_to_target(*analysis_, effective, observer);
 
   Encoding encoding;
-  Outcome(*analysis_, effective, found.compressed).run(found.correction_ratio, encoding);
+  Outcome(*analysis_, effective, found.compressed).run(found, encoding);
   encoding.compressed = std::move(found.compressed);
   encoding.compressed.provenance = {options.method, options.weighting, options.seed,
                                     static_cast<float>(encoding.distortion.eps(options.weighting)),

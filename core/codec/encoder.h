@@ -57,8 +57,9 @@ struct EncodeProgress {
 
 /// What an IK correction did to a clip.
 struct CorrectionResult {
-  double ratio = 0;       // r_IK, asked for or found
-  std::size_t bytes = 0;  // of the motion's
+  double ratio = 0;                        // r_IK, asked for or found
+  std::optional<double> slide_without_cm;  // where it was found: footskate without a correction
+  std::size_t bytes = 0;                   // of the motion's
   CorrectionReport report;
   Clip uncorrected;         // empty where only figures were asked for
   double fastest_knee = 0;  // radians/s, with the correction

@@ -13,9 +13,12 @@
 namespace mocapress {
 
 double QuantisedSignals::step(int signal) const {
-  const int halves = fineness[static_cast<std::size_t>(signal)];
-  const double whole = std::ldexp(static_cast<double>(scale), -(halves >> 1));
-  return halves % 2 == 0 ? whole : whole * 0x1.6a09e667f3bcdp-1;  // the root of 1/2
+  return step_of(fineness[static_cast<std::size_t>(signal)], scale);
+}
+
+double step_of(int fineness, float scale) {
+  const double whole = std::ldexp(static_cast<double>(scale), -(fineness >> 1));
+  return fineness % 2 == 0 ? whole : whole * 0x1.6a09e667f3bcdp-1;  // the root of 1/2
 }
 
 float file_scale(double scale) {

@@ -28,6 +28,9 @@ using decoder::kMostSteps;
 /// The nearest scale that a file can hold: 8 binary digits.
 float file_scale(double scale);
 
+/// scale * 2^(-fineness / 2).
+double step_of(int fineness, float scale);
+
 /// The fineness of the largest step that is not above `step`.
 int fineness_for(double step, float scale);
 

@@ -80,11 +80,13 @@ double power_of_scale(const Target& target) {
 /// How much coarser the scale is at which `work` meets the target, by a rough trial's excess. How
 /// much more error and bytes that has than work would leave differs little from clip to clip
 /// (measured on corpus/train).
-double coarser_after_rough_trial(double excess, const Target& target, const ClosedLoopWork& work) {
+double coarser_after_rough_trial(double excess, const Target& target, const ClosedLoopWork& work,
+                                 bool corrected) {
   const bool by_error = is_by_error(target);
   const bool swept = work.sweeps > 0;
   const double more = by_error ? (swept ? -0.52 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
-  return std::exp(power_of_scale(target) * std::clamp(excess - more, -3.0, 3.0));
+  const double unmended = by_error && corrected ? 0.12 : 0;
+  return std::exp(power_of_scale(target) * std::clamp(excess - more - unmended, -3.0, 3.0));
 }
 
 /// From where a search need not go on: coarsening makes up for more.
@@ -194,7 +196,8 @@ Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& go
   const ClosedLoopWork work = work_of(effort);
   Trial rough = trials.attempt(guess.likely, {.compensate = false, .sweeps = 0}, {});
   if (!rough.complete) return rough;
-  const double first_scale = guess.likely * coarser_after_rough_trial(rough.excess, target, work);
+  const double first_scale =
+      guess.likely * coarser_after_rough_trial(rough.excess, target, work, guess.corrected);
   if (effort == Effort::Draft) return trials.attempt(first_scale, work, {});
   ScaleSearch search(goal, target, trials.attempt);
   seek(guess, goal, first_scale, near_enough(guess, target), work_of(Effort::Default), search);

@@ -22,6 +22,7 @@ struct ScaleGuess {
   double likely;                   // to meet the target
   std::function<double()> finest;  // asked for after the first trial; finer ones do not fit
   bool dear = false;               // fewer trials: the full tolerance will do sooner
+  bool corrected = false;          // by IK, which mends less than the sweeps count on
 };
 
 /// What a search tries.

@@ -43,8 +43,12 @@ class SegmentedEncode {
     if (best.complete && options_.effort != Effort::Draft)
       goal_.require_met(best.excess, best.achieved,
                         best.count == layout_.coded_frames() * motion_.clip.channels.cols());
-    return {std::move(best.compressed), best.count,
-            options_.correction ? *options_.correction->ratio : 0, best.iterations, best.complete};
+    return {std::move(best.compressed),
+            best.count,
+            options_.correction ? *options_.correction->ratio : 0,
+            {},
+            best.iterations,
+            best.complete};
   }
 
  private:

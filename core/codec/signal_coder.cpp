@@ -12,6 +12,8 @@
 namespace mocapress {
 namespace {
 
+constexpr double kFinestExponent = -17;  // as rle16 has it
+
 Eigen::VectorXd gains_of(const Lifting& lifting) {
   const std::vector<double> gains = lifting.gains();
   return Eigen::Map<const Eigen::VectorXd>(gains.data(), lifting.length());
@@ -57,6 +59,15 @@ std::vector<std::byte> code_signals(const RankedCoefficients& ranked,
   const Eigen::VectorXd gains = gains_of(ranked.lifting);
   return rle16_encode(gains.asDiagonal() * truncate(ranked, kept),
                       largest_dropped(ranked, scales, kept));
+}
+
+double word_step(double step) {
+  return std::exp2(std::clamp(std::floor(std::log2(step)), kFinestExponent, 120.0));
+}
+
+std::vector<std::byte> code_steps(const Eigen::MatrixXi& values, const Eigen::VectorXd& steps) {
+  // Words are as fine as half of what is dropped.
+  return rle16_encode(values.cast<double>() * steps.asDiagonal(), 2 * steps);
 }
 
 Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int count) {

@@ -33,6 +33,12 @@ constexpr bool is_of_words(Coding coding) {
 std::vector<std::byte> code_signals(const RankedCoefficients& ranked,
                                     const std::vector<double>& scales, const Kept& kept);
 
+/// The largest step of words that is not above `step`: a power of two.
+double word_step(double step);
+
+/// Coefficients in such steps (one for each signal) as words.
+std::vector<std::byte> code_steps(const Eigen::MatrixXi& values, const Eigen::VectorXd& steps);
+
 /// The largest coefficient each signal drops, times its gain. Of a signal that is kept whole: a
 /// quarter of the least of the others.
 Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const std::vector<double>& scales,

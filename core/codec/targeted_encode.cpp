@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <tuple>
 
 #include "core/codec/count_search.h"
 #include "core/codec/decoder.h"
 #include "core/codec/goal.h"
 #include "core/codec/scale_search.h"
 #include "core/codec/segmented_encode.h"
+#include "core/codec/split_search.h"
 #include "core/codec/trial.h"
 #include "core/metrics/rate.h"
 #include "core/select/annealing.h"
@@ -36,7 +39,7 @@ class TargetedEncode {
     if (!options.correction) return;
     correction_.emplace(motion.skeleton, analysis.original_tracks(), *options.correction, contacts_,
                         motion.clip.sample_rate_hz);
-    correction_ratio_ = options.correction->ratio.value_or(kUsualCorrectionRatio);
+    correction_ratio_ = options.correction->ratio.value_or(SplitSearch::kFirst);
     if (!heeds_model) return;
     if (!own_model_) own_model_ = analysis.model(options.weighting);
     for (const auto& response : correction_->responses(motion.clip, analysis.original_tracks()))
@@ -45,16 +48,16 @@ class TargetedEncode {
 
   double correction_ratio() const { return correction_ratio_; }
 
+  std::optional<double> slide_without_cm() const { return slide_without_cm_; }
+
   Trial run() {
-    const int guess = count_for(goal_.likely_coefficient_ratio());
-    if (correction_ && !options_.correction->ratio) correction_ratio_ = find_split(guess);
-    if (options_.method == Method::ClosedLoop) return closed_loop();
-    if (options_.target.kind == Target::Kind::CoefficientRatio)
-      return attempt(options_.method, guess);
-    if (options_.method != Method::Annealed) return search(options_.method, guess, kCheapTrials);
-    // Standard selection costs next to nothing and needs about as many coefficients.
-    return search(Method::Annealed, search(Method::Standard, guess, kCheapTrials).count,
-                  kAnnealings);
+    if (!correction_ || options_.correction->ratio)
+      return run_with(options_.method, options_.effort);
+    Trial trial = find_split();
+    if (!trial.complete || (split_method() == options_.method && split_effort() == options_.effort))
+      return trial;
+    slide_without_cm_.reset();  // that of another encode
+    return run_with(options_.method, options_.effort);
   }
 
   /// Throws TargetMissed unless the trial is as good as was promised; a draft promises nothing.
@@ -82,12 +85,14 @@ class TargetedEncode {
     return coarser;
   }
 
-  double split() { return find_split(count_for(goal_.likely_coefficient_ratio())); }
+  double split() {
+    find_split();
+    return correction_ratio_;
+  }
 
  private:
   static constexpr int kCheapTrials = 24;
   static constexpr int kAnnealings = 10;
-  static constexpr double kUsualCorrectionRatio = 16;  // of the paper's video
 
   /// The order of the coefficients, which only the paper's methods ask for.
   const BasisAnalysis& basis() const { return analysis_.in(options_.basis); }
@@ -112,49 +117,82 @@ class TargetedEncode {
     return static_cast<int>(std::lround(std::clamp(total / coefficient_ratio, 0.0, total)));
   }
 
-  /// The r_IK of the least footskate among those that cost no more than a fifth: of the error where
-  /// the size is asked for, of the size where the error is. Where both would follow from r, the
-  /// usual one.
-  double find_split(int guess) {
-    constexpr double kDearest = 1.2;
-    if (options_.target.kind == Target::Kind::CoefficientRatio) return kUsualCorrectionRatio;
-    correcting_ = false;
-    const Split without = measure_split(guess);
-    correcting_ = true;
-    double found = 0;
-    double least_cost = std::numeric_limits<double>::infinity();
-    for (const double ratio : {64.0, 45.0, 32.0, 23.0, 16.0, 11.0, 8.0, 5.6, 4.0}) {
-      correction_ratio_ = ratio;
-      const Split split = measure_split(guess);
-      const double dearer = split.price / without.price;
-      // Beyond what may be paid the cheapest is best, after all that may be.
-      const double cost = dearer <= kDearest ? split.footskate_cm : 1e6 * dearer;
-      if (cost >= least_cost) continue;
-      found = ratio;
-      least_cost = cost;
-    }
-    return found;
+  Trial run_with(Method method, Effort effort) {
+    const int guess = count_for(goal_.likely_coefficient_ratio());
+    if (method == Method::ClosedLoop) return closed_loop(effort);
+    if (options_.target.kind == Target::Kind::CoefficientRatio) return attempt(method, guess);
+    if (method != Method::Annealed) return search(method, guess, kCheapTrials);
+    // Standard selection costs next to nothing and needs about as many coefficients.
+    return search(Method::Annealed, search(Method::Standard, guess, kCheapTrials).count,
+                  kAnnealings);
   }
 
-  struct Split {
-    double price;  // eps_x in cm, or bytes where eps_x is the target
-    double footskate_cm;
-  };
+  /// Leaves the r_IK of the best split behind, and gives the trial that showed it. What the motion
+  /// is quantised to at a scale, or annealed to, does not hang on r_IK and is found once.
+  Trial find_split() {
+    constexpr int kFinerSteps = 2;
+    const bool is_draft = split_effort() == Effort::Draft;
+    remembers_ = true;
+    Trial best = run_with(split_method(), split_effort());
+    if (best.complete) {
+      EncodeOptions plain = options_;
+      plain.correction.reset();
+      TargetedEncode without(analysis_, plain, observer_);
+      without.pass_ = pass_;
+      const Trial uncorrected = without.run_with(split_method(), split_effort());
+      pass_ = without.pass_;
+      best.complete = uncorrected.complete;
+      if (best.complete) {
+        slide_without_cm_ = slide_of(decode(uncorrected.compressed));
+        SplitSearch search(*slide_without_cm_, is_draft ? 0 : kFinerSteps);
+        search.tried(split_of(best));
+        while (const std::optional<double> ratio = best.complete ? search.next() : std::nullopt) {
+          correction_ratio_ = *ratio;
+          Trial trial = run_with(split_method(), split_effort());
+          const bool complete = trial.complete;
+          if (complete && search.tried(split_of(trial))) best = std::move(trial);
+          best.complete = complete;
+        }
+        correction_ratio_ = search.best().ratio;
+      }
+    }
+    remembers_ = false;
+    quantised_.clear();
+    return best;
+  }
 
-  /// With the present r_IK and standard selection.
-  Split measure_split(int guess) {
-    const Trial trial = search(Method::Standard, guess, kCheapTrials);
-    const Motion& motion = analysis_.motion();
-    const Clip decoded = decode(trial.compressed);
+  /// Annealing takes too long to be tried many times, except where it is the same each time.
+  Method split_method() const {
+    const bool once = options_.target.kind == Target::Kind::CoefficientRatio;
+    return options_.method == Method::Annealed && !once ? Method::Standard : options_.method;
+  }
+
+  /// So does a hard maximum, and what more the best effort does.
+  Effort split_effort() const {
+    if (options_.target.kind == Target::Kind::MaxError) return Effort::Draft;
+    return std::min(options_.effort, Effort::Default);
+  }
+
+  Split split_of(const Trial& trial) const {
+    const bool is_draft = split_effort() == Effort::Draft && options_.method == Method::ClosedLoop;
+    const bool met = is_draft || goal_.met(trial.excess) ||
+                     options_.target.kind == Target::Kind::CoefficientRatio;
     const bool size_is_asked =
         options_.target.kind == Target::Kind::Ratio || options_.target.kind == Target::Kind::Size;
-    const double price = size_is_asked ? exact_eps(motion.skeleton, analysis_.original_tracks(),
-                                                   decoded, options_.weighting)
-                                       : static_cast<double>(trial.compressed.motion_bytes());
-    return {std::max(price, 1e-9),
-            measure_footskate(contacts_, analysis_.original_tracks(),
-                              landmark_tracks(motion.skeleton, decoded), decoded.sample_rate_hz)
-                .total_cm};
+    const Clip decoded = decode(trial.compressed);
+    const double price = size_is_asked
+                             ? exact_eps(analysis_.motion().skeleton, analysis_.original_tracks(),
+                                         decoded, options_.weighting)
+                             : static_cast<double>(trial.compressed.motion_bytes());
+    return {correction_ratio_, met ? price : std::numeric_limits<double>::infinity(),
+            slide_of(decoded)};
+  }
+
+  double slide_of(const Clip& decoded) const {
+    return measure_footskate(contacts_, analysis_.original_tracks(),
+                             landmark_tracks(analysis_.motion().skeleton, decoded),
+                             decoded.sample_rate_hz)
+        .total_cm;
   }
 
   Trial search(Method method, int first_guess, int most_trials) {
@@ -178,7 +216,7 @@ class TargetedEncode {
     CompressedClip& compressed = trial.compressed;
     if (is_of_words(compressed.coding)) {
       std::vector<std::byte> words = code_signals(basis().ranked, basis().scales, kept);
-      if (correction_ && correcting_) append_correction(words, compressed);
+      if (correction_) append_correction(words, compressed);
       compressed.motion = pack(words, compressed.coding);
     } else {
       finish(quantise_kept(basis().ranked, basis().scales, kept, 1), compressed);
@@ -189,11 +227,16 @@ class TargetedEncode {
 
   /// Codes quantised channels, with the correction they need.
   void finish(QuantisedSignals coded, CompressedClip& compressed) const {
-    if (correction_ && correcting_) {
+    if (correction_) {
       const Clip reconstructed{compressed.sample_rate_hz,
                                reconstruct(coded, coefficients_.lifting)};
-      const auto lacking = correction_->select(reconstructed, correction_ratio_, options_.basis);
-      append(quantise_kept(lacking.ranked, lacking.scales(), lacking.kept, coded.scale), coded);
+      DifferenceFit lacking = correction_->select(
+          reconstructed, correction_ratio_, options_.basis,
+          [&](double step) { return step_of(fineness_for(step, coded.scale), coded.scale); });
+      QuantisedSignals differences{coded.scale, {}, std::move(lacking.values)};
+      for (const double step : lacking.steps)
+        differences.fineness.push_back(fineness_for(step, coded.scale));
+      append(differences, coded);
       compressed.correction = correction_->correction();
     }
     compressed.motion = pack_adaptive(coded, compressed);
@@ -222,29 +265,32 @@ class TargetedEncode {
     return *own_loop_;
   }
 
-  Trial closed_loop() {
-    const ScaleTrials trials{
-        .attempt =
-            [this](double scale, const ClosedLoopWork& work, const Eigen::VectorXd& weights) {
-              return attempt_scale(scale, work, weights);
-            },
-        .coarsen =
-            [this](const Trial& trial, double bound_cm) {
-              Trial coarser = coarsen(AdaptiveSegments(trial.compressed).next(), bound_cm);
-              weigh(coarser);
-              return coarser;
-            }};
+  Trial closed_loop(Effort effort) {
+    const ScaleTrials trials{.attempt =
+                                 [this, effort](double scale, const ClosedLoopWork& work,
+                                                const Eigen::VectorXd& weights) {
+                                   return attempt_scale(scale, work, weights, effort);
+                                 },
+                             .coarsen =
+                                 [this](const Trial& trial, double bound_cm) {
+                                   Trial coarser =
+                                       coarsen(AdaptiveSegments(trial.compressed).next(), bound_cm);
+                                   weigh(coarser);
+                                   return coarser;
+                                 }};
     const ScaleGuess guess{
         .likely = likely_scale(options_.target, raw_bytes(analysis_.motion().clip)),
-        .finest = [&] { return loop().finest_scale(); }};
-    return search_scale(guess, options_.target, goal_, options_.effort,
-                        analysis_.motion().clip.frames(), trials);
+        .finest = [&] { return loop().finest_scale(); },
+        .dear = correction_ && options_.target.kind != Target::Kind::MaxError,
+        .corrected = correction_.has_value()};
+    return search_scale(guess, options_.target, goal_, effort, analysis_.motion().clip.frames(),
+                        trials);
   }
 
   Trial attempt_scale(double scale, const ClosedLoopWork& work,
-                      const Eigen::VectorXd& frame_weights) {
-    const bool model_will_do = options_.effort == Effort::Draft &&
-                               options_.target.kind == Target::Kind::Error && !own_model_;
+                      const Eigen::VectorXd& frame_weights, Effort effort) {
+    const bool model_will_do =
+        effort == Effort::Draft && options_.target.kind == Target::Kind::Error && !own_model_;
     const bool is_rough = !work.compensate;  // its coding is not asked for
     Trial trial = code_at(scale, work, frame_weights, !model_will_do || !is_rough);
     if (model_will_do) {
@@ -258,9 +304,21 @@ class TargetedEncode {
 
   Trial code_at(double scale, const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
                 bool with_bytes = true) {
-    Trial trial = trial_of(loop().quantise(scale, work, frame_weights, observe_pass()), with_bytes);
+    Trial trial = trial_of(quantise(scale, work, frame_weights), with_bytes);
     trial.scale = scale;
     return trial;
+  }
+
+  /// Once for each scale that a file can hold, while splits are compared.
+  ClosedLoop::Result quantise(double scale, const ClosedLoopWork& work,
+                              const Eigen::VectorXd& frame_weights) {
+    const std::tuple key(file_scale(scale), work.compensate, work.sweeps);
+    const bool remembered = remembers_ && frame_weights.size() == 0;
+    if (const auto found = quantised_.find(key); remembered && found != quantised_.end())
+      return found->second;
+    ClosedLoop::Result result = loop().quantise(scale, work, frame_weights, observe_pass());
+    if (remembered && result.complete) quantised_[key] = result;
+    return result;
   }
 
   /// It is made anew for what is coarser.
@@ -294,8 +352,9 @@ class TargetedEncode {
     const Clip reconstructed{motion.clip.sample_rate_hz,
                              read_signals(reader, options_.basis, motion.clip.frames(),
                                           motion.skeleton.channel_count())};
-    const auto lacking = correction_->select(reconstructed, correction_ratio_, options_.basis);
-    const auto differences = code_signals(lacking.ranked, lacking.scales(), lacking.kept);
+    const DifferenceFit lacking =
+        correction_->select(reconstructed, correction_ratio_, options_.basis, word_step);
+    const auto differences = code_steps(lacking.values, lacking.steps);
     words.insert(words.end(), differences.begin(), differences.end());
     compressed.correction = correction_->correction();
   }
@@ -304,7 +363,10 @@ class TargetedEncode {
     if (method == Method::PerChannel) return keep_per_channel(basis().ranked, trial.count);
     const Kept standard = basis().standard.keep(trial.count);
     if (method == Method::Standard) return standard;
-    const AnnealingReport report = best_annealing(standard);
+    const auto known = annealed_.find(trial.count);
+    const AnnealingReport report =
+        known != annealed_.end() ? known->second : best_annealing(standard);
+    if (remembers_) annealed_[trial.count] = report;
     trial.iterations = report.iterations;
     trial.complete = report.complete;
     return report.kept;
@@ -341,7 +403,10 @@ class TargetedEncode {
   double correction_ratio_ = 0;
   std::optional<ErrorModel> own_model_;  // where importance or a correction change it
   std::optional<ClosedLoop> own_loop_;   // by that
-  bool correcting_ = true;               // false: to know the price without
+  std::optional<double> slide_without_cm_;
+  bool remembers_ = false;  // what splits have in common
+  std::map<std::tuple<float, bool, int>, ClosedLoop::Result> quantised_;
+  std::map<int, AnnealingReport> annealed_;  // by count
   Goal goal_;
   int pass_ = 0;
 };
@@ -361,8 +426,8 @@ TargetedEncoding encode_to_target(const ClipAnalysis& analysis, const EncodeOpti
   TargetedEncode targeted(analysis, options, observer);
   Trial trial = targeted.run();
   if (trial.complete) targeted.check(trial);
-  return {std::move(trial.compressed), trial.count, targeted.correction_ratio(), trial.iterations,
-          trial.complete};
+  return {std::move(trial.compressed), trial.count,      targeted.correction_ratio(),
+          targeted.slide_without_cm(), trial.iterations, trial.complete};
 }
 
 ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& options, double scale,

@@ -10,11 +10,12 @@ namespace mocapress {
 
 /// What a search for a target came to.
 struct TargetedEncoding {
-  CompressedClip compressed;    // without its provenance
-  int count = 0;                // of the coefficients kept
-  double correction_ratio = 0;  // r_IK, asked for or found
-  int iterations = 0;           // of the last annealing or closed loop
-  bool complete = true;         // false: the observer ended it early
+  CompressedClip compressed;               // without its provenance
+  int count = 0;                           // of the coefficients kept
+  double correction_ratio = 0;             // r_IK, asked for or found
+  std::optional<double> slide_without_cm;  // where it was found: of the encode without correction
+  int iterations = 0;                      // of the last annealing or closed loop
+  bool complete = true;                    // false: the observer ended it early
 };
 
 /// Searches the number of coefficients, or of a closed loop the scale of its steps, that meets the

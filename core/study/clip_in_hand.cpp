@@ -38,6 +38,7 @@ Measurement ClipInHand::measure(const Compression& compression) const {
   m.contacts = static_cast<int>(contacts().size());
   if (m.contacts > 0) m.footskate_cm = compression.footskate.total_cm;
   if (compression.correction) {
+    m.ik_ratio_used = compression.correction->ratio;
     m.ik_bytes = compression.correction->bytes;
     m.knee_speed_ratio =
         compression.correction->fastest_knee / compression.correction->fastest_knee_of_original;

@@ -27,8 +27,9 @@ struct Measurement {
   double p95_error_cm = 0;
   double p99_error_cm = 0;
   int worst_frame = 0;
-  int contacts = 0;                    // of the feet with the ground, in the original
-  std::optional<double> footskate_cm;  // over all contacts; unset: there are none
+  int contacts = 0;                     // of the feet with the ground, in the original
+  std::optional<double> footskate_cm;   // over all contacts; unset: there are none
+  std::optional<double> ik_ratio_used;  // with IK: r_IK, asked for or found
   std::optional<std::size_t> ik_bytes;
   std::optional<double> knee_speed_ratio;  // with IK: its speed over the original's
   std::optional<int> iterations;           // of the last annealing

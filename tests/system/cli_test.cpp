@@ -43,7 +43,8 @@ const std::set<std::string> kNumberKeys = {
     "bits_per_joint_sample"};
 const std::set<std::string> kEncodingKeys = {"coefficient_ratio", "iterations", "encode_seconds"};
 // Null: the clip has no feet.
-const std::set<std::string> kNullKeys = {"ik_ratio", "ik_bytes", "footskate_cm"};
+const std::set<std::string> kNullKeys = {"ik_ratio", "ik_bytes", "footskate_cm",
+                                         "footskate_without_ik_cm"};
 
 /// Exactly the keys of a report, each of its type; those of the encoding are numbers or null.
 void expect_report(const json& report, bool encoded) {
@@ -101,6 +102,20 @@ TEST_F(Cli, HoldsTheFeetOfASampleAndReportsIt) {
   EXPECT_EQ(measured["ik_bytes"], with["ik_bytes"]);
   EXPECT_EQ(measured["motion_bytes"], with["motion_bytes"]);
   EXPECT_NEAR(measured["footskate_cm"], with["footskate_cm"], 0.01);
+}
+
+TEST_F(Cli, ShowsTheSplitThatAutoFound) {
+  const std::string walk = std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/human_walk.amc";
+  const std::vector<std::string> command = {"compress", walk,   "--target-error",
+                                            "0.5",      "--ik", "auto"};
+  std::vector<std::string> as_json = command;
+  as_json.push_back("--json");
+  const json found = json_of(as_json);
+  EXPECT_GE(found["ik_ratio"], 1);
+  const double without = found["footskate_without_ik_cm"];
+  EXPECT_GT(without, 0.1);
+  EXPECT_LE(found["footskate_cm"], 0.1 * without);
+  EXPECT_THAT(mocapress(command).err, testing::HasSubstr("r_IK found: "));
 }
 
 TEST_F(Cli, ContactsAreDataThatCanBeEditedAndTakenBack) {

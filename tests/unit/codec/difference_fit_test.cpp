@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
+#include "core/codec/quantised_signals.h"
 #include "core/select/truncation.h"
 #include "tests/support/test_motion.h"
 
@@ -25,11 +24,33 @@ std::vector<FitWeights> weights_with(double step) {
   return {weights, weights, weights};
 }
 
+/// Of steps so small that rounding is nothing.
+double finest(double) {
+  return 1e-5;
+}
+
 Eigen::MatrixXd error_of(const RankedCoefficients& ranked, const Kept& kept, const Clip& original) {
   Eigen::MatrixXd error = -original.channels;
   for (int s = 0; s < ranked.channels(); ++s)
     error.col(s) += synthesise(ranked, s, 0, kept[static_cast<std::size_t>(s)]);
   return error;
+}
+
+Eigen::MatrixXd error_of(const Eigen::MatrixXi& values, const Eigen::VectorXd& steps,
+                         const Clip& original) {
+  const Lifting lifting(Basis::Cubic, original.frames());
+  const std::vector<double> gains = lifting.gains();
+  Eigen::MatrixXd samples = values.cast<double>() * steps.asDiagonal();
+  samples.array().colwise() /= Eigen::Map<const Eigen::ArrayXd>(gains.data(), std::ssize(gains));
+  for (auto column : samples.colwise()) {
+    const std::span<double> signal(column.data(), static_cast<std::size_t>(column.size()));
+    lifting.inverse(signal, signal);
+  }
+  return samples - original.channels;
+}
+
+Eigen::MatrixXd error_of(const DifferenceFit& fit, const Clip& original) {
+  return error_of(fit.values, fit.steps, original);
 }
 
 double cost_of(const Eigen::MatrixXd& error, const FitWeights& weights) {
@@ -44,9 +65,10 @@ double cost_of(const Eigen::MatrixXd& error, const FitWeights& weights) {
 
 TEST(DifferenceFit, KeepsAsManyAsAsked) {
   for (const int count : {0, 1, 30, 3 * kFrames}) {
-    const CoefficientFit fit =
-        fit_coefficients(three_signals(), weights_with(100), Basis::Cubic, count);
-    EXPECT_EQ(std::accumulate(fit.kept.begin(), fit.kept.end(), 0), count);
+    const DifferenceFit fit =
+        fit_differences(three_signals(), weights_with(100), Basis::Cubic, count, finest);
+    EXPECT_EQ(fit.kept.count(), count);
+    EXPECT_TRUE((fit.kept || fit.values.array() == 0).all());
   }
 }
 
@@ -56,9 +78,9 @@ TEST(DifferenceFit, CostsLessThanTheLargestCoefficients) {
   for (const double step : {0.0, 100.0})
     for (const int count : {20, 60}) {
       const auto weights = weights_with(step);
-      const CoefficientFit fit = fit_coefficients(clip, weights, Basis::Cubic, count);
+      const DifferenceFit fit = fit_differences(clip, weights, Basis::Cubic, count, finest);
       const Kept largest = StandardOrder(ranked, std::vector<double>(3, 1.0)).keep(count);
-      EXPECT_LT(cost_of(error_of(fit.ranked, fit.kept, clip), weights[0]),
+      EXPECT_LT(cost_of(error_of(fit, clip), weights[0]),
                 0.8 * cost_of(error_of(ranked, largest, clip), weights[0]))
           << step << " " << count;
     }
@@ -66,25 +88,57 @@ TEST(DifferenceFit, CostsLessThanTheLargestCoefficients) {
 
 TEST(DifferenceFit, OfEveryCoefficientIsExact) {
   const Clip clip = three_signals();
-  const CoefficientFit fit = fit_coefficients(clip, weights_with(0), Basis::Cubic, 3 * kFrames);
-  EXPECT_LT(error_of(fit.ranked, fit.kept, clip).cwiseAbs().maxCoeff(), 1e-6);
+  const DifferenceFit fit =
+      fit_differences(clip, weights_with(0), Basis::Cubic, 3 * kFrames, finest);
+  EXPECT_LT(error_of(fit, clip).cwiseAbs().maxCoeff(), 1e-4);
 }
 
 TEST(DifferenceFit, WeighingStepsMakesThemSmaller) {
   const Clip clip = three_signals();
   const auto slid = [&](double step) {
-    const CoefficientFit fit = fit_coefficients(clip, weights_with(step), Basis::Cubic, 30);
-    const Eigen::MatrixXd standing = error_of(fit.ranked, fit.kept, clip).middleRows(60, 40);
+    const DifferenceFit fit = fit_differences(clip, weights_with(step), Basis::Cubic, 30, finest);
+    const Eigen::MatrixXd standing = error_of(fit, clip).middleRows(60, 40);
     return (standing.bottomRows(39) - standing.topRows(39)).norm();
   };
   EXPECT_LT(slid(1000), 0.7 * slid(0));
 }
 
+TEST(DifferenceFit, RoundsToStepsThatCostLittleBesideWhatIsDropped) {
+  const Clip clip = three_signals();
+  for (const int count : {20, 60, 200}) {
+    const auto weights = weights_with(100);
+    const auto cost_with = [&](const CodedStep& step) {
+      return cost_of(error_of(fit_differences(clip, weights, Basis::Cubic, count, step), clip),
+                     weights[0]);
+    };
+    EXPECT_LT(cost_with([](double step) { return step; }), 2 * cost_with(finest)) << count;
+  }
+}
+
+TEST(DifferenceFit, RoundedTogetherCostsLessThanEachToTheNearest) {
+  const Clip clip = three_signals();
+  const auto weights = weights_with(100);
+  const auto fit_to = [&](double step) {
+    return fit_differences(clip, weights, Basis::Cubic, 60, [step](double) { return step; });
+  };
+  const DifferenceFit fine = fit_to(1e-5);
+  const double least = cost_of(error_of(fine, clip), weights[0]);
+  for (const double step : {0.5, 2.0, 8.0}) {
+    const DifferenceFit together = fit_to(step);
+    const Eigen::MatrixXi nearest =
+        (fine.values.cast<double>() * 1e-5 / step).array().round().cast<int>();
+    EXPECT_LT(cost_of(error_of(together, clip), weights[0]) - least,
+              0.9 * (cost_of(error_of(nearest, together.steps, clip), weights[0]) - least))
+        << step;
+  }
+}
+
 TEST(DifferenceFit, OfNoFramesIsNothing) {
   const FitWeights none{Eigen::VectorXd(0), Eigen::VectorXd(0)};
-  const CoefficientFit fit =
-      fit_coefficients({120, Eigen::MatrixXd(0, 3)}, {none, none, none}, Basis::Cubic, 0);
-  EXPECT_EQ(fit.kept, Kept({0, 0, 0}));
+  const DifferenceFit fit =
+      fit_differences({120, Eigen::MatrixXd(0, 3)}, {none, none, none}, Basis::Cubic, 0, finest);
+  EXPECT_EQ(fit.kept.count(), 0);
+  EXPECT_EQ(fit.steps.size(), 3);
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace mocapress {
+
+/// What one split of the bytes between motion and IK correction came to.
+struct Split {
+  double ratio;     // r_IK
+  double price;     // of what the target leaves open: bytes, or eps_x in cm
+  double slide_cm;  // footskate
+};
+
+/// Finds the r_IK of the least price that takes nine tenths of the slide away or, where none does,
+/// that of the least slide. Both price and slide are measured on whole encodes, so that r_IK is
+/// sought in few: from the paper's 16 in steps of two, up to where the feet are no longer held and
+/// down to where that gets dearer, then in finer steps between the best and what does not hold.
+class SplitSearch {
+ public:
+  static constexpr double kFirst = 16;  // of the paper's video
+  static constexpr double kMost = 64;
+  static constexpr double kLeast = 1;
+
+  /// Against what the same encode without a correction slides.
+  SplitSearch(double slide_without_cm, int finer_steps);
+
+  /// The r_IK to be tried next; none: the search is over.
+  std::optional<double> next() const;
+
+  /// Returns whether it is the best so far. The price of a target that was missed is infinite.
+  bool tried(const Split& split);
+
+  const Split& best() const { return best_; }
+
+ private:
+  bool holds(const Split& split) const;
+  bool is_better(const Split& split) const;
+
+  double enough_cm_;
+  int finer_steps_;
+  std::vector<Split> tried_;  // by r_IK
+  Split best_;
+};
+
+}  // namespace mocapress
