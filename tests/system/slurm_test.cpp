@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A batch on a real Slurm, of one node that the test starts. Skipped where it is not installed
-// (Debian: slurmctld slurmd slurm-client munge).
+// (Debian: slurmctld slurmd slurm-client munge) or does not come up.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -18,20 +19,30 @@ using testing::HasSubstr;
 class Slurm : public CommandLine {
  protected:
   void SetUp() override {
-    const Outcome started = run_program({kScript, "start", node()});
-    if (started.exit_code == 9) GTEST_SKIP() << "Slurm is not installed: " << started.err;
+    const Outcome started = run_program({kScript, "start", node(), std::to_string(getpid())});
+    if (started.exit_code == 9) GTEST_SKIP() << started.err;
     ASSERT_EQ(started.exit_code, 0) << started.err;
     setenv("SLURM_CONF", (node() / "slurm.conf").c_str(), 1);
   }
   ~Slurm() override {
-    run_program({kScript, "stop", node()});
     unsetenv("SLURM_CONF");
+    run_program({kScript, "stop", node()});
   }
 
   fs::path node() const { return file("node"); }
   fs::path out() const { return file("out"); }
 
-  static bool queue_is_empty() { return run_program({"squeue", "--noheader"}).out.empty(); }
+  /// Slurm's programs ask daemons, which may be slow to answer but must not be waited for without
+  /// end.
+  static Outcome slurm(std::vector<std::string> words) {
+    words.insert(words.begin(), {"timeout", "120"});
+    return run_program(words);
+  }
+
+  static bool queue_is_empty() {
+    const Outcome queue = slurm({"squeue", "--noheader"});
+    return queue.exit_code == 0 && queue.out.empty();
+  }
 
   std::string log_of(int task) const {
     for (const auto& entry : fs::directory_iterator(out()))
@@ -42,7 +53,7 @@ class Slurm : public CommandLine {
 
   /// Everything that Slurm and the tasks said, for who has to find out what went wrong.
   std::string logs() const {
-    std::string all = run_program({"squeue", "--long"}).out;
+    std::string all = slurm({"squeue", "--long"}).out;
     for (const fs::path& folder : {out(), node()})
       for (const auto& entry : fs::directory_iterator(folder))
         if (entry.path().extension() == ".log")
@@ -65,13 +76,13 @@ TEST_F(Slurm, AnArrayOfShardsOneOfThemRequeuedAndItsMergeAreAsOneRun) {
   asked.insert(asked.end(), settings.begin(), settings.end());
   const Outcome written = mocapress(asked);
   ASSERT_EQ(written.exit_code, 0) << written.err;
-  const Outcome submitted = run_program({"sbatch", "--parsable", file("job.sh")});
+  const Outcome submitted = slurm({"sbatch", "--parsable", file("job.sh")});
   ASSERT_EQ(submitted.exit_code, 0) << submitted.err;
   const std::string job = submitted.out.substr(0, submitted.out.find('\n'));
 
   ASSERT_TRUE(comes_true([&] { return log_of(1).find("clip-done") != std::string::npos; }))
       << logs();
-  const Outcome requeued = run_program({"scontrol", "requeue", job + "_1"});
+  const Outcome requeued = slurm({"scontrol", "requeue", job + "_1"});
   EXPECT_EQ(requeued.exit_code, 0) << requeued.err;
 
   ASSERT_TRUE(comes_true([&] { return fs::exists(out() / "report.html") && queue_is_empty(); }))
