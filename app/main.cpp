@@ -84,8 +84,7 @@ int run(int argc, char** argv) {
   if (options.ratio || options.ik) window.session().document().setOptions(encode);
   window.show();
   const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-  const bool goes_on = options.screenshot.isEmpty() &&
-                       window.library().begin(data + QStringLiteral("/session.mocapress"));
+  const bool goes_on = options.screenshot.isEmpty() && window.library().begin(data);
   if (!options.files.isEmpty())
     window.open(options.files, options.skeleton);
   else if (!goes_on)

@@ -120,14 +120,17 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   return actions;
 }
 
-QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWidget*>& docks) {
+RecentMenus addMenus(QMainWindow* window, const Actions& actions,
+                     const QList<QDockWidget*>& docks) {
+  RecentMenus recent;
   QMenu* file = window->menuBar()->addMenu(Texts::tr("&File"));
   file->addAction(actions.open);
-  QMenu* recent = file->addMenu(Texts::tr("Open &Recent"));
+  recent.files = file->addMenu(Texts::tr("Open &Recent"));
   file->addActions({actions.open_sample, actions.compare});
   file->addSeparator();
-  file->addActions({actions.new_project, actions.open_project, actions.save_project,
-                    actions.add_clips, actions.add_folder});
+  file->addActions({actions.new_project, actions.open_project});
+  recent.projects = file->addMenu(Texts::tr("Recent Projec&ts"));
+  file->addActions({actions.save_project, actions.add_clips, actions.add_folder});
   file->addSeparator();
   file->addActions({actions.save, actions.save_as});
   file->addSeparator();

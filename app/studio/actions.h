@@ -55,7 +55,13 @@ struct Actions {
 /// With texts, icons and shortcuts; connecting is the window's part.
 Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window);
 
-/// Menus and tool bar. Returns the menu that the window fills with recent files.
-QMenu* addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWidget*>& docks);
+/// Those that the window fills.
+struct RecentMenus {
+  QMenu* files = nullptr;
+  QMenu* projects = nullptr;
+};
+
+/// Menus and tool bar.
+RecentMenus addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWidget*>& docks);
 
 }  // namespace mocapress

@@ -10,6 +10,11 @@ void FolderSearch::search(const QString& folder) {
   searchNext();
 }
 
+void FolderSearch::abandon() {
+  folders_.clear();
+  finding_.abandon();
+}
+
 void FolderSearch::searchNext() {
   if (finding_.busy() || folders_.isEmpty()) return;
   const QString folder = folders_.takeFirst();

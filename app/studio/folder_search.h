@@ -17,6 +17,9 @@ class FolderSearch : public QObject {
 
   void search(const QString& folder);
 
+  /// Nothing more is found.
+  void abandon();
+
  signals:
   /// The motion files below a folder.
   void found(const QStringList& clips);

@@ -158,7 +158,10 @@ void Inspector::showContacts() {
 
 void Inspector::showJoint() {
   const Document& document = session_->document();
-  if (!document.skeleton()) return;
+  if (!document.skeleton()) {
+    views_.channel->setChannels({}, -1);
+    return showChannel();
+  }
   const Skeleton& skeleton = *document.skeleton();
   const int joint = shownJoint(document);
   QStringList names;
@@ -195,7 +198,7 @@ void Inspector::showCurve() {
 
 void Inspector::drawChannel() {
   const Document& document = session_->document();
-  if (!document.skeleton()) return;
+  if (!document.skeleton()) return views_.channel->setCurves({});
   const Skeleton& skeleton = *document.skeleton();
   const int joint = shownJoint(document);
   if (skeleton.joint(joint).channels.empty()) return views_.channel->setCurves({});

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/library.h"
 
-#include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <algorithm>
-#include <chrono>
 #include <map>
 
 #include "app/studio/clip_outcome.h"
 #include "app/studio/edit_step.h"
 #include "app/studio/session.h"
-#include "core/base/error.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
 namespace {
-
-constexpr std::chrono::milliseconds kWriteDelay{800};
 
 /// What is read from the clips' files, kept from row to row.
 LibraryEntry entryOf(const ProjectClip& clip, const LibraryEntry& read) {
@@ -29,19 +23,11 @@ LibraryEntry entryOf(const ProjectClip& clip, const LibraryEntry& read) {
   return entry;
 }
 
-void writeText(const QString& path, const QByteArray& text) {
-  QDir().mkpath(QFileInfo(path).path());
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-    throw Error(path.toStdString() + ": " + file.errorString().toStdString());
-}
-
 }  // namespace
 
 Library::Library(Session* session, LibraryModel* model, QObject* parent)
     : QObject(parent), session_(session), model_(model) {
   write_later_.setSingleShot(true);
-  write_later_.setInterval(kWriteDelay);
   connect(&write_later_, &QTimer::timeout, this, &Library::write);
   session->setMemory([this](const QString& path) {
     const ProjectClip* clip = project_.find(path);
@@ -55,47 +41,8 @@ Library::Library(Session* session, LibraryModel* model, QObject* parent)
   connect(&folder_search_, &FolderSearch::failed, this, &Library::failed);
 }
 
-Library::~Library() {
-  if (changed_ && !path_.isEmpty()) try {
-      writeText(path_, projectText(project_, QFileInfo(path_).dir()));
-    } catch (const Error&) {
-      // There is nobody left to tell.
-    }
-}
-
-bool Library::begin(const QString& path) {
-  home_ = path;
-  QDir().mkpath(QFileInfo(path).path());
-  const bool was_running = QFile::exists(path + QStringLiteral(".lock"));
-  lock_ = std::make_unique<QLockFile>(path + QStringLiteral(".lock"));
-  lock_->setStaleLockTime(0);
-  if (!lock_->tryLock(0)) {  // another studio has it
-    lock_.reset();
-    return false;
-  }
-  path_ = path;
-  if (!load(path)) return false;
-  if (was_running && !project_.clips.empty())
-    emit recovered(static_cast<int>(project_.clips.size()));
-  const int row = currentRow();
-  if (row >= 0) openClip(row);
-  return row >= 0;
-}
-
-void Library::end() {
-  writeAll();
-  lock_.reset();
-}
-
-bool Library::load(const QString& path) {
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) return false;
-  try {
-    project_ = parseProject(file.readAll(), QFileInfo(path).dir());
-  } catch (const Error& error) {
-    emit failed(QString::fromStdString(error.what()));
-    return false;
-  }
+void Library::setProject(Project project) {
+  project_ = std::move(project);
   std::vector<LibraryEntry> entries;
   unread_.clear();
   for (const ProjectClip& clip : project_.clips) {
@@ -105,7 +52,6 @@ bool Library::load(const QString& path) {
   model_->setEntries(std::move(entries));
   readNextOutline();
   emit currentChanged();
-  return true;
 }
 
 void Library::add(const QStringList& paths) {
@@ -325,61 +271,6 @@ void Library::readNextOutline() {
       [path, skeleton = clip->skeleton](const Job&) { return readOutline(path, skeleton); },
       [finish](const ClipOutline& outline) { finish(outline, {}); },
       [finish](const QString& message) { finish({}, message); });
-}
-
-void Library::touch() {
-  changed_ = true;
-  if (!path_.isEmpty() && !write_later_.isActive()) write_later_.start();
-}
-
-void Library::write() {
-  if (path_.isEmpty() || !changed_) return;
-  changed_ = false;
-  writing_.start(
-      [path = path_, text = projectText(project_, QFileInfo(path_).dir())](const Job&) {
-        writeText(path, text);
-        return true;
-      },
-      [](bool) {},
-      [this](const QString& message) {
-        changed_ = true;
-        emit failed(message);
-      });
-}
-
-/// Another file is written from now on: what waits for the one before must not be replaced by it.
-void Library::writeAll() {
-  write_later_.stop();
-  write();
-  writing_.finish();
-}
-
-void Library::openProject(const QString& path) {
-  writeAll();
-  if (!load(path)) return;
-  session_->forgetHistories();
-  withdrawn_.clear();
-  path_ = path;
-  if (const int row = currentRow(); row >= 0) openClip(row);
-}
-
-void Library::saveAs(const QString& path) {
-  writeAll();
-  path_ = path;
-  changed_ = true;
-  write();
-}
-
-void Library::startNew() {
-  writeAll();
-  path_ = home_;
-  project_ = {};
-  session_->forgetHistories();
-  withdrawn_.clear();
-  unread_.clear();
-  model_->setEntries({});
-  touch();
-  emit currentChanged();
 }
 
 }  // namespace mocapress

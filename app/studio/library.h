@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QLockFile>
+#include <QDateTime>
+#include <QElapsedTimer>
 #include <QObject>
 #include <QSet>
 #include <QStringList>
 #include <QTimer>
 #include <deque>
+#include <future>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "app/jobs/clip_outline.h"
 #include "app/jobs/job_runner.h"
 #include "app/studio/batch_session.h"
 #include "app/studio/folder_search.h"
 #include "app/studio/project.h"
+#include "app/studio/project_lock.h"
+#include "app/studio/project_shelf.h"
 #include "app/studio/review_change.h"
 
 namespace mocapress {
@@ -22,8 +27,17 @@ namespace mocapress {
 class LibraryModel;
 class Session;
 
+/// A project that can be gone on with.
+struct FormerProject {
+  QString path;
+  bool named = false;
+  QDateTime written;
+  std::optional<int> clips;  // unset: it cannot be read
+};
+
 /// The project: its clips with their settings, what each came to and what was decided. Every change
-/// is in its file a moment later, so that a crash loses nothing and nobody is asked to save.
+/// is in the project's own file within two seconds, whether the project has a name or not: a crash
+/// loses no more than that, and nobody is asked to save.
 class Library : public QObject {
   Q_OBJECT
 
@@ -36,13 +50,38 @@ class Library : public QObject {
   /// The project file; empty: nothing is kept.
   const QString& path() const { return path_; }
 
-  /// Goes on with a project of an earlier run, kept in this file from now on. Its current clip is
-  /// opened. Where it was left without end(), as after a crash, recovered() says so. False: there
-  /// was nothing to go on with.
-  bool begin(const QString& path);
+  /// Empty: the user has not named it.
+  QString name() const;
 
-  /// All is written, and this was no crash.
-  void end();
+  /// It would have no name where there is something to name.
+  bool needsName() const { return name().isEmpty() && !project_.clips.empty(); }
+
+  /// Changes wait that could not be written.
+  bool stuck() const { return !trouble_.isEmpty(); }
+
+  /// Goes on with the project that was used last, out of those that the studio keeps in `folder`
+  /// or elsewhere. Its current clip is opened. Where it was left without end(), as after a crash,
+  /// recovered() says so. False: there was none yet, and an empty one begins.
+  bool begin(const QString& folder);
+
+  /// All is written, and this was no crash. Nothing is kept from then on. Like the others below:
+  /// false: that was impossible, failed() said why, and everything is as it was.
+  bool end();
+
+  /// Goes on with another project; the one before is written.
+  bool open(const QString& path);
+
+  /// The same, with a copy that has no name: of a project that another studio has.
+  bool openCopy(const QString& path);
+
+  /// Goes on in this file. A named project stays behind as it is; one without a name has one now.
+  bool saveAs(const QString& path);
+
+  /// Begins an empty one without a name.
+  bool startNew();
+
+  /// Without the one in use, used last first.
+  std::vector<FormerProject> formerProjects() const;
 
   /// Those that are not there yet. Adding and removing are steps of the open clip's history.
   void add(const QStringList& paths);
@@ -58,15 +97,6 @@ class Library : public QObject {
   std::vector<Pin> pinsOf(const QString& path);
   void setPins(const QString& path, const std::vector<Pin>& pins);
 
-  /// Goes on with a project that has a name; the one before is written.
-  void openProject(const QString& path);
-
-  /// Keeps the project in another file from now on.
-  void saveAs(const QString& path);
-
-  /// An empty one in the same file as begin() was called with.
-  void startNew();
-
   int currentRow() const;
 
   /// Clips with the settings they were tuned by, for a batch; no rows: all of them.
@@ -77,7 +107,19 @@ class Library : public QObject {
 
   /// Clips that were not there before, the first of them in this row.
   void added(int row);
+
+  /// It is another project, has another name, or is stuck() or no longer.
+  void projectChanged();
+
+  /// What is to be kept has changed; saved() follows once all of it is in the file.
+  void edited();
+  void saved();
+
   void recovered(int clips);
+  void noted(const QString& message);
+
+  /// Another studio has this project.
+  void inUse(const QString& path);
   void failed(const QString& message);
 
  private:
@@ -93,23 +135,32 @@ class Library : public QObject {
   void show(const ProjectClip& clip);
   void readNextOutline();
   void touch();
+  void writeSoon();
   void write();
-  void writeAll();
-  bool load(const QString& path);
+  void noteWritten();
+  bool flush();
+  void setTrouble(const QString& message);
+  void beginEmpty();
+  void takeOver(const QString& path) const;
+  bool enter(const QString& path, std::unique_ptr<ProjectLock> lock, Project project);
+  void setProject(Project project);
   ProjectClip* openNow();
 
   Session* session_;
   LibraryModel* model_;
   Project project_;
   QString path_;
-  QString home_;  // where a project without a name is kept
-  std::unique_ptr<QLockFile> lock_;
+  std::optional<ProjectShelf> shelf_;  // none: no project is remembered
+  std::unique_ptr<ProjectLock> lock_;  // of path_
   QTimer write_later_;
-  JobRunner writing_;
+  QElapsedTimer since_write_;     // began
+  std::future<QString> writing_;  // what goes wrong with it, empty: nothing; not valid: none runs
+  bool changed_ = false;          // since the last write began
+  bool unwritten_ = false;        // since the last write that is known to have succeeded
+  QString trouble_;               // of the last write; empty: none
   JobRunner outlines_;
   FolderSearch folder_search_;
   std::deque<QString> unread_;  // paths whose outline is not known yet
-  bool changed_ = false;        // since the last write
 
   // Verdicts that were taken back with the outcome they were about: by path.
   std::map<QString, std::pair<Outcome, Verdict>> withdrawn_;

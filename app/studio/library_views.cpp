@@ -56,18 +56,4 @@ void LibraryViews::addFolder() {
   if (!folder.isEmpty()) library_->addFolder(folder);
 }
 
-void LibraryViews::openProject() {
-  const QString path = QFileDialog::getOpenFileName(window_, tr("Open Project"), {},
-                                                    tr("Mocapress projects (*.mocapress)"));
-  if (!path.isEmpty()) library_->openProject(path);
-}
-
-void LibraryViews::saveProjectAs() {
-  QString path = QFileDialog::getSaveFileName(window_, tr("Save Project"), {},
-                                              tr("Mocapress projects (*.mocapress)"));
-  if (path.isEmpty()) return;
-  if (!path.endsWith(QStringLiteral(".mocapress"))) path += QStringLiteral(".mocapress");
-  library_->saveAs(path);
-}
-
 }  // namespace mocapress

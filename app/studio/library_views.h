@@ -24,8 +24,6 @@ class LibraryViews : public QObject {
   /// With a file dialog.
   void addClips();
   void addFolder();
-  void openProject();
-  void saveProjectAs();
 
  private:
   void showSlots();

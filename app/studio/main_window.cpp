@@ -202,12 +202,15 @@ void MainWindow::connectFileActions() {
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_.add_clips, &QAction::triggered, library_views_, &LibraryViews::addClips);
   connect(actions_.add_folder, &QAction::triggered, library_views_, &LibraryViews::addFolder);
-  connect(actions_.new_project, &QAction::triggered, library_, &Library::startNew);
-  connect(actions_.open_project, &QAction::triggered, library_views_, &LibraryViews::openProject);
-  connect(actions_.save_project, &QAction::triggered, library_views_, &LibraryViews::saveProjectAs);
+  connect(actions_.new_project, &QAction::triggered, projects_, &ProjectFiles::startNew);
+  connect(actions_.open_project, &QAction::triggered, projects_, &ProjectFiles::choose);
+  connect(actions_.save_project, &QAction::triggered, projects_, &ProjectFiles::saveAs);
   connect(actions_.switch_slot, &QAction::triggered, session_, &Session::switchSlot);
   connect(actions_.copy_slot, &QAction::triggered, session_, &Session::copyToOtherSlot);
-  connect(recent_, &QMenu::aboutToShow, files_, [this] { files_->fillRecentMenu(recent_); });
+  connect(recent_.files, &QMenu::aboutToShow, files_,
+          [this] { files_->fillRecentMenu(recent_.files); });
+  connect(recent_.projects, &QMenu::aboutToShow, projects_,
+          [this] { projects_->fillRecentMenu(recent_.projects); });
   actions_.open_sample->setEnabled(!sampleClip().isEmpty());
 }
 
@@ -311,6 +314,7 @@ void MainWindow::connectMessages() {
   });
   connect(session_, &Session::opened, &slow_opening_, &QTimer::stop);
   connect(session_, &Session::openFailed, &slow_opening_, &QTimer::stop);
+  connect(library_, &Library::projectChanged, this, &MainWindow::updateTitle);
   connect(session_, &Session::opened, messages_, &QWidget::hide);
   connect(session_, &Session::compressFailed, messages_,
           [this](const QString& message, bool out_of_reach) {
@@ -329,23 +333,33 @@ void MainWindow::connectMessages() {
   });
   connect(library_, &Library::failed, messages_,
           [this](const QString& message) { messages_->showError(message); });
-  connect(library_, &Library::recovered, messages_, [this](int clips) {
-    recovered_ = tr("The last session ended unexpectedly. Its project is here again: %Ln clip(s).",
-                    nullptr, clips);
+  connect(library_, &Library::noted, this, &MainWindow::keepNote);
+  connect(library_, &Library::recovered, this, [this](int clips) {
+    keepNote(tr("The last session ended unexpectedly. Its project is here again: %Ln clip(s).",
+                nullptr, clips));
   });
   connect(session_, &Session::opened, messages_, [this] {
-    if (!recovered_.isEmpty()) messages_->showNote(std::exchange(recovered_, {}));
+    if (!kept_note_.isEmpty()) messages_->showNote(std::exchange(kept_note_, {}));
   });
+  connect(session_, &Session::openFailed, this, [this] { kept_note_.clear(); });
   connect(files_, &ClipFiles::saved, messages_,
           [this](const QString& name) { messages_->showNote(tr("Saved %1.").arg(name)); });
 }
 
+/// Opening the clip of a project takes older messages away, but not this one.
+void MainWindow::keepNote(const QString& note) {
+  messages_->showNote(note);
+  if (library_->currentRow() >= 0) kept_note_ = note;
+}
+
 void MainWindow::updateTitle() {
   const Document& document = session_->document();
-  const QString program = QCoreApplication::applicationName();
-  setWindowTitle(document.title().isEmpty() ? program
-                                            : tr("%1[*] – %2").arg(document.title(), program));
-  setWindowModified(document.modified());
+  const QString project =
+      tr("%1 – %2").arg(projects_->title(), QCoreApplication::applicationName());
+  // The project is always in its file; what may not be is the compressed clip.
+  setWindowTitle(document.title().isEmpty() ? project + QStringLiteral("[*]")
+                                            : tr("%1[*] – %2").arg(document.title(), project));
+  setWindowModified(document.modified() || library_->stuck());
   actions_.save->setEnabled(document.decoded() != nullptr);
   actions_.save_as->setEnabled(document.decoded() != nullptr);
   actions_.switch_slot->setEnabled(document.original() != nullptr);
@@ -360,11 +374,18 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     files_->leave([this] {
       may_close_ = true;
+      may_close_ = close();
+    });
+    return;
+  }
+  if (!may_lose_project_ && !library_->end()) {
+    event->ignore();
+    projects_->askToQuit([this] {
+      may_close_ = may_lose_project_ = true;
       close();
     });
     return;
   }
-  library_->end();
   layout_.remember();
   if (study_) study_->close();
   if (batch_) batch_->close();

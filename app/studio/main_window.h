@@ -13,6 +13,7 @@
 #include "app/studio/presenter.h"
 #include "app/studio/preset_shelf.h"
 #include "app/studio/preset_views.h"
+#include "app/studio/project_files.h"
 #include "app/studio/session.h"
 #include "app/studio/study_session.h"
 #include "app/studio/theme.h"
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
   Playback& playback() { return *playback_; }
   ClipFiles& files() { return *files_; }
   Library& library() { return *library_; }
+  ProjectFiles& projects() { return *projects_; }
   const Views& views() const { return views_; }
   const InspectionViews& inspection() const { return inspection_; }
   const Actions& actions() const { return actions_; }
@@ -76,6 +78,7 @@ class MainWindow : public QMainWindow {
   void connectFileActions();
   void connectWindowActions();
   void connectMessages();
+  void keepNote(const QString& note);
   void updateTitle();
   void showHere();
   void about();
@@ -89,6 +92,7 @@ class MainWindow : public QMainWindow {
   Library* library_ = new Library(session_, clips_, this);
   PresetShelf* presets_ = new PresetShelf(PresetShelf::usualFile(), this);
   ClipFiles* files_ = new ClipFiles(session_, this);
+  ProjectFiles* projects_ = new ProjectFiles(library_, this);
   WindowLayout layout_{this};
   Theme* theme_ = new Theme(this);
   ErrorScaleChoice* error_scale_ = new ErrorScaleChoice(this);
@@ -104,14 +108,15 @@ class MainWindow : public QMainWindow {
   PinnedPanel* pinned_panel_;
   PinnedResults* pinned_;
   MessageBar* messages_;
-  QMenu* recent_;
+  RecentMenus recent_;
   Trace* trace_;
   StudySession* study_session_ = nullptr;  // none before it is asked for, nor its window
   StudyWindow* study_ = nullptr;
-  BatchWindow* batch_ = nullptr;  // none before it is asked for
-  QString recovered_;             // what to say of it once its clip is open
-  bool may_close_ = false;        // nothing would be lost
-  bool opens_added_ = false;      // what comes into the library next
+  BatchWindow* batch_ = nullptr;   // none before it is asked for
+  QString kept_note_;              // said again once the clip of the project is open
+  bool may_close_ = false;         // no compressed clip would be lost
+  bool may_lose_project_ = false;  // what cannot be written of it
+  bool opens_added_ = false;       // what comes into the library next
   QTimer slow_opening_;
   QString opening_;  // the file that is being read
 };

@@ -110,7 +110,8 @@ void Presenter::connectViews() {
 void Presenter::showClip() {
   const Document& document = session_->document();
   const OriginalPtr& original = document.original();
-  const Skeleton& skeleton = *document.skeleton();
+  const Skeleton none;
+  const Skeleton& skeleton = document.skeleton() ? *document.skeleton() : none;
   views_.viewport->setSkeleton(skeleton);
   views_.viewport->setSampleRate(document.sampleRate());
   views_.viewport->setOriginal(original ? original->tracks() : nullptr);

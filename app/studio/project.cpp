@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/project.h"
 
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -9,6 +10,7 @@
 
 #include "app/studio/settings_json.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 
 namespace mocapress {
 namespace {
@@ -118,6 +120,22 @@ Project parseProject(const QByteArray& text, const QDir& folder) {
   for (const auto& clip : json.value(QStringLiteral("clips")).toArray())
     project.clips.push_back(clipFrom(clip.toObject(), folder));
   return project;
+}
+
+Project readProject(const QString& path) {
+  const QByteArray text = QByteArray::fromStdString(read_text(path.toStdU16String()));
+  try {
+    return parseProject(text, QFileInfo(path).dir());
+  } catch (const Error& error) {
+    throw Error(path.toStdString() + ": " + error.what());
+  }
+}
+
+void writeProject(const QString& path, const Project& project) {
+  const QDir folder = QFileInfo(path).dir();
+  folder.mkpath(QStringLiteral("."));
+  const QByteArray text = projectText(project, folder);
+  write_text(path.toStdU16String(), {text.constData(), static_cast<std::size_t>(text.size())});
 }
 
 }  // namespace mocapress

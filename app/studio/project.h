@@ -38,4 +38,10 @@ QByteArray projectText(const Project& project, const QDir& folder);
 /// Throws Error, which says what is wrong.
 Project parseProject(const QByteArray& text, const QDir& folder);
 
+/// Throws Error, which names the file.
+Project readProject(const QString& path);
+
+/// The file holds the old project or the new one at any instant. Makes its folder. Throws Error.
+void writeProject(const QString& path, const Project& project);
+
 }  // namespace mocapress

@@ -54,6 +54,16 @@ void Session::open(const QString& path, const QString& skeleton) {
          false});
 }
 
+void Session::close() {
+  opening_.abandon();
+  leave();
+  compressor_.setEncoder(nullptr);
+  document_.setClip(nullptr, nullptr, {});
+  takeUp({}, false);
+  slot_answers_ = {};
+  emit slotsChanged();
+}
+
 bool Session::isOpen(const QString& path) const {
   return document_.original() && document_.original()->path == absolute(path);
 }

@@ -33,6 +33,9 @@ class Session : public QObject {
   /// original, where that is open or is opened next.
   void open(const QString& path, const QString& skeleton = {});
 
+  /// Nothing is open any more, nor on its way.
+  void close();
+
   /// Whether this is the motion that is open.
   bool isOpen(const QString& path) const;
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 #include <QSysInfo>
@@ -34,9 +35,8 @@ class InALibrary : public testing::Test {
   };
 
   QString clip(const char* name, unsigned seed) const {
-    const QString path = directory_.filePath(QString::fromLatin1(name));
-    write_motion(path.toStdU16String(), test::smooth_motion(120, seed));
-    return path;
+    write_motion(path(name).toStdU16String(), test::smooth_motion(120, seed));
+    return path(name);
   }
 
   template <typename Act>
@@ -46,7 +46,27 @@ class InALibrary : public testing::Test {
     ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
   }
 
-  QString file() const { return directory_.filePath(QStringLiteral("data/session.mocapress")); }
+  /// Where a studio keeps its data.
+  QString data() const { return path("data"); }
+
+  QString path(const char* name) const {
+    return QDir(QDir(directory_.path()).canonicalPath()).filePath(QString::fromLatin1(name));
+  }
+
+  static bool holds(const QString& file, const QByteArray& text) {
+    QFile written(file);
+    return written.open(QIODevice::ReadOnly) && written.readAll().contains(text);
+  }
+
+  /// In the place of a project, as a studio leaves it that is killed: with a lock of a process that
+  /// is no more.
+  static void putBackAsAfterAKill(const QString& crashed, const QString& path) {
+    QFile::remove(path);
+    ASSERT_TRUE(QFile::rename(crashed, path));
+    QFile lock(ProjectLock::fileOf(path));
+    ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
+    lock.write("2147483000\nmocapress-studio\n" + QSysInfo::machineHostName().toUtf8() + "\n");
+  }
 
   QTemporaryDir directory_;
 };
@@ -69,34 +89,26 @@ TEST_F(InALibrary, EveryClipHasItsOwnSettings) {
 
 TEST_F(InALibrary, IsRecoveredWithEditsAndNotesAfterACrash) {
   const QString walk = clip("walk.bvh", 1);
+  const QString crashed = path("crashed");
+  QString file;
   {
     Run run;
-    EXPECT_FALSE(run.library.begin(file()));
+    EXPECT_FALSE(run.library.begin(data()));
+    file = run.library.path();
     settleAfter(run, [&] { run.session.open(walk); });
     settleAfter(run, [&] { run.session.setOptions(standard(33)); });
     settleAfter(run, [&] { run.session.setContacts({{4, 10, 20}}); });
     run.library.setNote(0, QStringLiteral("look at the wrist"));
     run.library.setVerdict(0, Verdict::Rejected);
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] {
-          QFile written(file());
-          return written.open(QIODevice::ReadOnly) && written.readAll().contains("wrist");
-        },
-        kPatience));
-    // What is on the disk now is what a crash leaves, the lock of a process that is no more too.
-    ASSERT_TRUE(QFile::copy(file(), file() + QStringLiteral(".crashed")));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return holds(file, "wrist"); }, kPatience));
+    ASSERT_TRUE(QFile::copy(file, crashed));
     run.library.end();
   }
-  QFile::remove(file());
-  ASSERT_TRUE(QFile::rename(file() + QStringLiteral(".crashed"), file()));
-  QFile lock(file() + QStringLiteral(".lock"));
-  ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
-  lock.write("2147483000\nmocapress-studio\n" + QSysInfo::machineHostName().toUtf8() + "\n");
-  lock.close();
+  putBackAsAfterAKill(crashed, file);
 
   Run run;
   QSignalSpy recovered(&run.library, &Library::recovered);
-  settleAfter(run, [&] { EXPECT_TRUE(run.library.begin(file())); });
+  settleAfter(run, [&] { EXPECT_TRUE(run.library.begin(data())); });
   EXPECT_EQ(recovered.count(), 1);
   EXPECT_DOUBLE_EQ(run.session.document().options().target.value, 33);
   EXPECT_EQ(run.session.document().contacts(), (std::vector<ContactSpan>{{4, 10, 20}}));
@@ -108,15 +120,224 @@ TEST_F(InALibrary, GoesOnAfterAnEndWithoutTalkOfACrash) {
   const QString walk = clip("walk.bvh", 1);
   {
     Run run;
-    run.library.begin(file());
+    run.library.begin(data());
     settleAfter(run, [&] { run.session.open(walk); });
-    run.library.end();
+    EXPECT_TRUE(run.library.end());
   }
   Run run;
   QSignalSpy recovered(&run.library, &Library::recovered);
-  settleAfter(run, [&] { EXPECT_TRUE(run.library.begin(file())); });
+  settleAfter(run, [&] { EXPECT_TRUE(run.library.begin(data())); });
   EXPECT_EQ(recovered.count(), 0);
   EXPECT_EQ(run.session.document().original()->path, walk);
+}
+
+TEST_F(InALibrary, ReopensAfterAnEndTheProjectThatWasInUseWithItsNewestState) {
+  const QString knights = path("knights.mocapress");
+  {
+    Run run;
+    run.library.begin(data());
+    run.library.add({clip("walk.bvh", 1)});
+    ASSERT_TRUE(run.library.saveAs(knights));
+    EXPECT_EQ(run.library.name(), QStringLiteral("knights"));
+    run.library.setNote(0, QStringLiteral("after Save As"));
+    EXPECT_TRUE(run.library.end());
+  }
+  {
+    Run run;
+    EXPECT_TRUE(run.library.begin(data()));
+    EXPECT_EQ(run.library.path(), knights);
+    ASSERT_EQ(run.library.project().clips.size(), 1u);
+    EXPECT_EQ(run.library.project().clips[0].note, QStringLiteral("after Save As"));
+    EXPECT_TRUE(run.library.startNew());
+    EXPECT_TRUE(run.library.end());
+  }
+  Run run;
+  EXPECT_TRUE(run.library.begin(data()));
+  EXPECT_TRUE(run.library.project().clips.empty()) << "the new one was in use";
+  EXPECT_TRUE(run.library.name().isEmpty());
+  EXPECT_TRUE(run.library.open(knights));
+  EXPECT_TRUE(run.library.end());
+  Run last;
+  EXPECT_TRUE(last.library.begin(data()));
+  EXPECT_EQ(last.library.path(), knights);
+}
+
+TEST_F(InALibrary, ReopensAfterAKillTheProjectThatWasInUseWithItsNewestState) {
+  const QString knights = path("knights.mocapress");
+  const QString crashed = path("crashed");
+  {
+    Run run;
+    run.library.begin(data());
+    run.library.add({clip("walk.bvh", 1)});
+    ASSERT_TRUE(run.library.saveAs(knights));
+    run.library.setNote(0, QStringLiteral("after Save As"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return holds(knights, "after Save As"); }, kPatience));
+    ASSERT_TRUE(QFile::copy(knights, crashed));
+  }
+  putBackAsAfterAKill(crashed, knights);
+  Run run;
+  QSignalSpy recovered(&run.library, &Library::recovered);
+  EXPECT_TRUE(run.library.begin(data()));
+  EXPECT_EQ(recovered.count(), 1);
+  EXPECT_EQ(run.library.path(), knights);
+  ASSERT_EQ(run.library.project().clips.size(), 1u);
+  EXPECT_EQ(run.library.project().clips[0].note, QStringLiteral("after Save As"));
+}
+
+TEST_F(InALibrary, WhatNewTakesAwayCanBeHadBack) {
+  Run run;
+  run.library.begin(data());
+  run.library.add({clip("walk.bvh", 1), clip("jump.bvh", 2)});
+  run.library.setNote(0, QStringLiteral("knee"));
+  run.library.setVerdict(1, Verdict::Approved);
+  EXPECT_TRUE(run.library.needsName());
+  ASSERT_TRUE(run.library.startNew());  // at once: nothing is written yet
+  EXPECT_EQ(run.model.rowCount(), 0);
+  EXPECT_FALSE(run.library.needsName());
+  const std::vector<FormerProject> former = run.library.formerProjects();
+  ASSERT_EQ(former.size(), 1u);
+  EXPECT_FALSE(former[0].named);
+  EXPECT_EQ(former[0].clips, 2);
+  EXPECT_LT(former[0].written.secsTo(QDateTime::currentDateTime()), 3600);
+  ASSERT_TRUE(run.library.open(former[0].path));
+  ASSERT_EQ(run.library.project().clips.size(), 2u);
+  EXPECT_EQ(run.library.project().clips[0].note, QStringLiteral("knee"));
+  EXPECT_EQ(run.library.project().clips[1].verdict, Verdict::Approved);
+  EXPECT_TRUE(run.library.formerProjects().empty()) << "an empty one is not kept";
+}
+
+TEST_F(InALibrary, NewClosesTheClipThatIsOpenAndTheOneOnItsWay) {
+  Run run;
+  run.library.begin(data());
+  settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
+  run.session.open(clip("jump.bvh", 2));
+  ASSERT_TRUE(run.library.startNew());
+  EXPECT_FALSE(run.session.document().original());
+  EXPECT_FALSE(run.session.document().decoded());
+  settleAfter(run, [&] { run.session.open(clip("run.bvh", 3)); });
+  ASSERT_EQ(run.library.project().clips.size(), 1u);
+  EXPECT_TRUE(run.library.project().clips[0].path.endsWith(QStringLiteral("run.bvh")));
+}
+
+TEST_F(InALibrary, ASecondStudioBeginsANewProjectAndOpensACopyOfOneInUse) {
+  Run first;
+  first.library.begin(data());
+  first.library.add({clip("walk.bvh", 1)});
+  const QString knights = path("knights.mocapress");
+  ASSERT_TRUE(first.library.saveAs(knights));
+  Run second;
+  QSignalSpy noted(&second.library, &Library::noted);
+  EXPECT_TRUE(second.library.begin(data()));
+  EXPECT_EQ(noted.count(), 1);
+  EXPECT_TRUE(second.library.project().clips.empty());
+  EXPECT_NE(second.library.path(), knights);
+  QSignalSpy in_use(&second.library, &Library::inUse);
+  EXPECT_FALSE(second.library.open(knights));
+  ASSERT_EQ(in_use.count(), 1);
+  EXPECT_FALSE(second.library.saveAs(knights));
+  EXPECT_TRUE(second.library.openCopy(knights));
+  EXPECT_EQ(second.library.project().clips.size(), 1u);
+  EXPECT_NE(second.library.path(), knights);
+  EXPECT_TRUE(second.library.name().isEmpty());
+}
+
+TEST_F(InALibrary, ASecondStudioThatDidNothingDoesNotTakeThePlaceOfTheFirst) {
+  const QString knights = path("knights.mocapress");
+  Run first;
+  first.library.begin(data());
+  first.library.add({clip("walk.bvh", 1)});
+  ASSERT_TRUE(first.library.saveAs(knights));
+  Run second;
+  second.library.begin(data());
+  EXPECT_TRUE(second.library.end());
+  EXPECT_TRUE(first.library.end());
+  Run next;
+  next.library.begin(data());
+  EXPECT_EQ(next.library.path(), knights);
+}
+
+TEST_F(InALibrary, DoesNotGoOnWhereTheLastChangesCannotBeWritten) {
+  Run run;
+  run.library.begin(data());
+  run.library.add({clip("walk.bvh", 1)});
+  const QString lost = path("lost");
+  QDir(directory_.path()).mkpath(QStringLiteral("lost"));
+  ASSERT_TRUE(run.library.saveAs(lost + QStringLiteral("/knights.mocapress")));
+  // A folder in the place of the file: nobody can write it, the super-user neither.
+  QDir(lost).removeRecursively();
+  QDir(directory_.path()).mkpath(QStringLiteral("lost/knights.mocapress/full"));
+  run.library.setNote(0, QStringLiteral("still here"));
+  QSignalSpy failed(&run.library, &Library::failed);
+  EXPECT_FALSE(run.library.startNew());
+  EXPECT_EQ(failed.count(), 1);
+  EXPECT_TRUE(run.library.stuck());
+  EXPECT_FALSE(run.library.open(path("other.mocapress")));
+  EXPECT_FALSE(run.library.end());
+  ASSERT_EQ(run.library.project().clips.size(), 1u);
+  // Elsewhere it is all there.
+  const QString found = path("found.mocapress");
+  EXPECT_TRUE(run.library.saveAs(found));
+  EXPECT_FALSE(run.library.stuck());
+  EXPECT_TRUE(holds(found, "still here"));
+  EXPECT_TRUE(run.library.end());
+}
+
+TEST_F(InALibrary, AWriteThatFailsIsSaidOnceAndTriedAgain) {
+  Run run;
+  run.library.begin(data());
+  run.library.add({clip("walk.bvh", 1)});
+  const QString knights = path("knights.mocapress");
+  ASSERT_TRUE(run.library.saveAs(knights));
+  QFile::remove(knights);
+  QDir(knights).mkpath(QStringLiteral("full"));
+  QSignalSpy failed(&run.library, &Library::failed);
+  run.library.setNote(0, QStringLiteral("knee"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return run.library.stuck(); }, kPatience));
+  EXPECT_EQ(failed.count(), 1);
+  QDir(knights).removeRecursively();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !run.library.stuck(); }, kPatience));
+  EXPECT_TRUE(holds(knights, "knee"));
+  EXPECT_EQ(failed.count(), 1);
+}
+
+TEST_F(InALibrary, AProjectThatIsGoneOrUnreadableIsSaidAndANewOneBegins) {
+  const QString knights = path("knights.mocapress");
+  {
+    Run run;
+    run.library.begin(data());
+    run.library.add({clip("walk.bvh", 1)});
+    ASSERT_TRUE(run.library.saveAs(knights));
+    EXPECT_TRUE(run.library.end());
+  }
+  for (const bool there : {false, true}) {
+    QFile::remove(knights);
+    QFile file(knights);
+    if (there) {
+      ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+      file.write("{\"format\": ");
+      file.close();
+    }
+    Run run;
+    QSignalSpy failed(&run.library, &Library::failed);
+    EXPECT_TRUE(run.library.begin(data()));
+    ASSERT_EQ(failed.count(), 1);
+    EXPECT_TRUE(failed[0][0].toString().contains(QStringLiteral("knights")));
+    EXPECT_TRUE(run.library.name().isEmpty());
+    EXPECT_EQ(QFile::exists(knights), there) << "left as it is";
+  }
+}
+
+TEST_F(InALibrary, TakesOverTheProjectThatEarlierVersionsKept) {
+  const QString walk = clip("walk.bvh", 1);
+  Project project;
+  project.clips = {{.path = walk, .note = QStringLiteral("old")}};
+  writeProject(data() + QStringLiteral("/session.mocapress"), project);
+  Run run;
+  EXPECT_TRUE(run.library.begin(data()));
+  ASSERT_EQ(run.library.project().clips.size(), 1u);
+  EXPECT_EQ(run.library.project().clips[0].path, walk);
+  EXPECT_EQ(run.library.project().clips[0].note, QStringLiteral("old"));
+  EXPECT_FALSE(QFile::exists(data() + QStringLiteral("/session.mocapress")));
 }
 
 TEST_F(InALibrary, AnotherOutcomeTakesTheVerdictBack) {
@@ -199,21 +420,24 @@ TEST_F(InALibrary, ClipsThatWereAddedAreTakenOutAgainAndComeBackAsTheyWere) {
 }
 
 TEST_F(InALibrary, AChangeOfFileLosesNothingOfTheOneBefore) {
+  const QString a = path("a.mocapress");
+  const QString b = path("b.mocapress");
   Run run;
-  run.library.begin(file());
+  run.library.begin(data());
+  ASSERT_TRUE(run.library.saveAs(a));
   run.library.add({clip("walk.bvh", 1)});
-  // At once: what is to be written to the first file is still on its way.
-  run.library.saveAs(directory_.filePath(QStringLiteral("b.mocapress")));
+  // At once: what is to be written to the first file still waits.
+  ASSERT_TRUE(run.library.saveAs(b));
   run.library.add({clip("jump.bvh", 2)});
-  run.library.openProject(file());
+  ASSERT_TRUE(run.library.open(a));
   EXPECT_EQ(run.library.project().clips.size(), 1u);
-  run.library.openProject(directory_.filePath(QStringLiteral("b.mocapress")));
+  ASSERT_TRUE(run.library.open(b));
   EXPECT_EQ(run.library.project().clips.size(), 2u);
 }
 
 TEST_F(InALibrary, AnotherProjectHasNothingToUndo) {
   Run run;
-  run.library.begin(file());
+  run.library.begin(data());
   settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
   settleAfter(run, [&] { run.session.setOptions(standard(20)); });
   run.library.startNew();
@@ -299,13 +523,10 @@ TEST_F(InALibrary, SettingsThatDoNotFitTheClipAreLeftOut) {
   Project project;
   project.current = walk;
   project.clips = {{.path = walk, .settings = settings}};
-  QDir(directory_.path()).mkpath(QStringLiteral("data"));
-  QFile written(file());
-  ASSERT_TRUE(written.open(QIODevice::WriteOnly));
-  written.write(projectText(project, QFileInfo(file()).dir()));
-  written.close();
+  const QString file = path("project.mocapress");
+  writeProject(file, project);
   Run run;
-  settleAfter(run, [&] { run.library.begin(file()); });
+  settleAfter(run, [&] { run.library.open(file); });
   EXPECT_EQ(run.session.document().contacts(), (std::vector<ContactSpan>{{4, 10, 20}}));
 }
 

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <memory>
 
 #include "app/studio/figures.h"
 #include "core/base/file.h"
@@ -298,11 +299,43 @@ TEST_F(Studio, TheNewestOfManyOpensWins) {
 
 TEST_F(Studio, CanBeClosedInTheMiddleOfAnything) {
   const QString clip = writeClip("motion.bvh", 2000);
-  for (int wait_ms : {0, 5, 40, 150, 300}) {
-    Session brief;
-    brief.open(clip);
-    QTest::qWait(wait_ms);
+  EncodeOptions annealed = ratio(10);
+  annealed.method = Method::Annealed;
+  // While it is read, once it is open and encoded, and while it is refined.
+  enum class Moment { Reading, Encoding, Refining };
+  for (const Moment moment : {Moment::Reading, Moment::Encoding, Moment::Refining}) {
+    auto brief = std::make_unique<Session>();
+    QSignalSpy opened(brief.get(), &Session::opened);
+    QSignalSpy progress(brief.get(), &Session::annealed);
+    brief->setOptions(annealed);
+    brief->open(clip);
+    if (moment != Moment::Reading) {
+      ASSERT_TRUE(waitFor(opened));
+    }
+    if (moment == Moment::Refining) {
+      ASSERT_TRUE(waitFor(progress));
+    }
+    brief.reset();
+    EXPECT_EQ(opened.count(), moment == Moment::Reading ? 0 : 1);
   }
+  openAndSettle(clip);
+  EXPECT_EQ(document_.frames(), 2000) << "whoever comes next finds all as usual";
+}
+
+TEST_F(Studio, NothingIsOpenAfterAClose) {
+  openAndSettle(writeClip("motion.bvh", 100));
+  session_.setOptions(ratio(20));
+  session_.open(writeClip("other.bvh", 150));
+  QSignalSpy opened(&session_, &Session::opened);
+  session_.close();
+  EXPECT_FALSE(document_.original());
+  EXPECT_FALSE(document_.decoded());
+  EXPECT_FALSE(session_.busy());
+  EXPECT_FALSE(session_.history()->canUndo());
+  EXPECT_TRUE(document_.title().isEmpty());
+  openAndSettle(path("motion.bvh"));
+  EXPECT_EQ(opened.count(), 1) << "what was on its way does not arrive";
+  EXPECT_EQ(document_.frames(), 100);
 }
 
 }  // namespace

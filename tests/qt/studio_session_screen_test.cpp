@@ -67,7 +67,7 @@ TEST_F(StudioTour, AFolderIsReviewedClipByClip) {
   const QString game = directory_.filePath(QStringLiteral("game"));
   writeGame(game);
   Studio studio;
-  studio->library().begin(directory_.filePath(QStringLiteral("data/session.mocapress")));
+  studio->library().begin(directory_.filePath(QStringLiteral("data")));
   drop(*studio.operator->(), {QUrl::fromLocalFile(game)});
   LibraryPanel& panel = studio->libraryPanel();
   LibraryTree& tree = *panel.tree();
@@ -149,12 +149,12 @@ void batch(Studio& studio) {
 
 /// The whole of it, as an artist would do it.
 TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
-  const QString session = directory_.filePath(QStringLiteral("data/session.mocapress"));
+  const QString data = directory_.filePath(QStringLiteral("data"));
   const QString project = directory_.filePath(QStringLiteral("walks.mocapress"));
   std::vector<ContactSpan> edited;
   {
     Studio studio;
-    studio->library().begin(session);
+    studio->library().begin(data);
     Document& document = studio->session().document();
 
     studio.open(sampleClip());
@@ -235,7 +235,7 @@ TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
     studio->library().end();
   }
   Studio studio;
-  studio.settleAfter([&] { studio->library().openProject(project); });
+  studio.settleAfter([&] { studio->library().open(project); });
   EXPECT_EQ(studio->session().document().contacts(), edited);
   EXPECT_EQ(studio->libraryPanel().note()->text(), QStringLiteral("heel of frame 40"));
   const QImage again = studio.picture(QStringLiteral("session-7-again"));
@@ -246,7 +246,7 @@ TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
 TEST_F(StudioTour, IsThereAgainAfterAKill) {
   const QString program = QStringLiteral(MOCAPRESS_BINARY_DIR "/app/studio/mocapress-studio");
   if (!QFile::exists(program)) GTEST_SKIP() << "mocapress-studio is not built";
-  const QString file = directory_.filePath(QStringLiteral("mocapress/Mocapress/session.mocapress"));
+  const QString data = directory_.filePath(QStringLiteral("mocapress/Mocapress"));
   QProcess studio;
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   environment.insert(QStringLiteral("XDG_DATA_HOME"), directory_.path());
@@ -255,8 +255,11 @@ TEST_F(StudioTour, IsThereAgainAfterAKill) {
   studio.start(program, {QStringLiteral("--ratio"), QStringLiteral("61"), sampleClip()});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
-        QFile written(file);
-        return written.open(QIODevice::ReadOnly) && written.readAll().contains("outcome");
+        const QDir projects(data + QStringLiteral("/projects"));
+        QFile written(projects.filePath(
+            projects.entryList({QStringLiteral("*.mocapress")}).value(0, QStringLiteral("none"))));
+        return written.open(QIODevice::ReadOnly) && written.readAll().contains("outcome") &&
+               QFile::exists(data + QStringLiteral("/recent.json"));
       },
       kPatience));
   studio.kill();
@@ -264,7 +267,7 @@ TEST_F(StudioTour, IsThereAgainAfterAKill) {
 
   Studio next;
   QSignalSpy recovered(&next->library(), &Library::recovered);
-  next.settleAfter([&] { EXPECT_TRUE(next->library().begin(file)); });
+  next.settleAfter([&] { EXPECT_TRUE(next->library().begin(data)); });
   EXPECT_EQ(recovered.count(), 1);
   EXPECT_DOUBLE_EQ(next->session().document().options().target.value, 61);
   EXPECT_TRUE(next->messages().isVisible());

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/project_files.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QWidget>
+
+#include "app/studio/library.h"
+#include "app/studio/session.h"
+#include "widgets/models/library_model.h"
+
+namespace mocapress {
+namespace {
+
+class OfProjectFiles : public testing::Test {
+ protected:
+  OfProjectFiles() {
+    window_.show();
+    library_.begin(path("data"));
+  }
+
+  QString path(const char* name) const {
+    return QDir(QDir(directory_.path()).canonicalPath()).filePath(QString::fromLatin1(name));
+  }
+
+  void addClips() { library_.add({path("walk.bvh"), path("jump.bvh")}); }
+
+  /// The question that is open, if any.
+  QMessageBox* question() const {
+    for (QMessageBox* box : window_.findChildren<QMessageBox*>())
+      if (box->isVisible()) return box;
+    return nullptr;
+  }
+
+  void answer(QMessageBox::StandardButton button) const {
+    ASSERT_TRUE(question());
+    question()->button(button)->click();
+  }
+
+  /// In the file dialog that comes next.
+  void chooseSoon(const QString& file) {
+    auto* look = new QTimer(&window_);
+    QObject::connect(look, &QTimer::timeout, look, [look, file] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (!dialog) return;
+      look->deleteLater();
+      dialog->selectFile(file);
+      static_cast<QDialog*>(dialog)->accept();
+    });
+    look->start(10);
+  }
+
+  QTemporaryDir directory_;
+  QWidget window_;
+  Session session_;
+  LibraryModel model_;
+  Library library_{&session_, &model_};
+  ProjectFiles files_{&library_, &window_};
+};
+
+TEST_F(OfProjectFiles, NewAsksAboutClipsWithoutANameAndKeepsThemFindableAnyway) {
+  addClips();
+  files_.startNew();
+  answer(QMessageBox::Cancel);
+  EXPECT_EQ(model_.rowCount(), 2);
+  files_.startNew();
+  answer(QMessageBox::Discard);
+  EXPECT_EQ(model_.rowCount(), 0);
+
+  QMenu menu;
+  files_.fillRecentMenu(&menu);
+  ASSERT_EQ(menu.actions().size(), 1);
+  const QString date =
+      QLocale().toString(library_.formerProjects()[0].written, QLocale::ShortFormat);
+  EXPECT_TRUE(menu.actions()[0]->text().contains(date)) << qPrintable(menu.actions()[0]->text());
+  EXPECT_TRUE(menu.actions()[0]->text().contains(QStringLiteral("2 clip")));
+  menu.actions()[0]->trigger();
+  EXPECT_FALSE(question()) << "an empty one is nothing to ask about";
+  EXPECT_EQ(model_.rowCount(), 2);
+}
+
+TEST_F(OfProjectFiles, TheQuestionCanNameTheProjectFirst) {
+  addClips();
+  files_.startNew();
+  chooseSoon(path("knights"));
+  answer(QMessageBox::Save);
+  EXPECT_EQ(model_.rowCount(), 0);
+  QMenu menu;
+  files_.fillRecentMenu(&menu);
+  ASSERT_EQ(menu.actions().size(), 1) << "it is not there twice";
+  EXPECT_TRUE(menu.actions()[0]->text().startsWith(QStringLiteral("knights")));
+  files_.open(path("knights.mocapress"));
+  EXPECT_EQ(model_.rowCount(), 2);
+}
+
+TEST_F(OfProjectFiles, OpenAsksTooButNotAboutAProjectWithAName) {
+  addClips();
+  ASSERT_TRUE(library_.saveAs(path("knights.mocapress")));
+  EXPECT_EQ(files_.title(), QStringLiteral("knights"));
+  files_.startNew();
+  EXPECT_FALSE(question());
+  EXPECT_EQ(model_.rowCount(), 0);
+  EXPECT_EQ(files_.title(), QStringLiteral("Unnamed Project"));
+  addClips();
+  files_.open(path("knights.mocapress"));
+  answer(QMessageBox::Discard);
+  EXPECT_EQ(files_.title(), QStringLiteral("knights"));
+  EXPECT_EQ(library_.formerProjects().size(), 1u);
+}
+
+TEST_F(OfProjectFiles, AProjectInUseIsOpenedAsACopyIfThatIsWanted) {
+  addClips();
+  ASSERT_TRUE(library_.saveAs(path("knights.mocapress")));
+  QWidget window;
+  window.show();
+  Session session;
+  LibraryModel model;
+  Library library(&session, &model);
+  ProjectFiles files(&library, &window);
+  library.begin(path("data"));
+  files.open(path("knights.mocapress"));
+  const QList<QMessageBox*> boxes = window.findChildren<QMessageBox*>();
+  ASSERT_EQ(boxes.size(), 1);
+  boxes[0]->button(QMessageBox::Open)->click();
+  EXPECT_EQ(model.rowCount(), 2);
+  EXPECT_EQ(files.title(), QStringLiteral("Unnamed Project"));
+}
+
+}  // namespace
+}  // namespace mocapress

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/project_lock.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QSysInfo>
+#include <QTemporaryDir>
+
+namespace mocapress {
+namespace {
+
+class AProjectLock : public testing::Test {
+ protected:
+  void writeLock(const QByteArray& text) const {
+    QFile lock(ProjectLock::fileOf(project_));
+    ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
+    lock.write(text);
+  }
+
+  QTemporaryDir directory_;
+  QString project_ = directory_.filePath(QStringLiteral("knights.mocapress"));
+};
+
+TEST_F(AProjectLock, IsHeldByOneAtATime) {
+  {
+    const ProjectLock first(project_);
+    EXPECT_TRUE(first.held());
+    EXPECT_FALSE(first.wasLeftBehind());
+    const ProjectLock second(project_);
+    EXPECT_FALSE(second.held());
+    EXPECT_TRUE(second.inUse());
+  }
+  EXPECT_FALSE(QFile::exists(ProjectLock::fileOf(project_))) << "nothing is left behind";
+  EXPECT_TRUE(ProjectLock(project_).held());
+}
+
+TEST_F(AProjectLock, OfAProcessThatIsGoneWasLeftBehind) {
+  writeLock("2147483000\nmocapress-studio\n" + QSysInfo::machineHostName().toUtf8() + "\n");
+  const ProjectLock lock(project_);
+  EXPECT_TRUE(lock.held());
+  EXPECT_TRUE(lock.wasLeftBehind());
+}
+
+TEST_F(AProjectLock, OfAnotherMachineIsInUse) {
+  writeLock("1\nmocapress-studio\nelsewhere\n");
+  EXPECT_TRUE(ProjectLock(project_).inUse());
+}
+
+TEST_F(AProjectLock, ThatNamesNobodyWasLeftBehindHalfMade) {
+  writeLock("");
+  const ProjectLock lock(project_);
+  EXPECT_TRUE(lock.held());
+  EXPECT_TRUE(lock.wasLeftBehind());
+}
+
+TEST_F(AProjectLock, InAFolderThatIsNotThereIsNotHeldNorInUse) {
+  const ProjectLock lock(directory_.filePath(QStringLiteral("no/such/folder/a.mocapress")));
+  EXPECT_FALSE(lock.held());
+  EXPECT_FALSE(lock.inUse());
+}
+
+}  // namespace
+}  // namespace mocapress
