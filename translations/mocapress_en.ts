@@ -110,6 +110,23 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ProjectFiles</name>
+    <message numerus="yes">
+        <source>Save the project of %Ln clip(s) under a name?</source>
+        <translation>
+            <numerusform>Save the project of %Ln clip under a name?</numerusform>
+            <numerusform>Save the project of %Ln clips under a name?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %Ln clip(s)</source>
+        <translation>
+            <numerusform>%1, %Ln clip</numerusform>
+            <numerusform>%1, %Ln clips</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mocapress::StudyResults</name>
     <message numerus="yes">
         <source>Average over %Ln clip(s)</source>

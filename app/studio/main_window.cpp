@@ -355,7 +355,7 @@ void MainWindow::keepNote(const QString& note) {
 void MainWindow::updateTitle() {
   const Document& document = session_->document();
   const QString project =
-      tr("%1 – %2").arg(projects_->title(), QCoreApplication::applicationName());
+      QStringLiteral("%1 – %2").arg(projects_->title(), QCoreApplication::applicationName());
   // The project is always in its file; what may not be is the compressed clip.
   setWindowTitle(document.title().isEmpty() ? project + QStringLiteral("[*]")
                                             : tr("%1[*] – %2").arg(document.title(), project));
