@@ -207,6 +207,10 @@
         <source>Error S&amp;cale</source>
         <translation>Éc&amp;helle d&apos;erreur</translation>
     </message>
+    <message>
+        <source>Recent Projec&amp;ts</source>
+        <translation>Proje&amp;ts récents</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1468,6 +1472,26 @@
         <source>Remove Clip</source>
         <translation>Retirer la séquence</translation>
     </message>
+    <message>
+        <source>%1 is open in another window of Mocapress. This is a new project.</source>
+        <translation>%1 est ouvert dans une autre fenêtre de Mocapress. Voici un nouveau projet.</translation>
+    </message>
+    <message>
+        <source>The last project</source>
+        <translation>Le dernier projet</translation>
+    </message>
+    <message>
+        <source>%1 cannot be changed where it is. This is a copy without a name.</source>
+        <translation>%1 ne peut pas être modifié à son emplacement. Voici une copie sans nom.</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window of Mocapress.</source>
+        <translation>%1 est ouvert dans une autre fenêtre de Mocapress.</translation>
+    </message>
+    <message>
+        <source>The project is not written: %1</source>
+        <translation>Le projet n&apos;est pas enregistré : %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -1613,18 +1637,6 @@
     <message>
         <source>Motion (*.bvh *.amc)</source>
         <translation>Mouvement (*.bvh *.amc)</translation>
-    </message>
-    <message>
-        <source>Open Project</source>
-        <translation>Ouvrir un projet</translation>
-    </message>
-    <message>
-        <source>Mocapress projects (*.mocapress)</source>
-        <translation>Projets Mocapress (*.mocapress)</translation>
-    </message>
-    <message>
-        <source>Save Project</source>
-        <translation>Enregistrer le projet</translation>
     </message>
     <message>
         <source>Add Folder</source>
@@ -2181,6 +2193,75 @@
     <message>
         <source>As Gameplay, with feet that stay where they stand: a quarter of the sliding or less, for about a tenth more bytes.</source>
         <translation>Comme Jeu, avec des pieds qui restent où ils sont posés : un quart du glissement ou moins, pour environ un dixième d&apos;octets en plus.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ProjectFiles</name>
+    <message>
+        <source>Mocapress projects (*.mocapress)</source>
+        <translation>Projets Mocapress (*.mocapress)</translation>
+    </message>
+    <message>
+        <source>Unnamed Project</source>
+        <translation>Projet sans nom</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>Ouvrir un projet</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>Enregistrer le projet</translation>
+    </message>
+    <message numerus="yes">
+        <source>Save the project of %Ln clip(s) under a name?</source>
+        <translation>
+            <numerusform>Enregistrer sous un nom le projet de %Ln séquence ?</numerusform>
+            <numerusform>Enregistrer sous un nom le projet de %Ln séquences ?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Without a name it stays under File &gt; Recent Projects, with its date.</source>
+        <translation>Sans nom, il reste sous Fichier &gt; Projets récents, avec sa date.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep It Unnamed</source>
+        <translation>&amp;Garder sans nom</translation>
+    </message>
+    <message>
+        <source>Project Not Written</source>
+        <translation>Projet non enregistré</translation>
+    </message>
+    <message>
+        <source>The last changes of the project cannot be written. Quit without them?</source>
+        <translation>Les dernières modifications du projet ne peuvent pas être enregistrées. Quitter sans elles ?</translation>
+    </message>
+    <message>
+        <source>Save Project As puts them elsewhere.</source>
+        <translation>« Enregistrer le projet sous » les place ailleurs.</translation>
+    </message>
+    <message>
+        <source>Project in Use</source>
+        <translation>Projet en cours d&apos;utilisation</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window of Mocapress. Open a copy of it?</source>
+        <translation>%1 est ouvert dans une autre fenêtre de Mocapress. En ouvrir une copie ?</translation>
+    </message>
+    <message>
+        <source>Unnamed, %1</source>
+        <translation>Sans nom, %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %Ln clip(s)</source>
+        <translation>
+            <numerusform>%1, %Ln séquence</numerusform>
+            <numerusform>%1, %Ln séquences</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
     </message>
 </context>
 <context>

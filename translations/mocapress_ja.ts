@@ -207,6 +207,10 @@
         <source>Error S&amp;cale</source>
         <translation>誤差の尺度(&amp;C)</translation>
     </message>
+    <message>
+        <source>Recent Projec&amp;ts</source>
+        <translation>最近のプロジェクト(&amp;T)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1460,6 +1464,26 @@
         <source>Remove Clip</source>
         <translation>クリップを外す</translation>
     </message>
+    <message>
+        <source>%1 is open in another window of Mocapress. This is a new project.</source>
+        <translation>%1は別のMocapressのウィンドウで開かれています。これは新しいプロジェクトです。</translation>
+    </message>
+    <message>
+        <source>The last project</source>
+        <translation>前回のプロジェクト</translation>
+    </message>
+    <message>
+        <source>%1 cannot be changed where it is. This is a copy without a name.</source>
+        <translation>%1はその場所では変更できません。これは名前のないコピーです。</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window of Mocapress.</source>
+        <translation>%1は別のMocapressのウィンドウで開かれています。</translation>
+    </message>
+    <message>
+        <source>The project is not written: %1</source>
+        <translation>プロジェクトが書き込まれていません: %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -1603,18 +1627,6 @@
     <message>
         <source>Motion (*.bvh *.amc)</source>
         <translation>モーション (*.bvh *.amc)</translation>
-    </message>
-    <message>
-        <source>Open Project</source>
-        <translation>プロジェクトを開く</translation>
-    </message>
-    <message>
-        <source>Mocapress projects (*.mocapress)</source>
-        <translation>Mocapressプロジェクト (*.mocapress)</translation>
-    </message>
-    <message>
-        <source>Save Project</source>
-        <translation>プロジェクトを保存</translation>
     </message>
     <message>
         <source>Add Folder</source>
@@ -2169,6 +2181,73 @@
     <message>
         <source>As Gameplay, with feet that stay where they stand: a quarter of the sliding or less, for about a tenth more bytes.</source>
         <translation>ゲームプレイと同じ誤差で、足が接地した場所に留まります。滑りは 4 分の 1 以下、バイト数は約 1 割増えます。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ProjectFiles</name>
+    <message>
+        <source>Mocapress projects (*.mocapress)</source>
+        <translation>Mocapressプロジェクト (*.mocapress)</translation>
+    </message>
+    <message>
+        <source>Unnamed Project</source>
+        <translation>名前のないプロジェクト</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>プロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Save Project</source>
+        <translation>プロジェクトを保存</translation>
+    </message>
+    <message numerus="yes">
+        <source>Save the project of %Ln clip(s) under a name?</source>
+        <translation>
+            <numerusform>%Ln個のクリップのプロジェクトに名前を付けて保存しますか?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Without a name it stays under File &gt; Recent Projects, with its date.</source>
+        <translation>名前がなくても、日時とともに「ファイル &gt; 最近のプロジェクト」に残ります。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep It Unnamed</source>
+        <translation>名前なしで残す(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Project Not Written</source>
+        <translation>プロジェクトが書き込まれていません</translation>
+    </message>
+    <message>
+        <source>The last changes of the project cannot be written. Quit without them?</source>
+        <translation>プロジェクトの最後の変更を書き込めません。変更を残さずに終了しますか?</translation>
+    </message>
+    <message>
+        <source>Save Project As puts them elsewhere.</source>
+        <translation>「プロジェクトを保存」で別の場所に残せます。</translation>
+    </message>
+    <message>
+        <source>Project in Use</source>
+        <translation>使用中のプロジェクト</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window of Mocapress. Open a copy of it?</source>
+        <translation>%1は別のMocapressのウィンドウで開かれています。コピーを開きますか?</translation>
+    </message>
+    <message>
+        <source>Unnamed, %1</source>
+        <translation>名前なし、%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %Ln clip(s)</source>
+        <translation>
+            <numerusform>%1、クリップ%Ln個</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
     </message>
 </context>
 <context>
