@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>mocapress::BatchQueueModel</name>
+    <message numerus="yes">
+        <source>✓ Verified, %Ln warning(s)</source>
+        <translation>
+            <numerusform>✓ Verified, %Ln warning</numerusform>
+            <numerusform>✓ Verified, %Ln warnings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mocapress::BatchStatus</name>
     <message numerus="yes">
         <source>, %Ln failed</source>
@@ -31,6 +41,20 @@
             <numerusform>&amp;Retry %Ln Failed</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>, %Ln left out</source>
+        <translation>
+            <numerusform>, %Ln left out</numerusform>
+            <numerusform>, %Ln left out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln with warnings</source>
+        <translation>
+            <numerusform>, %Ln with warnings</numerusform>
+            <numerusform>, %Ln with warnings</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchWindow</name>
@@ -55,17 +79,17 @@
 <context>
     <name>mocapress::Figures</name>
     <message numerus="yes">
-        <source>Annealed, %Ln iteration(s), %L1 s</source>
-        <translation>
-            <numerusform>Annealed, %Ln iteration, %L1 s</numerusform>
-            <numerusform>Annealed, %Ln iterations, %L1 s</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 of footskate in %Ln contact(s): %2 each in the mean, %3 in the worst</source>
         <translation>
             <numerusform>%1 of footskate in %Ln contact: %2 each in the mean, %3 in the worst</numerusform>
             <numerusform>%1 of footskate in %Ln contacts: %2 each in the mean, %3 in the worst</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %Ln iteration(s), %L2 s</source>
+        <translation>
+            <numerusform>%1, %Ln iteration, %L2 s</numerusform>
+            <numerusform>%1, %Ln iterations, %L2 s</numerusform>
         </translation>
     </message>
 </context>

@@ -432,6 +432,45 @@
         <source>Largest error of any joint at any frame.</source>
         <translation>La plus grande erreur d&apos;une articulation à une image quelconque.</translation>
     </message>
+    <message>
+        <source>Left out</source>
+        <translation>Mise à l&apos;écart</translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ Verified, %Ln warning(s)</source>
+        <translation>
+            <numerusform>✓ Vérifiée, %Ln avertissement</numerusform>
+            <numerusform>✓ Vérifiée, %Ln avertissements</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>✓ Approved</source>
+        <translation>✓ Approuvée</translation>
+    </message>
+    <message>
+        <source>✕ Rejected</source>
+        <translation>✕ Rejetée</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>It is not exported. Tick the clip to export it too.</source>
+        <translation>Elle n&apos;est pas exportée. Cochez la séquence pour l&apos;exporter aussi.</translation>
+    </message>
+    <message>
+        <source>Only clips that are ticked are exported.</source>
+        <translation>Seules les séquences cochées sont exportées.</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>What the library says about the clip. A rejected clip is left out until it is ticked.</source>
+        <translation>Ce que la bibliothèque dit de la séquence. Une séquence rejetée reste à l&apos;écart tant qu&apos;elle n&apos;est pas cochée.</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchQueueView</name>
@@ -450,6 +489,14 @@
     <message>
         <source>.bvh and .amc; an .amc finds its .asf beside it</source>
         <translation>.bvh et .amc ; un .amc trouve son .asf à côté de lui</translation>
+    </message>
+    <message>
+        <source>Leave Out</source>
+        <translation>Mettre à l&apos;écart</translation>
+    </message>
+    <message>
+        <source>Export Too</source>
+        <translation>Exporter aussi</translation>
     </message>
 </context>
 <context>
@@ -493,6 +540,18 @@
     <message>
         <source>Add Clips</source>
         <translation>Ajouter des séquences</translation>
+    </message>
+    <message>
+        <source>Leave Out Clips</source>
+        <translation>Mettre des séquences à l&apos;écart</translation>
+    </message>
+    <message>
+        <source>Export Clips Too</source>
+        <translation>Exporter aussi des séquences</translation>
+    </message>
+    <message>
+        <source>Every clip is left out. Tick those to export.</source>
+        <translation>Toutes les séquences sont à l&apos;écart. Cochez celles à exporter.</translation>
     </message>
 </context>
 <context>
@@ -560,6 +619,20 @@
     <message>
         <source>&amp;Export</source>
         <translation>&amp;Exporter</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln left out</source>
+        <translation>
+            <numerusform>, %Ln à l&apos;écart</numerusform>
+            <numerusform>, %Ln à l&apos;écart</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln with warnings</source>
+        <translation>
+            <numerusform>, dont %Ln avec avertissements</numerusform>
+            <numerusform>, dont %Ln avec avertissements</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -845,16 +918,16 @@
         <translation>Prendre plus soin des pieds, des mains, de la tête, des contacts ou d&apos;une articulation.</translation>
     </message>
     <message>
-        <source>Standard and per channel take coefficients as they come and heed no importance: choose Closed loop or Annealed.</source>
-        <translation>Standard et Par canal prennent les coefficients comme ils viennent, sans égard à l&apos;importance : choisissez Boucle fermée ou Recuit.</translation>
-    </message>
-    <message>
         <source>More</source>
         <translation>Plus</translation>
     </message>
     <message>
         <source>Weighting of the error, and coding: seldom changed.</source>
         <translation>Pondération de l&apos;erreur et codage : rarement changés.</translation>
+    </message>
+    <message>
+        <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
+        <translation>Cette méthode prend les coefficients comme ils viennent, sans égard à l&apos;importance : choisissez %1 ou %2.</translation>
     </message>
 </context>
 <context>
@@ -1059,13 +1132,6 @@
         <source>%1, from the file, measured against the original</source>
         <translation>%1, du fichier, mesuré contre l&apos;original</translation>
     </message>
-    <message numerus="yes">
-        <source>Annealed, %Ln iteration(s), %L1 s</source>
-        <translation>
-            <numerusform>Recuit, %Ln itération, %L1 s</numerusform>
-            <numerusform>Recuit, %Ln itérations, %L1 s</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, %L2 s</source>
         <translation>%1, %L2 s</translation>
@@ -1107,6 +1173,13 @@
         <translation>
             <numerusform>%1 de glissement en %Ln contact : %2 chacun en moyenne, %3 au pire</numerusform>
             <numerusform>%1 de glissement en %Ln contacts : %2 chacun en moyenne, %3 au pire</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %Ln iteration(s), %L2 s</source>
+        <translation>
+            <numerusform>%1, %Ln itération, %L2 s</numerusform>
+            <numerusform>%1, %Ln itérations, %L2 s</numerusform>
         </translation>
     </message>
 </context>
@@ -1364,8 +1437,8 @@
         <translation>Ce dont l&apos;encodeur prend plus soin, aux dépens du reste.</translation>
     </message>
     <message>
-        <source>This method takes coefficients as they come and heeds no importance: choose Closed loop or Annealed.</source>
-        <translation>Cette méthode prend les coefficients comme ils viennent, sans égard à l&apos;importance : choisissez Boucle fermée ou Recuit.</translation>
+        <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
+        <translation>Cette méthode prend les coefficients comme ils viennent, sans égard à l&apos;importance : choisissez %1 ou %2.</translation>
     </message>
 </context>
 <context>
@@ -1757,23 +1830,58 @@
     </message>
 </context>
 <context>
+    <name>mocapress::Methods</name>
+    <message>
+        <source>Closed-loop wavelets</source>
+        <translation>Ondelettes en boucle fermée</translation>
+    </message>
+    <message>
+        <source>Annealed wavelets</source>
+        <translation>Ondelettes par recuit</translation>
+    </message>
+    <message>
+        <source>Standard wavelets</source>
+        <translation>Ondelettes standard</translation>
+    </message>
+    <message>
+        <source>Per-channel wavelets</source>
+        <translation>Ondelettes par canal</translation>
+    </message>
+    <message>
+        <source>Haar wavelets</source>
+        <translation>Ondelettes de Haar</translation>
+    </message>
+    <message>
+        <source>Linear wavelets</source>
+        <translation>Ondelettes linéaires</translation>
+    </message>
+    <message>
+        <source>PCA</source>
+        <translation>ACP</translation>
+    </message>
+    <message>
+        <source>Frame subsampling</source>
+        <translation>Sous-échantillonnage d&apos;images</translation>
+    </message>
+    <message>
+        <source>Quaternion wavelets</source>
+        <translation>Ondelettes de quaternions</translation>
+    </message>
+    <message>
+        <source>Segment PCA, after Liu &amp; McMillan</source>
+        <translation>ACP par segments, d&apos;après Liu et McMillan</translation>
+    </message>
+    <message>
+        <source>Clustered PCA, after Arikan</source>
+        <translation>ACP par groupes, d&apos;après Arikan</translation>
+    </message>
+    <message>
+        <source>%1 + IK %L2:1</source>
+        <translation>%1 + IK %L2:1</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::Names</name>
-    <message>
-        <source>Per channel</source>
-        <translation>Par canal</translation>
-    </message>
-    <message>
-        <source>Standard</source>
-        <translation>Standard</translation>
-    </message>
-    <message>
-        <source>Annealed</source>
-        <translation>Recuit</translation>
-    </message>
-    <message>
-        <source>Closed loop</source>
-        <translation>Boucle fermée</translation>
-    </message>
     <message>
         <source>16-bit runs</source>
         <translation>Suites de 16 bits</translation>
@@ -2602,10 +2710,6 @@
         <translation>Méthodes de l&apos;étude</translation>
     </message>
     <message>
-        <source>A curve more: optimised wavelets whose feet inverse kinematics hold in place, at the ratios asked for.</source>
-        <translation>Une courbe de plus : ondelettes optimisées dont la cinématique inverse tient les pieds, aux taux demandés.</translation>
-    </message>
-    <message>
         <source>IK ratio of the study</source>
         <translation>Taux IK de l&apos;étude</translation>
     </message>
@@ -2679,6 +2783,10 @@
         <source>Run Study</source>
         <translation>Lancer l&apos;étude</translation>
     </message>
+    <message>
+        <source>A curve more: annealed wavelets whose feet inverse kinematics hold in place, at the ratios asked for.</source>
+        <translation>Une courbe de plus : les ondelettes par recuit dont la cinématique inverse tient les pieds en place, aux taux demandés.</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::StudyResults</name>
@@ -2718,10 +2826,6 @@ Cliquer pour le charger dans le studio.</translation>
 </context>
 <context>
     <name>mocapress::StudyRowsModel</name>
-    <message>
-        <source>%1 + IK %L2:1</source>
-        <translation>%1 + IK %L2:1</translation>
-    </message>
     <message>
         <source>%L1:1</source>
         <translation>%L1:1</translation>

@@ -432,6 +432,44 @@
         <source>Largest error of any joint at any frame.</source>
         <translation>全フレーム、全関節での最大誤差。</translation>
     </message>
+    <message>
+        <source>Left out</source>
+        <translation>除外</translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ Verified, %Ln warning(s)</source>
+        <translation>
+            <numerusform>✓ 検証済み、警告 %Ln 件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>✓ Approved</source>
+        <translation>✓ 承認</translation>
+    </message>
+    <message>
+        <source>✕ Rejected</source>
+        <translation>✕ 却下</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>It is not exported. Tick the clip to export it too.</source>
+        <translation>書き出されません。書き出すにはクリップにチェックを入れてください。</translation>
+    </message>
+    <message>
+        <source>Only clips that are ticked are exported.</source>
+        <translation>チェックを入れたクリップだけが書き出されます。</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>What the library says about the clip. A rejected clip is left out until it is ticked.</source>
+        <translation>ライブラリでのクリップの判定です。却下したクリップは、チェックを入れるまで除外されます。</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchQueueView</name>
@@ -450,6 +488,14 @@
     <message>
         <source>.bvh and .amc; an .amc finds its .asf beside it</source>
         <translation>.bvh と .amc。.amc は隣の .asf を使います</translation>
+    </message>
+    <message>
+        <source>Leave Out</source>
+        <translation>除外する</translation>
+    </message>
+    <message>
+        <source>Export Too</source>
+        <translation>これも書き出す</translation>
     </message>
 </context>
 <context>
@@ -493,6 +539,18 @@
     <message>
         <source>Add Clips</source>
         <translation>クリップを追加</translation>
+    </message>
+    <message>
+        <source>Leave Out Clips</source>
+        <translation>クリップの除外</translation>
+    </message>
+    <message>
+        <source>Export Clips Too</source>
+        <translation>除外したクリップも書き出す</translation>
+    </message>
+    <message>
+        <source>Every clip is left out. Tick those to export.</source>
+        <translation>すべてのクリップが除外されています。書き出すものにチェックを入れてください。</translation>
     </message>
 </context>
 <context>
@@ -556,6 +614,18 @@
     <message>
         <source>&amp;Export</source>
         <translation>書き出し(&amp;E)</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln left out</source>
+        <translation>
+            <numerusform>、除外 %Ln 件</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln with warnings</source>
+        <translation>
+            <numerusform>、うち警告あり %Ln 件</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -840,16 +910,16 @@
         <translation>足、手、頭、接地、任意の関節をより丁寧に扱います。</translation>
     </message>
     <message>
-        <source>Standard and per channel take coefficients as they come and heed no importance: choose Closed loop or Annealed.</source>
-        <translation>標準とチャンネル別は係数をそのまま選び、重要度を考慮しません。閉ループか焼きなましを選んでください。</translation>
-    </message>
-    <message>
         <source>More</source>
         <translation>詳細</translation>
     </message>
     <message>
         <source>Weighting of the error, and coding: seldom changed.</source>
         <translation>誤差の重み付けと符号化。めったに変えません。</translation>
+    </message>
+    <message>
+        <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
+        <translation>この手法は係数をそのまま選び、重要度を考慮しません。%1か%2を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -1053,12 +1123,6 @@
         <source>%1, from the file, measured against the original</source>
         <translation>%1、ファイルから、元と比べて計測</translation>
     </message>
-    <message numerus="yes">
-        <source>Annealed, %Ln iteration(s), %L1 s</source>
-        <translation>
-            <numerusform>焼きなまし、反復 %Ln 回、%L1 s</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1, %L2 s</source>
         <translation>%1、%L2 s</translation>
@@ -1099,6 +1163,12 @@
         <source>%1 of footskate in %Ln contact(s): %2 each in the mean, %3 in the worst</source>
         <translation>
             <numerusform>接地 %Ln 回で足滑り %1：平均 %2、最悪 %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %Ln iteration(s), %L2 s</source>
+        <translation>
+            <numerusform>%1、反復 %Ln 回、%L2 s</numerusform>
         </translation>
     </message>
 </context>
@@ -1356,8 +1426,8 @@
         <translation>ほかより丁寧に扱うところ。その分、残りの誤差が増えます。</translation>
     </message>
     <message>
-        <source>This method takes coefficients as they come and heeds no importance: choose Closed loop or Annealed.</source>
-        <translation>この手法は係数をそのまま選び、重要度を考慮しません。閉ループか焼きなましを選んでください。</translation>
+        <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
+        <translation>この手法は係数をそのまま選び、重要度を考慮しません。%1か%2を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -1746,23 +1816,58 @@
     </message>
 </context>
 <context>
+    <name>mocapress::Methods</name>
+    <message>
+        <source>Closed-loop wavelets</source>
+        <translation>閉ループのウェーブレット</translation>
+    </message>
+    <message>
+        <source>Annealed wavelets</source>
+        <translation>焼きなましのウェーブレット</translation>
+    </message>
+    <message>
+        <source>Standard wavelets</source>
+        <translation>標準のウェーブレット</translation>
+    </message>
+    <message>
+        <source>Per-channel wavelets</source>
+        <translation>チャンネル別のウェーブレット</translation>
+    </message>
+    <message>
+        <source>Haar wavelets</source>
+        <translation>ハールウェーブレット</translation>
+    </message>
+    <message>
+        <source>Linear wavelets</source>
+        <translation>線形ウェーブレット</translation>
+    </message>
+    <message>
+        <source>PCA</source>
+        <translation>主成分分析 (PCA)</translation>
+    </message>
+    <message>
+        <source>Frame subsampling</source>
+        <translation>フレーム間引き</translation>
+    </message>
+    <message>
+        <source>Quaternion wavelets</source>
+        <translation>四元数ウェーブレット</translation>
+    </message>
+    <message>
+        <source>Segment PCA, after Liu &amp; McMillan</source>
+        <translation>区間別 PCA (Liu と McMillan による)</translation>
+    </message>
+    <message>
+        <source>Clustered PCA, after Arikan</source>
+        <translation>クラスタ別 PCA (Arikan による)</translation>
+    </message>
+    <message>
+        <source>%1 + IK %L2:1</source>
+        <translation>%1 + IK %L2:1</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::Names</name>
-    <message>
-        <source>Per channel</source>
-        <translation>チャンネル別</translation>
-    </message>
-    <message>
-        <source>Standard</source>
-        <translation>標準</translation>
-    </message>
-    <message>
-        <source>Annealed</source>
-        <translation>焼きなまし</translation>
-    </message>
-    <message>
-        <source>Closed loop</source>
-        <translation>閉ループ</translation>
-    </message>
     <message>
         <source>16-bit runs</source>
         <translation>16ビット連長</translation>
@@ -2588,10 +2693,6 @@
         <translation>比較研究の手法</translation>
     </message>
     <message>
-        <source>A curve more: optimised wavelets whose feet inverse kinematics hold in place, at the ratios asked for.</source>
-        <translation>曲線をもう1本：指定の圧縮率で、逆運動学で足を固定した最適化ウェーブレット。</translation>
-    </message>
-    <message>
         <source>IK ratio of the study</source>
         <translation>比較研究のIK比</translation>
     </message>
@@ -2665,6 +2766,10 @@
         <source>Run Study</source>
         <translation>比較研究を実行</translation>
     </message>
+    <message>
+        <source>A curve more: annealed wavelets whose feet inverse kinematics hold in place, at the ratios asked for.</source>
+        <translation>曲線を一つ追加します：焼きなましのウェーブレットで足を逆運動学により固定したものを、指定した比で。</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::StudyResults</name>
@@ -2703,10 +2808,6 @@ Click to load it into the studio.</source>
 </context>
 <context>
     <name>mocapress::StudyRowsModel</name>
-    <message>
-        <source>%1 + IK %L2:1</source>
-        <translation>%1＋IK %L2:1</translation>
-    </message>
     <message>
         <source>%L1:1</source>
         <translation>%L1:1</translation>

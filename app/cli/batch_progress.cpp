@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/cli/motion_input.h"
+#include "core/base/number_text.h"
 #include "core/batch/preset_json.h"
 
 #include <nlohmann/json.hpp>
@@ -24,10 +25,8 @@ void print_line(const Json& json) {
 std::string described(const BatchRow& row) {
   std::string text = std::filesystem::path(row.input).filename().string();
   if (!row.done()) return text + ": " + row.error;
-  char figures[64];
-  std::snprintf(figures, sizeof figures, " %.1f:1 %.3f cm", row.measured->ratio,
-                row.measured->eps_cm(row.preset.weighting));
-  return text + figures;
+  return text + " " + fixed_text(row.measured->ratio, 1) + ":1 " +
+         fixed_text(row.measured->eps_cm(row.preset.weighting), 3) + " cm";
 }
 
 Json counts_json(const BatchCounts& counts, double elapsed) {
@@ -64,6 +63,13 @@ void BatchReporter::tell(const BatchProgress& progress) {
     line_.clear();
     std::fprintf(stderr, "failed: %s: %s\n", progress.row->input.c_str(),
                  progress.row->error.c_str());
+  }
+  if (ended) {
+    for (const std::string& warning : progress.row->warnings) {
+      line_.clear();
+      std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    }
+    warned_ += !progress.row->warnings.empty();
   }
   if (!line_.due()) return;
   const double now = line_.elapsed_seconds();
@@ -111,6 +117,7 @@ void BatchReporter::end(const BatchOutcome& outcome, const std::filesystem::path
   }
   std::fprintf(stderr, "%zu of %zu clips done", counts.done - counts.failed, counts.clips);
   if (counts.kept > 0) std::fprintf(stderr, ", %zu of them before", counts.kept);
+  if (warned_ > 0) std::fprintf(stderr, ", %zu of them with warnings", warned_);
   if (counts.failed > 0) std::fprintf(stderr, "; %zu failed", counts.failed);
   std::fprintf(stderr, "\n");
   if (outcome.complete) std::fprintf(stderr, "%s\n", report.c_str());

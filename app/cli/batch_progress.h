@@ -23,6 +23,7 @@ class BatchReporter {
   bool json_;
   ProgressLine line_;
   std::string last_;                // that ended
+  std::size_t warned_ = 0;          // clips whose reader repaired or guessed something
   double next_step_ = 0;            // s, when steps within clips are told again
   std::vector<std::size_t> begun_;  // clips that are being worked on
 };

@@ -7,6 +7,7 @@
 #include "app/cli/motion_input.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/number_text.h"
 #include "core/compare/compared_file.h"
 #include "core/contact/footskate.h"
 
@@ -55,8 +56,10 @@ struct Contacts {
       std::fprintf(stderr, "%-16s frames %5d to %5d", one["joint"].get<std::string>().c_str(),
                    one["first_frame"].get<int>(), one["last_frame"].get<int>());
       if (one.contains("worst_frame"))
-        std::fprintf(stderr, "  slid %.2f cm, %.0f cm/s at frame %d", one["slid_cm"].get<double>(),
-                     one["worst_speed_cm_s"].get<double>(), one["worst_frame"].get<int>());
+        std::fprintf(stderr, "  slid %s cm, %s cm/s at frame %d",
+                     fixed_text(one["slid_cm"].get<double>(), 2).c_str(),
+                     fixed_text(one["worst_speed_cm_s"].get<double>(), 0).c_str(),
+                     one["worst_frame"].get<int>());
       std::fputc('\n', stderr);
     }
     if (all.empty()) std::fprintf(stderr, "no foot stands on the ground\n");

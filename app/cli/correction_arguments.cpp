@@ -2,6 +2,7 @@
 #include "app/cli/correction_arguments.h"
 
 #include "app/cli/option_words.h"
+#include "core/base/number_text.h"
 
 namespace mocapress::cli {
 namespace {
@@ -10,7 +11,8 @@ constexpr const char* kFound = "auto";
 
 /// For CLI11: empty when `text` is a number above 0 or "auto", else what is wrong.
 std::string check_ratio(const std::string& text) {
-  return text == kFound ? std::string() : CLI::PositiveNumber(text);
+  const bool fits = text == kFound || number_in(text).value_or(0) > 0;
+  return fits ? "" : text + " is neither a number above 0 nor " + kFound;
 }
 
 }  // namespace
@@ -37,7 +39,7 @@ void CorrectionArguments::add_options(CLI::App& command) {
 std::optional<CorrectionOptions> CorrectionArguments::options(const Skeleton& skeleton) const {
   if (ratio.empty()) return std::nullopt;
   CorrectionOptions options{.solver = solver, .at = at};
-  if (ratio != kFound) options.ratio = std::stod(ratio);
+  options.ratio = number_in(ratio);  // unset: to be found
   for (const std::string& effector : effectors) {
     options.joints.push_back(skeleton.find(effector));
     if (options.joints.back() < 0)
@@ -48,7 +50,7 @@ std::optional<CorrectionOptions> CorrectionArguments::options(const Skeleton& sk
 
 PresetCorrection CorrectionArguments::of_preset() const {
   PresetCorrection correction{.effectors = effectors, .solver = solver, .at = at};
-  if (ratio != kFound) correction.ratio = std::stod(ratio);
+  correction.ratio = number_in(ratio);  // unset: to be found
   return correction;
 }
 

@@ -44,7 +44,8 @@ struct Measure {
         .file_bytes = std::filesystem::file_size(compressed),
         .verified_by = "library",
         .distortion = mocapress::measure(motion.skeleton, tracks, decoded),
-        .footskate_cm = footskate_of(contacts, footskate),
+        .footskate = footskate,
+        .contacts = contacts.size(),
         .correction_bytes = opened.compressed.correction
                                 ? std::optional(opened.compressed.correction_bytes())
                                 : std::nullopt};

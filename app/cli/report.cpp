@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/report.h"
 
-#include <cstdio>
 #include <iostream>
 #include <numbers>
 
+#include "core/base/number_text.h"
+#include "core/compare/contender.h"
+#include "core/contact/slide_per_contact.h"
 #include "core/metrics/rate.h"
 
 namespace mocapress::cli {
@@ -12,28 +14,31 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;  // in a radian
 
+std::string cm(double value) {
+  return fixed_text(value, 3) + " cm";
+}
+
 void print(const CorrectionResult& correction) {
   if (correction.slide_without_cm)
-    std::fprintf(stderr, "  r_IK found: %.3g, against %.2f cm of footskate without a correction\n",
-                 correction.ratio, *correction.slide_without_cm);
+    std::cerr << "  r_IK found: " << significant_text(correction.ratio, 3) << ", against "
+              << fixed_text(*correction.slide_without_cm, 2)
+              << " cm of footskate without a correction\n";
   else
-    std::fprintf(stderr, "  r_IK %.3g\n", correction.ratio);
-  std::fprintf(stderr, "  knees turn at up to %.0f degrees/s (original %.0f)\n",
-               correction.fastest_knee * kDegrees, correction.fastest_knee_of_original * kDegrees);
+    std::cerr << "  r_IK " << significant_text(correction.ratio, 3) << "\n";
+  std::cerr << "  knees turn at up to " << fixed_text(correction.fastest_knee * kDegrees, 0)
+            << " degrees/s (original "
+            << fixed_text(correction.fastest_knee_of_original * kDegrees, 0) << ")\n";
   if (correction.report.unreached > 0)
-    std::fprintf(stderr, "  out of reach of %d limbs and frames, by up to %.2f cm\n",
-                 correction.report.unreached, correction.report.worst_miss_cm);
+    std::cerr << "  out of reach of " << correction.report.unreached
+              << " limbs and frames, by up to " << fixed_text(correction.report.worst_miss_cm, 2)
+              << " cm\n";
 }
 
 }  // namespace
 
-std::optional<double> footskate_of(const std::vector<ContactSpan>& contacts,
-                                   const Footskate& footskate) {
-  return contacts.empty() ? std::nullopt : std::optional(footskate.total_cm);
-}
-
 Json to_json(const Report& report) {
   const Clip& clip = report.original->clip;
+  const auto slide = slide_per_contact(report.footskate, report.contacts);
   return {
       {"input", report.input},
       {"method", report.method},
@@ -59,9 +64,12 @@ Json to_json(const Report& report) {
       {"encode_seconds", or_null(report.encode_seconds)},
       {"ik_ratio", report.correction ? Json(report.correction->ratio) : Json()},
       {"ik_bytes", or_null(report.correction_bytes)},
-      {"footskate_cm", or_null(report.footskate_cm)},
+      {"contacts", report.contacts},
+      {"footskate_cm", slide ? Json(report.footskate.total_cm) : Json()},
       {"footskate_without_ik_cm",
        report.correction ? or_null(report.correction->slide_without_cm) : Json()},
+      {"footskate_mean_cm", slide ? Json(slide->mean_cm) : Json()},
+      {"footskate_worst_cm", slide ? Json(slide->worst_cm) : Json()},
       {"verified_by", report.verified_by},
   };
 }
@@ -72,18 +80,23 @@ void print(const Report& report) {
   const std::string coding = report.coding ? ", " + std::string(name(*report.coding)) : "";
   const auto worst_landmark = static_cast<std::size_t>(distortion.max.landmark);
   const std::string worst_name = landmarks(report.original->skeleton)[worst_landmark].name;
-  std::fprintf(stderr, "%s: %d frames, %d channels at %g Hz\n", report.input.c_str(), clip.frames(),
-               static_cast<int>(clip.channels.cols()), clip.sample_rate_hz);
-  std::fprintf(stderr, "  %s%s: %.1f:1 (%zu bytes of motion for %zu, %zu in the file)\n",
-               report.method.c_str(), coding.c_str(), compression_ratio(clip, report.motion_bytes),
-               report.motion_bytes, raw_bytes(clip), report.file_bytes);
-  std::fprintf(stderr, "  eps_x %.3f cm (bone-ends), %.3f cm (joint-origins)\n",
-               distortion.eps_bone_ends, distortion.eps_joint_origins);
-  std::fprintf(stderr, "  p95 %.3f cm, p99 %.3f cm, max %.3f cm (%s, frame %d)\n", distortion.p95,
-               distortion.p99, distortion.max.cm, worst_name.c_str(), distortion.max.frame);
-  if (report.footskate_cm) std::fprintf(stderr, "  footskate %.2f cm\n", *report.footskate_cm);
+  std::cerr << report.input << ": " << clip.frames() << " frames, " << clip.channels.cols()
+            << " channels at " << significant_text(clip.sample_rate_hz, 6) << " Hz\n"
+            << "  " << method_title(report.method) << coding << ": "
+            << fixed_text(compression_ratio(clip, report.motion_bytes), 1) << ":1 ("
+            << report.motion_bytes << " bytes of motion for " << raw_bytes(clip) << ", "
+            << report.file_bytes << " in the file)\n"
+            << "  eps_x " << cm(distortion.eps_bone_ends) << " (bone-ends), "
+            << cm(distortion.eps_joint_origins) << " (joint-origins)\n"
+            << "  p95 " << cm(distortion.p95) << ", p99 " << cm(distortion.p99) << ", max "
+            << cm(distortion.max.cm) << " (" << worst_name << ", frame " << distortion.max.frame
+            << ")\n";
+  if (const auto slide = slide_per_contact(report.footskate, report.contacts))
+    std::cerr << "  footskate " << fixed_text(report.footskate.total_cm, 2) << " cm in "
+              << report.contacts << " contacts: mean " << cm(slide->mean_cm) << ", worst "
+              << cm(slide->worst_cm) << '\n';
   if (report.correction_bytes)
-    std::fprintf(stderr, "  IK correction: %zu bytes\n", *report.correction_bytes);
+    std::cerr << "  IK correction: " << *report.correction_bytes << " bytes\n";
   if (report.correction) print(*report.correction);
 }
 

@@ -23,17 +23,14 @@ struct Report {
   std::size_t file_bytes = 0;
   std::string verified_by;  // Verification::by
   Distortion distortion;
-  std::optional<double> footskate_cm;           // beyond the original's own; unset: no contacts
+  Footskate footskate;                          // beyond the original's own
+  std::size_t contacts = 0;                     // over which it was measured
   std::optional<std::size_t> correction_bytes;  // unset: no correction
   std::optional<CorrectionResult> correction;   // what compress knows of it
   std::optional<double> coefficient_ratio;      // unset: not known to this command
   std::optional<int> iterations;
   std::optional<double> encode_seconds;
 };
-
-/// What a report says of footskate: nothing where no foot ever stands.
-std::optional<double> footskate_of(const std::vector<ContactSpan>& contacts,
-                                   const Footskate& footskate);
 
 /// Stable keys: scripts depend on them. Null where a value does not apply.
 Json to_json(const Report& report);

@@ -12,6 +12,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/report.h"
 #include "app/cli/stop_on_signals.h"
+#include "core/base/number_text.h"
 #include "core/compare/contender.h"
 #include "core/study/published_figures.h"
 #include "core/study/results.h"
@@ -25,13 +26,9 @@ namespace fs = std::filesystem;
 
 std::string described(const StudyRow& row) {
   std::string text = fs::path(row.clip).stem().string() + " " + row.method;
-  char figures[64];
-  if (row.measured)
-    std::snprintf(figures, sizeof figures, " %.1f:1 %.3f cm", row.measured->ratio,
-                  row.measured->eps_cm(row.weighting));
-  else
-    std::snprintf(figures, sizeof figures, ": %.50s", row.error.c_str());
-  return text + figures;
+  if (!row.measured) return text + ": " + row.error.substr(0, 50);
+  return text + " " + fixed_text(row.measured->ratio, 1) + ":1 " +
+         fixed_text(row.measured->eps_cm(row.weighting), 3) + " cm";
 }
 
 std::string remaining(const StudyProgress& progress, double now) {

@@ -25,6 +25,7 @@ class Reporter {
       step.ended = true;
       step.measured = progress.row->measured;
       step.error = progress.row->error;
+      step.warnings = progress.row->warnings;
     }
     counts_ = progress.counts;
     if (Clock::now() - sent_ >= kReportInterval) flush();

@@ -25,6 +25,7 @@ struct BatchStep {
   ClipProgress progress;
   std::optional<Measurement> measured;
   std::string error;
+  std::vector<std::string> warnings;
 };
 
 /// Runs a batch in the background and tells what becomes of its clips.

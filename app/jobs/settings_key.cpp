@@ -2,12 +2,14 @@
 #include "app/jobs/settings_key.h"
 
 #include <limits>
+#include <locale>
 #include <sstream>
 
 namespace mocapress {
 
 std::string settingsKey(const EncodeOptions& options) {
   std::ostringstream key;
+  key.imbue(std::locale::classic());
   key.precision(std::numeric_limits<double>::max_digits10);
   key << static_cast<int>(options.method) << ' ' << static_cast<int>(effective_coding(options))
       << ' ' << static_cast<int>(options.basis) << ' ' << static_cast<int>(options.weighting) << ' '

@@ -54,13 +54,24 @@ void BatchSession::remove(const std::vector<int>& rows) {
       [this, clips] { queue_.insert(clips); }));
 }
 
+void BatchSession::setLeftOut(const std::vector<int>& rows, bool left_out) {
+  std::vector<int> others;
+  for (const int row : rows)
+    if (queue_.clips()[static_cast<std::size_t>(row)].left_out != left_out) others.push_back(row);
+  if (running() || others.empty()) return;
+  history_.push(new EditStep(
+      left_out ? tr("Leave Out Clips") : tr("Export Clips Too"),
+      [this, others, left_out] { queue_.setLeftOut(others, left_out); },
+      [this, others, left_out] { queue_.setLeftOut(others, !left_out); }));
+}
+
 /// Those that are not there yet, at the end.
 void BatchSession::add(const std::vector<QueuedClip>& clips) {
   std::set<std::string> there;
   for (const QueuedClip& clip : queue_.clips()) there.insert(clip.source.path);
   std::vector<QueuedClip> fresh;
   for (const QueuedClip& clip : clips)
-    if (there.insert(clip.source.path).second) fresh.push_back(clip);
+    if (there.insert(clip.source.path).second) fresh.push_back(reviewed(clip));
   if (fresh.empty()) return;
   std::vector<int> rows(fresh.size());
   std::iota(rows.begin(), rows.end(), queue_.rowCount());

@@ -31,6 +31,9 @@ QueuedClip clipFrom(const QJsonObject& json) {
   clip.source.path = json[QStringLiteral("path")].toString().toStdString();
   clip.source.folder = json[QStringLiteral("folder")].toString().toStdString();
   clip.skeleton = json[QStringLiteral("skeleton")].toString().toStdString();
+  clip.review = {verdict_named(json[QStringLiteral("verdict")].toString().toStdString()),
+                 json[QStringLiteral("note")].toString().toStdString()};
+  clip.left_out = json[QStringLiteral("left_out")].toBool();
   if (json[QStringLiteral("preset")].isObject())
     clip.own = presetFrom(json[QStringLiteral("preset")]);
   return clip;
@@ -78,11 +81,14 @@ RememberedBatch rememberedBatch(const QString& file) {
 void rememberBatch(const QString& file, const RememberedBatch& batch) {
   QJsonArray clips;
   for (const QueuedClip& clip : batch.clips)
-    clips.append(
-        QJsonObject{{QStringLiteral("path"), QString::fromStdString(clip.source.path)},
-                    {QStringLiteral("folder"), QString::fromStdString(clip.source.folder)},
-                    {QStringLiteral("skeleton"), QString::fromStdString(clip.skeleton)},
-                    {QStringLiteral("preset"), clip.own ? toJson(*clip.own) : QJsonValue()}});
+    clips.append(QJsonObject{
+        {QStringLiteral("path"), QString::fromStdString(clip.source.path)},
+        {QStringLiteral("folder"), QString::fromStdString(clip.source.folder)},
+        {QStringLiteral("skeleton"), QString::fromStdString(clip.skeleton)},
+        {QStringLiteral("verdict"), QString::fromStdString(std::string(name(clip.review.verdict)))},
+        {QStringLiteral("note"), QString::fromStdString(clip.review.note)},
+        {QStringLiteral("left_out"), clip.left_out},
+        {QStringLiteral("preset"), clip.own ? toJson(*clip.own) : QJsonValue()}});
   QJsonArray formats;
   for (const OutputFormat format : batch.settings.formats)
     formats.append(QString::fromStdString(std::string(name(format))));

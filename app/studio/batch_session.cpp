@@ -155,11 +155,33 @@ void BatchSession::addTuned(const std::vector<TunedClip>& clips) {
       });
 }
 
-/// Clips by their rows; the common preset first, then those of locked clips.
+void BatchSession::setReviews(const ClipReviews& reviews) {
+  reviews_ = reviews;
+  if (!running()) queue_.setReviews(reviews_);
+}
+
+/// With what the library says about it.
+QueuedClip BatchSession::reviewed(QueuedClip clip) const {
+  const auto found = reviews_.find(QString::fromStdString(clip.source.path));
+  if (found == reviews_.end()) return clip;
+  clip.review = *found;
+  clip.left_out = clip.review.verdict == Verdict::Rejected;
+  return clip;
+}
+
+std::vector<int> BatchSession::includedRows() const {
+  std::vector<int> rows;
+  for (int row = 0; row < queue_.rowCount(); ++row)
+    if (!queue_.clips()[static_cast<std::size_t>(row)].left_out) rows.push_back(row);
+  return rows;
+}
+
+/// The common preset first, then those of locked clips.
 Batch BatchSession::batch() const {
   Batch batch{.presets = {queue_.common()}, .formats = settings_.formats};
   const std::string names = settings_.names.toStdString();
-  for (const QueuedClip& clip : queue_.clips()) {
+  for (const int row : includedRows()) {
+    const QueuedClip& clip = queue_.clips()[static_cast<std::size_t>(row)];
     std::size_t preset = 0;
     if (clip.own) {
       const auto found = std::find(batch.presets.begin(), batch.presets.end(), *clip.own);
@@ -167,9 +189,10 @@ Batch BatchSession::batch() const {
       if (found == batch.presets.end()) batch.presets.push_back(*clip.own);
     }
     add_items(batch, {clip.source}, preset, names);
-    if (clip.skeleton.empty()) continue;
+    if (clip.skeleton.empty() && clip.review == ClipReview()) continue;
     BatchItem item = batch.items[batch.items.size() - 1];
     item.skeleton = clip.skeleton;
+    item.review = clip.review;
     batch.items.replace(batch.items.size() - 1, item);
   }
   mark_collisions(batch);
@@ -196,6 +219,8 @@ QString BatchSession::obstacle() const {
   bool wrong = false;
   const QString example = exampleName(&wrong);
   if (queue_.clips().empty()) return tr("Add clips to begin.");
+  if (queue_.countLeftOut() == queue_.rowCount())
+    return tr("Every clip is left out. Tick those to export.");
   if (settings_.folder.isEmpty()) return tr("Choose the folder the files go to.");
   if (settings_.formats.empty()) return tr("Choose at least one kind of file.");
   return wrong ? example : QString();
@@ -209,8 +234,9 @@ bool BatchSession::running() const {
 void BatchSession::start() {
   if (running() || !obstacle().isEmpty()) return;
   remember();
+  running_rows_ = includedRows();
   counts_ = {};
-  counts_.clips = queue_.clips().size();
+  counts_.clips = running_rows_.size();
   worked_seconds_ = 0;
   clock_.start();
   setState(State::Running);
@@ -247,9 +273,9 @@ void BatchSession::cancel() {
 void BatchSession::advance(const BatchCounts& counts, const std::vector<BatchStep>& steps) {
   counts_ = counts;
   for (const BatchStep& step : steps) {
-    const auto row = static_cast<int>(step.index);
+    const int row = running_rows_[step.index];
     if (step.ended)
-      queue_.setEnded(row, step.measured, step.error);
+      queue_.setEnded(row, step.measured, step.error, step.warnings);
     else
       queue_.setProgress(row, step.progress);
   }
@@ -262,6 +288,7 @@ void BatchSession::end(const BatchOutcome& outcome) {
   for (const Warning& warning : outcome.warnings)
     emit noted(QString::fromStdString(warning.text()));
   setState(outcome.complete ? State::Complete : State::Stopped);
+  queue_.setReviews(reviews_);  // what was said meanwhile
 }
 
 void BatchSession::setState(State state, const QString& failure) {

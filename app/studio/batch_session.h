@@ -48,6 +48,10 @@ class BatchSession : public QObject {
   void setCommon(const Preset& preset);
   void setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset);
   void remove(const std::vector<int>& rows);
+  void setLeftOut(const std::vector<int>& rows, bool left_out);
+
+  /// What the library says, of clips that are added later too.
+  void setReviews(const ClipReviews& reviews);
 
   /// What was done to the queue and its settings.
   const QUndoStack& history() const { return history_; }
@@ -104,7 +108,10 @@ class BatchSession : public QObject {
   void noted(const QString& message);
 
  private:
+  /// The clips that are not left out, and their rows in the queue.
   Batch batch() const;
+  std::vector<int> includedRows() const;
+  QueuedClip reviewed(QueuedClip clip) const;
   bool refused();
   void apply(const BatchSettings& settings);
   void add(const std::vector<QueuedClip>& clips);
@@ -116,6 +123,8 @@ class BatchSession : public QObject {
 
   QString memory_;
   BatchQueueModel queue_;
+  ClipReviews reviews_;
+  std::vector<int> running_rows_;  // by their indices in the batch that runs
   BatchSettings settings_;
   QUndoStack history_;
   PresetShelf* presets_;

@@ -2,6 +2,7 @@
 #include "app/studio/batch_status.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 
 #include "app/studio/batch_session.h"
@@ -29,6 +30,20 @@ QString failedText(std::size_t failed) {
   return Status::tr(", %Ln failed", nullptr, static_cast<int>(failed));
 }
 
+QString leftOutText(const BatchQueueModel& queue) {
+  if (queue.countLeftOut() == 0) return {};
+  return Status::tr(", %Ln left out", nullptr, queue.countLeftOut());
+}
+
+QString warnedText(const BatchQueueModel& queue) {
+  const auto warned =
+      std::count_if(queue.clips().begin(), queue.clips().end(), [](const QueuedClip& clip) {
+        return clip.state == QueuedClip::State::Done && !clip.left_out && !clip.warnings.empty();
+      });
+  if (warned == 0) return {};
+  return Status::tr(", %Ln with warnings", nullptr, static_cast<int>(warned));
+}
+
 QString soFar(const BatchCounts& counts) {
   return Status::tr("%L1 of %L2").arg(counts.done).arg(counts.clips) + failedText(counts.failed);
 }
@@ -44,12 +59,14 @@ QString idle(const BatchSession& session) {
   const int waiting =
       queue.count(QueuedClip::State::Waiting) + queue.count(QueuedClip::State::Failed);
   if (!session.obstacle().isEmpty()) return session.obstacle();
-  return Status::tr("%Ln clip(s) to export", nullptr, waiting);
+  return Status::tr("%Ln clip(s) to export", nullptr, waiting) + leftOutText(queue);
 }
 
-QString complete(const BatchCounts& counts) {
+QString complete(const BatchSession& session) {
+  const BatchCounts& counts = session.counts();
   const auto done = static_cast<int>(counts.done - counts.failed);
-  return Status::tr("%Ln clip(s) exported and verified", nullptr, done) + failedText(counts.failed);
+  return Status::tr("%Ln clip(s) exported and verified", nullptr, done) +
+         warnedText(*session.queue()) + failedText(counts.failed) + leftOutText(*session.queue());
 }
 
 }  // namespace
@@ -69,7 +86,7 @@ QString statusOf(const BatchSession& session) {
     case State::Stopped:
       return Status::tr("Stopped at %1; it goes on from there").arg(soFar(session.counts()));
     case State::Complete:
-      return complete(session.counts());
+      return complete(session);
     case State::Failed:
       return session.failure();
   }

@@ -214,6 +214,7 @@ void BatchWindow::connectQueue() {
   BatchQueueModel* queue = session_->queue();
   connect(view_, &BatchQueueView::dropped, session_, &BatchSession::addClips);
   connect(view_, &BatchQueueView::removeRequested, session_, &BatchSession::remove);
+  connect(view_, &BatchQueueView::leaveOutRequested, session_, &BatchSession::setLeftOut);
   connect(view_, &BatchQueueView::lockToggled, session_, [this, queue](int row) {
     const bool locked = queue->clips()[static_cast<std::size_t>(row)].own.has_value();
     const std::optional<Preset> preset =

@@ -3,9 +3,9 @@
 
 #include <QCoreApplication>
 
-#include "core/compare/contender.h"
 #include "core/contact/slide_per_contact.h"
 #include "widgets/models/length_text.h"
+#include "widgets/models/method_names.h"
 #include "widgets/panels/names.h"
 
 namespace mocapress {
@@ -18,8 +18,7 @@ struct Figures {
 QString displayMethod(const DecodedClip& decoded) {
   if (decoded.of_wavelets && decoded.compressed.basis == Basis::Cubic)
     return displayName(decoded.compressed.provenance.method);
-  const std::string_view title = find_contender(decoded.method)->title;
-  return QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
+  return methodTitle(decoded.method);
 }
 
 }  // namespace
@@ -78,7 +77,8 @@ QString stateOf(const Document& document) {
   if (method != document.options().method || decoded.effort == Effort::Draft)
     return Figures::tr("Refinement cancelled; the draft is kept");
   if (method == Method::Annealed)
-    return Figures::tr("Annealed, %Ln iteration(s), %L1 s", nullptr, decoded.iterations)
+    return Figures::tr("%1, %Ln iteration(s), %L2 s", nullptr, decoded.iterations)
+        .arg(displayMethod(decoded))
         .arg(decoded.encode_seconds, 0, 'f', 1);
   return Figures::tr("%1, %L2 s")
       .arg(displayMethod(decoded))

@@ -188,6 +188,13 @@ std::vector<TunedClip> Library::tuned(const std::vector<int>& rows) const {
   return clips;
 }
 
+ClipReviews Library::reviews() const {
+  ClipReviews all;
+  for (const ProjectClip& clip : project_.clips)
+    all.insert(clip.path, {clip.verdict, clip.note.toStdString()});
+  return all;
+}
+
 void Library::show(const ProjectClip& clip) {
   const int row = model_->rowOf(clip.path);
   model_->setEntry(entryOf(clip, row >= 0 ? model_->entry(row) : LibraryEntry()));

@@ -102,6 +102,9 @@ class Library : public QObject {
   /// Clips with the settings they were tuned by, for a batch; no rows: all of them.
   std::vector<TunedClip> tuned(const std::vector<int>& rows) const;
 
+  /// What was decided about every clip.
+  ClipReviews reviews() const;
+
  signals:
   void currentChanged();
 

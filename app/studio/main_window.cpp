@@ -262,6 +262,9 @@ StudyWindow* MainWindow::showStudy() {
     study_session_ = new StudySession(studyCache(), this);
     study_session_->setSettings(rememberedStudySettings());
     study_ = new StudyWindow(study_session_, this);
+    study_session_->setReviews(library_->reviews());
+    connect(library_, &Library::currentChanged, study_session_,
+            [this] { study_session_->setReviews(library_->reviews()); });
     connect(study_, &StudyWindow::rowChosen, files_, &ClipFiles::openRow);
     connect(study_session_, &StudySession::rowsCleared, this, &MainWindow::showHere);
     connect(&session_->document(), &Document::decodedChanged, this, &MainWindow::showHere);
@@ -278,6 +281,10 @@ StudyWindow* MainWindow::showStudy() {
 BatchWindow* MainWindow::showBatch() {
   if (!batch_) {
     batch_ = new BatchWindow(new BatchSession(batchMemory(), presets_, this), this);
+    BatchSession* session = batch_->session();
+    session->setReviews(library_->reviews());
+    connect(library_, &Library::currentChanged, session,
+            [this, session] { session->setReviews(library_->reviews()); });
     connect(batch_, &BatchWindow::openRequested, files_,
             [this](const QString& path) { files_->open(path); });
   }

@@ -121,6 +121,8 @@ void StudySession::run() {
   if (jobs == 0) return;
   opening_.abandon();
   plan_ = planOf(settings_);
+  for (StudyClip& clip : plan_.clips)
+    clip.review = reviews_.value(QString::fromStdU16String(clip.path.u16string()));
   clear();
   for (const StudyJob& job : jobs_of(plan_)) ++expected_[plan_.clips[job.clip].path.string()];
   counts_ = {jobs, 0, 0};
@@ -178,12 +180,20 @@ void StudySession::exportMade(const QString& path, Make make) {
       [this](const QString& message) { emit exportFailed(message); });
 }
 
+/// With what the library says now.
+std::vector<StudyRow> StudySession::reviewedRows() const {
+  std::vector<StudyRow> rows = rows_;
+  for (StudyRow& row : rows)
+    row.review = reviews_.value(QString::fromStdString(row.clip), row.review);
+  return rows;
+}
+
 void StudySession::exportRows(const QString& path) {
-  exportMade(path, [rows = rows_](const Job&) { return std::optional(rows_csv(rows)); });
+  exportMade(path, [rows = reviewedRows()](const Job&) { return std::optional(rows_csv(rows)); });
 }
 
 void StudySession::exportReport(const QString& path) {
-  exportMade(path, [rows = rows_, plan = plan_](const Job& job) {
+  exportMade(path, [rows = reviewedRows(), plan = plan_](const Job& job) {
     return study_report(plan, Results(rows),
                         [&](const EncodeProgress&) { return !job.stopRequested(); });
   });

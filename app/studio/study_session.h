@@ -11,6 +11,7 @@
 
 #include "app/jobs/job_runner.h"
 #include "app/jobs/study_runner.h"
+#include "widgets/models/clip_reviews.h"
 #include "widgets/models/study_settings.h"
 
 namespace mocapress {
@@ -31,6 +32,9 @@ class StudySession : public QObject {
   /// Files, and folders for all clips below them.
   void addClips(const QStringList& paths);
   void removeClips(const QStringList& paths);
+
+  /// What a library says about clips, which goes into tables and reports.
+  void setReviews(const ClipReviews& reviews) { reviews_ = reviews; }
 
   /// Where rows are kept, with tables and report once all are there; shows the rows it holds.
   /// Empty: the cache.
@@ -93,12 +97,14 @@ class StudySession : public QObject {
   void advance(const StudyCounts& counts, const std::vector<StudyRow>& rows);
   void showOpened(std::vector<StudyRow> rows);
   void findClips();
+  std::vector<StudyRow> reviewedRows() const;
   template <typename Make>
   void exportMade(const QString& path, Make make);
 
   QString cache_;
   QString folder_;
   StudySettings settings_;
+  ClipReviews reviews_;
   StudyPlan plan_;                       // of rows_
   std::map<std::string, int> expected_;  // rows a clip
   std::vector<StudyRow> rows_;

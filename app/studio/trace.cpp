@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/studio/session.h"
+#include "core/base/number_text.h"
 #include "widgets/viewport/viewport.h"
 
 namespace mocapress {
@@ -94,7 +95,7 @@ void Trace::drawn() {
 }
 
 void Trace::write(const char* what, double milliseconds) const {
-  if (writing_) std::fprintf(stderr, "%s: %.1f ms\n", what, milliseconds);
+  if (writing_) std::fprintf(stderr, "%s: %s ms\n", what, fixed_text(milliseconds, 1).c_str());
 }
 
 }  // namespace mocapress

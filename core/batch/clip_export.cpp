@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/fnv1a.h"
+#include "core/base/number_text.h"
 #include "core/base/staged_file.h"
 #include "core/batch/verification.h"
 #include "core/codec/source_section.h"
@@ -70,7 +71,7 @@ void compare(const Motion& meant, const Motion& found, const std::vector<std::st
                            .norm()
                            .maxCoeff();
     if (!(off <= kMost))
-      throw Error(file + ": reads back " + std::to_string(off) + " cm off at " +
+      throw Error(file + ": reads back " + fixed_text(off, 6) + " cm off at " +
                   names[static_cast<std::size_t>(joint)]);
   }
 }
@@ -89,6 +90,7 @@ class Export {
     row_.index = index;
     row_.input = item_.input;
     row_.output = item_.output;
+    row_.review = item_.review;
     row_.preset = preset_;
     row_.formats = batch.formats;
   }
@@ -197,7 +199,7 @@ class Export {
     made.distortion = std::move(found.distortion);
     made.footskate = std::move(found.footskate);
     made.decoded = std::move(found.decoded);
-    row_.measured = clip.measure(made);
+    row_.measured = clip.measure(made, contacts.size());
     row_.worst = std::move(found.worst);
     if (!keeps_promise(preset_, *row_.measured))
       throw Error("verification: " + target_text(preset_.target) +

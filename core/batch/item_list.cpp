@@ -17,12 +17,13 @@ ItemList::ItemList(std::initializer_list<BatchItem> items) {
   for (const BatchItem& item : items) push_back(item);
 }
 
-/// No file name holds a 0, and a problem that does is cut there.
+/// No file name holds a 0, and a problem or note that does is cut there.
 ItemList::Place ItemList::append(const BatchItem& item) {
   const Place place{text_.size(), index_of_folder(item.input), index_of_folder(item.output)};
   for (const std::string& field : {item.input.substr(folder_length(item.input)), item.skeleton,
                                    item.output.substr(folder_length(item.output)),
-                                   std::to_string(item.preset), item.problem}) {
+                                   std::to_string(item.preset), item.problem,
+                                   std::string(name(item.review.verdict)), item.review.note}) {
     text_ += field.c_str();
     text_ += '\0';
   }
@@ -73,6 +74,8 @@ BatchItem ItemList::operator[](std::size_t index) const {
   item.output = folders_[place.output_folder] + next();
   item.preset = std::stoul(next());
   item.problem = next();
+  item.review.verdict = verdict_named(next());
+  item.review.note = next();
   return item;
 }
 

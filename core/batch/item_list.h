@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/study/review.h"
+
 namespace mocapress {
 
 /// One clip of a batch.
@@ -16,6 +18,7 @@ struct BatchItem {
   std::string output;      // below the batch's folder, without extension
   std::size_t preset = 0;  // index into Batch::presets
   std::string problem;     // why it cannot be done; else empty
+  ClipReview review = {};
 
   bool operator==(const BatchItem&) const = default;
 };
@@ -67,7 +70,7 @@ class ItemList {
   std::uint32_t index_of_folder(const std::string& path);
 
   // Of each item, each ended by 0: the last part of input, skeleton, the last part of output,
-  // preset and problem.
+  // preset, problem, verdict and note.
   std::string text_;
   std::vector<std::string> folders_;  // each ends with a /, or is empty
   std::vector<Place> places_;

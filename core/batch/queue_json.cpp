@@ -11,6 +11,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json text_or_null(std::string_view text) {
+  return text.empty() ? Json() : Json(text);
+}
+
 template <typename T>
 std::optional<T> optional_at(const Json& json, const char* key) {
   const auto found = json.find(key);
@@ -51,6 +55,8 @@ BatchItem item_from(const Json& json, std::size_t presets) {
   json.at("output").get_to(item.output);
   json.at("preset").get_to(item.preset);
   if (item.preset >= presets) throw Error(item.input + " has a preset that is not there");
+  item.review = {verdict_named(optional_at<std::string>(json, "verdict").value_or("")),
+                 optional_at<std::string>(json, "note").value_or("")};
   // The same rules as for a name that a pattern makes.
   item.output = output_name(item.output, {item.input, {}, {}}, {});
   return item;
@@ -71,7 +77,9 @@ std::string queue_text(const Batch& batch) {
     json["clips"].push_back({{"input", item.input},
                              {"skeleton", item.skeleton.empty() ? Json() : Json(item.skeleton)},
                              {"output", item.output},
-                             {"preset", item.preset}});
+                             {"preset", item.preset},
+                             {"verdict", text_or_null(name(item.review.verdict))},
+                             {"note", text_or_null(item.review.note)}});
   return dumped(json, 1) + '\n';
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <optional>
 #include <ostream>
 
 #include "core/batch/report.h"
+#include "core/compare/contender.h"
 #include "core/study/html_table.h"
 #include "core/study/markup.h"
 #include "core/study/report_style.h"
@@ -81,15 +83,15 @@ std::string pictures(const Totals& totals) {
     const WorstPose& pose = *row.worst;
     const std::string scene =
         worst_scene(pose, row.output + " over its original at its worst frame");
-    figures += element(
-        "figure", "",
-        scene + element("figcaption", "",
-                        element("b", "", escaped(row.output)) + ", frame " +
-                            std::to_string(pose.frame) + ", " +
-                            fixed(pose.frame / row.measured->sample_rate_hz, 2) + " s: the " +
-                            escaped(pose.landmark) + " is " + figure(row.measured->max_error_cm) +
-                            " cm off. " + escaped(row.preset.name) + ", " +
-                            ratio_text(row.measured->ratio) + "."));
+    figures +=
+        element("figure", "",
+                scene + element("figcaption", "",
+                                element("b", "", escaped(row.output)) + ", frame " +
+                                    std::to_string(pose.frame) + ", " +
+                                    fixed(pose.frame / row.measured->sample_rate_hz, 2) +
+                                    " s: the " + escaped(pose.landmark) + " is " +
+                                    figure(pose.off_cm) + " cm off. " + escaped(row.preset.name) +
+                                    ", " + ratio_text(row.measured->ratio) + "."));
   }
   if (figures.empty()) return "";
   return element("section", "",
@@ -99,16 +101,31 @@ std::string pictures(const Totals& totals) {
                      element("div", attribute("class", "multiples"), figures));
 }
 
+std::string figure_cell(const std::optional<double>& value) {
+  return cell(value ? figure(*value) : std::string(kNothing));
+}
+
+std::string text_cell(std::string_view text, std::string_view css) {
+  return text.empty() ? cell(kNothing, css) : cell(escaped(text), css);
+}
+
+/// What a reviewer said about it.
+std::string review_cells(const BatchRow& row) {
+  return text_cell(name(row.review.verdict), "name") + text_cell(row.review.note, "wrap");
+}
+
 void write_failures(std::ostream& out, const BatchRows& rows) {
   const auto left = attribute("class", "name");
   out << "<section><h2>Failed</h2>"
       << muted("Nothing was put in place for these; files that were there before still are.")
       << "<div class=\"scroll\"><table><thead>"
-      << line(head("Clip", left) + head("preset", left) + head("why", left)) << "</thead><tbody>";
+      << line(head("Clip", left) + head("preset", left) + head("why", left) +
+              head("verdict", left) + head("note", left))
+      << "</thead><tbody>";
   rows([&](const BatchRow& row) {
     if (!row.done())
       out << line(row_head(row.output) + cell(escaped(row.preset.name), "name") +
-                  cell(escaped(row.error), "wrap"))
+                  cell(escaped(row.error), "wrap") + review_cells(row))
           << '\n';
   });
   out << "</tbody></table></div></section>\n";
@@ -116,18 +133,20 @@ void write_failures(std::ostream& out, const BatchRows& rows) {
 
 std::string clip_line(const BatchRow& row) {
   const Measurement& m = *row.measured;
-  std::string method = row.preset.method;
+  std::string method(method_title(row.preset.method));
   if (row.preset.correction) method += ", feet held";
   if (m.ik_ratio_used) method += ", r_IK " + figure(*m.ik_ratio_used);
-  return line(row_head(row.output) + cell(escaped(row.preset.name), "name") +
-              cell(escaped(method), "name") +
-              cell(escaped(target_text(row.preset.target)), "name") +
-              cell(std::to_string(m.frames)) + cell(ratio_text(m.ratio)) +
-              cell(figure(static_cast<double>(m.motion_bytes) / 1024)) +
-              cell(figure(m.eps_cm(row.preset.weighting))) + cell(figure(m.p95_error_cm)) +
-              cell(figure(m.p99_error_cm)) + cell(figure(m.max_error_cm)) +
-              cell(std::to_string(m.worst_frame)) +
-              cell(m.footskate_cm ? figure(*m.footskate_cm) : std::string(kNothing)));
+  return line(
+      row_head(row.output) + cell(escaped(row.preset.name), "name") +
+      cell(escaped(method), "name") + cell(escaped(target_text(row.preset.target)), "name") +
+      cell(std::to_string(m.frames)) + cell(ratio_text(m.ratio)) +
+      cell(figure(static_cast<double>(m.motion_bytes) / 1024)) +
+      cell(figure(m.eps_cm(row.preset.weighting))) + cell(figure(m.p95_error_cm)) +
+      cell(figure(m.p99_error_cm)) + cell(figure(m.max_error_cm)) +
+      cell(std::to_string(m.worst_frame)) + figure_cell(m.footskate_cm) +
+      figure_cell(m.slide ? std::optional(m.slide->mean_cm) : std::nullopt) +
+      figure_cell(m.slide ? std::optional(m.slide->worst_cm) : std::nullopt) + review_cells(row) +
+      cell(row.warnings.empty() ? kNothing : std::to_string(row.warnings.size())));
 }
 
 void write_clips(std::ostream& out, const BatchRows& rows) {
@@ -138,7 +157,8 @@ void write_clips(std::ostream& out, const BatchRows& rows) {
       << line(head("Clip", left) + head("preset", left) + head("method", left) +
               head("asked", left) + head("frames") + head("ratio") + head("KB") +
               head("&#949;<sub>x</sub>") + head("p95") + head("p99") + head("max") +
-              head("at frame") + head("foot slide"))
+              head("at frame") + head("foot slide") + head("a contact") + head("worst contact") +
+              head("verdict", left) + head("note", left) + head("warnings"))
       << "</thead><tbody>\n";
   rows([&](const BatchRow& row) {
     if (row.done() && row.measured) out << clip_line(row) << '\n';
@@ -153,7 +173,7 @@ void write_warnings(std::ostream& out, const BatchRows& rows) {
   rows([&](const BatchRow& row) {
     std::string what;
     for (const std::string& warning : row.warnings)
-      what += (what.empty() ? "" : "<br>") + escaped(warning);
+      what += (what.empty() ? "" : "<br/>") + escaped(warning);
     if (!what.empty()) out << line(row_head(row.output) + cell(what, "wrap")) << '\n';
   });
   out << "</tbody></table></div></section>\n";
@@ -175,7 +195,11 @@ std::string notes() {
       "Weighted root mean square distance of points of the body from where they should be; "
       "report.csv has both weightings.");
   add("p95, p99, max", "Over all points and frames, unweighted.");
-  add("Foot slide", "While a foot stands in the original, beyond its own slide there.");
+  add("Foot slide",
+      "While a foot stands in the original, beyond its own slide there: all contacts together, a "
+      "contact on average, and the worst contact.");
+  add("Verdict, note", "What the reviewer of the clip said about it.");
+  add("Warnings", "How many places its reader repaired or guessed: they are listed below.");
   return element("section", "", element("h2", "", "How it was measured") + element("dl", "", all));
 }
 
@@ -184,8 +208,9 @@ std::string notes() {
 void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting) {
   Totals totals;
   rows([&](const BatchRow& row) { totals.add(row); });
-  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-         "content=\"width=device-width, initial-scale=1\">"
+  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta "
+         "name=\"viewport\" "
+         "content=\"width=device-width, initial-scale=1\"/>"
       << element("title", "", "Batch export") << element("style", "", kReportStyle)
       << "</head><body><main>" << element("header", "", element("h1", "", "Batch export"))
       << tiles(totals, waiting) << '\n';

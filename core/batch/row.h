@@ -27,6 +27,7 @@ struct BatchRow {
   std::size_t index = 0;  // in the whole batch
   std::string input;
   std::string output;
+  ClipReview review = {};
   Preset preset;
   std::vector<OutputFormat> formats;
   InputStamp stamp;

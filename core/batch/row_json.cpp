@@ -18,6 +18,10 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
+Json text_or_null(std::string_view text) {
+  return text.empty() ? Json() : Json(text);
+}
+
 template <typename T>
 std::optional<T> optional_at(const Json& json, const char* key) {
   const Json& value = json.at(key);
@@ -52,6 +56,8 @@ void add_measurement(Json& json, const BatchRow& row) {
   add("contacts", m.contacts);
   add("footskate_cm", or_null(m.footskate_cm));
   add("ik_ratio_used", or_null(m.ik_ratio_used));
+  add("footskate_mean_cm", m.slide ? Json(m.slide->mean_cm) : Json());
+  add("footskate_worst_cm", m.slide ? Json(m.slide->worst_cm) : Json());
   add("ik_bytes", or_null(m.ik_bytes));
   add("knee_speed_ratio", or_null(m.knee_speed_ratio));
   add("iterations", or_null(m.iterations));
@@ -77,6 +83,8 @@ Measurement measurement_from(const Json& json) {
   json.at("contacts").get_to(m.contacts);
   m.footskate_cm = optional_at<double>(json, "footskate_cm");
   m.ik_ratio_used = optional_at<double>(json, "ik_ratio_used");
+  if (const auto mean_cm = optional_at<double>(json, "footskate_mean_cm"))
+    m.slide = {*mean_cm, json.at("footskate_worst_cm").get<double>()};
   m.ik_bytes = optional_at<std::size_t>(json, "ik_bytes");
   m.knee_speed_ratio = optional_at<double>(json, "knee_speed_ratio");
   m.iterations = optional_at<int>(json, "iterations");
@@ -102,7 +110,9 @@ Json report_json(const BatchRow& row) {
   json["files"] = Json::array();
   for (const WrittenFile& file : row.files) json["files"].push_back(file.name);
   json["warnings"] = row.warnings;
-  json["error"] = row.done() ? Json() : Json(row.error);
+  json["verdict"] = text_or_null(name(row.review.verdict));
+  json["note"] = text_or_null(row.review.note);
+  json["error"] = text_or_null(row.error);
   return json;
 }
 
@@ -130,6 +140,7 @@ Json to_json(const WorstPose& pose) {
   return {{"frame", pose.frame},
           {"landmark", pose.landmark},
           {"point", pose.point},
+          {"off_cm", pose.off_cm},
           {"ground_cm", pose.ground_cm},
           {"facing", {pose.facing.x(), pose.facing.y(), pose.facing.z()}},
           {"bones", bones},
@@ -152,6 +163,7 @@ WorstPose pose_from(const Json& json) {
   json.at("frame").get_to(pose.frame);
   json.at("landmark").get_to(pose.landmark);
   json.at("point").get_to(pose.point);
+  json.at("off_cm").get_to(pose.off_cm);
   json.at("ground_cm").get_to(pose.ground_cm);
   for (int axis = 0; axis < 3; ++axis)
     pose.facing[axis] = json.at("facing").at(static_cast<std::size_t>(axis)).get<double>();
@@ -186,6 +198,8 @@ BatchRow row_from(const Json& json) {
     row.files.push_back({file.at("name").get<std::string>(), file.at("bytes").get<std::uintmax_t>(),
                          file.at("hash").get<std::string>()});
   json.at("warnings").get_to(row.warnings);
+  row.review = {verdict_named(optional_at<std::string>(json, "verdict").value_or("")),
+                optional_at<std::string>(json, "note").value_or("")};
   row.error = optional_at<std::string>(json, "error").value_or("");
   if (!json.at("worst").is_null()) row.worst = pose_from(json.at("worst"));
   return row;

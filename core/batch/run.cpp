@@ -77,8 +77,11 @@ class Run {
   void do_clip(const Waiting& clip) {
     const BatchItem item = batch_.items[clip.index];
     const std::optional<BatchRow> earlier = find(clip.index);
-    if (earlier && options_.resumed && still_done(*earlier, batch_, item, folder_))
-      return finish(clip, *earlier, true);
+    if (earlier && options_.resumed && still_done(*earlier, batch_, item, folder_)) {
+      BatchRow kept = *earlier;
+      kept.review = item.review;
+      return finish(clip, kept, true, earlier->review != item.review);
+    }
     const ExportRights rights{.overwrite = options_.overwrite,
                               .resumed = options_.resumed,
                               .earlier = earlier ? &*earlier : nullptr};
@@ -90,7 +93,7 @@ class Run {
           step.clip = progress;
           return tell(step);
         });
-    if (row) finish(clip, *row, false);
+    if (row) finish(clip, *row, false, true);
   }
 
   std::optional<BatchRow> find(std::size_t index) {
@@ -98,10 +101,10 @@ class Run {
     return journal_.find(index);
   }
 
-  void finish(const Waiting& clip, const BatchRow& row, bool kept) {
+  void finish(const Waiting& clip, const BatchRow& row, bool kept, bool is_new) {
     const std::lock_guard lock(mutex_);
     try {
-      if (!kept) journal_.append(row);
+      if (is_new) journal_.append(row);
     } catch (...) {
       failure_ = std::current_exception();
       control_.cancel();

@@ -42,6 +42,7 @@ WorstPose worst_pose(const Skeleton& skeleton, PosePoints original, PosePoints d
   WorstPose pose{.frame = worst.frame,
                  .landmark = landmarks(skeleton)[static_cast<std::size_t>(worst.landmark)].name,
                  .point = worst.landmark,
+                 .off_cm = worst.cm,
                  .ground_cm = rounded(ground_cm),
                  .bones = figure_shape(skeleton),
                  .original = std::move(original),
@@ -74,9 +75,8 @@ std::string worst_scene(const WorstPose& pose, const std::string& label) {
   scene.add_shadow(pose.decoded);
   scene.add_figure(pose.original, "ghost");
   scene.add_figure(pose.decoded, "figure");
-  const Eigen::Vector3d& wanted = pose.original[static_cast<std::size_t>(pose.point)];
-  const Eigen::Vector3d& found = pose.decoded[static_cast<std::size_t>(pose.point)];
-  scene.add_gap(wanted, found, figure((wanted - found).norm()) + " cm");
+  const auto point = static_cast<std::size_t>(pose.point);
+  scene.add_gap(pose.original[point], pose.decoded[point], figure(pose.off_cm) + " cm");
   return scene.finish(label);
 }
 

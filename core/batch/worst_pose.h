@@ -14,6 +14,7 @@ struct WorstPose {
   int frame = 0;
   std::string landmark;  // the point's name
   int point = 0;         // its index
+  double off_cm = 0;     // how far off it is: exactly, where points are rounded
   double ground_cm = 0;
   Eigen::Vector3d facing = Eigen::Vector3d::UnitZ();
   std::vector<DrawnBone> bones;

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/metrics/distortion.h"
 #include "core/metrics/rate.h"
 
@@ -72,11 +72,9 @@ bool Goal::met(double excess) const {
 
 void Goal::require_met(double excess, double achieved, bool everything_kept) const {
   if (met(excess) || (target_.kind == Target::Kind::Ratio && everything_kept && excess < 0)) return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "the target of %.4g is out of reach with this method: the nearest is %.4g",
-                target_.value, achieved);
-  throw TargetMissed(text);
+  throw TargetMissed("the target of " + significant_text(target_.value, 4) +
+                     " is out of reach with this method: the nearest is " +
+                     significant_text(achieved, 4));
 }
 
 void Goal::raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const {

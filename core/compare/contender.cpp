@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <map>
 #include <mutex>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/codec/container.h"
 #include "core/codec/count_search.h"
 #include "core/codec/goal.h"
@@ -28,7 +28,7 @@ struct WaveletContender {
 };
 
 constexpr std::array kWavelets = {
-    WaveletContender{{"annealed", "Optimised wavelets",
+    WaveletContender{{"annealed", "Annealed wavelets",
                       "Cubic wavelets, coefficients moved between channels by annealing: the "
                       "paper's Algorithm 1, candidates compared by a quadratic error model."},
                      Method::Annealed,
@@ -38,7 +38,7 @@ constexpr std::array kWavelets = {
                       "the length of the bone: the paper's section 4."},
                      Method::Standard,
                      Basis::Cubic},
-    WaveletContender{{"per-channel", "Wavelets, equally many a channel",
+    WaveletContender{{"per-channel", "Per-channel wavelets",
                       "Cubic wavelets, the largest coefficients of each channel, equally many: the "
                       "paper's first approach in section 4."},
                      Method::PerChannel,
@@ -129,11 +129,9 @@ class DetailSearch {
   void check(const Trial& trial) const {
     if (goal_.met(trial.excess)) return;
     if (target_.kind == Target::Kind::Ratio && within_reach(trial)) return;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the target of %.4g is out of reach with this method: the nearest is %.4g",
-                  target_.value, trial.achieved);
-    throw TargetMissed(text);
+    throw TargetMissed("the target of " + significant_text(target_.value, 4) +
+                       " is out of reach with this method: the nearest is " +
+                       significant_text(trial.achieved, 4));
   }
 
   Clip decode(const std::vector<std::byte>& motion) const {
@@ -174,6 +172,11 @@ const Contender* find_contender(std::string_view name) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Contender& c) { return c.name == name; });
   return found == all.end() ? nullptr : &*found;
+}
+
+std::string_view method_title(std::string_view name) {
+  const Contender* contender = find_contender(name);
+  return contender ? contender->title : name;
 }
 
 bool choose_wavelets(const Contender& contender, EncodeOptions& options) {

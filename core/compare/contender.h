@@ -14,8 +14,8 @@ namespace mocapress {
 /// A method as the user names it: a selection of wavelet coefficients in some basis, or a
 /// comparison method.
 struct Contender {
-  std::string_view name;   // "annealed", "haar", "pca" ...
-  std::string_view title;  // for a legend
+  std::string_view name;   // "annealed", "haar", "pca" ...: in options and files
+  std::string_view title;  // the same for people, everywhere
   std::string_view note;   // what it is, whose, and what is simplified
 };
 
@@ -24,6 +24,9 @@ std::span<const Contender> contenders();
 
 /// nullptr when there is none of that name.
 const Contender* find_contender(std::string_view name);
+
+/// The title of the contender of that name; the name itself where there is none.
+std::string_view method_title(std::string_view name);
 
 /// Sets method and basis to those of a contender that is wavelets. False: it is a comparison
 /// method, and nothing was set.

@@ -12,6 +12,8 @@ namespace mocapress {
 struct SlidePerContact {
   double mean_cm = 0;   // over all contacts; one that slid no further than the original counts 0
   double worst_cm = 0;  // of the contact that slid furthest
+
+  bool operator==(const SlidePerContact&) const = default;
 };
 
 /// Of footskate measured over so many contacts; unset without any.

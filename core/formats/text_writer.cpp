@@ -2,18 +2,16 @@
 #include "core/formats/text_writer.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
+
+#include "core/base/number_text.h"
 
 namespace mocapress {
 
 void append_number(std::string& text, double value, int decimals) {
-  std::array<char, 400> buffer;  // the largest double has 309 digits before the point
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                          std::chars_format::fixed, decimals);
-  std::string_view digits(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  const std::string fixed = fixed_text(value, decimals);
+  std::string_view digits = fixed;
   if (digits.find('.') != digits.npos) {
     digits = digits.substr(0, digits.find_last_not_of('0') + 1);
     if (digits.ends_with('.')) digits.remove_suffix(1);

@@ -15,7 +15,8 @@ ClipInHand::ClipInHand(MotionFile file)
       fingerprint_(mocapress::fingerprint(file.motion)),
       encoder_(std::move(file.motion)) {}
 
-Measurement ClipInHand::measure(const Compression& compression) const {
+Measurement ClipInHand::measure(const Compression& compression,
+                                std::optional<std::size_t> edited) const {
   const Clip& clip = motion().clip;
   const Distortion& distortion = compression.distortion;
   Measurement m;
@@ -35,8 +36,9 @@ Measurement ClipInHand::measure(const Compression& compression) const {
   m.worst_frame = distortion.max.frame;
   m.iterations = compression.iterations;
   m.encode_seconds = compression.seconds;
-  m.contacts = static_cast<int>(contacts().size());
-  if (m.contacts > 0) m.footskate_cm = compression.footskate.total_cm;
+  m.contacts = static_cast<int>(edited.value_or(contacts().size()));
+  m.slide = slide_per_contact(compression.footskate, static_cast<std::size_t>(m.contacts));
+  if (m.slide) m.footskate_cm = compression.footskate.total_cm;
   if (compression.correction) {
     m.ik_ratio_used = compression.correction->ratio;
     m.ik_bytes = compression.correction->bytes;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,9 @@ class ClipInHand {
   /// Spans in which a foot is planted, in the original.
   const std::vector<ContactSpan>& contacts() const { return encoder_.wavelets().contacts(); }
 
-  Measurement measure(const Compression& compression) const;
+  /// `contacts`: of edited ones, over which the footskate of the compression was measured.
+  Measurement measure(const Compression& compression,
+                      std::optional<std::size_t> contacts = {}) const;
 
  private:
   explicit ClipInHand(MotionFile file);

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "core/base/number_text.h"
 
 namespace mocapress {
 
@@ -22,8 +23,8 @@ std::string escaped(std::string_view text) {
       case '"':
         safe += "&quot;";
         break;
-      default:
-        safe += c;
+      default:  // XML has no other control characters
+        safe += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? '?' : c;
     }
   return safe;
 }
@@ -41,9 +42,7 @@ std::string attribute(std::string_view name, std::string_view value) {
 }
 
 std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  return fixed_text(value, decimals);
 }
 
 std::string figure(double value) {

@@ -10,6 +10,7 @@
 #include "core/codec/compressed_clip.h"
 #include "core/codec/target.h"
 #include "core/formats/motion_file.h"
+#include "core/study/review.h"
 
 namespace mocapress {
 
@@ -27,6 +28,7 @@ inline bool operator==(const Target& a, const Target& b) {
 struct StudyClip {
   std::filesystem::path path;
   std::vector<Target> targets;
+  ClipReview review = {};  // where a library has one
 };
 
 /// Every clip by every method at every target of the clip.

@@ -246,8 +246,8 @@ std::string report_html(const Results& results, const std::vector<Picture>& pict
   if (!results.clips().empty()) body += section("How it was measured", measuring_notes(results));
   return "<!DOCTYPE html>\n" +
          element("html", attribute("lang", "en"),
-                 "<head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-                 "content=\"width=device-width, initial-scale=1\">" +
+                 "<head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
+                 "content=\"width=device-width, initial-scale=1\"/>" +
                      element("title", "", "Compression study") +
                      element("style", "", kReportStyle) + "</head>" +
                      element("body", "", element("main", "", body))) +

@@ -11,8 +11,7 @@ namespace mocapress {
 namespace {
 
 std::string title_of(const PicturedMethod& method) {
-  const Contender* contender = find_contender(method.method);
-  return contender ? std::string(contender->title) : method.method;
+  return std::string(method_title(method.method));
 }
 
 std::string captioned(const std::string& svg, const std::string& caption,

@@ -156,14 +156,24 @@ std::optional<Target> footskate_target(const Results& results, Target::Kind kind
   return nearest;
 }
 
+/// The total, and of a contact the mean and the worst.
+std::string slide_cell(const Measurement& measured) {
+  std::string text = fixed(*measured.footskate_cm, 1) + " cm";
+  if (measured.slide)
+    text += element(
+        "small", "",
+        " (" + fixed(measured.slide->mean_cm, 2) + ", " + fixed(measured.slide->worst_cm, 2) + ")");
+  return cell(text);
+}
+
 std::string footskate_at(const Results& results, const Target& target) {
-  const auto slides = [&](const StudiedClip& clip, const Series& series) {
+  const auto measured = [&](const StudiedClip& clip, const Series& series) {
     const StudyRow* row = results.row(clip, series, target);
-    return row ? row->measured->footskate_cm : std::nullopt;
+    return row && row->measured->footskate_cm ? &*row->measured : nullptr;
   };
   const auto series = series_with(results, [&](const Series& one) {
     return std::any_of(results.clips().begin(), results.clips().end(),
-                       [&](const StudiedClip& clip) { return slides(clip, one).has_value(); });
+                       [&](const StudiedClip& clip) { return measured(clip, one) != nullptr; });
   });
   std::string heads = head("Clip", attribute("class", "name")) + head("contacts");
   for (const Series* one : series) heads += head(escaped(one->title));
@@ -178,9 +188,9 @@ std::string footskate_at(const Results& results, const Target& target) {
     all_contacts += any->measured->contacts;
     std::string cells = row_head(clip.title) + cell(std::to_string(any->measured->contacts));
     for (const Series* one : series) {
-      const auto slid = slides(clip, *one);
-      cells += cell(slid ? fixed(*slid, 1) + " cm" : kNothing);
-      sums[one] += slid.value_or(std::nan(""));
+      const Measurement* slid = measured(clip, *one);
+      cells += slid ? slide_cell(*slid) : cell(kNothing);
+      sums[one] += slid ? *slid->footskate_cm : std::nan("");
     }
     body += line(cells);
   }
@@ -297,7 +307,8 @@ std::string footskate_table(const Results& results) {
   return tables.empty() ? ""
                         : element("p", attribute("class", "muted"),
                                   "Horizontal way of the feet while planted, beyond the "
-                                  "original&#8217;s own. Contacts are found on the original; clips "
+                                  "original&#8217;s own; in brackets the mean of a contact and the "
+                                  "worst contact. Contacts are found on the original; clips "
                                   "without any are left out.") +
                               tables;
 }
@@ -306,6 +317,11 @@ std::string clip_table(const Results& results) {
   const double eps_cm = headline_eps_cm(results);
   std::string heads = head("Clip", attribute("class", "name")) + head("frames") + head("seconds");
   for (const Series& series : results.series()) heads += head(escaped(series.title));
+  const bool reviewed =
+      std::any_of(results.clips().begin(), results.clips().end(),
+                  [](const StudiedClip& clip) { return clip.review != ClipReview(); });
+  const auto left = attribute("class", "name");
+  if (reviewed) heads += head("verdict", left) + head("note", left);
   std::string body;
   for (const StudiedClip& clip : results.clips()) {
     std::string cells = row_head(clip_head(clip)) + cell(std::to_string(clip.frames)) +
@@ -315,6 +331,9 @@ std::string clip_table(const Results& results) {
       cells += cell(size ? (size->measured ? "" : "&#8776; ") + ratio_text(size->ratio)
                          : std::string(kNothing));
     }
+    if (reviewed)
+      cells += cell(escaped(name(clip.review.verdict)), "name") +
+               cell(escaped(clip.review.note), "wrap");
     body += line(cells);
   }
   return body.empty()

@@ -2,9 +2,9 @@
 #include "core/study/results.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
+#include "core/base/number_text.h"
 #include "core/compare/contender.h"
 #include "core/study/plan.h"
 
@@ -16,17 +16,15 @@ std::string stem_of(const std::string& path) {
 }
 
 std::string title_of(const StudyRow& row) {
-  const Contender* contender = find_contender(row.method);
-  std::string title = contender ? std::string(contender->title) : row.method;
+  const std::string title(method_title(row.method));
   if (!row.ik_ratio) return title;
-  char text[32];
-  std::snprintf(text, sizeof text, " + IK %g:1", *row.ik_ratio);
-  return title + text;
+  return title + " + IK " + significant_text(*row.ik_ratio, 6) + ":1";
 }
 
 StudiedClip studied(const StudyRow& row) {
   const Measurement& m = *row.measured;
   StudiedClip clip{.path = row.clip,
+                   .review = row.review,
                    .title = stem_of(row.clip),
                    .frames = m.frames,
                    .channels = m.channels,

@@ -24,6 +24,7 @@ struct Series {
 /// A clip that could be read.
 struct StudiedClip {
   std::string path;
+  ClipReview review = {};
   std::string title;  // the file's name, or the path where that is not one clip's only
   int frames = 0;
   int channels = 0;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/study/row.h"
 
-#include <cstdio>
-
+#include "core/base/number_text.h"
 #include "core/study/plan.h"
 
 namespace mocapress {
@@ -27,14 +26,12 @@ bool StudyRow::reached() const {
 }
 
 std::string StudyRow::key() const {
-  char numbers[128];
-  std::snprintf(numbers, sizeof numbers, "|%.17g|%llu|%.17g", target.value,
-                static_cast<unsigned long long>(seed), ik_ratio.value_or(0));
   std::string key = fingerprint + '|' + method + '|';
   for (const std::string_view word :
        {name(target.kind), name(weighting), coding ? name(*coding) : std::string_view()})
     key.append(word).append("|");
-  return key + numbers;
+  return key + '|' + shortest_text(target.value) + '|' + std::to_string(seed) + '|' +
+         shortest_text(ik_ratio.value_or(0));
 }
 
 }  // namespace mocapress

@@ -8,6 +8,8 @@
 
 #include "core/codec/compressed_clip.h"
 #include "core/codec/target.h"
+#include "core/contact/slide_per_contact.h"
+#include "core/study/review.h"
 
 namespace mocapress {
 
@@ -27,9 +29,10 @@ struct Measurement {
   double p95_error_cm = 0;
   double p99_error_cm = 0;
   int worst_frame = 0;
-  int contacts = 0;                     // of the feet with the ground, in the original
-  std::optional<double> footskate_cm;   // over all contacts; unset: there are none
-  std::optional<double> ik_ratio_used;  // with IK: r_IK, asked for or found
+  int contacts = 0;                      // of the feet with the ground, in the original
+  std::optional<double> footskate_cm;    // over all contacts; unset: there are none
+  std::optional<SlidePerContact> slide;  // the same footskate, a contact
+  std::optional<double> ik_ratio_used;   // with IK: r_IK, asked for or found
   std::optional<std::size_t> ik_bytes;
   std::optional<double> knee_speed_ratio;  // with IK: its speed over the original's
   std::optional<int> iterations;           // of the last annealing
@@ -48,6 +51,7 @@ struct Measurement {
 /// One compression of a study: what was asked, and what came of it or why nothing did.
 struct StudyRow {
   std::string clip;         // the path as given
+  ClipReview review = {};   // where a library has one
   std::string fingerprint;  // of the motion that was read; empty: it could not be
   std::string method;       // name of a contender
   Target target;

@@ -15,6 +15,10 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
+Json text_or_null(std::string_view text) {
+  return text.empty() ? Json() : Json(text);
+}
+
 template <typename T>
 std::optional<T> optional_at(const Json& json, const char* key) {
   const Json& value = json.at(key);
@@ -54,6 +58,8 @@ void add_measurement(Json& json, const StudyRow& row) {
   add("worst_frame", m.worst_frame);
   add("contacts", m.contacts);
   add("footskate_cm", or_null(m.footskate_cm));
+  add("footskate_mean_cm", m.slide ? Json(m.slide->mean_cm) : Json());
+  add("footskate_worst_cm", m.slide ? Json(m.slide->worst_cm) : Json());
   add("ik_bytes", or_null(m.ik_bytes));
   add("knee_speed_ratio", or_null(m.knee_speed_ratio));
   add("iterations", or_null(m.iterations));
@@ -73,7 +79,9 @@ Json to_json(const StudyRow& row) {
                {"ik_ratio", or_null(row.ik_ratio)},
                {"jobs", row.jobs}};
   add_measurement(json, row);
-  json["error"] = row.error.empty() ? Json() : Json(row.error);
+  json["verdict"] = text_or_null(name(row.review.verdict));
+  json["note"] = text_or_null(row.review.note);
+  json["error"] = text_or_null(row.error);
   return json;
 }
 
@@ -95,6 +103,8 @@ Measurement measurement_from(const Json& json) {
   json.at("worst_frame").get_to(m.worst_frame);
   json.at("contacts").get_to(m.contacts);
   m.footskate_cm = optional_at<double>(json, "footskate_cm");
+  if (const auto mean_cm = optional_at<double>(json, "footskate_mean_cm"))
+    m.slide = {*mean_cm, json.at("footskate_worst_cm").get<double>()};
   m.ik_bytes = optional_at<std::size_t>(json, "ik_bytes");
   m.knee_speed_ratio = optional_at<double>(json, "knee_speed_ratio");
   m.iterations = optional_at<int>(json, "iterations");
@@ -117,6 +127,8 @@ StudyRow row_from(const Json& json) {
   json.at("seed").get_to(row.seed);
   row.ik_ratio = optional_at<double>(json, "ik_ratio");
   json.at("jobs").get_to(row.jobs);
+  row.review = {verdict_named(optional_at<std::string>(json, "verdict").value_or("")),
+                optional_at<std::string>(json, "note").value_or("")};
   row.error = optional_at<std::string>(json, "error").value_or("");
   if (!json.at("frames").is_null()) row.measured = measurement_from(json);
   return row;

@@ -92,6 +92,7 @@ class Run {
     const StudyJob& job = jobs_[index];
     SharedClip& shared = *clips_[job.clip];
     StudyRow row{.clip = plan_.clips[job.clip].path.string(),
+                 .review = plan_.clips[job.clip].review,
                  .method = plan_.methods[job.method],
                  .target = job.target,
                  .weighting = plan_.weighting,
@@ -120,9 +121,10 @@ class Run {
   bool keep_earlier(StudyRow& row) const {
     const auto found = earlier_.find(row.key());
     if (found == earlier_.end()) return false;
-    std::string path = std::move(row.clip);
-    row = *found->second;
-    row.clip = std::move(path);  // the same motion may be elsewhere now
+    StudyRow kept = *found->second;
+    kept.clip = std::move(row.clip);  // the same motion may be elsewhere now
+    kept.review = std::move(row.review);
+    row = std::move(kept);
     return true;
   }
 

@@ -84,6 +84,47 @@ TEST_F(BatchQueue, ShowsHowFarAClipIsAndWhatItCameTo) {
   EXPECT_EQ(text(1, BatchQueueModel::Ratio), QStringLiteral("–"));
 }
 
+TEST_F(BatchQueue, VerifiedSaysWhatTheReaderWarnedOf) {
+  model_.setEnded(0, Measurement{.ratio = 20}, "", {"walk.bvh:9: the file ends early", "another"});
+  EXPECT_EQ(model_.clips()[0].state, State::Done);
+  EXPECT_TRUE(text(0, BatchQueueModel::State).startsWith(QStringLiteral("✓ Verified, 2 warning")));
+  EXPECT_EQ(model_.data(model_.index(0, BatchQueueModel::State), Qt::ToolTipRole).toString(),
+            QStringLiteral("walk.bvh:9: the file ends early\nanother"));
+  model_.setEnded(0, Measurement{.ratio = 20}, "");
+  EXPECT_EQ(text(0, BatchQueueModel::State), QStringLiteral("✓ Verified"));
+}
+
+TEST_F(BatchQueue, ARejectedClipIsLeftOutUntilItIsTicked) {
+  const auto ticked = [this](int row) {
+    return model_.data(model_.index(row, BatchQueueModel::Clip), Qt::CheckStateRole).toInt() ==
+           Qt::Checked;
+  };
+  const QString walk = QStringLiteral("/a/walk.bvh");
+  model_.setReviews({{walk, {Verdict::Rejected, "slides"}}, {QStringLiteral("/x.bvh"), {}}});
+  EXPECT_TRUE(model_.clips()[0].left_out);
+  EXPECT_FALSE(ticked(0));
+  EXPECT_TRUE(ticked(1));
+  EXPECT_EQ(text(0, BatchQueueModel::Review), QStringLiteral("✕ Rejected: slides"));
+  EXPECT_EQ(text(0, BatchQueueModel::State), QStringLiteral("Left out"));
+  EXPECT_EQ(model_.count(State::Waiting), 2);
+  EXPECT_EQ(model_.countLeftOut(), 1);
+
+  QSignalSpy toggled(&model_, &BatchQueueModel::includeToggled);
+  const QModelIndex clip = model_.index(0, BatchQueueModel::Clip);
+  EXPECT_TRUE(model_.flags(clip) & Qt::ItemIsUserCheckable);
+  model_.setData(clip, Qt::Checked, Qt::CheckStateRole);
+  ASSERT_EQ(toggled.count(), 1);
+  EXPECT_EQ(toggled[0], (QList<QVariant>{0, true}));
+
+  model_.setLeftOut({0}, false);
+  model_.setReviews({{walk, {Verdict::Rejected, "slides a lot"}}});
+  EXPECT_FALSE(model_.clips()[0].left_out) << "the user asked for it";
+  model_.setReviews({{walk, {Verdict::Approved, ""}}});
+  EXPECT_EQ(text(0, BatchQueueModel::Review), QStringLiteral("✓ Approved"));
+  model_.setReviews({{walk, {Verdict::Rejected, ""}}});
+  EXPECT_TRUE(model_.clips()[0].left_out) << "rejected anew";
+}
+
 TEST_F(BatchQueue, WhatWasBeingWorkedOnIsWaitingWhenItStops) {
   model_.setProgress(0, {});
   model_.setEnded(1, Measurement{}, "");

@@ -17,6 +17,8 @@
 #include "core/base/file.h"
 #include "core/batch/queue_json.h"
 #include "core/formats/motion_file.h"
+#include "tests/qt/well_formed.h"
+#include "tests/support/svg_frame.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
@@ -267,6 +269,77 @@ TEST_F(BatchInTheStudio, ContactsBeyondAClipAreItsFailure) {
   ASSERT_TRUE(waitForEnd());
   EXPECT_EQ(session_.queue()->clips()[0].state, Clip::Failed);
   EXPECT_NE(session_.queue()->clips()[0].error.find("frame 400"), std::string::npos);
+}
+
+TEST_F(BatchInTheStudio, ARejectedClipIsNotExportedUnlessAskedFor) {
+  addClips(3);
+  session_.setReviews({{path("clip1.bvh"), {Verdict::Rejected, "slides"}},
+                       {path("clip2.bvh"), {Verdict::Approved, "good"}}});
+  EXPECT_TRUE(statusOf(session_).contains(QLatin1Char('2'))) << qPrintable(statusOf(session_));
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(session_.state(), State::Complete);
+  EXPECT_FALSE(QFileInfo::exists(path("out/clip1.mcpr")));
+  EXPECT_EQ(session_.queue()->clips()[1].state, Clip::Waiting);
+  EXPECT_EQ(session_.queue()->clips()[2].state, Clip::Done);
+  const std::string csv = read_text(path("out/report.csv").toStdString());
+  EXPECT_EQ(csv.find("clip1"), std::string::npos);
+  EXPECT_NE(csv.find(",approved,good,"), std::string::npos);
+
+  session_.setLeftOut({1}, false);
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_TRUE(QFileInfo::exists(path("out/clip1.mcpr")));
+  EXPECT_EQ(session_.counts().kept, 2u);
+  EXPECT_NE(read_text(path("out/report.csv").toStdString()).find(",rejected,slides,"),
+            std::string::npos);
+}
+
+TEST_F(BatchInTheStudio, AClipIsLeftOutByWhatWasSaidBeforeItCame) {
+  session_.setReviews({{path("clip0.bvh"), {Verdict::Rejected, ""}}});
+  addClips(1);
+  EXPECT_TRUE(session_.queue()->clips()[0].left_out);
+  EXPECT_FALSE(session_.obstacle().isEmpty());
+  session_.start();
+  EXPECT_FALSE(session_.running());
+  session_.setLeftOut({0}, false);
+  EXPECT_TRUE(session_.obstacle().isEmpty());
+  session_.undo();
+  EXPECT_TRUE(session_.queue()->clips()[0].left_out);
+}
+
+TEST_F(BatchInTheStudio, VerdictsNotesAndWhatIsLeftOutOutliveTheProgram) {
+  addClips(2);
+  session_.setReviews({{path("clip0.bvh"), {Verdict::Rejected, "slides"}}});
+  session_.setLeftOut({1}, true);
+  session_.setLeftOut({0}, false);
+  session_.start();  // remembers at once
+  const BatchSession later(path("memory.json"), &presets_);
+  ASSERT_EQ(later.queue()->rowCount(), 2);
+  EXPECT_EQ(later.queue()->clips()[0].review, (ClipReview{Verdict::Rejected, "slides"}));
+  EXPECT_FALSE(later.queue()->clips()[0].left_out);
+  EXPECT_TRUE(later.queue()->clips()[1].left_out);
+  ASSERT_TRUE(waitForEnd());
+}
+
+TEST_F(BatchInTheStudio, ATruncatedFileIsVerifiedWithItsWarning) {
+  addClips(1);
+  const std::string whole = read_text(path("clip0.bvh").toStdString());
+  write_text(path("clip0.bvh").toStdString(), whole.substr(0, whole.rfind('\n', whole.size() - 2)));
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  ASSERT_EQ(count(Clip::Done), 1);
+  EXPECT_EQ(session_.queue()->clips()[0].warnings.size(), 1u);
+  EXPECT_TRUE(statusOf(session_).contains(QStringLiteral("with warnings")));
+}
+
+TEST_F(BatchInTheStudio, ItsReportIsWellFormedAndItsPicturesFillTheirFrames) {
+  addClips(2);
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  const std::string page = read_text(session_.report().toStdString());
+  EXPECT_EQ(test::ill_formed(QString::fromStdString(page)), "");
+  EXPECT_EQ(test::misfit(page), "");
 }
 
 TEST_F(BatchInTheStudio, WritesItsQueueAndAScriptForSlurm) {

@@ -72,7 +72,8 @@ TEST(StudySettings, BecomeAPlanOfEveryClipAtEveryTarget) {
                 {Target::Kind::Ratio, 10}, {Target::Kind::Ratio, 20}, {Target::Kind::Error, 0.5}}));
   EXPECT_EQ(plan.weighting, Weighting::JointOrigins);
   EXPECT_EQ(plan.ik_ratios, Numbers{16});
-  EXPECT_EQ(jobs_of(plan).size(), 2 * (5 * 3 + 2u));  // feet are held at ratios only
+  EXPECT_EQ(jobs_of(plan).size(),
+            2 * (settings.methods.size() * 3 + 2u));  // feet are held at ratios only
 }
 
 TEST(StudySettings, UsualOnesNameContendersAndUsualTargets) {

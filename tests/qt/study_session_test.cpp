@@ -14,6 +14,8 @@
 #include "core/formats/motion_file.h"
 #include "core/study/row_json.h"
 #include "core/study/study_folder.h"
+#include "tests/qt/well_formed.h"
+#include "tests/support/svg_frame.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
@@ -113,6 +115,27 @@ TEST_F(StudyInTheStudio, CancelKeepsWhatIsDoneAndTheNextRunGoesOn) {
   run(long_one);
   EXPECT_EQ(session_.state(), State::Complete);
   EXPECT_EQ(session_.counts().kept, static_cast<int>(done));
+}
+
+TEST_F(StudyInTheStudio, ItsReportIsWellFormedAndItsPicturesFillTheirFrames) {
+  run(settings({writeClip("one.bvh", 200)}));
+  const QString file = path("study.html");
+  session_.exportReport(file);
+  const QByteArray page = written(file);
+  EXPECT_EQ(test::ill_formed(QString::fromUtf8(page)), "");
+  EXPECT_EQ(test::misfit(page.toStdString()), "");
+  EXPECT_TRUE(page.contains("class=\"scene\""));
+}
+
+TEST_F(StudyInTheStudio, ItsTablesCarryWhatTheLibrarySays) {
+  const QString clip = writeClip("one.bvh", 120);
+  session_.setReviews({{clip, {Verdict::Rejected, "slides"}}});
+  run(settings({clip}));
+  EXPECT_EQ(session_.rows()[0].review, (ClipReview{Verdict::Rejected, "slides"}));
+  session_.setReviews({{clip, {Verdict::Approved, "mended"}}});
+  const QString file = path("rows.csv");
+  session_.exportRows(file);
+  EXPECT_TRUE(written(file).contains(",approved,mended,"));
 }
 
 TEST_F(StudyInTheStudio, ANewerRunVoidsTheOlder) {

@@ -35,8 +35,8 @@ std::set<std::string> keys_of(const json& object) {
 }
 
 const std::set<std::string> kStringKeys = {"input", "method", "weighting", "coding", "verified_by"};
-const std::set<std::string> kIntegerKeys = {"frames",    "channels",     "joints",
-                                            "raw_bytes", "motion_bytes", "file_bytes"};
+const std::set<std::string> kIntegerKeys = {"frames",       "channels",   "joints",  "raw_bytes",
+                                            "motion_bytes", "file_bytes", "contacts"};
 const std::set<std::string> kNumberKeys = {
     "sample_rate_hz",         "ratio",        "eps_x_cm",     "eps_x_bone_ends_cm",
     "eps_x_joint_origins_cm", "max_error_cm", "p95_error_cm", "p99_error_cm",
@@ -44,6 +44,7 @@ const std::set<std::string> kNumberKeys = {
 const std::set<std::string> kEncodingKeys = {"coefficient_ratio", "iterations", "encode_seconds"};
 // Null: the clip has no feet.
 const std::set<std::string> kNullKeys = {"ik_ratio", "ik_bytes", "footskate_cm",
+                                         "footskate_mean_cm", "footskate_worst_cm",
                                          "footskate_without_ik_cm"};
 
 /// Exactly the keys of a report, each of its type; those of the encoding are numbers or null.
@@ -102,6 +103,11 @@ TEST_F(Cli, HoldsTheFeetOfASampleAndReportsIt) {
   EXPECT_EQ(measured["ik_bytes"], with["ik_bytes"]);
   EXPECT_EQ(measured["motion_bytes"], with["motion_bytes"]);
   EXPECT_NEAR(measured["footskate_cm"], with["footskate_cm"], 0.01);
+  EXPECT_GT(measured["contacts"], 1);
+  EXPECT_NEAR(measured["footskate_mean_cm"].get<double>() * measured["contacts"].get<double>(),
+              measured["footskate_cm"].get<double>(), 1e-9);
+  EXPECT_GE(measured["footskate_worst_cm"], measured["footskate_mean_cm"]);
+  EXPECT_LE(measured["footskate_worst_cm"], measured["footskate_cm"]);
 }
 
 TEST_F(Cli, ShowsTheSplitThatAutoFound) {

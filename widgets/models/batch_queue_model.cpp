@@ -92,6 +92,30 @@ void BatchQueueModel::setOwn(const std::map<int, std::optional<Preset>>& by_row)
   if (!by_row.empty()) emit edited();
 }
 
+void BatchQueueModel::setReviews(const ClipReviews& reviews) {
+  bool any = false;
+  for (int row = 0; row < rowCount(); ++row) {
+    QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
+    const auto found = reviews.find(QString::fromStdString(clip.source.path));
+    if (found == reviews.end() || *found == clip.review) continue;
+    const bool was_rejected = clip.review.verdict == Verdict::Rejected;
+    const bool is_rejected = found->verdict == Verdict::Rejected;
+    if (was_rejected != is_rejected) clip.left_out = is_rejected;
+    clip.review = *found;
+    any = true;
+    changed(row);
+  }
+  if (any) emit edited();
+}
+
+void BatchQueueModel::setLeftOut(const std::vector<int>& rows, bool left_out) {
+  for (const int row : rows) {
+    clips_[static_cast<std::size_t>(row)].left_out = left_out;
+    changed(row);
+  }
+  if (!rows.empty()) emit edited();
+}
+
 void BatchQueueModel::add(const std::vector<QueuedClip>& clips) {
   std::set<std::string> there;
   for (const QueuedClip& clip : clips_) there.insert(clip.source.path);
@@ -132,11 +156,12 @@ void BatchQueueModel::setProgress(int row, const ClipProgress& progress) {
 }
 
 void BatchQueueModel::setEnded(int row, const std::optional<Measurement>& measured,
-                               const std::string& error) {
+                               const std::string& error, const std::vector<std::string>& warnings) {
   QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
   clip.state = error.empty() ? QueuedClip::State::Done : QueuedClip::State::Failed;
   clip.measured = measured;
   clip.error = error;
+  clip.warnings = warnings;
   changed(row);
 }
 
@@ -155,6 +180,7 @@ void BatchQueueModel::wait(int row) {
   clip.progress = {};
   clip.measured.reset();
   clip.error.clear();
+  clip.warnings.clear();
   changed(row);
 }
 
@@ -163,8 +189,14 @@ void BatchQueueModel::changed(int row) {
 }
 
 int BatchQueueModel::count(QueuedClip::State state) const {
-  return static_cast<int>(std::count_if(
-      clips_.begin(), clips_.end(), [&](const QueuedClip& clip) { return clip.state == state; }));
+  return static_cast<int>(std::count_if(clips_.begin(), clips_.end(), [&](const QueuedClip& clip) {
+    return clip.state == state && !clip.left_out;
+  }));
+}
+
+int BatchQueueModel::countLeftOut() const {
+  return static_cast<int>(std::count_if(clips_.begin(), clips_.end(),
+                                        [](const QueuedClip& clip) { return clip.left_out; }));
 }
 
 int BatchQueueModel::rowCount(const QModelIndex& parent) const {
@@ -176,6 +208,7 @@ int BatchQueueModel::columnCount(const QModelIndex& parent) const {
 }
 
 QString BatchQueueModel::stateText(const QueuedClip& clip) const {
+  if (clip.left_out) return tr("Left out");
   switch (clip.state) {
     case QueuedClip::State::Waiting:
       return tr("Waiting");
@@ -184,11 +217,21 @@ QString BatchQueueModel::stateText(const QueuedClip& clip) const {
           .arg(stageName(clip.progress.stage))
           .arg(std::lround(100 * clip.progress.fraction));
     case QueuedClip::State::Done:
+      if (!clip.warnings.empty())
+        return tr("✓ Verified, %Ln warning(s)", nullptr, static_cast<int>(clip.warnings.size()));
       return tr("✓ Verified");
     case QueuedClip::State::Failed:
       return tr("✗ %1").arg(shortError(clip));
   }
   return {};
+}
+
+QString BatchQueueModel::reviewText(const QueuedClip& clip) const {
+  const QString note = QString::fromStdString(clip.review.note).simplified();
+  if (clip.review.verdict == Verdict::None) return note;
+  const QString verdict =
+      clip.review.verdict == Verdict::Approved ? tr("✓ Approved") : tr("✕ Rejected");
+  return note.isEmpty() ? verdict : tr("%1: %2").arg(verdict, note);
 }
 
 QVariant BatchQueueModel::figure(const QueuedClip& clip, int row, int column) const {
@@ -208,8 +251,17 @@ QString BatchQueueModel::toolTip(int row, int column) const {
   if (column == Lock)
     return clip.own ? tr("Locked: keeps its own settings. Click to give it those all clips share.")
                     : tr("Click to lock its settings: a change for all clips leaves it alone.");
+  if (column == State && clip.left_out)
+    return tr("It is not exported. Tick the clip to export it too.");
   if (column == State && clip.state == QueuedClip::State::Failed)
     return QString::fromStdString(clip.error);
+  if (column == State && !clip.warnings.empty()) {
+    QStringList lines;
+    for (const std::string& warning : clip.warnings) lines << QString::fromStdString(warning);
+    return lines.join(QLatin1Char('\n'));
+  }
+  if (column == Review && !clip.review.note.empty())
+    return QString::fromStdString(clip.review.note);
   return QDir::toNativeSeparators(QString::fromStdString(clip.source.path));
 }
 
@@ -229,11 +281,16 @@ QVariant BatchQueueModel::data(const QModelIndex& index, int role) const {
           const QString target = batchTargetText(preset.target);
           return tr("%1 · %2").arg(displayName(preset), target);
         }
+        case Review:
+          return reviewText(clip);
         case State:
           return stateText(clip);
         default:
           return figure(clip, row, index.column());
       }
+    case Qt::CheckStateRole:
+      if (index.column() != Clip) return {};
+      return clip.left_out ? Qt::Unchecked : Qt::Checked;
     case Qt::DecorationRole:
       if (index.column() != Lock) return {};
       return themedIcon(clip.own ? QStringLiteral("lock") : QStringLiteral("unlock"));
@@ -256,10 +313,22 @@ QVariant BatchQueueModel::data(const QModelIndex& index, int role) const {
       if (clip.state == QueuedClip::State::Working) return clip.progress.fraction;
       return {};
     case kStateRole:
-      return static_cast<int>(clip.state);
+      return static_cast<int>(clip.left_out ? QueuedClip::State::Waiting : clip.state);
     default:
       return {};
   }
+}
+
+Qt::ItemFlags BatchQueueModel::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags usual = QAbstractTableModel::flags(index);
+  return index.isValid() && index.column() == Clip ? usual | Qt::ItemIsUserCheckable : usual;
+}
+
+/// Whoever has the history of the queue does it.
+bool BatchQueueModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!index.isValid() || index.column() != Clip || role != Qt::CheckStateRole) return false;
+  emit includeToggled(index.row(), value.toInt() == Qt::Checked);
+  return true;
 }
 
 QVariant BatchQueueModel::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -272,11 +341,14 @@ QVariant BatchQueueModel::headerData(int section, Qt::Orientation orientation, i
   const auto texts = [&]() -> Texts {
     switch (section) {
       case Clip:
-        return {tr("Clip"), {}};
+        return {tr("Clip"), tr("Only clips that are ticked are exported.")};
       case Lock:
         return {{}, tr("Locked clips keep their own settings.")};
       case Settings:
         return {tr("Settings"), tr("The preset and its target.")};
+      case Review:
+        return {tr("Verdict"), tr("What the library says about the clip. A rejected clip is left "
+                                  "out until it is ticked.")};
       case State:
         return {tr("State"), tr("Verified: the file was read back, decoded and measured.")};
       case Ratio:

@@ -9,6 +9,7 @@
 #include "core/batch/clip_export.h"
 #include "core/batch/preset.h"
 #include "core/batch/row.h"
+#include "widgets/models/clip_reviews.h"
 
 namespace mocapress {
 
@@ -19,10 +20,13 @@ struct QueuedClip {
   SourceClip source;
   std::string skeleton;       // .asf; empty: beside the .amc
   std::optional<Preset> own;  // locked: the common preset does not reach it
+  ClipReview review = {};     // of the library
+  bool left_out = false;      // it stays in the queue and is not exported
   State state = State::Waiting;
   ClipProgress progress;                // while working
   std::optional<Measurement> measured;  // when done, by the file that was read back
   std::string error;                    // when failed
+  std::vector<std::string> warnings;    // when it has ended: what its reader repaired or guessed
 };
 
 /// The clips of a batch, the preset they have in common, and what became of each.
@@ -30,7 +34,7 @@ class BatchQueueModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { Clip, Lock, Settings, State, Ratio, Eps, Max, Columns };
+  enum Column { Clip, Lock, Settings, Review, State, Ratio, Eps, Max, Columns };
 
   /// 0 to 1 while the clip is being worked on, else invalid.
   static constexpr int kProgressRole = Qt::UserRole;
@@ -47,6 +51,11 @@ class BatchQueueModel : public QAbstractTableModel {
   void setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset);
   void setOwn(const std::map<int, std::optional<Preset>>& by_row);
 
+  /// A clip that is rejected is left out from then on, one that no longer is comes back. What is
+  /// said of other clips than these stays.
+  void setReviews(const ClipReviews& reviews);
+  void setLeftOut(const std::vector<int>& rows, bool left_out);
+
   /// Those that are not there yet.
   void add(const std::vector<QueuedClip>& clips);
 
@@ -56,28 +65,37 @@ class BatchQueueModel : public QAbstractTableModel {
 
   /// Of a running batch, whose indices are rows.
   void setProgress(int row, const ClipProgress& progress);
-  void setEnded(int row, const std::optional<Measurement>& measured, const std::string& error);
+  void setEnded(int row, const std::optional<Measurement>& measured, const std::string& error,
+                const std::vector<std::string>& warnings = {});
 
   /// Clips that were being worked on are waiting again.
   void stopWorking();
   /// All of them, for they go somewhere else, or by another name.
   void waitAgain();
 
+  /// Of those that are not left out.
   int count(QueuedClip::State state) const;
+  int countLeftOut() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  signals:
   /// Clips or settings, which are worth keeping; not progress.
   void edited();
 
+  /// The user ticked a clip, or took its tick away.
+  void includeToggled(int row, bool included);
+
  private:
   void wait(int row);
   void changed(int row);
   QString stateText(const QueuedClip& clip) const;
+  QString reviewText(const QueuedClip& clip) const;
   QString toolTip(int row, int column) const;
   QVariant figure(const QueuedClip& clip, int row, int column) const;
 

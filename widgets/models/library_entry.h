@@ -7,10 +7,9 @@
 #include <cstddef>
 #include <optional>
 
-namespace mocapress {
+#include "core/study/review.h"
 
-/// What a reviewer decided.
-enum class Verdict { None, Approved, Rejected };
+namespace mocapress {
 
 /// What the last compression of a clip came to.
 struct Outcome {

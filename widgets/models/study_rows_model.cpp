@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/compare/contender.h"
+#include "widgets/models/method_names.h"
 #include "widgets/models/series_style.h"
 
 namespace mocapress {
@@ -66,10 +66,7 @@ QVariant sortKey(const StudyRow& row, int column) {
 }  // namespace
 
 QString seriesTitle(const StudyRow& row) {
-  const Contender* contender = find_contender(row.method);
-  const QString title = QString::fromUtf8(contender ? contender->title : row.method);
-  if (!row.ik_ratio) return title;
-  return StudyRowsModel::tr("%1 + IK %L2:1").arg(title).arg(*row.ik_ratio);
+  return seriesTitle(row.method, row.ik_ratio);
 }
 
 QString clipTitle(const StudyRow& row) {

@@ -36,7 +36,7 @@ class StudyRowsModel : public QAbstractTableModel {
   std::vector<StudyRow> rows_;
 };
 
-/// "Optimised wavelets + IK 16:1".
+/// "Annealed wavelets + IK 16:1".
 QString seriesTitle(const StudyRow& row);
 
 /// The file's name without its ending.

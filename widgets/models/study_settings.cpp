@@ -5,7 +5,7 @@ namespace mocapress {
 
 StudySettings usualStudySettings() {
   StudySettings settings;
-  for (const char* method : {"annealed", "standard", "haar", "pca", "subsample"})
+  for (const char* method : {"closed-loop", "annealed", "standard", "haar", "pca", "subsample"})
     settings.methods << QLatin1String(method);
   for (const Target& target : usual_targets())
     (target.kind == Target::Kind::Ratio ? settings.ratios : settings.errors)

@@ -96,7 +96,7 @@ BatchQueueView::BatchQueueView(BatchQueueModel* model, QWidget* parent) : QTreeV
   QHeaderView* heads = header();
   heads->setStretchLastSection(false);
   heads->setMinimumSectionSize(30);
-  constexpr int kWidths[] = {180, 32, 226, 200, 76, 80, 76};
+  constexpr int kWidths[] = {180, 32, 226, 130, 200, 76, 80, 76};
   for (int column = 0; column < BatchQueueModel::Columns; ++column)
     heads->resizeSection(column, kWidths[column]);
   heads->setSectionResizeMode(BatchQueueModel::State, QHeaderView::Stretch);
@@ -110,6 +110,14 @@ BatchQueueView::BatchQueueView(BatchQueueModel* model, QWidget* parent) : QTreeV
   connect(remove, &QAction::triggered, this, [this] {
     if (editable_ && !selectedRows().empty()) emit removeRequested(selectedRows());
   });
+  auto* leave_out = new QAction(tr("Leave Out"), this);
+  auto* include = new QAction(tr("Export Too"), this);
+  addActions({include, leave_out});
+  connect(include, &QAction::triggered, this, [this] { requestLeftOut(false); });
+  connect(leave_out, &QAction::triggered, this, [this] { requestLeftOut(true); });
+  connect(model, &BatchQueueModel::includeToggled, this, [this](int row, bool included) {
+    if (editable_) emit leaveOutRequested({row}, !included);
+  });
   connect(this, &QTreeView::clicked, this, [this](const QModelIndex& index) {
     if (editable_ && index.column() == BatchQueueModel::Lock) emit lockToggled(index.row());
   });
@@ -118,6 +126,10 @@ BatchQueueView::BatchQueueView(BatchQueueModel* model, QWidget* parent) : QTreeV
   });
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &BatchQueueView::selectedRowsChanged);
+}
+
+void BatchQueueView::requestLeftOut(bool left_out) {
+  if (editable_ && !selectedRows().empty()) emit leaveOutRequested(selectedRows(), left_out);
 }
 
 std::vector<int> BatchQueueView::selectedRows() const {

@@ -24,6 +24,7 @@ class BatchQueueView : public QTreeView {
   void dropped(const QStringList& paths);
   void removeRequested(const std::vector<int>& rows);
   void lockToggled(int row);
+  void leaveOutRequested(const std::vector<int>& rows, bool left_out);
   void selectedRowsChanged();
   void openRequested(int row);
 
@@ -34,6 +35,8 @@ class BatchQueueView : public QTreeView {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void requestLeftOut(bool left_out);
+
   bool editable_ = true;
 };
 

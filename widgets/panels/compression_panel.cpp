@@ -168,8 +168,9 @@ void CompressionPanel::showWhatApplies() {
       heeded ? QStringLiteral("<p>%1</p><p>%2</p>")
                    .arg(importance,
                         tr("Take more care of feet, hands, the head, contacts or any joint."))
-             : tr("Standard and per channel take coefficients as they come and heed no "
-                  "importance: choose Closed loop or Annealed."));
+             : tr("This method takes coefficients as they come and heeds no importance: choose %1 "
+                  "or %2.")
+                   .arg(displayName(Method::ClosedLoop), displayName(Method::Annealed)));
   importance_->setEnabled(heeded);
 }
 

@@ -16,6 +16,7 @@
 
 #include "widgets/models/preset_names.h"
 #include "widgets/panels/factor_control.h"
+#include "widgets/panels/names.h"
 
 namespace mocapress {
 namespace {
@@ -148,7 +149,8 @@ void ImportancePanel::setMethod(Method method) {
   const bool heeded = heeds(method);
   note_->setText(heeded ? tr("What the encoder takes more care of, at the cost of the rest.")
                         : tr("This method takes coefficients as they come and heeds no importance: "
-                             "choose Closed loop or Annealed."));
+                             "choose %1 or %2.")
+                              .arg(displayName(Method::ClosedLoop), displayName(Method::Annealed)));
   for (const auto& [part, control] : parts_)
     control->setEnabled(heeded && !joints_of(skeleton_, part).empty());
   for (QWidget* widget : {static_cast<QWidget*>(contacts_), static_cast<QWidget*>(joints_),

@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include "widgets/models/method_names.h"
+
 namespace mocapress {
 namespace {
 
@@ -13,17 +15,7 @@ struct Names {
 }  // namespace
 
 QString displayName(Method method) {
-  switch (method) {
-    case Method::PerChannel:
-      return Names::tr("Per channel");
-    case Method::Standard:
-      return Names::tr("Standard");
-    case Method::Annealed:
-      return Names::tr("Annealed");
-    case Method::ClosedLoop:
-      return Names::tr("Closed loop");
-  }
-  return {};
+  return methodTitle(name(method));
 }
 
 QString displayName(Coding coding) {

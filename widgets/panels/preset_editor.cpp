@@ -12,6 +12,7 @@
 
 #include "core/compare/comparison_method.h"
 #include "core/compare/contender.h"
+#include "widgets/models/method_names.h"
 #include "widgets/models/preset_names.h"
 #include "widgets/panels/preset_chooser.h"
 
@@ -58,7 +59,7 @@ void PresetEditor::addRows() {
   value_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   method_->setAccessibleName(tr("Method"));
   for (const Contender& contender : contenders()) {
-    method_->addItem(QString::fromUtf8(contender.title), QString::fromUtf8(contender.name));
+    method_->addItem(methodTitle(contender.name), QString::fromUtf8(contender.name));
     method_->setItemData(
         method_->count() - 1,
         QStringLiteral("<p>%1</p>").arg(QString::fromUtf8(contender.note).toHtmlEscaped()),

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "core/compare/contender.h"
+#include "widgets/models/method_names.h"
 #include "widgets/models/series_style.h"
 #include "widgets/panels/names.h"
 #include "widgets/panels/number_list_edit.h"
@@ -87,7 +88,7 @@ void StudyPanel::fillMethods() {
   methods_->setUniformItemSizes(true);
   methods_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   for (const Contender& contender : contenders()) {
-    auto* item = new QListWidgetItem(QString::fromUtf8(contender.title), methods_);
+    auto* item = new QListWidgetItem(methodTitle(contender.name), methods_);
     item->setData(Qt::UserRole, QString::fromUtf8(contender.name));
     item->setToolTip(
         QStringLiteral("<p>%1</p>").arg(QString::fromUtf8(contender.note).toHtmlEscaped()));
@@ -105,7 +106,7 @@ void StudyPanel::fillMethods() {
 
 QWidget* StudyPanel::makeFeet() {
   hold_feet_->setToolTip(
-      tr("A curve more: optimised wavelets whose feet inverse kinematics hold in place, at the "
+      tr("A curve more: annealed wavelets whose feet inverse kinematics hold in place, at the "
          "ratios asked for."));
   ik_ratio_->setAccessibleName(tr("IK ratio of the study"));
   ik_ratio_->setToolTip(tr("How much the correction signals are compressed (r_IK)."));

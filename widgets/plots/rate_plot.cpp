@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 
+#include "widgets/models/method_names.h"
 #include "widgets/models/series_style.h"
 #include "widgets/panels/names.h"
 #include "widgets/plots/log_ticker.h"
@@ -169,7 +170,7 @@ void RatePlot::addCurve(const RateCurve& curve) {
   for (const RatePoint& point : curve.points) points->addData(point.ratio, point.eps_cm);
 
   QCPGraph* line = plot_->addGraph();
-  line->setName(QString::fromStdString(curve.series.title));
+  line->setName(seriesTitle(curve.series.method, curve.series.ik_ratio));
   line->setPen(QPen(style.colour, 2, style.dashed ? Qt::DashLine : Qt::SolidLine));
   line->setScatterStyle(markOf(style, background, 7));
   if (curve.mean) line->setScatterSkip(7);  // it has points enough to be smooth

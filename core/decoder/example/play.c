@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
     }
     if (terminal) printf("\033[H\033[2J");
     for (int row = 0; row < ROWS; ++row) printf("%.*s\n", COLUMNS, screen[row]);
-    printf("%.2f s\n", frame / info.sample_rate);
+    printf("%ld ms\n", lrint(1000 * frame / info.sample_rate));
     fflush(stdout);
     const struct timespec pause = {0, 1000000000L / 25};
     if (terminal) nanosleep(&pause, NULL);

@@ -63,7 +63,8 @@ TEST(ItemList, GivesBackWhatItTookWhateverWasReplacedAndErased) {
                     .skeleton = i % 3 ? "" : "/s.asf",
                     .output = (i % 2 ? "a/" : "") + std::to_string(i),
                     .preset = 7 * i,
-                    .problem = i % 5 ? "" : "no"});
+                    .problem = i % 5 ? "" : "no",
+                    .review = {static_cast<Verdict>(i % 3), i % 4 ? "" : "a\nnote"}});
     list.push_back(kept.back());
   }
   for (const std::size_t index : {std::size_t{46}, std::size_t{0}, std::size_t{20}}) {
@@ -142,7 +143,11 @@ TEST(Queue, ComesBackFromItsFileAsItWas) {
               .reading = {.sample_rate_hz = 60.0, .bvh_root = TranslationConvention::Replaces},
               .writing = {.cm_per_unit = 2.54, .up = UpAxis::Z}};
   batch.items = {{.input = "/a/ü \"x\".bvh", .output = "a/x", .preset = 2},
-                 {.input = "/b.amc", .skeleton = "/c.asf", .output = "b", .preset = 0}};
+                 {.input = "/b.amc",
+                  .skeleton = "/c.asf",
+                  .output = "b",
+                  .preset = 0,
+                  .review = {Verdict::Rejected, "slides"}}};
   const Batch read = parse_queue("", queue_text(batch));
   EXPECT_EQ(read.presets, batch.presets);
   EXPECT_EQ(read.formats, batch.formats);

@@ -24,12 +24,19 @@ class JournalTest : public test::BatchTest {
     row.formats = {OutputFormat::Mcpr, OutputFormat::Csv};
     row.stamp = {123, 456, "abc"};
     row.joints = 8;
-    row.measured = Measurement{.frames = 7, .eps_bone_ends_cm = 0.1, .encode_seconds = 2};
+    row.measured = Measurement{.frames = 7,
+                               .eps_bone_ends_cm = 0.1,
+                               .contacts = 2,
+                               .footskate_cm = 3,
+                               .slide = SlidePerContact{1.5, 2},
+                               .encode_seconds = 2};
     row.files = {{"in/one.mcpr", 12, "0f"}};
     row.warnings = {"a, \"warning\""};
+    row.review = {Verdict::Approved, "fine\nas it is"};
     row.worst = WorstPose{.frame = 3,
                           .landmark = "head",
                           .point = 1,
+                          .off_cm = 0.251,
                           .ground_cm = -1.5,
                           .facing = Eigen::Vector3d::UnitX(),
                           .bones = {{0, 1, 2.5, 1.25}},
@@ -51,7 +58,9 @@ TEST_F(JournalTest, ARowComesBackAsItWas) {
   EXPECT_EQ(read->stamp, written.stamp);
   EXPECT_EQ(read->files, written.files);
   EXPECT_EQ(read->measured, written.measured);
+  EXPECT_EQ(read->review, written.review);
   EXPECT_EQ(read->worst->decoded[1].z(), 5.5);
+  EXPECT_EQ(read->worst->off_cm, 0.251);
 }
 
 TEST_F(JournalTest, WhatIsNoWholeRowIsNone) {

@@ -9,6 +9,8 @@
 #include "core/base/error.h"
 #include "core/batch/merge.h"
 #include "core/compare/compared_file.h"
+#include "core/study/markup.h"
+#include "tests/support/svg_frame.h"
 #include "tests/unit/batch/batch_clips.h"
 
 namespace mocapress {
@@ -234,6 +236,45 @@ TEST_F(BatchRun, TheReportDrawsTheWorstFramesAndNeedsNothingElse) {
   EXPECT_THAT(page, Not(HasSubstr("<script")));
   EXPECT_THAT(page, Not(HasSubstr("<link")));
   EXPECT_THAT(page, Not(HasSubstr("<img")));
+  EXPECT_EQ(test::misfit(page), "");
+}
+
+TEST_F(BatchRun, PicturesSayWhatTheirCaptionsAndTheBoundSay) {
+  run(batch());
+  const std::string page = read_text(out() / "report.html");
+  for (const BatchRow& row : rows()) {
+    EXPECT_EQ(row.worst->off_cm, row.measured->max_error_cm);
+    EXPECT_THAT(page, HasSubstr(">" + figure(row.measured->max_error_cm) + " cm</text>"));
+    EXPECT_THAT(page, HasSubstr("is " + figure(row.measured->max_error_cm) + " cm off"));
+  }
+}
+
+TEST_F(BatchRun, EveryReportCarriesVerdictsNotesAndWarnings) {
+  std::string text = read_text(folder_ / "in/one.bvh");
+  write_text(folder_ / "in/one.bvh", text.substr(0, text.rfind('\n', text.size() - 2) + 1));
+  Batch asked = batch();
+  BatchItem item = asked.items[1];
+  item.review = {Verdict::Approved, "a \"good\" <one>"};
+  asked.items.replace(1, item);
+  run(asked);
+  const BatchRow row = rows()[1];
+  EXPECT_EQ(row.review, item.review);
+  ASSERT_EQ(row.warnings.size(), 1u) << "the clip ends before its last frame";
+  EXPECT_THAT(read_text(out() / "report.csv"), HasSubstr(",approved,\"a \"\"good\"\" <one>\","));
+  EXPECT_THAT(read_text(out() / "report.json"),
+              HasSubstr(R"("verdict":"approved","note":"a \"good\" <one>")"));
+  EXPECT_THAT(read_text(out() / "report.html"), HasSubstr("a &quot;good&quot; &lt;one&gt;"));
+}
+
+TEST_F(BatchRun, ResumedTellsWhatTheReviewerSaysNow) {
+  run(batch());
+  Batch asked = batch();
+  BatchItem item = asked.items[1];
+  item.review = {Verdict::Rejected, "slides"};
+  asked.items.replace(1, item);
+  EXPECT_EQ(run(asked, {.resumed = true}).counts.kept, 3u);
+  EXPECT_EQ(rows()[1].review, item.review);
+  EXPECT_THAT(read_text(out() / "report.csv"), HasSubstr(",rejected,slides,"));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "core/study/report_feet.h"
 #include "core/study/report_tables.h"
 #include "core/study/scene_svg.h"
+#include "tests/support/svg_frame.h"
 #include "tests/support/test_motion.h"
 #include "tests/unit/study/study_rows.h"
 
@@ -30,7 +31,7 @@ std::string imbalance(const std::string& html) {
   std::vector<std::string> open;
   for (std::sregex_iterator tag(html.begin(), html.end(), kTag), end; tag != end; ++tag) {
     const std::string name = (*tag)[2];
-    if (name == "meta") continue;
+    if ((*tag)[3].str().ends_with('/')) continue;
     if ((*tag)[1].length() == 0)
       open.push_back(name);
     else if (open.empty() || open.back() != name)
@@ -128,6 +129,27 @@ TEST(ReportTables, SetFeetHeldAgainstTheSameSizeWithout) {
   EXPECT_THAT(table, HasSubstr("1.05 x"));
 }
 
+TEST(ReportTables, TellOfSlidingAContactBesideTheTotal) {
+  auto rows = known_rows();
+  for (StudyRow& row : rows) {
+    row.measured->contacts = 4;
+    row.measured->footskate_cm = 10;
+    row.measured->slide = {2.5, 7.25};
+  }
+  const std::string table = footskate_table(Results(rows));
+  EXPECT_THAT(table, HasSubstr("10.0 cm<small> (2.50, 7.25)</small>"));
+}
+
+TEST(ReportTables, CarryVerdictsAndNotesWhereThereAreAny) {
+  auto rows = known_rows();
+  EXPECT_THAT(clip_table(Results(rows)), Not(HasSubstr("verdict")));
+  for (StudyRow& row : rows)
+    if (row.clip.starts_with("b/")) row.review = {Verdict::Rejected, "the left <foot>"};
+  const std::string table = clip_table(Results(rows));
+  EXPECT_THAT(table, HasSubstr(">rejected</td>"));
+  EXPECT_THAT(table, HasSubstr("the left &lt;foot&gt;"));
+}
+
 TEST(ReportTables, PutThePapersFiguresBesideTheMeasuredOnes) {
   const std::string sizes = size_table(Results(known_rows()));
   EXPECT_THAT(sizes, HasSubstr("Running (09_01)"));
@@ -160,6 +182,7 @@ TEST(Report, IsWellFormedAndNeedsNothingElse) {
   rows.push_back({.clip = "c.bvh", .method = "annealed", .error = "c.bvh: <broken> & gone"});
   const std::string html = report_html(Results(rows), {});
   EXPECT_EQ(imbalance(html), "");
+  EXPECT_EQ(test::misfit(html), "");
   for (const char* elsewhere : {"http:", "https:", "//", "url(", "src=", "href=", "@import"})
     EXPECT_THAT(html, Not(HasSubstr(elsewhere)));
   EXPECT_THAT(html, HasSubstr("run &amp; &lt;jump&gt;"));
@@ -195,6 +218,7 @@ TEST(Report, ShowsTheWorstFrameOfTheFirstMethod) {
               off(frame.original, frame.decoded[0]));
   const std::string html = report_html(Results(known_rows()), {*picture});
   EXPECT_EQ(imbalance(html), "");
+  EXPECT_EQ(test::misfit(html), "");
   EXPECT_THAT(html, Not(HasSubstr("nan ")));
   EXPECT_THAT(html, HasSubstr("frame " + std::to_string(picture->worst.frame)));
 }
@@ -228,6 +252,7 @@ TEST(FigureShape, TapersAndGivesTheTrunkMoreThanALimb) {
 
 TEST(Markup, EscapesAndRounds) {
   EXPECT_EQ(escaped("a<b>&\"c"), "a&lt;b&gt;&amp;&quot;c");
+  EXPECT_EQ(escaped("a\x1b\n\tb\xc3\xa9"), "a?\n\tb\xc3\xa9");
   EXPECT_EQ(figure(0.0512), "0.051");
   EXPECT_EQ(figure(3.421), "3.42");
   EXPECT_EQ(figure(128.4), "128");

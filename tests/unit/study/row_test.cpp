@@ -31,10 +31,12 @@ class RowsFileTest : public testing::Test {
 };
 
 TEST(StudyRow, SurvivesALineOfJson) {
-  const StudyRow row = full_row();
+  StudyRow row = full_row();
+  row.review = {Verdict::Rejected, "slides, left"};
   const auto again = parse_row(to_json_line(row));
   ASSERT_TRUE(again);
   EXPECT_EQ(again->clip, row.clip);
+  EXPECT_EQ(again->review, row.review);
   EXPECT_EQ(again->key(), row.key());
   EXPECT_EQ(again->jobs, row.jobs);
   EXPECT_EQ(again->measured, row.measured);

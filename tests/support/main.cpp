@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Runs the tests of a program, in the locale that MOCAPRESS_TEST_LOCALE names where it is set: see
+// decimal_commas.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <locale>
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  if (const char* wanted = std::getenv("MOCAPRESS_TEST_LOCALE"))
+    std::locale::global(std::locale(wanted));  // C's too
+  return RUN_ALL_TESTS();
+}

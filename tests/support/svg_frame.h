@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <regex>
+#include <string>
+
+#include "core/base/number_text.h"
+
+namespace mocapress::test {
+
+/// What the ends of all lines and arcs of some SVG paths span.
+struct DrawnExtent {
+  double left = std::numeric_limits<double>::infinity();
+  double top = left;
+  double right = -left;
+  double bottom = -left;
+
+  double width() const { return right - left; }
+  double height() const { return bottom - top; }
+};
+
+/// Of every `d` in some markup; unset where one has anything but commands and numbers in it.
+inline std::optional<DrawnExtent> drawn_extent(const std::string& markup) {
+  static const std::regex kPath(R"re( d="([^"]*)")re");
+  // Letters take 2 numbers, but A takes 7, the last two of which are a point.
+  static const std::regex kStep(R"(([ML]|A\S+ \S+ 0 [01] [01] )(-?\d+\.\d) (-?\d+\.\d)|Z)");
+  DrawnExtent extent;
+  for (std::sregex_iterator path(markup.begin(), markup.end(), kPath), end; path != end; ++path) {
+    const std::string d = (*path)[1];
+    std::size_t length = 0;
+    for (std::sregex_iterator step(d.begin(), d.end(), kStep); step != end; ++step) {
+      length += static_cast<std::size_t>(step->length());
+      if (!(*step)[2].matched) continue;
+      const double x = number_in((*step)[2].str()).value();
+      const double y = number_in((*step)[3].str()).value();
+      extent = {std::min(extent.left, x), std::min(extent.top, y), std::max(extent.right, x),
+                std::max(extent.bottom, y)};
+    }
+    if (length != d.size()) return std::nullopt;
+  }
+  return extent;
+}
+
+/// What is wrong with the first picture of a page that does not fill its frame; empty: all do. In
+/// scenes the figure alone, without the floor, takes a quarter of the width or height at least.
+inline std::string misfit(const std::string& html) {
+  static const std::regex kPicture(R"re(<svg class="(scene|chart)" viewBox="([^"]*)")re");
+  static const std::regex kFrame(R"re(0 0 (\d+\.\d) (\d+\.\d))re");
+  for (std::sregex_iterator at(html.begin(), html.end(), kPicture), end; at != end; ++at) {
+    const std::string box = (*at)[2];
+    std::smatch sides;
+    if (!std::regex_match(box, sides, kFrame)) return "no frame: " + box;
+    const double width = number_in(sides[1].str()).value();
+    const double height = number_in(sides[2].str()).value();
+    const auto begin = static_cast<std::size_t>(at->position());
+    const std::string picture = html.substr(begin, html.find("</svg>", begin) - begin);
+    const auto all = drawn_extent(picture);
+    if (!all) return "no path in " + box;
+    if (!(all->width() >= width / 2) || !(all->height() >= height / 2))
+      return "less than half is filled of " + box;
+    const std::size_t figure = picture.find("<g class=\"figure\">");
+    if (figure == std::string::npos) continue;
+    const auto body = drawn_extent(picture.substr(figure, picture.find("</g>", figure) - figure));
+    const double share = std::max(body->width() / width, body->height() / height);
+    if (!(share >= 0.25) || body->left > width || body->right < 0 || body->top > height ||
+        body->bottom < 0)
+      return "the figure is not in sight in " + box;
+  }
+  return "";
+}
+
+}  // namespace mocapress::test
