@@ -48,14 +48,14 @@ ClipOutline outlineOf(const Motion& motion) {
   return outline;
 }
 
-ClipOutline readOutline(const QString& path, const QString& skeleton) {
+ClipOutline readOutline(const QString& path, const QString& skeleton, const ReadOptions& reading) {
   if (isCompressedFile(path)) {
     const OpenedMcpr opened = open_mcpr(path.toStdU16String());
     return outlineOf({opened.compressed.skeleton, opened.decoded});
   }
   std::optional<std::filesystem::path> beside;
   if (!skeleton.isEmpty()) beside = skeleton.toStdU16String();
-  return outlineOf(read_motion(path.toStdU16String(), beside).motion);
+  return outlineOf(read_motion(path.toStdU16String(), beside, reading).motion);
 }
 
 }  // namespace mocapress

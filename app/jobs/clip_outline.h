@@ -5,7 +5,7 @@
 #include <QList>
 #include <QString>
 
-#include "core/motion/clip.h"
+#include "core/formats/motion_file.h"
 
 namespace mocapress {
 
@@ -20,6 +20,7 @@ struct ClipOutline {
 ClipOutline outlineOf(const Motion& motion);
 
 /// Reads a motion or a compressed clip. Throws what the readers throw.
-ClipOutline readOutline(const QString& path, const QString& skeleton);
+ClipOutline readOutline(const QString& path, const QString& skeleton,
+                        const ReadOptions& reading = {});
 
 }  // namespace mocapress

@@ -77,8 +77,10 @@ DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeOp
   return std::make_shared<const DecodedClip>(std::move(decoded));
 }
 
-DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original) {
+DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original,
+                       const SourceFormat& source) {
   DecodedClip decoded;
+  decoded.source = source;
   decoded.method = std::move(opened.method);
   decoded.of_wavelets = opened.of_wavelets;
   decoded.compressed = std::move(opened.compressed);

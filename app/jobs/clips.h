@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/codec/encoder.h"
 #include "core/compare/compared_file.h"
+#include "core/formats/motion_file.h"
 #include "core/metrics/glitches.h"
 
 namespace mocapress {
@@ -23,6 +24,9 @@ using Tracks = std::shared_ptr<const Eigen::MatrixXd>;
 /// A motion as read from a file, ready to be compressed.
 struct OriginalClip {
   QString path;
+  QString skeleton;     // chosen by hand; empty: found beside the clip
+  ReadOptions reading;  // by which it was read
+  SourceFormat source;
   Warnings warnings;
   std::shared_ptr<const Encoder> encoder;
 
@@ -37,6 +41,7 @@ struct DecodedClip {
   bool of_wavelets = true;  // else `compressed` is as OpenedMcpr has it
   CompressedClip compressed;
   std::vector<std::byte> file;  // the .mcpr
+  SourceFormat source;          // in the .mcpr it was opened from
   Clip clip;
   Tracks tracks;
   double ratio = 0;  // raw bytes / motion bytes
@@ -65,7 +70,8 @@ bool comparable(const Motion& original, const CompressedClip& compressed);
 DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeOptions& options);
 
 /// The same for a clip read from a file; measured where there is an original.
-DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original);
+DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original,
+                       const SourceFormat& source = {});
 
 /// The same clip, measured against its original.
 DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original);

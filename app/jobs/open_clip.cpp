@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/codec/source_section.h"
 #include "core/compare/contender.h"
 #include "core/formats/motion_file.h"
 
@@ -20,17 +21,24 @@ OpenedClip openCompressed(const OpenRequest& request) {
   const bool together =
       request.original && comparable(request.original->motion(), opened.compressed);
   const OriginalPtr original = together ? request.original : nullptr;
-  return {original, decodedClip(std::move(opened), original.get())};
+  return {original,
+          decodedClip(std::move(opened), original.get(), load_source(toPath(request.path)))};
 }
 
 OriginalPtr readOriginal(const OpenRequest& request) {
-  if (request.original && request.original->path == request.path) return request.original;
+  const ReadOptions reading = request.reading.value_or(ReadOptions());
+  if (request.original && request.original->path == request.path &&
+      request.original->reading == reading)
+    return request.original;
   std::optional<std::filesystem::path> skeleton;
   if (!request.skeleton.isEmpty()) skeleton = toPath(request.skeleton);
-  MotionFile file = read_motion(toPath(request.path), skeleton);
+  MotionFile file = read_motion(toPath(request.path), skeleton, reading);
 
   OriginalClip original;
   original.path = request.path;
+  original.skeleton = request.skeleton;
+  original.reading = reading;
+  original.source = file.source;
   original.warnings = std::move(file.warnings);
   original.encoder = std::make_shared<const Encoder>(std::move(file.motion));
   // Here, off the GUI thread, and not where they are first shown.

@@ -68,6 +68,14 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.save = make(window, Texts::tr("&Save"), QKeySequence::Save, QStringLiteral("save"));
   actions.save->setToolTip(Texts::tr("Save the compressed clip as .mcpr"));
   actions.save_as = make(window, Texts::tr("Save &As…"), QKeySequence::SaveAs);
+  actions.save_as->setToolTip(Texts::tr("Save as .mcpr, .bvh, .amc with its .asf, or .csv"));
+  actions.export_motion =
+      make(window, Texts::tr("E&xport Motion…"), Qt::CTRL | Qt::SHIFT | Qt::Key_E);
+  actions.export_motion->setToolTip(
+      Texts::tr("Write the motion that comes of the compressed clip, as its source was"));
+  actions.import_options = make(window, Texts::tr("&Import Options…"));
+  actions.import_options->setToolTip(
+      Texts::tr("Read the open motion again with another unit, up axis, rate or root"));
   actions.batch = make(window, Texts::tr("&Batch Export…"), Qt::CTRL | Qt::Key_E);
   actions.batch->setToolTip(Texts::tr("Compress many clips, verify each, and report on all"));
   actions.export_library = make(window, Texts::tr("Batch Export of the &Library…"));
@@ -126,13 +134,13 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   QMenu* file = window->menuBar()->addMenu(Texts::tr("&File"));
   file->addAction(actions.open);
   recent.files = file->addMenu(Texts::tr("Open &Recent"));
-  file->addActions({actions.open_sample, actions.compare});
+  file->addActions({actions.open_sample, actions.compare, actions.import_options});
   file->addSeparator();
   file->addActions({actions.new_project, actions.open_project});
   recent.projects = file->addMenu(Texts::tr("Recent Projec&ts"));
   file->addActions({actions.save_project, actions.add_clips, actions.add_folder});
   file->addSeparator();
-  file->addActions({actions.save, actions.save_as});
+  file->addActions({actions.save, actions.save_as, actions.export_motion});
   file->addSeparator();
   file->addActions({actions.batch, actions.export_library});
   file->addSeparator();

@@ -23,6 +23,8 @@ struct Actions {
   QAction* compare = nullptr;
   QAction* save = nullptr;
   QAction* save_as = nullptr;
+  QAction* export_motion = nullptr;
+  QAction* import_options = nullptr;
   QAction* batch = nullptr;
   QAction* export_library = nullptr;
   QAction* add_clips = nullptr;

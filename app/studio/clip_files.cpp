@@ -8,6 +8,7 @@
 #include <QMessageBox>
 #include <utility>
 
+#include "app/studio/import_options_dialog.h"
 #include "app/studio/recent_files.h"
 #include "app/studio/sample_clip.h"
 #include "app/studio/session.h"
@@ -18,6 +19,18 @@ namespace {
 
 QString fileName(const QString& path) {
   return QFileInfo(path).fileName();
+}
+
+/// What an open clip can be written as; the first is the one it can be opened from again.
+const QStringList kExtensions = {QStringLiteral("mcpr"), QStringLiteral("bvh"),
+                                 QStringLiteral("amc"), QStringLiteral("csv")};
+
+QString filterOf(const QString& extension) {
+  if (extension == QLatin1String("mcpr")) return ClipFiles::tr("Compressed clips (*.mcpr)");
+  if (extension == QLatin1String("bvh")) return ClipFiles::tr("Biovision motion (*.bvh)");
+  if (extension == QLatin1String("amc"))
+    return ClipFiles::tr("Acclaim motion with its skeleton (*.amc)");
+  return ClipFiles::tr("Table of channels (*.csv)");
 }
 
 }  // namespace
@@ -34,6 +47,8 @@ ClipFiles::ClipFiles(Session* session, QWidget* window)
                             request.path.endsWith(QLatin1String(".amc"), Qt::CaseInsensitive));
           });
   connect(session, &Session::saved, this, &ClipFiles::noteSaved);
+  connect(session, &Session::exported, this,
+          [this](const QString& path) { emit exported(fileName(path)); });
   connect(session, &Session::saveFailed, this, [this] { after_saving_ = nullptr; });
 }
 
@@ -87,12 +102,70 @@ void ClipFiles::save() {
 }
 
 void ClipFiles::saveAs() {
-  QString path = QFileDialog::getSaveFileName(window_, tr("Save Compressed Clip"), suggestedPath(),
-                                              tr("Compressed clips (*.mcpr)"));
-  if (path.isEmpty())
-    after_saving_ = nullptr;
-  else
-    session_->save(path);
+  // Before the clip is left, what is asked for is the file that it can be opened from again.
+  choosePlace(tr("Save Clip"), QStringLiteral("mcpr"),
+              after_saving_ ? QStringList{QStringLiteral("mcpr")} : kExtensions);
+}
+
+void ClipFiles::exportMotion() {
+  choosePlace(tr("Export Motion"), QStringLiteral("bvh"), kExtensions);
+}
+
+void ClipFiles::choosePlace(const QString& title, const QString& extension,
+                            const QStringList& extensions) {
+  auto* dialog = new QFileDialog(window_, title, suggestedPath(extension));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  QStringList filters;
+  for (const QString& each : extensions) filters << filterOf(each);
+  dialog->setNameFilters(filters);
+  dialog->selectNameFilter(filterOf(extension));
+  dialog->setDefaultSuffix(extension);
+  dialog->selectFile(fileName(suggestedPath(extension)));
+  // A name without one of them gets the chosen one, and so does a name that has another.
+  connect(dialog, &QFileDialog::filterSelected, this, [=](const QString& filter) {
+    const QString chosen = extensions.value(static_cast<int>(filters.indexOf(filter)));
+    dialog->setDefaultSuffix(chosen);
+    const QStringList names = dialog->selectedFiles();
+    const QFileInfo name(names.value(0));
+    if (extensions.contains(name.suffix().toLower()))
+      dialog->selectFile(name.completeBaseName() + QLatin1Char('.') + chosen);
+  });
+  connect(dialog, &QFileDialog::fileSelected, this, &ClipFiles::write);
+  connect(dialog, &QFileDialog::rejected, this, [this] { after_saving_ = nullptr; });
+  dialog->open();
+}
+
+void ClipFiles::write(const QString& path) {
+  const QFileInfo file(path);
+  const QString kind = file.suffix().toLower();
+  if (kind == QLatin1String("mcpr")) return session_->save(path);
+  const QString skeleton =
+      file.path() + QLatin1Char('/') + file.completeBaseName() + QLatin1String(".asf");
+  if (kind != QLatin1String("amc") || !QFileInfo::exists(skeleton))
+    return session_->exportMotion(path);
+  // The dialog asked about the .amc alone.
+  auto* question = new QMessageBox(
+      QMessageBox::Question, tr("Export Motion"),
+      tr("The skeleton goes into %1, which is there already. Replace it?").arg(fileName(skeleton)),
+      QMessageBox::Yes | QMessageBox::No, window_);
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  connect(question, &QMessageBox::finished, this, [=, this](int button) {
+    if (button == QMessageBox::Yes) session_->exportMotion(path);
+  });
+  question->open();
+}
+
+void ClipFiles::chooseImportOptions() {
+  const OriginalPtr& original = session_->document().original();
+  if (!original) return;
+  auto* dialog = new ImportOptionsDialog(*original, window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [=, this, path = original->path] {
+    if (session_->isOpen(path))
+      leave([=, this, options = dialog->options()] { session_->readAgain(options); });
+  });
+  dialog->open();
 }
 
 void ClipFiles::leave(std::function<void()> then) {
@@ -133,11 +206,11 @@ QString ClipFiles::directory() const {
   return recent.isEmpty() ? QString() : QFileInfo(recent.front().path).path();
 }
 
-QString ClipFiles::suggestedPath() const {
+QString ClipFiles::suggestedPath(const QString& extension) const {
   const Document& document = session_->document();
-  if (!document.savedPath().isEmpty()) return document.savedPath();
-  const QFileInfo original(document.original()->path);
-  return original.path() + QLatin1Char('/') + original.completeBaseName() + QLatin1String(".mcpr");
+  const QString& saved = document.savedPath();
+  const QFileInfo clip(saved.isEmpty() ? document.original()->path : saved);
+  return clip.path() + QLatin1Char('/') + clip.completeBaseName() + QLatin1Char('.') + extension;
 }
 
 }  // namespace mocapress

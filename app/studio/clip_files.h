@@ -34,9 +34,15 @@ class ClipFiles : public QObject {
   /// For what could not be opened last.
   void chooseSkeleton();
 
+  /// What to read the open motion as, where its file says it wrongly or not at all.
+  void chooseImportOptions();
+
   void chooseOriginal();
   void save();
+
+  /// Compressed, or the motion that comes of it in any format that is written.
   void saveAs();
+  void exportMotion();
 
   /// Runs `then` once nothing would be lost by it: at once, after saving, or never.
   void leave(std::function<void()> then);
@@ -47,10 +53,13 @@ class ClipFiles : public QObject {
   /// `wants_skeleton`: choosing one may help.
   void openFailed(const QString& message, bool wants_skeleton);
   void saved(const QString& name);
+  void exported(const QString& name);
 
  private:
   QString directory() const;
-  QString suggestedPath() const;
+  QString suggestedPath(const QString& extension) const;
+  void choosePlace(const QString& title, const QString& extension, const QStringList& extensions);
+  void write(const QString& path);
   void noteSaved(const QString& path);
 
   Session* session_;

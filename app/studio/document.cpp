@@ -50,6 +50,11 @@ QString Document::title() const {
   return original_ ? QFileInfo(original_->path).fileName() : QString();
 }
 
+SourceFormat Document::source() const {
+  if (original_) return original_->source;
+  return decoded_ ? decoded_->source : SourceFormat();
+}
+
 bool Document::modified() const {
   return touched_ && original_ && decoded_ != saved_;
 }

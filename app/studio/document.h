@@ -6,6 +6,7 @@
 #include <array>
 
 #include "app/jobs/clips.h"
+#include "core/codec/source_section.h"
 #include "widgets/models/curve_selection.h"
 
 namespace mocapress {
@@ -45,6 +46,12 @@ class Document : public QObject {
 
   /// The .mcpr that was opened or saved last; empty: none.
   const QString& savedPath() const { return saved_path_; }
+
+  /// The .mcpr that saving writes; wants a decoded().
+  std::vector<std::byte> file() const { return with_source(decoded_->file, source()); }
+
+  /// How the file that the clip was read from puts motion into numbers.
+  SourceFormat source() const;
 
   /// The file name for the window title.
   QString title() const;

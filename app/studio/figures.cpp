@@ -30,7 +30,7 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
   ResultFigures figures;
   figures.ratio = decoded.ratio;
   figures.motion_bytes = decoded.compressed.motion_bytes();
-  figures.file_bytes = decoded.file.size();
+  figures.file_bytes = document.file().size();
   figures.weighting = provenance.weighting;
   figures.eps_cm = static_cast<double>(provenance.eps_cm);
   figures.max_cm = static_cast<double>(provenance.max_error_cm);

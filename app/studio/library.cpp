@@ -33,6 +33,10 @@ Library::Library(Session* session, LibraryModel* model, QObject* parent)
     const ProjectClip* clip = project_.find(path);
     return clip ? clip->settings : std::nullopt;
   });
+  session->setReadingMemory([this](const QString& path) {
+    const ProjectClip* clip = project_.find(path);
+    return clip ? clip->reading : ReadOptions();
+  });
   connect(session, &Session::opened, this,
           [this](const OpenRequest& request) { noteOpened(request.path, request.skeleton); });
   connect(&session->document(), &Document::optionsChanged, this, &Library::noteSettings);
@@ -210,15 +214,24 @@ void Library::noteOpened(const QString& path, const QString& skeleton) {
     if (path == original->path) clip.skeleton = skeleton;
     clip.settings = session_->document().settings();
     project_.clips.push_back(clip);
-    LibraryEntry read;
-    const ClipOutline outline = outlineOf(original->motion());
-    read.frames = outline.frames;
-    read.sample_rate_hz = outline.sample_rate_hz;
-    read.outline = outline.bones;
-    model_->setEntry(entryOf(clip, read));
+    showAsRead(clip, *original);
   }
+  if (original)
+    if (ProjectClip* clip = project_.find(original->path); clip->reading != original->reading) {
+      clip->reading = original->reading;
+      showAsRead(*clip, *original);
+    }
   touch();
   emit currentChanged();
+}
+
+void Library::showAsRead(const ProjectClip& clip, const OriginalClip& original) {
+  const ClipOutline outline = outlineOf(original.motion());
+  LibraryEntry read;
+  read.frames = outline.frames;
+  read.sample_rate_hz = outline.sample_rate_hz;
+  read.outline = outline.bones;
+  model_->setEntry(entryOf(clip, read));
 }
 
 ProjectClip* Library::openNow() {
@@ -274,10 +287,10 @@ void Library::readNextOutline() {
     // The runner is busy until its delivery has returned.
     QMetaObject::invokeMethod(this, &Library::readNextOutline, Qt::QueuedConnection);
   };
-  outlines_.start(
-      [path, skeleton = clip->skeleton](const Job&) { return readOutline(path, skeleton); },
-      [finish](const ClipOutline& outline) { finish(outline, {}); },
-      [finish](const QString& message) { finish({}, message); });
+  outlines_.start([path, skeleton = clip->skeleton, reading = clip->reading](
+                      const Job&) { return readOutline(path, skeleton, reading); },
+                  [finish](const ClipOutline& outline) { finish(outline, {}); },
+                  [finish](const QString& message) { finish({}, message); });
 }
 
 }  // namespace mocapress

@@ -136,6 +136,7 @@ class Library : public QObject {
   void noteSettings();
   void noteOutcome();
   void show(const ProjectClip& clip);
+  void showAsRead(const ProjectClip& clip, const OriginalClip& original);
   void readNextOutline();
   void touch();
   void writeSoon();

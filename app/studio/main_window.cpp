@@ -199,6 +199,8 @@ void MainWindow::connectFileActions() {
   connect(actions_.compare, &QAction::triggered, files_, &ClipFiles::chooseOriginal);
   connect(actions_.save, &QAction::triggered, files_, &ClipFiles::save);
   connect(actions_.save_as, &QAction::triggered, files_, &ClipFiles::saveAs);
+  connect(actions_.export_motion, &QAction::triggered, files_, &ClipFiles::exportMotion);
+  connect(actions_.import_options, &QAction::triggered, files_, &ClipFiles::chooseImportOptions);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_.add_clips, &QAction::triggered, library_views_, &LibraryViews::addClips);
   connect(actions_.add_folder, &QAction::triggered, library_views_, &LibraryViews::addFolder);
@@ -351,6 +353,8 @@ void MainWindow::connectMessages() {
   connect(session_, &Session::openFailed, this, [this] { kept_note_.clear(); });
   connect(files_, &ClipFiles::saved, messages_,
           [this](const QString& name) { messages_->showNote(tr("Saved %1.").arg(name)); });
+  connect(files_, &ClipFiles::exported, messages_,
+          [this](const QString& name) { messages_->showNote(tr("Exported %1.").arg(name)); });
 }
 
 /// Opening the clip of a project takes older messages away, but not this one.
@@ -369,6 +373,8 @@ void MainWindow::updateTitle() {
   setWindowModified(document.modified() || library_->stuck());
   actions_.save->setEnabled(document.decoded() != nullptr);
   actions_.save_as->setEnabled(document.decoded() != nullptr);
+  actions_.export_motion->setEnabled(document.decoded() != nullptr);
+  actions_.import_options->setEnabled(document.original() != nullptr);
   actions_.switch_slot->setEnabled(document.original() != nullptr);
   actions_.copy_slot->setEnabled(document.original() != nullptr);
   actions_.hold_feet->setEnabled(document.original() != nullptr);

@@ -50,10 +50,42 @@ Pin pinFrom(const QJsonObject& json) {
           settingsFrom(json.value(QStringLiteral("settings")).toObject()).encode};
 }
 
+template <typename Enum>
+QString wordOf(Enum value) {
+  return QString::fromLatin1(name(value).data(), static_cast<qsizetype>(name(value).size()));
+}
+
+/// Only what is set.
+QJsonObject toJson(const ReadOptions& reading) {
+  QJsonObject json;
+  if (reading.sample_rate_hz) json.insert(QStringLiteral("rate-hz"), *reading.sample_rate_hz);
+  if (reading.cm_per_unit) json.insert(QStringLiteral("cm-per-unit"), *reading.cm_per_unit);
+  if (reading.up) json.insert(QStringLiteral("up"), wordOf(*reading.up));
+  if (reading.bvh_root) json.insert(QStringLiteral("bvh-root"), wordOf(*reading.bvh_root));
+  return json;
+}
+
+/// What no reader could use is as if it were not there.
+ReadOptions readingFrom(const QJsonObject& json) {
+  const auto positive = [&](const QString& key) {
+    const double value = json.value(key).toDouble();
+    return value > 0 ? std::optional(value) : std::nullopt;
+  };
+  ReadOptions reading{.sample_rate_hz = positive(QStringLiteral("rate-hz")),
+                      .cm_per_unit = positive(QStringLiteral("cm-per-unit"))};
+  for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
+    if (json.value(QStringLiteral("up")).toString() == wordOf(up)) reading.up = up;
+  for (const auto convention : {TranslationConvention::Adds, TranslationConvention::Replaces})
+    if (json.value(QStringLiteral("bvh-root")).toString() == wordOf(convention))
+      reading.bvh_root = convention;
+  return reading;
+}
+
 QJsonObject toJson(const ProjectClip& clip, const QDir& folder) {
   QJsonObject json{{QStringLiteral("path"), folder.relativeFilePath(clip.path)}};
   if (!clip.skeleton.isEmpty())
     json.insert(QStringLiteral("skeleton"), folder.relativeFilePath(clip.skeleton));
+  if (clip.reading != ReadOptions()) json.insert(QStringLiteral("reading"), toJson(clip.reading));
   if (clip.settings) json.insert(QStringLiteral("settings"), toJson(*clip.settings));
   if (clip.outcome) json.insert(QStringLiteral("outcome"), toJson(*clip.outcome));
   if (clip.verdict != Verdict::None)
@@ -74,6 +106,7 @@ ProjectClip clipFrom(const QJsonObject& json, const QDir& folder) {
   clip.path = absolute(json.value(QStringLiteral("path")), folder);
   if (clip.path.isEmpty()) throw Error("a clip without a path");
   clip.skeleton = absolute(json.value(QStringLiteral("skeleton")), folder);
+  clip.reading = readingFrom(json.value(QStringLiteral("reading")).toObject());
   if (json.contains(QStringLiteral("settings")))
     clip.settings = settingsFrom(json.value(QStringLiteral("settings")).toObject());
   if (json.contains(QStringLiteral("outcome")))

@@ -17,6 +17,7 @@ namespace mocapress {
 struct ProjectClip {
   QString path;                          // absolute
   QString skeleton;                      // for an .amc; empty: the one beside it
+  ReadOptions reading;                   // what the user said of the file
   std::optional<ClipSettings> settings;  // unset: never tuned
   std::optional<Outcome> outcome;
   Verdict verdict = Verdict::None;

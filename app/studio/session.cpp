@@ -11,6 +11,7 @@
 #include "app/studio/settings_change.h"
 #include "app/studio/study_row_request.h"
 #include "core/base/error.h"
+#include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"
 
 namespace mocapress {
@@ -88,7 +89,14 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
   changeTuning(tuning, before);
 }
 
-void Session::start(const OpenRequest& request) {
+void Session::readAgain(const ReadOptions& reading) {
+  const OriginalPtr& original = document_.original();
+  if (!original || original->reading == reading) return;
+  start({.path = original->path, .skeleton = original->skeleton, .reading = reading});
+}
+
+void Session::start(OpenRequest request) {
+  if (!request.reading && reading_memory_) request.reading = reading_memory_(request.path);
   emit opening(request.path);
   opening_.start([request](const Job& job) { return openClip(request, job); },
                  [this, request](const OpenedClip& opened) { show(opened, request); },
@@ -287,6 +295,19 @@ void Session::save(const QString& path) {
         document_.setSaved(decoded, saved_path);
         emit saved(saved_path);
       },
+      [this](const QString& message) { emit saveFailed(message); });
+}
+
+void Session::exportMotion(const QString& path) {
+  const DecodedPtr decoded = document_.decoded();
+  if (!decoded) return;
+  exporting_.start(
+      [decoded, source = document_.source(), path](const Job&) {
+        write_motion(path.toStdU16String(), {decoded->compressed.skeleton, decoded->clip}, {},
+                     source);
+        return path;
+      },
+      [this](const QString& written) { emit exported(written); },
       [this](const QString& message) { emit saveFailed(message); });
 }
 

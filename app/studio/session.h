@@ -39,6 +39,9 @@ class Session : public QObject {
   /// Whether this is the motion that is open.
   bool isOpen(const QString& path) const;
 
+  /// Reads the motion that is open again, by other options. Its settings stand.
+  void readAgain(const ReadOptions& reading);
+
   /// Opens the original of the .mcpr shown, and refuses another.
   void compareWith(const QString& path, const QString& skeleton = {});
 
@@ -79,10 +82,19 @@ class Session : public QObject {
   /// By what a clip was compressed before; what is unset is compressed as the last one was.
   using Memory = std::function<std::optional<ClipSettings>(const QString& path)>;
   void setMemory(Memory memory) { memory_ = std::move(memory); }
+
+  /// By which options a clip was read before.
+  using ReadingMemory = std::function<ReadOptions(const QString& path)>;
+  void setReadingMemory(ReadingMemory memory) { reading_memory_ = std::move(memory); }
+
   void cancelAnnealing() { compressor_.stopEarly(); }
 
   /// Saves what is shown now.
   void save(const QString& path);
+
+  /// Writes the motion as it comes out of the compressed clip, by the extension of `path`, in the
+  /// unit and axes of its source.
+  void exportMotion(const QString& path);
 
   /// An answer is on its way, or a better one.
   bool busy() const { return compressor_.busy(); }
@@ -94,6 +106,7 @@ class Session : public QObject {
   void opened(const OpenRequest& request);
   void openFailed(const OpenRequest& request, const QString& message);
   void saved(const QString& path);
+  void exported(const QString& path);
   void saveFailed(const QString& message);
 
   /// The user changed the options; an answer to them follows, or compressFailed().
@@ -119,7 +132,7 @@ class Session : public QObject {
     int joints = 0;
   };
 
-  void start(const OpenRequest& request);
+  void start(OpenRequest request);
   void change(const ClipSettings& settings);
   void changeTuning(const Tuning& tuning);
   void changeTuning(const Tuning& tuning, const ClipSettings& now);
@@ -139,9 +152,11 @@ class Session : public QObject {
   Tuning tuning_;
   std::array<DecodedPtr, 2> slot_answers_;
   Memory memory_;
+  ReadingMemory reading_memory_;
   Compressor compressor_;
   JobRunner opening_;
   JobRunner saving_;
+  JobRunner exporting_;
 };
 
 }  // namespace mocapress

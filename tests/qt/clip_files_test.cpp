@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QFileDialog>
 #include <QMenu>
 #include <QMessageBox>
 #include <QSettings>
@@ -11,8 +12,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/studio/import_options_dialog.h"
 #include "app/studio/recent_files.h"
 #include "app/studio/session.h"
+#include "core/base/file.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
 
@@ -134,6 +137,85 @@ TEST_F(Files, OffersASkeletonForAnAmcOnly) {
   files_.open(directory_.filePath(QStringLiteral("none.bvh")));
   ASSERT_TRUE(failed.wait(kPatience));
   EXPECT_FALSE(failed[1][1].toBool());
+}
+
+/// Accepts the open file dialog with this name and kind.
+void choose(QWidget& window, const QString& path, const QString& kind) {
+  auto* dialog = window.findChild<QFileDialog*>();
+  ASSERT_TRUE(dialog);
+  for (const QString& filter : dialog->nameFilters())
+    if (filter.contains(kind)) {
+      dialog->selectNameFilter(filter);
+      emit dialog->filterSelected(filter);
+    }
+  dialog->selectFile(path);
+  QMetaObject::invokeMethod(dialog, "accept");
+}
+
+QStringList kindsOffered(QWidget& window) {
+  auto* dialog = window.findChild<QFileDialog*>();
+  return dialog ? dialog->nameFilters() : QStringList();
+}
+
+TEST_F(Files, SaveAsAndExportOfferEveryFormat) {
+  openAndSettle();
+  for (const auto ask : {&ClipFiles::saveAs, &ClipFiles::exportMotion}) {
+    (files_.*ask)();
+    const QString offered = kindsOffered(window_).join(QLatin1Char(' '));
+    for (const char* kind : {"*.mcpr", "*.bvh", "*.amc", "*.csv"})
+      EXPECT_TRUE(offered.contains(QLatin1String(kind))) << kind;
+    delete window_.findChild<QFileDialog*>();
+  }
+}
+
+TEST_F(Files, ExportsTheMotionInEveryFormat) {
+  openAndSettle();
+  for (const char* kind : {"bvh", "amc", "csv"}) {
+    const QString path = directory_.filePath(QStringLiteral("out.") + QLatin1String(kind));
+    QSignalSpy exported(&files_, &ClipFiles::exported);
+    files_.saveAs();
+    choose(window_, path, QStringLiteral("*.") + QLatin1String(kind));
+    ASSERT_TRUE(exported.count() > 0 || exported.wait(kPatience)) << kind;
+    EXPECT_TRUE(QFileInfo::exists(path)) << kind;
+    delete window_.findChild<QFileDialog*>();
+  }
+  EXPECT_TRUE(QFileInfo::exists(directory_.filePath(QStringLiteral("out.asf"))));
+  const Motion again =
+      read_motion(directory_.filePath(QStringLiteral("out.bvh")).toStdU16String()).motion;
+  EXPECT_EQ(again.clip.frames(), 150);
+  EXPECT_EQ(session_.document().title(), QStringLiteral("motion.bvh"));
+}
+
+TEST_F(Files, AsksBeforeASkeletonIsReplaced) {
+  openAndSettle();
+  const QString skeleton = directory_.filePath(QStringLiteral("mine.asf"));
+  write_text(skeleton.toStdU16String(), "mine");
+  QSignalSpy exported(&files_, &ClipFiles::exported);
+  files_.exportMotion();
+  choose(window_, directory_.filePath(QStringLiteral("mine.amc")), QStringLiteral("*.amc"));
+  answer(QMessageBox::No);
+  EXPECT_EQ(read_text(skeleton.toStdU16String()), "mine");
+  delete window_.findChild<QMessageBox*>();
+  delete window_.findChild<QFileDialog*>();
+  files_.exportMotion();
+  choose(window_, directory_.filePath(QStringLiteral("mine.amc")), QStringLiteral("*.amc"));
+  answer(QMessageBox::Yes);
+  ASSERT_TRUE(exported.count() > 0 || exported.wait(kPatience));
+  EXPECT_NE(read_text(skeleton.toStdU16String()), "mine");
+}
+
+TEST_F(Files, ReadsTheClipAgainByTheImportOptionsChosen) {
+  openAndSettle();
+  files_.chooseImportOptions();
+  auto* dialog = window_.findChild<ImportOptionsDialog*>();
+  ASSERT_TRUE(dialog);
+  EXPECT_EQ(dialog->options(), ReadOptions());
+  dialog->setOptions({.sample_rate_hz = 60.0, .cm_per_unit = 2.54});
+  QSignalSpy settled(&session_, &Session::settled);
+  dialog->accept();
+  ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+  EXPECT_EQ(session_.document().sampleRate(), 60);
+  EXPECT_EQ(session_.document().source().cm_per_unit, 2.54);
 }
 
 }  // namespace

@@ -42,6 +42,21 @@ TEST(ProjectFile, BringsClipsBackRelativeToItsFolder) {
   EXPECT_FALSE(moved.clips[1].settings);
 }
 
+TEST(ProjectFile, RemembersHowEachClipIsToBeRead) {
+  const ReadOptions told{.sample_rate_hz = 59.94,
+                         .cm_per_unit = 2.54,
+                         .up = UpAxis::Z,
+                         .bvh_root = TranslationConvention::Replaces};
+  Project project;
+  project.clips = {{.path = QStringLiteral("/motions/told.bvh"), .reading = told},
+                   {.path = QStringLiteral("/motions/plain.bvh")}};
+  const QDir folder(QStringLiteral("/motions"));
+  const Project back = parseProject(projectText(project, folder), folder);
+  ASSERT_EQ(back.clips.size(), 2u);
+  EXPECT_EQ(back.clips[0].reading, told);
+  EXPECT_EQ(back.clips[1].reading, ReadOptions());
+}
+
 TEST(ProjectFile, OfBeforeThereWerePinsStillOpens) {
   const Project project = parseProject(
       R"({"format": "mocapress-project", "version": 1, "clips": [{"path": "walk.bvh"}]})",

@@ -149,6 +149,42 @@ TEST_F(Studio, SavesWhatItShowsAndOpensItAgain) {
   EXPECT_EQ(other.document().title(), QStringLiteral("motion.mcpr"));
 }
 
+TEST_F(Studio, ReadsAClipAgainByOtherOptionsAndExportsItAsItsSourceWas) {
+  openAndSettle(writeClip("motion.bvh", 100));
+  const Eigen::MatrixXd before = *document_.original()->tracks();
+  QSignalSpy settled(&session_, &Session::settled);
+  session_.readAgain({.cm_per_unit = 2.54, .up = UpAxis::Z});
+  ASSERT_TRUE(waitFor(settled));
+  EXPECT_EQ(document_.frames(), 100);
+  EXPECT_NEAR(document_.options().target.value, 10, 1e-12);
+  const Eigen::MatrixXd after = *document_.original()->tracks();
+  EXPECT_LT((after.col(0) - 2.54 * before.col(0)).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT((after.col(1) - 2.54 * before.col(2)).cwiseAbs().maxCoeff(), 1e-6);
+
+  saveAndWait(path("motion.mcpr"));
+  EXPECT_EQ(load_source(path("motion.mcpr").toStdU16String()), document_.source());
+  QSignalSpy exported(&session_, &Session::exported);
+  session_.exportMotion(path("back.bvh"));
+  ASSERT_TRUE(waitFor(exported));
+  const MotionFile back = read_motion(path("back.bvh").toStdU16String(), {}, {.cm_per_unit = 1.0});
+  EXPECT_LT(
+      (landmark_tracks(back.motion.skeleton, back.motion.clip).leftCols(3) - before.leftCols(3))
+          .cwiseAbs()
+          .maxCoeff(),
+      20);
+}
+
+TEST_F(Studio, OpensEachClipAsItWasReadBefore) {
+  const QString told = writeClip("told.bvh", 60);
+  session_.setReadingMemory([&](const QString& path) {
+    return path == told ? ReadOptions{.sample_rate_hz = 48.0} : ReadOptions();
+  });
+  openAndSettle(told);
+  EXPECT_EQ(document_.sampleRate(), 48);
+  openAndSettle(writeClip("other.bvh", 60));
+  EXPECT_EQ(document_.sampleRate(), 120);
+}
+
 TEST_F(Studio, ShowsACompressedClipWithItsOriginalAlreadyOpen) {
   openAndSettle(writeClip("motion.bvh", 200));
   saveAndWait(path("motion.mcpr"));
