@@ -211,6 +211,26 @@
         <source>Recent Projec&amp;ts</source>
         <translation>Proje&amp;ts récents</translation>
     </message>
+    <message>
+        <source>Save as .mcpr, .bvh, .amc with its .asf, or .csv</source>
+        <translation>Enregistrer en .mcpr, .bvh, .amc avec son .asf, ou .csv</translation>
+    </message>
+    <message>
+        <source>E&amp;xport Motion…</source>
+        <translation>E&amp;xporter le mouvement…</translation>
+    </message>
+    <message>
+        <source>Write the motion that comes of the compressed clip, as its source was</source>
+        <translation>Écrire le mouvement issu de la séquence compressée, sous la forme de sa source</translation>
+    </message>
+    <message>
+        <source>&amp;Import Options…</source>
+        <translation>Options d’&amp;importation…</translation>
+    </message>
+    <message>
+        <source>Read the open motion again with another unit, up axis, rate or root</source>
+        <translation>Relire le mouvement ouvert avec une autre unité, un autre axe vertical, une autre cadence ou une autre racine</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -843,10 +863,6 @@
         <translation>Mouvement (*.bvh *.amc)</translation>
     </message>
     <message>
-        <source>Save Compressed Clip</source>
-        <translation>Enregistrer la séquence compressée</translation>
-    </message>
-    <message>
         <source>Compressed clips (*.mcpr)</source>
         <translation>Séquences compressées (*.mcpr)</translation>
     </message>
@@ -857,6 +873,30 @@
     <message>
         <source>Save the compressed clip of %1?</source>
         <translation>Enregistrer la séquence compressée de %1 ?</translation>
+    </message>
+    <message>
+        <source>Biovision motion (*.bvh)</source>
+        <translation>Mouvement Biovision (*.bvh)</translation>
+    </message>
+    <message>
+        <source>Acclaim motion with its skeleton (*.amc)</source>
+        <translation>Mouvement Acclaim avec son squelette (*.amc)</translation>
+    </message>
+    <message>
+        <source>Table of channels (*.csv)</source>
+        <translation>Tableau des canaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save Clip</source>
+        <translation>Enregistrer la séquence</translation>
+    </message>
+    <message>
+        <source>Export Motion</source>
+        <translation>Exporter le mouvement</translation>
+    </message>
+    <message>
+        <source>The skeleton goes into %1, which is there already. Replace it?</source>
+        <translation>Le squelette est écrit dans %1, qui existe déjà. Le remplacer ?</translation>
     </message>
 </context>
 <context>
@@ -1379,6 +1419,121 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ImportOptionsDialog</name>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>Import Options – %1</source>
+        <translation>Options d’importation – %1</translation>
+    </message>
+    <message>
+        <source>Guessed by the figure&apos;s height</source>
+        <translation>Devinée d’après la taille du personnage</translation>
+    </message>
+    <message>
+        <source>As the skeleton says</source>
+        <translation>Selon le squelette</translation>
+    </message>
+    <message>
+        <source>Centimetre</source>
+        <translation>Centimètre</translation>
+    </message>
+    <message>
+        <source>Metre</source>
+        <translation>Mètre</translation>
+    </message>
+    <message>
+        <source>Millimetre</source>
+        <translation>Millimètre</translation>
+    </message>
+    <message>
+        <source>Inch</source>
+        <translation>Pouce</translation>
+    </message>
+    <message>
+        <source>CMU&apos;s unit (0.45 to the inch)</source>
+        <translation>Unité du CMU (0,45 par pouce)</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Autre</translation>
+    </message>
+    <message>
+        <source>Y, as usual</source>
+        <translation>Y, comme d’habitude</translation>
+    </message>
+    <message>
+        <source>Guessed by the root&apos;s values</source>
+        <translation>Devinée d’après les valeurs de la racine</translation>
+    </message>
+    <message>
+        <source>Adds to its OFFSET</source>
+        <translation>S’ajoute à son OFFSET</translation>
+    </message>
+    <message>
+        <source>Replaces its OFFSET</source>
+        <translation>Remplace son OFFSET</translation>
+    </message>
+    <message>
+        <source>As the file says</source>
+        <translation>Selon le fichier</translation>
+    </message>
+    <message>
+        <source>%L1 Hz</source>
+        <translation>%L1 Hz</translation>
+    </message>
+    <message>
+        <source>&amp;Length unit</source>
+        <translation>Unité de &amp;longueur</translation>
+    </message>
+    <message>
+        <source>&amp;Up axis</source>
+        <translation>Axe &amp;vertical</translation>
+    </message>
+    <message>
+        <source>Frame &amp;rate</source>
+        <translation>&amp;Cadence</translation>
+    </message>
+    <message>
+        <source>BVH r&amp;oot</source>
+        <translation>&amp;Racine BVH</translation>
+    </message>
+    <message>
+        <source>Length unit</source>
+        <translation>Unité de longueur</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>Centimetres to the unit</source>
+        <translation>Centimètres par unité</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>Images par seconde</translation>
+    </message>
+    <message>
+        <source>Now read as: %L1 cm to the unit, %2 up, %L3 Hz</source>
+        <translation>Lu actuellement : %L1 cm par unité, %2 vers le haut, %L3 Hz</translation>
+    </message>
+    <message>
+        <source>, the root adds to its OFFSET</source>
+        <translation>, la racine s’ajoute à son OFFSET</translation>
+    </message>
+    <message>
+        <source>, the root replaces its OFFSET</source>
+        <translation>, la racine remplace son OFFSET</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ImportancePanel</name>
     <message>
         <source>Contacts</source>
@@ -1804,6 +1959,10 @@
     <message>
         <source>Left out, for the library takes motions: %1</source>
         <translation>Laissés de côté, la bibliothèque prend des mouvements : %1</translation>
+    </message>
+    <message>
+        <source>Exported %1.</source>
+        <translation>%1 exporté.</translation>
     </message>
 </context>
 <context>

@@ -211,6 +211,26 @@
         <source>Recent Projec&amp;ts</source>
         <translation>最近のプロジェクト(&amp;T)</translation>
     </message>
+    <message>
+        <source>Save as .mcpr, .bvh, .amc with its .asf, or .csv</source>
+        <translation>.mcpr、.bvh、.amc（.asf 付き）または .csv として保存します</translation>
+    </message>
+    <message>
+        <source>E&amp;xport Motion…</source>
+        <translation>モーションを書き出す(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Write the motion that comes of the compressed clip, as its source was</source>
+        <translation>圧縮クリップから得られるモーションを、元ファイルと同じ形式の取り決めで書き出します</translation>
+    </message>
+    <message>
+        <source>&amp;Import Options…</source>
+        <translation>読み込みオプション(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Read the open motion again with another unit, up axis, rate or root</source>
+        <translation>開いているモーションを、別の単位・上方向の軸・フレームレート・ルートの扱いで読み直します</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -835,10 +855,6 @@
         <translation>モーション (*.bvh *.amc)</translation>
     </message>
     <message>
-        <source>Save Compressed Clip</source>
-        <translation>圧縮クリップを保存</translation>
-    </message>
-    <message>
         <source>Compressed clips (*.mcpr)</source>
         <translation>圧縮クリップ (*.mcpr)</translation>
     </message>
@@ -849,6 +865,30 @@
     <message>
         <source>Save the compressed clip of %1?</source>
         <translation>%1 の圧縮クリップを保存しますか?</translation>
+    </message>
+    <message>
+        <source>Biovision motion (*.bvh)</source>
+        <translation>Biovision モーション (*.bvh)</translation>
+    </message>
+    <message>
+        <source>Acclaim motion with its skeleton (*.amc)</source>
+        <translation>Acclaim モーションとスケルトン (*.amc)</translation>
+    </message>
+    <message>
+        <source>Table of channels (*.csv)</source>
+        <translation>チャンネルの表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save Clip</source>
+        <translation>クリップを保存</translation>
+    </message>
+    <message>
+        <source>Export Motion</source>
+        <translation>モーションを書き出す</translation>
+    </message>
+    <message>
+        <source>The skeleton goes into %1, which is there already. Replace it?</source>
+        <translation>スケルトンは %1 に書き込まれますが、このファイルはすでにあります。置き換えますか？</translation>
     </message>
 </context>
 <context>
@@ -1368,6 +1408,121 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ImportOptionsDialog</name>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>Import Options – %1</source>
+        <translation>読み込みオプション – %1</translation>
+    </message>
+    <message>
+        <source>Guessed by the figure&apos;s height</source>
+        <translation>人物の身長から推定</translation>
+    </message>
+    <message>
+        <source>As the skeleton says</source>
+        <translation>スケルトンの記述どおり</translation>
+    </message>
+    <message>
+        <source>Centimetre</source>
+        <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source>Metre</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>Millimetre</source>
+        <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>Inch</source>
+        <translation>インチ</translation>
+    </message>
+    <message>
+        <source>CMU&apos;s unit (0.45 to the inch)</source>
+        <translation>CMU の単位（1 インチ = 0.45）</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>その他</translation>
+    </message>
+    <message>
+        <source>Y, as usual</source>
+        <translation>Y（通常どおり）</translation>
+    </message>
+    <message>
+        <source>Guessed by the root&apos;s values</source>
+        <translation>ルートの値から推定</translation>
+    </message>
+    <message>
+        <source>Adds to its OFFSET</source>
+        <translation>OFFSET に加算</translation>
+    </message>
+    <message>
+        <source>Replaces its OFFSET</source>
+        <translation>OFFSET を置き換え</translation>
+    </message>
+    <message>
+        <source>As the file says</source>
+        <translation>ファイルの記述どおり</translation>
+    </message>
+    <message>
+        <source>%L1 Hz</source>
+        <translation>%L1 Hz</translation>
+    </message>
+    <message>
+        <source>&amp;Length unit</source>
+        <translation>長さの単位(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Up axis</source>
+        <translation>上方向の軸(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Frame &amp;rate</source>
+        <translation>フレームレート(&amp;R)</translation>
+    </message>
+    <message>
+        <source>BVH r&amp;oot</source>
+        <translation>BVH のルート(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Length unit</source>
+        <translation>長さの単位</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>フレームレート</translation>
+    </message>
+    <message>
+        <source>Centimetres to the unit</source>
+        <translation>1 単位あたりのセンチメートル</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>毎秒のフレーム数</translation>
+    </message>
+    <message>
+        <source>Now read as: %L1 cm to the unit, %2 up, %L3 Hz</source>
+        <translation>現在の読み方: 1 単位 = %L1 cm、上は %2、%L3 Hz</translation>
+    </message>
+    <message>
+        <source>, the root adds to its OFFSET</source>
+        <translation>、ルートは OFFSET に加算</translation>
+    </message>
+    <message>
+        <source>, the root replaces its OFFSET</source>
+        <translation>、ルートは OFFSET を置き換え</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ImportancePanel</name>
     <message>
         <source>Contacts</source>
@@ -1790,6 +1945,10 @@
     <message>
         <source>Left out, for the library takes motions: %1</source>
         <translation>ライブラリはモーションだけを扱うため除きました：%1</translation>
+    </message>
+    <message>
+        <source>Exported %1.</source>
+        <translation>%1 を書き出しました。</translation>
     </message>
 </context>
 <context>
