@@ -5,12 +5,13 @@
 
 #include "core/base/staged_file.h"
 #include "core/batch/verification.h"
+#include "core/codec/source_section.h"
 
 namespace mocapress {
 
 void saveClip(const QString& path, const DecodedClip& decoded, const OriginalClip* original) {
   StagedFile file(std::filesystem::path(path.toStdU16String()));
-  file.write(decoded.file);
+  file.write(with_source(decoded.file, original ? original->source : decoded.source));
   const bool was_encoded_here = decoded.coefficient_ratio.has_value();
   if (original && was_encoded_here)
     verify(file.read_back(), *original->encoder);
