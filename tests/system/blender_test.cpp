@@ -2,6 +2,7 @@
 // BVH files against a reader that is not ours: Blender's (Debian's package blender).
 #include <gtest/gtest.h>
 
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
@@ -179,7 +180,7 @@ TEST_F(Blender, DISABLED_OpensEveryClipOfTheCorpus) {
   ASSERT_EQ(found.size(), exported_.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     const double move = largest_move(exported_[i], found[i]);
-    std::printf("%.6f cm %s\n", move, exported_[i].title.c_str());
+    std::cout << move << " cm " << exported_[i].title << '\n';
     EXPECT_LT(move, kMove) << exported_[i].title;
   }
 }
