@@ -20,10 +20,10 @@ ItemList::ItemList(std::initializer_list<BatchItem> items) {
 /// No file name holds a 0, and a problem or note that does is cut there.
 ItemList::Place ItemList::append(const BatchItem& item) {
   const Place place{text_.size(), index_of_folder(item.input), index_of_folder(item.output)};
-  for (const std::string& field : {item.input.substr(folder_length(item.input)), item.skeleton,
-                                   item.output.substr(folder_length(item.output)),
-                                   std::to_string(item.preset), item.problem,
-                                   std::string(name(item.review.verdict)), item.review.note}) {
+  for (const std::string& field :
+       {item.input.substr(folder_length(item.input)), item.skeleton,
+        item.output.substr(folder_length(item.output)), std::to_string(item.preset), item.problem,
+        std::string(name(item.review.verdict)), item.review.note}) {
     text_ += field.c_str();
     text_ += '\0';
   }

@@ -43,9 +43,9 @@ const std::set<std::string> kNumberKeys = {
     "bits_per_joint_sample"};
 const std::set<std::string> kEncodingKeys = {"coefficient_ratio", "iterations", "encode_seconds"};
 // Null: the clip has no feet.
-const std::set<std::string> kNullKeys = {"ik_ratio", "ik_bytes", "footskate_cm",
-                                         "footskate_mean_cm", "footskate_worst_cm",
-                                         "footskate_without_ik_cm"};
+const std::set<std::string> kNullKeys = {"ik_ratio",           "ik_bytes",
+                                         "footskate_cm",       "footskate_mean_cm",
+                                         "footskate_worst_cm", "footskate_without_ik_cm"};
 
 /// Exactly the keys of a report, each of its type; those of the encoding are numbers or null.
 void expect_report(const json& report, bool encoded) {
