@@ -53,9 +53,9 @@ class OfProjectFiles : public testing::Test {
     QObject::connect(look, &QTimer::timeout, look, [look, file] {
       auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
       if (!dialog) return;
-      look->deleteLater();
       dialog->selectFile(file);
       static_cast<QDialog*>(dialog)->accept();
+      if (!dialog->isVisible()) look->deleteLater();  // it does not take a name at once
     });
     look->start(10);
   }
