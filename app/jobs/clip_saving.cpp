@@ -10,9 +10,10 @@
 namespace mocapress {
 
 void saveClip(const QString& path, const DecodedClip& decoded, const OriginalClip* original) {
-  StagedFile file(std::filesystem::path(path.toStdU16String()));
-  file.write(with_source(decoded.file, original ? original->source : decoded.source));
   const bool was_encoded_here = decoded.coefficient_ratio.has_value();
+  StagedFile file(std::filesystem::path(path.toStdU16String()));
+  file.write(
+      with_source(decoded.file, original && was_encoded_here ? original->source : decoded.source));
   if (original && was_encoded_here)
     verify(file.read_back(), *original->encoder);
   else

@@ -53,7 +53,7 @@ TEST_F(StudyPanelTest, TellsOfMethodsInTheOrderTheyStand) {
   method("pca")->setCheckState(Qt::Unchecked);
   const QStringList wanted = {QStringLiteral("annealed"), QStringLiteral("standard"),
                               QStringLiteral("haar"), QStringLiteral("linear"),
-                              QStringLiteral("subsample")};
+                              QStringLiteral("closed-loop"), QStringLiteral("subsample")};
   EXPECT_EQ(told_.back().methods, wanted);
 }
 
