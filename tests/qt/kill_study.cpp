@@ -236,6 +236,10 @@ class Study {
                                                    : found.path == intended->path);
       if (is_it) return changedTo(found);
     }
+    // The file of a project comes with the first thing in it.
+    if (isUnnamed(found.path) && isUnnamed(states.back().path) && isEmpty(found) &&
+        isEmpty(states.back()))
+      return true;
     if (found.path != states.back().path)
       return disagree("another project is open", found, states.back());
     std::size_t oldest = last_->saved;

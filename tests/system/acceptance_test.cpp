@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/base/number_text.h"
 #include "tests/support/corpus.h"
 #include "tests/system/command.h"
 
@@ -54,8 +55,8 @@ TEST_F(ClosedLoopRatios, OfTheBundledClipsAreWhatTheyWere) {
     const nlohmann::json report =
         json_of({"compress", MOCAPRESS_SOURCE_DIR "/resources/samples/" + clip + ".amc",
                  "--target-error", eps, "--json"});
-    EXPECT_LE(report["eps_x_cm"], std::stod(eps)) << line;
-    EXPECT_NEAR(report["ratio"].get<double>() / std::stod(ratio), 1, kTolerance) << line;
+    EXPECT_LE(report["eps_x_cm"], number_in(eps).value()) << line;
+    EXPECT_NEAR(report["ratio"].get<double>() / number_in(ratio).value(), 1, kTolerance) << line;
     ++rows;
   }
   EXPECT_GE(rows, 6);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/base/file.h"
+#include "core/base/number_text.h"
 #include "core/codec/container.h"
 #include "core/codec/decoder.h"
 #include "core/formats/motion_file.h"
@@ -198,7 +199,7 @@ TEST_F(Cli, SolvesTheRatioWithinTwoPercent) {
     for (const char* coding : {"rle16", "deflate"})
       for (const double ratio : {8.0, 25.0}) {
         const json report =
-            compress({"--method", method, "--coding", coding, "--ratio", std::to_string(ratio)});
+            compress({"--method", method, "--coding", coding, "--ratio", fixed_text(ratio, 6)});
         EXPECT_NEAR(report["ratio"].get<double>() / ratio, 1, 0.02) << report;
       }
 }
@@ -295,7 +296,7 @@ TEST_F(Cli, ExportsComeBackInTheUnitAxesRateAndRootConventionOfTheirSource) {
       "    CHANNELS 3 Zrotation Xrotation Yrotation\n    End Site\n    {\n"
       "      OFFSET 0 0 47\n    }\n  }\n}\nMOTION\nFrames: 60\nFrame Time: 0.04\n";
   for (int t = 0; t < 60; ++t)
-    text += std::to_string(1 + 0.2 * t) + " 2 38.5 0 " + std::to_string(t) + " 0 0 0 0\n";
+    text += fixed_text(1 + 0.2 * t, 6) + " 2 38.5 0 " + std::to_string(t) + " 0 0 0 0\n";
   const std::string source = write("inches.bvh", text);
   const json packed =
       json_of({"compress", source, "-o", packed_, "--up", "z", "--max-error", "0.05", "--json"});

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <locale>
 #include <sstream>
 #include <thread>
 
@@ -122,6 +123,7 @@ std::string test_bvh() {
   constexpr int kFrames = 600;
   constexpr int kChannels = 14;
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << kHierarchy << "MOTION\nFrames: " << kFrames << "\nFrame Time: 0.00833333\n";
   for (int t = 0; t < kFrames; ++t) {
     const double s = t / 120.0;
