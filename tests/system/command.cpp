@@ -87,7 +87,7 @@ bool comes_true(const std::function<bool()>& condition) {
   const Clock::time_point begin = Clock::now();
   while (!condition()) {
     const Clock::duration passed = Clock::now() - begin;
-    if (passed > std::chrono::minutes(3)) return false;
+    if (passed > std::chrono::minutes(5)) return false;
     // Often at first, and no burden later.
     std::this_thread::sleep_for(std::clamp<Clock::duration>(
         passed / 10, std::chrono::milliseconds(1), std::chrono::milliseconds(100)));
