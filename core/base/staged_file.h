@@ -16,10 +16,12 @@
 namespace mocapress {
 
 /// A file that takes its place whole or not at all. Whatever fails, a full disk, a kill or a power
-/// cut, the place has the old file or the new one, and nothing else is left behind.
+/// cut, the place has the old file or the new one. Nothing else is left behind, but for a kill or a
+/// power cut while the file has its random name.
 ///
-/// Until commit() the file has no name. Where the file system has no such files, it has a random
-/// name beside its place, and is made there anew: neither a file nor a link is ever reused.
+/// Until commit() the file has no name, and in it a random one for an instant. Where the file
+/// system has no files without a name, it has the random one from the start, hidden beside its
+/// place, and is made there anew: neither a file nor a link is ever reused.
 ///
 /// What is at the place already:
 /// - A file keeps its permissions, and its owner and group where we may set them. A new file gets
