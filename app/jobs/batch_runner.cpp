@@ -7,15 +7,12 @@
 namespace mocapress {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-constexpr auto kReportInterval = std::chrono::milliseconds(60);
-
 /// Collects news, for clips tell of themselves by the thousand.
-class Reporter {
+class BatchReporter {
  public:
   using Send = std::function<void(const BatchCounts&, std::vector<BatchStep>)>;
 
-  explicit Reporter(Send send) : send_(std::move(send)) {}
+  explicit BatchReporter(Send send) : send_(std::move(send)) {}
 
   void add(const BatchProgress& progress) {
     BatchStep& step = steps_[progress.index];
@@ -28,7 +25,7 @@ class Reporter {
       step.warnings = progress.row->warnings;
     }
     counts_ = progress.counts;
-    if (Clock::now() - sent_ >= kReportInterval) flush();
+    if (std::chrono::steady_clock::now() - sent_ >= kReportInterval) flush();
   }
 
   void flush() {
@@ -36,14 +33,14 @@ class Reporter {
     for (auto& [index, step] : steps_) steps.push_back(std::move(step));
     steps_.clear();
     send_(counts_, std::move(steps));
-    sent_ = Clock::now();
+    sent_ = std::chrono::steady_clock::now();
   }
 
  private:
   Send send_;
   BatchCounts counts_;
   std::map<std::size_t, BatchStep> steps_;
-  Clock::time_point sent_;
+  std::chrono::steady_clock::time_point sent_;
 };
 
 }  // namespace
@@ -59,7 +56,7 @@ void BatchRunner::start(BatchTask task) {
   if (busy()) return;
   control_ = std::make_shared<BatchControl>();
   const auto work = [this, task = std::move(task), control = control_](const Job& job) {
-    Reporter reporter([&](const BatchCounts& counts, std::vector<BatchStep> steps) {
+    BatchReporter reporter([&](const BatchCounts& counts, std::vector<BatchStep> steps) {
       job.post([this, counts, steps = std::move(steps)] { emit advanced(counts, steps); });
     });
     const std::filesystem::path folder = task.folder.toStdU16String();

@@ -9,7 +9,7 @@ namespace mocapress {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto kReportInterval = std::chrono::milliseconds(40);
+constexpr auto kStateInterval = std::chrono::milliseconds(40);
 constexpr auto kRefineDelay = std::chrono::milliseconds(80);
 constexpr double kSizeTolerance = 1.02;
 constexpr double kDraftIkRatio = 16;  // of the paper's video
@@ -143,7 +143,7 @@ void Compressor::startRefining() {
     auto reported = Clock::now();
     const auto observer = [&](const EncodeProgress& state) {
       states.push_back(state);
-      if (Clock::now() - reported >= kReportInterval) {
+      if (Clock::now() - reported >= kStateInterval) {
         job.post([this, states] { emit progressed(states); });
         states.clear();
         reported = Clock::now();

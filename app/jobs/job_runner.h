@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -17,6 +18,9 @@
 namespace mocapress {
 
 class JobRunner;
+
+/// Who works through thousands tells of them this often at most.
+inline constexpr auto kReportInterval = std::chrono::milliseconds(60);
 
 /// What running work sees of the outside.
 class Job {

@@ -8,32 +8,29 @@
 namespace mocapress {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-constexpr auto kReportInterval = std::chrono::milliseconds(60);
-
 /// Collects rows, for rows of an earlier run come by the thousand.
-class Reporter {
+class RowReporter {
  public:
   using Send = std::function<void(const StudyCounts&, std::vector<StudyRow>)>;
 
-  explicit Reporter(Send send) : send_(std::move(send)) {}
+  explicit RowReporter(Send send) : send_(std::move(send)) {}
 
   void add(const StudyProgress& progress) {
     if (progress.finished) rows_.push_back(*progress.finished);
     counts_ = {progress.jobs, progress.done, progress.kept};
-    if (!rows_.empty() && Clock::now() - sent_ >= kReportInterval) flush();
+    if (!rows_.empty() && std::chrono::steady_clock::now() - sent_ >= kReportInterval) flush();
   }
 
   void flush() {
     send_(counts_, std::exchange(rows_, {}));
-    sent_ = Clock::now();
+    sent_ = std::chrono::steady_clock::now();
   }
 
  private:
   Send send_;
   StudyCounts counts_;
   std::vector<StudyRow> rows_;
-  Clock::time_point sent_;
+  std::chrono::steady_clock::time_point sent_;
 };
 
 }  // namespace
@@ -42,7 +39,7 @@ StudyRunner::StudyRunner(QObject* parent) : QObject(parent) {}
 
 void StudyRunner::start(const StudyTask& task) {
   const auto work = [this, task](const Job& job) {
-    Reporter reporter([&](const StudyCounts& counts, std::vector<StudyRow> rows) {
+    RowReporter reporter([&](const StudyCounts& counts, std::vector<StudyRow> rows) {
       job.post([this, counts, rows = std::move(rows)] { emit advanced(counts, rows); });
     });
     const auto observer = [&](const StudyProgress& progress) {

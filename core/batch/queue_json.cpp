@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/queue_json.h"
 
-#include <nlohmann/json.hpp>
-
 #include "core/base/error.h"
 #include "core/batch/preset_json.h"
+#include "core/study/json_value.h"
 
 namespace mocapress {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json text_or_null(std::string_view text) {
-  return text.empty() ? Json() : Json(text);
-}
-
 template <typename T>
-std::optional<T> optional_at(const Json& json, const char* key) {
+std::optional<T> value_if_any(const Json& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end() || found->is_null()) return std::nullopt;
   return found->get<T>();
@@ -25,7 +18,7 @@ std::optional<T> optional_at(const Json& json, const char* key) {
 template <typename Enum>
 std::optional<Enum> word_at(const Json& json, const std::string& key,
                             std::initializer_list<Enum> values) {
-  const auto word = optional_at<std::string>(json, key.c_str());
+  const auto word = value_if_any<std::string>(json, key.c_str());
   if (!word) return std::nullopt;
   for (const Enum value : values)
     if (*word == name(value)) return value;
@@ -41,8 +34,8 @@ void put(Json& json, const std::string& prefix, const ReadOptions& options) {
 }
 
 ReadOptions format_options(const Json& json, const std::string& prefix) {
-  return {.sample_rate_hz = optional_at<double>(json, (prefix + "rate_hz").c_str()),
-          .cm_per_unit = optional_at<double>(json, (prefix + "cm_per_unit").c_str()),
+  return {.sample_rate_hz = value_if_any<double>(json, (prefix + "rate_hz").c_str()),
+          .cm_per_unit = value_if_any<double>(json, (prefix + "cm_per_unit").c_str()),
           .up = word_at(json, prefix + "up", {UpAxis::Y, UpAxis::Z}),
           .bvh_root = word_at(json, prefix + "bvh_root",
                               {TranslationConvention::Adds, TranslationConvention::Replaces})};
@@ -51,12 +44,12 @@ ReadOptions format_options(const Json& json, const std::string& prefix) {
 BatchItem item_from(const Json& json, std::size_t presets) {
   BatchItem item;
   json.at("input").get_to(item.input);
-  item.skeleton = optional_at<std::string>(json, "skeleton").value_or("");
+  item.skeleton = value_if_any<std::string>(json, "skeleton").value_or("");
   json.at("output").get_to(item.output);
   json.at("preset").get_to(item.preset);
   if (item.preset >= presets) throw Error(item.input + " has a preset that is not there");
-  item.review = {verdict_named(optional_at<std::string>(json, "verdict").value_or("")),
-                 optional_at<std::string>(json, "note").value_or("")};
+  item.review = {verdict_named(value_if_any<std::string>(json, "verdict").value_or("")),
+                 value_if_any<std::string>(json, "note").value_or("")};
   // The same rules as for a name that a pattern makes.
   item.output = output_name(item.output, {item.input, {}, {}}, {});
   return item;

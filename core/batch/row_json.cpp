@@ -1,32 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/batch/preset_json.h"
 #include "core/batch/row.h"
+#include "core/study/json_value.h"
 
 namespace mocapress {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double kUnit = 100;  // of a pose's numbers in a cm
-
-template <typename T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
-
-Json text_or_null(std::string_view text) {
-  return text.empty() ? Json() : Json(text);
-}
-
-template <typename T>
-std::optional<T> optional_at(const Json& json, const char* key) {
-  const Json& value = json.at(key);
-  return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
-}
 
 void add_measurement(Json& json, const BatchRow& row) {
   const Measurement none;

@@ -10,13 +10,11 @@
 #include "core/codec/deflate.h"
 #include "core/compare/bezier.h"
 #include "core/compare/segment_database.h"
+#include "core/compare/tolerance_of_detail.h"
 #include "core/compare/virtual_markers.h"
 
 namespace mocapress {
 namespace {
-
-constexpr double kCoarsest = 40;  // cm: the tolerance of detail 0
-constexpr int kMostDetail = 8000;
 
 double read_finite(ByteReader& reader) {
   const double value = reader.read<float>();
@@ -167,7 +165,7 @@ class ArikanCoder : public DetailCoder {
   int most_detail() const override { return kMostDetail; }
 
   std::vector<std::byte> encode(int detail) const override {
-    const auto encoding = database_.encode(kCoarsest / (1 + detail));
+    const auto encoding = database_.encode(tolerance_of_detail(detail));
     ByteWriter writer;
     encoding.write_codebook(writer);
     encoding.write_clip(writer, 0);

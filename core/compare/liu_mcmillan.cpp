@@ -15,14 +15,13 @@
 #include "core/compare/key_frames.h"
 #include "core/compare/principal_components.h"
 #include "core/compare/series16.h"
+#include "core/compare/tolerance_of_detail.h"
 #include "core/select/error_model.h"
 
 namespace mocapress {
 namespace {
 
-constexpr int kShortestSegment = 16;  // frames
-constexpr double kCoarsest = 40;      // cm: the tolerance of detail 0
-constexpr int kMostDetail = 8000;
+constexpr int kShortestSegment = 16;   // frames
 constexpr double kStepsPerOctave = 8;  // of the scales
 
 enum Node : std::uint8_t { kLeaf = 0, kHalves = 1 };
@@ -126,7 +125,7 @@ class LiuMcMillanCoder : public DetailCoder {
   int most_detail() const override { return kMostDetail; }
 
   std::vector<std::byte> encode(int detail) const override {
-    const double tolerance = kCoarsest / (1 + detail);
+    const double tolerance = tolerance_of_detail(detail);
     const auto step = static_cast<float>(std::max({tolerance / 8, reach_ / 32000, 1e-6}));
     ByteWriter writer;
     for (const std::int8_t exponent : exponents_) writer.write(exponent);

@@ -7,19 +7,19 @@
 namespace mocapress {
 namespace {
 
-constexpr double kMostSteps = 65535;
+constexpr double kMostSteps16 = 65535;
 
 }  // namespace
 
 void write_series16(ByteWriter& writer, const Eigen::Ref<const Eigen::VectorXd>& values) {
   const auto least = static_cast<float>(values.size() > 0 ? values.minCoeff() : 0.0);
   const double range = values.size() > 0 ? values.maxCoeff() - least : 0.0;
-  const auto step = static_cast<float>(range / kMostSteps);
+  const auto step = static_cast<float>(range / kMostSteps16);
   writer.write(least);
   writer.write(step);
   for (const double value : values) {
     const double steps = step > 0 ? std::round((value - least) / step) : 0;
-    writer.write(static_cast<std::uint16_t>(std::clamp(steps, 0.0, kMostSteps)));
+    writer.write(static_cast<std::uint16_t>(std::clamp(steps, 0.0, kMostSteps16)));
   }
 }
 

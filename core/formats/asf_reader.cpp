@@ -17,7 +17,7 @@ constexpr double kSmallestLengthUnit = 1e-6;  // keeps centimetres finite
 
 /// A bone as its begin ... end block gives it, in file units. The root is one too: its `direction`
 /// is its position and its `axis` its orientation.
-struct Bone {
+struct ReadBone {
   Token at;
   std::string name;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -72,24 +72,24 @@ class AsfReader {
   void read_root();
   void read_bones();
   void read_bone();
-  void read_bone_property(Bone& bone, const Token& keyword);
+  void read_bone_property(ReadBone& bone, const Token& keyword);
   void read_hierarchy();
   void read_children(int line);
   int take_bone();
 
   Eigen::Vector3d take_vector(std::string_view what);
-  void take_dof(Bone& bone, int line);
+  void take_dof(ReadBone& bone, int line);
   std::vector<int> take_axis_order();
   bool in_section() const { return !cursor_.at_end() && !cursor_.peek().text.starts_with(':'); }
 
   std::vector<int> depth_first() const;
-  AsfJoint joint_of(const Bone& bone, int parent_joint) const;
+  AsfJoint joint_of(const ReadBone& bone, int parent_joint) const;
 
   TextCursor cursor_;
   std::optional<double> cm_per_unit_;
   double length_unit_ = 1;
   double radians_per_unit_ = std::numbers::pi / 180;
-  std::vector<Bone> bones_;  // bone 0 is the root
+  std::vector<ReadBone> bones_;  // bone 0 is the root
   std::unordered_map<std::string_view, int> bone_named_ = {{"root", 0}};
 };
 
@@ -99,7 +99,7 @@ AsfSkeleton AsfReader::read() {
   AsfSkeleton skeleton{cursor_.file(), {}, *cm_per_unit_, radians_per_unit_};
   std::vector<int> joint_of_bone(bones_.size(), -1);
   for (const int b : depth_first()) {
-    const Bone& bone = bones_[static_cast<std::size_t>(b)];
+    const ReadBone& bone = bones_[static_cast<std::size_t>(b)];
     const int parent = bone.parent < 0 ? -1 : joint_of_bone[static_cast<std::size_t>(bone.parent)];
     joint_of_bone[static_cast<std::size_t>(b)] = static_cast<int>(skeleton.joints.size());
     skeleton.joints.push_back(joint_of(bone, parent));
@@ -138,7 +138,7 @@ void AsfReader::read_units() {
 }
 
 void AsfReader::read_root() {
-  Bone& root = bones_.front();
+  ReadBone& root = bones_.front();
   root.at = cursor_.peek();
   while (in_section()) {
     const Token key = cursor_.take();
@@ -166,7 +166,7 @@ void AsfReader::read_bones() {
 }
 
 void AsfReader::read_bone() {
-  Bone bone;
+  ReadBone bone;
   bone.at = cursor_.peek();
   while (!cursor_.skip("end")) {
     if (!in_section()) cursor_.fail_expecting("the end of the bone");
@@ -178,7 +178,7 @@ void AsfReader::read_bone() {
   bones_.push_back(std::move(bone));
 }
 
-void AsfReader::read_bone_property(Bone& bone, const Token& keyword) {
+void AsfReader::read_bone_property(ReadBone& bone, const Token& keyword) {
   const auto is = [&](std::string_view word) { return equals_ignoring_case(keyword.text, word); };
   if (is("name")) {
     if (!cursor_.on_line(keyword.line)) cursor_.fail(keyword, "expected a name after 'name'");
@@ -211,7 +211,7 @@ Eigen::Vector3d AsfReader::take_vector(std::string_view what) {
   return vector;
 }
 
-void AsfReader::take_dof(Bone& bone, int line) {
+void AsfReader::take_dof(ReadBone& bone, int line) {
   while (cursor_.on_line(line)) {
     const auto dof = dof_named(cursor_.peek().text);
     if (!dof) cursor_.fail_expecting("tx, ty, tz, rx, ry, rz or l");
@@ -242,7 +242,7 @@ void AsfReader::read_children(int line) {
   while (cursor_.on_line(line)) {
     const Token at = cursor_.peek();
     const int child = take_bone();
-    Bone& bone = bones_[static_cast<std::size_t>(child)];
+    ReadBone& bone = bones_[static_cast<std::size_t>(child)];
     if (child == 0 || bone.parent >= 0) cursor_.fail(at, "a second parent for " + quoted(at));
     bone.parent = parent;
     bones_[static_cast<std::size_t>(parent)].children.push_back(child);
@@ -265,7 +265,7 @@ std::vector<int> AsfReader::depth_first() const {
     const int b = waiting.back();
     waiting.pop_back();
     order.push_back(b);
-    const Bone& bone = bones_[static_cast<std::size_t>(b)];
+    const ReadBone& bone = bones_[static_cast<std::size_t>(b)];
     const int depth = depths[static_cast<std::size_t>(b)];
     if (depth > decoder::kMostDepth)
       cursor_.fail(bone.at, "bone '" + bone.name + "' is nested deeper than " +
@@ -277,7 +277,7 @@ std::vector<int> AsfReader::depth_first() const {
   std::vector<bool> reached(bones_.size(), false);
   for (const int b : order) reached[static_cast<std::size_t>(b)] = true;
   const auto lost = std::find(reached.begin(), reached.end(), false) - reached.begin();
-  const Bone& bone = bones_[static_cast<std::size_t>(lost)];
+  const ReadBone& bone = bones_[static_cast<std::size_t>(lost)];
   cursor_.fail(bone.at, "bone '" + bone.name + "' does not hang from the root in :hierarchy");
 }
 
@@ -286,7 +286,7 @@ bool translates(const std::vector<std::optional<ChannelKind>>& dof) {
                      [](const auto& kind) { return kind && !is_rotation(*kind); });
 }
 
-AsfJoint AsfReader::joint_of(const Bone& bone, int parent_joint) const {
+AsfJoint AsfReader::joint_of(const ReadBone& bone, int parent_joint) const {
   AsfJoint result;
   Joint& joint = result.joint;
   joint.name = bone.name;
@@ -298,7 +298,7 @@ AsfJoint AsfReader::joint_of(const Bone& bone, int parent_joint) const {
     result.feed_channels(bone.axis_order);
     return result;
   }
-  const Bone& parent = bones_[static_cast<std::size_t>(bone.parent)];
+  const ReadBone& parent = bones_[static_cast<std::size_t>(bone.parent)];
   if (bone.parent > 0) joint.offset = parent.direction * parent.length * *cm_per_unit_;
   const Eigen::Vector3d end = bone.direction * bone.length * *cm_per_unit_;
   if (bone.children.empty() && end.norm() > 0) joint.end_site = end;

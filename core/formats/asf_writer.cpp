@@ -16,7 +16,7 @@ namespace {
 constexpr int kDecimals = 9;  // of directions and axes: errors add up along a chain of bones
 
 /// Bones end somewhere, joints only begin: a bone's children start at its end.
-struct Bone {
+struct WrittenBone {
   std::string name;
   int parent = 0;
   Eigen::Vector3d end;           // cm, from the bone's start
@@ -38,7 +38,7 @@ class AsfWriter {
 
   const Skeleton& skeleton_;
   double cm_per_unit_;
-  std::vector<Bone> bones_;  // bone 0 is the root, which has no length
+  std::vector<WrittenBone> bones_;  // bone 0 is the root, which has no length
   std::string text_;
 };
 
@@ -120,7 +120,7 @@ void AsfWriter::check_limits() const {
     throw Error("an .asf of this skeleton would have " + std::to_string(bones_.size()) +
                 " bones, at most " + std::to_string(decoder::kMostJoints) + " are possible");
   std::vector<int> depths;
-  for (const Bone& bone : bones_) {
+  for (const WrittenBone& bone : bones_) {
     if (bone.name.size() > decoder::kMostNameBytes)
       throw Error("a bone's name would be too long for an .asf: " + bone.name);
     depths.push_back(bone.parent < 0 ? 1 : depths[static_cast<std::size_t>(bone.parent)] + 1);
@@ -146,7 +146,7 @@ void AsfWriter::write_root() {
 }
 
 void AsfWriter::write_bone(std::size_t index) {
-  const Bone& bone = bones_[index];
+  const WrittenBone& bone = bones_[index];
   const double length = bone.end.norm();
   text_ +=
       "  begin\n    id " + std::to_string(index) + "\n    name " + bone.name + "\n    direction";

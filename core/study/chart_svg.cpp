@@ -50,7 +50,7 @@ std::string text_at(double x, double y, std::string_view attributes, std::string
                  content);
 }
 
-std::string line(double x1, double y1, double x2, double y2, std::string_view css) {
+std::string line_between(double x1, double y1, double x2, double y2, std::string_view css) {
   return element("path",
                  attribute("class", css) +
                      attribute("d", "M" + px(x1) + " " + px(y1) + "L" + px(x2) + " " + px(y2)),
@@ -132,17 +132,17 @@ class Drawing {
   std::string axes() const {
     std::string content;
     for (const double tick : x().ticks()) {
-      content += line(x().at(tick), top(), x().at(tick), bottom(), "grid");
+      content += line_between(x().at(tick), top(), x().at(tick), bottom(), "grid");
       content += text_at(x().at(tick), bottom() + 16, attribute("text-anchor", "middle"),
                          plain(tick) + ":1");
     }
     for (const double tick : y().ticks()) {
-      content += line(left(), y().at(tick), right(), y().at(tick), "grid");
+      content += line_between(left(), y().at(tick), right(), y().at(tick), "grid");
       content +=
           text_at(left() - 7, y().at(tick) + 4, attribute("text-anchor", "end"), plain(tick));
     }
     if (y().holds(kGuideEpsCm))
-      content += line(left(), y().at(kGuideEpsCm), right(), y().at(kGuideEpsCm), "guide");
+      content += line_between(left(), y().at(kGuideEpsCm), right(), y().at(kGuideEpsCm), "guide");
     content += text_at((left() + right()) / 2, chart_.height - 6,
                        attribute("class", "axis") + attribute("text-anchor", "middle"),
                        "compression ratio &#8594; smaller");
@@ -200,7 +200,7 @@ class Drawing {
     std::string content;
     for (const Label& label : all) {
       const double at = right() + 12;
-      content += line(label.x + 5, label.wanted, at - 4, label.y, "leader");
+      content += line_between(label.x + 5, label.wanted, at - 4, label.y, "leader");
       content += text_at(at, label.y + 4, attribute("class", style_class(*label.series, "label")),
                          escaped(label.series->title));
     }
@@ -224,7 +224,7 @@ std::string legend_mark(int style) {
       "svg",
       attribute("class", "sign") + attribute("viewBox", "0 0 26 12") +
           attribute("aria-hidden", "true"),
-      line(1, 6, 25, 6, "line" + css) +
+      line_between(1, 6, 25, 6, "line" + css) +
           element("path",
                   attribute("class", "mark" + css) + attribute("d", marker_path(style, 13, 6, 3.6)),
                   ""));

@@ -1,29 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/study/row_json.h"
 
-#include <nlohmann/json.hpp>
-
+#include "core/study/json_value.h"
 #include "core/study/plan.h"
 
 namespace mocapress {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-template <typename T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
-
-Json text_or_null(std::string_view text) {
-  return text.empty() ? Json() : Json(text);
-}
-
-template <typename T>
-std::optional<T> optional_at(const Json& json, const char* key) {
-  const Json& value = json.at(key);
-  return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
-}
 
 /// The one of `values` whose name() the text is. Throws like the JSON library does.
 template <typename Enum>

@@ -12,18 +12,10 @@
 
 #include "widgets/icons/themed_icon.h"
 #include "widgets/models/preset_names.h"
+#include "widgets/models/shown_number.h"
 
 namespace mocapress {
 namespace {
-
-QString number(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
-}
-
-/// With three significant digits.
-QString shortNumber(double value) {
-  return number(value, value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3);
-}
 
 QString stageName(ClipProgress::Stage stage) {
   switch (stage) {
@@ -238,11 +230,11 @@ QVariant BatchQueueModel::figure(const QueuedClip& clip, int row, int column) co
   if (!clip.measured) return QStringLiteral("–");
   switch (column) {
     case Ratio:
-      return tr("%1:1").arg(number(clip.measured->ratio, 1));
+      return tr("%1:1").arg(shown(clip.measured->ratio, 1));
     case Eps:
-      return shortNumber(clip.measured->eps_cm(presetOf(row).weighting));
+      return shownFigure(clip.measured->eps_cm(presetOf(row).weighting));
     default:
-      return shortNumber(clip.measured->max_error_cm);
+      return shownFigure(clip.measured->max_error_cm);
   }
 }
 

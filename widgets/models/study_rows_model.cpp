@@ -9,19 +9,10 @@
 
 #include "widgets/models/method_names.h"
 #include "widgets/models/series_style.h"
+#include "widgets/models/shown_number.h"
 
 namespace mocapress {
 namespace {
-
-QString number(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
-}
-
-/// With three significant digits.
-QString figure(double value) {
-  const int decimals = value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3;
-  return number(value, decimals);
-}
 
 std::optional<double> value(const StudyRow& row, int column) {
   if (column == StudyRowsModel::Asked) return row.target.value;
@@ -53,8 +44,8 @@ QString display(const StudyRow& row, int column) {
   if (column == StudyRowsModel::Asked) return targetText(row.target);
   const auto found = value(row, column);
   if (!found) return QStringLiteral("–");
-  if (column == StudyRowsModel::Ratio) return number(*found, 1) + QStringLiteral(":1");
-  return figure(*found);
+  if (column == StudyRowsModel::Ratio) return shown(*found, 1) + QStringLiteral(":1");
+  return shownFigure(*found);
 }
 
 QVariant sortKey(const StudyRow& row, int column) {
@@ -112,13 +103,14 @@ QString StudyRowsModel::description(int index) const {
   }
   const Measurement& measured = *row.measured;
   lines << tr("%1:1, %2")
-               .arg(number(measured.ratio, 1),
+               .arg(shown(measured.ratio, 1),
                     QLocale().formattedDataSize(static_cast<qint64>(measured.motion_bytes)));
   lines << tr("eps_x %1 cm, at most %2 cm")
-               .arg(figure(measured.eps_cm(row.weighting)), figure(measured.max_error_cm));
+               .arg(shownFigure(measured.eps_cm(row.weighting)),
+                    shownFigure(measured.max_error_cm));
   if (measured.footskate_cm)
     lines << tr("%1 cm of footskate in %Ln contact(s)", nullptr, measured.contacts)
-                 .arg(number(*measured.footskate_cm, 1));
+                 .arg(shown(*measured.footskate_cm, 1));
   if (!row.reached()) lines << tr("Asked for %1.").arg(targetText(row.target));
   return lines.join(QLatin1Char('\n'));
 }

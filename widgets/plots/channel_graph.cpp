@@ -21,14 +21,6 @@ namespace {
 
 constexpr int kBandsWidth = 190;  // pixels
 
-QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz) {
-  QVector<QCPGraphData> points;
-  points.reserve(static_cast<int>(values.size()));
-  for (Eigen::Index frame = 0; frame < values.size(); ++frame)
-    points.append({static_cast<double>(frame) / sample_rate_hz, values[frame]});
-  return points;
-}
-
 void paintAxes(QCPAxisRect* area, const QPalette& palette, const QFont& font) {
   for (QCPAxis* axis : {area->axis(QCPAxis::atBottom), area->axis(QCPAxis::atLeft)})
     applyPalette(axis, palette, font);

@@ -12,18 +12,6 @@
 #include "widgets/plots/plot_style.h"
 
 namespace mocapress {
-namespace {
-
-QVector<QCPGraphData> overTime(const Eigen::VectorXf& cm, double sample_rate_hz) {
-  QVector<QCPGraphData> points;
-  points.reserve(static_cast<int>(cm.size()));
-  for (Eigen::Index frame = 0; frame < cm.size(); ++frame)
-    points.append({static_cast<double>(frame) / sample_rate_hz, static_cast<double>(cm[frame])});
-  return points;
-}
-
-}  // namespace
-
 ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -118,14 +106,16 @@ void ErrorGraph::addWorst() {
   graph->setName(tr("worst of all joints"));
   graph->setPen(QPen(grey, 1));
   graph->setBrush(grey);
-  graph->data()->set(overTime(distances_->rowwise().maxCoeff(), sample_rate_hz_), true);
+  graph->data()->set(overTime(distances_->rowwise().maxCoeff().cast<double>(), sample_rate_hz_),
+                     true);
 }
 
 void ErrorGraph::addCurve(const ErrorCurve& curve) {
   QCPGraph* graph = plot_->addGraph();
   graph->setName(curve.name);
   graph->setPen(QPen(curve.colour, 1));
-  graph->data()->set(overTime(distances_->col(curve.landmark), sample_rate_hz_), true);
+  graph->data()->set(overTime(distances_->col(curve.landmark).cast<double>(), sample_rate_hz_),
+                     true);
 }
 
 void ErrorGraph::showAll() {

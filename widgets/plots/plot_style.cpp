@@ -30,4 +30,12 @@ void applyPalette(QCustomPlot* plot) {
   for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) applyPalette(axis, palette, plot->font());
 }
 
+QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz) {
+  QVector<QCPGraphData> points;
+  points.reserve(static_cast<int>(values.size()));
+  for (Eigen::Index frame = 0; frame < values.size(); ++frame)
+    points.append({static_cast<double>(frame) / sample_rate_hz, values[frame]});
+  return points;
+}
+
 }  // namespace mocapress

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QVector>
+
+#include <Eigen/Core>
+
 class QCPAxis;
+class QCPGraphData;
 class QCustomPlot;
 class QFont;
 class QPalette;
@@ -14,5 +19,8 @@ void applyPalette(QCustomPlot* plot);
 
 /// The same for one axis of a plot that has more.
 void applyPalette(QCPAxis* axis, const QPalette& palette, const QFont& font);
+
+/// One point a frame, against seconds.
+QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz);
 
 }  // namespace mocapress

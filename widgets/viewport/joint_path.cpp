@@ -8,7 +8,7 @@ namespace mocapress {
 namespace {
 
 constexpr int kMostPieces = 30;  // to either side: long reaches are drawn in longer pieces
-constexpr float kThinnest = 0.35f;
+constexpr float kThinnestTrail = 0.35f;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ std::vector<Capsule> jointPath(const Eigen::MatrixXd& tracks, int landmark, int 
   const int step = std::max(1, reach / kMostPieces);
   const auto radiusAt = [&](int t) {
     const float away = static_cast<float>(std::abs(t - frame)) / static_cast<float>(reach);
-    return radius * (1 - (1 - kThinnest) * away);
+    return radius * (1 - (1 - kThinnestTrail) * away);
   };
   std::vector<Capsule> path;
   const auto add = [&](int a, int b) {
