@@ -910,10 +910,6 @@
         <translation>Pondération</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts, each by bone length: the far end of every bone, or joint origins as in the paper.</source>
-        <translation>Quels points compte l&apos;erreur eps_x, chacun selon la longueur d&apos;os : le bout de chaque os, ou l&apos;origine des articulations comme dans l&apos;article.</translation>
-    </message>
-    <message>
         <source>Coding</source>
         <translation>Codage</translation>
     </message>
@@ -968,6 +964,10 @@
     <message>
         <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
         <translation>Cette méthode prend les coefficients comme ils viennent, sans égard à l&apos;importance : choisissez %1 ou %2.</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
     </message>
 </context>
 <context>
@@ -2069,6 +2069,14 @@
         <source>Contacts</source>
         <translation>Contacts</translation>
     </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>Coque</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::OpenClip</name>
@@ -2901,10 +2909,6 @@
         <translation>Pondération de l&apos;étude</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts, each by bone length: the far end of every bone, or joint origins as in the paper.</source>
-        <translation>Quels points compte l&apos;erreur eps_x, chacun selon la longueur d&apos;os : le bout de chaque os, ou l&apos;origine des articulations comme dans l&apos;article.</translation>
-    </message>
-    <message>
         <source>Ratios</source>
         <translation>Taux</translation>
     </message>
@@ -2945,6 +2949,10 @@
     <message>
         <source>A curve more: annealed wavelets whose feet inverse kinematics hold in place, at the ratios asked for.</source>
         <translation>Une courbe de plus : les ondelettes par recuit dont la cinématique inverse tient les pieds en place, aux taux demandés.</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
     </message>
 </context>
 <context>

@@ -902,10 +902,6 @@
         <translation>重み付け</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts, each by bone length: the far end of every bone, or joint origins as in the paper.</source>
-        <translation>誤差 eps_x が数える点(骨の長さで重み付け)：各骨の先端、または論文どおり関節の原点。</translation>
-    </message>
-    <message>
         <source>Coding</source>
         <translation>符号化</translation>
     </message>
@@ -960,6 +956,10 @@
     <message>
         <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
         <translation>この手法は係数をそのまま選び、重要度を考慮しません。%1か%2を選んでください。</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
     </message>
 </context>
 <context>
@@ -2055,6 +2055,14 @@
         <source>Contacts</source>
         <translation>接地</translation>
     </message>
+    <message>
+        <source>Surface</source>
+        <translation>体表</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>シェル</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::OpenClip</name>
@@ -2884,10 +2892,6 @@
         <translation>比較研究の重み付け</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts, each by bone length: the far end of every bone, or joint origins as in the paper.</source>
-        <translation>誤差 eps_x が数える点(骨の長さで重み付け)：各骨の先端、または論文どおり関節の原点。</translation>
-    </message>
-    <message>
         <source>Ratios</source>
         <translation>圧縮率</translation>
     </message>
@@ -2928,6 +2932,10 @@
     <message>
         <source>A curve more: annealed wavelets whose feet inverse kinematics hold in place, at the ratios asked for.</source>
         <translation>曲線を一つ追加します：焼きなましのウェーブレットで足を逆運動学により固定したものを、指定した比で。</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
     </message>
 </context>
 <context>

@@ -173,7 +173,7 @@ double bench_reference_iteration(const ClipAnalysis& analysis) {
   Clip candidate = analysis.motion().clip;
   for (int c = 0; c < ranked.channels(); ++c)
     candidate.channels.col(c) = synthesise(ranked, c, 0, kept[static_cast<std::size_t>(c)]);
-  const Eigen::MatrixXd& tracks = analysis.original_tracks();
+  const Eigen::MatrixXd& tracks = analysis.original_body();
   double best = std::numeric_limits<double>::infinity();
   return seconds_of([&] {
     for (int c = 0; c < ranked.channels(); ++c) {
@@ -181,8 +181,8 @@ double bench_reference_iteration(const ClipAnalysis& analysis) {
       const Eigen::VectorXd gain =
           synthesise(ranked, c, now, std::min(now + kMoved, ranked.per_channel()));
       candidate.channels.col(c) += gain;
-      best = std::min(best, exact_eps(analysis.motion().skeleton, tracks, candidate,
-                                      Weighting::JointOrigins));
+      best = std::min(
+          best, exact_eps(analysis.motion().skeleton, tracks, candidate, Weighting::JointOrigins));
       candidate.channels.col(c) -= gain;
     }
   });

@@ -97,8 +97,10 @@ void add_compress(CLI::App& app) {
       ->add_option("--coding", call->coding,
                    "How they are coded (closed-loop: adaptive, others: deflate)")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
-  command->add_option("--weighting", call->options.weighting, "Of eps_x (bone-ends)")
-      ->transform(one_of({Weighting::BoneEnds, Weighting::JointOrigins}));
+  command
+      ->add_option("--weighting", call->options.weighting,
+                   "What errors are measured on (bone-ends)")
+      ->transform(one_of(kWeightings));
   CLI::Option_group* target = command->add_option_group("target", "One of (default: --ratio 25)");
   target->require_option(0, 1);
   const auto add = [&](const char* flag, Target::Kind kind, const char* unit, const char* help) {

@@ -43,7 +43,7 @@ struct Measure {
         .motion_bytes = opened.compressed.motion_bytes(),
         .file_bytes = std::filesystem::file_size(compressed),
         .verified_by = "library",
-        .distortion = mocapress::measure(motion.skeleton, tracks, decoded),
+        .distortion = mocapress::measure(motion.skeleton, motion.clip, decoded),
         .footskate = footskate,
         .contacts = contacts.size(),
         .correction_bytes = opened.compressed.correction

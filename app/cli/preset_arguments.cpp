@@ -16,8 +16,8 @@ void PresetArguments::add_options(CLI::App& command) {
       ->transform(one_of_the_methods());
   command.add_option("--coding", coding, "How wavelets are coded")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
-  command.add_option("--weighting", weighting, "Of eps_x")
-      ->transform(one_of({Weighting::BoneEnds, Weighting::JointOrigins}));
+  command.add_option("--weighting", weighting, "What errors are measured on")
+      ->transform(one_of(kWeightings));
   CLI::Option_group* targets =
       command.add_option_group("target", "One of, instead of the preset's");
   targets->require_option(0, 1);

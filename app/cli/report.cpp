@@ -8,6 +8,7 @@
 #include "core/compare/contender.h"
 #include "core/contact/slide_per_contact.h"
 #include "core/metrics/rate.h"
+#include "core/study/body_json.h"
 
 namespace mocapress::cli {
 namespace {
@@ -16,6 +17,15 @@ constexpr double kDegrees = 180 / std::numbers::pi;  // in a radian
 
 std::string cm(double value) {
   return fixed_text(value, 3) + " cm";
+}
+
+std::string degrees(double value) {
+  return fixed_text(value, 2) + " degrees";
+}
+
+void print(const char* of, const Spread& spread) {
+  std::cerr << "  " << of << ": RMS " << cm(spread.rms) << ", p99 " << cm(spread.p99) << ", max "
+            << cm(spread.max.cm) << " (frame " << spread.max.frame << ")\n";
 }
 
 void print(const CorrectionResult& correction) {
@@ -39,7 +49,7 @@ void print(const CorrectionResult& correction) {
 Json to_json(const Report& report) {
   const Clip& clip = report.original->clip;
   const auto slide = slide_per_contact(report.footskate, report.contacts);
-  return {
+  Json json = {
       {"input", report.input},
       {"method", report.method},
       {"weighting", name(report.weighting)},
@@ -59,6 +69,10 @@ Json to_json(const Report& report) {
       {"max_error_cm", report.distortion.max.cm},
       {"p95_error_cm", report.distortion.p95},
       {"p99_error_cm", report.distortion.p99},
+  };
+  add_body_figures(body_figures(report.original->skeleton, report.distortion),
+                   [&](const char* key, Json value) { json[key] = std::move(value); });
+  json.update(Json{
       {"bits_per_joint_sample", bits_per_joint_sample(*report.original, report.motion_bytes)},
       {"iterations", or_null(report.iterations)},
       {"encode_seconds", or_null(report.encode_seconds)},
@@ -71,7 +85,8 @@ Json to_json(const Report& report) {
       {"footskate_mean_cm", slide ? Json(slide->mean_cm) : Json()},
       {"footskate_worst_cm", slide ? Json(slide->worst_cm) : Json()},
       {"verified_by", report.verified_by},
-  };
+  });
+  return json;
 }
 
 void print(const Report& report) {
@@ -91,6 +106,13 @@ void print(const Report& report) {
             << "  p95 " << cm(distortion.p95) << ", p99 " << cm(distortion.p99) << ", max "
             << cm(distortion.max.cm) << " (" << worst_name << ", frame " << distortion.max.frame
             << ")\n";
+  const BodyFigures body = body_figures(report.original->skeleton, distortion);
+  print("surface", body.surface);
+  print("shell", body.shell);
+  std::cerr << "  joints turned by " << degrees(body.angle_rms_degrees);
+  if (body.head_degrees) std::cerr << ", the head by " << degrees(*body.head_degrees);
+  if (body.hand_degrees) std::cerr << ", hands by " << degrees(*body.hand_degrees);
+  std::cerr << " (RMS)\n";
   if (const auto slide = slide_per_contact(report.footskate, report.contacts))
     std::cerr << "  footskate " << fixed_text(report.footskate.total_cm, 2) << " cm in "
               << report.contacts << " contacts: mean " << cm(slide->mean_cm) << ", worst "

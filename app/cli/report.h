@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "core/codec/encoder.h"
-#include "core/metrics/distortion.h"
+#include "core/metrics/body_figures.h"
+#include "core/study/json_value.h"
 
 namespace mocapress::cli {
-
-using Json = nlohmann::ordered_json;
 
 /// What `compress` and `measure` print: one compressed clip against its original.
 struct Report {
@@ -37,12 +35,6 @@ Json to_json(const Report& report);
 
 /// The same for people, on standard error.
 void print(const Report& report);
-
-/// An optional as JSON: null when unset.
-template <typename T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
 
 /// JSON goes to standard output, alone.
 void print(const Json& json);

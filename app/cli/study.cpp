@@ -173,7 +173,7 @@ void add_study(CLI::App& app) {
   command
       ->add_option("--weighting", call->weighting,
                    "Of eps_x (bone-ends; the paper's: joint-origins)")
-      ->transform(one_of({Weighting::BoneEnds, Weighting::JointOrigins}));
+      ->transform(one_of(kWeightings));
   command->add_option("--coding", call->coding, "How wavelets are coded (deflate)")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
   command->add_option("--seed", call->seed, "Of the annealing; same seed, same figures");

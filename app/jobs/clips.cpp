@@ -93,7 +93,7 @@ DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original,
 DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original) {
   DecodedClip result = decoded;
   result.distortion =
-      measure(original.motion().skeleton, original.encoder->original_tracks(), result.clip);
+      measure(original.motion().skeleton, original.encoder->original_body(), result.clip);
   findArtifacts(result, *original.encoder, original.encoder->contacts());
   return std::make_shared<const DecodedClip>(std::move(result));
 }

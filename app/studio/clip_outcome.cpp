@@ -14,7 +14,7 @@ double quantityOf(const DecodedClip& decoded, const EncodeOptions& options) {
     case Target::Kind::Error:
       return decoded.distortion->eps(options.weighting);
     case Target::Kind::MaxError:
-      return decoded.distortion->max.cm;
+      return decoded.distortion->worst(options.weighting).cm;
     case Target::Kind::CoefficientRatio:
       break;
   }

@@ -170,7 +170,7 @@ void Presenter::showTarget() {
       {{Target::Kind::Ratio, decoded->ratio},
        {Target::Kind::Size, static_cast<double>(decoded->compressed.motion_bytes())},
        {Target::Kind::Error, decoded->distortion->eps(document.options().weighting)},
-       {Target::Kind::MaxError, decoded->distortion->max.cm}});
+       {Target::Kind::MaxError, decoded->distortion->worst(document.options().weighting).cm}});
 }
 
 void Presenter::showShown() {

@@ -15,7 +15,6 @@ constexpr std::array kMethods = {Method::Annealed, Method::Standard, Method::Per
 constexpr std::array kCodings = {Coding::Rle16, Coding::Deflate, Coding::Adaptive};
 constexpr std::array kEfforts = {Effort::Default, Effort::Best};
 constexpr std::array kBases = {Basis::Haar, Basis::Linear, Basis::Cubic};
-constexpr std::array kWeightings = {Weighting::BoneEnds, Weighting::JointOrigins};
 constexpr std::array kPlaces = {CorrectAt::EveryFrame, CorrectAt::Contacts};
 constexpr std::array kSolvers = {IkSolver::CyclicDescent, IkSolver::NearestPose};
 constexpr std::array<std::pair<Target::Kind, const char*>, 5> kTargets = {

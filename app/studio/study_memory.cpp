@@ -37,9 +37,8 @@ StudySettings rememberedStudySettings() {
   settings.ratios = numbersOf(stored.value(kRatios));
   settings.errors = numbersOf(stored.value(kErrors));
   if (const double ik = stored.value(kIkRatio).toDouble(); ik > 0) settings.ik_ratio = ik;
-  const bool origins =
-      stored.value(kWeighting).toInt() == static_cast<int>(Weighting::JointOrigins);
-  if (origins) settings.weighting = Weighting::JointOrigins;
+  for (const Weighting weighting : kWeightings)
+    if (stored.value(kWeighting) == static_cast<int>(weighting)) settings.weighting = weighting;
   return settings;
 }
 

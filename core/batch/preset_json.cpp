@@ -199,8 +199,7 @@ Preset preset_from(const Json& json) {
   if (coding && !coding->is_null())
     preset.coding =
         keys.word("coding", Coding::Deflate, {Coding::Rle16, Coding::Deflate, Coding::Adaptive});
-  preset.weighting =
-      keys.word("weighting", preset.weighting, {Weighting::BoneEnds, Weighting::JointOrigins});
+  preset.weighting = keys.word("weighting", preset.weighting, kWeightings);
   if (const Json* target = keys.take("target")) preset.target = target_from(*target, of);
   if (const Json* seed = keys.take("seed")) preset.seed = seed_from(*seed, keys);
   const Json* correction = keys.take("ik");

@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/batch/preset_json.h"
 #include "core/batch/row.h"
-#include "core/study/json_value.h"
+#include "core/study/body_json.h"
 
 namespace mocapress {
 namespace {
@@ -34,6 +34,7 @@ void add_measurement(Json& json, const BatchRow& row) {
   add("max_error_cm", m.max_error_cm);
   add("p95_error_cm", m.p95_error_cm);
   add("p99_error_cm", m.p99_error_cm);
+  add_body_figures(m.body, add);
   add("worst_frame", m.worst_frame);
   add("worst_point", row.worst ? Json(row.worst->landmark) : Json());
   add("contacts", m.contacts);
@@ -62,6 +63,7 @@ Measurement measurement_from(const Json& json) {
   json.at("max_error_cm").get_to(m.max_error_cm);
   json.at("p95_error_cm").get_to(m.p95_error_cm);
   json.at("p99_error_cm").get_to(m.p99_error_cm);
+  m.body = body_figures_of(json);
   json.at("worst_frame").get_to(m.worst_frame);
   json.at("contacts").get_to(m.contacts);
   m.footskate_cm = optional_at<double>(json, "footskate_cm");

@@ -55,13 +55,14 @@ class Verifier {
 
   Verification run() {
     const Original::Tracks tracks = [this]() -> const Eigen::MatrixXd& {
-      return encoder_.original_tracks();
+      return encoder_.original_body();
     };
     const Original original(motion_, is_long_ ? Original::Tracks() : tracks);
     const bool in_blocks = is_long_ && !request_.motion;
     DistortionMeter distortion(motion_.skeleton, motion_.clip.frames(),
                                in_blocks ? Detail::Figures : Detail::Distances);
     FootskateMeter footskate(request_.contacts, motion_.clip.sample_rate_hz);
+    const Eigen::Index on_bones = 3 * std::ssize(landmarks(motion_.skeleton));
     PosePoints wanted;
     PosePoints found;
     const auto visit = [&](int first, const TrackRows& there, const TrackRows& decoded) {
@@ -69,8 +70,8 @@ class Verifier {
       footskate.add(first, there, decoded);
       const int row = distortion.worst().frame - first;
       if (row < 0 || row >= there.rows()) return;  // one of those before is still the worst
-      wanted = points_at(there, row);
-      found = points_at(decoded, row);
+      wanted = points_at(there.leftCols(on_bones), row);
+      found = points_at(decoded.leftCols(on_bones), row);
     };
     Verification verification;
     const Block compare = [&](int first, const Clip& block) {
@@ -82,7 +83,8 @@ class Verifier {
     verification.by = decode(compare);
     verification.distortion = distortion.distortion();
     verification.footskate = footskate.footskate();
-    const double ground_cm = is_long_ ? ground_of(tracks_of_some(motion_)) : ground_of(tracks());
+    const double ground_cm =
+        is_long_ ? ground_of(tracks_of_some(motion_)) : ground_of(encoder_.original_tracks());
     verification.worst = worst_pose(motion_.skeleton, std::move(wanted), std::move(found),
                                     ground_cm, distortion.worst());
     return verification;

@@ -2,6 +2,7 @@
 #include "core/codec/clip_analysis.h"
 
 #include "core/codec/segments.h"
+#include "core/motion/body_tracks.h"
 
 namespace mocapress {
 
@@ -15,6 +16,12 @@ BasisAnalysis::BasisAnalysis(const Clip& columns, const std::vector<double>& com
 const Eigen::MatrixXd& ClipAnalysis::original_tracks() const {
   return original_tracks_.get(Only(), [&] {
     return std::make_unique<Eigen::MatrixXd>(landmark_tracks(motion_.skeleton, motion_.clip));
+  });
+}
+
+const Eigen::MatrixXd& ClipAnalysis::original_body() const {
+  return original_body_.get(Only(), [&] {
+    return std::make_unique<Eigen::MatrixXd>(body_tracks(motion_.skeleton, motion_.clip));
   });
 }
 

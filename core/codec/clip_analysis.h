@@ -34,6 +34,7 @@ class ClipAnalysis {
 
   const Motion& motion() const { return motion_; }
   const Eigen::MatrixXd& original_tracks() const;       // landmark_tracks()
+  const Eigen::MatrixXd& original_body() const;         // body_tracks()
   const Coefficients& coefficients(Basis basis) const;  // what a closed loop needs of a basis
   const BasisAnalysis& in(Basis basis) const;
   const ErrorModel& model(Weighting weighting) const;
@@ -66,6 +67,7 @@ class ClipAnalysis {
 
   Motion motion_;
   OnDemand<Only, Eigen::MatrixXd> original_tracks_;
+  OnDemand<Only, Eigen::MatrixXd> original_body_;
   OnDemand<Only, std::vector<ContactSpan>> contacts_;
   OnDemand<Basis, Coefficients> coefficients_;
   OnDemand<Basis, BasisAnalysis> bases_;

@@ -74,8 +74,7 @@ void read_description(std::span<const std::byte> payload, std::size_t offset,
     clip.coding = coding;
     clip.provenance.method = read_enum(reader, Method::PerChannel, Method::ClosedLoop, "method");
   }
-  clip.provenance.weighting =
-      read_enum(reader, Weighting::BoneEnds, Weighting::JointOrigins, "weighting");
+  clip.provenance.weighting = read_enum(reader, Weighting::BoneEnds, Weighting::Shell, "weighting");
   clip.provenance.seed = reader.read<std::uint64_t>();
   clip.provenance.eps_cm = reader.read<float>();
   clip.provenance.max_error_cm = reader.read<float>();

@@ -117,6 +117,10 @@ const Eigen::MatrixXd& Encoder::original_tracks() const {
   return analysis_->original_tracks();
 }
 
+const Eigen::MatrixXd& Encoder::original_body() const {
+  return analysis_->original_body();
+}
+
 const std::vector<ContactSpan>& Encoder::contacts() const {
   return analysis_->contacts();
 }

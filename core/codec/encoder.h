@@ -92,8 +92,9 @@ class Encoder {
 
   const Motion& motion() const;
 
-  /// landmark_tracks() of the original.
+  /// landmark_tracks() and body_tracks() of the original.
   const Eigen::MatrixXd& original_tracks() const;
+  const Eigen::MatrixXd& original_body() const;
 
   /// Of the feet, found on the original.
   const std::vector<ContactSpan>& contacts() const;

@@ -18,18 +18,25 @@ Eigen::MatrixX3d cross(const Eigen::MatrixX3d& a, const Eigen::MatrixX3d& b) {
   return product;
 }
 
+std::vector<Landmark> bounded_points(const Skeleton& skeleton, Weighting weighting) {
+  if (is_on_bones(weighting)) return landmarks(skeleton);
+  std::vector<Landmark> points = joint_origins(skeleton);
+  const std::vector<Landmark> measured = measured_points(skeleton, weighting).points;
+  points.insert(points.end(), measured.begin(), measured.end());
+  return points;
+}
+
 }  // namespace
 
-ErrorBound::ErrorBound(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
-                       double bound_cm)
-    : skeleton_(skeleton),
-      original_tracks_(original_tracks),
+ErrorBound::ErrorBound(const Motion& original, Weighting weighting, double bound_cm)
+    : skeleton_(original.skeleton),
       squared_bound_(bound_cm * bound_cm),
-      points_(landmarks(skeleton)) {}
+      points_(bounded_points(original.skeleton, weighting)),
+      original_tracks_(point_tracks(original.skeleton, points_, original.clip)) {}
 
 void ErrorBound::begin(const Clip& decoded) {
   channels_ = decoded.channels;
-  errors_ = landmark_tracks(skeleton_, decoded) - original_tracks_;
+  errors_ = point_tracks(skeleton_, points_, decoded) - original_tracks_;
   squared_.resize(errors_.rows(), std::ssize(points_));
   for (Eigen::Index p = 0; p < squared_.cols(); ++p)
     squared_.col(p) = errors_.middleCols<3>(3 * p).rowwise().squaredNorm();

@@ -4,16 +4,17 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/motion/landmarks.h"
+#include "core/motion/measured_points.h"
 
 namespace mocapress {
 
-/// A bound on how far any landmark may be from its original, while one channel after another
-/// changes. Exact: what hangs on a joint turns about it as one piece.
+/// A bound on how far any point of a weighting may be from its original, and any joint's origin,
+/// while one channel after another changes. Exact: what hangs on a joint turns about it as one
+/// piece.
 class ErrorBound {
  public:
-  /// The skeleton and `original_tracks`, landmark_tracks(), must outlive this.
-  ErrorBound(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks, double bound_cm);
+  /// The motion must outlive this.
+  ErrorBound(const Motion& original, Weighting weighting, double bound_cm);
 
   /// Begins a pass over the channels of this clip.
   void begin(const Clip& decoded);
@@ -54,12 +55,12 @@ class ErrorBound {
                                const Step& step) const;
 
   const Skeleton& skeleton_;
-  const Eigen::MatrixXd& original_tracks_;
   const double squared_bound_;
-  const std::vector<Landmark> points_;
-  Eigen::MatrixXd channels_;  // frames x channels
-  Eigen::MatrixXd errors_;    // frames x 3 * landmarks, cm
-  Eigen::MatrixXd squared_;   // of them: frames x landmarks
+  const std::vector<Landmark> points_;     // joints' origins first
+  const Eigen::MatrixXd original_tracks_;  // of them
+  Eigen::MatrixXd channels_;               // frames x channels
+  Eigen::MatrixXd errors_;                 // frames x 3 * landmarks, cm
+  Eigen::MatrixXd squared_;                // of them: frames x landmarks
   int channel_ = -1;
   int joint_ = -1;                           // of the channel
   std::vector<Rotations> world_from_joint_;  // of the joints before that

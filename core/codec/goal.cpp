@@ -19,7 +19,7 @@ constexpr double kTolerance = 0.02;
 double Goal::achieved(std::size_t motion_bytes, const Comparison& compare) const {
   const Motion& motion = original_.motion();
   const auto measured = [&] {
-    DistortionMeter meter(motion.skeleton, motion.clip.frames(), Detail::Means);
+    DistortionMeter meter(motion.skeleton, motion.clip.frames(), Detail::Means, weighting_);
     compare([&](int first, const TrackRows& original, const TrackRows& decoded) {
       meter.add(first, original, decoded);
     });
@@ -33,7 +33,7 @@ double Goal::achieved(std::size_t motion_bytes, const Comparison& compare) const
     case Target::Kind::Size:
       return static_cast<double>(motion_bytes);
     case Target::Kind::Error:
-      return measured().eps(weighting_);
+      return measured().eps();
     case Target::Kind::MaxError:
       return measured().worst().cm;
   }
@@ -79,10 +79,11 @@ void Goal::require_met(double excess, double achieved, bool everything_kept) con
 
 void Goal::raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const {
   constexpr double kMostWeight = 1e4;
+  const PointErrors errors(original_.motion().skeleton, weighting_);
   original_.compare(
       compressed, [&](int first, const TrackRows& original, const TrackRows& decoded) {
         const Eigen::VectorXf worst =
-            squared_distances(original, decoded).rowwise().maxCoeff().cwiseSqrt().cast<float>();
+            errors.squared(original, decoded).rowwise().maxCoeff().cwiseSqrt().cast<float>();
         const Eigen::VectorXd excess = worst.cast<double>() / (0.95 * target_.value);
         for (Eigen::Index t = 0; t < excess.size(); ++t) {
           double& weight = weights(first + t);

@@ -9,22 +9,23 @@
 
 namespace mocapress {
 
-Eigen::VectorXd important_weights(const Skeleton& skeleton, Weighting weighting,
-                                  const Importance& importance) {
-  Eigen::VectorXd weights = landmark_weights(skeleton, weighting);
-  if (importance.joints.empty()) return weights;
+MeasuredPoints important_points(const Skeleton& skeleton, Weighting weighting,
+                                const Importance& importance) {
+  MeasuredPoints measured = measured_points(skeleton, weighting);
+  if (importance.joints.empty()) return measured;
   if (std::ssize(importance.joints) != skeleton.joint_count())
     throw Error("the importance of every joint is needed, or of none");
   for (const double factor : importance.joints)
     if (!std::isfinite(factor) || factor < 0)
       throw Error("the importance of a joint must be a number, 0 or more");
-  const std::vector<Landmark> points = landmarks(skeleton);
+  Eigen::VectorXd& weights = measured.weights;
   for (Eigen::Index p = 0; p < weights.size(); ++p) {
-    const auto joint = points[static_cast<std::size_t>(p)].joint;
+    const auto joint = measured.points[static_cast<std::size_t>(p)].joint;
     weights(p) *= importance.joints[static_cast<std::size_t>(joint)];
   }
   if (weights.sum() <= 0) throw Error("no joint is of any importance");
-  return weights / weights.sum();
+  weights /= weights.sum();
+  return measured;
 }
 
 std::vector<PointResponse> standing_points(const Skeleton& skeleton,

@@ -5,7 +5,7 @@
 
 #include "core/contact/contact_spans.h"
 #include "core/motion/clip.h"
-#include "core/motion/landmarks.h"
+#include "core/motion/measured_points.h"
 #include "core/select/point_term.h"
 
 namespace mocapress {
@@ -23,10 +23,11 @@ struct Importance {
   bool operator==(const Importance&) const = default;
 };
 
-/// landmark_weights(), multiplied by what their joints are worth, with their sum as before. Throws
-/// Error unless there is one finite factor, not below 0, for each joint, and some weight is left.
-Eigen::VectorXd important_weights(const Skeleton& skeleton, Weighting weighting,
-                                  const Importance& importance);
+/// measured_points(), their weights multiplied by what their joints are worth, with their sum as
+/// before. Throws Error unless there is one finite factor, not below 0, for each joint, and some
+/// weight is left.
+MeasuredPoints important_points(const Skeleton& skeleton, Weighting weighting,
+                                const Importance& importance);
 
 /// The points that stand, and how much more they weigh then: one for each joint of the contacts.
 std::vector<PointResponse> standing_points(const Skeleton& skeleton,

@@ -12,7 +12,7 @@ void Original::compare(int first_frame, const Clip& decoded, const Visit& visit)
     if (tracks_)
       visit(from, tracks_().middleRows(from, count), tracks);
     else
-      visit(from, landmark_tracks(motion_.skeleton, frames_of(motion_, from, count).clip), tracks);
+      visit(from, body_tracks(motion_.skeleton, frames_of(motion_, from, count).clip), tracks);
   });
 }
 

@@ -13,14 +13,14 @@ class Original {
  public:
   using Tracks = std::function<const Eigen::MatrixXd&()>;
 
-  /// `tracks` gives its landmark_tracks() once they are needed. Without, those of a few frames are
+  /// `tracks` gives its body_tracks() once they are needed. Without, those of a few frames are
   /// computed whenever these are compared, and never kept. The motion must outlive this.
   explicit Original(const Motion& motion, Tracks tracks = {})
       : motion_(motion), tracks_(std::move(tracks)) {}
 
   const Motion& motion() const { return motion_; }
 
-  /// Rows of landmark_tracks() of both clips, from first_frame on: in time, each frame once.
+  /// Rows of body_tracks() of both clips, from first_frame on: in time, each frame once.
   using Visit =
       std::function<void(int first_frame, const TrackRows& original, const TrackRows& decoded)>;
 

@@ -77,7 +77,7 @@ class TargetedEncode {
   }
 
   Trial coarsen(QuantisedSignals coded, double bound_cm) {
-    ErrorBound bound(analysis_.motion().skeleton, analysis_.original_tracks(), bound_cm);
+    ErrorBound bound(analysis_.motion(), options_.weighting, bound_cm);
     const double scale = coded.scale;
     drop_correction(coded);
     Trial coarser = trial_of(loop().coarsen(std::move(coded), bound, observe_pass()), true);
@@ -105,7 +105,7 @@ class TargetedEncode {
   void emphasise(const Importance& importance) {
     const Motion& motion = analysis_.motion();
     own_model_.emplace(motion.skeleton, motion.clip,
-                       important_weights(motion.skeleton, options_.weighting, importance));
+                       important_points(motion.skeleton, options_.weighting, importance));
     if (importance.contacts == 0) return;
     for (const auto& point : standing_points(motion.skeleton, analysis_.original_tracks(),
                                              contacts_, importance.contacts))
@@ -181,7 +181,7 @@ class TargetedEncode {
         options_.target.kind == Target::Kind::Ratio || options_.target.kind == Target::Kind::Size;
     const Clip decoded = decode(trial.compressed);
     const double price = size_is_asked
-                             ? exact_eps(analysis_.motion().skeleton, analysis_.original_tracks(),
+                             ? exact_eps(analysis_.motion().skeleton, analysis_.original_body(),
                                          decoded, options_.weighting)
                              : static_cast<double>(trial.compressed.motion_bytes());
     return {correction_ratio_, met ? price : std::numeric_limits<double>::infinity(),
@@ -447,9 +447,8 @@ double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& 
 }
 
 Original original_of(const ClipAnalysis& analysis) {
-  return Original(analysis.motion(), [from = &analysis]() -> const Eigen::MatrixXd& {
-    return from->original_tracks();
-  });
+  return Original(analysis.motion(),
+                  [from = &analysis]() -> const Eigen::MatrixXd& { return from->original_body(); });
 }
 
 }  // namespace mocapress

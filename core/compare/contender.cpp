@@ -228,14 +228,15 @@ Compression ContenderEncoder::compress(const Contender& contender, const EncodeO
   check_room(
       {motion.skeleton, motion.clip.sample_rate_hz, SegmentLayout::whole(motion.clip.frames())});
   const Eigen::MatrixXd& tracks = parts_->wavelets.original_tracks();
-  const DetailSearch search(Original(motion, [&]() -> const Eigen::MatrixXd& { return tracks; }),
+  const Eigen::MatrixXd& body = parts_->wavelets.original_body();
+  const DetailSearch search(Original(motion, [&]() -> const Eigen::MatrixXd& { return body; }),
                             *method, parts_->coder(*method, options.weighting), options);
   auto [best, complete] = search.run(observer);
   if (complete) search.check(best);
 
   Compression compression;
   compression.decoded = search.decode(best.motion);
-  compression.distortion = measure(motion.skeleton, tracks, compression.decoded);
+  compression.distortion = measure(motion.skeleton, body, compression.decoded);
   compression.footskate = measure_footskate(
       options.contacts ? *options.contacts : parts_->wavelets.contacts(), tracks,
       landmark_tracks(motion.skeleton, compression.decoded), motion.clip.sample_rate_hz);

@@ -31,7 +31,7 @@ class QuaternionCoder : public DetailCoder {
   QuaternionCoder(const Motion& motion, Weighting weighting, const QuaternionSignals& quaternions,
                   const Eigen::MatrixXd& signals)
       : basis_({motion.clip.sample_rate_hz, signals}, quaternions.scales(), Basis::Cubic),
-        model_(motion.skeleton, motion.clip, landmark_weights(motion.skeleton, weighting),
+        model_(motion.skeleton, motion.clip, measured_points(motion.skeleton, weighting),
                quaternions.moves(motion.clip, signals)) {}
 
   BasisAnalysis basis_;

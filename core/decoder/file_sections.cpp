@@ -150,7 +150,7 @@ class SectionsReader {
     if (coding > 3) return failure(MCPR_INVALID, at + 1, "unknown coding");
     if (coding != 3) return failure(MCPR_UNSUPPORTED, at + 1, "not of the coding adaptive");
     if (method < 1 || method > 4) return failure(MCPR_INVALID, at + 2, "unknown method");
-    if (weighting > 1) return failure(MCPR_INVALID, at + 3, "unknown weighting");
+    if (weighting > 3) return failure(MCPR_INVALID, at + 3, "unknown weighting");
     if (sections_.frames > limits_.frames)
       return failure(MCPR_LIMIT, at - 4, "more frames than the limits allow");
     sections_.wavelet = static_cast<Wavelet>(basis);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace mocapress {
@@ -21,77 +22,156 @@ double percentile(std::vector<float>& values, double share) {
 
 }  // namespace
 
-Eigen::MatrixXd squared_distances(const TrackRows& original, const TrackRows& decoded) {
-  assert(original.rows() == decoded.rows() && original.cols() == decoded.cols());
-  Eigen::MatrixXd squared(original.rows(), original.cols() / 3);
-  for (Eigen::Index p = 0; p < squared.cols(); ++p)
-    squared.col(p) =
-        (original.middleCols<3>(3 * p) - decoded.middleCols<3>(3 * p)).rowwise().squaredNorm();
+double Distortion::eps(Weighting weighting) const {
+  switch (weighting) {
+    case Weighting::BoneEnds:
+      return eps_bone_ends;
+    case Weighting::JointOrigins:
+      return eps_joint_origins;
+    case Weighting::Surface:
+      return surface.rms;
+    case Weighting::Shell:
+      return shell.rms;
+  }
+  return 0;
+}
+
+const WorstPoint& Distortion::worst(Weighting weighting) const {
+  if (is_on_bones(weighting)) return max;
+  return weighting == Weighting::Surface ? surface.max : shell.max;
+}
+
+double Distortion::degrees(const std::vector<int>& joints) const {
+  if (joints.empty()) return 0;
+  return std::sqrt(joint_degrees(joints).squaredNorm() / static_cast<double>(joints.size()));
+}
+
+PointErrors::PointErrors(const Skeleton& skeleton, Weighting weighting)
+    : skeleton_(skeleton), weighting_(weighting), measured_(measured_points(skeleton, weighting)) {}
+
+Eigen::MatrixXd PointErrors::squared(const TrackRows& original, const TrackRows& decoded) const {
+  const std::vector<Landmark>& points = measured_.points;
+  Eigen::MatrixXd squared(original.rows(), std::ssize(points));
+  if (is_on_bones(weighting_)) {  // which tracks begin with
+    for (Eigen::Index p = 0; p < squared.cols(); ++p)
+      squared.col(p) =
+          (original.middleCols<3>(3 * p) - decoded.middleCols<3>(3 * p)).rowwise().squaredNorm();
+    return squared;
+  }
+  const JointErrors errors(skeleton_, original, decoded);
+  Eigen::Matrix<double, Eigen::Dynamic, 12> of_joint;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (p == 0 || points[p].joint != points[p - 1].joint) of_joint = errors.of(points[p].joint);
+    squared.col(static_cast<Eigen::Index>(p)) = JointErrors::squared(of_joint, points[p].in_joint);
+  }
   return squared;
 }
 
-DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail detail)
-    : detail_(detail),
-      bone_end_weights_(landmark_weights(skeleton, Weighting::BoneEnds)),
-      joint_origin_weights_(landmark_weights(skeleton, Weighting::JointOrigins)),
-      squares_(Eigen::VectorXd::Zero(bone_end_weights_.size())) {
-  if (detail == Detail::Distances) distances_.resize(frames, squares_.size());
+DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail detail,
+                                 Weighting weighting)
+    : skeleton_(skeleton),
+      detail_(detail),
+      squared_turns_(Eigen::VectorXd::Zero(skeleton.joint_count())) {
+  const auto look_at = [&](Weighting points) {
+    Set set{.errors = PointErrors(skeleton, points)};
+    set.squares = Eigen::VectorXd::Zero(set.errors.measured().weights.size());
+    sets_.push_back(std::move(set));
+  };
+  if (detail == Detail::Means) {
+    look_at(weighting);
+    return;
+  }
+  for (const Weighting all : {Weighting::BoneEnds, Weighting::Surface, Weighting::Shell})
+    look_at(all);
+  if (detail == Detail::Distances) distances_.resize(frames, sets_.front().squares.size());
+}
+
+void DistortionMeter::add(Set& set, int first_frame, const Eigen::MatrixXd& squared) const {
+  if (squared.size() == 0) return;
+  for (Eigen::Index p = 0; p < squared.cols(); ++p) set.squares(p) += squared.col(p).sum();
+  Eigen::Index frame = 0;
+  Eigen::Index point = 0;
+  const double worst = squared.maxCoeff(&frame, &point);
+  if (worst > set.worst_square) {
+    set.worst_square = worst;
+    const int joint = set.errors.measured().points[static_cast<std::size_t>(point)].joint;
+    set.worst = {first_frame + static_cast<int>(frame),
+                 is_on_bones(set.errors.weighting()) ? static_cast<int>(point) : joint,
+                 std::sqrt(worst)};
+  }
+  const bool has_distances = detail_ == Detail::Distances && &set == &sets_.front();
+  if (detail_ == Detail::Means || has_distances) return;
+  for (const double square : squared.reshaped())
+    set.counts.add(static_cast<float>(std::sqrt(square)));
+}
+
+void DistortionMeter::add_turns(const TrackRows& original, const TrackRows& decoded) {
+  const JointErrors errors(skeleton_, original, decoded);
+  for (int j = 0; j < skeleton_.joint_count(); ++j) {
+    // Of a rotation by the angle a, the axes' squared differences come to 8 sin(a / 2)^2.
+    const Eigen::ArrayXd sine =
+        (errors.of(j).rightCols<9>().rowwise().squaredNorm() / 8).array().min(1).sqrt();
+    squared_turns_(j) += (2 * sine.asin()).square().sum();
+  }
 }
 
 void DistortionMeter::add(int first_frame, const TrackRows& original, const TrackRows& decoded) {
-  const Eigen::MatrixXd squared = squared_distances(original, decoded);
-  if (squared.size() == 0) return;
-  for (Eigen::Index p = 0; p < squared.cols(); ++p) squares_(p) += squared.col(p).sum();
-  frames_ += squared.rows();
-  Eigen::Index frame = 0;
-  Eigen::Index landmark = 0;
-  const double worst = squared.maxCoeff(&frame, &landmark);
-  if (worst > worst_square_) {
-    worst_square_ = worst;
-    worst_ = {first_frame + static_cast<int>(frame), static_cast<int>(landmark), std::sqrt(worst)};
+  frames_ += original.rows();
+  for (Set& set : sets_) {
+    const Eigen::MatrixXd squared = set.errors.squared(original, decoded);
+    add(set, first_frame, squared);
+    if (detail_ == Detail::Distances && &set == &sets_.front())
+      distances_.middleRows(first_frame, squared.rows()) = squared.cwiseSqrt().cast<float>();
   }
-  if (detail_ == Detail::Distances)
-    distances_.middleRows(first_frame, squared.rows()) = squared.cwiseSqrt().cast<float>();
-  if (detail_ == Detail::Figures)
-    for (const double square : squared.reshaped())
-      counts_.add(static_cast<float>(std::sqrt(square)));
+  if (detail_ != Detail::Means) add_turns(original, decoded);
 }
 
-double DistortionMeter::eps(Weighting weighting) const {
+double DistortionMeter::eps(std::size_t set, const Eigen::VectorXd& weights) const {
   if (frames_ == 0) return 0;
-  const Eigen::VectorXd& weights =
-      weighting == Weighting::BoneEnds ? bone_end_weights_ : joint_origin_weights_;
   double mean_square = 0;
   for (Eigen::Index p = 0; p < weights.size(); ++p)
-    mean_square += squares_(p) / static_cast<double>(frames_) * weights(p);
+    mean_square += sets_[set].squares(p) / static_cast<double>(frames_) * weights(p);
   return std::sqrt(mean_square);
 }
 
+Spread DistortionMeter::spread(std::size_t set) const {
+  const DistanceCounts& counts = sets_[set].counts;
+  return {eps(set), counts.percentile(0.95), counts.percentile(0.99), sets_[set].worst};
+}
+
 Distortion DistortionMeter::distortion() const {
-  Distortion distortion{.eps_bone_ends = eps(Weighting::BoneEnds),
-                        .eps_joint_origins = eps(Weighting::JointOrigins),
-                        .max = worst_,
-                        .distances = distances_};
+  assert(detail_ != Detail::Means);
+  Distortion distortion{
+      .eps_bone_ends = eps(),
+      .eps_joint_origins = eps(0, landmark_weights(skeleton_, Weighting::JointOrigins)),
+      .max = worst(),
+      .distances = distances_,
+      .surface = spread(1),
+      .shell = spread(2),
+      .joint_degrees = squared_turns_};
+  if (frames_ > 0)
+    distortion.joint_degrees =
+        (squared_turns_ / static_cast<double>(frames_)).cwiseSqrt() * (180 / std::numbers::pi);
   if (detail_ == Detail::Distances) {
     std::vector<float> all(distances_.data(), distances_.data() + distances_.size());
     distortion.p95 = percentile(all, 0.95);
     distortion.p99 = percentile(all, 0.99);
   } else {
-    distortion.p95 = counts_.percentile(0.95);
-    distortion.p99 = counts_.percentile(0.99);
+    distortion.p95 = sets_.front().counts.percentile(0.95);
+    distortion.p99 = sets_.front().counts.percentile(0.99);
   }
   return distortion;
 }
 
 Distortion measure(const Skeleton& skeleton, const Clip& original, const Clip& decoded) {
-  return measure(skeleton, landmark_tracks(skeleton, original), decoded);
+  return measure(skeleton, body_tracks(skeleton, original), decoded);
 }
 
 namespace {
 
 DistortionMeter meter_of(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
-                         const Clip& decoded, Detail detail) {
-  DistortionMeter meter(skeleton, decoded.frames(), detail);
+                         const Clip& decoded, Detail detail, Weighting weighting) {
+  DistortionMeter meter(skeleton, decoded.frames(), detail, weighting);
   visit_tracks(skeleton, decoded, [&](int first, const Eigen::MatrixXd& tracks) {
     meter.add(first, original_tracks.middleRows(first, tracks.rows()), tracks);
   });
@@ -102,7 +182,8 @@ DistortionMeter meter_of(const Skeleton& skeleton, const Eigen::MatrixXd& origin
 
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                    const Clip& decoded) {
-  return meter_of(skeleton, original_tracks, decoded, Detail::Distances).distortion();
+  return meter_of(skeleton, original_tracks, decoded, Detail::Distances, Weighting::BoneEnds)
+      .distortion();
 }
 
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
@@ -115,7 +196,7 @@ Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tra
 
 double exact_eps(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                  const Clip& decoded, Weighting weighting) {
-  return meter_of(skeleton, original_tracks, decoded, Detail::Means).eps(weighting);
+  return meter_of(skeleton, original_tracks, decoded, Detail::Means, weighting).eps();
 }
 
 }  // namespace mocapress

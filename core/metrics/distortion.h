@@ -14,6 +14,18 @@ struct WorstPoint {
   int frame = 0;
   int landmark = 0;  // index into landmarks(skeleton)
   double cm = 0;
+
+  bool operator==(const WorstPoint&) const = default;
+};
+
+/// How far points of a kind are off, in centimetres.
+struct Spread {
+  double rms = 0;  // each point by its weight
+  double p95 = 0;  // of all points and frames alike, but for 1 / 4096 (DistanceCounts)
+  double p99 = 0;
+  WorstPoint max;  // its landmark: the joint that carries the point
+
+  bool operator==(const Spread&) const = default;
 };
 
 /// How far a decoded clip is from its original, in centimetres.
@@ -24,57 +36,89 @@ struct Distortion {
   double p99 = 0;
   WorstPoint max;
   Eigen::MatrixXf distances;  // frames x landmarks; empty where only figures were asked for
+  Spread surface;             // of the points of these weightings
+  Spread shell;
+  Eigen::VectorXd joint_degrees;  // how far each joint is turned in the world, RMS over the frames
 
-  double eps(Weighting weighting) const {
-    return weighting == Weighting::BoneEnds ? eps_bone_ends : eps_joint_origins;
-  }
+  double eps(Weighting weighting) const;
+  const WorstPoint& worst(Weighting weighting) const;
+
+  /// RMS of joint_degrees over some joints. 0 for none.
+  double degrees(const std::vector<int>& joints) const;
 };
 
 /// What a DistortionMeter is asked for.
 enum class Detail {
-  Means,      // eps_x and the worst point
+  Means,      // eps_x and the worst point of one weighting
   Figures,    // and percentiles, but for 1 / 4096 of them (DistanceCounts)
   Distances,  // and every distance, from which percentiles are exact
+};
+
+/// How far the points of a weighting are off.
+class PointErrors {
+ public:
+  PointErrors(const Skeleton& skeleton, Weighting weighting);
+
+  /// cm^2, frames x points, of rows of body_tracks() of both clips.
+  Eigen::MatrixXd squared(const TrackRows& original, const TrackRows& decoded) const;
+
+  const MeasuredPoints& measured() const { return measured_; }
+  Weighting weighting() const { return weighting_; }
+
+ private:
+  Skeleton skeleton_;
+  Weighting weighting_;
+  MeasuredPoints measured_;
 };
 
 /// Compares two clips whose tracks come some frames at a time, each once. Without distances its
 /// memory does not grow with them.
 class DistortionMeter {
  public:
-  /// Of clips of so many frames.
-  DistortionMeter(const Skeleton& skeleton, int frames, Detail detail);
+  /// Of clips of so many frames. Means are those of the weighting; else all are measured.
+  DistortionMeter(const Skeleton& skeleton, int frames, Detail detail,
+                  Weighting weighting = Weighting::BoneEnds);
 
-  /// Rows of landmark_tracks() of both clips, from first_frame on.
+  /// Rows of body_tracks() of both clips, from first_frame on.
   void add(int first_frame, const TrackRows& original, const TrackRows& decoded);
 
-  /// Once all are there.
+  /// Once all are there. Not of means.
   Distortion distortion() const;
-  double eps(Weighting weighting) const;
-  const WorstPoint& worst() const { return worst_; }
+
+  double eps() const { return eps(0); }                            // of the weighting
+  const WorstPoint& worst() const { return sets_.front().worst; }  // among its points
 
  private:
-  Detail detail_;
-  Eigen::VectorXd bone_end_weights_;
-  Eigen::VectorXd joint_origin_weights_;
-  Eigen::VectorXd squares_;  // cm^2, the sum over the frames so far of each landmark
-  Eigen::Index frames_ = 0;
-  double worst_square_ = -1;  // cm^2
-  WorstPoint worst_;
-  DistanceCounts counts_;
-  Eigen::MatrixXf distances_;
-};
+  /// Points of one kind.
+  struct Set {
+    PointErrors errors;
+    Eigen::VectorXd squares;   // cm^2, the sum over the frames so far of each point
+    double worst_square = -1;  // cm^2
+    WorstPoint worst;
+    DistanceCounts counts;
+  };
+  void add(Set& set, int first_frame, const Eigen::MatrixXd& squared) const;
+  void add_turns(const TrackRows& original, const TrackRows& decoded);
+  double eps(std::size_t set) const { return eps(set, sets_[set].errors.measured().weights); }
+  double eps(std::size_t set, const Eigen::VectorXd& weights) const;
+  Spread spread(std::size_t set) const;
 
-/// How far landmarks are apart: frames x landmarks, cm^2.
-Eigen::MatrixXd squared_distances(const TrackRows& original, const TrackRows& decoded);
+  Skeleton skeleton_;
+  Detail detail_;
+  std::vector<Set> sets_;  // landmarks, surface, shell; of means one alone
+  Eigen::Index frames_ = 0;
+  Eigen::MatrixXf distances_;
+  Eigen::VectorXd squared_turns_;  // radians^2, the sum over the frames so far of each joint
+};
 
 /// Compares clips of one skeleton. Requires equal shapes.
 Distortion measure(const Skeleton& skeleton, const Clip& original, const Clip& decoded);
 
-/// The same against landmark_tracks(skeleton, original) computed before.
+/// The same against body_tracks(skeleton, original) computed before.
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                    const Clip& decoded);
 
-/// The same of two landmark_tracks().
+/// The same of two body_tracks().
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                    const Eigen::MatrixXd& decoded_tracks);
 

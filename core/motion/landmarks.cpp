@@ -6,10 +6,15 @@
 
 namespace mocapress {
 
-std::vector<Landmark> landmarks(const Skeleton& skeleton) {
+std::vector<Landmark> joint_origins(const Skeleton& skeleton) {
   std::vector<Landmark> all;
   for (int j = 0; j < skeleton.joint_count(); ++j)
     all.push_back({j, Eigen::Vector3d::Zero(), skeleton.joint(j).name});
+  return all;
+}
+
+std::vector<Landmark> landmarks(const Skeleton& skeleton) {
+  std::vector<Landmark> all = joint_origins(skeleton);
   for (int j = 0; j < skeleton.joint_count(); ++j)
     if (const auto& end = skeleton.joint(j).end_site)
       all.push_back({j, *end, skeleton.joint(j).name + " end"});
@@ -17,7 +22,17 @@ std::vector<Landmark> landmarks(const Skeleton& skeleton) {
 }
 
 std::string_view name(Weighting weighting) {
-  return weighting == Weighting::BoneEnds ? "bone-ends" : "joint-origins";
+  switch (weighting) {
+    case Weighting::BoneEnds:
+      return "bone-ends";
+    case Weighting::JointOrigins:
+      return "joint-origins";
+    case Weighting::Surface:
+      return "surface";
+    case Weighting::Shell:
+      return "shell";
+  }
+  return "unknown";
 }
 
 Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting) {
@@ -46,7 +61,11 @@ void place_landmarks(const std::vector<Landmark>& points, const Pose& pose, int 
 }
 
 Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip) {
-  const std::vector<Landmark> points = landmarks(skeleton);
+  return point_tracks(skeleton, landmarks(skeleton), clip);
+}
+
+Eigen::MatrixXd point_tracks(const Skeleton& skeleton, const std::vector<Landmark>& points,
+                             const Clip& clip) {
   Eigen::MatrixXd tracks(clip.frames(), 3 * static_cast<Eigen::Index>(points.size()));
   parallel_ranges(0, clip.frames(), 64, [&](int first, int end) {
     Pose pose;

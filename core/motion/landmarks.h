@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,19 +22,27 @@ struct Landmark {
   std::string name;          // the joint whose origin it is, or "<joint> end"
 };
 
+std::vector<Landmark> joint_origins(const Skeleton& skeleton);
+
 /// Every joint's origin (landmark j is joint j), then every end site.
 std::vector<Landmark> landmarks(const Skeleton& skeleton);
 
-/// The two readings of the weights l_i / l. The values are part of the file format.
+/// What an error is measured on. The first two are readings of the paper's weights l_i / l. The
+/// values are part of the file format.
 enum class Weighting : std::uint8_t {
   BoneEnds = 0,      // a segment's far end carries its length: hands, feet and head count too
   JointOrigins = 1,  // a joint's origin carries the length of the segments it drives: the paper's
+  Surface = 2,       // points on the body, which every turn of a joint moves: what people see
+  Shell = 3,         // three points 3 cm from each joint, all alike: ACL's
 };
 
-/// "bone-ends", "joint-origins".
+inline constexpr std::initializer_list<Weighting> kWeightings = {
+    Weighting::Surface, Weighting::Shell, Weighting::BoneEnds, Weighting::JointOrigins};
+
+/// "bone-ends", "joint-origins", "surface", "shell".
 std::string_view name(Weighting weighting);
 
-/// One weight for each of landmarks(skeleton), summing to 1.
+/// One weight for each of landmarks(skeleton), summing to 1. Of the weightings on bones.
 Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting);
 
 /// Puts where landmarks are in the world into a row of landmark_tracks().
@@ -43,5 +52,9 @@ void place_landmarks(const std::vector<Landmark>& points, const Pose& pose, int 
 /// World positions (cm) of all landmarks over a clip: frames x 3 * landmarks, x y z of landmark 0
 /// first. Frames are computed in parallel.
 Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip);
+
+/// The same of any points.
+Eigen::MatrixXd point_tracks(const Skeleton& skeleton, const std::vector<Landmark>& points,
+                             const Clip& clip);
 
 }  // namespace mocapress

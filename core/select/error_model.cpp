@@ -74,10 +74,12 @@ struct Inertia {
 }  // namespace
 
 /// Of the skeleton's own channels: unit axes.
-ErrorModel::Posed ErrorModel::pose_channels(const Skeleton& skeleton, const Clip& original) {
-  const std::vector<Landmark> points = landmarks(skeleton);
+ErrorModel::Posed ErrorModel::pose_channels(const Skeleton& skeleton, const Clip& original,
+                                            const std::vector<Landmark>& points) {
+  const std::vector<Landmark> origins = joint_origins(skeleton);
   Posed posed;
-  posed.tracks.resize(original.frames(), 3 * std::ssize(points));
+  posed.origins.resize(original.frames(), 3 * std::ssize(origins));
+  posed.points.resize(original.frames(), 3 * std::ssize(points));
   SignalMoves& moves = posed.moves;
   for (int c = 0; c < skeleton.channel_count(); ++c)
     moves.places.push_back({skeleton.channel_joint(c), is_rotation(skeleton.channel_kind(c))});
@@ -86,7 +88,8 @@ ErrorModel::Posed ErrorModel::pose_channels(const Skeleton& skeleton, const Clip
     Pose pose;
     for (int t = first; t < end; ++t) {
       compute_pose(skeleton, original.channels.row(t), pose);
-      place_landmarks(points, pose, t, posed.tracks);
+      place_landmarks(origins, pose, t, posed.origins);
+      place_landmarks(points, pose, t, posed.points);
       for (int j = 0; j < skeleton.joint_count(); ++j) {
         const Joint& joint = skeleton.joint(j);
         const Eigen::Matrix3d world_from_parent =
@@ -108,17 +111,19 @@ ErrorModel::Posed ErrorModel::pose_channels(const Skeleton& skeleton, const Clip
 }
 
 ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original, Weighting weighting)
-    : ErrorModel(skeleton, original, landmark_weights(skeleton, weighting)) {}
+    : ErrorModel(skeleton, original, measured_points(skeleton, weighting)) {}
 
 ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
-                       const Eigen::VectorXd& weights)
-    : ErrorModel(skeleton, weights, pose_channels(skeleton, original)) {}
+                       const MeasuredPoints& measured)
+    : ErrorModel(skeleton, measured, pose_channels(skeleton, original, measured.points)) {}
 
 ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
-                       const Eigen::VectorXd& weights, SignalMoves moves)
-    : ErrorModel(skeleton, weights, Posed{std::move(moves), landmark_tracks(skeleton, original)}) {}
+                       const MeasuredPoints& measured, SignalMoves moves)
+    : ErrorModel(skeleton, measured,
+                 Posed{std::move(moves), point_tracks(skeleton, joint_origins(skeleton), original),
+                       point_tracks(skeleton, measured.points, original)}) {}
 
-ErrorModel::ErrorModel(const Skeleton& skeleton, const Eigen::VectorXd& weights, const Posed& posed)
+ErrorModel::ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, const Posed& posed)
     : places_(posed.moves.places),
       above_(posed.moves.places.size()),
       below_(posed.moves.places.size()) {
@@ -137,17 +142,16 @@ ErrorModel::ErrorModel(const Skeleton& skeleton, const Eigen::VectorXd& weights,
         below_[static_cast<std::size_t>(other)].push_back(static_cast<int>(c));
       }
   }
-  compute_motions(skeleton, weights, posed);
+  compute_motions(skeleton, measured, posed);
 }
 
-void ErrorModel::compute_motions(const Skeleton& skeleton, const Eigen::VectorXd& weights,
+void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints& measured,
                                  const Posed& posed) {
-  const std::vector<Landmark> points = landmarks(skeleton);
-  assert(weights.size() == static_cast<Eigen::Index>(points.size()));
-  const Eigen::MatrixXd& tracks = posed.tracks;
+  const auto& [points, weights] = measured;
+  assert(weights.size() == std::ssize(points));
   const SignalMoves& moves = posed.moves;
   const Eigen::Index rows = moves.axes.rows();
-  origin_ = tracks.leftCols(3);
+  origin_ = posed.origins.leftCols(3);
   const auto channels = static_cast<Eigen::Index>(moves.places.size());
   motions_.resize(rows, 6 * channels);
   forces_.resize(rows, 6 * channels);
@@ -157,15 +161,15 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const Eigen::VectorXd
     const Eigen::Index first = block * kBlock;
     const Eigen::Index frames = std::min(kBlock, rows - first);
     // Seen from the first joint, lest far places cost digits.
-    const auto place = [&](int point) -> Block<3> {
-      return columns<3>(tracks, point, first, frames) - columns<3>(tracks, 0, first, frames);
+    const auto place = [&](const Eigen::MatrixXd& tracks, int index) -> Block<3> {
+      return columns<3>(tracks, index, first, frames) - columns<3>(posed.origins, 0, first, frames);
     };
     std::vector<Inertia> inertias(static_cast<std::size_t>(skeleton.joint_count()),
                                   Inertia::none(frames));
     for (int p = 0; p < weights.size(); ++p)
       if (weights(p) > 0)
         inertias[static_cast<std::size_t>(points[static_cast<std::size_t>(p)].joint)].add(
-            weights(p), place(p));
+            weights(p), place(posed.points, p));
     for (int j = skeleton.joint_count() - 1; j >= 0; --j)
       if (const int parent = skeleton.joint(j).parent; parent >= 0)
         inertias[static_cast<std::size_t>(parent)].add(inertias[static_cast<std::size_t>(j)]);
@@ -176,7 +180,7 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const Eigen::VectorXd
       const Block<3> axis = columns<3>(moves.axes, c, first, frames);
       const Block<3> still = Block<3>::Zero(frames, 3);
       const Block<3> turn = rotates ? axis : still;
-      const Block<3> shift = rotates ? cross(place(joint), axis) : axis;
+      const Block<3> shift = rotates ? cross(place(posed.origins, joint), axis) : axis;
       Block<6> motion(frames, 6);
       Block<6> force(frames, 6);
       motion << turn, shift;

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/motion/landmarks.h"
+#include "core/motion/measured_points.h"
 #include "core/select/point_term.h"
 
 namespace mocapress {
@@ -34,10 +34,10 @@ struct SignalMoves {
 class ErrorModel {
  public:
   ErrorModel(const Skeleton& skeleton, const Clip& original, Weighting weighting);
-  ErrorModel(const Skeleton& skeleton, const Clip& original, const Eigen::VectorXd& weights);
+  ErrorModel(const Skeleton& skeleton, const Clip& original, const MeasuredPoints& measured);
 
   /// The same for signals other than the skeleton's channels, which stand for "channels" below.
-  ErrorModel(const Skeleton& skeleton, const Clip& original, const Eigen::VectorXd& weights,
+  ErrorModel(const Skeleton& skeleton, const Clip& original, const MeasuredPoints& measured,
              SignalMoves moves);
 
   int frames() const { return static_cast<int>(curvature_.rows()); }
@@ -74,14 +74,16 @@ class ErrorModel {
  private:
   friend class ErrorSweep;
 
-  /// Signals, and where landmarks are.
+  /// Signals, and where joints' origins and measured points are: frames x 3 * each, cm.
   struct Posed {
     SignalMoves moves;
-    Eigen::MatrixXd tracks;  // landmark_tracks()
+    Eigen::MatrixXd origins;
+    Eigen::MatrixXd points;
   };
-  static Posed pose_channels(const Skeleton& skeleton, const Clip& original);
-  ErrorModel(const Skeleton& skeleton, const Eigen::VectorXd& weights, const Posed& posed);
-  void compute_motions(const Skeleton& skeleton, const Eigen::VectorXd& weights,
+  static Posed pose_channels(const Skeleton& skeleton, const Clip& original,
+                             const std::vector<Landmark>& points);
+  ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, const Posed& posed);
+  void compute_motions(const Skeleton& skeleton, const MeasuredPoints& measured,
                        const Posed& posed);
 
   std::vector<SignalMoves::Place> places_;

@@ -9,6 +9,7 @@
 #include "core/codec/compressed_clip.h"
 #include "core/codec/target.h"
 #include "core/contact/slide_per_contact.h"
+#include "core/metrics/body_figures.h"
 #include "core/study/review.h"
 
 namespace mocapress {
@@ -28,6 +29,7 @@ struct Measurement {
   double max_error_cm = 0;
   double p95_error_cm = 0;
   double p99_error_cm = 0;
+  BodyFigures body;
   int worst_frame = 0;
   int contacts = 0;                      // of the feet with the ground, in the original
   std::optional<double> footskate_cm;    // over all contacts; unset: there are none
@@ -38,9 +40,10 @@ struct Measurement {
   std::optional<int> iterations;           // of the last annealing
   double encode_seconds = 0;               // search for the target and all
 
-  double eps_cm(Weighting weighting) const {
-    return weighting == Weighting::BoneEnds ? eps_bone_ends_cm : eps_joint_origins_cm;
-  }
+  /// What eps_x and the maximum are in a weighting.
+  double eps_cm(Weighting weighting) const;
+  double max_cm(Weighting weighting) const;
+
   /// Of the kind a target is of; 0: unknown.
   double quantity(Target::Kind kind, Weighting weighting) const;
   double ms_per_frame() const { return frames > 0 ? 1000 * encode_seconds / frames : 0; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/study/row_json.h"
 
-#include "core/study/json_value.h"
+#include "core/study/body_json.h"
 #include "core/study/plan.h"
 
 namespace mocapress {
@@ -37,6 +37,7 @@ void add_measurement(Json& json, const StudyRow& row) {
   add("max_error_cm", m.max_error_cm);
   add("p95_error_cm", m.p95_error_cm);
   add("p99_error_cm", m.p99_error_cm);
+  add_body_figures(m.body, add);
   add("worst_frame", m.worst_frame);
   add("contacts", m.contacts);
   add("footskate_cm", or_null(m.footskate_cm));
@@ -82,6 +83,7 @@ Measurement measurement_from(const Json& json) {
   json.at("max_error_cm").get_to(m.max_error_cm);
   json.at("p95_error_cm").get_to(m.p95_error_cm);
   json.at("p99_error_cm").get_to(m.p99_error_cm);
+  m.body = body_figures_of(json);
   json.at("worst_frame").get_to(m.worst_frame);
   json.at("contacts").get_to(m.contacts);
   m.footskate_cm = optional_at<double>(json, "footskate_cm");
@@ -102,7 +104,7 @@ StudyRow row_from(const Json& json) {
   const auto kind = target_kind(json.at("target").get_ref<const std::string&>());
   if (!kind) throw Json::other_error::create(501, "unknown target", &json);
   row.target = {*kind, json.at("target_value").get<double>()};
-  row.weighting = value_named(json.at("weighting"), {Weighting::BoneEnds, Weighting::JointOrigins});
+  row.weighting = value_named(json.at("weighting"), kWeightings);
   row.coding.reset();
   if (!json.at("coding").is_null())
     row.coding = value_named(json.at("coding"), {Coding::Rle16, Coding::Deflate, Coding::Adaptive});

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/landmark_jacobian.h"
 
-#include "core/motion/landmarks.h"
-
 namespace mocapress::test {
 
 Eigen::MatrixXd landmark_jacobian(const Motion& motion, int frame) {
+  return point_jacobian(motion, landmarks(motion.skeleton), frame);
+}
+
+Eigen::MatrixXd point_jacobian(const Motion& motion, const std::vector<Landmark>& points,
+                               int frame) {
   constexpr double kStep = 1e-5;
   const auto positions = [&](const Clip& clip) {
-    return Eigen::VectorXd(landmark_tracks(motion.skeleton, clip).row(0).transpose());
+    return Eigen::VectorXd(point_tracks(motion.skeleton, points, clip).row(0).transpose());
   };
   const Clip one_frame{120, motion.clip.channels.row(frame)};
   Eigen::MatrixXd jacobian(positions(one_frame).size(), motion.skeleton.channel_count());

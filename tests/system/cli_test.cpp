@@ -38,15 +38,31 @@ std::set<std::string> keys_of(const json& object) {
 const std::set<std::string> kStringKeys = {"input", "method", "weighting", "coding", "verified_by"};
 const std::set<std::string> kIntegerKeys = {"frames",       "channels",   "joints",  "raw_bytes",
                                             "motion_bytes", "file_bytes", "contacts"};
-const std::set<std::string> kNumberKeys = {
-    "sample_rate_hz",         "ratio",        "eps_x_cm",     "eps_x_bone_ends_cm",
-    "eps_x_joint_origins_cm", "max_error_cm", "p95_error_cm", "p99_error_cm",
-    "bits_per_joint_sample"};
+const std::set<std::string> kNumberKeys = {"sample_rate_hz",
+                                           "ratio",
+                                           "eps_x_cm",
+                                           "eps_x_bone_ends_cm",
+                                           "eps_x_joint_origins_cm",
+                                           "max_error_cm",
+                                           "p95_error_cm",
+                                           "p99_error_cm",
+                                           "bits_per_joint_sample",
+                                           "surface_rms_cm",
+                                           "surface_p95_cm",
+                                           "surface_p99_cm",
+                                           "surface_max_cm",
+                                           "shell_rms_cm",
+                                           "shell_p95_cm",
+                                           "shell_p99_cm",
+                                           "shell_max_cm",
+                                           "angle_rms_degrees",
+                                           "head_degrees"};
 const std::set<std::string> kEncodingKeys = {"coefficient_ratio", "iterations", "encode_seconds"};
-// Null: the clip has no feet.
-const std::set<std::string> kNullKeys = {"ik_ratio",           "ik_bytes",
-                                         "footskate_cm",       "footskate_mean_cm",
-                                         "footskate_worst_cm", "footskate_without_ik_cm"};
+// Null: the clip has neither feet nor hands.
+const std::set<std::string> kNullKeys = {
+    "hand_degrees",           "ik_ratio",          "ik_bytes",
+    "footskate_cm",           "footskate_mean_cm", "footskate_worst_cm",
+    "footskate_without_ik_cm"};
 
 /// Exactly the keys of a report, each of its type; those of the encoding are numbers or null.
 void expect_report(const json& report, bool encoded) {
@@ -182,7 +198,7 @@ TEST_F(Cli, WithoutJsonEverythingForPeopleIsOnStandardError) {
 }
 
 TEST_F(Cli, MeasureSaysWhatCompressSaid) {
-  for (const char* weighting : {"bone-ends", "joint-origins"}) {
+  for (const char* weighting : {"bone-ends", "joint-origins", "surface", "shell"}) {
     const json made = compress({"--weighting", weighting});
     const json measured = json_of({"measure", clip_, packed_, "--json"});
     expect_report(measured, false);

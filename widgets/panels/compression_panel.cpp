@@ -132,11 +132,12 @@ void CompressionPanel::makeChoices() {
   effort_->setAccessibleName(tr("Effort"));
   importance_->setAccessibleName(tr("Importance"));
   importance_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  addChoices(weighting_, {Weighting::BoneEnds, Weighting::JointOrigins});
+  addChoices(weighting_, kWeightings);
   weighting_->setAccessibleName(tr("Weighting"));
   weighting_->setToolTip(
-      tr("Which points the error eps_x counts, each by bone length: the far end of every bone, or "
-         "joint origins as in the paper."));
+      tr("Which points the error eps_x counts. Surface: the body's skin, so that turned heads and "
+         "hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint "
+         "origins: points on the bones, by bone length; the latter are the paper's."));
   addChoices(coding_, {Coding::Deflate, Coding::Rle16, Coding::Adaptive});
   coding_->setAccessibleName(tr("Coding"));
 }

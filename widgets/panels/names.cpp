@@ -31,7 +31,17 @@ QString displayName(Coding coding) {
 }
 
 QString displayName(Weighting weighting) {
-  return weighting == Weighting::BoneEnds ? Names::tr("Bone ends") : Names::tr("Joint origins");
+  switch (weighting) {
+    case Weighting::BoneEnds:
+      return Names::tr("Bone ends");
+    case Weighting::JointOrigins:
+      return Names::tr("Joint origins");
+    case Weighting::Surface:
+      return Names::tr("Surface");
+    case Weighting::Shell:
+      return Names::tr("Shell");
+  }
+  return {};
 }
 
 QString displayName(CorrectAt at) {

@@ -132,9 +132,10 @@ QWidget* StudyPanel::makeTargets() {
   errors_->setToolTip(tr("Bounds of eps_x in centimetres, separated by spaces."));
   weighting_->setAccessibleName(tr("Weighting of the study"));
   weighting_->setToolTip(
-      tr("Which points the error eps_x counts, each by bone length: the far end of every bone, or "
-         "joint origins as in the paper."));
-  for (const Weighting weighting : {Weighting::BoneEnds, Weighting::JointOrigins})
+      tr("Which points the error eps_x counts. Surface: the body's skin, so that turned heads and "
+         "hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint "
+         "origins: points on the bones, by bone length; the latter are the paper's."));
+  for (const Weighting weighting : kWeightings)
     weighting_->addItem(displayName(weighting), static_cast<int>(weighting));
   auto* targets = new QWidget(this);
   auto* form = new QFormLayout(targets);

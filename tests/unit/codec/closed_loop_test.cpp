@@ -28,7 +28,7 @@ double exact_eps_of(const QuantisedSignals& coded) {
   const Motion& motion = analysis().motion();
   const Clip decoded{motion.clip.sample_rate_hz,
                      reconstruct(coded, analysis().in(Basis::Cubic).ranked.lifting)};
-  return exact_eps(motion.skeleton, analysis().original_tracks(), decoded, Weighting::BoneEnds);
+  return exact_eps(motion.skeleton, analysis().original_body(), decoded, Weighting::BoneEnds);
 }
 
 TEST(ClosedLoop, KnowsTheErrorItMakes) {
@@ -62,7 +62,7 @@ TEST(ClosedLoop, FramesThatWeighMoreAreNearer) {
     const Motion& motion = analysis().motion();
     const Clip decoded{motion.clip.sample_rate_hz,
                        reconstruct(coded, analysis().in(Basis::Cubic).ranked.lifting)};
-    return measure(motion.skeleton, analysis().original_tracks(), decoded)
+    return measure(motion.skeleton, analysis().original_body(), decoded)
         .distances.middleRows(100, 20)
         .norm();
   };
@@ -101,7 +101,7 @@ TEST(ClosedLoop, HoldsAHardBound) {
 
 TEST(ClosedLoop, CoarsensUpToTheBoundAndNotBeyond) {
   const Motion& motion = analysis().motion();
-  const Eigen::MatrixXd& tracks = analysis().original_tracks();
+  const Eigen::MatrixXd& tracks = analysis().original_body();
   const auto furthest_cm = [&](const QuantisedSignals& coded) {
     const Clip decoded{motion.clip.sample_rate_hz,
                        reconstruct(coded, analysis().in(Basis::Cubic).ranked.lifting)};
@@ -112,7 +112,7 @@ TEST(ClosedLoop, CoarsensUpToTheBoundAndNotBeyond) {
   };
   const QuantisedSignals fine = loop().quantise(0.5).coded;
   const double bound_cm = 1.5 * furthest_cm(fine);
-  ErrorBound bound(motion.skeleton, tracks, bound_cm);
+  ErrorBound bound(motion, Weighting::BoneEnds, bound_cm);
   const QuantisedSignals coarse = loop().coarsen(fine, bound).coded;
   EXPECT_LE(furthest_cm(coarse), bound_cm * (1 + 1e-6));
   EXPECT_GT(furthest_cm(coarse), 0.98 * bound_cm);

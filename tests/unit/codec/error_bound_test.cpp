@@ -31,15 +31,14 @@ class Changes {
 
 struct Fixture {
   Motion motion = test::smooth_motion(60);
-  Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
   Clip decoded = motion.clip;
 
-  double furthest_cm() const { return measure(motion.skeleton, tracks, decoded).max.cm; }
+  double furthest_cm() const { return measure(motion.skeleton, motion.clip, decoded).max.cm; }
 };
 
 TEST(ErrorBound, KnowsTheErrorsOfWhateverIsAdded) {
   Fixture f;
-  ErrorBound bound(f.motion.skeleton, f.tracks, 2);
+  ErrorBound bound(f.motion, Weighting::BoneEnds, 2);
   Changes changes(f.decoded.frames());
   Eigen::VectorXd delta;
   for (int pass = 0; pass < 3; ++pass) {
@@ -59,7 +58,7 @@ TEST(ErrorBound, KnowsTheErrorsOfWhateverIsAdded) {
 TEST(ErrorBound, AllowsWhatStaysWithinItAndNothingElse) {
   Fixture f;
   constexpr double kBound = 1.5;  // cm
-  ErrorBound bound(f.motion.skeleton, f.tracks, kBound);
+  ErrorBound bound(f.motion, Weighting::BoneEnds, kBound);
   Changes changes(f.decoded.frames());
   Eigen::VectorXd delta;
   int allowed = 0;
@@ -86,7 +85,7 @@ TEST(ErrorBound, AllowsWhatStaysWithinItAndNothingElse) {
 TEST(ErrorBound, LetsWhatIsBeyondItComeNearer) {
   Fixture f;
   f.decoded.channels.col(0).array() += 3;  // cm
-  ErrorBound bound(f.motion.skeleton, f.tracks, 1);
+  ErrorBound bound(f.motion, Weighting::BoneEnds, 1);
   bound.begin(f.decoded);
   bound.next();
   EXPECT_NEAR(bound.furthest(), 3, 1e-6);

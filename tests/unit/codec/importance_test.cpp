@@ -66,7 +66,7 @@ TEST(Importance, MustBeOneNumberForEachJointAndSomeAboveZero) {
   for (const std::vector<double>& bad :
        {std::vector<double>(joints - 1, 1.0), std::vector<double>(joints, 0.0),
         std::vector<double>(joints, -1.0), std::vector<double>(joints, NAN)})
-    EXPECT_THROW(important_weights(skeleton, Weighting::BoneEnds, {.joints = bad}), Error);
+    EXPECT_THROW(important_points(skeleton, Weighting::BoneEnds, {.joints = bad}), Error);
 }
 
 }  // namespace

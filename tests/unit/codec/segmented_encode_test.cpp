@@ -204,7 +204,7 @@ TEST(SegmentedEncode, AskedForFiguresAloneItGivesTheSameBytesAndFigures) {
 TEST(SegmentedEncode, WhatIsMeasuredInBlocksIsWhatTheWholeMeasures) {
   const Encoding encoding = walk().encode(options({Target::Kind::Ratio, 60}));
   const Motion& motion = walk().motion();
-  const Distortion whole = measure(motion.skeleton, walk().original_tracks(), encoding.decoded);
+  const Distortion whole = measure(motion.skeleton, walk().original_body(), encoding.decoded);
   EXPECT_NEAR(encoding.distortion.eps_bone_ends, whole.eps_bone_ends, 1e-12);
   EXPECT_EQ(encoding.distortion.max.cm, whole.max.cm);
   EXPECT_TRUE(encoding.distortion.distances == whole.distances);

@@ -34,7 +34,7 @@ TEST(QuaternionSignals, TheirErrorModelAgreesWithExactDistortionForSmallErrors) 
   const QuaternionSignals quaternions(motion.skeleton);
   const Eigen::MatrixXd signals = quaternions.of(motion.clip);
   const ErrorModel model(motion.skeleton, motion.clip,
-                         landmark_weights(motion.skeleton, Weighting::BoneEnds),
+                         measured_points(motion.skeleton, Weighting::BoneEnds),
                          quaternions.moves(motion.clip, signals));
   // What a quaternion of one or two axes can be off by and keep to them is not asked of the model.
   const int free_signals = 3 + 4 + 4;  // root and spine

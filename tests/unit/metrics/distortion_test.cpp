@@ -34,8 +34,8 @@ TEST(Distortion, OfAShiftedFigureIsTheShiftInEveryMeasure) {
 TEST(Distortion, FollowsThePapersFormula) {
   const Motion motion = test::smooth_motion(20);
   const Clip other = test::smooth_motion(20, 2).clip;
-  const Eigen::MatrixXd a = landmark_tracks(motion.skeleton, motion.clip);
-  const Eigen::MatrixXd b = landmark_tracks(motion.skeleton, other);
+  const Eigen::MatrixXd a = body_tracks(motion.skeleton, motion.clip);
+  const Eigen::MatrixXd b = body_tracks(motion.skeleton, other);
   for (const Weighting weighting : {Weighting::BoneEnds, Weighting::JointOrigins}) {
     const Eigen::VectorXd weights = landmark_weights(motion.skeleton, weighting);
     double sum = 0;
@@ -46,6 +46,39 @@ TEST(Distortion, FollowsThePapersFormula) {
     EXPECT_NEAR(measure(motion.skeleton, motion.clip, other).eps(weighting), eps, 1e-9);
     EXPECT_NEAR(exact_eps(motion.skeleton, a, other, weighting), eps, 1e-9);
   }
+}
+
+TEST(Distortion, OfPointsOnTheBodyIsThatOfTheirTracks) {
+  const Motion motion = test::smooth_motion(20);
+  const Clip other = test::smooth_motion(20, 2).clip;
+  const Distortion distortion = measure(motion.skeleton, motion.clip, other);
+  for (const Weighting weighting : {Weighting::Surface, Weighting::Shell}) {
+    const auto [points, weights] = measured_points(motion.skeleton, weighting);
+    const Eigen::MatrixXd between = point_tracks(motion.skeleton, points, other) -
+                                    point_tracks(motion.skeleton, points, motion.clip);
+    double sum = 0;
+    double most = 0;
+    for (Eigen::Index p = 0; p < weights.size(); ++p) {
+      const Eigen::VectorXd squared = between.middleCols<3>(3 * p).rowwise().squaredNorm();
+      sum += weights(p) * squared.mean();
+      most = std::max(most, squared.maxCoeff());
+    }
+    EXPECT_NEAR(distortion.eps(weighting), std::sqrt(sum), 1e-9);
+    EXPECT_NEAR(distortion.worst(weighting).cm, std::sqrt(most), 1e-9);
+    EXPECT_NEAR(
+        exact_eps(motion.skeleton, body_tracks(motion.skeleton, motion.clip), other, weighting),
+        std::sqrt(sum), 1e-9);
+  }
+}
+
+TEST(Distortion, KnowsByHowMuchEachJointIsTurned) {
+  const Motion motion = test::smooth_motion(30);
+  Clip turned = motion.clip;
+  const int hand = motion.skeleton.find("rhand");
+  turned.channels.col(motion.skeleton.first_channel(hand)).array() += 0.1;
+  const Distortion distortion = measure(motion.skeleton, motion.clip, turned);
+  for (int j = 0; j < motion.skeleton.joint_count(); ++j)
+    EXPECT_NEAR(distortion.joint_degrees(j), j == hand ? 5.7296 : 0, 1e-4);
 }
 
 TEST(Distortion, PointsAtTheWorstFrameAndLandmark) {
@@ -74,9 +107,8 @@ TEST(Distortion, OfAClipWithoutFramesIsZero) {
 
 TEST(Distortion, FiguresOfBlocksAreThoseOfTheWhole) {
   const Motion motion = test::smooth_motion(200);
-  const Eigen::MatrixXd original = landmark_tracks(motion.skeleton, motion.clip);
-  const Eigen::MatrixXd decoded =
-      landmark_tracks(motion.skeleton, test::smooth_motion(200, 2).clip);
+  const Eigen::MatrixXd original = body_tracks(motion.skeleton, motion.clip);
+  const Eigen::MatrixXd decoded = body_tracks(motion.skeleton, test::smooth_motion(200, 2).clip);
   const Distortion whole = measure(motion.skeleton, original, decoded);
   DistortionMeter meter(motion.skeleton, 200, Detail::Figures);
   for (const auto& [first, count] : {std::pair(0, 70), {70, 1}, {71, 129}})
@@ -90,6 +122,10 @@ TEST(Distortion, FiguresOfBlocksAreThoseOfTheWhole) {
   EXPECT_NEAR(figures.p95, whole.p95, DistanceCounts::kPrecision * whole.p95);
   EXPECT_NEAR(figures.p99, whole.p99, DistanceCounts::kPrecision * whole.p99);
   EXPECT_EQ(figures.distances.size(), 0);
+  EXPECT_EQ(figures.surface.max, whole.surface.max);
+  EXPECT_NEAR(figures.shell.rms, whole.shell.rms, 1e-12);
+  EXPECT_EQ(figures.shell.p99, whole.shell.p99);
+  EXPECT_TRUE(figures.joint_degrees.isApprox(whole.joint_degrees));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 TEST(VisitTracks, GivesTheTracksOfALongClipInTimeAndWhole) {
   const Motion motion = test::smooth_motion(20'000);
-  const Eigen::MatrixXd whole = landmark_tracks(motion.skeleton, motion.clip);
+  const Eigen::MatrixXd whole = body_tracks(motion.skeleton, motion.clip);
   int next = 0;
   int blocks = 0;
   visit_tracks(motion.skeleton, motion.clip, [&](int first, const Eigen::MatrixXd& tracks) {
@@ -27,10 +27,9 @@ TEST(VisitTracks, GivesTheTracksOfALongClipInTimeAndWhole) {
 TEST(VisitTracks, MeasuringInBlocksIsMeasuringTheWhole) {
   const Motion motion = test::smooth_motion(20'000);
   const Clip other = test::smooth_motion(20'000, 2).clip;
-  const Eigen::MatrixXd original = landmark_tracks(motion.skeleton, motion.clip);
+  const Eigen::MatrixXd original = body_tracks(motion.skeleton, motion.clip);
   const Distortion in_blocks = measure(motion.skeleton, original, other);
-  const Distortion whole =
-      measure(motion.skeleton, original, landmark_tracks(motion.skeleton, other));
+  const Distortion whole = measure(motion.skeleton, original, body_tracks(motion.skeleton, other));
   EXPECT_NEAR(in_blocks.eps_bone_ends, whole.eps_bone_ends, 1e-9);
   EXPECT_EQ(in_blocks.max.frame, whole.max.frame);
   EXPECT_TRUE(in_blocks.distances.isApprox(whole.distances, 1e-6F));

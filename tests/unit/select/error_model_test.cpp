@@ -11,8 +11,9 @@
 namespace mocapress {
 namespace {
 
-Eigen::MatrixXd brute_force_form(const Motion& motion, int frame, const Eigen::VectorXd& weights) {
-  const Eigen::MatrixXd jacobian = test::landmark_jacobian(motion, frame);
+Eigen::MatrixXd brute_force_form(const Motion& motion, int frame, const MeasuredPoints& measured) {
+  const auto& [points, weights] = measured;
+  const Eigen::MatrixXd jacobian = test::point_jacobian(motion, points, frame);
   Eigen::VectorXd each_coordinate(3 * weights.size());
   for (int p = 0; p < weights.size(); ++p)
     each_coordinate.segment<3>(3 * p).setConstant(weights(p));
@@ -22,17 +23,16 @@ Eigen::MatrixXd brute_force_form(const Motion& motion, int frame, const Eigen::V
 class ErrorModelOf : public testing::TestWithParam<Weighting> {
  protected:
   const Motion motion_ = test::smooth_motion(150);
-  const Eigen::VectorXd weights_ = landmark_weights(motion_.skeleton, GetParam());
+  const MeasuredPoints measured_ = measured_points(motion_.skeleton, GetParam());
   const ErrorModel model_{motion_.skeleton, motion_.clip, GetParam()};
 };
 
-INSTANTIATE_TEST_SUITE_P(Weightings, ErrorModelOf,
-                         testing::Values(Weighting::BoneEnds, Weighting::JointOrigins));
+INSTANTIATE_TEST_SUITE_P(Weightings, ErrorModelOf, testing::ValuesIn(kWeightings));
 
 TEST_P(ErrorModelOf, CurvatureIsTheDiagonalOfTheBruteForceForm) {
   for (const int t : {0, 64, 149})
     EXPECT_TRUE(model_.curvature().row(t).transpose().isApprox(
-        brute_force_form(motion_, t, weights_).diagonal(), 1e-5));
+        brute_force_form(motion_, t, measured_).diagonal(), 1e-5));
 }
 
 TEST_P(ErrorModelOf, GradientIsTheBruteForceFormTimesTheError) {
@@ -45,7 +45,7 @@ TEST_P(ErrorModelOf, GradientIsTheBruteForceFormTimesTheError) {
   }
   for (const int t : {0, 63, 64, 149}) {
     const Eigen::VectorXd expected =
-        brute_force_form(motion_, t, weights_) * error.row(t).transpose();
+        brute_force_form(motion_, t, measured_) * error.row(t).transpose();
     EXPECT_TRUE(state.gradient().row(t).transpose().isApprox(expected, 1e-5));
   }
 }
@@ -116,12 +116,12 @@ TEST(ErrorModel, AddingAndTakingBackLeavesNothing) {
 
 TEST(ErrorModel, OfOtherSignalsScalesWithWhatTheyMove) {
   const Motion motion = test::smooth_motion(70);
-  const Eigen::VectorXd weights = landmark_weights(motion.skeleton, Weighting::BoneEnds);
-  const ErrorModel of_channels(motion.skeleton, motion.clip, weights);
+  const MeasuredPoints measured = measured_points(motion.skeleton, Weighting::BoneEnds);
+  const ErrorModel of_channels(motion.skeleton, motion.clip, measured);
   // The root's first translation and first rotation, which turns about the world's z axis.
   SignalMoves moves{{{0, false}, {0, true}}, Eigen::MatrixXd(70, 6)};
   moves.axes.rowwise() = Eigen::Matrix<double, 1, 6>{3, 0, 0, 0, 0, 0.5};
-  const ErrorModel model(motion.skeleton, motion.clip, weights, moves);
+  const ErrorModel model(motion.skeleton, motion.clip, measured, moves);
   EXPECT_EQ(model.channels(), 2);
   EXPECT_LT((model.curvature().col(0).array() - 9).abs().maxCoeff(), 1e-9);
   EXPECT_LT((model.curvature().col(1) - 0.25 * of_channels.curvature().col(3)).norm(), 1e-6);

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "core/motion/body.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "core/motion/body_part.h"
+
+namespace mocapress {
+namespace {
+
+constexpr double kLegOfStature = 0.491;  // from hip to ankle
+constexpr double kAreaOfSquare = 0.6;    // the body's surface over its stature squared
+constexpr double kThinnest = 0.004;      // of the stature
+constexpr double kThickest = 0.055;      // a head
+constexpr double kThickestTrunk = 0.1;
+constexpr double kShortestBone = 0.001;
+constexpr double kLongestExtent = 0.12;  // of what hangs on no bone: a head's
+constexpr double kStatureOfReach = 1.7;  // over the way from the root to the furthest joint
+
+/// Per cent of the skin of an adult; of limbs, of one side.
+double skin_share(BodyRegion region) {
+  switch (region) {
+    case BodyRegion::Trunk:
+      return 32;  // with buttocks and genitals
+    case BodyRegion::Neck:
+      return 2;
+    case BodyRegion::Head:
+      return 7;
+    case BodyRegion::UpperArm:
+      return 4;
+    case BodyRegion::Forearm:
+      return 3;
+    case BodyRegion::Hand:
+      return 2.5;
+    case BodyRegion::Thigh:
+      return 9.5;
+    case BodyRegion::LowerLeg:
+      return 7;
+    case BodyRegion::Foot:
+      return 3.5;
+  }
+  return 0;
+}
+
+bool has_translation(const Joint& joint) {
+  return std::any_of(joint.channels.begin(), joint.channels.end(),
+                     [](ChannelKind kind) { return !is_rotation(kind); });
+}
+
+/// Whether a joint slides against its parent, so that there is no bone between. Where most joints
+/// have the channels for it, they tell nothing, but for hips above a root on the floor.
+std::vector<bool> sliding_joints(const Skeleton& skeleton) {
+  const std::vector<Joint>& joints = skeleton.joints();
+  const auto able = std::count_if(joints.begin(), joints.end(), has_translation);
+  const bool tells = 2 * able <= std::ssize(joints);
+  std::vector<int> children(joints.size(), 0);
+  for (const Joint& joint : joints)
+    if (joint.parent >= 0) ++children[static_cast<std::size_t>(joint.parent)];
+  std::vector<bool> slides;
+  for (const Joint& joint : joints) {
+    const auto parent = static_cast<std::size_t>(std::max(joint.parent, 0));
+    const bool is_hips = joint.parent >= 0 && joints[parent].parent < 0 && children[parent] == 1;
+    slides.push_back(has_translation(joint) && (tells || is_hips));
+  }
+  return slides;
+}
+
+bool is_neck(const std::string& name) {
+  std::string lower = name;
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower.find("neck") != std::string::npos;
+}
+
+/// An arm or a leg: the joint its hand or foot begins with, and the joints between that and the
+/// trunk, the lowest first.
+struct Limb {
+  int end;
+  std::vector<int> above;
+};
+
+/// The regions of a skeleton, and which joints are one piece of skin.
+class Anatomy {
+ public:
+  explicit Anatomy(const Skeleton& skeleton)
+      : skeleton_(skeleton),
+        named_(static_cast<std::size_t>(skeleton.joint_count()), BodyRegion::Trunk),
+        ends_below_(named_.size(), 0) {
+    for (const int j : joints_of(skeleton, BodyPart::Head))
+      named_at(j) = is_neck(skeleton.joint(j).name) ? BodyRegion::Neck : BodyRegion::Head;
+    for (const BodyPart part : {BodyPart::Hands, BodyPart::Fingers})
+      for (const int j : joints_of(skeleton, part)) named_at(j) = BodyRegion::Hand;
+    for (const int j : joints_of(skeleton, BodyPart::Feet)) named_at(j) = BodyRegion::Foot;
+    for (const BodyRegion end : {BodyRegion::Head, BodyRegion::Hand, BodyRegion::Foot})
+      for (const int top : tops(end))
+        for (int j = top; j >= 0; j = skeleton.joint(j).parent)
+          ++ends_below_[static_cast<std::size_t>(j)];
+    arms_ = limbs(BodyRegion::Hand);
+    legs_ = limbs(BodyRegion::Foot);
+  }
+
+  bool is_human() const { return arms_.size() == 2 && legs_.size() == 2; }
+
+  /// Of each joint. What is not told apart is as its parent.
+  std::vector<BodyRegion> regions() const {
+    std::vector<BodyRegion> regions(named_.size(), BodyRegion::Trunk);
+    std::vector<bool> known(named_.size(), false);
+    const auto set = [&](int joint, BodyRegion region) {
+      regions[static_cast<std::size_t>(joint)] = region;
+      known[static_cast<std::size_t>(joint)] = true;
+    };
+    for (int j = 0; j < skeleton_.joint_count(); ++j)
+      if (named_[static_cast<std::size_t>(j)] == BodyRegion::Head ||
+          named_[static_cast<std::size_t>(j)] == BodyRegion::Neck)
+        set(j, named_[static_cast<std::size_t>(j)]);
+    const auto set_limbs = [&](const std::vector<Limb>& limbs, BodyRegion end, BodyRegion lower,
+                               BodyRegion upper) {
+      for (const Limb& limb : limbs) {
+        set(limb.end, end);
+        set(limb.above[0], lower);
+        set(limb.above[1], upper);
+        for (std::size_t i = 2; i < limb.above.size(); ++i) set(limb.above[i], BodyRegion::Trunk);
+      }
+    };
+    set_limbs(arms_, BodyRegion::Hand, BodyRegion::Forearm, BodyRegion::UpperArm);
+    set_limbs(legs_, BodyRegion::Foot, BodyRegion::LowerLeg, BodyRegion::Thigh);
+    for (int j = 0; j < skeleton_.joint_count(); ++j)
+      if (const int parent = skeleton_.joint(j).parent;
+          !known[static_cast<std::size_t>(j)] && parent >= 0)
+        regions[static_cast<std::size_t>(j)] = regions[static_cast<std::size_t>(parent)];
+    return regions;
+  }
+
+  /// Which arm or leg a joint belongs to, from 1 on; 0: none.
+  std::vector<int> sides() const {
+    std::vector<int> sides(named_.size(), 0);
+    int side = 0;
+    for (const auto* limbs : {&arms_, &legs_})
+      for (const Limb& limb : *limbs) sides[static_cast<std::size_t>(limb.above[1])] = ++side;
+    for (int j = 0; j < skeleton_.joint_count(); ++j)
+      if (const int parent = skeleton_.joint(j).parent;
+          parent >= 0 && sides[static_cast<std::size_t>(j)] == 0)
+        sides[static_cast<std::size_t>(j)] = sides[static_cast<std::size_t>(parent)];
+    return sides;
+  }
+
+  double stature() const {  // cm
+    double legs = 0;
+    for (const Limb& leg : legs_)
+      legs += skeleton_.joint(leg.end).offset.norm() + skeleton_.joint(leg.above[0]).offset.norm();
+    return legs / 2 / kLegOfStature;
+  }
+
+ private:
+  BodyRegion& named_at(int joint) { return named_[static_cast<std::size_t>(joint)]; }
+
+  /// The joints of a name that have none of it above them.
+  std::vector<int> tops(BodyRegion region) const {
+    std::vector<int> found;
+    for (int j = 0; j < skeleton_.joint_count(); ++j) {
+      if (named_[static_cast<std::size_t>(j)] != region) continue;
+      int above = skeleton_.joint(j).parent;
+      while (above >= 0 && named_[static_cast<std::size_t>(above)] != region)
+        above = skeleton_.joint(above).parent;
+      if (above < 0) found.push_back(j);
+    }
+    return found;
+  }
+
+  /// Those with two bones at least of their own. What is driven by inverse kinematics has helpers
+  /// of the same names at the root.
+  std::vector<Limb> limbs(BodyRegion end) const {
+    std::vector<Limb> found;
+    for (const int top : tops(end)) {
+      Limb limb{top, {}};
+      for (int j = skeleton_.joint(top).parent;
+           j >= 0 && ends_below_[static_cast<std::size_t>(j)] == 1; j = skeleton_.joint(j).parent)
+        limb.above.push_back(j);
+      if (limb.above.size() >= 2) found.push_back(std::move(limb));
+    }
+    return found;
+  }
+
+  const Skeleton& skeleton_;
+  std::vector<BodyRegion> named_;  // Trunk: by none of the names
+  std::vector<int> ends_below_;    // heads, hands and feet, at a joint or below
+  std::vector<Limb> arms_;
+  std::vector<Limb> legs_;
+};
+
+/// How far it is from a root to the furthest joint or end, along the bones.
+double reach(const Skeleton& skeleton, const std::vector<bool>& slides) {
+  std::vector<double> way(static_cast<std::size_t>(skeleton.joint_count()), 0);
+  double furthest = 0;
+  for (int j = 0; j < skeleton.joint_count(); ++j) {
+    const Joint& joint = skeleton.joint(j);
+    double& own = way[static_cast<std::size_t>(j)];
+    if (joint.parent >= 0 && !slides[static_cast<std::size_t>(j)])
+      own = way[static_cast<std::size_t>(joint.parent)] + joint.offset.norm();
+    furthest = std::max(furthest, own + (joint.end_site ? joint.end_site->norm() : 0));
+  }
+  return furthest;
+}
+
+/// Axes alone.
+std::vector<BodyLimb> bones(const Skeleton& skeleton, const std::vector<bool>& slides,
+                            double stature) {
+  std::vector<BodyLimb> bones;
+  std::vector<bool> drives(static_cast<std::size_t>(skeleton.joint_count()), false);
+  for (const Segment& segment : skeleton.segments()) {
+    const bool connects = segment.child < 0 || !slides[static_cast<std::size_t>(segment.child)];
+    if (segment.child >= 0) drives[static_cast<std::size_t>(segment.joint)] = true;
+    if (!connects || segment.length <= kShortestBone * stature) continue;
+    drives[static_cast<std::size_t>(segment.joint)] = true;
+    bones.push_back({segment.joint, segment.end_in_joint, 0, 0});
+  }
+  for (int j = 0; j < skeleton.joint_count(); ++j) {
+    const Joint& joint = skeleton.joint(j);
+    const double before = joint.offset.norm();
+    if (drives[static_cast<std::size_t>(j)] || joint.parent < 0 ||
+        slides[static_cast<std::size_t>(j)] || before <= kShortestBone * stature)
+      continue;
+    const double length = std::min(before, kLongestExtent * stature);
+    bones.push_back({j, joint.offset * (length / before), 0, 0});
+  }
+  return bones;
+}
+
+}  // namespace
+
+std::vector<BodyRegion> body_regions(const Skeleton& skeleton) {
+  const Anatomy anatomy(skeleton);
+  return anatomy.is_human() ? anatomy.regions() : std::vector<BodyRegion>();
+}
+
+std::vector<BodyLimb> body_limbs(const Skeleton& skeleton) {
+  const Anatomy anatomy(skeleton);
+  const bool is_human = anatomy.is_human() && anatomy.stature() > 0;
+  const std::vector<bool> slides = sliding_joints(skeleton);
+  const double stature = is_human ? anatomy.stature() : kStatureOfReach * reach(skeleton, slides);
+  std::vector<BodyLimb> limbs = bones(skeleton, slides, stature);
+  const auto regions = is_human ? anatomy.regions() : std::vector<BodyRegion>();
+  const auto sides = is_human ? anatomy.sides() : std::vector<int>();
+  // What is one piece of skin.
+  const auto piece = [&](const BodyLimb& limb) {
+    const auto j = static_cast<std::size_t>(limb.joint);
+    return is_human ? std::pair(static_cast<int>(regions[j]), sides[j]) : std::pair(-1, 0);
+  };
+  std::map<std::pair<int, int>, double> lengths;
+  for (const BodyLimb& limb : limbs) lengths[piece(limb)] += limb.axis_in_joint.norm();
+  double skin = 0;
+  const auto skin_of = [](int region) {
+    return region < 0 ? 1 : skin_share(static_cast<BodyRegion>(region));
+  };
+  for (const auto& [key, length] : lengths) skin += skin_of(key.first);
+  for (BodyLimb& limb : limbs) {
+    const auto key = piece(limb);
+    const double share_of_piece = skin_of(key.first) / skin;
+    const double area = share_of_piece * kAreaOfSquare * stature * stature;
+    limb.share = share_of_piece * limb.axis_in_joint.norm() / lengths.at(key);
+    const bool is_trunk = key.first == static_cast<int>(BodyRegion::Trunk);
+    limb.radius = std::clamp(area / (2 * std::numbers::pi * lengths.at(key)), kThinnest * stature,
+                             (is_trunk ? kThickestTrunk : kThickest) * stature);
+  }
+  return limbs;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/motion/measured_points.h"
+
+namespace mocapress {
+
+/// World positions (cm) over a clip of all that tells where a body is: landmark_tracks(), then
+/// shell_points(). Frames x 3 * (landmarks + 3 * joints). Whatever is fixed to a joint is an affine
+/// combination of that joint's origin and its shell points.
+Eigen::MatrixXd body_tracks(const Skeleton& skeleton, const Clip& clip);
+
+/// How far each joint is from where it was and how far it is turned: differences of body_tracks(),
+/// joint by joint.
+class JointErrors {
+ public:
+  /// Rows of body_tracks() of both clips; they must outlive this.
+  JointErrors(const Skeleton& skeleton, const Eigen::Ref<const Eigen::MatrixXd>& original,
+              const Eigen::Ref<const Eigen::MatrixXd>& decoded);
+
+  /// Frames x 12: the error of the origin (cm), then of each axis (per cm along it).
+  Eigen::Matrix<double, Eigen::Dynamic, 12> of(int joint) const;
+
+  /// Of a point: cm^2 at each frame.
+  static Eigen::VectorXd squared(const Eigen::Matrix<double, Eigen::Dynamic, 12>& of_joint,
+                                 const Eigen::Vector3d& in_joint);
+
+ private:
+  Eigen::Ref<const Eigen::MatrixXd> original_;
+  Eigen::Ref<const Eigen::MatrixXd> decoded_;
+  Eigen::Index shell_;  // column of the first shell point
+};
+
+}  // namespace mocapress

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/metrics/body_figures.h"
+#include "core/study/json_value.h"
+
+namespace mocapress {
+
+/// Calls `add(key, value)` for each figure.
+template <typename Add>
+void add_body_figures(const BodyFigures& figures, const Add& add) {
+  const auto add_spread = [&](const std::string& of, const Spread& spread) {
+    add((of + "_rms_cm").c_str(), Json(spread.rms));
+    add((of + "_p95_cm").c_str(), Json(spread.p95));
+    add((of + "_p99_cm").c_str(), Json(spread.p99));
+    add((of + "_max_cm").c_str(), Json(spread.max.cm));
+  };
+  add_spread("surface", figures.surface);
+  add_spread("shell", figures.shell);
+  add("head_degrees", or_null(figures.head_degrees));
+  add("hand_degrees", or_null(figures.hand_degrees));
+  add("angle_rms_degrees", Json(figures.angle_rms_degrees));
+}
+
+/// What add_body_figures() wrote, but for where the worst points are. Throws like the JSON library
+/// does.
+inline BodyFigures body_figures_of(const Json& json) {
+  const auto spread = [&](const std::string& of) {
+    Spread found;
+    json.at(of + "_rms_cm").get_to(found.rms);
+    json.at(of + "_p95_cm").get_to(found.p95);
+    json.at(of + "_p99_cm").get_to(found.p99);
+    json.at(of + "_max_cm").get_to(found.max.cm);
+    return found;
+  };
+  return {.surface = spread("surface"),
+          .shell = spread("shell"),
+          .head_degrees = optional_at<double>(json, "head_degrees"),
+          .hand_degrees = optional_at<double>(json, "hand_degrees"),
+          .angle_rms_degrees = json.at("angle_rms_degrees").get<double>()};
+}
+
+}  // namespace mocapress
