@@ -142,13 +142,18 @@ void ClipFiles::write(const QString& path) {
   if (kind == QLatin1String("mcpr")) return session_->save(path);
   const QString skeleton =
       file.path() + QLatin1Char('/') + file.completeBaseName() + QLatin1String(".asf");
-  if (kind != QLatin1String("amc") || !QFileInfo::exists(skeleton))
-    return session_->exportMotion(path);
-  // The dialog asked about the .amc alone.
-  auto* question = new QMessageBox(
-      QMessageBox::Question, tr("Export Motion"),
-      tr("The skeleton goes into %1, which is there already. Replace it?").arg(fileName(skeleton)),
-      QMessageBox::Yes | QMessageBox::No, window_);
+  // The dialog asked about a file that is there, not about which it is, nor about the skeleton.
+  QString doubt;
+  if (session_->isOpen(path))
+    doubt = tr("%1 is the original that is open. Replace it by its compressed motion?")
+                .arg(fileName(path));
+  else if (kind == QLatin1String("amc") && QFileInfo::exists(skeleton))
+    doubt = tr("The skeleton goes into %1, which is there already. Replace it?")
+                .arg(fileName(skeleton));
+  if (doubt.isEmpty()) return session_->exportMotion(path);
+  auto* question = new QMessageBox(QMessageBox::Question, tr("Export Motion"), doubt,
+                                   QMessageBox::Yes | QMessageBox::No, window_);
+  question->setDefaultButton(QMessageBox::No);
   question->setAttribute(Qt::WA_DeleteOnClose);
   connect(question, &QMessageBox::finished, this, [=, this](int button) {
     if (button == QMessageBox::Yes) session_->exportMotion(path);
@@ -210,7 +215,9 @@ QString ClipFiles::suggestedPath(const QString& extension) const {
   const Document& document = session_->document();
   const QString& saved = document.savedPath();
   const QFileInfo clip(saved.isEmpty() ? document.original()->path : saved);
-  return clip.path() + QLatin1Char('/') + clip.completeBaseName() + QLatin1Char('.') + extension;
+  const QString stem = clip.path() + QLatin1Char('/') + clip.completeBaseName();
+  const QString path = stem + QLatin1Char('.') + extension;
+  return session_->isOpen(path) ? stem + QLatin1String("-compressed.") + extension : path;
 }
 
 }  // namespace mocapress

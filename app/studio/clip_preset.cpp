@@ -29,9 +29,13 @@ PresetCorrection presetOf(const CorrectionOptions& correction, const Skeleton& s
 
 }  // namespace
 
-ClipSettings usualSettings() {
-  const Preset& gameplay = built_in_presets()[1];
-  return {encode_options(gameplay, {}), {}, QString::fromStdString(gameplay.name)};
+const Preset& usualPreset() {
+  return built_in_presets()[1];
+}
+
+ClipSettings usualSettings(const Skeleton& skeleton) {
+  const Preset& usual = usualPreset();
+  return {encode_options(usual, skeleton), {}, QString::fromStdString(usual.name)};
 }
 
 ClipSettings fitting(ClipSettings settings, const Motion& motion) {

@@ -6,8 +6,9 @@
 
 namespace mocapress {
 
-/// What a clip begins with where nothing else is known of it: those of "Gameplay".
-ClipSettings usualSettings();
+/// What a clip begins with where nothing else is known of it: "Gameplay".
+const Preset& usualPreset();
+ClipSettings usualSettings(const Skeleton& skeleton = {});
 
 /// Without what a clip does not have: its file may be another than when the settings were kept.
 ClipSettings fitting(ClipSettings settings, const Motion& motion);

@@ -78,9 +78,16 @@ int Document::currentJoint() const {
   return skeleton() ? skeleton()->find(current_joint_.toStdString()) : -1;
 }
 
+/// What a preset says of hands is of the hands of every skeleton, also after one that has none.
+Importance Document::importanceIn(const Skeleton& next) const {
+  const Preset& usual = usualPreset();
+  if (isAsPreset(settings(), usual, skeleton() ? *skeleton() : Skeleton()))
+    return importance_for(usual.importance, next);
+  return carriedOver(options_.importance, skeleton(), next);
+}
+
 void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path) {
-  if (original)
-    options_.importance = carriedOver(options_.importance, skeleton(), original->motion().skeleton);
+  if (original) options_.importance = importanceIn(original->motion().skeleton);
   original_ = std::move(original);
   decoded_ = std::move(decoded);
   final_ = decoded_ != nullptr;

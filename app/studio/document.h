@@ -122,6 +122,8 @@ class Document : public QObject {
   void titleChanged();
 
  private:
+  Importance importanceIn(const Skeleton& next) const;
+
   OriginalPtr original_;
   DecodedPtr decoded_;
   bool final_ = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Presets as files: one JSON object, or an array of them.
-//   {"name": "Gameplay", "method": "closed-loop", "coding": null, "weighting": "bone-ends",
+//   {"name": "Mine", "method": "closed-loop", "coding": null, "weighting": "bone-ends",
 //    "target": {"kind": "error", "value": 0.5}, "seed": 1,
 //    "ik": {"ratio": "auto", "effectors": [], "solver": "nearest-pose", "at": "every-frame"},
 //    "effort": "best", "importance": {"feet": 4, "lwrist": 2, "contacts": 20},

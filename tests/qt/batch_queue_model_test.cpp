@@ -71,8 +71,9 @@ TEST_F(BatchQueue, ShowsHowFarAClipIsAndWhatItCameTo) {
       model_.data(model_.index(0, BatchQueueModel::State), BatchQueueModel::kProgressRole)
           .toDouble(),
       0.43);
-  model_.setEnded(0, Measurement{.ratio = 52.26, .eps_bone_ends_cm = 0.4987, .max_error_cm = 4.321},
-                  "");
+  model_.setEnded(
+      0, Measurement{.ratio = 52.26, .max_error_cm = 4.321, .body = {.surface = {.rms = 0.4987}}},
+      "");
   EXPECT_EQ(text(0, BatchQueueModel::State), QStringLiteral("✓ Verified"));
   EXPECT_EQ(text(0, BatchQueueModel::Ratio), QStringLiteral("52.3:1"));
   EXPECT_EQ(text(0, BatchQueueModel::Eps), QStringLiteral("0.499"));
@@ -154,9 +155,9 @@ TEST_F(PresetEditorTest, TellsOnlyOfWhatTheUserDoes) {
 
 TEST_F(PresetEditorTest, AChangeIsShownAsOneOfThePreset) {
   editor_.setPreset(built_in_presets()[1]);
-  editor_.value()->setValue(0.25);
+  editor_.value()->setValue(0.35);
   ASSERT_EQ(told_.size(), 1u);
-  EXPECT_EQ(told_[0].target.value, 0.25);
+  EXPECT_EQ(told_[0].target.value, 0.35);
   EXPECT_EQ(told_[0].name, "Gameplay");
   EXPECT_EQ(editor_.chooser()->box()->currentText(), QStringLiteral("Gameplay, modified"));
   editor_.holdFeet()->click();

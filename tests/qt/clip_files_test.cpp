@@ -204,6 +204,21 @@ TEST_F(Files, AsksBeforeASkeletonIsReplaced) {
   EXPECT_NE(read_text(skeleton.toStdU16String()), "mine");
 }
 
+TEST_F(Files, TheOriginalIsNotReplacedByItsCompressedMotionUnasked) {
+  openAndSettle();
+  const QString original = session_.document().original()->path;
+  const std::string before = read_text(original.toStdU16String());
+  QSignalSpy exported(&files_, &ClipFiles::exported);
+  files_.exportMotion();
+  auto* dialog = window_.findChild<QFileDialog*>();
+  ASSERT_TRUE(dialog);
+  EXPECT_NE(dialog->selectedFiles().value(0), original);
+  emit dialog->fileSelected(original);  // past the dialog's own question
+  answer(QMessageBox::No);
+  EXPECT_EQ(exported.count(), 0);
+  EXPECT_EQ(read_text(original.toStdU16String()), before);
+}
+
 TEST_F(Files, ReadsTheClipAgainByTheImportOptionsChosen) {
   openAndSettle();
   files_.chooseImportOptions();

@@ -6,7 +6,10 @@
 
 #include "core/base/error.h"
 #include "core/batch/preset_json.h"
+#include "core/codec/encoder.h"
 #include "core/compare/contender.h"
+#include "core/metrics/body_figures.h"
+#include "resources/samples/generator/samples.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
@@ -44,6 +47,21 @@ TEST(Preset, ComesBackFromItsFileAsItWas) {
   presets.push_back(unusual_preset());
   EXPECT_EQ(parse_presets("", presets_text(presets)), presets);
   EXPECT_EQ(parse_presets("", presets_text({&presets.back(), 1})).front(), presets.back());
+}
+
+/// In degrees, RMS over a clip. On the corpus: mocapress batch CORPUS -o DIR --preset gameplay.
+TEST(Preset, BuiltInOnesKeepHeadsAndHandsWithinWhatTheyPromise) {
+  const std::map<std::string, std::pair<double, double>> promises = {
+      {"Hero close-up", {2.5 / 3, 4.0 / 3}}, {"Gameplay", {2.5, 4}}, {"Crowd", {7.5, 12}}};
+  for (const Motion& motion : {samples::walk_clip(), samples::run_clip(), samples::jump_clip()}) {
+    const Encoder encoder(motion);
+    for (const auto& [name, degrees] : promises) {
+      const Encoding encoding = encoder.encode(encode_options(find_preset(name), motion.skeleton));
+      const BodyFigures body = body_figures(motion.skeleton, encoding.distortion);
+      EXPECT_LT(body.head_degrees.value(), degrees.first) << name;
+      EXPECT_LT(body.hand_degrees.value(), degrees.second) << name;
+    }
+  }
 }
 
 TEST(Preset, WhatAFileLeavesOutIsAsUsual) {
