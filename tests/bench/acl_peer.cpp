@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "tests/bench/acl_peer.h"
+
+#include <acl/compression/compress.h>
+#include <acl/compression/compression_settings.h>
+#include <acl/compression/pre_process.h>
+#include <acl/compression/track_array.h>
+#include <acl/compression/transform_error_metrics.h>
+#include <acl/core/ansi_allocator.h>
+#include <acl/core/track_writer.h>
+#include <acl/decompression/decompress.h>
+
+#include <Eigen/Geometry>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/motion/body_tracks.h"
+#include "core/motion/forward_kinematics.h"
+
+namespace mocapress {
+namespace {
+
+struct Local {
+  Eigen::Quaterniond rotation;
+  Eigen::Vector3d translation;  // cm
+};
+
+/// In the parent's frame; of roots in the world.
+Local local_of(const Skeleton& skeleton, const Pose& pose, int joint) {
+  const auto j = static_cast<std::size_t>(joint);
+  const int parent = skeleton.joint(joint).parent;
+  if (parent < 0) return {Eigen::Quaterniond(pose.world_from_joint[j]), pose.origin[j]};
+  const auto p = static_cast<std::size_t>(parent);
+  const Eigen::Matrix3d parent_from_world = pose.world_from_joint[p].transpose();
+  return {Eigen::Quaterniond(parent_from_world * pose.world_from_joint[j]),
+          parent_from_world * (pose.origin[j] - pose.origin[p])};
+}
+
+rtm::qvvf qvv_of(const Local& local) {
+  const Eigen::Quaternionf q = local.rotation.normalized().cast<float>();
+  const Eigen::Vector3f v = local.translation.cast<float>();
+  return rtm::qvv_set(rtm::quat_set(q.x(), q.y(), q.z(), q.w()),
+                      rtm::vector_set(v.x(), v.y(), v.z()), rtm::vector_set(1.0F));
+}
+
+/// Tracks equal to the bind pose are not written: they stay as they are.
+struct PoseWriter final : acl::track_writer {
+  std::vector<rtm::qvvf> joints;
+
+  static constexpr acl::default_sub_track_mode get_default_rotation_mode() {
+    return acl::default_sub_track_mode::skipped;
+  }
+  static constexpr acl::default_sub_track_mode get_default_translation_mode() {
+    return acl::default_sub_track_mode::skipped;
+  }
+  static constexpr acl::default_sub_track_mode get_default_scale_mode() {
+    return acl::default_sub_track_mode::skipped;
+  }
+  void RTM_SIMD_CALL write_rotation(std::uint32_t joint, rtm::quatf_arg0 rotation) {
+    joints[joint].rotation = rotation;
+  }
+  void RTM_SIMD_CALL write_translation(std::uint32_t joint, rtm::vector4f_arg0 translation) {
+    joints[joint].translation = translation;
+  }
+  void RTM_SIMD_CALL write_scale(std::uint32_t, rtm::vector4f_arg0) {}
+};
+
+void require(const acl::error_result& result) {
+  if (result.any()) throw Error(std::string("ACL: ") + result.c_str());
+}
+
+Pose pose_of(const Skeleton& skeleton, const std::vector<rtm::qvvf>& locals) {
+  Pose pose;
+  for (int j = 0; j < skeleton.joint_count(); ++j) {
+    const rtm::qvvf& local = locals[static_cast<std::size_t>(j)];
+    const Eigen::Quaterniond rotation(
+        rtm::quat_get_w(local.rotation), rtm::quat_get_x(local.rotation),
+        rtm::quat_get_y(local.rotation), rtm::quat_get_z(local.rotation));
+    const Eigen::Vector3d translation(rtm::vector_get_x(local.translation),
+                                      rtm::vector_get_y(local.translation),
+                                      rtm::vector_get_z(local.translation));
+    const int parent = skeleton.joint(j).parent;
+    const Eigen::Matrix3d turned = rotation.normalized().toRotationMatrix();
+    pose.world_from_joint.push_back(
+        parent < 0 ? turned : pose.world_from_joint[static_cast<std::size_t>(parent)] * turned);
+    pose.origin.push_back(parent < 0 ? translation : pose.to_world(parent, translation));
+  }
+  return pose;
+}
+
+}  // namespace
+
+AclResult compress_by_acl(const Motion& motion, double precision_cm) {
+  const Skeleton& skeleton = motion.skeleton;
+  const auto joints = static_cast<std::uint32_t>(skeleton.joint_count());
+  const auto frames = static_cast<std::uint32_t>(motion.clip.frames());
+  const auto rate = static_cast<float>(motion.clip.sample_rate_hz);
+  acl::ansi_allocator allocator;
+  acl::track_array_qvvf tracks(allocator, joints);
+  const Pose bind = rest_pose(skeleton);
+  std::vector<rtm::qvvf> bind_locals;
+  for (std::uint32_t j = 0; j < joints; ++j) {
+    const int parent = skeleton.joint(static_cast<int>(j)).parent;
+    bind_locals.push_back(qvv_of(local_of(skeleton, bind, static_cast<int>(j))));
+    acl::track_desc_transformf description;
+    description.output_index = j;
+    description.parent_index =
+        parent < 0 ? acl::k_invalid_track_index : static_cast<std::uint32_t>(parent);
+    description.precision = static_cast<float>(precision_cm);
+    description.shell_distance = static_cast<float>(kShellRadius);
+    description.default_value = bind_locals.back();
+    tracks[j] = acl::track_qvvf::make_reserve(description, allocator, frames, rate);
+  }
+  Pose pose;
+  for (std::uint32_t t = 0; t < frames; ++t) {
+    compute_pose(skeleton, motion.clip.channels.row(t), pose);
+    for (std::uint32_t j = 0; j < joints; ++j)
+      tracks[j][t] = qvv_of(local_of(skeleton, pose, static_cast<int>(j)));
+  }
+
+  acl::qvvf_transform_error_metric metric;
+  acl::pre_process_settings_t before;
+  before.precision_policy = acl::pre_process_precision_policy::lossy;
+  before.error_metric = &metric;
+  require(acl::pre_process_track_list(allocator, before, tracks));
+  acl::compression_settings settings = acl::get_default_compression_settings();
+  settings.level = acl::compression_level8::medium;
+  settings.error_metric = &metric;
+  acl::compressed_tracks* compressed = nullptr;
+  acl::output_stats stats;
+  require(acl::compress_track_list(allocator, tracks, settings, compressed, stats));
+  const auto release = [&](acl::compressed_tracks* it) {
+    allocator.deallocate(it, it->get_size());
+  };
+  const std::unique_ptr<acl::compressed_tracks, decltype(release)> owned(compressed, release);
+
+  std::vector<Landmark> points = landmarks(skeleton);
+  const std::vector<Landmark> shell = shell_points(skeleton);
+  points.insert(points.end(), shell.begin(), shell.end());
+  AclResult result{owned->get_size(), Eigen::MatrixXd(frames, 3 * std::ssize(points))};
+  acl::decompression_context<acl::default_transform_decompression_settings> context;
+  if (!context.initialize(*owned)) throw Error("ACL: cannot open what it wrote");
+  PoseWriter writer;
+  for (std::uint32_t t = 0; t < frames; ++t) {
+    writer.joints = bind_locals;
+    context.seek(static_cast<float>(t) / rate, acl::sample_rounding_policy::nearest);
+    context.decompress_tracks(writer);
+    place_landmarks(points, pose_of(skeleton, writer.joints), static_cast<int>(t), result.tracks);
+  }
+  return result;
+}
+
+}  // namespace mocapress
