@@ -42,7 +42,9 @@ void ConvergencePlot::startPass(int pass) {
 void ConvergencePlot::append(const std::vector<EncodeProgress>& states) {
   for (const EncodeProgress& state : states) {
     if (state.pass != pass_) startPass(state.pass);
-    plot_->graph(plot_->graphCount() - 1)->addData(state.iteration, state.eps_cm);
+    // A segment that was coded alone is no step of the whole, and tells no error.
+    if (state.eps_cm > 0)
+      plot_->graph(plot_->graphCount() - 1)->addData(state.iteration, state.eps_cm);
   }
   if (plot_->graphCount() == 0) return;
   plot_->rescaleAxes();
