@@ -167,8 +167,12 @@ int run(int count, char** arguments) {
   for (const auto& [precision, all] : means) {
     std::printf("| %.2f cm |", precision);
     for (const Mean& mean : all) {
-      if (mean.clips > 0) std::printf(" %.3f", std::exp(mean.log / mean.clips));
-      if (mean.clips < static_cast<int>(clips.size())) std::printf(" (%d)", mean.clips);
+      if (mean.clips > 0)
+        std::printf(" %.3f", std::exp(mean.log / mean.clips));
+      else
+        std::printf(" -");
+      if (mean.clips > 0 && mean.clips < static_cast<int>(clips.size()))
+        std::printf(" (%d)", mean.clips);
       std::printf(" |");
     }
     std::printf("\n");
