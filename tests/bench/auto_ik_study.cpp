@@ -16,6 +16,7 @@
 
 #include "core/codec/encoder.h"
 #include "core/formats/motion_file.h"
+#include "tests/bench/study_clips.h"
 
 namespace mocapress {
 namespace {
@@ -40,25 +41,6 @@ struct Setting {
 const std::array kSettings = {
     Setting{"eps 0.5 cm", Method::ClosedLoop, {Target::Kind::Error, 0.5}},
     Setting{"r = 30", Method::Annealed, {Target::Kind::CoefficientRatio, 30}}};
-
-std::vector<fs::path> clips_of(const fs::path& path) {
-  if (!fs::is_directory(path)) return {path};
-  std::vector<fs::path> clips;
-  for (const auto& entry : fs::directory_iterator(path))
-    if (entry.path().extension() == ".amc" || entry.path().extension() == ".bvh")
-      clips.push_back(entry.path());
-  std::sort(clips.begin(), clips.end());
-  return clips;
-}
-
-Motion thinned(Motion motion, int every) {
-  const Eigen::MatrixXd all = std::move(motion.clip.channels);
-  motion.clip.sample_rate_hz /= every;
-  motion.clip.channels.resize((all.rows() + every - 1) / every, all.cols());
-  for (Eigen::Index t = 0; t < motion.clip.channels.rows(); ++t)
-    motion.clip.channels.row(t) = all.row(every * t);
-  return motion;
-}
 
 Encoding encode(const Encoder& encoder, const Setting& setting,
                 std::optional<CorrectionOptions> correction) {

@@ -24,6 +24,7 @@
 #include "core/metrics/distortion.h"
 #include "core/motion/body_tracks.h"
 #include "tests/bench/acl_peer.h"
+#include "tests/bench/study_clips.h"
 
 namespace mocapress {
 namespace {
@@ -32,23 +33,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::array kPrecisions = {0.01, 0.05, 0.1, 0.3, 1.0, 2.0};  // cm
-
-std::vector<fs::path> clips_of(const fs::path& path) {
-  if (!fs::is_directory(path)) return {path};
-  std::vector<fs::path> clips;
-  for (const auto& entry : fs::directory_iterator(path))
-    if (entry.path().extension() == ".amc" || entry.path().extension() == ".bvh")
-      clips.push_back(entry.path());
-  std::sort(clips.begin(), clips.end());
-  return clips;
-}
-
-Motion thinned(Motion motion, int every) {
-  const auto frames = Eigen::seq(0, motion.clip.frames() - 1, every);
-  motion.clip.channels = motion.clip.channels(frames, Eigen::all).eval();
-  motion.clip.sample_rate_hz /= every;
-  return motion;
-}
 
 Encoding encode(const Encoder& encoder, Weighting weighting, const Target& target) {
   return encoder.encode({.method = Method::ClosedLoop, .weighting = weighting, .target = target});
