@@ -6,8 +6,9 @@
 namespace mocapress {
 namespace {
 
-std::size_t bytesOf(const Eigen::MatrixXd& matrix) {
-  return static_cast<std::size_t>(matrix.size()) * sizeof(double);
+template <typename Matrix>
+std::size_t bytesOf(const Matrix& matrix) {
+  return static_cast<std::size_t>(matrix.size()) * sizeof(typename Matrix::Scalar);
 }
 
 /// What counts: the arrays with a value a frame.
@@ -17,7 +18,7 @@ std::size_t bytesOf(const DecodedClip& decoded) {
     if (tracks) bytes += bytesOf(*tracks);
   if (decoded.correction) bytes += bytesOf(decoded.correction->uncorrected.channels);
   if (decoded.distortion)
-    bytes += static_cast<std::size_t>(decoded.distortion->distances.size()) * sizeof(float);
+    bytes += bytesOf(decoded.distortion->distances) + bytesOf(decoded.distortion->turns);
   return bytes;
 }
 

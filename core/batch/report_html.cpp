@@ -105,6 +105,10 @@ std::string figure_cell(const std::optional<double>& value) {
   return cell(value ? figure(*value) : std::string(kNothing));
 }
 
+std::string degrees_cell(const std::optional<double>& value) {
+  return cell(value ? figure(*value) + "&#176;" : std::string(kNothing));
+}
+
 std::string text_cell(std::string_view text, std::string_view css) {
   return text.empty() ? cell(kNothing, css) : cell(escaped(text), css);
 }
@@ -143,7 +147,9 @@ std::string clip_line(const BatchRow& row) {
       cell(figure(static_cast<double>(m.motion_bytes) / 1024)) +
       cell(figure(m.eps_cm(row.preset.weighting))) + cell(figure(m.p95_error_cm)) +
       cell(figure(m.p99_error_cm)) + cell(figure(m.max_error_cm)) +
-      cell(std::to_string(m.worst_frame)) + figure_cell(m.footskate_cm) +
+      cell(std::to_string(m.worst_frame)) + degrees_cell(m.body.angle_rms_degrees) +
+      degrees_cell(m.body.head_degrees) + degrees_cell(m.body.hand_degrees) +
+      figure_cell(m.footskate_cm) +
       figure_cell(m.slide ? std::optional(m.slide->mean_cm) : std::nullopt) +
       figure_cell(m.slide ? std::optional(m.slide->worst_cm) : std::nullopt) + review_cells(row) +
       cell(row.warnings.empty() ? kNothing : std::to_string(row.warnings.size())));
@@ -152,12 +158,15 @@ std::string clip_line(const BatchRow& row) {
 void write_clips(std::ostream& out, const BatchRows& rows) {
   const auto left = attribute("class", "name");
   out << "<section><h2>Every clip</h2>"
-      << muted("Errors in centimetres, of the file as it was read back, against the original.")
+      << muted(
+             "Errors of the file as it was read back, against the original: distances in "
+             "centimetres, what joints, head and hands are turned by in degrees.")
       << "<div class=\"scroll\"><table><thead>"
       << line(head("Clip", left) + head("preset", left) + head("method", left) +
               head("asked", left) + head("frames") + head("ratio") + head("KB") +
               head("&#949;<sub>x</sub>") + head("p95") + head("p99") + head("max") +
-              head("at frame") + head("foot slide") + head("a contact") + head("worst contact") +
+              head("at frame") + head("joints") + head("head") + head("hands") +
+              head("foot slide") + head("a contact") + head("worst contact") +
               head("verdict", left) + head("note", left) + head("warnings"))
       << "</thead><tbody>\n";
   rows([&](const BatchRow& row) {
@@ -195,6 +204,9 @@ std::string notes() {
       "Weighted root mean square distance of points of the body from where they should be; "
       "report.csv has both weightings.");
   add("p95, p99, max", "Over all points and frames, unweighted.");
+  add("Joints, head, hands",
+      "Angle in the world between a joint&#8217;s rotation and the original&#8217;s, root mean "
+      "square over frames and joints. Head and hands are known by their names.");
   add("Foot slide",
       "While a foot stands in the original, beyond its own slide there: all contacts together, a "
       "contact on average, and the worst contact.");

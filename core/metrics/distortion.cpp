@@ -20,6 +20,10 @@ double percentile(std::vector<float>& values, double share) {
   return *nth;
 }
 
+std::vector<float> all_of(const Eigen::MatrixXf& values) {
+  return {values.data(), values.data() + values.size()};
+}
+
 }  // namespace
 
 double Distortion::eps(Weighting weighting) const {
@@ -83,7 +87,9 @@ DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail de
   }
   for (const Weighting all : {Weighting::BoneEnds, Weighting::Surface, Weighting::Shell})
     look_at(all);
-  if (detail == Detail::Distances) distances_.resize(frames, sets_.front().squares.size());
+  if (detail != Detail::Distances) return;
+  distances_.resize(frames, sets_.front().squares.size());
+  turns_.resize(frames, distances_.cols());
 }
 
 void DistortionMeter::add(Set& set, int first_frame, const Eigen::MatrixXd& squared) const {
@@ -105,14 +111,24 @@ void DistortionMeter::add(Set& set, int first_frame, const Eigen::MatrixXd& squa
     set.counts.add(static_cast<float>(std::sqrt(square)));
 }
 
-void DistortionMeter::add_turns(const TrackRows& original, const TrackRows& decoded) {
+void DistortionMeter::add_turns(int first_frame, const TrackRows& original,
+                                const TrackRows& decoded) {
   const JointErrors errors(skeleton_, original, decoded);
   for (int j = 0; j < skeleton_.joint_count(); ++j) {
     // Of a rotation by the angle a, the axes' squared differences come to 8 sin(a / 2)^2.
     const Eigen::ArrayXd sine =
         (errors.of(j).rightCols<9>().rowwise().squaredNorm() / 8).array().min(1).sqrt();
-    squared_turns_(j) += (2 * sine.asin()).square().sum();
+    const Eigen::VectorXd degrees = (360 / std::numbers::pi) * sine.asin();
+    squared_turns_(j) += degrees.squaredNorm();
+    if (detail_ == Detail::Distances)
+      turns_.col(j).segment(first_frame, degrees.size()) = degrees.cast<float>();
   }
+  // Ends of bones come after all joints and turn with theirs.
+  const std::vector<Landmark>& points = sets_.front().errors.measured().points;
+  for (Eigen::Index end = skeleton_.joint_count(); end < turns_.cols(); ++end)
+    turns_.col(end).segment(first_frame, original.rows()) =
+        turns_.col(points[static_cast<std::size_t>(end)].joint)
+            .segment(first_frame, original.rows());
 }
 
 void DistortionMeter::add(int first_frame, const TrackRows& original, const TrackRows& decoded) {
@@ -123,7 +139,7 @@ void DistortionMeter::add(int first_frame, const TrackRows& original, const Trac
     if (detail_ == Detail::Distances && &set == &sets_.front())
       distances_.middleRows(first_frame, squared.rows()) = squared.cwiseSqrt().cast<float>();
   }
-  if (detail_ != Detail::Means) add_turns(original, decoded);
+  if (detail_ != Detail::Means) add_turns(first_frame, original, decoded);
 }
 
 double DistortionMeter::eps(std::size_t set, const Eigen::VectorXd& weights) const {
@@ -148,14 +164,16 @@ Distortion DistortionMeter::distortion() const {
       .distances = distances_,
       .surface = spread(1),
       .shell = spread(2),
-      .joint_degrees = squared_turns_};
+      .joint_degrees = squared_turns_,
+      .turns = turns_};
   if (frames_ > 0)
-    distortion.joint_degrees =
-        (squared_turns_ / static_cast<double>(frames_)).cwiseSqrt() * (180 / std::numbers::pi);
+    distortion.joint_degrees = (squared_turns_ / static_cast<double>(frames_)).cwiseSqrt();
   if (detail_ == Detail::Distances) {
-    std::vector<float> all(distances_.data(), distances_.data() + distances_.size());
+    std::vector<float> all = all_of(distances_);
     distortion.p95 = percentile(all, 0.95);
     distortion.p99 = percentile(all, 0.99);
+    all = all_of(turns_);
+    distortion.p99_degrees = percentile(all, 0.99);
   } else {
     distortion.p95 = sets_.front().counts.percentile(0.95);
     distortion.p99 = sets_.front().counts.percentile(0.99);

@@ -39,6 +39,8 @@ struct Distortion {
   Spread surface;             // of the points of these weightings
   Spread shell;
   Eigen::VectorXd joint_degrees;  // how far each joint is turned in the world, RMS over the frames
+  Eigen::MatrixXf turns;          // as distances: by how many degrees a landmark's joint is turned
+  double p99_degrees = 0;         // over all of them
 
   double eps(Weighting weighting) const;
   const WorstPoint& worst(Weighting weighting) const;
@@ -51,7 +53,7 @@ struct Distortion {
 enum class Detail {
   Means,      // eps_x and the worst point of one weighting
   Figures,    // and percentiles, but for 1 / 4096 of them (DistanceCounts)
-  Distances,  // and every distance, from which percentiles are exact
+  Distances,  // and every distance and angle; percentiles are exact
 };
 
 /// How far the points of a weighting are off.
@@ -98,7 +100,7 @@ class DistortionMeter {
     DistanceCounts counts;
   };
   void add(Set& set, int first_frame, const Eigen::MatrixXd& squared) const;
-  void add_turns(const TrackRows& original, const TrackRows& decoded);
+  void add_turns(int first_frame, const TrackRows& original, const TrackRows& decoded);
   double eps(std::size_t set) const { return eps(set, sets_[set].errors.measured().weights); }
   double eps(std::size_t set, const Eigen::VectorXd& weights) const;
   Spread spread(std::size_t set) const;
@@ -108,7 +110,8 @@ class DistortionMeter {
   std::vector<Set> sets_;  // landmarks, surface, shell; of means one alone
   Eigen::Index frames_ = 0;
   Eigen::MatrixXf distances_;
-  Eigen::VectorXd squared_turns_;  // radians^2, the sum over the frames so far of each joint
+  Eigen::MatrixXf turns_;          // degrees
+  Eigen::VectorXd squared_turns_;  // degrees^2, the sum over the frames so far of each joint
 };
 
 /// Compares clips of one skeleton. Requires equal shapes.

@@ -8,6 +8,7 @@
 #include "core/study/chart_svg.h"
 #include "core/study/markup.h"
 #include "core/study/plan.h"
+#include "core/study/report_angles.h"
 #include "core/study/report_feet.h"
 #include "core/study/report_pictures.h"
 #include "core/study/report_style.h"
@@ -240,6 +241,7 @@ std::string report_html(const Results& results, const std::vector<Picture>& pict
     body += section("Time to anneal", time_table(results));
     body += section("Feet held by inverse kinematics", held_feet_table(results));
     body += section("Sliding feet", footskate_table(results));
+    body += section("Turned joints", angle_table(results));
     body += clips_section(results);
   }
   body += section("Not reached", failure_table(results));

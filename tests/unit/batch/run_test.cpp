@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/batch/merge.h"
 #include "core/compare/compared_file.h"
 #include "core/study/markup.h"
@@ -246,6 +247,22 @@ TEST_F(BatchRun, PicturesSayWhatTheirCaptionsAndTheBoundSay) {
     EXPECT_EQ(row.worst->off_cm, row.measured->max_error_cm);
     EXPECT_THAT(page, HasSubstr(">" + figure(row.measured->max_error_cm) + " cm</text>"));
     EXPECT_THAT(page, HasSubstr("is " + figure(row.measured->max_error_cm) + " cm off"));
+  }
+}
+
+TEST_F(BatchRun, EveryReportHasAnglesBesideDistances) {
+  run(batch());
+  const std::string page = read_text(out() / "report.html");
+  EXPECT_THAT(page, HasSubstr("<th>joints</th><th>head</th><th>hands</th>"));
+  const std::string table = read_text(out() / "report.csv");
+  for (const BatchRow& row : rows()) {
+    const BodyFigures& body = row.measured->body;
+    EXPECT_GT(body.angle_rms_degrees, 0);
+    EXPECT_FALSE(body.head_degrees);  // the skeleton has none
+    EXPECT_THAT(page, HasSubstr("<td>" + figure(body.angle_rms_degrees) +
+                                "&#176;</td><td>&#8211;</td><td>" +
+                                figure(body.hand_degrees.value()) + "&#176;</td>"));
+    EXPECT_THAT(table, HasSubstr("," + shortest_text(body.angle_rms_degrees) + ","));
   }
 }
 

@@ -81,6 +81,26 @@ TEST(Distortion, KnowsByHowMuchEachJointIsTurned) {
     EXPECT_NEAR(distortion.joint_degrees(j), j == hand ? 5.7296 : 0, 1e-4);
 }
 
+TEST(Distortion, KnowsByHowMuchEachJointIsTurnedAtEveryFrame) {
+  const Motion motion = test::smooth_motion(30);
+  Clip turned = motion.clip;
+  const int hand = motion.skeleton.find("rhand");
+  turned.channels(17, motion.skeleton.first_channel(hand)) += 0.1;
+  turned.channels(20, motion.skeleton.first_channel(hand)) += 3;
+  const Distortion distortion = measure(motion.skeleton, motion.clip, turned);
+  ASSERT_EQ(distortion.turns.rows(), 30);
+  ASSERT_EQ(distortion.turns.cols(), distortion.distances.cols());
+  EXPECT_NEAR(distortion.turns(17, hand), 5.7296, 1e-4);
+  EXPECT_NEAR(distortion.turns(20, hand), 171.887, 1e-3);
+  const std::vector<Landmark> points = landmarks(motion.skeleton);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const Eigen::VectorXd turns = distortion.turns.col(static_cast<Eigen::Index>(p)).cast<double>();
+    EXPECT_NEAR(std::sqrt(turns.squaredNorm() / 30), distortion.joint_degrees(points[p].joint),
+                1e-4)
+        << points[p].name;
+  }
+}
+
 TEST(Distortion, PointsAtTheWorstFrameAndLandmark) {
   const Motion motion = test::smooth_motion(30);
   Clip bent = motion.clip;
@@ -122,6 +142,7 @@ TEST(Distortion, FiguresOfBlocksAreThoseOfTheWhole) {
   EXPECT_NEAR(figures.p95, whole.p95, DistanceCounts::kPrecision * whole.p95);
   EXPECT_NEAR(figures.p99, whole.p99, DistanceCounts::kPrecision * whole.p99);
   EXPECT_EQ(figures.distances.size(), 0);
+  EXPECT_EQ(figures.turns.size(), 0);
   EXPECT_EQ(figures.surface.max, whole.surface.max);
   EXPECT_NEAR(figures.shell.rms, whole.shell.rms, 1e-12);
   EXPECT_EQ(figures.shell.p99, whole.shell.p99);

@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "core/study/markup.h"
+#include "core/study/report_angles.h"
 #include "core/study/report_feet.h"
 #include "core/study/report_tables.h"
 #include "core/study/scene_svg.h"
@@ -138,6 +139,18 @@ TEST(ReportTables, TellOfSlidingAContactBesideTheTotal) {
   EXPECT_THAT(table, HasSubstr("10.0 cm<small> (2.50, 7.25)</small>"));
 }
 
+TEST(ReportTables, TellByHowManyDegreesJointsHeadAndHandsAreTurned) {
+  auto rows = known_rows();
+  for (StudyRow& row : rows) {
+    row.measured->body.angle_rms_degrees = row.target.value / 10;
+    row.measured->body.hand_degrees = 7.25;
+  }
+  const std::string table = angle_table(Results(rows));
+  EXPECT_THAT(table, HasSubstr("At 40:1"));  // of 10 and 40 nearer to the paper's 30
+  EXPECT_THAT(table, HasSubstr("<td>4.00&#176;<small> (&#8211;, 7.25&#176;)</small></td>"));
+  EXPECT_THAT(report_html(Results(rows), {}), HasSubstr(table));
+}
+
 TEST(ReportTables, CarryVerdictsAndNotesWhereThereAreAny) {
   auto rows = known_rows();
   EXPECT_THAT(clip_table(Results(rows)), Not(HasSubstr("verdict")));
@@ -170,7 +183,7 @@ TEST(ReportTables, TimeIsAFrameAndBesideThePapers) {
 TEST(ReportTables, AreEmptyWithoutAnythingToShow) {
   const Results nothing({StudyRow{.clip = "x.bvh", .method = "pca", .error = "not there"}});
   for (const auto& table : {mean_size_table(nothing), size_table(nothing), time_table(nothing),
-                            footskate_table(nothing), clip_table(nothing)})
+                            footskate_table(nothing), clip_table(nothing), angle_table(nothing)})
     EXPECT_EQ(table, "");
   EXPECT_THAT(failure_table(nothing), HasSubstr("not there"));
 }
