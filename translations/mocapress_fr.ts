@@ -231,6 +231,10 @@
         <source>Read the open motion again with another unit, up axis, rate or root</source>
         <translation>Relire le mouvement ouvert avec une autre unité, un autre axe vertical, une autre cadence ou une autre racine</translation>
     </message>
+    <message>
+        <source>Angle Scale</source>
+        <translation>Échelle d&apos;angle</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1083,14 +1087,25 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ErrorDisplay</name>
+    <message>
+        <source>Errors in &amp;Degrees</source>
+        <translation>Erreurs en degrés</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>Degrés</translation>
+    </message>
+    <message>
+        <source>Heat map and error graph: by how many degrees joints are turned in the world, instead of how far they are off (%1)</source>
+        <translation>Carte de chaleur et graphique d&apos;erreur : de combien de degrés les articulations sont tournées dans l&apos;espace, au lieu de leur écart (%1)</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ErrorGraph</name>
     <message>
         <source>Error over time</source>
         <translation>Erreur au cours du temps</translation>
-    </message>
-    <message>
-        <source>Distance from the original in the world. Click to seek, wheel to zoom, double click to see all.</source>
-        <translation>Distance à l&apos;original dans l&apos;espace. Clic pour s&apos;y rendre, molette pour agrandir, double-clic pour tout voir.</translation>
     </message>
     <message>
         <source>Time (s)</source>
@@ -1103,6 +1118,22 @@
     <message>
         <source>worst of all joints</source>
         <translation>la pire articulation</translation>
+    </message>
+    <message>
+        <source>How far joints are from the original in the world, or by how much they are turned. Click to seek, wheel to zoom, double click to see all.</source>
+        <translation>Distance des articulations à l&apos;original dans l&apos;espace, ou angle dont elles sont tournées. Clic pour s&apos;y rendre, molette pour agrandir, double-clic pour tout voir.</translation>
+    </message>
+    <message>
+        <source>Angle (°)</source>
+        <translation>Angle (°)</translation>
+    </message>
+    <message>
+        <source>Frame %L1</source>
+        <translation>Image %L1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
@@ -1639,6 +1670,14 @@
     <message>
         <source>Max</source>
         <translation>Max</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Angle in the world between the joint&apos;s rotation and the original&apos;s, RMS over the clip. Ends of bones turn with their joint.</source>
+        <translation>Angle dans l&apos;espace entre la rotation de l&apos;articulation et celle de l&apos;original, moyenne quadratique sur la séquence. Les bouts d&apos;os tournent avec leur articulation.</translation>
     </message>
 </context>
 <context>

@@ -231,6 +231,10 @@
         <source>Read the open motion again with another unit, up axis, rate or root</source>
         <translation>開いているモーションを、別の単位・上方向の軸・フレームレート・ルートの扱いで読み直します</translation>
     </message>
+    <message>
+        <source>Angle Scale</source>
+        <translation>角度の尺度</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1074,14 +1078,25 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ErrorDisplay</name>
+    <message>
+        <source>Errors in &amp;Degrees</source>
+        <translation>誤差を度で表示(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>Heat map and error graph: by how many degrees joints are turned in the world, instead of how far they are off (%1)</source>
+        <translation>ヒートマップと誤差のグラフ：位置のずれの代わりに、関節の回転が空間で何度ずれているかを示す（%1）</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ErrorGraph</name>
     <message>
         <source>Error over time</source>
         <translation>誤差の時間変化</translation>
-    </message>
-    <message>
-        <source>Distance from the original in the world. Click to seek, wheel to zoom, double click to see all.</source>
-        <translation>空間での元との距離。クリックで移動、ホイールで拡大、ダブルクリックで全体。</translation>
     </message>
     <message>
         <source>Time (s)</source>
@@ -1094,6 +1109,22 @@
     <message>
         <source>worst of all joints</source>
         <translation>全関節の最悪</translation>
+    </message>
+    <message>
+        <source>How far joints are from the original in the world, or by how much they are turned. Click to seek, wheel to zoom, double click to see all.</source>
+        <translation>空間での関節の元との距離、または回転のずれ。クリックで移動、ホイールで拡大、ダブルクリックで全体。</translation>
+    </message>
+    <message>
+        <source>Angle (°)</source>
+        <translation>角度 (°)</translation>
+    </message>
+    <message>
+        <source>Frame %L1</source>
+        <translation>フレーム %L1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -1628,6 +1659,14 @@
     <message>
         <source>Max</source>
         <translation>最大</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Angle in the world between the joint&apos;s rotation and the original&apos;s, RMS over the clip. Ends of bones turn with their joint.</source>
+        <translation>空間での関節の回転と元の回転との角度、クリップ全体の二乗平均平方根。骨の先端は関節と共に回転します。</translation>
     </message>
 </context>
 <context>

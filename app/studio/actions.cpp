@@ -165,7 +165,9 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
 
   QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
   addInGroups(view, actions.view);
+  view->addAction(actions.in_degrees);
   view->addMenu(Texts::tr("Error S&cale"))->addActions(actions.error_scales->actions());
+  view->addMenu(Texts::tr("Angle Scale"))->addActions(actions.angle_scales->actions());
   view->addSeparator();
   view->addActions({actions.hold_feet, actions.without_ik});
   view->addSeparator();

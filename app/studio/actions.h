@@ -47,9 +47,11 @@ struct Actions {
   QAction* guide = nullptr;
   QAction* shortcuts = nullptr;
   QAction* about = nullptr;
-  QActionGroup* themes = nullptr;     // by ThemeChoice
-  QActionGroup* languages = nullptr;  // data(): its code, empty: the system's
-  QActionGroup* error_scales = nullptr;
+  QActionGroup* themes = nullptr;        // by ThemeChoice
+  QActionGroup* languages = nullptr;     // data(): its code, empty: the system's
+  QActionGroup* error_scales = nullptr;  // of distances
+  QActionGroup* angle_scales = nullptr;
+  QAction* in_degrees = nullptr;  // errors of heat map and graph
   ViewActions view;
   TransportActions transport;
 };

@@ -8,19 +8,22 @@
 
 namespace mocapress {
 
-/// The one scale by which strip, heat map and figure colour errors: a fixed one, by which clips and
+/// The one scale by which all views colour errors of a quantity: a fixed one, by which clips and
 /// settings compare, or one that fits what is shown. Remembered from run to run.
 class ErrorScaleChoice : public QActionGroup {
   Q_OBJECT
 
  public:
-  explicit ErrorScaleChoice(QObject* parent = nullptr);
+  explicit ErrorScaleChoice(ErrorQuantity quantity, QObject* parent = nullptr);
 
   /// For what is shown; null: nothing is.
   ErrorScale scaleFor(const DecodedPtr& decoded) const;
 
  signals:
   void changed();
+
+ private:
+  ErrorQuantity quantity_;
 };
 
 }  // namespace mocapress

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/inspector.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QtMath>
 #include <algorithm>
 #include <numbers>
 
 #include "app/studio/clip_curve.h"
-#include "app/studio/error_scale_choice.h"
+#include "app/studio/error_display.h"
 #include "app/studio/figures.h"
 #include "app/studio/session.h"
 #include "core/motion/landmarks.h"
@@ -72,12 +73,12 @@ ChannelCurves curvesOf(const Document& document, int channel) {
 }  // namespace
 
 Inspector::Inspector(Session* session, Playback* playback, const InspectionViews& views,
-                     ErrorScaleChoice* error_scale, QObject* parent)
+                     ErrorDisplay* error_display, QObject* parent)
     : QObject(parent),
       session_(session),
       playback_(playback),
       views_(views),
-      error_scale_(error_scale),
+      error_display_(error_display),
       curve_(new ClipCurve(session, this)) {
   const Document* document = &session->document();
   connect(document, &Document::clipChanged, this, [this] {
@@ -94,7 +95,10 @@ Inspector::Inspector(Session* session, Playback* playback, const InspectionViews
   connect(document, &Document::shownChanged, this, &Inspector::showContacts);
   connect(document, &Document::optionsChanged, this, &Inspector::showContacts);
   connect(document, &Document::currentJointChanged, this, &Inspector::showJoint);
-  connect(error_scale_, &ErrorScaleChoice::changed, this, &Inspector::showErrors);
+  connect(error_display_, &ErrorDisplay::changed, this, [this] {
+    showErrorScales();
+    showErrors();
+  });
   connect(curve_, &ClipCurve::changed, this, &Inspector::showCurve);
   connectViews();
   showCurve();
@@ -102,9 +106,9 @@ Inspector::Inspector(Session* session, Playback* playback, const InspectionViews
 
 void Inspector::connectViews() {
   Timeline* timeline = views_.timeline;
-  for (QWidget* coloured :
-       {static_cast<QWidget*>(timeline->errors()), static_cast<QWidget*>(views_.heat_map)})
-    coloured->addActions(error_scale_->actions());
+  timeline->errors()->addActions(error_display_->scales(ErrorQuantity::Distance)->actions());
+  views_.heat_map->setSwitch(error_display_->inDegrees());
+  showErrorScales();
   connect(timeline, &Timeline::seekRequested, playback_, &Playback::seek);
   connect(timeline->contacts(), &ContactStrip::contactsEdited, session_, &Session::setContacts);
   connect(timeline->errors(), &ErrorStrip::rangeChosen, playback_,
@@ -128,19 +132,32 @@ void Inspector::connectViews() {
   views_.curve->setHint(tr("The curve of this clip is drawn once it is compressed."));
 }
 
+/// In the heat map's menu: those of what it shows.
+void Inspector::showErrorScales() {
+  HeatMap* map = views_.heat_map;
+  for (QAction* action : map->actions()) map->removeAction(action);
+  map->addAction(error_display_->inDegrees());
+  auto* rule = new QAction(map);
+  rule->setSeparator(true);
+  map->addAction(rule);
+  map->addActions(error_display_->scales(error_display_->quantity())->actions());
+}
+
 void Inspector::showErrors() {
   const Document& document = session_->document();
   const DecodedPtr& decoded = document.decoded();
   const bool measured = decoded && decoded->distortion;
-  const ErrorScale scale = error_scale_->scaleFor(decoded);
-  const HeatMap::Distances distances =
-      measured ? HeatMap::Distances(decoded, &decoded->distortion->distances) : nullptr;
-  const ErrorProfile profile = distances ? errorProfile(*distances) : ErrorProfile();
+  const auto scale_of = [&](ErrorQuantity quantity) {
+    return error_display_->scales(quantity)->scaleFor(decoded);
+  };
+  const ErrorsPtr errors = measured ? ErrorsPtr(decoded, &*decoded->distortion) : nullptr;
+  const ErrorProfile profile = errors ? errorProfile(errors->distances) : ErrorProfile();
   const std::vector<QString> names = landmarkNames(document);
-  views_.timeline->errors()->setErrors(profile, scale, document.frames());
+  views_.timeline->errors()->setErrors(profile, scale_of(ErrorQuantity::Distance),
+                                       document.frames());
   views_.timeline->errors()->setGlitches(measured ? decoded->glitches : std::vector<Glitch>(),
                                          names);
-  views_.heat_map->setDistances(distances, names, scale);
+  views_.heat_map->setErrors(errors, names, scale_of(error_display_->quantity()));
   views_.figures->setFigures(figuresOf(document));
   const int apart = std::max(1, static_cast<int>(kWorstApart * document.sampleRate()));
   worst_ = worstFrames(profile.max, apart, kMostWorst);

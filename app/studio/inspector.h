@@ -12,7 +12,7 @@ namespace mocapress {
 
 class ChannelGraph;
 class ClipCurve;
-class ErrorScaleChoice;
+class ErrorDisplay;
 class FiguresBar;
 class HeatMap;
 class Playback;
@@ -35,7 +35,7 @@ class Inspector : public QObject {
 
  public:
   Inspector(Session* session, Playback* playback, const InspectionViews& views,
-            ErrorScaleChoice* error_scale, QObject* parent = nullptr);
+            ErrorDisplay* error_display, QObject* parent = nullptr);
 
   /// Plays from the worst frame to the next worst, or back.
   void showNextWorst(int step);
@@ -50,6 +50,7 @@ class Inspector : public QObject {
 
   void connectViews();
   void showErrors();
+  void showErrorScales();
   void showContacts();
   void showJoint();
   void showChannel();
@@ -62,7 +63,7 @@ class Inspector : public QObject {
   Session* session_;
   Playback* playback_;
   InspectionViews views_;
-  ErrorScaleChoice* error_scale_;
+  ErrorDisplay* error_display_;
   ClipCurve* curve_;
   std::map<QObject*, std::function<void()>> waiting_;
   std::vector<int> worst_;  // frames, the worst first

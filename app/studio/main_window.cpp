@@ -56,7 +56,7 @@ namespace {
 constexpr QSize kFirstSize(1440, 900);
 constexpr int kSidebarWidth = 320;
 constexpr int kLibraryWidth = 240;
-constexpr int kJointsWidth = 310;
+constexpr int kJointsWidth = 370;
 constexpr int kBelowHeight = 240;
 constexpr std::chrono::milliseconds kSlowOpening{400};  // from here on it is said
 
@@ -74,19 +74,21 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setAcceptDrops(true);
   resize(kFirstSize);
   actions_ = makeActions(playback_, session_->histories(), this);
-  actions_.error_scales = error_scale_;
+  actions_.error_scales = error_display_->scales(ErrorQuantity::Distance);
+  actions_.angle_scales = error_display_->scales(ErrorQuantity::Angle);
+  actions_.in_degrees = error_display_->inDegrees();
   setCentralWidget(makeCentre());
   addDocks();
   recent_ = addMenus(this, actions_, layout_.docks());
   layout_.restore();
-  new Presenter(session_, playback_, models_, views_, error_scale_, this);
+  new Presenter(session_, playback_, models_, views_, error_display_, this);
   library_views_ = new LibraryViews(session_, library_, library_panel_, slot_control_, this);
   presets_->setHistory([this] { return session_->history(); });
   preset_views_ = new PresetViews(session_, presets_, views_.compression->presets(), this);
   pinned_ = new PinnedResults(session_, pinned_model_, pinned_panel_, views_.viewport, this);
   pinned_->setMemory([this](const QString& path) { return library_->pinsOf(path); });
   connect(pinned_, &PinnedResults::edited, library_, &Library::setPins);
-  inspector_ = new Inspector(session_, playback_, inspection_, error_scale_, this);
+  inspector_ = new Inspector(session_, playback_, inspection_, error_display_, this);
   // After the presenter: an answer counts once the view has it.
   trace_ = new Trace(session_, views_.viewport, this);
   connectFileActions();

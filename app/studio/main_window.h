@@ -6,7 +6,7 @@
 
 #include "app/studio/actions.h"
 #include "app/studio/clip_files.h"
-#include "app/studio/error_scale_choice.h"
+#include "app/studio/error_display.h"
 #include "app/studio/inspector.h"
 #include "app/studio/library.h"
 #include "app/studio/library_views.h"
@@ -54,7 +54,7 @@ class MainWindow : public QMainWindow {
   PinnedPanel& pinnedPanel() { return *pinned_panel_; }
   LibraryPanel& libraryPanel() { return *library_panel_; }
   MessageBar& messages() { return *messages_; }
-  const ErrorScaleChoice* errorScale() const { return error_scale_; }
+  const ErrorDisplay* errorDisplay() const { return error_display_; }
   Trace& trace() { return *trace_; }
 
   /// One file is opened, with its skeleton; several and folders come into the library, and the
@@ -95,7 +95,7 @@ class MainWindow : public QMainWindow {
   ProjectFiles* projects_ = new ProjectFiles(library_, this);
   WindowLayout layout_{this};
   Theme* theme_ = new Theme(this);
-  ErrorScaleChoice* error_scale_ = new ErrorScaleChoice(this);
+  ErrorDisplay* error_display_ = new ErrorDisplay(this);
   Actions actions_;
   Views views_;
   InspectionViews inspection_;

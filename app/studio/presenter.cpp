@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/presenter.h"
 
-#include "app/studio/error_scale_choice.h"
+#include "app/studio/error_display.h"
 #include "app/studio/figures.h"
 #include "app/studio/session.h"
 #include "core/motion/landmarks.h"
@@ -44,13 +44,13 @@ std::vector<QString> landmarkNames(const Document& document) {
 }  // namespace
 
 Presenter::Presenter(Session* session, Playback* playback, const Models& models, const Views& views,
-                     ErrorScaleChoice* error_scale, QObject* parent)
+                     ErrorDisplay* error_display, QObject* parent)
     : QObject(parent),
       session_(session),
       playback_(playback),
       models_(models),
       views_(views),
-      error_scale_(error_scale) {
+      error_display_(error_display) {
   connectDocument();
   connectViews();
   showOptions();
@@ -66,7 +66,7 @@ void Presenter::connectDocument() {
   connect(document, &Document::curvesChanged, this, &Presenter::showCurves);
   connect(document, &Document::currentJointChanged, this, &Presenter::showCurrentJoint);
   connect(document, &Document::optionsChanged, this, &Presenter::showOptions);
-  connect(error_scale_, &ErrorScaleChoice::changed, this, &Presenter::showErrors);
+  connect(error_display_, &ErrorDisplay::changed, this, &Presenter::showErrors);
   AnnealingPanel* annealing = views_.annealing;
   connect(session_, &Session::recompressing, annealing, &AnnealingPanel::await);
   connect(session_, &Session::opened, annealing, [this, annealing] {
@@ -99,6 +99,7 @@ void Presenter::connectViews() {
   connect(views_.joints, &JointsPanel::currentJointChanged, &session_->document(),
           &Document::setCurrentJoint);
   connect(views_.viewport, &Viewport::jointClicked, this, &Presenter::toggleJoint);
+  views_.graph->setSwitch(error_display_->inDegrees());
   connect(views_.graph, &ErrorGraph::seekRequested, playback_, &Playback::seek);
   connect(views_.footskate, &FootskatePanel::findingChosen, this, &Presenter::showFinding);
   connect(views_.footskate, &FootskatePanel::settingsChanged, session_,
@@ -141,11 +142,10 @@ void Presenter::showDecoded() {
   views_.result->setFigures(figuresOf(document));
   views_.result->setState(stateOf(document));
   const bool measured = decoded && decoded->distortion;
-  const ErrorGraph::Distances distances =
-      measured ? ErrorGraph::Distances(decoded, &decoded->distortion->distances) : nullptr;
-  models_.joints->setDistances(distances ? *distances : Eigen::MatrixXf());
+  const ErrorsPtr errors = measured ? ErrorsPtr(decoded, &*decoded->distortion) : nullptr;
+  models_.joints->setErrors(errors.get());
   models_.joints->setSelection(document.curves());
-  views_.graph->setDistances(distances, document.sampleRate(), curvesOf(document));
+  views_.graph->setErrors(errors, document.sampleRate(), curvesOf(document));
   showErrors();
   showTarget();
 }
@@ -153,9 +153,11 @@ void Presenter::showDecoded() {
 void Presenter::showErrors() {
   const DecodedPtr& decoded = session_->document().decoded();
   const bool measured = decoded && decoded->distortion;
+  using Distances = std::shared_ptr<const Eigen::MatrixXf>;
   views_.viewport->setErrors(
-      measured ? ErrorGraph::Distances(decoded, &decoded->distortion->distances) : nullptr,
-      error_scale_->scaleFor(decoded));
+      measured ? Distances(decoded, &decoded->distortion->distances) : nullptr,
+      error_display_->scales(ErrorQuantity::Distance)->scaleFor(decoded));
+  views_.graph->setQuantity(error_display_->quantity());
 }
 
 /// What came of the target, where the user goes on from it.

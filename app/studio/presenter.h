@@ -10,7 +10,7 @@ namespace mocapress {
 
 class AnnealingPanel;
 class CompressionPanel;
-class ErrorScaleChoice;
+class ErrorDisplay;
 class ErrorGraph;
 class FootskatePanel;
 class ImportancePanel;
@@ -46,7 +46,7 @@ class Presenter : public QObject {
 
  public:
   Presenter(Session* session, Playback* playback, const Models& models, const Views& views,
-            ErrorScaleChoice* error_scale, QObject* parent = nullptr);
+            ErrorDisplay* error_display, QObject* parent = nullptr);
 
  private:
   void connectDocument();
@@ -67,7 +67,7 @@ class Presenter : public QObject {
   Playback* playback_;
   Models models_;
   Views views_;
-  ErrorScaleChoice* error_scale_;
+  ErrorDisplay* error_display_;
 };
 
 }  // namespace mocapress

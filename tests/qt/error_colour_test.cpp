@@ -35,7 +35,7 @@ TEST(ErrorColour, BeginsAndEndsAsViridisDoes) {
 
 TEST(ErrorScale, EndsAtARoundNumberNotBelowTheError) {
   for (const double cm : {0.013, 0.2, 0.49, 0.5, 0.51, 1.0, 1.7, 3.0, 7.3, 99.0, 200.0}) {
-    const double top = errorScaleFor(cm).top_cm;
+    const double top = errorScaleFor(cm).top;
     EXPECT_GE(top, cm * (1 - 1e-6));
     EXPECT_LE(top, 2.5 * cm);
     const double mantissa = top / std::pow(10.0, std::floor(std::log10(top) + 1e-9));

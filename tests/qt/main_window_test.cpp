@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <qcustomplot.h>
+
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
@@ -26,6 +28,8 @@
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/number_box.h"
 #include "widgets/panels/target_control.h"
+#include "widgets/plots/error_graph.h"
+#include "widgets/plots/heat_map.h"
 #include "widgets/timeline/error_strip.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/viewport/viewport.h"
@@ -57,6 +61,12 @@ class StudioWindowTest : public testing::Test {
     act();
     ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.session().busy(); }, kPatience));
+  }
+
+  static ErrorScale distanceScale(MainWindow& window) {
+    return window.errorDisplay()
+        ->scales(ErrorQuantity::Distance)
+        ->scaleFor(window.session().document().decoded());
   }
 
   QAction* scale(double cm) {
@@ -123,7 +133,7 @@ TEST_F(StudioWithoutAScreen, OneErrorScaleHoldsForAllAndIsRemembered) {
   ASSERT_TRUE(scale(5)->isChecked());
   const auto pictures = [&] {
     return std::pair(window_.inspection().timeline->errors()->grab().toImage(),
-                     window_.errorScale()->scaleFor(document_.decoded()).top_cm);
+                     distanceScale(window_).top);
   };
   const auto [before, top] = pictures();
   EXPECT_DOUBLE_EQ(top, 5);
@@ -132,11 +142,41 @@ TEST_F(StudioWithoutAScreen, OneErrorScaleHoldsForAllAndIsRemembered) {
   EXPECT_DOUBLE_EQ(finer, 0.1);
   EXPECT_NE(after, before);
   scale(0)->trigger();
-  EXPECT_EQ(window_.errorScale()->scaleFor(document_.decoded()),
-            errorScaleFor(document_.decoded()->distortion->p99));
+  EXPECT_EQ(distanceScale(window_), errorScaleFor(document_.decoded()->distortion->p99));
   scale(0.5)->trigger();
   MainWindow next;
-  EXPECT_DOUBLE_EQ(next.errorScale()->scaleFor({}).top_cm, 0.5);
+  EXPECT_DOUBLE_EQ(distanceScale(next).top, 0.5);
+}
+
+TEST_F(StudioWithoutAScreen, HeatMapAndGraphTellDegreesByOneSwitchThatIsRemembered) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh")); });
+  HeatMap* map = window_.inspection().heat_map;
+  const auto* graph = window_.views().graph->findChild<QCustomPlot*>();
+  const auto picture = [map] { return map->grab().toImage(); };
+  const QImage in_cm = picture();
+  const QImage strip = window_.inspection().timeline->errors()->grab().toImage();
+  const QString axis = graph->yAxis->label();
+  QAction* in_degrees = window_.actions().in_degrees;
+  in_degrees->trigger();
+  const QImage by_five_degrees = picture();
+  EXPECT_NE(by_five_degrees, in_cm);
+  EXPECT_NE(graph->yAxis->label(), axis);
+  EXPECT_EQ(window_.inspection().timeline->errors()->grab().toImage(), strip);
+  QAction* finest = window_.actions().angle_scales->actions().front();
+  EXPECT_EQ(finest->text(), QStringLiteral("1°"));
+  EXPECT_TRUE(map->actions().contains(finest));
+  EXPECT_FALSE(map->actions().contains(scale(0.5)));
+  finest->trigger();
+  EXPECT_NE(picture(), by_five_degrees);
+  const ErrorScaleChoice* angles = window_.errorDisplay()->scales(ErrorQuantity::Angle);
+  window_.actions().angle_scales->actions().back()->trigger();  // automatic
+  EXPECT_EQ(angles->scaleFor(document_.decoded()),
+            errorScaleFor(document_.decoded()->distortion->p99_degrees, ErrorQuantity::Angle));
+  MainWindow next;
+  EXPECT_EQ(next.errorDisplay()->quantity(), ErrorQuantity::Angle);
+  in_degrees->trigger();
+  EXPECT_EQ(picture(), in_cm);
+  EXPECT_EQ(graph->yAxis->label(), axis);
 }
 
 TEST_F(StudioWithoutAScreen, ATargetOutOfReachIsSaidBesideItAndStays) {

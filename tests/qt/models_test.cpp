@@ -77,22 +77,38 @@ TEST_F(JointErrors, ShowsEveryLandmarkWithItsMeanAndMax) {
   model_.setLandmarks(points_);
   EXPECT_EQ(model_.rowCount(), static_cast<int>(points_.size()));
   EXPECT_EQ(at(0, JointErrorModel::Mean).toString(), QStringLiteral("–"));
-  Eigen::MatrixXf distances = Eigen::MatrixXf::Zero(4, model_.rowCount());
-  distances.col(2) << 0, 1, 2, 5;
-  model_.setDistances(distances);
+  Distortion errors{.distances = Eigen::MatrixXf::Zero(4, model_.rowCount())};
+  errors.distances.col(2) << 0, 1, 2, 5;
+  model_.setErrors(&errors);
   EXPECT_DOUBLE_EQ(at(2, JointErrorModel::Mean, JointErrorModel::kSortRole).toDouble(), 2);
   EXPECT_DOUBLE_EQ(at(2, JointErrorModel::Max, JointErrorModel::kSortRole).toDouble(), 5);
   EXPECT_EQ(at(0, JointErrorModel::Name).toString(), QStringLiteral("root"));
-  model_.setDistances({});
+  model_.setErrors(nullptr);
   EXPECT_EQ(at(2, JointErrorModel::Max).toString(), QStringLiteral("–"));
+}
+
+TEST_F(JointErrors, ShowsTheAngleOfEveryJointAndItsEnds) {
+  model_.setLandmarks(points_);
+  const int joints = test::small_skeleton().joint_count();
+  Distortion errors{.distances = Eigen::MatrixXf::Zero(4, model_.rowCount()),
+                    .joint_degrees = Eigen::VectorXd::LinSpaced(joints, 0, joints - 1)};
+  EXPECT_EQ(at(2, JointErrorModel::Angle).toString(), QStringLiteral("–"));
+  model_.setErrors(&errors);
+  EXPECT_EQ(at(2, JointErrorModel::Angle).toString(), QStringLiteral("2.0°"));
+  for (int row = 0; row < model_.rowCount(); ++row)
+    EXPECT_EQ(at(row, JointErrorModel::Angle, JointErrorModel::kSortRole).toInt(),
+              points_[static_cast<std::size_t>(row)].joint);
+  EXPECT_TRUE(model_.headerData(JointErrorModel::Angle, Qt::Horizontal, Qt::ToolTipRole)
+                  .toString()
+                  .contains(QStringLiteral("in the world")));
 }
 
 TEST_F(JointErrors, SortsByError) {
   model_.setLandmarks(points_);
-  Eigen::MatrixXf distances = Eigen::MatrixXf::Zero(1, model_.rowCount());
-  distances(0, 3) = 10.5F;
-  distances(0, 5) = 9;
-  model_.setDistances(distances);
+  Distortion errors{.distances = Eigen::MatrixXf::Zero(1, model_.rowCount())};
+  errors.distances(0, 3) = 10.5F;
+  errors.distances(0, 5) = 9;
+  model_.setErrors(&errors);
   QSortFilterProxyModel sorted;
   sorted.setSourceModel(&model_);
   sorted.setSortRole(JointErrorModel::kSortRole);

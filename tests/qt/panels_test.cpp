@@ -3,8 +3,10 @@
 #include <qcustomplot.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -12,6 +14,7 @@
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
 #include <cmath>
 
 #include "widgets/panels/annealing_panel.h"
@@ -266,8 +269,9 @@ TEST(ErrorGraph, AClickSeeksToTheFrameThere) {
   ErrorGraph graph;
   graph.resize(600, 300);
   graph.show();
-  auto distances = std::make_shared<Eigen::MatrixXf>(Eigen::MatrixXf::Random(101, 3).cwiseAbs());
-  graph.setDistances(distances, 100, {{QStringLiteral("a"), Qt::red, 0}});
+  graph.setErrors(std::make_shared<Distortion>(
+                      Distortion{.distances = Eigen::MatrixXf::Random(101, 3).cwiseAbs()}),
+                  100, {{QStringLiteral("a"), Qt::red, 0}});
   graph.setCurves({{QStringLiteral("a"), Qt::red, 0}, {QStringLiteral("b"), Qt::blue, 2}});
   QTest::qWait(50);
   auto* plot = graph.findChild<QCustomPlot*>();
@@ -277,6 +281,40 @@ TEST(ErrorGraph, AClickSeeksToTheFrameThere) {
   QTest::mouseClick(plot, Qt::LeftButton, {}, {x, plot->height() / 2});
   ASSERT_GE(sought.count(), 1);
   EXPECT_NEAR(sought[0][0].toInt(), 40, 1);
+}
+
+TEST(ErrorGraph, DrawsAnglesOnAnAxisInDegrees) {
+  ErrorGraph graph;
+  Distortion errors{.distances = Eigen::MatrixXf::Constant(101, 3, 0.5F),
+                    .turns = Eigen::MatrixXf::Constant(101, 3, 20)};
+  graph.setErrors(
+      std::make_shared<Distortion>(errors), 100,
+      {{QStringLiteral("hand"), Qt::red, 1}, {QStringLiteral("hand end"), Qt::blue, 2}});
+  auto* plot = graph.findChild<QCustomPlot*>();
+  EXPECT_LT(plot->yAxis->range().upper, 1);
+  graph.setQuantity(ErrorQuantity::Angle);
+  EXPECT_GT(plot->yAxis->range().upper, 20);
+  EXPECT_TRUE(plot->yAxis->label().contains(QStringLiteral("°")));
+  EXPECT_EQ(plot->graph(1)->data()->at(50)->value, 20);
+}
+
+TEST(ErrorGraph, TellsBothErrorsWhereItIsPointedAt) {
+  ErrorGraph graph;
+  graph.resize(600, 300);
+  graph.show();
+  Distortion errors{.distances = Eigen::MatrixXf::Constant(101, 3, 0.5F),
+                    .turns = Eigen::MatrixXf::Constant(101, 3, 20)};
+  errors.turns(40, 1) = 7;
+  graph.setErrors(std::make_shared<Distortion>(errors), 100,
+                  {{QStringLiteral("hand"), Qt::red, 1}});
+  QTest::qWait(50);
+  auto* plot = graph.findChild<QCustomPlot*>();
+  const QPoint at(static_cast<int>(std::lround(plot->xAxis->coordToPixel(0.4))),
+                  plot->height() / 2);
+  QHelpEvent help(QEvent::ToolTip, at, plot->mapToGlobal(at));
+  QApplication::sendEvent(plot, &help);
+  EXPECT_EQ(QToolTip::text().toStdString(),
+            "Frame 41\nhand: 5.0 mm · 7.0°\nworst of all joints: 5.0 mm · 20.0°");
 }
 
 TEST(ErrorGraph, WithoutDistancesIgnoresClicks) {

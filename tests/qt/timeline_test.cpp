@@ -4,13 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
+#include <QHelpEvent>
 #include <QImage>
 #include <QLabel>
 #include <QMenu>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 
 #include "widgets/panels/figures_bar.h"
 #include "widgets/plots/channel_graph.h"
@@ -213,8 +216,9 @@ TEST(HeatImage, HasARowALandmarkAndKeepsTheWorstOfFramesThatShareAColumn) {
 
 TEST(HeatMap, AClickTellsFrameAndLandmark) {
   HeatMap map;
-  map.setDistances(std::make_shared<Eigen::MatrixXf>(Eigen::MatrixXf::Ones(kFrames, 2)), kNames,
-                   {2});
+  map.setErrors(
+      std::make_shared<Distortion>(Distortion{.distances = Eigen::MatrixXf::Ones(kFrames, 2)}),
+      kNames, {2});
   map.resize(600, 240);
   QSignalSpy chosen(&map, &HeatMap::chosen);
   QTest::mouseClick(&map, Qt::LeftButton, {}, {600 - 8 - 1, 100 + 60});
@@ -226,6 +230,40 @@ TEST(HeatMap, AClickTellsFrameAndLandmark) {
   QTest::keyClick(&map, Qt::Key_Up);
   ASSERT_EQ(chosen.count(), 2);
   EXPECT_EQ(chosen[1][1].toInt(), 0);
+}
+
+/// Both are off by 1 cm at all frames; the toe is turned by 10 degrees at the last.
+ErrorsPtr errorsOfBoth() {
+  Distortion errors{.distances = Eigen::MatrixXf::Ones(kFrames, 2),
+                    .turns = Eigen::MatrixXf::Zero(kFrames, 2)};
+  errors.turns(kFrames - 1, 1) = 10;
+  return std::make_shared<Distortion>(errors);
+}
+
+TEST(HeatMap, ShowsDegreesByTheirOwnScale) {
+  HeatMap map;
+  map.resize(600, 240);
+  map.setErrors(errorsOfBoth(), kNames, {1, ErrorQuantity::Distance});
+  const QPoint low(300, 180);  // the toe's row
+  const QPoint low_last(600 - 8 - 2, 180);
+  EXPECT_EQ(map.grab().toImage().pixelColor(low), viridis(1));
+  map.setErrors(errorsOfBoth(), kNames, {10, ErrorQuantity::Angle});
+  EXPECT_EQ(map.grab().toImage().pixelColor(low), viridis(0));
+  EXPECT_EQ(map.grab().toImage().pixelColor(low_last), viridis(1));
+}
+
+TEST(HeatMap, TellsBothErrorsOfWhatIsPointedAt) {
+  HeatMap map;
+  map.resize(600, 240);
+  map.show();
+  for (const ErrorQuantity quantity : {ErrorQuantity::Distance, ErrorQuantity::Angle}) {
+    map.setErrors(errorsOfBoth(), kNames, {10, quantity});
+    const QPoint toe_at_the_end(600 - 8 - 1, 180);
+    QHelpEvent help(QEvent::ToolTip, toe_at_the_end, map.mapToGlobal(toe_at_the_end));
+    QApplication::sendEvent(&map, &help);
+    EXPECT_TRUE(QToolTip::text().endsWith(QStringLiteral("1.00 cm · 10.0°")))
+        << QToolTip::text().toStdString();
+  }
 }
 
 TEST(FiguresBar, NamesTheWeightingAndShowsEveryFigure) {

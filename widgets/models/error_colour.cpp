@@ -27,17 +27,17 @@ QColor viridis(double share) {
   return QColor(mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue()));
 }
 
-double ErrorScale::share(double cm) const {
-  return std::clamp(cm / top_cm, 0.0, 1.0);
+double ErrorScale::share(double error) const {
+  return std::clamp(error / top, 0.0, 1.0);
 }
 
-ErrorScale errorScaleFor(double cm) {
-  if (!(cm > 0) || !std::isfinite(cm)) return {};
+ErrorScale errorScaleFor(double error, ErrorQuantity quantity) {
+  if (!(error > 0) || !std::isfinite(error)) return {.quantity = quantity};
   constexpr double kRounding = 1e-9;  // 0.2 is not quite 2 x 0.1
-  const double decade = std::pow(10.0, std::floor(std::log10(cm)));
+  const double decade = std::pow(10.0, std::floor(std::log10(error)));
   for (const double step : {1.0, 2.0, 5.0})
-    if (cm <= step * decade * (1 + kRounding)) return {step * decade};
-  return {10 * decade};
+    if (error <= step * decade * (1 + kRounding)) return {step * decade, quantity};
+  return {10 * decade, quantity};
 }
 
 }  // namespace mocapress

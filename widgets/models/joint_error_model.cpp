@@ -3,27 +3,31 @@
 
 #include <cassert>
 
-#include "widgets/models/length_text.h"
+#include "widgets/models/error_quantity.h"
 
 namespace mocapress {
 
 void JointErrorModel::setLandmarks(std::vector<Landmark> points) {
   beginResetModel();
   points_ = std::move(points);
-  errors_.resize(0, 2);
+  distances_.resize(0, 2);
+  joint_degrees_.resize(0);
   endResetModel();
 }
 
-void JointErrorModel::setDistances(const Eigen::MatrixXf& distances) {
-  if (distances.size() == 0) {
-    errors_.resize(0, 2);
+void JointErrorModel::setErrors(const Distortion* errors) {
+  if (!errors || errors->distances.size() == 0) {
+    distances_.resize(0, 2);
+    joint_degrees_.resize(0);
   } else {
+    const Eigen::MatrixXf& distances = errors->distances;
     assert(distances.cols() == rowCount());
-    errors_.resize(distances.cols(), 2);
-    errors_.col(0) = distances.colwise().mean().transpose();
-    errors_.col(1) = distances.colwise().maxCoeff().transpose();
+    distances_.resize(distances.cols(), 2);
+    distances_.col(0) = distances.colwise().mean().transpose();
+    distances_.col(1) = distances.colwise().maxCoeff().transpose();
+    joint_degrees_ = errors->joint_degrees;
   }
-  if (rowCount() > 0) emit dataChanged(index(0, Mean), index(rowCount() - 1, Max));
+  if (rowCount() > 0) emit dataChanged(index(0, Mean), index(rowCount() - 1, Angle));
 }
 
 void JointErrorModel::setSelection(const CurveSelection& selection) {
@@ -67,11 +71,32 @@ QVariant JointErrorModel::nameData(int row, int role) const {
 
 QVariant JointErrorModel::errorData(int row, int column, int role) const {
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-  const bool known = errors_.rows() > 0;
-  const double cm = known ? errors_(row, column - Mean) : -1;
-  if (role == kSortRole) return cm;
-  if (role == Qt::DisplayRole) return known ? lengthText(cm) : QStringLiteral("–");
-  return {};
+  const std::optional<double> error = errorAt(row, column);
+  if (role == kSortRole) return error.value_or(-1);
+  if (role != Qt::DisplayRole) return {};
+  if (!error) return QStringLiteral("–");
+  return errorText(*error, column == Angle ? ErrorQuantity::Angle : ErrorQuantity::Distance);
+}
+
+std::optional<double> JointErrorModel::errorAt(int row, int column) const {
+  if (distances_.rows() == 0) return std::nullopt;
+  if (column == Angle) return joint_degrees_(jointOf(row));
+  return static_cast<double>(distances_(row, column - Mean));
+}
+
+/// What a column is called, and what it tells.
+std::pair<QString, QString> JointErrorModel::headerTexts(int column) {
+  switch (column) {
+    case Name:
+      return {tr("Joint"), tr("Joint origins and bone ends, in the skeleton's order.")};
+    case Mean:
+      return {tr("Mean"), tr("Distance in the world from the original, averaged over the clip.")};
+    case Max:
+      return {tr("Max"), tr("Greatest distance in the world from the original, at any frame.")};
+    default:
+      return {tr("Angle"), tr("Angle in the world between the joint's rotation and the original's, "
+                              "RMS over the clip. Ends of bones turn with their joint.")};
+  }
 }
 
 bool JointErrorModel::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -82,17 +107,13 @@ bool JointErrorModel::setData(const QModelIndex& index, const QVariant& value, i
 
 QVariant JointErrorModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  const bool is_name = section == Name;
   switch (role) {
     case Qt::DisplayRole:
-      return is_name ? tr("Joint") : section == Mean ? tr("Mean") : tr("Max");
+      return headerTexts(section).first;
     case Qt::ToolTipRole:
-      return is_name ? tr("Joint origins and bone ends, in the skeleton's order.")
-             : section == Mean
-                 ? tr("Distance in the world from the original, averaged over the clip.")
-                 : tr("Greatest distance in the world from the original, at any frame.");
+      return headerTexts(section).second;
     case Qt::TextAlignmentRole:
-      return QVariant((is_name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+      return QVariant((section == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     default:
       return {};
   }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/metrics/distortion.h"
@@ -9,12 +11,13 @@
 
 namespace mocapress {
 
-/// One row a landmark: its name, checkable, and its mean and greatest error (cm).
+/// One row a landmark: its name, checkable, its mean and greatest distance from the original (cm)
+/// and by how much it is turned (degrees).
 class JointErrorModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { Name, Mean, Max, kColumns };
+  enum Column { Name, Mean, Max, Angle, kColumns };
   static constexpr int kSortRole = Qt::UserRole;
 
   using QAbstractTableModel::QAbstractTableModel;
@@ -22,8 +25,8 @@ class JointErrorModel : public QAbstractTableModel {
   /// Rows in the order of `points`, errors unknown.
   void setLandmarks(std::vector<Landmark> points);
 
-  /// frames x landmarks, cm; an empty matrix: unknown.
-  void setDistances(const Eigen::MatrixXf& distances);
+  /// Of those landmarks; null: unknown.
+  void setErrors(const Distortion* errors);
 
   void setSelection(const CurveSelection& selection);
 
@@ -41,12 +44,15 @@ class JointErrorModel : public QAbstractTableModel {
   void checkRequested(const QString& name, bool checked);
 
  private:
+  static std::pair<QString, QString> headerTexts(int column);
   QString nameOf(int row) const;
   QVariant nameData(int row, int role) const;
   QVariant errorData(int row, int column, int role) const;
+  std::optional<double> errorAt(int row, int column) const;
 
   std::vector<Landmark> points_;
-  Eigen::MatrixX2f errors_;  // cm: mean, max; no rows: unknown
+  Eigen::MatrixX2f distances_;     // cm: mean, max; no rows: unknown
+  Eigen::VectorXd joint_degrees_;  // by joint, RMS
   CurveSelection selection_;
 };
 

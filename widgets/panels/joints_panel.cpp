@@ -49,8 +49,8 @@ JointsPanel::JointsPanel(JointErrorModel* model, QWidget* parent)
   view_->sortByColumn(JointErrorModel::Name, Qt::AscendingOrder);
   view_->header()->setStretchLastSection(false);
   view_->header()->setSectionResizeMode(JointErrorModel::Name, QHeaderView::Stretch);
-  view_->header()->setSectionResizeMode(JointErrorModel::Mean, QHeaderView::ResizeToContents);
-  view_->header()->setSectionResizeMode(JointErrorModel::Max, QHeaderView::ResizeToContents);
+  for (const int column : {JointErrorModel::Mean, JointErrorModel::Max, JointErrorModel::Angle})
+    view_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(view_);

@@ -3,25 +3,33 @@
 
 #include <qcustomplot.h>
 
+#include <QHelpEvent>
 #include <QTimer>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "widgets/plots/plot_style.h"
+#include "widgets/plots/switch_button.h"
 
 namespace mocapress {
+namespace {
+
+constexpr int kSwitchMargin = 4;
+
+}  // namespace
+
 ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
   plot_->setAccessibleName(tr("Error over time"));
   plot_->setToolTip(
-      tr("Distance from the original in the world. Click to seek, wheel to zoom, double click to "
-         "see all."));
+      tr("How far joints are from the original in the world, or by how much they are turned. Click "
+         "to seek, wheel to zoom, double click to see all."));
   plot_->xAxis->setLabel(tr("Time (s)"));
-  plot_->yAxis->setLabel(tr("Error (cm)"));
   plot_->axisRect()->setRangeZoom(Qt::Horizontal);
   plot_->setInteraction(QCP::iRangeZoom);
   // Thousands of points: smooth lines would take longer to draw than the 3D picture.
@@ -33,7 +41,8 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   plot_->plotLayout()->addElement(0, 0, above);
   plot_->plotLayout()->setRowStretchFactor(0, 0.001);
   above->addElement(0, 0, plot_->legend);
-  above->addElement(0, 1, new QCPLayoutElement);
+  beside_legend_ = new QCPLayoutElement;
+  above->addElement(0, 1, beside_legend_);
   above->setColumnStretchFactor(0, 0.001);
   plot_->legend->setBorderPen(Qt::NoPen);
   plot_->legend->setIconSize(14, 8);
@@ -54,15 +63,18 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     if (event->buttons() & Qt::LeftButton) seekTo(event->pos().x());
   });
   connect(plot_, &QCustomPlot::mouseDoubleClick, this, &ErrorGraph::showAll);
+  plot_->installEventFilter(this);
   applyColours();
+  redraw();
   showAll();
 }
 
-void ErrorGraph::setDistances(Distances distances, double sample_rate_hz,
-                              std::vector<ErrorCurve> curves) {
-  const bool same_time = distances_ && distances && distances_->rows() == distances->rows() &&
+void ErrorGraph::setErrors(ErrorsPtr errors, double sample_rate_hz,
+                           std::vector<ErrorCurve> curves) {
+  const bool same_time = errors_ && errors &&
+                         errors_->distances.rows() == errors->distances.rows() &&
                          sample_rate_hz == sample_rate_hz_;
-  distances_ = std::move(distances);
+  errors_ = std::move(errors);
   sample_rate_hz_ = sample_rate_hz;
   curves_ = std::move(curves);
   redraw();
@@ -72,6 +84,36 @@ void ErrorGraph::setDistances(Distances distances, double sample_rate_hz,
 void ErrorGraph::setCurves(std::vector<ErrorCurve> curves) {
   curves_ = std::move(curves);
   redraw();
+}
+
+void ErrorGraph::setQuantity(ErrorQuantity quantity) {
+  if (quantity == quantity_) return;
+  quantity_ = quantity;
+  redraw();
+}
+
+void ErrorGraph::setSwitch(QAction* action) {
+  delete switch_;
+  switch_ = new SwitchButton(action, this);
+  beside_legend_->setMinimumSize(switch_->sizeHint());
+  placeSwitch();
+}
+
+/// In line with the legend.
+void ErrorGraph::placeSwitch() {
+  if (!switch_) return;
+  const QSize size = switch_->sizeHint();
+  switch_->setGeometry({{width() - size.width() - kSwitchMargin, kSwitchMargin}, size});
+}
+
+void ErrorGraph::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  placeSwitch();
+}
+
+const Eigen::MatrixXf& ErrorGraph::shown() const {
+  static const Eigen::MatrixXf kUnknown;
+  return errors_ ? errorsOver(*errors_, quantity_) : kUnknown;
 }
 
 void ErrorGraph::setFrame(int frame) {
@@ -88,12 +130,13 @@ void ErrorGraph::setFrame(int frame) {
 
 void ErrorGraph::redraw() {
   plot_->clearGraphs();
-  plot_->legend->setVisible(distances_ != nullptr);
+  plot_->legend->setVisible(errors_ != nullptr);
+  plot_->yAxis->setLabel(quantity_ == ErrorQuantity::Angle ? tr("Angle (°)") : tr("Error (cm)"));
   double highest = 0;
-  if (distances_ && distances_->size() > 0) {
+  if (shown().size() > 0) {
     addWorst();
     for (const ErrorCurve& curve : curves_) addCurve(curve);
-    highest = static_cast<double>(distances_->maxCoeff());
+    highest = static_cast<double>(shown().maxCoeff());
   }
   plot_->yAxis->setRange(0, highest > 0 ? 1.08 * highest : 1);
   plot_->replot(QCustomPlot::rpQueuedReplot);
@@ -106,30 +149,55 @@ void ErrorGraph::addWorst() {
   graph->setName(tr("worst of all joints"));
   graph->setPen(QPen(grey, 1));
   graph->setBrush(grey);
-  graph->data()->set(overTime(distances_->rowwise().maxCoeff().cast<double>(), sample_rate_hz_),
-                     true);
+  graph->data()->set(overTime(shown().rowwise().maxCoeff().cast<double>(), sample_rate_hz_), true);
 }
 
 void ErrorGraph::addCurve(const ErrorCurve& curve) {
   QCPGraph* graph = plot_->addGraph();
   graph->setName(curve.name);
   graph->setPen(QPen(curve.colour, 1));
-  graph->data()->set(overTime(distances_->col(curve.landmark).cast<double>(), sample_rate_hz_),
-                     true);
+  graph->data()->set(overTime(shown().col(curve.landmark).cast<double>(), sample_rate_hz_), true);
 }
 
 void ErrorGraph::showAll() {
-  const double seconds =
-      distances_ ? static_cast<double>(distances_->rows() - 1) / sample_rate_hz_ : 1;
+  const double seconds = errors_ ? static_cast<double>(shown().rows() - 1) / sample_rate_hz_ : 1;
   plot_->xAxis->setRange(0, std::max(seconds, 1 / sample_rate_hz_));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void ErrorGraph::seekTo(int x_pixel) {
-  if (!distances_) return;
+  if (shown().size() > 0) emit seekRequested(frameAt(x_pixel));
+}
+
+int ErrorGraph::frameAt(int x_pixel) const {
   const double frame = std::round(plot_->xAxis->pixelToCoord(x_pixel) * sample_rate_hz_);
-  const auto last = static_cast<double>(distances_->rows() - 1);
-  emit seekRequested(static_cast<int>(std::clamp(frame, 0.0, last)));
+  return static_cast<int>(std::clamp(frame, 0.0, static_cast<double>(shown().rows() - 1)));
+}
+
+/// Both errors of every curve, and the worst.
+QString ErrorGraph::readout(int frame) const {
+  QStringList lines = {tr("Frame %L1").arg(frame + 1)};
+  const auto add = [&lines](const QString& name, const QString& errors) {
+    lines << tr("%1: %2").arg(name, errors);
+  };
+  for (const ErrorCurve& curve : curves_)
+    add(curve.name, errorsText(*errors_, frame, curve.landmark));
+  const auto worst = [&](ErrorQuantity quantity) {
+    const auto error = static_cast<double>(errorsOver(*errors_, quantity).row(frame).maxCoeff());
+    return errorText(error, quantity);
+  };
+  add(tr("worst of all joints"),
+      worst(ErrorQuantity::Distance) + QStringLiteral(" · ") + worst(ErrorQuantity::Angle));
+  return lines.join(QLatin1Char('\n'));
+}
+
+bool ErrorGraph::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::ToolTip || shown().size() == 0)
+    return QWidget::eventFilter(watched, event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  if (!plot_->axisRect()->rect().contains(help->pos())) return false;  // the plot's own
+  QToolTip::showText(help->globalPos(), readout(frameAt(help->pos().x())), plot_);
+  return true;
 }
 
 void ErrorGraph::changeEvent(QEvent* event) {

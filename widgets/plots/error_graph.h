@@ -4,13 +4,17 @@
 #include <Eigen/Core>
 #include <QColor>
 #include <QWidget>
-#include <memory>
 #include <vector>
 
+#include "widgets/models/error_quantity.h"
+
 class QCPItemStraightLine;
+class QCPLayoutElement;
 class QCustomPlot;
 
 namespace mocapress {
+
+class SwitchButton;
 
 /// One landmark's error over time.
 struct ErrorCurve {
@@ -19,19 +23,23 @@ struct ErrorCurve {
   int landmark = 0;
 };
 
-/// Distance from the original (cm) over time (s): a curve for each chosen landmark over the shape
-/// of the worst of all, and a playhead. A click or drag seeks, the wheel zooms time, a double click
-/// shows all of it.
+/// Errors of one quantity over time (s): a curve for each chosen landmark over the shape of the
+/// worst of all, and a playhead. Pointed at, it tells the errors there of both quantities. A click
+/// or drag seeks, the wheel zooms time, a double click shows all of it.
 class ErrorGraph : public QWidget {
   Q_OBJECT
 
  public:
-  using Distances = std::shared_ptr<const Eigen::MatrixXf>;  // frames x landmarks, cm
-
   explicit ErrorGraph(QWidget* parent = nullptr);
 
-  /// Null: nothing to show. `curves` are of the landmarks of `distances`.
-  void setDistances(Distances distances, double sample_rate_hz, std::vector<ErrorCurve> curves);
+  /// Null: nothing to show. `curves` are of its landmarks.
+  void setErrors(ErrorsPtr errors, double sample_rate_hz, std::vector<ErrorCurve> curves);
+
+  void setQuantity(ErrorQuantity quantity);
+
+  /// What switches to the other quantity, in the corner.
+  void setSwitch(QAction* action);
+
   void setCurves(std::vector<ErrorCurve> curves);
   void setFrame(int frame);
 
@@ -40,6 +48,8 @@ class ErrorGraph : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void redraw();
@@ -47,12 +57,21 @@ class ErrorGraph : public QWidget {
   void addWorst();
   void showAll();
   void seekTo(int x_pixel);
+  int frameAt(int x_pixel) const;
+  QString readout(int frame) const;
+  void placeSwitch();
+
+  /// Frames x landmarks; empty: unknown.
+  const Eigen::MatrixXf& shown() const;
   void applyColours();
 
   QCustomPlot* plot_;
   QCPItemStraightLine* playhead_;
-  bool playhead_waits_ = false;  // to be drawn
-  Distances distances_;
+  bool playhead_waits_ = false;      // to be drawn
+  QCPLayoutElement* beside_legend_;  // where the switch is
+  SwitchButton* switch_ = nullptr;
+  ErrorsPtr errors_;
+  ErrorQuantity quantity_ = ErrorQuantity::Distance;
   double sample_rate_hz_ = 120;
   std::vector<ErrorCurve> curves_;
 };

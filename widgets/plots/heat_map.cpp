@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "widgets/models/length_text.h"
+#include "widgets/plots/switch_button.h"
 
 namespace mocapress {
 namespace {
@@ -28,11 +28,11 @@ std::array<QRgb, 256> ramp() {
 
 }  // namespace
 
-QImage heatImage(const Eigen::MatrixXf& distances, const ErrorScale& scale, int most_columns) {
-  if (distances.size() == 0) return {};
+QImage heatImage(const Eigen::MatrixXf& errors, const ErrorScale& scale, int most_columns) {
+  if (errors.size() == 0) return {};
   static const std::array<QRgb, 256> kRamp = ramp();
-  const auto frames = static_cast<int>(distances.rows());
-  const auto rows = static_cast<int>(distances.cols());
+  const auto frames = static_cast<int>(errors.rows());
+  const auto rows = static_cast<int>(errors.cols());
   const int columns = std::min(frames, most_columns);
   QImage image(columns, rows, QImage::Format_RGB32);
   for (int row = 0; row < rows; ++row) {
@@ -41,7 +41,7 @@ QImage heatImage(const Eigen::MatrixXf& distances, const ErrorScale& scale, int 
       const auto first = static_cast<Eigen::Index>(column) * frames / columns;
       const auto end = static_cast<Eigen::Index>(column + 1) * frames / columns;
       const auto worst = static_cast<double>(
-          distances.col(row).segment(first, std::max<Eigen::Index>(end - first, 1)).maxCoeff());
+          errors.col(row).segment(first, std::max<Eigen::Index>(end - first, 1)).maxCoeff());
       line[column] = kRamp[static_cast<std::size_t>(std::lround(255 * scale.share(worst)))];
     }
   }
@@ -56,9 +56,8 @@ HeatMap::HeatMap(QWidget* parent) : QWidget(parent) {
   setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-void HeatMap::setDistances(Distances distances, std::vector<QString> names,
-                           const ErrorScale& scale) {
-  distances_ = std::move(distances);
+void HeatMap::setErrors(ErrorsPtr errors, std::vector<QString> names, const ErrorScale& scale) {
+  errors_ = std::move(errors);
   names_ = std::move(names);
   scale_ = scale;
   image_ = QImage();  // made when it is seen
@@ -73,6 +72,28 @@ QFont HeatMap::boldFont() const {
   QFont bold = font();
   bold.setWeight(QFont::DemiBold);
   return bold;
+}
+
+void HeatMap::setSwitch(QAction* action) {
+  delete switch_;
+  switch_ = new SwitchButton(action, this);
+  placeSwitch();
+}
+
+/// Below the names, where the legend leaves room.
+void HeatMap::placeSwitch() {
+  if (!switch_) return;
+  const QSize size(switch_->sizeHint().width(), kLegendHeight - 2);
+  switch_->setGeometry({{kMargin, height() - size.height() - 1}, size});
+}
+
+void HeatMap::resizeEvent(QResizeEvent*) {
+  placeSwitch();
+}
+
+const Eigen::MatrixXf& HeatMap::shown() const {
+  static const Eigen::MatrixXf kUnknown;
+  return errors_ ? errorsOver(*errors_, scale_.quantity) : kUnknown;
 }
 
 void HeatMap::setFrame(int frame) {
@@ -98,8 +119,8 @@ QRectF HeatMap::rowOf(int landmark) const {
 
 std::optional<HeatMap::Cell> HeatMap::cellAt(const QPointF& position) const {
   const QRectF area = mapArea();
-  if (!distances_ || distances_->size() == 0) return {};
-  const auto frames = static_cast<int>(distances_->rows());
+  if (shown().size() == 0) return {};
+  const auto frames = static_cast<int>(shown().rows());
   const auto place = [](double share, int count) {
     return std::clamp(static_cast<int>(std::floor(share * count)), 0, count - 1);
   };
@@ -111,7 +132,7 @@ void HeatMap::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Base));
   const QRectF area = mapArea();
-  if (image_.isNull() && distances_) image_ = heatImage(*distances_, scale_, kMostColumns);
+  if (image_.isNull()) image_ = heatImage(shown(), scale_, kMostColumns);
   if (image_.isNull()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect(), Qt::AlignCenter, tr("Errors are measured against the original."));
@@ -129,8 +150,7 @@ void HeatMap::paintEvent(QPaintEvent*) {
   };
   for (int row = 0; row < rows(); row += step)
     if (current_ < 0 || std::abs(row - current_) >= step) name(row);
-  const double x =
-      area.left() + area.width() * (frame_ + 0.5) / std::max(1, int(distances_->rows()));
+  const double x = area.left() + area.width() * (frame_ + 0.5) / std::max(1, int(shown().rows()));
   painter.setPen(QPen(Qt::white, 1));
   painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
   if (current_ >= 0 && current_ < rows()) {
@@ -147,7 +167,7 @@ void HeatMap::paintEvent(QPaintEvent*) {
 void HeatMap::paintLegend(QPainter& painter) const {
   const QRectF area = mapArea();
   const QString none = QStringLiteral("0");
-  const QString top = QStringLiteral("≥ %1").arg(roundLengthText(scale_.top_cm));
+  const QString top = QStringLiteral("≥ %1").arg(roundErrorText(scale_.top, scale_.quantity));
   const double top_width = fontMetrics().horizontalAdvance(top) + 4;
   const double y = area.bottom() + kLegendHeight / 2.0 + 1;
   const double left = area.right() - top_width - kRampWidth - 6;
@@ -170,12 +190,11 @@ bool HeatMap::event(QEvent* event) {
     QToolTip::hideText();
     return true;
   }
-  const auto cm = static_cast<double>((*distances_)(cell->frame, cell->landmark));
   QToolTip::showText(help->globalPos(),
                      tr("%1, frame %L2: %3")
                          .arg(names_[static_cast<std::size_t>(cell->landmark)])
                          .arg(cell->frame + 1)
-                         .arg(lengthText(cm)),
+                         .arg(errorsText(*errors_, cell->frame, cell->landmark)),
                      this);
   return true;
 }

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <QImage>
 #include <QWidget>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,18 +11,22 @@
 
 namespace mocapress {
 
-/// Every landmark's error at every frame at a glance: a row a landmark, time to the right, coloured
-/// as in the 3D view. A click seeks and chooses the joint.
+class SwitchButton;
+
+/// Every landmark's error at every frame at a glance, a distance or an angle: a row a landmark,
+/// time to the right, coloured by a scale of either. A click seeks and chooses the joint.
 class HeatMap : public QWidget {
   Q_OBJECT
 
  public:
-  using Distances = std::shared_ptr<const Eigen::MatrixXf>;  // frames x landmarks, cm
-
   explicit HeatMap(QWidget* parent = nullptr);
 
-  /// `names` of all landmarks; null distances: unknown.
-  void setDistances(Distances distances, std::vector<QString> names, const ErrorScale& scale);
+  /// `names` of all landmarks. The scale says which errors are shown.
+  void setErrors(ErrorsPtr errors, std::vector<QString> names, const ErrorScale& scale);
+
+  /// What switches to the other quantity, in the corner.
+  void setSwitch(QAction* action);
+
   void setFrame(int frame);
 
   /// The row that is marked; -1: none.
@@ -38,6 +41,7 @@ class HeatMap : public QWidget {
  protected:
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
@@ -54,11 +58,16 @@ class HeatMap : public QWidget {
   std::optional<Cell> cellAt(const QPointF& position) const;
   void choose(const QPointF& position);
   void paintLegend(QPainter& painter) const;
-  int rows() const { return distances_ ? static_cast<int>(distances_->cols()) : 0; }
+  void placeSwitch();
 
-  Distances distances_;
+  /// Frames x landmarks; empty: unknown.
+  const Eigen::MatrixXf& shown() const;
+  int rows() const { return static_cast<int>(shown().cols()); }
+
+  ErrorsPtr errors_;
   std::vector<QString> names_;
   ErrorScale scale_;
+  SwitchButton* switch_ = nullptr;
   QImage image_;  // one pixel a landmark and a stretch of frames
   int frame_ = 0;
   int current_ = -1;
@@ -66,6 +75,6 @@ class HeatMap : public QWidget {
 };
 
 /// The picture of a heat map: the worst of the frames that share a column counts.
-QImage heatImage(const Eigen::MatrixXf& distances, const ErrorScale& scale, int most_columns);
+QImage heatImage(const Eigen::MatrixXf& errors, const ErrorScale& scale, int most_columns);
 
 }  // namespace mocapress

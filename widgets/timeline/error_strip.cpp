@@ -78,8 +78,9 @@ void ErrorStrip::setLabelWidth(int pixels) {
 /// Whatever the scale: the strip does not move when another is chosen.
 int ErrorStrip::labelWidth() const {
   int widest = 0;
-  for (const double cm : kErrorScales)
-    widest = std::max(widest, fontMetrics().horizontalAdvance(roundLengthText(cm)));
+  for (const double top : errorScales(scale_.quantity))
+    widest =
+        std::max(widest, fontMetrics().horizontalAdvance(roundErrorText(top, scale_.quantity)));
   return fontMetrics().horizontalAdvance(tr("Error") + QStringLiteral("  ")) + widest + kRampGap +
          kRampWidth;
 }
@@ -136,7 +137,8 @@ void ErrorStrip::paintScale(QPainter& painter) const {
   const QRectF numbers(kStripMargin, area.top() - line / 4,
                        right - kRampWidth - kRampGap - kStripMargin,
                        area.height() + line / 4 + kBelow);
-  painter.drawText(numbers, Qt::AlignRight | Qt::AlignTop, roundLengthText(scale_.top_cm));
+  painter.drawText(numbers, Qt::AlignRight | Qt::AlignTop,
+                   roundErrorText(scale_.top, scale_.quantity));
   painter.drawText(numbers, Qt::AlignRight | Qt::AlignBottom, QStringLiteral("0"));
 }
 

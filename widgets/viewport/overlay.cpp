@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "widgets/models/length_text.h"
-
 namespace mocapress {
 namespace {
 
@@ -146,7 +144,7 @@ void Overlay::showLegend(const OverlayContent& content) {
       const double share = static_cast<double>(tick) / kTicks;
       const double x = ramp.left() + share * ramp.width();
       painter.drawLine(QPointF(x, ramp.bottom()), QPointF(x, ramp.bottom() + 4));
-      const QString length = roundLengthText(share * scale.top_cm);
+      const QString length = roundErrorText(share * scale.top, scale.quantity);
       const QString text = tick == 0       ? QStringLiteral("0")
                            : tick < kTicks ? length
                                            : QStringLiteral("≥ %1").arg(length);
