@@ -194,7 +194,7 @@ void add_batch(CLI::App& app) {
   command->add_option("--shard", call->shard, "Only the i-th of n parts")
       ->type_name("i/n")
       ->check(parsed_by(&parse_shard));
-  command->add_flag("--resume", call->resume, "Go on where DIR's batch was; redo what failed");
+  command->add_flag("--resume", call->resume, "Continue DIR's batch; redo what failed or changed");
   command->add_flag("--overwrite", call->overwrite, "Replace files that are there");
   command->add_flag("--keep-going,!--stop-at-failure", call->keep_going,
                     "Whether other clips go on when one fails (they do)");

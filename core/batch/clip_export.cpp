@@ -93,6 +93,8 @@ class Export {
     row_.review = item_.review;
     row_.preset = preset_;
     row_.formats = batch.formats;
+    row_.reading = batch.reading;
+    row_.writing = batch.writing;
   }
 
   std::optional<BatchRow> run() {
@@ -308,7 +310,8 @@ std::string_view name(ClipProgress::Stage stage) {
 bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
                 const fs::path& folder) {
   if (!row.done() || !item.problem.empty() || row.input != item.input ||
-      row.preset != batch.presets[item.preset] || row.formats != batch.formats)
+      row.preset != batch.presets[item.preset] || row.formats != batch.formats ||
+      row.reading != batch.reading || row.writing != batch.writing)
     return false;
   try {
     for (const WrittenFile& file : row.files) {

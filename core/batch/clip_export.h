@@ -26,7 +26,8 @@ struct ExportRights {
   const BatchRow* earlier = nullptr;  // what was written before may be replaced while unchanged
 };
 
-/// Whether nothing has changed since a row was done: clip, settings, and the files it wrote.
+/// Whether nothing has changed since a row was done: clip, settings, how files are read
+/// and written, and the files it wrote.
 bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
                 const std::filesystem::path& folder);
 

@@ -30,6 +30,8 @@ struct BatchRow {
   ClipReview review = {};
   Preset preset;
   std::vector<OutputFormat> formats;
+  ReadOptions reading;
+  WriteOptions writing;
   InputStamp stamp;
   int joints = 0;
   std::optional<Measurement> measured;  // of the file as read back

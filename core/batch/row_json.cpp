@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/batch/format_options_json.h"
 #include "core/batch/preset_json.h"
 #include "core/batch/row.h"
 #include "core/study/body_json.h"
@@ -170,6 +171,8 @@ BatchRow row_from(const Json& json) {
   for (const Json& format : json.at("formats"))
     if (const auto known = output_format(format.get_ref<const std::string&>()))
       row.formats.push_back(*known);
+  row.reading = format_options(json.at("reading"));
+  row.writing = format_options(json.at("writing"));
   json.at("stamp").at("bytes").get_to(row.stamp.bytes);
   json.at("stamp").at("newest_ns").get_to(row.stamp.newest_ns);
   json.at("stamp").at("hash").get_to(row.stamp.hash);
@@ -223,6 +226,8 @@ std::string to_journal_line(const BatchRow& row) {
   json["settings"] = to_json(row.preset);
   json["formats"] = Json::array();
   for (const OutputFormat format : row.formats) json["formats"].push_back(name(format));
+  put(json["reading"] = Json::object(), row.reading);
+  put(json["writing"] = Json::object(), row.writing);
   json["stamp"] = {
       {"bytes", row.stamp.bytes}, {"newest_ns", row.stamp.newest_ns}, {"hash", row.stamp.hash}};
   json["written"] = Json::array();

@@ -22,6 +22,8 @@ class JournalTest : public test::BatchTest {
     row.output = batch.items[index].output;
     row.preset = batch.presets[0];
     row.formats = {OutputFormat::Mcpr, OutputFormat::Csv};
+    row.reading = {.sample_rate_hz = 59.94, .bvh_root = TranslationConvention::Adds};
+    row.writing = {.cm_per_unit = 2.54, .up = UpAxis::Z};
     row.stamp = {123, 456, "abc"};
     row.joints = 8;
     row.measured = Measurement{.frames = 7,

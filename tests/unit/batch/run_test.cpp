@@ -151,6 +151,29 @@ TEST_F(BatchRun, ResumedRedoesWhatChangedAndKeepsTheRest) {
   for (const BatchRow& row : rows()) EXPECT_LE(row.measured->eps_bone_ends_cm, 1) << row.error;
 }
 
+TEST_F(BatchRun, ResumedRedoesEveryClipWhenFilesAreReadOrWrittenOtherwise) {
+  Batch asked = batch();
+  asked.formats.push_back(OutputFormat::Bvh);
+  run(asked);
+  const auto redone = [&] {
+    const BatchOutcome resumed = run(asked, {.resumed = true});
+    EXPECT_EQ(resumed.counts.failed, 0u);
+    EXPECT_EQ(run(asked, {.resumed = true}).counts.kept, 3u);  // the journal knows the new ones
+    return resumed.counts.kept == 0;
+  };
+  asked.reading.sample_rate_hz = 60;
+  EXPECT_TRUE(redone());
+  for (const BatchRow& row : rows()) EXPECT_EQ(row.measured->sample_rate_hz, 60);
+  asked.reading.cm_per_unit = 2.54;
+  EXPECT_TRUE(redone());
+  asked.reading.up = UpAxis::Z;
+  EXPECT_TRUE(redone());
+  asked.reading.bvh_root = TranslationConvention::Adds;
+  EXPECT_TRUE(redone());
+  asked.writing.cm_per_unit = 100;
+  EXPECT_TRUE(redone());
+}
+
 TEST_F(BatchRun, ShardsMergedAreAsOneRun) {
   run(batch());
   const auto whole = contents(out());
