@@ -29,13 +29,12 @@ std::string described(const BatchRow& row) {
          fixed_text(row.measured->eps_cm(row.preset.weighting), 3) + " cm";
 }
 
-Json counts_json(const BatchCounts& counts, double elapsed) {
-  const auto left = counts.seconds_left(elapsed);
+Json counts_json(const BatchCounts& counts, const std::optional<double>& seconds_left) {
   return {{"done", counts.done},
           {"kept", counts.kept},
           {"failed", counts.failed},
           {"clips", counts.clips},
-          {"seconds_left", left ? Json(*left) : Json()}};
+          {"seconds_left", seconds_left ? Json(*seconds_left) : Json()}};
 }
 
 }  // namespace
@@ -54,6 +53,7 @@ void BatchReporter::begin(const std::filesystem::path& folder, const Shard& shar
 
 void BatchReporter::tell(const BatchProgress& progress) {
   const bool ended = progress.row != nullptr;
+  time_left_.update(progress.counts, line_.elapsed_seconds());
   if (json_) {
     ended ? print_row(progress) : print_step(progress);
     return;
@@ -73,7 +73,7 @@ void BatchReporter::tell(const BatchProgress& progress) {
   }
   if (!line_.due()) return;
   const double now = line_.elapsed_seconds();
-  const auto left = progress.counts.seconds_left(now);
+  const auto& left = time_left_.seconds();
   line_.show(std::to_string(progress.counts.done) + " of " + std::to_string(progress.counts.clips) +
              ", " + clock_text(now) + (left ? ", about " + clock_text(*left) + " left" : "") +
              "   " + last_);
@@ -99,7 +99,7 @@ void BatchReporter::print_row(const BatchProgress& progress) {
                          : progress.kept ? "clip-kept"
                                          : "clip-done"},
                {"index", row.index},
-               {"batch", counts_json(progress.counts, line_.elapsed_seconds())}};
+               {"batch", counts_json(progress.counts, time_left_.seconds())}};
   json.update(Json::parse(to_report_line(row)));
   json["encode_seconds"] = row.measured ? Json(row.measured->encode_seconds) : Json();
   print_line(json);
@@ -111,7 +111,7 @@ void BatchReporter::end(const BatchOutcome& outcome, const std::filesystem::path
   print_warnings(outcome.warnings);
   if (json_) {
     print_line({{"event", outcome.complete ? "end" : "stopped"},
-                {"batch", counts_json(counts, line_.elapsed_seconds())},
+                {"batch", counts_json(counts, time_left_.seconds())},
                 {"report", outcome.complete ? Json(report.string()) : Json()}});
     return;
   }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/progress_line.h"
-#include "core/batch/run.h"
+#include "core/batch/time_left.h"
 
 namespace mocapress::cli {
 
@@ -22,6 +22,7 @@ class BatchReporter {
   const Batch& batch_;
   bool json_;
   ProgressLine line_;
+  TimeLeft time_left_;
   std::string last_;                // that ended
   std::size_t warned_ = 0;          // clips whose reader repaired or guessed something
   double next_step_ = 0;            // s, when steps within clips are told again

@@ -237,6 +237,7 @@ void BatchSession::start() {
   running_rows_ = includedRows();
   counts_ = {};
   counts_.clips = running_rows_.size();
+  time_left_ = {};
   worked_seconds_ = 0;
   clock_.start();
   setState(State::Running);
@@ -272,6 +273,8 @@ void BatchSession::cancel() {
 
 void BatchSession::advance(const BatchCounts& counts, const std::vector<BatchStep>& steps) {
   counts_ = counts;
+  const double now = state_ == State::Paused ? 0 : static_cast<double>(clock_.elapsed()) / 1000;
+  time_left_.update(counts, worked_seconds_ + now);
   for (const BatchStep& step : steps) {
     const int row = running_rows_[step.index];
     if (step.ended)
@@ -300,19 +303,8 @@ void BatchSession::setState(State state, const QString& failure) {
 double BatchSession::fraction() const {
   if (state_ == State::Complete) return 1;
   if (counts_.bytes == 0) return 0;
-  double done = static_cast<double>(counts_.bytes_done);
-  // What is being worked on counts by its share of clips: their lengths are the batch's business.
-  double working = 0;
-  for (const QueuedClip& clip : queue_.clips())
-    if (clip.state == QueuedClip::State::Working) working += clip.progress.fraction;
-  const auto left = static_cast<double>(counts_.clips - counts_.done);
-  if (left > 0) done += working / left * static_cast<double>(counts_.bytes - counts_.bytes_done);
-  return done / static_cast<double>(counts_.bytes);
-}
-
-std::optional<double> BatchSession::secondsLeft() const {
-  const double now = state_ == State::Paused ? 0 : static_cast<double>(clock_.elapsed()) / 1000;
-  return counts_.seconds_left(worked_seconds_ + now);
+  return (static_cast<double>(counts_.bytes_done) + counts_.bytes_under_way) /
+         static_cast<double>(counts_.bytes);
 }
 
 QString BatchSession::report() const {

@@ -12,6 +12,7 @@
 #include "app/jobs/batch_runner.h"
 #include "app/jobs/job_runner.h"
 #include "app/studio/document.h"
+#include "core/batch/time_left.h"
 #include "widgets/models/batch_queue_model.h"
 #include "widgets/models/batch_settings.h"
 
@@ -90,7 +91,7 @@ class BatchSession : public QObject {
 
   /// 0 to 1, by the length of the clips.
   double fraction() const;
-  std::optional<double> secondsLeft() const;
+  const std::optional<double>& secondsLeft() const { return time_left_.seconds(); }
 
   /// Of the last run that ended with nothing waiting; empty: none is there.
   QString report() const;
@@ -131,6 +132,7 @@ class BatchSession : public QObject {
   State state_ = State::Idle;
   QString failure_;
   BatchCounts counts_;
+  TimeLeft time_left_;
   QElapsedTimer clock_;
   double worked_seconds_ = 0;  // before the last pause
   QTimer remember_later_;

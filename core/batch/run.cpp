@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <map>
 #include <mutex>
 
 #include "core/base/parallel.h"
@@ -88,12 +89,12 @@ class Run {
     const auto row =
         export_clip(batch_, clip.index, folder_, rights, [&](const ClipProgress& progress) {
           if (!control_.may_continue()) return false;
-          BatchProgress step;
-          step.index = clip.index;
-          step.clip = progress;
-          return tell(step);
+          return tell(clip, progress);
         });
-    if (row) finish(clip, *row, false, true);
+    if (row)
+      finish(clip, *row, false, true);
+    else
+      drop(clip);
   }
 
   std::optional<BatchRow> find(std::size_t index) {
@@ -110,6 +111,7 @@ class Run {
       control_.cancel();
       return;
     }
+    set_under_way(clip, 0);
     ++counts_.done;
     counts_.kept += kept;
     counts_.failed += !row.done();
@@ -123,9 +125,26 @@ class Run {
     observe(step);
   }
 
-  bool tell(BatchProgress& step) {
+  bool tell(const Waiting& clip, const ClipProgress& progress) {
     const std::lock_guard lock(mutex_);
+    set_under_way(clip, progress.fraction);
+    BatchProgress step;
+    step.index = clip.index;
+    step.clip = progress;
     return observe(step);
+  }
+
+  /// It is waiting again.
+  void drop(const Waiting& clip) {
+    const std::lock_guard lock(mutex_);
+    set_under_way(clip, 0);
+  }
+
+  void set_under_way(const Waiting& clip, double fraction) {
+    under_way_[clip.index] = fraction * static_cast<double>(clip.bytes);
+    if (fraction == 0) under_way_.erase(clip.index);
+    counts_.bytes_under_way = 0;
+    for (const auto& [index, bytes] : under_way_) counts_.bytes_under_way += bytes;
   }
 
   bool observe(BatchProgress& step) {
@@ -145,17 +164,11 @@ class Run {
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  // of what follows, the journal, and the calls out
   BatchCounts counts_;
+  std::map<std::size_t, double> under_way_;  // bytes, by the index of the clip
   std::exception_ptr failure_;
 };
 
 }  // namespace
-
-std::optional<double> BatchCounts::seconds_left(double elapsed_seconds) const {
-  const std::uint64_t worked = bytes_done - bytes_kept;
-  if (done == clips) return 0;
-  if (worked == 0 || elapsed_seconds <= 0) return std::nullopt;
-  return elapsed_seconds * static_cast<double>(bytes - bytes_done) / static_cast<double>(worked);
-}
 
 BatchOutcome run_batch(const Batch& batch, const fs::path& folder, Journal& journal,
                        const BatchRunOptions& options, BatchControl& control,

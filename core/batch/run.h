@@ -21,9 +21,7 @@ struct BatchCounts {
   std::uint64_t bytes = 0;  // of the clips' files, which time goes by
   std::uint64_t bytes_done = 0;
   std::uint64_t bytes_kept = 0;
-
-  /// Unset while too little is done to tell.
-  std::optional<double> seconds_left(double elapsed_seconds) const;
+  double bytes_under_way = 0;  // of clips that are being worked on, as far as they are
 };
 
 /// One step of one clip.

@@ -231,16 +231,25 @@ TEST_F(BatchRun, PausedDoesNothingUntilItMayGoOn) {
 TEST_F(BatchRun, TellsOneAtATimeAndCountsToTheEnd) {
   std::atomic<int> inside = 0;
   std::size_t ended = 0;
-  run(batch(), {.jobs = 2}, [&](const BatchProgress& progress) {
+  double far = 0;  // bytes
+  int begun = 0;
+  const BatchOutcome outcome = run(batch(), {.jobs = 2}, [&](const BatchProgress& progress) {
     EXPECT_EQ(++inside, 1);
     ended += progress.row != nullptr;
     EXPECT_EQ(progress.counts.done, ended);
     EXPECT_EQ(progress.counts.clips, 3u);
     EXPECT_GE(progress.clip.fraction, 0);
     EXPECT_LE(progress.clip.fraction, 1);
+    const BatchCounts& counts = progress.counts;
+    EXPECT_GE(static_cast<double>(counts.bytes_done) + counts.bytes_under_way, far);
+    far = static_cast<double>(counts.bytes_done) + counts.bytes_under_way;
+    EXPECT_LE(far, static_cast<double>(counts.bytes));
+    begun += counts.bytes_under_way > 0;
     --inside;
     return true;
   });
+  EXPECT_GT(begun, 3);  // clips count while they are being worked on
+  EXPECT_EQ(outcome.counts.bytes_under_way, 0);
   EXPECT_EQ(ended, 3u);
 }
 
