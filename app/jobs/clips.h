@@ -27,6 +27,7 @@ struct OriginalClip {
   QString skeleton;     // chosen by hand; empty: found beside the clip
   ReadOptions reading;  // by which it was read
   SourceFormat source;
+  bool states_rate = true;  // the file does
   Warnings warnings;
   std::shared_ptr<const Encoder> encoder;
 

@@ -39,6 +39,7 @@ OriginalPtr readOriginal(const OpenRequest& request) {
   original.skeleton = request.skeleton;
   original.reading = reading;
   original.source = file.source;
+  original.states_rate = file.states_rate;
   original.warnings = std::move(file.warnings);
   original.encoder = std::make_shared<const Encoder>(std::move(file.motion));
   // Here, off the GUI thread, and not where they are first shown.

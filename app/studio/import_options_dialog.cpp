@@ -11,6 +11,8 @@
 #include <QPushButton>
 #include <cmath>
 
+#include "core/formats/amc.h"
+
 namespace mocapress {
 namespace {
 
@@ -82,7 +84,8 @@ ImportOptionsDialog::ImportOptionsDialog(const OriginalClip& clip, QWidget* pare
   root_->addItem(tr("Guessed by the root's values"));
   root_->addItem(tr("Adds to its OFFSET"), static_cast<int>(TranslationConvention::Adds));
   root_->addItem(tr("Replaces its OFFSET"), static_cast<int>(TranslationConvention::Replaces));
-  rate_->addItem(tr("As the file says"));
+  rate_->addItem(clip.states_rate ? tr("As the file says")
+                                  : tr("%L1 Hz, CMU's: the file does not say").arg(kUsualAmcRate));
   for (const double hz : {24.0, 25.0, 30.0, 60.0, 100.0, 120.0})
     rate_->addItem(tr("%L1 Hz").arg(hz), hz);
   rate_->addItem(tr("Other"));

@@ -10,6 +10,8 @@
 
 namespace mocapress {
 
+inline constexpr double kUsualAmcRate = 120;  // Hz, CMU's, for their files state none
+
 /// Reads the text of an .amc; `file` names it in messages. Bones the first frame leaves out have no
 /// channels. Throws InputError.
 ///

@@ -16,7 +16,6 @@
 namespace mocapress {
 namespace {
 
-constexpr double kUsualRate = 120;  // Hz, at CMU
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 /// Where a joint's values stand in a row. The first frame decides.
@@ -55,6 +54,7 @@ class AmcReader {
   AsfSkeleton skeleton_;
   double sample_rate_hz_;
   bool rate_is_given_;
+  bool rate_is_stated_ = false;
   UpAxis up_;
   double radians_per_unit_;
   bool forced_3dof_ = false;
@@ -80,7 +80,7 @@ AmcReader::AmcReader(const std::string& file, std::string_view text, const AsfSk
                      const ReadOptions& options)
     : cursor_(file, text, "", '#'),
       skeleton_(skeleton),
-      sample_rate_hz_(options.sample_rate_hz.value_or(kUsualRate)),
+      sample_rate_hz_(options.sample_rate_hz.value_or(kUsualAmcRate)),
       rate_is_given_(options.sample_rate_hz.has_value()),
       up_(options.up.value_or(UpAxis::Y)),
       radians_per_unit_(skeleton.radians_per_unit),
@@ -102,7 +102,8 @@ MotionFile AmcReader::read() {
   warn_of_counts();
   return {with_up_axis(motion, up_, UpAxis::Y),
           std::move(warnings_),
-          {.kind = SourceFormat::Kind::Acclaim, .cm_per_unit = skeleton_.cm_per_unit, .up = up_}};
+          {.kind = SourceFormat::Kind::Acclaim, .cm_per_unit = skeleton_.cm_per_unit, .up = up_},
+          rate_is_stated_};
 }
 
 void AmcReader::read_header() {
@@ -119,6 +120,7 @@ void AmcReader::read_header() {
       const double rate = cursor_.take_measure("samples per second");
       if (rate < 1) cursor_.fail(at, "expected one sample per second or more, found " + quoted(at));
       if (!rate_is_given_) sample_rate_hz_ = rate;
+      rate_is_stated_ = true;
     }
     cursor_.skip_line(key.line);
   }

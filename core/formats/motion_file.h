@@ -13,7 +13,7 @@ namespace mocapress {
 /// What a file does not say, or says wrongly. Unset values are as it says or else guessed, and the
 /// guess is a warning.
 struct ReadOptions {
-  std::optional<double> sample_rate_hz;  // AMC states none: 120 Hz, the CMU rate, unless given
+  std::optional<double> sample_rate_hz;  // an AMC may state none: kUsualAmcRate unless given
   std::optional<double> cm_per_unit;     // BVH states none: guessed from the height of the skeleton
   std::optional<UpAxis> up;              // neither states it: Y unless given
   std::optional<TranslationConvention> bvh_root;  // BVH states none: guessed from its values
@@ -30,6 +30,7 @@ struct MotionFile {
   Motion motion;  // cm, Y up, radians (unwrapped), seconds
   Warnings warnings;
   SourceFormat source;
+  bool states_rate = true;  // false: the clip has the usual one of its format, or the one given
 };
 
 /// The .asf beside an .amc, of the same name or of the part before '_' (09_01.amc: 09_01.asf,

@@ -60,6 +60,21 @@ TEST(ImportOptions, SayWhatTheClipWasReadAs) {
   EXPECT_TRUE(texts.contains(QStringLiteral("replaces"))) << qPrintable(texts);
 }
 
+TEST(ImportOptions, NameTheUsualRateOfAFileThatSaysNoneForWhatItIs) {
+  OriginalClip clip = clipOf(SourceFormat::Kind::Acclaim);
+  const auto rates = [&clip] {
+    QStringList first;
+    const ImportOptionsDialog dialog(clip);
+    for (const QComboBox* chooser : dialog.findChildren<QComboBox*>())
+      first << chooser->itemText(0);
+    return first;
+  };
+  EXPECT_TRUE(rates().contains(QStringLiteral("As the file says")));
+  clip.states_rate = false;
+  EXPECT_FALSE(rates().contains(QStringLiteral("As the file says")));
+  EXPECT_TRUE(rates().contains(QStringLiteral("120 Hz, CMU's: the file does not say")));
+}
+
 TEST(ImportOptions, AskOfTheRootOfABvhAlone) {
   for (const auto kind : {SourceFormat::Kind::Bvh, SourceFormat::Kind::Acclaim}) {
     const ImportOptionsDialog dialog(clipOf(kind));

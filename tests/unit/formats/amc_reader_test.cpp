@@ -43,7 +43,7 @@ std::vector<std::string> channel_names(const Skeleton& skeleton) {
 }
 
 TEST(Amc, ReadsASmallFileWithItsBonesInAnyOrder) {
-  const auto [motion, warnings, source] = read(kSmallAmc);
+  const auto [motion, warnings, source, states_rate] = read(kSmallAmc);
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(channel_names(motion.skeleton),
             (std::vector<std::string>{"root.tx", "root.ty", "root.tz", "root.rz", "root.ry",
@@ -83,9 +83,11 @@ TEST(Amc, TurnsTheRootAboutXThenYThenZ) {
 
 TEST(Amc, ReadsRadiansAndARate) {
   const std::string header = ":RADIANS\n:SAMPLES-PER-SECOND 60\n:UNHEARD-OF\n";
-  const Motion motion = read(header + "1\nroot 0 0 0 0 0 0\nthigh 0 0 0\nshin 0.5\n").motion;
-  EXPECT_EQ(motion.clip.channels(0, 9), 0.5);
-  EXPECT_EQ(motion.clip.sample_rate_hz, 60);
+  const MotionFile file = read(header + "1\nroot 0 0 0 0 0 0\nthigh 0 0 0\nshin 0.5\n");
+  EXPECT_EQ(file.motion.clip.channels(0, 9), 0.5);
+  EXPECT_EQ(file.motion.clip.sample_rate_hz, 60);
+  EXPECT_TRUE(file.states_rate);
+  EXPECT_FALSE(read(kSmallAmc).states_rate);
   const AsfSkeleton skeleton = read_asf("f.asf", kSmallAsf);
   EXPECT_EQ(read_amc("f", kSmallAmc, skeleton, {.sample_rate_hz = 30.0, .cm_per_unit = {}})
                 .motion.clip.sample_rate_hz,
@@ -101,7 +103,7 @@ TEST(Amc, UnwrapsAngles) {
 TEST(Amc, DropsALastFrameCutAnywhere) {
   const std::size_t third = kSmallAmc.find("3\nshin");
   for (std::size_t size = third + 1; size < kSmallAmc.size() - 3; ++size) {
-    const auto [motion, warnings, source] = read(kSmallAmc.substr(0, size));
+    const auto [motion, warnings, source, states_rate] = read(kSmallAmc.substr(0, size));
     EXPECT_EQ(motion.clip.frames(), 2) << kSmallAmc.substr(third, size - third);
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_EQ(warnings[0].text(),
