@@ -8,6 +8,7 @@
 #include "app/jobs/clip_saving.h"
 #include "app/jobs/settings_key.h"
 #include "app/studio/clip_preset.h"
+#include "app/studio/edit_step.h"
 #include "app/studio/settings_change.h"
 #include "app/studio/study_row_request.h"
 #include "core/base/error.h"
@@ -92,14 +93,32 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
 void Session::readAgain(const ReadOptions& reading) {
   const OriginalPtr& original = document_.original();
   if (!original || original->reading == reading) return;
-  start({.path = original->path, .skeleton = original->skeleton, .reading = reading});
+  // A step only once it is read: it may turn out that the file is gone.
+  readBy(reading, [this, reading, before = original->reading] {
+    history()->push(new EditStep(
+        tr("Import Options"), [this, reading] { readBy(reading); },
+        [this, before] { readBy(before); }));
+  });
 }
 
-void Session::start(OpenRequest request) {
+void Session::readBy(const ReadOptions& reading, std::function<void()> then) {
+  const OriginalPtr& original = document_.original();
+  if (!original || (original->reading == reading && !opening_.busy())) return;
+  start({.path = original->path,
+         .skeleton = original->skeleton,
+         .original = original,
+         .reading = reading},
+        std::move(then));
+}
+
+void Session::start(OpenRequest request, std::function<void()> then) {
   if (!request.reading && reading_memory_) request.reading = reading_memory_(request.path);
   emit opening(request.path);
   opening_.start([request](const Job& job) { return openClip(request, job); },
-                 [this, request](const OpenedClip& opened) { show(opened, request); },
+                 [this, request, then = std::move(then)](const OpenedClip& opened) {
+                   show(opened, request);
+                   if (then) then();
+                 },
                  [this, request](const QString& message) { emit openFailed(request, message); });
 }
 

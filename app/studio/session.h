@@ -39,7 +39,7 @@ class Session : public QObject {
   /// Whether this is the motion that is open.
   bool isOpen(const QString& path) const;
 
-  /// Reads the motion that is open again, by other options. Its settings stand.
+  /// Reads the motion that is open again, by other options. Its settings stand. Can be undone.
   void readAgain(const ReadOptions& reading);
 
   /// Opens the original of the .mcpr shown, and refuses another.
@@ -132,7 +132,10 @@ class Session : public QObject {
     int joints = 0;
   };
 
-  void start(OpenRequest request);
+  void readBy(const ReadOptions& reading, std::function<void()> then = {});
+
+  /// `then`: once it is open.
+  void start(OpenRequest request, std::function<void()> then = {});
   void change(const ClipSettings& settings);
   void changeTuning(const Tuning& tuning);
   void changeTuning(const Tuning& tuning, const ClipSettings& now);

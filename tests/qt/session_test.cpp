@@ -174,6 +174,46 @@ TEST_F(Studio, ReadsAClipAgainByOtherOptionsAndExportsItAsItsSourceWas) {
       20);
 }
 
+TEST_F(Studio, ReadingAClipByOtherOptionsIsUndoneAmongItsOtherSteps) {
+  openAndSettle(writeClip("motion.bvh", 60));
+  const auto settleAfter = [this](auto act) {
+    QSignalSpy settled(&session_, &Session::settled);
+    act();
+    ASSERT_TRUE(waitFor(settled));
+  };
+  settleAfter([&] { session_.setOptions(ratio(12)); });
+  settleAfter([&] { session_.readAgain({.sample_rate_hz = 48.0}); });
+  EXPECT_EQ(document_.sampleRate(), 48);
+  settleAfter([&] { session_.setOptions(ratio(14)); });
+
+  settleAfter([&] { session_.history()->undo(); });
+  EXPECT_EQ(document_.options().target.value, 12);
+  EXPECT_EQ(session_.history()->undoText(), QStringLiteral("Import Options"));
+  settleAfter([&] { session_.history()->undo(); });
+  EXPECT_EQ(document_.sampleRate(), 120);
+  EXPECT_EQ(document_.options().target.value, 12);
+  settleAfter([&] { session_.history()->redo(); });
+  EXPECT_EQ(document_.sampleRate(), 48);
+  settleAfter([&] {
+    session_.history()->undo();
+    session_.history()->redo();  // before the file is read
+  });
+  EXPECT_EQ(document_.sampleRate(), 48);
+  settleAfter([&] { session_.history()->redo(); });
+  EXPECT_EQ(document_.options().target.value, 14);
+}
+
+TEST_F(Studio, ReadingAClipInVainIsNoStep) {
+  const QString clip = writeClip("motion.bvh", 60);
+  openAndSettle(clip);
+  const int steps = session_.history()->count();
+  ASSERT_TRUE(QFile::remove(clip));
+  QSignalSpy failed(&session_, &Session::openFailed);
+  session_.readAgain({.sample_rate_hz = 48.0});
+  ASSERT_TRUE(waitFor(failed));
+  EXPECT_EQ(session_.history()->count(), steps);
+}
+
 TEST_F(Studio, OpensEachClipAsItWasReadBefore) {
   const QString told = writeClip("told.bvh", 60);
   session_.setReadingMemory([&](const QString& path) {
