@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QCheckBox>
 #include <QCloseEvent>
 #include <QCoreApplication>
@@ -26,6 +27,7 @@
 #include "app/studio/pinned_results.h"
 #include "app/studio/recent_files.h"
 #include "app/studio/sample_clip.h"
+#include "app/studio/shortcuts_first.h"
 #include "app/studio/study_memory.h"
 #include "app/studio/study_window.h"
 #include "app/studio/trace.h"
@@ -72,6 +74,7 @@ QFrame* makeRule(QWidget* parent) {
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowIcon(QIcon(QStringLiteral(":/icons/app.svg")));
   setAcceptDrops(true);
+  qApp->installEventFilter(new ShortcutsFirst(this));
   resize(kFirstSize);
   actions_ = makeActions(playback_, session_->histories(), this);
   actions_.error_scales = error_display_->scales(ErrorQuantity::Distance);

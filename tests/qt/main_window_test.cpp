@@ -12,10 +12,13 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QProcess>
 #include <QProcessEnvironment>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -25,6 +28,7 @@
 #include "tests/support/test_motion.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/correction_control.h"
+#include "widgets/panels/library_panel.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/number_box.h"
 #include "widgets/panels/target_control.h"
@@ -102,6 +106,39 @@ TEST_F(StudioWithoutAScreen, AltHOpensHelp) {
   EXPECT_TRUE(QTest::qWaitFor(help, kPatience));
   if (QWidget* menu = QApplication::activePopupWidget()) menu->close();
   EXPECT_FALSE(window_.views().compression->correction()->hold()->isChecked());
+}
+
+TEST_F(StudioWithoutAScreen, ShortcutsWinInANumberFieldAndTypedTextInATextField) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh")); });
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  auto* number = window_.views().compression->target()->findChild<NumberBox*>();
+  const double before = document_.options().target.value;
+  number->setFocus();
+  number->selectAll();
+  settleAfter([&] {
+    QTest::keyClicks(number, QStringLiteral("31"));
+    QTest::keyClick(number, Qt::Key_Return);
+  });
+  EXPECT_EQ(document_.options().target.value, 31);
+  settleAfter([&] { QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier); });
+  EXPECT_EQ(document_.options().target.value, before);
+  QSignalSpy batch(window_.actions().batch, &QAction::triggered);
+  QTest::keyClick(number, Qt::Key_E, Qt::ControlModifier);
+  EXPECT_EQ(batch.count(), 1);
+
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  auto* text = window_.libraryPanel().findChild<QLineEdit*>();
+  ASSERT_TRUE(text);
+  text->setFocus();
+  QTest::keyClicks(text, QStringLiteral("run n"));
+  EXPECT_EQ(text->text(), QStringLiteral("run n"));
+  QTest::keyClick(text, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_NE(text->text(), QStringLiteral("run n"));
+  EXPECT_EQ(document_.options().target.value, before);
+  QTest::keyClick(text, Qt::Key_E, Qt::ControlModifier);
+  EXPECT_EQ(batch.count(), 2);
 }
 
 TEST_F(StudioWithoutAScreen, SeveralFilesComeIntoTheLibraryAndTheFirstIsOpened) {
