@@ -4,6 +4,7 @@
 #include <QStandardPaths>
 
 #include <QTimer>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -11,6 +12,7 @@
 #include "app/studio/language.h"
 #include "app/studio/launch_options.h"
 #include "app/studio/main_window.h"
+#include "app/studio/project.h"
 #include "app/studio/screenshot.h"
 #include "app/studio/style.h"
 #include "app/studio/trace.h"
@@ -42,11 +44,19 @@ void screenshotAndQuit(MainWindow& window, const QString& path) {
   });
   const auto give_up = [](const QString& message) {
     std::fprintf(stderr, "%s\n", qPrintable(message));
-    QCoreApplication::exit(kBadInput);
+    QTimer::singleShot(0, [] { QCoreApplication::exit(kBadInput); });  // it may not run yet
   };
   QObject::connect(session, &Session::openFailed, &window,
                    [=](const OpenRequest&, const QString& message) { give_up(message); });
   QObject::connect(session, &Session::compressFailed, &window, give_up);
+  QObject::connect(&window.library(), &Library::failed, &window, give_up);
+  QObject::connect(&window.library(), &Library::inUse, &window, [=](const QString& project) {
+    give_up(project + QStringLiteral(": is open in another window"));
+  });
+  QObject::connect(&window.library(), &Library::projectChanged, &window, [=, &window] {
+    if (window.library().currentRow() < 0)
+      give_up(window.library().path() + QStringLiteral(": no clip of it is open"));
+  });
 }
 
 void nameProgram() {
@@ -84,7 +94,14 @@ int run(int argc, char** argv) {
   if (options.ratio || options.ik) window.session().document().setOptions(encode);
   window.show();
   const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-  const bool goes_on = options.screenshot.isEmpty() && window.library().begin(data);
+  const bool names_project = std::any_of(options.files.begin(), options.files.end(), isProjectFile);
+  bool goes_on = false;
+  if (options.screenshot.isEmpty()) {
+    if (names_project)
+      window.library().beginEmpty(data);
+    else
+      goes_on = window.library().begin(data);
+  }
   if (!options.files.isEmpty())
     window.open(options.files, options.skeleton);
   else if (!goes_on)

@@ -37,7 +37,8 @@ LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
   parser.addVersionOption();
   parser.addPositionalArgument(
       QStringLiteral("file"),
-      Launch::tr("A .bvh, .amc or .mcpr file. Several, and folders, come into the library."),
+      Launch::tr("A project (.mocapress), or a .bvh, .amc or .mcpr file. Several, and folders, "
+                 "come into the library."),
       QStringLiteral("[FILE|FOLDER...]"));
   const QCommandLineOption skeleton(QStringLiteral("skeleton"),
                                     Launch::tr("The .asf skeleton of an .amc."),

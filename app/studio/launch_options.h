@@ -11,7 +11,7 @@ namespace mocapress {
 
 /// The studio's command line.
 struct LaunchOptions {
-  QStringList files;            // and folders; none: what was open last, or the bundled walk
+  QStringList files;            // folders, a project; none: what was open last, or the bundled walk
   QString skeleton;             // for an .amc
   std::optional<double> ratio;  // compression ratio to begin with
   std::optional<double> ik;     // IK ratio to begin with; unset: feet are not held

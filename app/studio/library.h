@@ -59,6 +59,9 @@ class Library : public QObject {
   /// Changes wait that could not be written.
   bool stuck() const { return !trouble_.isEmpty(); }
 
+  /// Begins with an empty project without a name, of those that the studio keeps in `folder`.
+  void beginEmpty(const QString& folder);
+
   /// Goes on with the project that was used last, out of those that the studio keeps in `folder`
   /// or elsewhere. Its current clip is opened. Where it was left without end(), as after a crash,
   /// recovered() says so. False: there was none yet, and an empty one begins.
@@ -144,7 +147,6 @@ class Library : public QObject {
   void noteWritten();
   bool flush();
   void setTrouble(const QString& message);
-  void beginEmpty();
   void takeOver(const QString& path) const;
   bool enter(const QString& path, std::unique_ptr<ProjectLock> lock, Project project);
   void setProject(Project project);

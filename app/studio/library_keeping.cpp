@@ -54,11 +54,18 @@ QString Library::name() const {
   return unnamed ? QString() : QFileInfo(path_).completeBaseName();
 }
 
-bool Library::begin(const QString& folder) {
+/// The shelf is not told before there is something in it.
+void Library::beginEmpty(const QString& folder) {
   shelf_.emplace(folder);
   takeOver(QDir(folder).filePath(QStringLiteral("session.mocapress")));
+  path_ = shelf_->unnamedPath();
+  lock_ = std::make_unique<ProjectLock>(path_);
+  emit projectChanged();
+}
+
+bool Library::begin(const QString& folder) {
+  beginEmpty(folder);
   const QString last = shelf_->inUse();
-  beginEmpty();
   if (last.isEmpty()) return false;
   auto lock = std::make_unique<ProjectLock>(last);
   if (lock->inUse()) {
@@ -90,13 +97,6 @@ void Library::takeOver(const QString& path) const {
   } catch (const Error&) {
     // It stays where it is, and can be opened there.
   }
-}
-
-/// The shelf is not told before there is something in it.
-void Library::beginEmpty() {
-  path_ = shelf_->unnamedPath();
-  lock_ = std::make_unique<ProjectLock>(path_);
-  emit projectChanged();
 }
 
 bool Library::end() {

@@ -424,6 +424,21 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::open(const QStringList& paths, const QString& skeleton) {
+  QStringList projects, clips;
+  for (const QString& path : paths) (isProjectFile(path) ? projects : clips) << path;
+  if (projects.isEmpty()) return openClips(clips, skeleton, !session_->document().skeleton());
+  const QString project = projects.takeFirst();
+  projects_->open(project, [=, this] {
+    if (!clips.isEmpty()) openClips(clips, skeleton, library_->currentRow() < 0);
+    if (projects.isEmpty()) return;
+    QStringList names;
+    for (const QString& path : projects) names << QFileInfo(path).fileName();
+    keepNote(tr("Left out, for one project is open at a time: %1")
+                 .arg(names.join(QStringLiteral(", "))));
+  });
+}
+
+void MainWindow::openClips(const QStringList& paths, const QString& skeleton, bool opens_first) {
   if (paths.size() == 1 && !QFileInfo(paths[0]).isDir()) return files_->open(paths[0], skeleton);
   QStringList clips, skeletons, folders, others;
   for (const QString& path : paths) {
@@ -445,7 +460,7 @@ void MainWindow::open(const QStringList& paths, const QString& skeleton) {
                                                                              Qt::CaseInsensitive)
                                       ? skeletons[0]
                                       : skeleton);
-  opens_added_ = opens_added_ || !session_->document().skeleton();
+  opens_added_ = opens_added_ || opens_first;
   for (const QString& folder : folders) library_->addFolder(folder);
   library_->add(clips);
 }

@@ -58,7 +58,7 @@ class MainWindow : public QMainWindow {
   Trace& trace() { return *trace_; }
 
   /// One file is opened, with its skeleton; several and folders come into the library, and the
-  /// first of them is opened if nothing is open yet.
+  /// first of them is opened if nothing is open yet. With a project among them they come into that.
   void open(const QStringList& paths, const QString& skeleton = {});
 
   /// Opens, or brings to the front, the window that compares methods. It lives as long as this one.
@@ -70,6 +70,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void openClips(const QStringList& paths, const QString& skeleton, bool opens_first);
   BatchWindow* showBatch();
   void exportClips(const std::vector<int>& rows);
   QWidget* makeCentre();

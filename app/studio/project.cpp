@@ -128,6 +128,10 @@ ProjectClip* Project::find(const QString& path) {
   return found == clips.end() ? nullptr : &*found;
 }
 
+bool isProjectFile(const QString& path) {
+  return path.endsWith(QLatin1String(".mocapress"), Qt::CaseInsensitive);
+}
+
 QByteArray projectText(const Project& project, const QDir& folder) {
   QJsonArray clips;
   for (const ProjectClip& clip : project.clips) clips << toJson(clip, folder);

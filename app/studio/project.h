@@ -33,6 +33,9 @@ struct Project {
   ProjectClip* find(const QString& path);
 };
 
+/// By its extension, .mocapress.
+bool isProjectFile(const QString& path);
+
 /// A project file: JSON, with paths relative to its folder.
 QByteArray projectText(const Project& project, const QDir& folder);
 

@@ -41,14 +41,21 @@ void ProjectFiles::choose() {
   if (!path.isEmpty()) open(path);
 }
 
-void ProjectFiles::open(const QString& path) {
-  leave([this, path] { library_->open(path); });
+void ProjectFiles::open(const QString& path, std::function<void()> then) {
+  leave([this, path, then = std::move(then)] {
+    after_opening_ = then;
+    if (library_->open(path)) noteOpened();
+  });
+}
+
+void ProjectFiles::noteOpened() {
+  if (const auto then = std::exchange(after_opening_, nullptr)) then();
 }
 
 bool ProjectFiles::saveAs() {
   QString path = QFileDialog::getSaveFileName(window_, tr("Save Project"), {}, kinds());
   if (path.isEmpty()) return false;
-  if (!path.endsWith(QStringLiteral(".mocapress"))) path += QStringLiteral(".mocapress");
+  if (!isProjectFile(path)) path += QStringLiteral(".mocapress");
   return library_->saveAs(path);
 }
 
@@ -91,7 +98,7 @@ void ProjectFiles::offerCopy(const QString& path) {
                       QMessageBox::Open | QMessageBox::Cancel, window_);
   question->setAttribute(Qt::WA_DeleteOnClose);
   connect(question, &QMessageBox::finished, this, [this, path](int button) {
-    if (button == QMessageBox::Open) library_->openCopy(path);
+    if (button == QMessageBox::Open && library_->openCopy(path)) noteOpened();
   });
   question->open();
 }

@@ -24,7 +24,9 @@ class ProjectFiles : public QObject {
 
   void startNew();
   void choose();
-  void open(const QString& path);
+
+  /// `then`: once it is open, or a copy of it.
+  void open(const QString& path, std::function<void()> then = {});
 
   /// With a file dialog. False: nothing was saved.
   bool saveAs();
@@ -37,9 +39,11 @@ class ProjectFiles : public QObject {
  private:
   void leave(std::function<void()> then);
   void offerCopy(const QString& path);
+  void noteOpened();
 
   Library* library_;
   QWidget* window_;
+  std::function<void()> after_opening_;  // what waits for it, see open()
 };
 
 }  // namespace mocapress

@@ -165,6 +165,43 @@ TEST_F(StudioWithoutAScreen, WhatTheLibraryDoesNotTakeIsSaid) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return document_.final() && document_.decoded(); }, kPatience));
 }
 
+TEST_F(StudioWithoutAScreen, AProjectIsOpenedAsWhatItIs) {
+  const QString project = directory_.filePath(QStringLiteral("knights.mocapress"));
+  const QString walk = clip("walk.bvh", 70);
+  writeProject(project, {.current = walk, .clips = {{.path = clip("run.bvh")}, {.path = walk}}});
+  settleAfter([&] { window_.open({project}); });
+  EXPECT_EQ(window_.library().name(), QStringLiteral("knights"));
+  EXPECT_EQ(window_.library().project().clips.size(), 2u);
+  EXPECT_TRUE(window_.session().isOpen(walk));
+  EXPECT_FALSE(window_.messages().isVisible());
+}
+
+TEST_F(StudioWithoutAScreen, ClipsBesideAProjectComeIntoItAndOneProjectIsOpened) {
+  const QString project = directory_.filePath(QStringLiteral("knights.mocapress"));
+  const QString other = directory_.filePath(QStringLiteral("pages.mocapress"));
+  const QString walk = clip("walk.bvh");
+  writeProject(project, {.current = walk, .clips = {{.path = walk}}});
+  writeProject(other, {});
+  settleAfter([&] { window_.open({clip("run.bvh"), project, clip("jump.bvh"), other}); });
+  EXPECT_EQ(window_.library().name(), QStringLiteral("knights"));
+  EXPECT_EQ(window_.library().project().clips.size(), 3u);
+  EXPECT_TRUE(window_.session().isOpen(walk)) << "where the project was left";
+  EXPECT_TRUE(window_.messages().text().contains(QStringLiteral("pages.mocapress")));
+  EXPECT_FALSE(window_.messages().text().contains(QStringLiteral("knights.mocapress")));
+}
+
+TEST_F(StudioWithoutAScreen, ClipsWithoutANameAreAskedAboutBeforeAProjectThatIsDropped) {
+  const QString project = directory_.filePath(QStringLiteral("knights.mocapress"));
+  writeProject(project, {.clips = {{.path = clip("run.bvh")}}});
+  settleAfter([&] { window_.open({clip("walk.bvh")}); });
+  window_.open({project});
+  auto* question = window_.findChild<QMessageBox*>();
+  ASSERT_TRUE(question);
+  question->button(QMessageBox::Cancel)->click();
+  EXPECT_TRUE(window_.library().name().isEmpty());
+  EXPECT_TRUE(document_.original());
+}
+
 TEST_F(StudioWithoutAScreen, OneErrorScaleHoldsForAllAndIsRemembered) {
   settleAfter([&] { window_.files().open(clip("walk.bvh")); });
   ASSERT_TRUE(scale(5)->isChecked());

@@ -68,5 +68,17 @@ TEST(Packaging, NamesAreTheSameEverywhere) {
   EXPECT_NE(text("CMakeLists.txt").find("RENAME org.mocapress.Studio.svg"), std::string::npos);
 }
 
+TEST(Packaging, DesktopsKnowEveryKindOfFileThatIsOurs) {
+  const std::string types = text("org.mocapress.Studio.mime.xml");
+  for (const auto& [type, pattern] : {std::pair("project", "mocapress"), {"clip", "mcpr"}}) {
+    const std::string name = std::string("application/x-mocapress-") + type;
+    EXPECT_NE(types.find('"' + name + '"'), std::string::npos) << name;
+    EXPECT_NE(types.find("\"*." + std::string(pattern) + '"'), std::string::npos) << pattern;
+    EXPECT_NE(text("org.mocapress.Studio.desktop").find(name + ';'), std::string::npos) << name;
+    EXPECT_NE(text("org.mocapress.Studio.metainfo.xml").find('>' + name + '<'), std::string::npos)
+        << name;
+  }
+}
+
 }  // namespace
 }  // namespace mocapress
