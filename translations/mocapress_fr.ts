@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>Open a motion (.bvh, .amc) or a compressed clip (.mcpr)</source>
-        <translation>Ouvrir un mouvement (.bvh, .amc) ou une séquence compressée (.mcpr)</translation>
+        <translation>Ouvrir un mouvement (.bvh, .amc) ou un clip compressé (.mcpr)</translation>
     </message>
     <message>
         <source>Open Sample &amp;Walk</source>
@@ -33,7 +33,7 @@
     </message>
     <message>
         <source>Save the compressed clip as .mcpr</source>
-        <translation>Enregistrer la séquence compressée en .mcpr</translation>
+        <translation>Enregistrer le clip compressé en .mcpr</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>A&amp;dd Clips to Library…</source>
-        <translation>A&amp;jouter des séquences…</translation>
+        <translation>A&amp;jouter des clips…</translation>
     </message>
     <message>
         <source>&amp;New Project</source>
@@ -113,7 +113,7 @@
     </message>
     <message>
         <source>Compare methods on many clips: size against error</source>
-        <translation>Comparer les méthodes sur beaucoup de séquences : taille contre erreur</translation>
+        <translation>Comparer les méthodes sur beaucoup de clips : taille contre erreur</translation>
     </message>
     <message>
         <source>&amp;Guide</source>
@@ -189,7 +189,7 @@
     </message>
     <message>
         <source>Export all clips of the library, each by its own settings</source>
-        <translation>Exporter toutes les séquences de la bibliothèque, chacune avec ses propres réglages</translation>
+        <translation>Exporter tous les clips de la bibliothèque, chacun avec ses propres réglages</translation>
     </message>
     <message>
         <source>Add &amp;Folder to Library…</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>Write the motion that comes of the compressed clip, as its source was</source>
-        <translation>Écrire le mouvement issu de la séquence compressée, sous la forme de sa source</translation>
+        <translation>Écrire le mouvement issu du clip compressé, sous la forme de sa source</translation>
     </message>
     <message>
         <source>&amp;Import Options…</source>
@@ -339,7 +339,7 @@
     </message>
     <message>
         <source>&lt;p&gt;{folder}: the folder the clip was found by, and those between&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{type}: bvh or amc&lt;br&gt;{preset}, {method}: what it is compressed by&lt;/p&gt;</source>
-        <translation>&lt;p&gt;{folder} : le dossier par lequel la séquence a été trouvée, et ceux entre les deux&lt;br&gt;{stem} : le nom de la séquence&lt;br&gt;{type} : bvh ou amc&lt;br&gt;{preset}, {method} : ce par quoi elle est compressée&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;{folder} : le dossier par lequel le clip a été trouvé, et ceux entre les deux&lt;br&gt;{stem} : le nom du clip&lt;br&gt;{type} : bvh ou amc&lt;br&gt;{preset}, {method} : ce par quoi il est compressé&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -463,17 +463,17 @@
     <message numerus="yes">
         <source>✓ Verified, %Ln warning(s)</source>
         <translation>
-            <numerusform>✓ Vérifiée, %Ln avertissement</numerusform>
-            <numerusform>✓ Vérifiée, %Ln avertissements</numerusform>
+            <numerusform>✓ Vérifié, %Ln avertissement</numerusform>
+            <numerusform>✓ Vérifié, %Ln avertissements</numerusform>
         </translation>
     </message>
     <message>
         <source>✓ Approved</source>
-        <translation>✓ Approuvée</translation>
+        <translation>✓ Approuvé</translation>
     </message>
     <message>
         <source>✕ Rejected</source>
-        <translation>✕ Rejetée</translation>
+        <translation>✕ Rejeté</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -481,11 +481,11 @@
     </message>
     <message>
         <source>It is not exported. Tick the clip to export it too.</source>
-        <translation>Elle n&apos;est pas exportée. Cochez la séquence pour l&apos;exporter aussi.</translation>
+        <translation>Il n&apos;est pas exporté. Cochez le clip pour l&apos;exporter aussi.</translation>
     </message>
     <message>
         <source>Only clips that are ticked are exported.</source>
-        <translation>Seules les séquences cochées sont exportées.</translation>
+        <translation>Seuls les clips cochés sont exportés.</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>What the library says about the clip. A rejected clip is left out until it is ticked.</source>
-        <translation>Ce que la bibliothèque dit de la séquence. Une séquence rejetée reste à l&apos;écart tant qu&apos;elle n&apos;est pas cochée.</translation>
+        <translation>Ce que la bibliothèque dit du clip. Un clip rejeté reste à l&apos;écart tant qu&apos;il n&apos;est pas coché.</translation>
     </message>
 </context>
 <context>
@@ -547,7 +547,7 @@
     </message>
     <message>
         <source>Clips can be added when the batch has ended.</source>
-        <translation>Des séquences peuvent être ajoutées quand le lot est terminé.</translation>
+        <translation>Des clips peuvent être ajoutés quand le lot est terminé.</translation>
     </message>
     <message>
         <source>Output</source>
@@ -559,23 +559,23 @@
     </message>
     <message>
         <source>Remove Clips</source>
-        <translation>Retirer des séquences</translation>
+        <translation>Retirer des clips</translation>
     </message>
     <message>
         <source>Add Clips</source>
-        <translation>Ajouter des séquences</translation>
+        <translation>Ajouter des clips</translation>
     </message>
     <message>
         <source>Leave Out Clips</source>
-        <translation>Mettre des séquences à l&apos;écart</translation>
+        <translation>Mettre des clips à l&apos;écart</translation>
     </message>
     <message>
         <source>Export Clips Too</source>
-        <translation>Exporter aussi des séquences</translation>
+        <translation>Exporter aussi des clips</translation>
     </message>
     <message>
         <source>Every clip is left out. Tick those to export.</source>
-        <translation>Toutes les séquences sont à l&apos;écart. Cochez celles à exporter.</translation>
+        <translation>Tous les clips sont à l&apos;écart. Cochez ceux à exporter.</translation>
     </message>
 </context>
 <context>
@@ -848,7 +848,7 @@
     </message>
     <message>
         <source>Motion and compressed clips (*.bvh *.amc *.mcpr);;All files (*)</source>
-        <translation>Mouvements et séquences compressées (*.bvh *.amc *.mcpr);;Tous les fichiers (*)</translation>
+        <translation>Mouvements et clips compressés (*.bvh *.amc *.mcpr);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Skeleton of %1</source>
@@ -868,7 +868,7 @@
     </message>
     <message>
         <source>Compressed clips (*.mcpr)</source>
-        <translation>Séquences compressées (*.mcpr)</translation>
+        <translation>Clips compressés (*.mcpr)</translation>
     </message>
     <message>
         <source>Unsaved Changes</source>
@@ -876,7 +876,7 @@
     </message>
     <message>
         <source>Save the compressed clip of %1?</source>
-        <translation>Enregistrer la séquence compressée de %1 ?</translation>
+        <translation>Enregistrer le clip compressé de %1 ?</translation>
     </message>
     <message>
         <source>Biovision motion (*.bvh)</source>
@@ -892,7 +892,7 @@
     </message>
     <message>
         <source>Save Clip</source>
-        <translation>Enregistrer la séquence</translation>
+        <translation>Enregistrer le clip</translation>
     </message>
     <message>
         <source>Export Motion</source>
@@ -1217,7 +1217,7 @@
     </message>
     <message>
         <source>No foot stands on the ground in this clip.</source>
-        <translation>Aucun pied n&apos;est posé au sol dans cette séquence.</translation>
+        <translation>Aucun pied n&apos;est posé au sol dans ce clip.</translation>
     </message>
     <message>
         <source>%1, without IK</source>
@@ -1337,7 +1337,7 @@
     <name>mocapress::FolderSearch</name>
     <message>
         <source>There are no clips in %1.</source>
-        <translation>Il n&apos;y a aucune séquence dans %1.</translation>
+        <translation>Il n&apos;y a aucun clip dans %1.</translation>
     </message>
 </context>
 <context>
@@ -1567,6 +1567,10 @@
         <source>, the root replaces its OFFSET</source>
         <translation>, la racine remplace son OFFSET</translation>
     </message>
+    <message>
+        <source>%L1 Hz, CMU&apos;s: the file does not say</source>
+        <translation>%L1 Hz, celle du CMU : le fichier n’en dit rien</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ImportancePanel</name>
@@ -1635,7 +1639,7 @@
     <name>mocapress::Inspector</name>
     <message>
         <source>The curve of this clip is drawn once it is compressed.</source>
-        <translation>La courbe de cette séquence est tracée dès qu&apos;elle est compressée.</translation>
+        <translation>La courbe de ce clip est tracée dès qu&apos;il est compressé.</translation>
     </message>
 </context>
 <context>
@@ -1657,7 +1661,7 @@
     </message>
     <message>
         <source>Distance in the world from the original, averaged over the clip.</source>
-        <translation>Distance à l&apos;original dans l&apos;espace, moyenne sur la séquence.</translation>
+        <translation>Distance à l&apos;original dans l&apos;espace, moyenne sur le clip.</translation>
     </message>
     <message>
         <source>Greatest distance in the world from the original, at any frame.</source>
@@ -1711,11 +1715,11 @@
     </message>
     <message>
         <source>Write a picture of the window once the clip is compressed, and quit.</source>
-        <translation>Écrire une image de la fenêtre une fois la séquence compressée, et quitter.</translation>
+        <translation>Écrire une image de la fenêtre une fois le clip compressé, et quitter.</translation>
     </message>
     <message>
-        <source>A .bvh, .amc or .mcpr file. Several, and folders, come into the library.</source>
-        <translation>Un fichier .bvh, .amc ou .mcpr. Plusieurs, et des dossiers, vont dans la bibliothèque.</translation>
+        <source>A project (.mocapress), or a .bvh, .amc or .mcpr file. Several, and folders, come into the library.</source>
+        <translation>Un projet (.mocapress), ou un fichier .bvh, .amc ou .mcpr. Plusieurs, et des dossiers, vont dans la bibliothèque.</translation>
     </message>
 </context>
 <context>
@@ -1737,11 +1741,11 @@
     <name>mocapress::Library</name>
     <message>
         <source>Add Clips</source>
-        <translation>Ajouter des séquences</translation>
+        <translation>Ajouter des clips</translation>
     </message>
     <message>
         <source>Remove Clip</source>
-        <translation>Retirer la séquence</translation>
+        <translation>Retirer le clip</translation>
     </message>
     <message>
         <source>%1 is open in another window of Mocapress. This is a new project.</source>
@@ -1783,11 +1787,11 @@
     </message>
     <message>
         <source>✓ approved</source>
-        <translation>✓ approuvée</translation>
+        <translation>✓ approuvé</translation>
     </message>
     <message>
         <source>✕ rejected</source>
-        <translation>✕ rejetée</translation>
+        <translation>✕ rejeté</translation>
     </message>
     <message>
         <source>target met</source>
@@ -1810,7 +1814,7 @@
     </message>
     <message>
         <source>Clips of the project</source>
-        <translation>Séquences du projet</translation>
+        <translation>Clips du projet</translation>
     </message>
     <message>
         <source>Add motion files to the project. Each keeps its own settings.</source>
@@ -1818,7 +1822,7 @@
     </message>
     <message>
         <source>Take the chosen clips out of the project; their files stay.</source>
-        <translation>Retirer du projet les séquences choisies ; leurs fichiers restent.</translation>
+        <translation>Retirer du projet les clips choisis ; leurs fichiers restent.</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -1826,19 +1830,19 @@
     </message>
     <message>
         <source>What quality assurance says about the clip as it is compressed now.</source>
-        <translation>Ce que le contrôle qualité dit de la séquence telle qu&apos;elle est compressée.</translation>
+        <translation>Ce que le contrôle qualité dit du clip tel qu&apos;il est compressé.</translation>
     </message>
     <message>
         <source>Not reviewed</source>
-        <translation>Non examinée</translation>
+        <translation>Non examiné</translation>
     </message>
     <message>
         <source>Approved</source>
-        <translation>Approuvée</translation>
+        <translation>Approuvé</translation>
     </message>
     <message>
         <source>Rejected</source>
-        <translation>Rejetée</translation>
+        <translation>Rejeté</translation>
     </message>
     <message>
         <source>Note</source>
@@ -1846,7 +1850,7 @@
     </message>
     <message>
         <source>Note about this clip</source>
-        <translation>Note sur cette séquence</translation>
+        <translation>Note sur ce clip</translation>
     </message>
     <message>
         <source>Kept in the project, with the verdict.</source>
@@ -1854,11 +1858,11 @@
     </message>
     <message>
         <source>Export Selected, Each by Its Own Settings…</source>
-        <translation>Exporter les séquences choisies, chacune avec ses réglages…</translation>
+        <translation>Exporter les clips choisis, chacun avec ses réglages…</translation>
     </message>
     <message>
         <source>Export All, Each by Its Own Settings…</source>
-        <translation>Exporter toutes les séquences, chacune avec ses réglages…</translation>
+        <translation>Exporter tous les clips, chacun avec ses réglages…</translation>
     </message>
     <message>
         <source>Add</source>
@@ -1866,7 +1870,7 @@
     </message>
     <message>
         <source>Filter of the clips</source>
-        <translation>Filtre des séquences</translation>
+        <translation>Filtre des clips</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -1874,11 +1878,11 @@
     </message>
     <message>
         <source>Words of a clip&apos;s name, folder or state: “walks missed”.</source>
-        <translation>Mots du nom, du dossier ou de l&apos;état d&apos;une séquence : « marches manquée ».</translation>
+        <translation>Mots du nom, du dossier ou de l&apos;état d&apos;un clip : « marches manquée ».</translation>
     </message>
     <message>
         <source>&amp;Clips…</source>
-        <translation>&amp;Séquences…</translation>
+        <translation>&amp;Clips…</translation>
     </message>
     <message>
         <source>&amp;Folder…</source>
@@ -1890,8 +1894,8 @@
     <message numerus="yes">
         <source>%Ln clip(s)</source>
         <translation>
-            <numerusform>%Ln séquence</numerusform>
-            <numerusform>%Ln séquences</numerusform>
+            <numerusform>%Ln clip</numerusform>
+            <numerusform>%Ln clips</numerusform>
         </translation>
     </message>
     <message>
@@ -1903,7 +1907,7 @@
     <name>mocapress::LibraryViews</name>
     <message>
         <source>Add Clips</source>
-        <translation>Ajouter des séquences</translation>
+        <translation>Ajouter des clips</translation>
     </message>
     <message>
         <source>Motion (*.bvh *.amc)</source>
@@ -1967,8 +1971,8 @@
     <message numerus="yes">
         <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
         <translation>
-            <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln séquence.</numerusform>
-            <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln séquences.</numerusform>
+            <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln clip.</numerusform>
+            <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln clips.</numerusform>
         </translation>
     </message>
     <message>
@@ -2006,6 +2010,10 @@
     <message>
         <source>Exported %1.</source>
         <translation>%1 exporté.</translation>
+    </message>
+    <message>
+        <source>Left out, for one project is open at a time: %1</source>
+        <translation>Laissés de côté, un seul projet est ouvert à la fois : %1</translation>
     </message>
 </context>
 <context>
@@ -2125,7 +2133,7 @@
     <name>mocapress::OpenClip</name>
     <message>
         <source>%1 is not the original of the compressed clip: joints, frames or sample rate differ.</source>
-        <translation>%1 n&apos;est pas l&apos;original de la séquence compressée : articulations, images ou cadence diffèrent.</translation>
+        <translation>%1 n&apos;est pas l&apos;original du clip compressé : articulations, images ou cadence diffèrent.</translation>
     </message>
 </context>
 <context>
@@ -2236,7 +2244,7 @@
     <name>mocapress::Presenter</name>
     <message>
         <source>Out of reach for this clip by this method.</source>
-        <translation>Hors de portée pour cette séquence par cette méthode.</translation>
+        <translation>Hors de portée pour ce clip par cette méthode.</translation>
     </message>
 </context>
 <context>
@@ -2534,8 +2542,8 @@
     <message numerus="yes">
         <source>Save the project of %Ln clip(s) under a name?</source>
         <translation>
-            <numerusform>Enregistrer sous un nom le projet de %Ln séquence ?</numerusform>
-            <numerusform>Enregistrer sous un nom le projet de %Ln séquences ?</numerusform>
+            <numerusform>Enregistrer sous un nom le projet de %Ln clip ?</numerusform>
+            <numerusform>Enregistrer sous un nom le projet de %Ln clips ?</numerusform>
         </translation>
     </message>
     <message>
@@ -2573,8 +2581,8 @@
     <message numerus="yes">
         <source>%1, %Ln clip(s)</source>
         <translation>
-            <numerusform>%1, %Ln séquence</numerusform>
-            <numerusform>%1, %Ln séquences</numerusform>
+            <numerusform>%1, %Ln clip</numerusform>
+            <numerusform>%1, %Ln clips</numerusform>
         </translation>
     </message>
     <message>
@@ -2665,7 +2673,7 @@
     </message>
     <message>
         <source>Way of the feet over the ground while they stand, beyond the original&apos;s own, summed over the clip.</source>
-        <translation>Chemin des pieds sur le sol pendant qu&apos;ils sont posés, au-delà de celui de l&apos;original, sur toute la séquence.</translation>
+        <translation>Chemin des pieds sur le sol pendant qu&apos;ils sont posés, au-delà de celui de l&apos;original, sur tout le clip.</translation>
     </message>
     <message>
         <source>Motion / file</source>
@@ -2726,7 +2734,7 @@
     </message>
     <message>
         <source>Footskate of one contact: it compares clips of any length.</source>
-        <translation>Glissement d&apos;un contact : compare des séquences de toute longueur.</translation>
+        <translation>Glissement d&apos;un contact : compare des clips de toute longueur.</translation>
     </message>
     <message>
         <source>%1 / %2</source>
@@ -2743,6 +2751,13 @@
     <message>
         <source>Verdict</source>
         <translation>Verdict</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Session</name>
+    <message>
+        <source>Import Options</source>
+        <translation>Options d’importation</translation>
     </message>
 </context>
 <context>
@@ -2862,7 +2877,7 @@
     </message>
     <message>
         <source>Clips of the study</source>
-        <translation>Séquences de l&apos;étude</translation>
+        <translation>Clips de l&apos;étude</translation>
     </message>
     <message>
         <source>Drop files or folders here.</source>
@@ -2886,7 +2901,7 @@
     </message>
     <message>
         <source>Take the selected clips off the list (Del)</source>
-        <translation>Retirer de la liste les séquences choisies (Suppr)</translation>
+        <translation>Retirer de la liste les clips choisis (Suppr)</translation>
     </message>
 </context>
 <context>
@@ -2905,7 +2920,7 @@
     </message>
     <message>
         <source>Clips</source>
-        <translation>Séquences</translation>
+        <translation>Clips</translation>
     </message>
     <message>
         <source>Methods</source>
@@ -3002,11 +3017,11 @@
     <name>mocapress::StudyResults</name>
     <message>
         <source>Clips shown</source>
-        <translation>Séquences montrées</translation>
+        <translation>Clips montrés</translation>
     </message>
     <message>
         <source>One clip, or the average over clips: the geometric mean of their ratios at equal error, with the points of all clips behind it.</source>
-        <translation>Une séquence, ou la moyenne des séquences : la moyenne géométrique de leurs taux à erreur égale, avec les points de toutes derrière.</translation>
+        <translation>Un clip, ou la moyenne des clips : la moyenne géométrique de leurs taux à erreur égale, avec les points de tous derrière.</translation>
     </message>
     <message>
         <source>S&amp;how</source>
@@ -3025,13 +3040,13 @@ Cliquer pour le charger dans le studio.</translation>
     <message numerus="yes">
         <source>Average over %Ln clip(s)</source>
         <translation>
-            <numerusform>Moyenne sur %Ln séquence</numerusform>
-            <numerusform>Moyenne sur %Ln séquences</numerusform>
+            <numerusform>Moyenne sur %Ln clip</numerusform>
+            <numerusform>Moyenne sur %Ln clips</numerusform>
         </translation>
     </message>
     <message>
         <source>All clips</source>
-        <translation>Toutes les séquences</translation>
+        <translation>Tous les clips</translation>
     </message>
 </context>
 <context>
@@ -3077,7 +3092,7 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>Clip</source>
-        <translation>Séquence</translation>
+        <translation>Clip</translation>
     </message>
     <message>
         <source>Method</source>
@@ -3166,8 +3181,8 @@ Cliquer pour le charger dans le studio.</translation>
     <message numerus="yes">
         <source>, %Ln of clips that cannot be read</source>
         <translation>
-            <numerusform>, %Ln d&apos;une séquence illisible</numerusform>
-            <numerusform>, %Ln de séquences illisibles</numerusform>
+            <numerusform>, %Ln d&apos;un clip illisible</numerusform>
+            <numerusform>, %Ln de clips illisibles</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3191,7 +3206,7 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>Add a clip to study</source>
-        <translation>Ajouter une séquence à étudier</translation>
+        <translation>Ajouter un clip à étudier</translation>
     </message>
     <message>
         <source>Check a method to study</source>
@@ -3262,7 +3277,7 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>Add Clips</source>
-        <translation>Ajouter des séquences</translation>
+        <translation>Ajouter des clips</translation>
     </message>
     <message>
         <source>Motion (*.bvh *.amc)</source>
@@ -3270,7 +3285,7 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>Add All Clips below</source>
-        <translation>Ajouter toutes les séquences de</translation>
+        <translation>Ajouter tous les clips de</translation>
     </message>
     <message>
         <source>Folder of the Study</source>
@@ -3348,7 +3363,7 @@ Cliquer pour le charger dans le studio.</translation>
     <name>mocapress::Timeline</name>
     <message>
         <source>Part of the clip in sight</source>
-        <translation>Partie visible de la séquence</translation>
+        <translation>Partie visible du clip</translation>
     </message>
 </context>
 <context>
@@ -3407,7 +3422,7 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>Play the whole clip</source>
-        <translation>Lire toute la séquence</translation>
+        <translation>Lire tout le clip</translation>
     </message>
     <message>
         <source>Frame</source>
@@ -3592,8 +3607,8 @@ Cliquer pour le charger dans le studio.</translation>
     <message numerus="yes">
         <source>%n note(s) on reading this clip</source>
         <translation>
-            <numerusform>%n note sur la lecture de cette séquence</numerusform>
-            <numerusform>%n notes sur la lecture de cette séquence</numerusform>
+            <numerusform>%n note sur la lecture de ce clip</numerusform>
+            <numerusform>%n notes sur la lecture de ce clip</numerusform>
         </translation>
     </message>
 </context>

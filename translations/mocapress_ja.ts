@@ -1556,6 +1556,10 @@
         <source>, the root replaces its OFFSET</source>
         <translation>、ルートは OFFSET を置き換え</translation>
     </message>
+    <message>
+        <source>%L1 Hz, CMU&apos;s: the file does not say</source>
+        <translation>%L1 Hz（CMU の値。ファイルに記載なし）</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ImportancePanel</name>
@@ -1703,8 +1707,8 @@
         <translation>圧縮が済んだらウィンドウの画像を書いて終了します。</translation>
     </message>
     <message>
-        <source>A .bvh, .amc or .mcpr file. Several, and folders, come into the library.</source>
-        <translation>.bvh、.amc、.mcpr のファイル。複数のファイルやフォルダーはライブラリに入ります。</translation>
+        <source>A project (.mocapress), or a .bvh, .amc or .mcpr file. Several, and folders, come into the library.</source>
+        <translation>プロジェクト（.mocapress）、または .bvh、.amc、.mcpr のファイル。複数のファイルやフォルダーはライブラリに入ります。</translation>
     </message>
 </context>
 <context>
@@ -1992,6 +1996,10 @@
     <message>
         <source>Exported %1.</source>
         <translation>%1 を書き出しました。</translation>
+    </message>
+    <message>
+        <source>Left out, for one project is open at a time: %1</source>
+        <translation>一度に開けるプロジェクトは一つのため除きました：%1</translation>
     </message>
 </context>
 <context>
@@ -2726,6 +2734,13 @@
     <message>
         <source>Verdict</source>
         <translation>判定</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Session</name>
+    <message>
+        <source>Import Options</source>
+        <translation>読み込みオプション</translation>
     </message>
 </context>
 <context>
