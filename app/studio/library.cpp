@@ -29,6 +29,7 @@ Library::Library(Session* session, LibraryModel* model, QObject* parent)
     : QObject(parent), session_(session), model_(model) {
   write_later_.setSingleShot(true);
   connect(&write_later_, &QTimer::timeout, this, &Library::write);
+  connect(this, &Library::written, this, &Library::noteWritten, Qt::QueuedConnection);
   session->setMemory([this](const QString& path) {
     const ProjectClip* clip = project_.find(path);
     return clip ? clip->settings : std::nullopt;

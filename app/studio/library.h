@@ -128,6 +128,9 @@ class Library : public QObject {
   void inUse(const QString& path);
   void failed(const QString& message);
 
+  /// From the thread that writes: writing_ is ready.
+  void written(QPrivateSignal);
+
  private:
   void change(const QString& path, const Review& review);
   std::vector<LibraryEntry> entries() const;

@@ -247,7 +247,7 @@ void Library::write() {
   writing_ =
       std::async(std::launch::async, [this, project = project_, path = path_, shelf = shelf_] {
         const QString trouble = keep(project, path, shelf);
-        QMetaObject::invokeMethod(this, &Library::noteWritten, Qt::QueuedConnection);
+        emit written(QPrivateSignal());
         return trouble;
       });
 }
