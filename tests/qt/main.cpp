@@ -18,6 +18,9 @@ int main(int argc, char** argv) {
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   qputenv("XDG_CACHE_HOME", settings.path().toUtf8());
   qputenv("XDG_DATA_HOME", settings.filePath(QStringLiteral("data")).toUtf8());
+  // No desktop has a say in tests. Where there is none, libdbus would start a bus of its own, and
+  // leaks where it cannot.
+  qputenv("DBUS_SESSION_BUS_ADDRESS", "disabled:");
   QApplication application(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("mocapress-tests"));
   QCoreApplication::setApplicationName(QStringLiteral("Mocapress"));
