@@ -32,8 +32,9 @@ void complete(DecodedClip& decoded) {
   decoded.tracks = tracksOf(skeleton, decoded.clip);
   if (decoded.compressed.correction)
     decoded.uncorrected_tracks =
-        tracksOf(skeleton, decoded.correction ? decoded.correction->uncorrected
-                                              : decode_uncorrected(decoded.compressed).clip);
+        tracksOf(decoded.compressed.coded_skeleton(),
+                 decoded.correction ? decoded.correction->uncorrected
+                                    : decode_uncorrected(decoded.compressed).clip);
   decoded.file = decoded.of_wavelets
                      ? write_container(decoded.compressed)
                      : write_compared(*find_comparison_method(decoded.method), decoded.compressed);

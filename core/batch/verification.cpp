@@ -47,10 +47,12 @@ class Verifier {
         is_long_(opened_.compressed.segments.has_value()) {
     const CompressedClip& found = opened_.compressed;
     if (found.frames != motion_.clip.frames() ||
+        found.skeleton.joint_count() != motion_.skeleton.joint_count() ||
         found.sample_rate_hz != motion_.clip.sample_rate_hz ||
         found.skeleton.channel_count() != motion_.skeleton.channel_count() ||
         !same_axes(found.skeleton, motion_.skeleton))
       refuse();
+    coded_ = found.orders.empty() ? motion_.skeleton : with_orders(motion_.skeleton, found.orders);
   }
 
   Verification run() {
@@ -75,12 +77,15 @@ class Verifier {
     };
     Verification verification;
     const Block compare = [&](int first, const Clip& block) {
-      original.compare(first, block, visit);
+      original.compare(first, coded_, block, visit);
       if (!in_blocks)
         put_rows(block.channels, first, motion_.clip.frames(), verification.decoded.channels);
     };
     if (!in_blocks) verification.decoded.sample_rate_hz = motion_.clip.sample_rate_hz;
     verification.by = decode(compare);
+    if (!in_blocks)
+      verification.decoded =
+          in_source_channels(opened_.compressed, std::move(verification.decoded));
     verification.distortion = distortion.distortion();
     verification.footskate = footskate.footskate();
     const double ground_cm =
@@ -95,7 +100,7 @@ class Verifier {
     throw Error("verification: what was written has another shape");
   }
 
-  /// By whom.
+  /// In the channels that are coded. By whom.
   std::string_view decode(const Block& visit) const {
     if (opened_.coding() != Coding::Adaptive) {
       visit(0, mocapress::decode(opened_));
@@ -106,7 +111,7 @@ class Verifier {
     const mcpr_clip_info info = clip.info();
     const int frames = motion_.clip.frames();
     if (info.frames != static_cast<std::uint32_t>(frames) ||
-        info.sample_rate != motion_.clip.sample_rate_hz || !clip.has_joints_of(motion_.skeleton))
+        info.sample_rate != motion_.clip.sample_rate_hz || !clip.has_joints_of(coded_))
       refuse();
     for (int first = 0; first < frames; first += kBlock)
       visit(first,
@@ -120,6 +125,7 @@ class Verifier {
   const VerificationRequest& request_;
   const Motion& motion_;
   const bool is_long_;
+  Skeleton coded_;  // the original's joints with the channels that are coded
 };
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/clip_analysis.h"
 
+#include "core/codec/order_choice.h"
 #include "core/codec/segments.h"
 #include "core/motion/body_tracks.h"
+#include "core/select/end_weights.h"
 
 namespace mocapress {
 
@@ -13,19 +15,34 @@ BasisAnalysis::BasisAnalysis(const Clip& columns, const std::vector<double>& com
                              Basis basis)
     : ranked(rank_coefficients(columns, basis)), standard(ranked, comparable), scales(comparable) {}
 
+const RotationOrders& ClipAnalysis::chosen_orders() const {
+  return orders_.get(Only(),
+                     [&] { return std::make_unique<RotationOrders>(choose_orders(motion_)); });
+}
+
+const ClipAnalysis& ClipAnalysis::in_chosen_orders() const {
+  const RotationOrders& orders = chosen_orders();
+  if (orders == rotation_orders(motion_.skeleton)) return *this;
+  return in_chosen_orders_.get(
+      Only(), [&] { return std::make_unique<ClipAnalysis>(with_orders(motion_, orders), *this); });
+}
+
 const Eigen::MatrixXd& ClipAnalysis::original_tracks() const {
+  if (same_) return same_->original_tracks();
   return original_tracks_.get(Only(), [&] {
     return std::make_unique<Eigen::MatrixXd>(landmark_tracks(motion_.skeleton, motion_.clip));
   });
 }
 
 const Eigen::MatrixXd& ClipAnalysis::original_body() const {
+  if (same_) return same_->original_body();
   return original_body_.get(Only(), [&] {
     return std::make_unique<Eigen::MatrixXd>(body_tracks(motion_.skeleton, motion_.clip));
   });
 }
 
 const std::vector<ContactSpan>& ClipAnalysis::contacts() const {
+  if (same_) return same_->contacts();
   // Of a clip that falls into segments nothing else may need all tracks.
   const bool is_long = motion_.clip.frames() > SegmentPlan().longest;
   const Eigen::MatrixXd* tracks = is_long ? nullptr : &original_tracks();
@@ -45,17 +62,20 @@ const BasisAnalysis& ClipAnalysis::in(Basis basis) const {
   return bases_.get(basis, [&] { return std::make_unique<BasisAnalysis>(motion_, basis); });
 }
 
-const ErrorModel& ClipAnalysis::model(Weighting weighting) const {
-  return models_.get(weighting, [&] {
-    return std::make_unique<ErrorModel>(motion_.skeleton, motion_.clip, weighting);
+const ErrorModel& ClipAnalysis::model(Weighting weighting, Ends ends) const {
+  return models_.get(std::pair(weighting, ends), [&] {
+    auto model = std::make_unique<ErrorModel>(motion_.skeleton, motion_.clip, weighting);
+    if (ends == Ends::More)
+      model->weigh_frames(end_weights(motion_.clip.frames(), motion_.clip.sample_rate_hz));
+    return model;
   });
 }
 
-const ClosedLoop& ClipAnalysis::closed_loop(Basis basis, Weighting weighting) const {
+const ClosedLoop& ClipAnalysis::closed_loop(Basis basis, Weighting weighting, Ends ends) const {
   // Asked for before: one lock at a time.
   const Coefficients& in_basis = coefficients(basis);
-  const ErrorModel& errors = model(weighting);
-  return closed_loops_.get(std::pair(basis, weighting), [&] {
+  const ErrorModel& errors = model(weighting, ends);
+  return closed_loops_.get(std::tuple(basis, weighting, ends), [&] {
     return std::make_unique<ClosedLoop>(in_basis, motion_.clip, errors);
   });
 }

@@ -6,9 +6,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <tuple>
+#include <utility>
 
 #include "core/codec/closed_loop.h"
 #include "core/contact/contact_spans.h"
+#include "core/motion/rotation_order.h"
 #include "core/select/error_model.h"
 #include "core/select/truncation.h"
 
@@ -26,19 +29,32 @@ struct BasisAnalysis {
   BasisAnalysis(const Clip& columns, const std::vector<double>& comparable, Basis basis);
 };
 
+/// How much errors of the first and last frames count.
+enum class Ends { LikeTheRest, More };  // More: core/select/end_weights.h
+
 /// What every encode of a motion needs and no option changes, computed when first asked for. Const
 /// and safe to use from several threads at a time.
 class ClipAnalysis {
  public:
   explicit ClipAnalysis(Motion motion) : motion_(std::move(motion)) {}
 
+  /// Of the same motion in other channels: what does not hang on these is that of `same`, which
+  /// must outlive this.
+  ClipAnalysis(Motion motion, const ClipAnalysis& same)
+      : motion_(std::move(motion)), same_(&same) {}
+
   const Motion& motion() const { return motion_; }
+
+  /// choose_orders(), and the same motion in these: this, where they are its own.
+  const RotationOrders& chosen_orders() const;
+  const ClipAnalysis& in_chosen_orders() const;
+
   const Eigen::MatrixXd& original_tracks() const;       // landmark_tracks()
   const Eigen::MatrixXd& original_body() const;         // body_tracks()
   const Coefficients& coefficients(Basis basis) const;  // what a closed loop needs of a basis
   const BasisAnalysis& in(Basis basis) const;
-  const ErrorModel& model(Weighting weighting) const;
-  const ClosedLoop& closed_loop(Basis basis, Weighting weighting) const;
+  const ErrorModel& model(Weighting weighting, Ends ends = Ends::LikeTheRest) const;
+  const ClosedLoop& closed_loop(Basis basis, Weighting weighting, Ends ends = Ends::More) const;
 
   /// Of the feet, as found on the original; empty where there are no feet.
   const std::vector<ContactSpan>& contacts() const;
@@ -66,13 +82,16 @@ class ClipAnalysis {
   };
 
   Motion motion_;
+  const ClipAnalysis* same_ = nullptr;
+  OnDemand<Only, RotationOrders> orders_;
+  OnDemand<Only, ClipAnalysis> in_chosen_orders_;
   OnDemand<Only, Eigen::MatrixXd> original_tracks_;
   OnDemand<Only, Eigen::MatrixXd> original_body_;
   OnDemand<Only, std::vector<ContactSpan>> contacts_;
   OnDemand<Basis, Coefficients> coefficients_;
   OnDemand<Basis, BasisAnalysis> bases_;
-  OnDemand<Weighting, ErrorModel> models_;
-  OnDemand<std::pair<Basis, Weighting>, ClosedLoop> closed_loops_;
+  OnDemand<std::pair<Weighting, Ends>, ErrorModel> models_;
+  OnDemand<std::tuple<Basis, Weighting, Ends>, ClosedLoop> closed_loops_;
 };
 
 }  // namespace mocapress

@@ -23,8 +23,10 @@ ClosedLoop::ClosedLoop(const Coefficients& transform, const Clip& original, cons
       curvature_(model.curvature()) {
   const std::vector<double> gains = transform.lifting.gains();
   gains_ = Eigen::Map<const Eigen::VectorXd>(gains.data(), std::ssize(gains));
-  if (curvature_.size() > 0)
-    curvature_ = curvature_.cwiseMax(std::max(kLeastMoved * curvature_.mean(), 1e-12)).eval();
+  if (curvature_.size() > 0) {
+    const double mean = curvature_.rowwise().mean().cwiseQuotient(model.frame_weights()).mean();
+    curvature_ = curvature_.cwiseMax(std::max(kLeastMoved * mean, 1e-12)).eval();
+  }
   mean_curvature_ = curvature_.colwise().sum() / std::max(original.frames(), 1);
   mean_curvature_ = mean_curvature_.cwiseMax(1e-12).eval();
   coefficient_curvature_ = coefficient_curvature(curvature_);

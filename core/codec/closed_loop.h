@@ -19,7 +19,7 @@ struct ClosedLoopWork {
 
 struct ClosedLoopProgress {
   int sweep = 0;
-  double eps_cm = 0;  // by the quadratic model, frames weighted
+  double eps_cm = 0;  // by the quadratic model, frames weighted as asked
 };
 
 /// Quantisation and the trade between channels decided together, by what they do to eps_x.
@@ -35,7 +35,7 @@ class ClosedLoop {
 
   struct Result {
     QuantisedSignals coded;
-    double eps_cm = 0;  // by the quadratic model, frames weighted
+    double eps_cm = 0;  // by the quadratic model, frames weighted as asked
     int sweeps = 0;
     bool complete = true;  // false: the observer ended it
   };

@@ -19,6 +19,10 @@ std::string_view name(Method method) {
   return "unknown";
 }
 
+Skeleton CompressedClip::coded_skeleton() const {
+  return orders.empty() ? skeleton : with_orders(skeleton, orders);
+}
+
 std::size_t CompressedClip::correction_bytes() const {
   if (!correction) return 0;
   if (!is_of_words(coding)) {

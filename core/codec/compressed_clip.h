@@ -14,6 +14,7 @@
 #include "core/ik/correction.h"
 #include "core/motion/clip.h"
 #include "core/motion/landmarks.h"
+#include "core/motion/rotation_order.h"
 #include "core/wavelet/basis.h"
 
 namespace mocapress {
@@ -59,7 +60,8 @@ struct CodedSegments {
 
 /// A compressed clip as values: what a .mcpr file holds. FORMAT.md says how.
 struct CompressedClip {
-  Skeleton skeleton;
+  Skeleton skeleton;      // the source's
+  RotationOrders orders;  // of its joints' angles as they are coded; empty: the skeleton's own
   double sample_rate_hz = 120;
   int frames = 0;
   Basis basis = Basis::Cubic;
@@ -68,6 +70,9 @@ struct CompressedClip {
   std::optional<CodedSegments> segments;  // of Coding::Adaptive only
   std::optional<CodedCorrection> correction;
   Provenance provenance;
+
+  /// The skeleton in whose channels the motion is coded.
+  Skeleton coded_skeleton() const;
 
   /// What a ratio counts: motion, segments and correction, not the skeleton.
   std::size_t motion_bytes() const {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/container.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <optional>
 
@@ -18,6 +20,7 @@ namespace mocapress {
 namespace {
 
 constexpr std::string_view kMagic = "MCPR";
+constexpr std::string_view kOrders = "ordr";
 constexpr std::uint16_t kVersion = 1;
 constexpr std::size_t kSectionHead = 12;  // tag, size, checksum
 constexpr std::size_t kSections = 6;      // where the file has their number
@@ -143,6 +146,31 @@ CodedSegments read_segments(std::span<const std::byte> payload, std::size_t offs
   return segments;
 }
 
+/// The orders that a source's angles have, those of joints that turn freely: one, or each one's.
+std::vector<std::byte> write_orders(const Skeleton& source) {
+  std::vector<std::byte> orders;
+  for (const Joint& joint : source.joints())
+    if (turns_freely(joint)) orders.push_back(static_cast<std::byte>(rotation_order(joint)));
+  if (std::adjacent_find(orders.begin(), orders.end(), std::not_equal_to<>()) == orders.end())
+    orders.resize(std::min<std::size_t>(orders.size(), 1));
+  return orders;
+}
+
+RotationOrders read_orders(const Section& section, const Skeleton& coded) {
+  ByteReader reader(section.payload, section.payload_offset);
+  const bool all_alike = section.payload.size() == 1;
+  RotationOrders orders = rotation_orders(coded);
+  std::optional<RotationOrder> last;
+  for (int j = 0; j < coded.joint_count(); ++j) {
+    if (!turns_freely(coded.joint(j))) continue;
+    if (!last || !all_alike)
+      last = read_enum(reader, RotationOrder::Xyz, RotationOrder::Zyx, "order of rotations");
+    orders[static_cast<std::size_t>(j)] = *last;
+  }
+  reader.expect_end();
+  return orders;
+}
+
 std::string_view motion_tag(const Container& container) {
   return container.of_comparison ? "COMP" : "MOTN";
 }
@@ -162,7 +190,7 @@ class SectionReader {
       const std::size_t start = file_.offset();
       Section section = read_section(file_);
       if (section.tag == tag || section.tag == or_tag) return section;
-      if (!is_optional(section))
+      if (!take_optional(section))
         throw FormatError(start,
                           "section " + section.tag + " where " + std::string(tag) + " is expected");
     }
@@ -177,19 +205,27 @@ class SectionReader {
       Section section = read_section(file_);
       if (section.tag == tag && !found)
         found = std::move(section);
-      else if (!is_optional(section))
+      else if (!take_optional(section))
         throw FormatError(start, "unknown section " + section.tag);
     }
     return found;
   }
 
+  /// The optional one that is known here, once all have been read.
+  const std::optional<Section>& orders() const { return orders_; }
+
  private:
-  static bool is_optional(const Section& section) {
+  bool take_optional(const Section& section) {
+    if (section.tag == kOrders) {
+      if (orders_) throw FormatError(section.payload_offset, "a second section ordr");
+      orders_ = section;
+    }
     return std::islower(static_cast<unsigned char>(section.tag[0])) != 0;
   }
 
   ByteReader& file_;
   int left_;
+  std::optional<Section> orders_;
 };
 
 /// Those of all segments. A clip without signals counts as one signal.
@@ -225,15 +261,17 @@ std::vector<std::byte> write_container(const Container& container) {
   ByteWriter file;
   file.append(bytes_of(kMagic));
   file.write(kVersion);
-  file.write(static_cast<std::uint16_t>(3 + (clip.segments ? 1 : 0) + (clip.correction ? 1 : 0)));
+  file.write(static_cast<std::uint16_t>(3 + (clip.segments ? 1 : 0) + (clip.correction ? 1 : 0) +
+                                        (clip.orders.empty() ? 0 : 1)));
   if (is_adaptive(container))
-    write_section(file, "JNTS", encode_joints(clip.skeleton));
+    write_section(file, "JNTS", encode_joints(clip.coded_skeleton()));
   else
-    write_section(file, "SKEL", encode_skeleton(clip.skeleton));
+    write_section(file, "SKEL", encode_skeleton(clip.coded_skeleton()));
   write_section(file, "CLIP", write_description(container));
   if (clip.segments) write_section(file, "SEGS", write_segments(*clip.segments));
   write_section(file, motion_tag(container), clip.motion);
   if (clip.correction) write_section(file, "IKCO", write_correction(*clip.correction));
+  if (!clip.orders.empty()) write_section(file, kOrders, write_orders(clip.skeleton));
   return with_room(std::move(file), sample_count(clip));
 }
 
@@ -275,6 +313,11 @@ Container read(std::span<const std::byte> bytes, bool wavelets_only) {
     clip.correction =
         read_correction(correction->payload, correction->payload_offset, clip.skeleton);
   file.expect_end();
+  if (const std::optional<Section>& of_source = sections.orders()) {
+    const RotationOrders source = read_orders(*of_source, clip.skeleton);
+    clip.orders = rotation_orders(clip.skeleton);
+    clip.skeleton = with_orders(clip.skeleton, source);
+  }
   const std::uint64_t samples = sample_count(clip);
   if (samples > decoder::kMostValues)
     throw FormatError(description.payload_offset + 8, "more than 2^26 values");

@@ -89,6 +89,13 @@ void put_rows(Eigen::MatrixXd rows, int first, int all, Eigen::MatrixXd& matrix)
   matrix.middleRows(first, rows.rows()) = rows;
 }
 
+Clip in_source_channels(const CompressedClip& compressed, Clip coded) {
+  if (compressed.orders.empty()) return coded;
+  return with_orders(Motion{compressed.coded_skeleton(), std::move(coded)},
+                     rotation_orders(compressed.skeleton))
+      .clip;
+}
+
 Uncorrected decode_uncorrected(const CompressedClip& compressed) {
   Uncorrected decoded{.clip = {compressed.sample_rate_hz, {}}, .differences = {}};
   visit_decoded(compressed, [&](int first, Uncorrected& block) {
@@ -101,7 +108,7 @@ Uncorrected decode_uncorrected(const CompressedClip& compressed) {
 CorrectionReport correct(const CompressedClip& compressed, const Eigen::MatrixXd& differences,
                          Clip& clip) {
   if (!compressed.correction) return {};
-  return apply_correction(compressed.skeleton, compressed.correction->effectors,
+  return apply_correction(compressed.coded_skeleton(), compressed.correction->effectors,
                           compressed.correction->solver, differences, clip);
 }
 
@@ -111,7 +118,7 @@ Clip decode(const CompressedClip& compressed) {
     correct(compressed, block.differences, block.clip);
     put_rows(std::move(block.clip.channels), first, compressed.frames, clip.channels);
   });
-  return clip;
+  return in_source_channels(compressed, std::move(clip));
 }
 
 }  // namespace mocapress

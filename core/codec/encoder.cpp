@@ -43,14 +43,14 @@ class Outcome {
     correction_.bytes = compressed_.correction_bytes();
     correction_.fastest_knee = knees_->fastest();
     correction_.fastest_knee_of_original = fastest_knee(
-        compressed_.skeleton, compressed_.correction->effectors, original_.motion().clip);
+        original_.motion().skeleton, compressed_.correction->effectors, original_.motion().clip);
     encoding.correction = std::move(correction_);
   }
 
  private:
   void add(int first, Uncorrected& block) {
     if (knees_) correct(first, block);
-    original_.compare(first, block.clip,
+    original_.compare(first, compressed_.skeleton, block.clip,
                       [&](int from, const TrackRows& original, const TrackRows& decoded) {
                         distortion_.add(from, original, decoded);
                         footskate_.add(from, original, decoded);
@@ -131,11 +131,23 @@ Encoding Encoder::encode(const EncodeOptions& options,
   EncodeOptions effective = options;
   effective.coding = effective_coding(options);
   check_room(shape_for(motion(), effective));
-  TargetedEncoding found = encode_to_target(*analysis_, effective, observer);
+  // Segments are put into other orders one by one: the whole would be in memory twice.
+  const bool is_whole = even_segments(motion().clip.frames(), effective.segments).count() == 1;
+  const ClipAnalysis& analysis = effective.method == Method::ClosedLoop && is_whole
+                                     ? analysis_->in_chosen_orders()
+                                     : *analysis_;
+  TargetedEncoding found = encode_to_target(analysis, effective, observer);
 
   Encoding encoding;
-  Outcome(*analysis_, effective, found.compressed).run(found, encoding);
+  Outcome(analysis, effective, found.compressed).run(found, encoding);
   encoding.compressed = std::move(found.compressed);
+  if (RotationOrders coded = rotation_orders(encoding.compressed.skeleton);
+      coded != rotation_orders(motion().skeleton)) {
+    encoding.compressed.orders = std::move(coded);
+    encoding.compressed.skeleton = motion().skeleton;
+    if (!options.figures_only)
+      encoding.decoded = in_source_channels(encoding.compressed, std::move(encoding.decoded));
+  }
   encoding.compressed.provenance = {options.method, options.weighting, options.seed,
                                     static_cast<float>(encoding.distortion.eps(options.weighting)),
                                     static_cast<float>(encoding.distortion.max.cm)};

@@ -61,7 +61,7 @@ struct CorrectionResult {
   std::optional<double> slide_without_cm;  // where it was found: footskate without a correction
   std::size_t bytes = 0;                   // of the motion's
   CorrectionReport report;
-  Clip uncorrected;         // empty where only figures were asked for
+  Clip uncorrected;         // in the channels as coded; empty where only figures were asked for
   double fastest_knee = 0;  // radians/s, with the correction
   double fastest_knee_of_original = 0;
 };

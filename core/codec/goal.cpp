@@ -48,7 +48,7 @@ double Goal::achieved(const CompressedClip& compressed) const {
 
 double Goal::achieved(std::size_t motion_bytes, const std::function<Clip()>& decoded) const {
   return achieved(motion_bytes, Comparison([&](const Original::Visit& visit) {
-                    original_.compare(0, decoded(), visit);
+                    original_.compare(0, original_.motion().skeleton, decoded(), visit);
                   }));
 }
 

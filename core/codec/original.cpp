@@ -5,8 +5,9 @@
 
 namespace mocapress {
 
-void Original::compare(int first_frame, const Clip& decoded, const Visit& visit) const {
-  visit_tracks(motion_.skeleton, decoded, [&](int first, const Eigen::MatrixXd& tracks) {
+void Original::compare(int first_frame, const Skeleton& skeleton, const Clip& decoded,
+                       const Visit& visit) const {
+  visit_tracks(skeleton, decoded, [&](int first, const Eigen::MatrixXd& tracks) {
     const int from = first_frame + first;
     const auto count = static_cast<int>(tracks.rows());
     if (tracks_)
@@ -17,9 +18,10 @@ void Original::compare(int first_frame, const Clip& decoded, const Visit& visit)
 }
 
 void Original::compare(const CompressedClip& compressed, const Visit& visit) const {
+  const Skeleton skeleton = compressed.coded_skeleton();
   visit_decoded(compressed, [&](int first, Uncorrected& block) {
     correct(compressed, block.differences, block.clip);
-    compare(first, block.clip, visit);
+    compare(first, skeleton, block.clip, visit);
   });
 }
 

@@ -24,8 +24,10 @@ class Original {
   using Visit =
       std::function<void(int first_frame, const TrackRows& original, const TrackRows& decoded)>;
 
-  /// With frames that were decoded: those from first_frame on.
-  void compare(int first_frame, const Clip& decoded, const Visit& visit) const;
+  /// With frames that were decoded: those from first_frame on. Their channels may be others than
+  /// the original's, the bones are the same.
+  void compare(int first_frame, const Skeleton& skeleton, const Clip& decoded,
+               const Visit& visit) const;
 
   /// With all that a clip decodes to, in memory that does not grow with its segments.
   void compare(const CompressedClip& compressed, const Visit& visit) const;

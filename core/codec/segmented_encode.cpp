@@ -16,6 +16,8 @@ class SegmentedEncode {
   SegmentedEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
                   const SegmentLayout& layout, const Observer<EncodeProgress>& observer)
       : motion_(analysis.motion()),
+        orders_(analysis.chosen_orders()),
+        first_angles_(angles_at(motion_, orders_, first_frames(layout))),
         contacts_(contacts_for(analysis, options)),
         options_(options),
         layout_(layout),
@@ -52,6 +54,12 @@ class SegmentedEncode {
   }
 
  private:
+  static std::vector<int> first_frames(const SegmentLayout& layout) {
+    std::vector<int> frames;
+    for (int k = 0; k < layout.count(); ++k) frames.push_back(layout.first(k));
+    return frames;
+  }
+
   /// The segment where feet stand most stands for all.
   double find_split() const {
     const int segment = most_contacts();
@@ -76,8 +84,10 @@ class SegmentedEncode {
     return frames_of(contacts_, layout_.first(segment), layout_.frames_of(segment));
   }
 
+  /// In the orders that are coded, the angles those of one conversion of the whole.
   Motion motion_of(int segment) const {
-    return frames_of(motion_, layout_.first(segment), layout_.frames_of(segment));
+    return with_orders(frames_of(motion_, layout_.first(segment), layout_.frames_of(segment)),
+                       orders_, first_angles_[static_cast<std::size_t>(segment)]);
   }
 
   EncodeOptions options_for(int segment) const {
@@ -132,7 +142,7 @@ class SegmentedEncode {
   /// Not weighed yet.
   template <typename EncodePart>
   Trial encode_all(double scale, const EncodePart& encode) {
-    Trial trial{.compressed = {.skeleton = motion_.skeleton,
+    Trial trial{.compressed = {.skeleton = with_orders(motion_.skeleton, orders_),
                                .sample_rate_hz = motion_.clip.sample_rate_hz,
                                .frames = layout_.frames,
                                .basis = options_.basis,
@@ -182,6 +192,8 @@ class SegmentedEncode {
   }
 
   const Motion& motion_;
+  const RotationOrders& orders_;
+  const std::vector<Eigen::Matrix3Xd> first_angles_;  // of each segment
   const std::vector<ContactSpan> contacts_;
   EncodeOptions options_;
   const SegmentLayout layout_;

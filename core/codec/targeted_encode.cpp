@@ -17,6 +17,7 @@
 #include "core/codec/trial.h"
 #include "core/metrics/rate.h"
 #include "core/select/annealing.h"
+#include "core/select/end_weights.h"
 
 namespace mocapress {
 namespace {
@@ -41,7 +42,7 @@ class TargetedEncode {
                         motion.clip.sample_rate_hz);
     correction_ratio_ = options.correction->ratio.value_or(SplitSearch::kFirst);
     if (!heeds_model) return;
-    if (!own_model_) own_model_ = analysis.model(options.weighting);
+    if (!own_model_) own_model_ = analysis.model(options.weighting, ends());
     for (const auto& response : correction_->responses(motion.clip, analysis.original_tracks()))
       own_model_->add(response);
   }
@@ -99,13 +100,22 @@ class TargetedEncode {
 
   /// What errors of the motion cost: some joints more, what a correction makes good less.
   const ErrorModel& model() const {
-    return own_model_ ? *own_model_ : analysis_.model(options_.weighting);
+    return own_model_ ? *own_model_ : analysis_.model(options_.weighting, ends());
+  }
+
+  /// The paper's methods know nothing of ends; and a hard maximum holds there as anywhere.
+  Ends ends() const {
+    return options_.method == Method::ClosedLoop && options_.target.kind != Target::Kind::MaxError
+               ? Ends::More
+               : Ends::LikeTheRest;
   }
 
   void emphasise(const Importance& importance) {
     const Motion& motion = analysis_.motion();
     own_model_.emplace(motion.skeleton, motion.clip,
                        important_points(motion.skeleton, options_.weighting, importance));
+    if (ends() == Ends::More)
+      own_model_->weigh_frames(end_weights(motion.clip.frames(), motion.clip.sample_rate_hz));
     if (importance.contacts == 0) return;
     for (const auto& point : standing_points(motion.skeleton, analysis_.original_tracks(),
                                              contacts_, importance.contacts))
@@ -260,7 +270,7 @@ class TargetedEncode {
   }
 
   const ClosedLoop& loop() {
-    if (!own_model_) return analysis_.closed_loop(options_.basis, options_.weighting);
+    if (!own_model_) return analysis_.closed_loop(options_.basis, options_.weighting, ends());
     if (!own_loop_) own_loop_.emplace(coefficients_, analysis_.motion().clip, *own_model_);
     return *own_loop_;
   }

@@ -9,160 +9,160 @@ namespace {
 
 // clang-format off
 constexpr std::string_view kContexts =
-    "-<=@CFJRDDFGHKNVIKJLMPQTGJHJLNQVJMLLNPRWLMLMOPSWNRPQRRTZOPUOQUX^0>?ADGJQIHIJLNOVJKJLMNPSIL"
-    "KLMOQVLMNNOPSWNPPPPQTXPSSSRTUZ SXVXXY^2>@BEGLTJJJKKMOVKKLLMNPTLLLMNOQUNNPOQQSVRRPQRSTXTVSU"
-    "UUVZ  _QYZZ`5>?BEHMUHIIJLMPVKKLKMOQVKMLMNORVNNPNPQSWRRRQRSUYTSVUUVW[TX[V_[[b;ACEHKOXIIJJKN"
-    "QVLMLLNPRVLMNNNPSWQPPPQSTYSSRSSSVYRTWVVVX]ZUW[Y[]cDEGILPT_JJKNKOSVLLLMOPSYNMNOPRTZSQPRQRVZ"
-    "URUTTUV[[[VWXXY_fc^_b`_eLFJKNRVeKJLLOOVZMLLLOQUZONNOPRUXSQQQSTW[XSTSTUW]^XWXVXZ_k ^c[_`hUI"
-    "NQSV[hIKMNSQSTNKMNQSU[SONPQUW`VSPSSSX][VTVUVY^bVVZZY[_ne_cZbch(89<>AFQCDEFGIKUEEFHILMTCGFG"
-    "IKNUHIJILNQWJKIKNORXX_NSPSU]r   `d^g/;<>ACFOFDGFFGJNFFHHJKMOEHGHHHMTHGKIILORHNKJLLOSNVKKQO"
-    "RU      PS0<>@BEIPGDEGHJMSIIIJLLMRFIGHIKMTIJIJLLOUGJFKLLPVOOJRKNQU      SX3>?BDGJPHHHIIKMT"
-    "JKIJLLNQHJJIJKNRIKJKLMOSLLIJLMOUERQPORRW     OVW5@ACEHKQIIJJJKNUKKJLLNORIKKLLMPTMLLLMNPUMN"
-    "MMNOQUNQPORQRW    UQUY6ABDGJMSJIIKLMPUKLKMMOQTJLLNNOQUMNONPPRUOPOOPQRVNQPRQRTXRTUPUUX^8BCF"
-    "HKOVJJKLMOQULLMMNPRULMMNOPSVOOPOQRSVRRRRRSUXTUTTTUVZSNVYXYY_@CEGJMQYJIJKMORXLMMMNPSWMMMNPQ"
-    "SXQPQPRSUYTTTSTUVYXVWWVWX[dW_XY^]bNFIKNQVbKLLNOQTYMNNMPQUZQNPPPRVZTRQRSTV[XTTTUUW]_VWYXYZ_"
-    "kb_^]__e       a       _      Zea    aS]_   aUX`_   V]^`g aU]]_cp  bb]bk3=CJ05<L48=B5:?D8:"
-    "AF:=EI<ALX?DKQDGOWENVc+5?F-/8=14:@45;D78>F:;@H=>BK>@DO?AGP=GJW?DEF?@BO@AB=@ACEABDFBCEIDEGN"
-    "EFIOFGKSFKPWAFHKA@D BCAGDCGGDEGHFFHKGHJPHIKOIJMRILQYGKKODH> GJI GHIKGIKJIILMJKMRKLNQLMOSMO"
-    "RX  YUGN  I   IJ  JHL LMPNMNPVNOPROPQTPQTY    K   M   I   J@  MMM OPT_PQSTRSTVSTVZ        "
-    "        K   LO  PS`hRUTYTUWXVWY]                    J   R dmPUb_VVX]WZ]`                  "
-    "        iuU   UUUYZ_bh$#02368;?BEILNQSUVXZ[Zb_dlk     ''0457:=?BFIKNQRUWXY[X_db^i     )'13"
-    "579<>AEHKNQSUWXZ]Z`cfloa    .)-2368:<@CGJMPSUWY[^^beijts    4/6668;=>ADFIMPSUWY[^_begjlsg "
-    "  F7;3>:>?AADFIMPSVXZ]_`deijlrr   R99@CE>DBDEGJMPTVX[^`behknrrw   f  Q  JLLKHJLORUWZ[_abek"
-    "kmsvt   NLJKMOSYNJJLMPTZLJJKMPSZLJJKMOT[KIKLMPT_RKLMORVaUJMNPRWcWKPPRUYeFIHIIKNUEEFGHJOVDD"
-    "FFHJNUEDGFHJNWIDFGHKPYUGJJKMQ]VHKLMNR_XLNNOQUaBHFHGGJRDGDEEGJSEECCDFJREHFEFGJSKBHEFHKVWFJI"
-    "JJMXVFLLLLOZXLNONOQ^=>AFFDGO<@AEBBFO><DABCFOHEHCEDFPM MIIEHSV=IJHIKUU LLKJLWXMMMONOZ   :D="
-    "FN   ;:CEN    CACO  J@IFEOO IKKGGQV OOFHITU MPLKKVWJOPONNX      BM     @CN     @AN    @KAN"
-    "J   FJCPU `K>LHRU RNMLKTU MMPMOV       M      ?M      JN      =M      JOS VT OJQR TJJOJST "
-    "KQNOMT       M       M       M       M      NMP LO OJNO MO KKPR MKMMORMMMPRUYcLLNPQTWaMMNP"
-    "RTX`NNNQRUX_OOOQSUX_POQRSVY_RQRTUWZaXRTVWY^fJIJKMPU_IIJLLOS[JJJKMOS[JJJKMOSZKJJLNPSZLLKMNP"
-    "TZOMNOPRU[XOQQSUYbLHHIJLQ[IFGGHKNWIGGIIKOXKHIHJKOWKHHIJKOWLIIIJLPWOJJKLMQWXMNOPQT^QEFIIJNW"
-    "L?DCIGKUMBFGGHKTJEGFFHKSLEEGGHKSNEHGFHLSOHHGIJLTWJKLMNPYTGIIJKLUN I;GJKSNJAEFGKSM;EABGJRNF"
-    "EFGFJQNFFEFHIQPFFHHHJQVKJKKLMVTFJGIHKSQ   GDJSR  @=IHRO O >EJRL JDDGHPM@IEHEGOO;IFEFHOUALJ"
-    "IIKTT =KHGJRQ     KQR    JKQM    @IQK    JFPK   MCFPN FDKHENS KKJIJRQ  J?<HOQ     MOQ     "
-    "FOM     DNM     LOH     COK   HIGNQ KJJHIPMIIQKKJMKJJNKJJNLLLPMLMRMMMSPMNVXOOZh_ZhPFGPDEBJ"
-    "EFDLBFEKFFEKHHHNIJJOPKKSXMMXfJZcWGERD=EJB@BJGBCJBEDKFEEMGGFMRJJPXLMVa U_YG;S   K   I> >J;D"
-    "BJBBDNFDCLRHHOXKMT] N[Y  T   F   N   K   K  ?OLJEMREHOWMLS^  YX  S   O   G   N   J   OJ  M"
-    "Q <OVPLRZ  VV  S       P   I   H   N   MN  NTKOQW  TR  P       G   K   L   M   MK  LRJMOS "
-    " QHNLKKKTOR[DKKJJJKLMOFIIJJKLMORKIJKKLMMORROLONNNOPSSWTPPQQQRTa  TQQVTUW    `T`VWY     _lX"
-    "Y]      yQXcCDFFEFUKOY7DDDEEFGIM@GEFGGIHJOFECFHGIIKONHCHIIJJKOQPONMKMLMPO   MPSOPR    HL[R"
-    "SU     _hUUY      mYW`M?DDDDWGLW EFBBAGGGK FDEHEIGGMGH<EDFJGIN=H?BCEJGHMGM?KHGMHIM    PMRJ"
-    "KO     NZNNQ     @cQRU      jRT]?  ?JGWFGV  J@<:FHGI   >BDIFGM   >LFKEGL    JFLDFL   ?JFNE"
-    "FL    =LRFGL     LYLIN      ^MMQ      fGPX      WGFU      F<?I     ?O9AK    L;MGIL    OIOH"
-    "EL    ?MOFFL     IRFFK      UKGL      YQLN      c LV      U JT                O  J      P="
-    ":K      LD9K     _PNHJ     @OHEK      QFCK      VMKL      ^ RT      T  S                M "
-    " I      Q  J      P  K     @M;;I      MLHJ      ONJJ      P=GK      Z MR      Q  Q        "
-    "        L  J      L  F      L  H      O  J      N  J      M MI      M @I      S @PRKIIIIHI"
-    "IJJLMOQTVXZ]_`cfimpw{   TACABEACBDEFGIKNPSUWZ]_begkpo   YF?=BBBCCABCEFGIKNQSVXZ^adhml   [ "
-    "     =E@FEHIFGGIKNQTVY[`dhm   Y         GKNPLJHHIJLORUX[`eh   X          FQRNMLJIIILNQSWZa"
-    "d   U           OUONMMKJIMKMOSV[`   R           JQLPLMNMKPKNLOQSS                         "
-    "          GADDGIGGGGHIJKKLNNNNONOOOPMP    L>M=CFHHGFGGHHIJLMMNNOOOOOORT   N      IJ@FHGGHI"
-    "IKLMNNONOPOQ    M         SLJHHHIIJKLMNNOOOOI   M          WQLHKHHIIJKLMNOONO   N         "
-    "  PKKLKHIHIIJKMNNOR   N           MMIIJJJKIKJKKLLMM           LKLLMMMMKKKLLMMMKKKLMMMNJKKL"
-    "MMMMKKKKLLMMLJKKKLLMKJKKKKLL                                                              "
-    "                  K       HK      HIJL    IJJKL   JJKKKMM KLLLLMN LLMMMNNNKMNMNNONMLMMMNOO"
-    "KIMLMNNOL       HJ      HGJJ    IHHJK   HIIIJKN IIIJJKM KKKKKLMNLLLLLMMNMMMMMMNOKLNMMNNOM "
-    "      HJ      FCKI    HIJJK   HHGIIKL HIHIIJL JJJJJJKNMJKKKKLNNMLLKLMNNLJNLNNOM       IP  "
-    "    I JF    CHGKL   FJCHKKM FIJIIIK JGIHHIJMFIIJIJKMLKJIKKLMJNMILLMNM                 LO  "
-    "  I  KI   G?@KKKL  JI@JIJ HFGGFGJKIILHHGIKHFIHIJILKFMKMKKMM                 K        OI   "
-    "    HJJ     >@M    HQKKI   =FIFK> MMHIIK? HKKIKLL                 F        KM        ML   "
-    "    H       JK    G HJ     DGK   LFKIL                                HKJLNOO KNLLNOO TGJK"
-    "MOO V OMNOP L JKLNOGL MLMNO K  LKMNNL >LLNNPM  KLMNOI  QMMNOJ  LLLMMO  LMMNLOQNOOLORNMNLON"
-    "MLLLQSQSSQORPOPNNONPPPMNMMNMNNMQRPOQPOQPOQNOPMPQOMNLONMMNLPRPPRPOQPOPNOPMOQNKMJMNLMMKRTQRS"
-    "QPSPNOONPMPPOLMJNNKLMKQSQRSQQRPOMQNOOPPOONLMMMNMLOQQPQQQQPOKROMNQPPONOOMNNNNPPPPOPRPQOMQQN"
-    "OOQPOPPLPOMOQPNNPMOROOOONOPPNNNLSPPPKNPQMONKQONPNMQQQSNNSSROMOPSMKKKPPPNMNPR4MSVZdsrmk3HNP"
-    "SVZ_it5EIMPTX_gp7EGINTZck|<FJLOSZbkwAKJMPTVly|AOKJNRTcjyF OQPTXdq|5FFJHHENa AKPTUTY^dx5IIJ"
-    "MPNZcp@HLLNRMZ` JOSXW^bkt|CLPQSW[en{                    9FDMPR_adx                        "
-    "                                    + <DSYff`_5MSX[gsqmk                                  "
-    "                          3:?CGLSYhp3HOTW_eiip                                            "
-    "      3 BDELOVal6HJMQS_epr4EJNUZfvtv                                        >  ;JPVZcz5 AD"
-    "JQVary1>CDMVfnou5EHLRXavuy                              B   NPU`i{9  JIMUZdp2 ?EMUamnw6GHM"
-    "NT_ppv;GKMSZftt{                    E    PThhrB   NRXkr|@  LPUallx= GINPVdqyALKMRZbqr{DJNU"
-    "T^klkv                    =    NTX[jC   KPU`exB  JHNXdpz; KIPX^hq|BOLMS^jklv              "
-    "                F    OXakxG   PQYanyF  RPZ`qr|D OOTfkjlw                    UUOI'         "
-    "                  KF.                             X][ZYXWUTSRPNKJJJ               UYYXWVUT"
-    "SRQPONNSRNO             wwolhdb_^ZWUUSOKJ@              feca^[YYXVUTRSPNKH              wV"
-    "YQ-           TUOG*                                                                       "
+    "/>?BDGKRFGHHJKOUHIJKLNPTGKJJMNQVJMMMNORWKNNOPPSWOQOPRSTYNVTTUTW]1=?ADGKSHHIIKLOUJJKLMNQTIJ"
+    "KLMOQVLNNNOPRWNPPPQRTXPTRRSTVZXaUZXZX_5>@BEHMUIIJJLMOVKKKLMNQUKLLMMORWNOPOOQSWQQQQRSTXUUTT"
+    "TUW[ZSWZ^Z[a;?BDGJNXHHJJLMPVLLLMNORVLLMNNPSWPOPOQQTXSTSSRSUYYVVVWVX]gX[_[]]bBCEGILQ[IIJKMN"
+    "QWLLLMNPSXNMNNOPSXRPPQQSUYURSTTTVZ[XVVWWY^h[m]_]^dHDIKMPUbIKJMMPSXNMLMNQUYOLNOPQUZSPRQRSV["
+    "XSSTTTW[]YXWXXZ_h^b]^__eOFLNPTYgIKLMNQSXNMMNORV[PMOPQSVZTRPQSSW]YTRTUUX^_VVWWX[_je]]]]_gWJ"
+    "OSTW]hIJKOQSW_NKLNRTX^TQPRRTX_WSSRSUX_[UTUVVY``VYY[Z[`l`Vmaaag)79;>AGSCDDEGHLSEFGHIKNTFHGH"
+    "IKOVHIKKLNQWNOOOOQSY[WQRUVX^l `VbYbg0:;>?BGNECDDEFJSGIGIIJMRFFEGGILQJJKGJLNSKLJNLKNU;HGJGJ"
+    "KQ        2<>?BEHMFFGEHHKQHHGIIKNPGIGHHJMRLKJJKKNQJNKLLLPTLUOJNONT        5?@BDFJOGGHHIILS"
+    "HJHJJKMQHIHHJKMTJKJJKLNTLNMMMMOUOTMOOPQV@  J  PQ7@BDFHLQIHIIKKMTJJKKLMORIJKKLMOSLMMLMNPULM"
+    "MMNOPURSOPOPRXT  R TQV:ACEGJNSIIJJLMOTKKKLNOPSKKLMNOQUMOONOPRUNOOPPQRVORPQRRSWRaW_]VWY=CEG"
+    "ILPUIJJKMNQVLLLMNPRULMMNOPRVOPPPQRSVRRQRRSTWTTSTTTVYSQUUXYY]DDGIKNRZIJKLMORXMMLMNPSWNMNOOQ"
+    "TXRPQQQSUXUSTTTTVYZWVVWWX[gX][][]`OGKMORWcKLMNORTZNNNNPRVZQNPQQSV[URRRSTW[YTUUVVX]_VXXYYZ_"
+    "kb^b_^_d_     ef     Q cc   QL^ic   OYU_c  WcQZa`  OUY^ac`fX][`cm R[Zdbi6?DK17? 59>A7:@F9<"
+    "CH;?FL?DPXCGNSGKQXNSZc0<@I.49 26=@57<B89?G;<AI>>DM@AEPBCHUEHKTADEG>AB ?BCB@ACDABDGCDFIDEIO"
+    "FGKPGIMSJMRXBHIKBDF CEE<CDFHDEGIFGHKGHKQIJLPJKNTMNSZKJORFIF GAK FGHLHJKMIJLMJKNSLMNRMNPTOP"
+    "TZ  TQE   I   I@GUJLMRLMNOMNQWNOQSPQRVQRUZ            I   L   MMOTPRX_QRTURSTWTUW[        "
+    "        H   K   P^fjRUVXUUWXWXY^                    Q   MqlmUVXbUWY]Y[^`                  "
+    "       s|uT Q VUYeZ`cg&%1468;=@DGJLOQTVXZ[[Xadoje     )'0357:=?BFILNQSVXZ]^aaccad     ,)22"
+    "57:<?BEHKNQSVXZ]`aceikxl    1*3369:<?BEHKNQTVXZ]_bdgiknnc   <,878:<>@CEHJNQTVX[^`adfhknrm "
+    "  G5::9=>@BDFHKNQTWY[_abegjlnvr   SAD?A?@DCEGIKNRUWZ]_acfijlnqt   e   FTLLJJKMNQSVY[^`bcgj"
+    "loorq   LJJKMORXLJJKMOSYKJJKMOSZNIJKMPT]QJJLNQU_SJLMORVaVKNOPSWcWIOQRVZeFGFGHJNTFEFGGJNTFD"
+    "EFGJNVQEFGHJOXSGIHILPZUHKJKMR]VIMLMOS_XJOOOQUaBEDEFFIPEFDDDFIQIAFDEFJRSFIFGGKTUBJIIILVUBKJ"
+    "JKNXVCMLLLOZXJNONOQ]A=<<ADEMG>3CDBEMG<GECDFOTEJGFFGQU<KHHHISU?JIKJKUU MJLLLWWIMMNNOY    A?"
+    "CK@  ;>CDLH D9GDDNT KLIFGPT MMIKHRU RLKKJTT PKKNLUV LOMNNW      DM     =CJ    OGFLS FMHJHN"
+    "S NMHLIPS RNMLJRT QNNMLST RONLNU      @M      =J      CKR  O IFMQ RPQNGOQ MOMMJPR NPGNKRS "
+    "MOQOMS       D       I       IO  OOOFKO HOJNGLO JOOOHNO LLRLLOQ JMMLLPLLMOQTYdLLNOQSV_MMNP"
+    "QTW^MMNPRTW]NNOQSUX^PPQRSUY_SQSTUWZ`ZSUWXZ_fIHIJLOT`IHIJKNRZJIIJLORYJIIKMOSXKJKLMPSYMKLMNP"
+    "TYPNNOPRU[YPQRSVYaMFGHILQ[JEFGHJMVJFGGHJNUJGGHIJNTKHGHIKOTLHHIJLPUPJJKLMQWXNOOPRU]RGFGHIMX"
+    "O>@BEGIUM?EDEEJTLDCDEGIPLDEFFGJPMCFGGHKQOFGHHILSWKLMMNPXTHHHIILUR IGFIGTPJDCDEGRM8AEDCGNMG"
+    "F>DFGMM=EFFFHNOEEFFHIOVIKJKLMUTGLGIJJST   >DISP   =BJRN  E:DDNL?EH@BEJM ECACFKNABFDFGLTGLJ"
+    "IJKSS IIIJIQQ     KRR     JTL     EOL    ?HIK  @@CBIM @EDEEKRIKJIIIQQ  QNJKOQ      PP     "
+    "FQM      OG     =KI     =HJ    F?IP IKGIHNOHIQIHILJIIMKJJMKKKNLLLPMLLRPMMUXOOZhc`gRFFQB?@F"
+    "EEDHDEEHFEFIGHGKJIJNQJKRXLMWdUWbYDGSC?DFA>>DA?@ECBCGCFFIIGGKQJJOXKMUaNZ^Y=BS   I   D> =CE;"
+    ">ECACGGDEJQGHMWKLS] JZX  S   :   G   C   DO =GGE?IODILVLLR[ HWW  S           J   F   DR  G"
+    "M FLTIMQY  UU  R               J   IM  FK  JSJNPV  RQ  P                   >   AH  HPOGNR "
+    " OGLKJIJTOS[BIJJIIKLMQDGGIIJLMOSIHJJKKMMOSONONMMOOPSS POPPRQRU_  LUQWTUW     RaWWZ     _jW"
+    "Y^      qPYdDAEFFFUKOY@CDEEEEGINBGFFEEHHKPD?CEFFIHKPKFGHHHJIKPR JOKJNKMQ_   PNUOPR     R_Q"
+    "SU     TdTVY      nVV`GBCABDVILW 8DCBCCCHM?B?IEDJFHN< CCDEJEHNFGE>CFKEHNN @DBGNGIN_   LMTJ"
+    "KO     P[NNR      aQRU      hXS]G J?D>VFIU  J<AA@?EK   D7AIEGL   >FFLEFL    FCNCDL    =APD"
+    "DL_   JHSFFL     _XJIN      ]NOQ      dXPX      UGGT        IE     @O7AK    @:LBBL     GNF"
+    "GK     GODDKJ    IQFDK     TUGGL      XNKN      `OUV      TCIS         F      Q @K      O>"
+    "=K      L8BJ      NIGK      OFFJ      Q>DK      TMGL      [ RS      S AR                M "
+    " J      O  I      O  K      K=:I      MLCJ      N FJ      PL@J      X QQ      P  O        "
+    "        L  G      M  G      L  J      N  J      K  H      K  I      M  I      R KNQJHGHHGH"
+    "IIJKMOQTVX[^`cegjmqsq   VB?E@DBCCCDEGIKNQSVXZ^`ceiloy   ZBG88D@CBBCDFGGIKNQTVY[_adhml   Y "
+    "   ?>FIFEGIJHGHILNQTVY]`chn   W       RLLKNPMKIHIJMPRUX[_de   V       Q RHNQNNLKIHILNQSWZ`"
+    "c   U         VTNQMOOMLJILKMOSVZa   R         L MQLLMNMLKOKLLNPQS                         "
+    "          HDHDFEFFGGHHIJLMMNNOOOOOOPON    NF?HFEDFGFGFGHIJLMNNNNOOONPP    M    Q>GHHGHHHHH"
+    "JKLMNOOOOPOQ    O        OKKKKIIIHJKLMNOOOPNd   O          EMLIKIHHIJKLMNOOOP   N         "
+    "  ILKKJJJIIJJKMMNOK   L         O LKLKLJJKIKJJKKLMM           KKLLMMMMKKLLMMMMJKKLMMMMIJKL"
+    "LMMMIJKKLLMMLJKKKLLLMJJJKKLL                                                              "
+    "                  K       HJ      HIKK    IHJKL   JJKKKMO KKLLLMN LLMMMMNNMMMMMNNNKNMMMNOO"
+    "LLMNLNNOL       HJ      HIJJ    HHHJK   HHHHILM JJJIJKM KKKKKLMNLLLLMMMNLLMLMNNNMOMKLNNOM "
+    "      FI      HFJI    GIIKK   HHHGJKL HHIHIJL IIIJIJKNKLKKKLLNLLMMLMMNLMNLMMNOM       DJ  "
+    "    =FJH    HHHJK   @JGHJKK DFEIHIK IJGGIHJMJIIJIIJMKMIKKKKMNOMMMLMNL       @H        LM  "
+    "    @JI   G IKHJL > GGHIJ KDHFGGJKGJKHGIHKLIIIIIIKIIOLIKKML                 K       _MK   "
+    "    LJF    HJCJ     CEJJ   GHFHKIJEKKGHKG@JHJKJLL                 J        LO       OJI   "
+    "   KK      HHJ     @FJ     CDJ  >JJIIL                                IJJLNOO KMLLNOP LMJK"
+    "MOO MHMMNOP L ILMNO L QMMNOTL NLLMOPL  NMMO=M  LLLNHN  NMMN=L  LMLMLL LMMMNNOPNOOMOPOONMOO"
+    "MNNMPRPPQPOPPOPNNOMOQOMMKONLMMKQSQQRQPRPOPNOPMPQNMMJNNKMMKQSQQSQPSPOOONPMOQNMMJNNLMMKQSRQS"
+    "QPSPONPNONPQONMKNMLMMLPRQPRQPRQOMRNONQPPONMNNNONMPQPOPPPPPOLRNNNQPQPOPNNNOOOPOOOOPPPPOMQOO"
+    "NOQQOPQNPOQOQOONMLNOOOOOOPNOMNNMQPPPMNPRLONKQNNPNLQQQSNNTSRNMPPSMKJKPPQNMNPQ6KNQTX[chx5EJL"
+    "PTXal|8DFKNRYbj|<EGKNSVco|?HJJOTTel|AMINPTUdp|A LKNSUgm|H ?JLPXhp|6CFGIJERW DMQQSUXal|6FHI"
+    "KNMYb|AGJLNPL_YbKNRVVZajr|CLNPRW[fo|                    <FFNLR]^c|                        "
+    "                          : BDFLQZat5BFHNTZerq6KPTYahwsp                                  "
+    "      :  @EKPWjx7 @EHMS^gz6AGHNSXblv3ELOSYbrww                              ?   INWbjz;  G"
+    "FKS[d|8 @EJOU^e|7DGKOT_iux4DGLQWb{z|                    C    NT`gq@   LPWav|;  EHMS]h|9 AH"
+    "IQWaw|;DGJPW`oo|8EHMRVany|                    B    SS]atB   JPXdo|=  EJOT`e|= LEPT[nv|=GGK"
+    "RYbnv|=HJNTZcuu|                    C    QT[gpA   MPWal|@  KOTZgo|> HLOV[gv|?JIOSakss|BTNS"
+    "Xilkmu                    D    NU]awA   IPWdj|A  LPT_jv|@ MJR^dst|: GMS[kklv              "
+    "                L    KXep{I   KNYgm|E  KNYcsu|B ?EP_kklw                    TRLK#         "
+    "                  H>1                             W[ZYXWUTSRPMJJJ<                TYXWVUTS"
+    "RPOMKJMSRM              urpkgba_]YVUTRNJG?              ceb`][YXWVTSSRPMJE              WX"
+    "_O(           TRJI&                                                                       "
     "                                                                                          "
-    "                                                                          MF7             "
-    "JF/                                                                                       "
+    "                                                                          H*              "
+    "H@1                                                                                       "
     "                                                                                          "
-    "                                                            X][ZXWVUTSRQNMLIHNQRPUN       "
-    "  TQMLSL          ZXPMMOO         _^WNONMO        bb]UNOLOH       he_^VPLIO       tlab_UOJ"
-    "HO      tttc``VLIG      ssskh``VJKD     rrrrgae_UKHF    qqqqqqab`VJG?   pppppphcedWHJ?  oo"
-    "ooooogdddTGD  kkkkkkkkk`c]XF? ddddddddddZcZS> VYYXWVUTSRQPOOPRIOOOPTMJ        QQOPLMG     "
-    "    YWSPPOONM       _]WROOORJ       dc]WROPKOG      ki`]XQMQPQK     gkf`]VQLONQG    jhmf`]"
-    "VOLONN    ttlgia^WNKPRTH  sssshg_[VOKPQL  qqqqfi`_]TNJRQ  ooooogogc[VLHO  llllllladlZWMJO "
-    "hhhhhhhhh_g_TH                  wwolhdb_^ZWUUSOJ                                          "
-    "                                                                                          "
-    "                                                                                          "
-    "                  feca^[YYXVUTRSPM                                                        "
+    "                                                            X]ZYXVUTSRPMLKJ<GNPQQOI       "
+    "  TMNNOPSF        YWMNLLRbJ       ^[VNNNJO`M      c`[VNNLIL       kfa]VMKHJ       rmfc]VKI"
+    "GL      nrnfc^VJIJL     pxxjed_VIHJH    wwwwlgf`XIGH    wwwwwkfhaWHC?   uuuuumhdf`VF>   qq"
+    "qqqqqfdf^UD<  jjjjjjjjbbj^R@                  UYXWVUTSQPONKKOPHMOONLKM        RQPOOLJF    "
+    "    YWQPPOOKK       _]VPOPMRLI      c`[VQOOMRKF     ee`]VPNNLOMH    gdg`ZVOMMHL     ijge`]"
+    "VMLPLPF   nnhgg`]VMMPMMH  ollijg_[UMJMN?  uufufjf`^VKIOJ  rrrjrdff`[YHHT  nnnnnnfnn`]WB@  "
+    "gggggggggggWSH                  urpkgba_]YVUTRNI                                          "
     "                                                                                          "
     "                                                                                          "
-    "    PTSQ*           RPMI4           [XNH0           xYID<           f^R-            R^RA< "
-    "          [Z[><           UOP7            VQI`?           XM<             pK5             "
-    "XQA?            oZ1                                                             HC5       "
-    "      OG2             UL7             fS<             J5                                  "
+    "                  ceb`][YXWVTSSRPL                                                        "
     "                                                                                          "
-    "                                                                                  QWYXYZ[Z"
-    "WTURNK< RVUUSSTOHT      UXVTTRPQROI     XXXVUSPPOOMO    YZXWVVTRNNSNG   Z_YXWVTSPMPSO?  [`"
-    "]WXVTRRPKPF   [`_ZXXVSSSOLKJ  ]d`^XXWTSRSNJJ  ^gb^^XXVSRPOOF  _iaa[ZYWUTQONJ@ dkfba[ZWWWRN"
-    "LPF uufgbaZZUVVQMG  qqqff^e[[XVRLLH pppphh][YYWVTQQJUZYYWVUTSRQPNLNPIMMQPPQRT       PNNJKQ"
-    "          USRNNOML        XVSQPNMNM       _ZVTQPLMPL      b_ZURPOMKT?     ha][VRQMOMOO    "
-    "jj`]ZVRPONKVJ   kng_[YTROOKK    umje_]XVROPPMVJ ssksh^[YUOQJNJ  qqqiif^YZUORJL Onnnnnf_]ZU"
-    "RRPNORllllllldZYUSNO@ hhhhhhhhh__ZZWQRqqqqd_[YVURQQMH                                     "
-    "                                            bbbbbbbbbRQ     dddddddddZMT    fffffffff^YF  "
-    "  ggggggggg_WYPP@ iiiiiiiiiXRTdNQ kkckkbkkb_WQWTKPkkk_jjb_^^]XQUVHhhhh_ggg[Z^^TRTNiiiia`hh"
-    "```__UJ@lllllldadd]^YWSJgfd`_]ZXXWVSRTRMaWVT            ``Q             WQ              d["
-    "ZZNT          f]e]USTQ        _^ffYVSUO       [_g_gXSTOJ      aiaaWWTXQTM     ii```YVUWMO "
-    "    ai`hhhXXWPOT    gg__g_g^^^MRO   iiiiii``XUTLO   hhh__ggg_VTPG   cccccYbbbbbXTM  hhhhhh"
-    "hhhhhhhYPK                cSKE?           bbb-            Oq].            rbb-            "
-    "vWLD<           {[QH0           UOOL4           PTSQ*           PQJ4            TQ=?      "
-    "      qq.             aYC<            pXGS<           XWXC<           XO-                 "
-    "                                                            J5                            "
-    "  ?               JM9             HC5             PE4             WL7             fS<     "
-    "                                                                                        QX"
-    "XXYZZYWTURNK< RWVVRRTOLPM     UYWUURPRPOK     WXXWVTQQPOOL    ZZXXWWTROOQMF   Z_YXWVUTQNPP"
-    "O>  ]`]WXVTSRQMRF   _`_ZXYVTSSOMLG  cc`^XXXSTRSNKI  dfb^^XWWSSQOOF  fjba[YYWUTQONK@ nngba["
-    "ZWWWROLPF ttigbbYZUVWQMG  qqqep^e[]WVRLMH oooogg`^XYVZTRQJ                NTUUUUTTTTROOKJ "
-    "QTTTSPQPPRQL    SVTTTRPOPMPQ    VWVUSSQPQPLN    X[WVURSPONQMM   Z]ZWVTRROPJSN  O^_]YVTSRPO"
-    "MHO   bb^[YVTRQONL<   de`_ZYVTSPOMKG  lgd`_YXUSRQOMI  jlfa^]ZXUQPSLK@ mumdb^ZWYURPPHO sskh"
-    "da^ZXVUROQMNhpphhb^[XWXSPJQRqqhpee_^YWUWVSRSqqqqd_[YVURQQMH                               "
-    "                                                  bbbbbbbbbRQ     dddddddddZMT    ffffffff"
-    "f^YF    ggggggggg_WYPP@ iiiiiiiiiXRTdNQ kkckkbkkb_WQWTKPkkk_jjb_^^]XQUVHhhhh_ggg[Z^^TRTNii"
-    "iia`hh```__UJ@lllllldadd]^YWSJide`^ZXXUSSSNQTNaaaaWVT         WQWV_T          [[WUbXW```H "
-    "    [[XY][WZccYI    bbXaZXVUWcQWH   ll`ZXXWVWVZQRO  emm[[YWU[R]XRXO dlld[ZYWXYR[SUWJdlll_^"
-    "XZSYUScZI lllll__ZZTSTSSaFbjajjjaY`UVScOVNiaiaiiiiX[ZSUYOQgggg_gggZWXWNT RbbbbbbbbbTVT    "
-    "ccccccYXbbbXaRJ  PJLG                            GD                              NMNNMNNML"
-    "MMLIEJ                 OMMMMMLMLLLLKLQFJ                  QSPMNRONMMNOKJ               RPN"
-    "OPNNLNNMJOLGH@              ";
+    "                                                                                          "
+    "    RVRO$           SMKE3           WTH?7           ^UE.            UNI3            LWF6  "
+    "          tLG9            ]Q0             YH8             ll3             i6              "
+    "[V(             tNF9                                                            G>3       "
+    "      L@6             1               3               F2                                  "
+    "                                                                                          "
+    "                                                                                  PVYYZYXU"
+    "UTQOKC  RUSTRQRRQPPK    VVVSSQOPPORH    WXVVTRPONQLK    Y[XVUTRONOQL=   Y_YWVTRQOLMNH   [^"
+    "]XWUSQROKII   ]b^[XWURQQMJGT  ^c`^ZXVTQQNHHJ  _fb_^YWUTONKH>  bkd`]]XWVSNJFO  jlgd`]ZXVVRL"
+    "ID  xxjfc_Z[XVSOKI? ssshe`^W[XVRLG  rrrrrc]ZWWUUSQL>TYYXVUTSRQONKKNPILNNMMOL        QONLNL"
+    "LJ        VSPOOLIE        ZWTONMKI>       _[WSONKKI@      c`ZWRONKKC      fd_ZWROMMKF     "
+    "jfc^YVRNMLIJ    hicc^YVQLMGF    oiecb^ZXPLLGO   xlidcb^XXOMII   umiccca[WUOJA   qqif``eb^W"
+    "TPC   kkk``c_b]^[XO;  dddd[dddZZccYL  wwwoc]ZXWTRQPNI                                     "
+    "                            ddddddddPR@     jjjjjjjj^NRE    kkkkkkkkcXMMG   lllllllldZWMNF"
+    "  mmmmmmmm^YUXNP= hpppphphdWSVWLSHqeehqcec``WRVVJNpphappd_[^_VQUTGnnnccnnc_[^aTPNKnnnnafnn"
+    "c]]a_SI<qqqqqiabic_]XWSIefa`][YXWWUSSSQLfWTZYI          VZSTM           WXXSSRM         X_"
+    "b[SQOO        ZckXYRQQT?      ^beaWWSPPP@     _^]]]VURPNQ     dd]^ZZUUSOLO    oga]cZYTRQML"
+    "    nnnf_`^^UOOSO   nnncf_]`ZVKNO   nnnnaf]`YWSIN   llllldl^cXYSHJ  iiiiiiiiii]`VF  mmmmmm"
+    "mmmmmmaYOK                ZM0             sLI9            IYK6            VQL3            "
+    "aTG0            VVI;<           TJHD9           RVRO$           RRLE5           YQEG9     "
+    "      YUC6            UK2             RU0             iO9             _S<9                "
+    "                                                            F2              3             "
+    "  9               MC9             G>3             L>9             2                       "
+    "                                                                                        PV"
+    "XYZYWUTTQOKC  RVTTRRRQQNNK    UWWTTQQQPPMG    XYWWUSPPPPNJG   Z[XVVUSPPPOMK@  [_YXVTSSPNNL"
+    "H   ^^]XXVSRRPMMF   _b^[XWURQRNLKK  bd`]ZXVTQQOHHJ  ffb_]YWVTONLG?  ikd`][XVVSNJGO  {lgda["
+    "ZXVWRLIE  wwjed_[[YVTOKH@ rrrfd`^X[XWRKI  qqqqqc`[WVUUURL>                MSTUTTTSRPONIG  "
+    "QSSSRQRPNQOMH   TVSSSRPONLLG    VXVSRRROPMLK@   YZXUSRQPNMOIG   ]]YXTSQPPNJIH   ``]YWTRROO"
+    "MK9   bb_[XVSQQONKJ>  eea^[XUSQPNMLI  jjc_]ZXURPOLKG  mkeb_]YWTPNNDH  nnid^^[YWSOMK:  kvig"
+    "c[]XXYSPKJ? jjrjd_X]UVVSPNL rggrrc_XVSPQVSWRwwwoc]ZXWTRQPNI                               "
+    "                                  ddddddddPR@     jjjjjjjj^NRE    kkkkkkkkcXMMG   llllllll"
+    "dZWMNF  mmmmmmmm^YUXNP= hpppphphdWSVWLSHqeehqcec``WRVVJNpphappd_[^_VQUTGnnnccnnc_[^aTPNKnn"
+    "nnafnnc]]a_SI<qqqqqiabic_]XWSIhda_[YXVUTSQPRRMXZYi]]Y_ZYQPQ   YVTTWQaW`Q      ^]WYVXUffTKO"
+    "    Zc]]ZVVW^ZSKH   bq`YZXUUWWSTK@  gecZYZVVUXSSQK  bgj`[YZWWUXTSRK@ggbg^[XXYXSYVQRIejjec]"
+    "YZVVVS[TMGqiieec^YWXSVTYNGbphbdg_[[WWSYRYKcnnfcff^XZXRTXSPjjjj_jj_^TWWON Rfffff^^fY[QXaR@ "
+    "hhhhhh`Y_^fWTMJ  RIGH                            I1                              OMMMMMMLM"
+    "MKJIJK                 OMMMMMLLLLKKIKJ                   IONONPPNMMONMHH               SNN"
+    "NNNMMMNMKNNKGF              ";
 
 constexpr std::array<std::int16_t, 200> kWeights = {
-    -541, 682, 1029, 307, 307, 307, 307, 307,
-    -304, 1190, 20, 718, 78, 307, 307, 307,
-    224, 689, -74, 459, -168, 307, 307, 307,
-    231, 281, 179, 627, -136, 307, 307, 307,
-    504, 332, 115, 312, -101, 307, 307, 307,
-    588, 8, 326, 255, -189, 307, 307, 307,
-    345, 131, 44, 511, -156, 307, 307, 307,
-    371, 174, -62, 724, -63, 307, 307, 307,
-    -181, 154, 331, 405, 53, 307, 307, 307,
-    408, 375, 88, 138, 550, -399, 307, 307,
-    345, 329, 77, -10, 679, -322, 307, 307,
-    341, 277, -133, 85, 657, -266, 307, 307,
-    0, 185, -169, 154, 845, -183, 307, 307,
-    -108, 349, -283, 150, 1049, -107, 307, 307,
-    -84, 113, -463, 30, 1120, -19, 307, 307,
-    -103, -156, -654, -82, 921, 194, 307, 307,
-    326, -361, -568, 39, 548, 421, 307, 307,
-    817, -15, 567, 307, 307, 307, 307, 307,
-    810, 1070, 780, 1046, 307, 307, 307, 307,
-    -647, 643, 231, 829, 307, 307, 307, 307,
-    16, 66, 428, 616, 307, 307, 307, 307,
-    -593, 863, 245, 677, 307, 307, 307, 307,
-    -942, 778, 1002, 773, 307, 307, 307, 307,
-    127, 108, 452, 452, 307, 307, 307, 307,
-    20, 7, 769, 704, 307, 307, 307, 307,
+    -703, 697, 1129, 307, 307, 307, 307, 307,
+    -192, 635, 129, 944, 18, 307, 307, 307,
+    315, 277, 45, 503, 4, 307, 307, 307,
+    434, 107, 185, 355, -102, 307, 307, 307,
+    272, 224, 116, 616, 136, 307, 307, 307,
+    320, 281, 68, 766, -47, 307, 307, 307,
+    287, 8, -68, 727, -67, 307, 307, 307,
+    129, -2, 55, 756, 41, 307, 307, 307,
+    42, 202, 513, 580, -248, 307, 307, 307,
+    60, 154, -7, 242, 794, -108, 307, 307,
+    85, 149, -37, 359, 834, -233, 307, 307,
+    -27, 233, 5, 351, 898, -186, 307, 307,
+    117, 446, 112, 307, 1056, -305, 307, 307,
+    159, 137, 68, 115, 1140, -322, 307, 307,
+    274, -36, -93, -31, 1015, -78, 307, 307,
+    469, -62, -385, 206, 623, -23, 307, 307,
+    513, 5, -141, 284, 347, 276, 307, 307,
+    845, -62, 387, 307, 307, 307, 307, 307,
+    705, 1191, 685, 587, 307, 307, 307, 307,
+    -630, 811, 335, 714, 307, 307, 307, 307,
+    -18, 165, 599, 647, 307, 307, 307, 307,
+    -402, 903, 159, 501, 307, 307, 307, 307,
+    -1042, 803, 1317, 455, 307, 307, 307, 307,
+    110, 77, 435, 435, 307, 307, 307, 307,
+    -91, -126, 1094, 842, 307, 307, 307, 307,
 };
 // clang-format on
 

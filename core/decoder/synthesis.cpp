@@ -251,7 +251,9 @@ template <typename Real>
 void Synthesis<Real>::put_odd_at_border(int band, int odd, Real* out, std::ptrdiff_t width) {
   const int available = bands_[band].first;
   const bool haar = signals_->wavelet() == Wavelet::Haar;
-  const int wanted = haar ? 1 : signals_->wavelet() == Wavelet::Linear ? 2 : 4;
+  // One after the last even sample goes on from two.
+  const bool within = signals_->wavelet() == Wavelet::Cubic && odd + 1 < available;
+  const int wanted = haar ? 1 : within ? 4 : 2;
   const int count = std::min(wanted, available);
   const int first = haar ? odd : std::clamp(odd + 1 - count / 2, 0, available - count);
   BorderRow<Real> row{.out = out,

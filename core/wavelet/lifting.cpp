@@ -30,10 +30,22 @@ double interpolate(const double* samples, int count, double position) {
   return sum;
 }
 
-/// Odd sample `i`, which lies between even samples i and i + 1, predicted near a border.
+/// The even samples that predict an odd one.
+struct Neighbours {
+  int first;
+  int count;
+};
+
+/// Of odd sample `i`, which lies between even samples i and i + 1, near a border. One after the
+/// last even sample goes on from two: a cubic through four would make 3.4 times their errors of it.
+Neighbours at_border(int i, int evens, int neighbours) {
+  constexpr int kBeyond = 2;
+  const int count = std::min(i + 1 < evens ? neighbours : kBeyond, evens);
+  return {std::clamp(i + 1 - count / 2, 0, evens - count), count};
+}
+
 double predict_at_border(const double* even, int evens, int neighbours, int i) {
-  const int count = std::min(neighbours, evens);
-  const int first = std::clamp(i + 1 - count / 2, 0, evens - count);
+  const auto [first, count] = at_border(i, evens, neighbours);
   return interpolate(even + first, count, i + 0.5 - first);
 }
 
@@ -87,8 +99,7 @@ void predict_transposed(Basis basis, const double* odd, int odds, double* even, 
   const int inner_first = std::min(reach - 1, odds);
   const int inner_last = std::clamp(evens - reach, inner_first, odds);
   const auto border = [&](int i) {
-    const int count = std::min(neighbours, evens);
-    const int first = std::clamp(i + 1 - count / 2, 0, evens - count);
+    const auto [first, count] = at_border(i, evens, neighbours);
     for (int k = 0; k < count; ++k) {
       std::array<double, 4> unit{};
       unit[static_cast<std::size_t>(k)] = 1;

@@ -21,9 +21,9 @@ struct Band {
 /// double the resolution.
 ///
 /// One level splits a signal into even and odd samples; the odd ones keep what their even
-/// neighbours do not predict (cubic: -1/16, 9/16, 9/16, -1/16, and the Lagrange polynomial through
-/// the nearest 4 at the borders), the even ones are updated by a quarter of the details beside
-/// them.
+/// neighbours do not predict (cubic: -1/16, 9/16, 9/16, -1/16; near the borders the Lagrange
+/// polynomial through the nearest 4, beyond the last even sample a line through the last 2), the
+/// even ones are updated by a quarter of the details beside them.
 class Lifting {
  public:
   Lifting(Basis basis, int length);

@@ -8,17 +8,19 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/codec/clip_analysis.h"
 #include "core/codec/adaptive.h"
+#include "core/codec/clip_analysis.h"
 #include "core/codec/coefficient_model.h"
 #include "core/decoder/coefficient_priors.h"
 #include "core/formats/motion_file.h"
+#include "tests/bench/study_clips.h"
 
 namespace mocapress {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kEvery[] = {1, 2, 4};                        // frames: 120, 60 and 30 Hz
 constexpr double kScales[] = {2.4, 1.2, 0.5, 0.15, 0.07};  // cm; eps_x is about half of it
 
 struct Sample {
@@ -39,16 +41,16 @@ struct IgnoredBits {
 };
 
 std::vector<Sample> samples_of(const fs::path& folder) {
-  std::vector<fs::path> clips;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".amc") clips.push_back(entry.path());
-  std::sort(clips.begin(), clips.end());
   std::vector<Sample> samples;
-  for (const fs::path& path : clips) {
-    const ClipAnalysis analysis(read_motion(path).motion);
-    const ClosedLoop& loop = analysis.closed_loop(Basis::Cubic, Weighting::BoneEnds);
-    for (const double scale : kScales)
-      samples.push_back({channel_kin(analysis.motion().skeleton), loop.quantise(scale).coded});
+  for (const fs::path& path : clips_of(folder)) {
+    const Motion motion = read_motion(path).motion;
+    for (const int every : kEvery) {
+      const ClipAnalysis source(thinned(motion, every));
+      const ClipAnalysis& analysis = source.in_chosen_orders();
+      const ClosedLoop& loop = analysis.closed_loop(Basis::Cubic, Weighting::Surface);
+      for (const double scale : kScales)
+        samples.push_back({channel_kin(analysis.motion().skeleton), loop.quantise(scale).coded});
+    }
     std::fprintf(stderr, "%s\n", path.stem().c_str());
   }
   return samples;

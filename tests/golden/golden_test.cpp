@@ -75,6 +75,16 @@ std::string without_skeleton(const std::vector<std::byte>& file) {
   return text.substr(0, kHeader) + text.substr(kHeader + kSectionHead + skeleton_size);
 }
 
+/// The motion of one file after the section SKEL of another.
+std::string with_skeleton_of(const std::vector<std::byte>& skel,
+                             const std::vector<std::byte>& file) {
+  const std::string rest = without_skeleton(file);
+  const std::string all(reinterpret_cast<const char*>(skel.data()), skel.size());
+  const std::size_t head = 8;
+  const std::size_t end = all.size() - (without_skeleton(skel).size() - head);
+  return rest.substr(0, head) + all.substr(head, end - head) + rest.substr(head);
+}
+
 class Golden : public testing::TestWithParam<Coding> {};
 
 TEST_P(Golden, Version1ReadsAsItAlwaysDid) {
@@ -186,8 +196,11 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
     write_text(golden(file), csv_text({clip.skeleton, decode(clip)}));
   };
   write_expected("v1_expected.csv", golden_clip(Coding::Rle16));
-  // v1_adaptive.mcpr has the section SKEL, which writers no longer make for this coding.
   save_mcpr(golden("v1_joints.mcpr"), golden_adaptive_clip());
+  // With the section SKEL, which writers no longer make for this coding.
+  write_text(golden("v1_adaptive.mcpr"), with_skeleton_of(read_bytes(golden("v1_rle16.mcpr")),
+                                                          read_bytes(golden("v1_joints.mcpr"))));
+  write_expected("v1_adaptive_expected.csv", golden_adaptive_clip());
   write_bytes(golden("v1_joints_expected.f32"), played(write_container(golden_adaptive_clip())));
   write_bytes(golden("v1_source.mcpr"),
               with_source(write_container(golden_adaptive_clip()), kGoldenSource));

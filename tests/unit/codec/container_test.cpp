@@ -97,6 +97,40 @@ TEST(Container, ReadsBackAMotionOfNoBytes) {
   }
 }
 
+/// With joints whose angles are coded in another order than the source has them.
+std::vector<std::byte> reordered_file() {
+  CompressedClip clip = small_clip();
+  clip.orders =
+      RotationOrders(static_cast<std::size_t>(clip.skeleton.joint_count()), RotationOrder::Yxz);
+  return write_container(clip);
+}
+
+TEST(Container, KeepsTheOrdersOfTheSourceBesideThoseThatAreCoded) {
+  const CompressedClip clip = small_clip();
+  const CompressedClip read = read_container(reordered_file());
+  EXPECT_EQ(rotation_orders(read.skeleton), rotation_orders(clip.skeleton));
+  const Skeleton coded = read.coded_skeleton();
+  for (const Joint& joint : coded.joints())
+    if (turns_freely(joint)) {
+      EXPECT_EQ(rotation_order(joint), RotationOrder::Yxz);
+    }
+}
+
+TEST(Container, RefusesOrdersThatAreNone) {
+  const std::vector<std::byte> good = reordered_file();
+  const Place place = find_section(good, "ordr");
+  for (std::uint32_t i = 0; i < place.size; ++i) {
+    std::vector<std::byte> file = good;
+    file[place.start + 12 + i] = std::byte{6};
+    mend_checksum(file, place);
+    EXPECT_THROW(read_container(file), FormatError);
+  }
+  std::vector<std::byte> twice = good;
+  twice.insert(twice.end(), good.begin() + static_cast<long>(place.start), good.end());
+  twice[6] = static_cast<std::byte>(std::to_integer<int>(twice[6]) + 1);
+  EXPECT_THROW(read_container(twice), FormatError);
+}
+
 TEST(Container, RefusesEveryPrefix) {
   const auto file = write_container(small_clip());
   for (std::size_t size = 0; size < file.size(); ++size) {

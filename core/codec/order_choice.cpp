@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/order_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/codec/adaptive.h"
+#include "core/motion/forward_kinematics.h"
+#include "core/motion/joint_rotation.h"
+#include "core/motion/measured_points.h"
+#include "core/wavelet/lifting.h"
+
+namespace mocapress {
+namespace {
+
+// Orders that are best at one error are so at others: one choice will do for all targets.
+constexpr double kScale = 1.8;     // cm: steps as for half a centimetre of eps_x
+constexpr double kRate = 30;       // Hz; faster than that little of a motion differs between orders
+constexpr int kMostFrames = 2048;  // at a time
+constexpr double kWorthIt = 0.93;  // of the bits; a skeleton as it came is worth something too
+
+/// Of each order.
+using Bits = std::array<double, kRotationOrders>;
+
+/// Points that hang on a joint: the sums of w, w x and w x x^T.
+struct Burden {
+  double mass = 0;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+
+  void add(double weight, const Eigen::Vector3d& place) {
+    mass += weight;
+    moment += weight * place;
+    square += weight * place * place.transpose();
+  }
+  void add(const Burden& other) {
+    mass += other.mass;
+    moment += other.moment;
+    square += other.square;
+  }
+
+  /// What a small turn about an axis through `origin` moves them, squared: axis^T I axis.
+  Eigen::Matrix3d inertia_about(const Eigen::Vector3d& origin) const {
+    const Eigen::Matrix3d seen = square - moment * origin.transpose() -
+                                 origin * moment.transpose() + mass * origin * origin.transpose();
+    return seen.trace() * Eigen::Matrix3d::Identity() - seen;
+  }
+};
+
+/// How joints turn over some frames, and what that moves.
+class Turns {
+ public:
+  /// `step`: of which frames. As many as given, or up to the clip's end.
+  Turns(const Motion& motion, const MeasuredPoints& measured, int first, int step)
+      : step_(step),
+        frames_(std::min(kMostFrames, (motion.clip.frames() - first + step - 1) / step)),
+        joints_(static_cast<std::size_t>(motion.skeleton.joint_count())) {
+    for (OfJoint& joint : joints_) {
+      joint.rotations.resize(static_cast<std::size_t>(frames_));
+      joint.inertias.resize(static_cast<std::size_t>(frames_));
+    }
+    parallel_ranges(0, frames_, 64, [&](int from, int end) {
+      Pose pose;
+      std::vector<Burden> burdens;
+      for (int t = from; t < end; ++t) {
+        compute_pose(motion.skeleton, motion.clip.channels.row(first + t * step), pose);
+        burdens.assign(joints_.size(), {});
+        for (std::size_t p = 0; p < measured.points.size(); ++p) {
+          const Landmark& point = measured.points[p];
+          burdens[static_cast<std::size_t>(point.joint)].add(
+              measured.weights(static_cast<Eigen::Index>(p)),
+              pose.to_world(point.joint, point.in_joint) - pose.origin[0]);
+        }
+        for (std::size_t j = joints_.size(); j-- > 0;) {
+          const Joint& joint = motion.skeleton.joints()[j];
+          const auto parent = static_cast<std::size_t>(joint.parent);
+          if (joint.parent >= 0) burdens[parent].add(burdens[j]);
+          if (!turns_freely(joint)) continue;
+          const Eigen::Matrix3d axes_from_world =
+              (joint.parent < 0 ? joint.joint_from_axes
+                                : pose.world_from_joint[parent] * joint.joint_from_axes)
+                  .transpose();
+          const auto i = static_cast<std::size_t>(t);
+          joints_[j].rotations[i] =
+              axes_from_world * pose.world_from_joint[j] * joint.joint_from_axes;
+          joints_[j].inertias[i] = axes_from_world *
+                                   burdens[j].inertia_about(pose.origin[j] - pose.origin[0]) *
+                                   axes_from_world.transpose();
+        }
+      }
+    });
+  }
+
+  int frames() const { return frames_; }
+
+  /// Of a joint's details, more or less, in steps in inverse proportion to what its angles move.
+  double bits(int j, RotationOrder order) const {
+    const OfJoint& joint = joints_[static_cast<std::size_t>(j)];
+    const std::array<int, 3> axes = axes_of(order);
+    Eigen::MatrixXd angles(frames_, 3);
+    Eigen::Vector3d curvature = Eigen::Vector3d::Zero();
+    Eigen::Vector3d last = Eigen::Vector3d::Zero();
+    for (int t = 0; t < frames_; ++t) {
+      const auto i = static_cast<std::size_t>(t);
+      last = three_angles(axes, joint.rotations[i], last);
+      angles.row(t) = last.transpose();
+      Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d axis = turned.col(axes[static_cast<std::size_t>(k)]);
+        curvature(k) += axis.dot(joint.inertias[i] * axis) / frames_;
+        turned *= axis_rotation(axes[static_cast<std::size_t>(k)], last(k));
+      }
+    }
+    const Lifting lifting(Basis::Cubic, frames_);
+    const std::vector<double> gains = lifting.gains();
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      const std::span<double> signal(angles.col(k).data(), static_cast<std::size_t>(frames_));
+      lifting.forward(signal, signal);
+      // Left-out frames would have made coefficients larger by the root of their number.
+      const double steps_per_unit = std::sqrt(curvature(k) * step_) / kScale;
+      for (int c = lifting.bands()[0].size; c < frames_; ++c) {
+        const double steps = angles(c, k) * gains[static_cast<std::size_t>(c)] * steps_per_unit;
+        sum += std::log2(1 + steps * steps);
+      }
+    }
+    return sum;
+  }
+
+ private:
+  struct OfJoint {
+    std::vector<Eigen::Matrix3d> rotations;  // about its own axes
+    std::vector<Eigen::Matrix3d> inertias;   // of what hangs on it, in the axes of its zero turn
+  };
+
+  int step_;
+  int frames_;
+  std::vector<OfJoint> joints_;
+};
+
+std::vector<Bits> count_bits(const Motion& motion) {
+  const MeasuredPoints measured = measured_points(motion.skeleton, Weighting::Surface);
+  const int step = std::max(1, static_cast<int>(std::lround(motion.clip.sample_rate_hz / kRate)));
+  std::vector<Bits> bits(static_cast<std::size_t>(motion.skeleton.joint_count()), Bits{});
+  for (int first = 0; first < motion.clip.frames(); first += step * kMostFrames) {
+    const Turns turns(motion, measured, first, step);
+    parallel_for(0, motion.skeleton.joint_count(), [&](int j) {
+      if (!turns_freely(motion.skeleton.joint(j))) return;
+      for (int o = 0; o < kRotationOrders; ++o)
+        bits[static_cast<std::size_t>(j)][static_cast<std::size_t>(o)] +=
+            turns.bits(j, static_cast<RotationOrder>(o));
+    });
+  }
+  return bits;
+}
+
+/// The joint whose angles predict those of each, or -1.
+std::vector<int> mirrors_of(const Skeleton& skeleton) {
+  const std::vector<SignalKin> kin = channel_kin(skeleton);
+  std::vector<int> mirrors(static_cast<std::size_t>(skeleton.joint_count()), -1);
+  for (int j = 0; j < skeleton.joint_count(); ++j) {
+    if (skeleton.joint(j).channels.empty()) continue;
+    const int mirror = kin[static_cast<std::size_t>(skeleton.first_channel(j))].mirror;
+    if (mirror >= 0) mirrors[static_cast<std::size_t>(j)] = skeleton.channel_joint(mirror);
+  }
+  return mirrors;
+}
+
+}  // namespace
+
+RotationOrders choose_orders(const Motion& motion) {
+  const Skeleton& skeleton = motion.skeleton;
+  std::vector<Bits> bits = count_bits(motion);
+  const std::vector<int> mirrors = mirrors_of(skeleton);
+  RotationOrders orders = rotation_orders(skeleton);
+  // The first of several that mirror one another chooses for all.
+  const auto follows = [&](std::size_t j) {
+    return mirrors[j] >= 0 && turns_freely(skeleton.joint(mirrors[j]));
+  };
+  for (std::size_t j = orders.size(); j-- > 0;)
+    if (follows(j))
+      for (std::size_t o = 0; o < kRotationOrders; ++o)
+        bits[static_cast<std::size_t>(mirrors[j])][o] += bits[j][o];
+  for (std::size_t j = 0; j < orders.size(); ++j) {
+    if (!turns_freely(skeleton.joints()[j])) continue;
+    if (follows(j)) {
+      orders[j] = orders[static_cast<std::size_t>(mirrors[j])];
+      continue;
+    }
+    const auto best = std::min_element(bits[j].begin(), bits[j].end());
+    if (*best < kWorthIt * bits[j][static_cast<std::size_t>(orders[j])])
+      orders[j] = static_cast<RotationOrder>(best - bits[j].begin());
+  }
+  return orders;
+}
+
+}  // namespace mocapress
