@@ -93,7 +93,8 @@ void BatchSession::take(const std::vector<QueuedClip>& clips) {
   const bool new_settings = std::any_of(clips.begin(), clips.end(), [this](const auto& clip) {
     const auto& queued = queue_.clips();
     return std::any_of(queued.begin(), queued.end(), [&](const QueuedClip& one) {
-      return one.source.path == clip.source.path && one.own != clip.own;
+      return one.source.path == clip.source.path &&
+             (one.own != clip.own || one.reading != clip.reading);
     });
   });
   if (!new_settings) return add(clips);
@@ -104,8 +105,13 @@ void BatchSession::take(const std::vector<QueuedClip>& clips) {
     const auto at = std::find_if(queued.begin(), queued.end(), [&](const QueuedClip& one) {
       return one.source.path == clip.source.path;
     });
-    if (at != queued.end() && at->own != clip.own)
-      setOwn({static_cast<int>(at - queued.begin())}, clip.own);
+    if (at == queued.end()) continue;
+    const auto row = static_cast<int>(at - queued.begin());
+    if (at->reading != clip.reading)
+      history_.push(new EditStep(
+          tr("Settings"), [this, row, after = clip.reading] { queue_.setReading(row, after); },
+          [this, row, before = at->reading] { queue_.setReading(row, before); }));
+    if (at->own != clip.own) setOwn({row}, clip.own);
   }
   history_.endMacro();
 }

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/batch/format_options_json.h"
 #include "core/batch/preset_json.h"
 
 namespace mocapress {
@@ -26,11 +27,24 @@ Preset presetFrom(const QJsonValue& json) {
   return parse_presets("", text.toStdString()).front();
 }
 
+QJsonValue toJson(const ReadOptions& reading) {
+  Json json = Json::object();
+  put(json, reading);
+  return QJsonDocument::fromJson(QByteArray::fromStdString(json.dump())).object();
+}
+
+/// Throws Error.
+ReadOptions readingFrom(const QJsonValue& json) {
+  const QByteArray text = QJsonDocument(json.toObject()).toJson();
+  return format_options(parse_json("", text.toStdString()));
+}
+
 QueuedClip clipFrom(const QJsonObject& json) {
   QueuedClip clip;
   clip.source.path = json[QStringLiteral("path")].toString().toStdString();
   clip.source.folder = json[QStringLiteral("folder")].toString().toStdString();
   clip.skeleton = json[QStringLiteral("skeleton")].toString().toStdString();
+  clip.reading = readingFrom(json[QStringLiteral("reading")]);
   clip.review = {verdict_named(json[QStringLiteral("verdict")].toString().toStdString()),
                  json[QStringLiteral("note")].toString().toStdString()};
   clip.left_out = json[QStringLiteral("left_out")].toBool();
@@ -85,6 +99,7 @@ void rememberBatch(const QString& file, const RememberedBatch& batch) {
         {QStringLiteral("path"), QString::fromStdString(clip.source.path)},
         {QStringLiteral("folder"), QString::fromStdString(clip.source.folder)},
         {QStringLiteral("skeleton"), QString::fromStdString(clip.skeleton)},
+        {QStringLiteral("reading"), toJson(clip.reading)},
         {QStringLiteral("verdict"), QString::fromStdString(std::string(name(clip.review.verdict)))},
         {QStringLiteral("note"), QString::fromStdString(clip.review.note)},
         {QStringLiteral("left_out"), clip.left_out},

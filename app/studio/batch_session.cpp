@@ -34,14 +34,15 @@ bool namesJoints(const EncodeOptions& options) {
 Motion motionOf(const TunedClip& clip) {
   std::optional<std::filesystem::path> skeleton;
   if (!clip.skeleton.isEmpty()) skeleton = pathOf(clip.skeleton);
-  return read_motion(pathOf(clip.path), skeleton).motion;
+  return read_motion(pathOf(clip.path), skeleton, clip.reading).motion;
 }
 
 /// As it waits in the queue. A clip that cannot be read is found out by the batch.
 QueuedClip queuedClip(const TunedClip& clip) {
   QueuedClip queued{
       .source = {clip.path.toStdString(), QFileInfo(clip.path).dir().dirName().toStdString(), {}},
-      .skeleton = clip.skeleton.toStdString()};
+      .skeleton = clip.skeleton.toStdString(),
+      .reading = clip.reading};
   if (!clip.settings) return queued;
   try {
     if (namesJoints(clip.settings->encode)) {
@@ -189,10 +190,12 @@ Batch BatchSession::batch() const {
       if (found == batch.presets.end()) batch.presets.push_back(*clip.own);
     }
     add_items(batch, {clip.source}, preset, names);
-    if (clip.skeleton.empty() && clip.review == ClipReview()) continue;
+    if (clip.skeleton.empty() && clip.review == ClipReview() && clip.reading == ReadOptions())
+      continue;
     BatchItem item = batch.items[batch.items.size() - 1];
     item.skeleton = clip.skeleton;
     item.review = clip.review;
+    if (clip.reading != ReadOptions()) item.reading = clip.reading;
     batch.items.replace(batch.items.size() - 1, item);
   }
   mark_collisions(batch);

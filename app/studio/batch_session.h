@@ -25,6 +25,7 @@ struct TunedClip {
   QString path;
   QString skeleton;                      // for an .amc; empty: the one beside it
   std::optional<ClipSettings> settings;  // unset: never tuned
+  ReadOptions reading = {};              // of its import options
 };
 
 /// The queue of a batch export, its settings and its run. No widgets.

@@ -188,7 +188,7 @@ std::vector<TunedClip> Library::tuned(const std::vector<int>& rows) const {
     const bool wanted =
         rows.empty() || std::count(rows.begin(), rows.end(), static_cast<int>(row)) > 0;
     const ProjectClip& clip = project_.clips[row];
-    if (wanted) clips.push_back({clip.path, clip.skeleton, clip.settings});
+    if (wanted) clips.push_back({clip.path, clip.skeleton, clip.settings, clip.reading});
   }
   return clips;
 }

@@ -46,6 +46,10 @@ struct Batch {
   ReadOptions reading;
   WriteOptions writing;  // of formats other than .mcpr
   ItemList items;
+
+  const ReadOptions& reading_of(const BatchItem& item) const {
+    return item.reading ? *item.reading : reading;
+  }
 };
 
 inline constexpr const char* kUsualNames = "{folder}/{stem}";

@@ -93,7 +93,7 @@ class Export {
     row_.review = item_.review;
     row_.preset = preset_;
     row_.formats = batch.formats;
-    row_.reading = batch.reading;
+    row_.reading = batch.reading_of(item_);
     row_.writing = batch.writing;
   }
 
@@ -147,7 +147,7 @@ class Export {
   }
 
   void work() {
-    StudyPlan reading{.reading = batch_.reading};
+    StudyPlan reading{.reading = batch_.reading_of(item_)};
     if (!item_.skeleton.empty()) reading.skeleton = item_.skeleton;
     const ClipInHand clip(reading, item_.input);
     for (const Warning& warning : clip.warnings()) row_.warnings.push_back(warning.text());
@@ -311,7 +311,7 @@ bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
                 const fs::path& folder) {
   if (!row.done() || !item.problem.empty() || row.input != item.input ||
       row.preset != batch.presets[item.preset] || row.formats != batch.formats ||
-      row.reading != batch.reading || row.writing != batch.writing)
+      row.reading != batch.reading_of(item) || row.writing != batch.writing)
     return false;
   try {
     for (const WrittenFile& file : row.files) {

@@ -3,12 +3,27 @@
 
 #include <algorithm>
 
+#include "core/batch/format_options_json.h"
+
 namespace mocapress {
 namespace {
 
 /// How much of a path is its folder, with the / at its end.
 std::size_t folder_length(const std::string& path) {
   return path.rfind('/') + 1;  // npos + 1 is 0
+}
+
+/// Empty for unset.
+std::string reading_text(const std::optional<ReadOptions>& reading) {
+  if (!reading) return {};
+  Json json = Json::object();
+  put(json, *reading);
+  return json.dump();
+}
+
+std::optional<ReadOptions> reading_in(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return format_options(Json::parse(text));
 }
 
 }  // namespace
@@ -23,7 +38,7 @@ ItemList::Place ItemList::append(const BatchItem& item) {
   for (const std::string& field :
        {item.input.substr(folder_length(item.input)), item.skeleton,
         item.output.substr(folder_length(item.output)), std::to_string(item.preset), item.problem,
-        std::string(name(item.review.verdict)), item.review.note}) {
+        std::string(name(item.review.verdict)), item.review.note, reading_text(item.reading)}) {
     text_ += field.c_str();
     text_ += '\0';
   }
@@ -76,6 +91,7 @@ BatchItem ItemList::operator[](std::size_t index) const {
   item.problem = next();
   item.review.verdict = verdict_named(next());
   item.review.note = next();
+  item.reading = reading_in(next());
   return item;
 }
 

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/formats/motion_file.h"
 #include "core/study/review.h"
 
 namespace mocapress {
@@ -19,6 +21,7 @@ struct BatchItem {
   std::size_t preset = 0;  // index into Batch::presets
   std::string problem;     // why it cannot be done; else empty
   ClipReview review = {};
+  std::optional<ReadOptions> reading = {};  // unset: Batch::reading
 
   bool operator==(const BatchItem&) const = default;
 };
@@ -70,7 +73,7 @@ class ItemList {
   std::uint32_t index_of_folder(const std::string& path);
 
   // Of each item, each ended by 0: the last part of input, skeleton, the last part of output,
-  // preset, problem, verdict and note.
+  // preset, problem, verdict, note and how it is read.
   std::string text_;
   std::vector<std::string> folders_;  // each ends with a /, or is empty
   std::vector<Place> places_;

@@ -21,6 +21,8 @@ BatchItem item_from(const Json& json, std::size_t presets) {
   json.at("preset").get_to(item.preset);
   if (item.preset >= presets) throw Error(item.input + " has a preset that is not there");
   item.review = {verdict_named(text_at(json, "verdict")), text_at(json, "note")};
+  if (const auto reading = json.find("reading"); reading != json.end() && !reading->is_null())
+    item.reading = format_options(*reading);
   // The same rules as for a name that a pattern makes.
   item.output = output_name(item.output, {item.input, {}, {}}, {});
   return item;
@@ -37,13 +39,17 @@ std::string queue_text(const Batch& batch) {
   put(json, batch.writing, "out_");
   for (const Preset& preset : batch.presets) json["presets"].push_back(to_json(preset));
   for (const OutputFormat format : batch.formats) json["formats"].push_back(name(format));
-  for (const BatchItem item : batch.items)
+  for (const BatchItem item : batch.items) {
+    Json reading;
+    if (item.reading) put(reading = Json::object(), *item.reading);
     json["clips"].push_back({{"input", item.input},
                              {"skeleton", item.skeleton.empty() ? Json() : Json(item.skeleton)},
+                             {"reading", reading},
                              {"output", item.output},
                              {"preset", item.preset},
                              {"verdict", text_or_null(name(item.review.verdict))},
                              {"note", text_or_null(item.review.note)}});
+  }
   return dumped(json, 1) + '\n';
 }
 

@@ -261,6 +261,16 @@ TEST_F(BatchInTheStudio, ExportsClipsByTheSettingsTheyWereTunedBy) {
   EXPECT_LE(session_.queue()->clips()[1].measured->eps_bone_ends_cm, 0.2);
 }
 
+TEST_F(BatchInTheStudio, ClipsOfTheLibraryAreReadByTheirImportOptions) {
+  addClips(1);
+  session_.addTuned({{.path = path("clip0.bvh"), .reading = {.sample_rate_hz = 25}}});
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return session_.queue()->clips()[0].reading.sample_rate_hz == 25; }, kPatience));
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(session_.queue()->clips()[0].measured->sample_rate_hz, 25);
+}
+
 TEST_F(BatchInTheStudio, ContactsBeyondAClipAreItsFailure) {
   addClips(1);
   session_.queue()->setOwn(

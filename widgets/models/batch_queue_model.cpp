@@ -84,6 +84,12 @@ void BatchQueueModel::setOwn(const std::map<int, std::optional<Preset>>& by_row)
   if (!by_row.empty()) emit edited();
 }
 
+void BatchQueueModel::setReading(int row, const ReadOptions& reading) {
+  clips_[static_cast<std::size_t>(row)].reading = reading;
+  wait(row);
+  emit edited();
+}
+
 void BatchQueueModel::setReviews(const ClipReviews& reviews) {
   bool any = false;
   for (int row = 0; row < rowCount(); ++row) {

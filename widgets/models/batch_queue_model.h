@@ -19,6 +19,7 @@ struct QueuedClip {
 
   SourceClip source;
   std::string skeleton;       // .asf; empty: beside the .amc
+  ReadOptions reading = {};   // import options of the library
   std::optional<Preset> own;  // locked: the common preset does not reach it
   ClipReview review = {};     // of the library
   bool left_out = false;      // it stays in the queue and is not exported
@@ -50,6 +51,8 @@ class BatchQueueModel : public QAbstractTableModel {
   void setCommon(const Preset& preset);
   void setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset);
   void setOwn(const std::map<int, std::optional<Preset>>& by_row);
+
+  void setReading(int row, const ReadOptions& reading);
 
   /// A clip that is rejected is left out from then on, one that no longer is comes back. What is
   /// said of other clips than these stays.

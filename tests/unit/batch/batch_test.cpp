@@ -65,6 +65,7 @@ TEST(ItemList, GivesBackWhatItTookWhateverWasReplacedAndErased) {
                     .preset = 7 * i,
                     .problem = i % 5 ? "" : "no",
                     .review = {static_cast<Verdict>(i % 3), i % 4 ? "" : "a\nnote"}});
+    if (i % 2) kept.back().reading = {.cm_per_unit = 0.1 * static_cast<double>(i)};
     list.push_back(kept.back());
   }
   for (const std::size_t index : {std::size_t{46}, std::size_t{0}, std::size_t{20}}) {
@@ -147,7 +148,8 @@ TEST(Queue, ComesBackFromItsFileAsItWas) {
                   .skeleton = "/c.asf",
                   .output = "b",
                   .preset = 0,
-                  .review = {Verdict::Rejected, "slides"}}};
+                  .review = {Verdict::Rejected, "slides"},
+                  .reading = ReadOptions{.sample_rate_hz = 30, .up = UpAxis::Z}}};
   const Batch read = parse_queue("", queue_text(batch));
   EXPECT_EQ(read.presets, batch.presets);
   EXPECT_EQ(read.formats, batch.formats);

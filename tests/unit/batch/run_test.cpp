@@ -174,6 +174,21 @@ TEST_F(BatchRun, ResumedRedoesEveryClipWhenFilesAreReadOrWrittenOtherwise) {
   EXPECT_TRUE(redone());
 }
 
+TEST_F(BatchRun, AClipIsReadByItsOwnOptionsWhereItHasAny) {
+  Batch asked = batch();
+  asked.reading.sample_rate_hz = 60;
+  BatchItem item = asked.items[1];
+  item.reading = ReadOptions{.sample_rate_hz = 24};
+  asked.items.replace(1, item);
+  run(asked);
+  EXPECT_EQ(rows()[0].measured->sample_rate_hz, 60);
+  EXPECT_EQ(rows()[1].measured->sample_rate_hz, 24);
+  EXPECT_EQ(run(asked, {.resumed = true}).counts.kept, 3u);
+  item.reading->sample_rate_hz = 25;
+  asked.items.replace(1, item);
+  EXPECT_EQ(run(asked, {.resumed = true}).counts.kept, 2u);
+}
+
 TEST_F(BatchRun, ShardsMergedAreAsOneRun) {
   run(batch());
   const auto whole = contents(out());

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -32,7 +33,7 @@ TEST(SlurmScript, IsAScriptThatTheShellCanReadWhateverTheNames) {
   const std::string script = slurm_script({.program = "/opt/it's $HOME/mocapress",
                                            .arguments = {"`x`.json", "--name", "{stem}; rm"},
                                            .folder = "/a'b\"c$(d)"});
-  const std::string file = testing::TempDir() + "/batch-script.sh";
+  const std::string file = testing::TempDir() + "/batch-script-" + std::to_string(getpid()) + ".sh";
   write_text(file, script);
   EXPECT_EQ(std::system(("bash -n '" + file + "'").c_str()), 0);
 }

@@ -2,6 +2,7 @@
 #include "core/formats/motion_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/base/file.h"
 #include "core/formats/asf.h"
@@ -87,7 +88,8 @@ TEST_F(MotionFiles, ComeBackAsTheyWereWritten) {
 std::string rewritten(const std::string& text, const ReadOptions& reading = {},
                       const WriteOptions& writing = {}) {
   const MotionFile file = read_bvh("f.bvh", text, reading);
-  const fs::path path = fs::path(testing::TempDir()) / "mocapress-rewritten.bvh";
+  const fs::path path =
+      fs::path(testing::TempDir()) / ("mocapress-rewritten-" + std::to_string(getpid()) + ".bvh");
   write_motion(path, file.motion, {}, file.source, writing);
   std::string written = read_text(path);
   fs::remove(path);
