@@ -22,7 +22,7 @@ struct Compress {
   MotionInput source;
   std::string output;
   std::string method{name(Method::ClosedLoop)};
-  EncodeOptions options;
+  EncodeOptions options{.weighting = Weighting::Surface};
   CorrectionArguments correction;
   ContactInput contacts;
   ImportanceArguments importance;
@@ -52,6 +52,7 @@ struct Compress {
     const Report report{
         .input = input,
         .original = &encoder.wavelets().motion(),
+        .loop = options.loop.value_or(find_loop(encoder.wavelets().motion())),
         .method = method,
         .weighting = options.weighting,
         .coding = of_wavelets ? std::optional(options.coding) : std::nullopt,
@@ -98,8 +99,7 @@ void add_compress(CLI::App& app) {
                    "How they are coded (closed-loop: adaptive, others: deflate)")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
   command
-      ->add_option("--weighting", call->options.weighting,
-                   "What errors are measured on (bone-ends)")
+      ->add_option("--weighting", call->options.weighting, "What errors are measured on (surface)")
       ->transform(one_of(kWeightings));
   CLI::Option_group* target = command->add_option_group("target", "One of (default: --ratio 25)");
   target->require_option(0, 1);
@@ -124,6 +124,12 @@ void add_compress(CLI::App& app) {
   call->importance.add_options(*command);
   command->add_option("--effort", call->options.effort, "Of the closed loop (default)")
       ->transform(one_of({Effort::Draft, Effort::Default, Effort::Best}));
+  command->add_option("--ends", call->options.ends, "First and last pose of a closed loop (even)")
+      ->transform(one_of({Ends::Free, Ends::Even, Ends::Exact}));
+  command
+      ->add_option("--loop", call->options.loop,
+                   "Whether it is one: none, repeats, follows (found)")
+      ->transform(one_of({Loop::None, Loop::Repeats, Loop::Follows}));
   command->add_option("--seed", call->options.seed, "Of the annealing; same seed, same bytes");
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });

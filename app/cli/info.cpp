@@ -43,6 +43,7 @@ Json describe_motion(const std::string& path, const MotionFile& file) {
           {"frames", clip.frames()},
           {"sample_rate_hz", clip.sample_rate_hz},
           {"seconds", clip.seconds()},
+          {"loop", name(find_loop(file.motion))},
           {"raw_bytes", raw_bytes(clip)},
           {"source", describe(file.source)},
           {"warnings", warnings}};
@@ -60,6 +61,7 @@ Json describe_compressed(const std::string& path) {
           {"frames", clip.frames},
           {"sample_rate_hz", clip.sample_rate_hz},
           {"seconds", clip.frames / clip.sample_rate_hz},
+          {"loop", name(clip.loop)},
           {"raw_bytes", raw},
           {"motion_bytes", clip.motion_bytes()},
           {"file_bytes", std::filesystem::file_size(path)},

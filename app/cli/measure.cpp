@@ -37,6 +37,7 @@ struct Measure {
     const Report report{
         .input = original,
         .original = &motion,
+        .loop = opened.compressed.loop,
         .method = opened.method,
         .weighting = opened.compressed.provenance.weighting,
         .coding = opened.coding(),

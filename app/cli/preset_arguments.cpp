@@ -41,6 +41,10 @@ void PresetArguments::add_options(CLI::App& command) {
   importance.add_options(command);
   command.add_option("--effort", effort, "Of the closed loop (default)")
       ->transform(one_of({Effort::Default, Effort::Best}));
+  command.add_option("--ends", ends, "First and last pose of a closed loop (even)")
+      ->transform(one_of({Ends::Free, Ends::Even, Ends::Exact}));
+  command.add_option("--loop", loop, "Whether clips are loops (found)")
+      ->transform(one_of({Loop::None, Loop::Repeats, Loop::Follows}));
   command.add_option("--seed", seed, "Of the annealing; same seed, same bytes");
 }
 
@@ -57,6 +61,8 @@ Preset PresetArguments::read() const {
   if (!correction.ratio.empty()) read.correction = correction.of_preset();
   if (!importance.words.empty()) read.importance = importance.named();
   if (effort) read.effort = *effort;
+  if (ends) read.ends = *ends;
+  if (loop) read.loop = *loop;
   try {
     check(read);
   } catch (const Error& error) {

@@ -21,6 +21,8 @@ struct PresetArguments {
   std::optional<Target> target;
   std::optional<std::uint64_t> seed;
   std::optional<Effort> effort;
+  std::optional<Ends> ends;
+  std::optional<Loop> loop;
   ImportanceArguments importance;  // instead of the preset's, where anything is named
   CorrectionArguments correction;
 

@@ -56,6 +56,7 @@ Json to_json(const Report& report) {
       {"coding", report.coding ? Json(name(*report.coding)) : Json()},
       {"sample_rate_hz", clip.sample_rate_hz},
       {"frames", clip.frames()},
+      {"loop", name(report.loop)},
       {"channels", clip.channels.cols()},
       {"joints", report.original->skeleton.joint_count()},
       {"raw_bytes", raw_bytes(clip)},
@@ -113,6 +114,14 @@ void print(const Report& report) {
   if (body.head_degrees) std::cerr << ", the head by " << degrees(*body.head_degrees);
   if (body.hand_degrees) std::cerr << ", hands by " << degrees(*body.hand_degrees);
   std::cerr << " (RMS)\n";
+  const EndErrors& ends = body.ends;
+  std::cerr << "  first pose " << cm(ends.first_cm) << ", last " << cm(ends.last_cm)
+            << " off on the surface";
+  if (report.loop != Loop::None)
+    std::cerr << "; a loop, whose seam is " << cm(ends.seam_cm) << " and "
+              << cm(ends.seam_cm_per_frame) << " a frame off, frames in a row up to "
+              << cm(ends.worst_neighbours_cm) << " and " << cm(ends.worst_neighbours_cm_per_frame);
+  std::cerr << '\n';
   if (const auto slide = slide_per_contact(report.footskate, report.contacts))
     std::cerr << "  footskate " << fixed_text(report.footskate.total_cm, 2) << " cm in "
               << report.contacts << " contacts: mean " << cm(slide->mean_cm) << ", worst "

@@ -6,6 +6,7 @@
 
 #include "core/codec/encoder.h"
 #include "core/metrics/body_figures.h"
+#include "core/motion/loop.h"
 #include "core/study/json_value.h"
 
 namespace mocapress::cli {
@@ -14,6 +15,7 @@ namespace mocapress::cli {
 struct Report {
   std::string input;
   const Motion* original = nullptr;
+  Loop loop = Loop::None;
   std::string method;  // a contender's name
   Weighting weighting = Weighting::BoneEnds;
   std::optional<Coding> coding;  // unset: of a comparison method

@@ -60,7 +60,7 @@ struct Study {
       plan.ik_ratios = {kPublishedVideoIkRatio};
     if (source.skeleton) plan.skeleton = *source.skeleton;
     plan.reading = source.options;
-    plan.weighting = weighting.value_or(paper ? Weighting::JointOrigins : Weighting::BoneEnds);
+    plan.weighting = weighting.value_or(paper ? Weighting::JointOrigins : Weighting::Surface);
     if (plan.methods.empty())
       for (const Contender& contender : contenders()) plan.methods.emplace_back(contender.name);
     for (const fs::path& clip : find_clips({inputs.begin(), inputs.end()}))
@@ -171,8 +171,7 @@ void add_study(CLI::App& app) {
   command->add_flag("--paper", call->paper,
                     "The paper's evaluation: its weighting, ratios and errors, its figures beside");
   command
-      ->add_option("--weighting", call->weighting,
-                   "Of eps_x (bone-ends; the paper's: joint-origins)")
+      ->add_option("--weighting", call->weighting, "Of eps_x (surface; the paper's: joint-origins)")
       ->transform(one_of(kWeightings));
   command->add_option("--coding", call->coding, "How wavelets are coded (deflate)")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));

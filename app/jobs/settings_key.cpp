@@ -14,7 +14,8 @@ std::string settingsKey(const EncodeOptions& options) {
   key << static_cast<int>(options.method) << ' ' << static_cast<int>(effective_coding(options))
       << ' ' << static_cast<int>(options.basis) << ' ' << static_cast<int>(options.weighting) << ' '
       << static_cast<int>(options.target.kind) << ' ' << options.target.value << ' ' << options.seed
-      << ' ' << static_cast<int>(options.effort);
+      << ' ' << static_cast<int>(options.effort) << ' ' << static_cast<int>(options.ends);
+  if (options.loop) key << " loop " << static_cast<int>(*options.loop);
   if (!options.importance.is_even()) {
     key << " importance " << options.importance.contacts;
     for (const double factor : options.importance.joints) key << ' ' << factor;

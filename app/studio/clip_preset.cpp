@@ -64,6 +64,8 @@ Preset presetOf(const ClipSettings& settings, const Skeleton& skeleton) {
                 .seed = options.seed,
                 .effort = options.effort,
                 .importance = named(options.importance, skeleton),
+                .ends = options.ends,
+                .loop = options.loop,
                 .correction = {},
                 .contacts = {}};
   if (effective_coding(options) != coding_of(preset)) preset.coding = options.coding;

@@ -14,6 +14,8 @@ constexpr std::array kMethods = {Method::Annealed, Method::Standard, Method::Per
                                  Method::ClosedLoop};
 constexpr std::array kCodings = {Coding::Rle16, Coding::Deflate, Coding::Adaptive};
 constexpr std::array kEfforts = {Effort::Default, Effort::Best};
+constexpr std::array kEnds = {Ends::Free, Ends::Even, Ends::Exact};
+constexpr std::array kLoops = {Loop::None, Loop::Repeats, Loop::Follows};
 constexpr std::array kBases = {Basis::Haar, Basis::Linear, Basis::Cubic};
 constexpr std::array kPlaces = {CorrectAt::EveryFrame, CorrectAt::Contacts};
 constexpr std::array kSolvers = {IkSolver::CyclicDescent, IkSolver::NearestPose};
@@ -123,10 +125,12 @@ QJsonObject toJson(const ClipSettings& settings) {
                    {QStringLiteral("target"), toJson(encode.target)},
                    {QStringLiteral("seed"), QString::number(encode.seed)},
                    {QStringLiteral("effort"), text(encode.effort)},
+                   {QStringLiteral("ends"), text(encode.ends)},
                    {QStringLiteral("contact-settings"), toJson(settings.contacts)}};
   if (!settings.preset.isEmpty()) json.insert(QStringLiteral("preset"), settings.preset);
   if (!encode.importance.is_even())
     json.insert(QStringLiteral("importance"), toJson(encode.importance));
+  if (encode.loop) json.insert(QStringLiteral("loop"), text(*encode.loop));
   if (encode.correction) json.insert(QStringLiteral("ik"), toJson(*encode.correction));
   if (encode.contacts) json.insert(QStringLiteral("contacts"), toJson(*encode.contacts));
   return json;
@@ -140,6 +144,8 @@ ClipSettings settingsFrom(const QJsonObject& json) {
   read(json, "basis", kBases, encode.basis);
   read(json, "weighting", kWeightings, encode.weighting);
   read(json, "effort", kEfforts, encode.effort);
+  read(json, "ends", kEnds, encode.ends);
+  if (json.contains(QStringLiteral("loop"))) read(json, "loop", kLoops, encode.loop.emplace());
   encode.importance = importanceFrom(json.value(QStringLiteral("importance")).toObject());
   settings.preset = json.value(QStringLiteral("preset")).toString();
   const QJsonObject target = json.value(QStringLiteral("target")).toObject();

@@ -115,7 +115,9 @@ EncodeOptions encode_options(const Preset& preset, const Skeleton& skeleton) {
                         .target = preset.target,
                         .seed = preset.seed,
                         .effort = preset.effort,
-                        .importance = importance_for(preset.importance, skeleton)};
+                        .importance = importance_for(preset.importance, skeleton),
+                        .ends = preset.ends,
+                        .loop = preset.loop};
   if (const Contender* contender = find_contender(preset.method))
     choose_wavelets(*contender, options);
   if (preset.contacts) options.contacts = contacts_for(*preset.contacts, skeleton);

@@ -42,6 +42,8 @@ struct Preset {
   std::uint64_t seed = 1;
   Effort effort = Effort::Default;  // not Draft, which promises nothing
   NamedImportance importance;
+  Ends ends = Ends::Even;
+  std::optional<Loop> loop;                    // unset: the encoder finds whether the clip is one
   std::optional<PresetCorrection> correction;  // unset: without IK correction
   std::optional<std::vector<PresetContact>> contacts;  // edited ones, of the one clip it is for
 

@@ -183,6 +183,8 @@ Json to_json(const Preset& preset) {
                {"ik", preset.correction ? to_json(*preset.correction) : Json()}};
   if (preset.effort != Effort::Default) json["effort"] = name(preset.effort);
   if (!preset.importance.is_even()) json["importance"] = to_json(preset.importance);
+  if (preset.ends != Ends::Even) json["ends"] = name(preset.ends);
+  if (preset.loop) json["loop"] = name(*preset.loop);
   if (preset.contacts) json[kContacts] = to_json(*preset.contacts);
   return json;
 }
@@ -206,6 +208,9 @@ Preset preset_from(const Json& json) {
   if (correction && !correction->is_null()) preset.correction = correction_from(*correction, of);
   preset.effort =
       keys.word("effort", preset.effort, {Effort::Draft, Effort::Default, Effort::Best});
+  preset.ends = keys.word("ends", preset.ends, {Ends::Free, Ends::Even, Ends::Exact});
+  if (const Json* loop = keys.take("loop"); loop && !loop->is_null())
+    preset.loop = keys.word("loop", Loop::None, {Loop::None, Loop::Repeats, Loop::Follows});
   if (const Json* importance = keys.take("importance"))
     preset.importance = importance_from(*importance, keys);
   if (const Json* contacts = keys.take(kContacts))

@@ -10,20 +10,6 @@
 #include "core/codec/range_coder.h"
 
 namespace mocapress {
-namespace {
-
-struct EncodingBits {
-  static constexpr bool kWrites = true;
-  RangeEncoder encoder;
-  bool code(bool bit, Probability one) {
-    encoder.code(bit, one);
-    return bit;
-  }
-  void refuse() {}
-  static constexpr bool failed() { return false; }
-};
-
-}  // namespace
 
 std::vector<SignalKin> channel_kin(const Skeleton& skeleton) {
   const int joints = skeleton.joint_count();
@@ -47,11 +33,11 @@ void append_correction_kin(int count, std::vector<SignalKin>& kin) {
 
 std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
                                        const std::vector<SignalKin>& kin) {
-  EncodingBits bits;
+  RangeEncoder bits;
   QuantisedSignals copy = coded;
   CoefficientModel model(static_cast<int>(kin.size()));
   code_coefficients(bits, kin, *model, copy);
-  std::vector<std::byte> bytes = bits.encoder.finish();
+  std::vector<std::byte> bytes = bits.finish();
   const auto scale = std::bit_cast<std::uint32_t>(coded.scale);
   bytes.insert(bytes.begin(),
                {static_cast<std::byte>(scale >> 16 & 0xFF), static_cast<std::byte>(scale >> 24)});

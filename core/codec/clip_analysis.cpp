@@ -4,7 +4,6 @@
 #include "core/codec/order_choice.h"
 #include "core/codec/segments.h"
 #include "core/motion/body_tracks.h"
-#include "core/select/end_weights.h"
 
 namespace mocapress {
 
@@ -62,20 +61,17 @@ const BasisAnalysis& ClipAnalysis::in(Basis basis) const {
   return bases_.get(basis, [&] { return std::make_unique<BasisAnalysis>(motion_, basis); });
 }
 
-const ErrorModel& ClipAnalysis::model(Weighting weighting, Ends ends) const {
-  return models_.get(std::pair(weighting, ends), [&] {
-    auto model = std::make_unique<ErrorModel>(motion_.skeleton, motion_.clip, weighting);
-    if (ends == Ends::More)
-      model->weigh_frames(end_weights(motion_.clip.frames(), motion_.clip.sample_rate_hz));
-    return model;
+const ErrorModel& ClipAnalysis::model(Weighting weighting) const {
+  return models_.get(weighting, [&] {
+    return std::make_unique<ErrorModel>(motion_.skeleton, motion_.clip, weighting);
   });
 }
 
-const ClosedLoop& ClipAnalysis::closed_loop(Basis basis, Weighting weighting, Ends ends) const {
+const ClosedLoop& ClipAnalysis::closed_loop(Basis basis, Weighting weighting) const {
   // Asked for before: one lock at a time.
   const Coefficients& in_basis = coefficients(basis);
-  const ErrorModel& errors = model(weighting, ends);
-  return closed_loops_.get(std::tuple(basis, weighting, ends), [&] {
+  const ErrorModel& errors = model(weighting);
+  return closed_loops_.get(std::pair(basis, weighting), [&] {
     return std::make_unique<ClosedLoop>(in_basis, motion_.clip, errors);
   });
 }

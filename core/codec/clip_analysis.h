@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <tuple>
 #include <utility>
 
 #include "core/codec/closed_loop.h"
@@ -29,9 +28,6 @@ struct BasisAnalysis {
   BasisAnalysis(const Clip& columns, const std::vector<double>& comparable, Basis basis);
 };
 
-/// How much errors of the first and last frames count.
-enum class Ends { LikeTheRest, More };  // More: core/select/end_weights.h
-
 /// What every encode of a motion needs and no option changes, computed when first asked for. Const
 /// and safe to use from several threads at a time.
 class ClipAnalysis {
@@ -53,8 +49,8 @@ class ClipAnalysis {
   const Eigen::MatrixXd& original_body() const;         // body_tracks()
   const Coefficients& coefficients(Basis basis) const;  // what a closed loop needs of a basis
   const BasisAnalysis& in(Basis basis) const;
-  const ErrorModel& model(Weighting weighting, Ends ends = Ends::LikeTheRest) const;
-  const ClosedLoop& closed_loop(Basis basis, Weighting weighting, Ends ends = Ends::More) const;
+  const ErrorModel& model(Weighting weighting) const;
+  const ClosedLoop& closed_loop(Basis basis, Weighting weighting) const;
 
   /// Of the feet, as found on the original; empty where there are no feet.
   const std::vector<ContactSpan>& contacts() const;
@@ -90,8 +86,8 @@ class ClipAnalysis {
   OnDemand<Only, std::vector<ContactSpan>> contacts_;
   OnDemand<Basis, Coefficients> coefficients_;
   OnDemand<Basis, BasisAnalysis> bases_;
-  OnDemand<std::pair<Weighting, Ends>, ErrorModel> models_;
-  OnDemand<std::tuple<Basis, Weighting, Ends>, ClosedLoop> closed_loops_;
+  OnDemand<Weighting, ErrorModel> models_;
+  OnDemand<std::pair<Basis, Weighting>, ClosedLoop> closed_loops_;
 };
 
 }  // namespace mocapress

@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "core/codec/adaptive.h"
+#include "core/codec/coded_ends.h"
 #include "core/codec/segments.h"
 #include "core/codec/signal_coder.h"
 #include "core/ik/correction.h"
 #include "core/motion/clip.h"
 #include "core/motion/landmarks.h"
+#include "core/motion/loop.h"
 #include "core/motion/rotation_order.h"
 #include "core/wavelet/basis.h"
 
@@ -69,15 +71,17 @@ struct CompressedClip {
   std::vector<std::byte> motion;  // coefficients of every channel, then of the correction, coded
   std::optional<CodedSegments> segments;  // of Coding::Adaptive only
   std::optional<CodedCorrection> correction;
+  Loop loop = Loop::None;
+  std::optional<CodedEnds> ends;  // of Coding::Adaptive only, and of clips with frames
   Provenance provenance;
 
   /// The skeleton in whose channels the motion is coded.
   Skeleton coded_skeleton() const;
 
-  /// What a ratio counts: motion, segments and correction, not the skeleton.
+  /// What a ratio counts: motion, segments, correction and ends, not the skeleton.
   std::size_t motion_bytes() const {
     return motion.size() + (segments ? segments->section_bytes() : 0) +
-           (correction ? correction->section_bytes() : 0);
+           (correction ? correction->section_bytes() : 0) + (ends ? ends->section_bytes() : 0);
   }
 
   /// How many of them are the correction's: what the motion alone would not take.

@@ -2,6 +2,7 @@
 #include "core/codec/container.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <functional>
@@ -20,6 +21,8 @@ namespace mocapress {
 namespace {
 
 constexpr std::string_view kMagic = "MCPR";
+constexpr std::string_view kEnds = "ENDS";
+constexpr std::string_view kLoop = "loop";
 constexpr std::string_view kOrders = "ordr";
 constexpr std::uint16_t kVersion = 1;
 constexpr std::size_t kSectionHead = 12;  // tag, size, checksum
@@ -197,34 +200,47 @@ class SectionReader {
     file_.fail("section " + std::string(tag) + " is missing");
   }
 
-  /// The section if it stands here. Unless it does, only optional ones follow.
-  std::optional<Section> take_last(std::string_view tag) {
-    std::optional<Section> found;
+  /// Those of the tags that stand here, in this order. Beside them only optional ones follow.
+  template <std::size_t count>
+  std::array<std::optional<Section>, count> take_last(
+      const std::array<std::string_view, count>& tags) {
+    std::array<std::optional<Section>, count> found;
+    std::size_t next = 0;
     for (; left_ > 0; --left_) {
       const std::size_t start = file_.offset();
       Section section = read_section(file_);
-      if (section.tag == tag && !found)
-        found = std::move(section);
-      else if (!take_optional(section))
+      const auto place = static_cast<std::size_t>(
+          std::find(tags.begin() + static_cast<std::ptrdiff_t>(next), tags.end(), section.tag) -
+          tags.begin());
+      if (place < count) {
+        found[place] = std::move(section);
+        next = place + 1;
+      } else if (!take_optional(section)) {
         throw FormatError(start, "unknown section " + section.tag);
+      }
     }
     return found;
   }
 
-  /// The optional one that is known here, once all have been read.
+  /// The optional ones that are known here, once all have been read.
+  const std::optional<Section>& loop() const { return loop_; }
   const std::optional<Section>& orders() const { return orders_; }
 
  private:
   bool take_optional(const Section& section) {
-    if (section.tag == kOrders) {
-      if (orders_) throw FormatError(section.payload_offset, "a second section ordr");
-      orders_ = section;
-    }
+    if (section.tag == kLoop) keep(section, loop_);
+    if (section.tag == kOrders) keep(section, orders_);
     return std::islower(static_cast<unsigned char>(section.tag[0])) != 0;
+  }
+
+  static void keep(const Section& section, std::optional<Section>& place) {
+    if (place) throw FormatError(section.payload_offset, "a second section " + section.tag);
+    place = section;
   }
 
   ByteReader& file_;
   int left_;
+  std::optional<Section> loop_;
   std::optional<Section> orders_;
 };
 
@@ -262,6 +278,7 @@ std::vector<std::byte> write_container(const Container& container) {
   file.append(bytes_of(kMagic));
   file.write(kVersion);
   file.write(static_cast<std::uint16_t>(3 + (clip.segments ? 1 : 0) + (clip.correction ? 1 : 0) +
+                                        (clip.ends ? 1 : 0) + (clip.loop != Loop::None ? 1 : 0) +
                                         (clip.orders.empty() ? 0 : 1)));
   if (is_adaptive(container))
     write_section(file, "JNTS", encode_joints(clip.coded_skeleton()));
@@ -271,6 +288,9 @@ std::vector<std::byte> write_container(const Container& container) {
   if (clip.segments) write_section(file, "SEGS", write_segments(*clip.segments));
   write_section(file, motion_tag(container), clip.motion);
   if (clip.correction) write_section(file, "IKCO", write_correction(*clip.correction));
+  if (clip.ends) write_section(file, kEnds, clip.ends->write());
+  if (clip.loop != Loop::None)
+    write_section(file, kLoop, std::vector{static_cast<std::byte>(clip.loop)});
   if (!clip.orders.empty()) write_section(file, kOrders, write_orders(clip.skeleton));
   return with_room(std::move(file), sample_count(clip));
 }
@@ -309,10 +329,20 @@ Container read(std::span<const std::byte> bytes, bool wavelets_only) {
       throw FormatError(segments.payload_offset + 12, "the segments are not as large as MOTN");
   }
   clip.motion.assign(motion.payload.begin(), motion.payload.end());
-  if (const auto correction = sections.take_last(container.of_comparison ? "" : "IKCO"))
+  const auto [correction, ends] = sections.take_last<2>(
+      {container.of_comparison ? "" : "IKCO", is_adaptive(container) ? kEnds : ""});
+  if (correction)
     clip.correction =
         read_correction(correction->payload, correction->payload_offset, clip.skeleton);
+  if (ends)
+    clip.ends =
+        read_ends(ends->payload, ends->payload_offset, clip.frames, clip.skeleton.channel_count());
   file.expect_end();
+  if (const std::optional<Section>& loop = sections.loop()) {
+    ByteReader reader(loop->payload, loop->payload_offset);
+    clip.loop = read_enum(reader, Loop::Repeats, Loop::Follows, "kind of loop");
+    reader.expect_end();
+  }
   if (const std::optional<Section>& of_source = sections.orders()) {
     const RotationOrders source = read_orders(*of_source, clip.skeleton);
     clip.orders = rotation_orders(clip.skeleton);

@@ -31,12 +31,21 @@ std::vector<float> wide_limits(const CompressedClip& clip) {
   return limits;
 }
 
+std::vector<float> steps_of(const QuantisedSignals& coded) {
+  std::vector<float> steps;
+  for (int s = 0; s < coded.signal_count(); ++s) steps.push_back(static_cast<float>(coded.step(s)));
+  return steps;
+}
+
 /// frames x signals of a segment.
 Eigen::MatrixXd decode_segment(const QuantisedSignals& coded, Basis basis,
                                const std::vector<float>& limits) {
-  std::vector<float> steps;
-  for (int s = 0; s < coded.signal_count(); ++s) steps.push_back(static_cast<float>(coded.step(s)));
-  return decode_signals(coded.values, steps, basis, limits);
+  return decode_signals(coded.values, steps_of(coded), basis, limits);
+}
+
+EndPoses end_poses(const CompressedClip& compressed) {
+  const auto [first, last] = steps_at_ends(compressed);
+  return {*compressed.ends, first, last};
 }
 
 void visit_adaptive(const CompressedClip& compressed, const DecodedBlock& visit) {
@@ -73,6 +82,14 @@ void visit_words(const CompressedClip& compressed, const DecodedBlock& visit) {
 
 }  // namespace
 
+std::pair<std::vector<float>, std::vector<float>> steps_at_ends(const CompressedClip& compressed) {
+  AdaptiveSegments segments(compressed);
+  QuantisedSignals coded = segments.next();
+  const std::vector<float> first = steps_of(coded);
+  for (int k = compressed.segment_layout().count(); k > 1; --k) coded = segments.next();
+  return {first, steps_of(coded)};
+}
+
 void visit_decoded(const CompressedClip& compressed, const DecodedBlock& visit) {
   if (is_of_words(compressed.coding))
     visit_words(compressed, visit);
@@ -102,20 +119,33 @@ Uncorrected decode_uncorrected(const CompressedClip& compressed) {
     put_rows(std::move(block.clip.channels), first, compressed.frames, decoded.clip.channels);
     put_rows(std::move(block.differences), first, compressed.frames, decoded.differences);
   });
+  Finish(compressed).add_ends(0, decoded.clip.channels);
   return decoded;
 }
 
-CorrectionReport correct(const CompressedClip& compressed, const Eigen::MatrixXd& differences,
-                         Clip& clip) {
-  if (!compressed.correction) return {};
-  return apply_correction(compressed.coded_skeleton(), compressed.correction->effectors,
-                          compressed.correction->solver, differences, clip);
+Finish::Finish(const CompressedClip& compressed)
+    : compressed_(compressed), coded_skeleton_(compressed.coded_skeleton()) {
+  if (compressed.ends) ends_.emplace(end_poses(compressed));
+}
+
+CorrectionReport Finish::operator()(int first_frame, Uncorrected& block) const {
+  CorrectionReport report;
+  if (compressed_.correction)
+    report = apply_correction(coded_skeleton_, compressed_.correction->effectors,
+                              compressed_.correction->solver, block.differences, block.clip);
+  add_ends(first_frame, block.clip.channels);
+  return report;
+}
+
+void Finish::add_ends(int first_frame, Eigen::MatrixXd& channels) const {
+  if (ends_) ends_->add_to(first_frame, compressed_.frames, channels);
 }
 
 Clip decode(const CompressedClip& compressed) {
   Clip clip{compressed.sample_rate_hz, {}};
+  const Finish finish(compressed);
   visit_decoded(compressed, [&](int first, Uncorrected& block) {
-    correct(compressed, block.differences, block.clip);
+    finish(first, block);
     put_rows(std::move(block.clip.channels), first, compressed.frames, clip.channels);
   });
   return in_source_channels(compressed, std::move(clip));

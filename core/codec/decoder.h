@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "core/codec/compressed_clip.h"
 
@@ -17,16 +18,35 @@ struct Uncorrected {
   Eigen::MatrixXd differences;  // frames x 3 * effectors, cm: what the effectors lack
 };
 
-/// decode() in two steps. correct() does nothing without a correction.
+/// decode() without the correction.
 Uncorrected decode_uncorrected(const CompressedClip& compressed);
-CorrectionReport correct(const CompressedClip& compressed, const Eigen::MatrixXd& differences,
-                         Clip& clip);
+
+/// From what visit_decoded() gives to what decode() does, but in the channels that are coded.
+class Finish {
+ public:
+  /// The compressed clip must outlive this.
+  explicit Finish(const CompressedClip& compressed);
+
+  /// Frames from first_frame on: first the correction, if there is one, then the ends.
+  CorrectionReport operator()(int first_frame, Uncorrected& block) const;
+
+  /// Frames (rows) from first_frame on; nothing where ends are not coded.
+  void add_ends(int first_frame, Eigen::MatrixXd& channels) const;
+
+ private:
+  const CompressedClip& compressed_;
+  Skeleton coded_skeleton_;
+  std::optional<EndPoses> ends_;
+};
+
+/// What a step of each signal is worth in the first and in the last segment. Of Coding::Adaptive.
+std::pair<std::vector<float>, std::vector<float>> steps_at_ends(const CompressedClip& compressed);
 
 /// The frames from first_frame on, which may be changed or taken.
 using DecodedBlock = std::function<void(int first_frame, Uncorrected& block)>;
 
-/// decode_uncorrected() in time, segment after segment, so that they are never all in memory. A
-/// clip that is not in segments comes at once.
+/// What the coefficients say, in time, segment after segment, so that they are never all in memory:
+/// without correction and ends. A clip that is not in segments comes at once.
 void visit_decoded(const CompressedClip& compressed, const DecodedBlock& visit);
 
 /// A clip in the channels that are coded, in those of the skeleton.

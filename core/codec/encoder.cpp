@@ -23,6 +23,7 @@ class Outcome {
       : original_(compressed.segments ? Original(analysis.motion()) : original_of(analysis)),
         keeps_all_(!options.figures_only),
         compressed_(compressed),
+        finish_(compressed),
         distortion_(compressed.skeleton, compressed.frames,
                     keeps_all_ || !compressed.segments ? Detail::Distances : Detail::Figures),
         footskate_(contacts_for(analysis, options), compressed.sample_rate_hz) {
@@ -49,7 +50,7 @@ class Outcome {
 
  private:
   void add(int first, Uncorrected& block) {
-    if (knees_) correct(first, block);
+    finish(first, block);
     original_.compare(first, compressed_.skeleton, block.clip,
                       [&](int from, const TrackRows& original, const TrackRows& decoded) {
                         distortion_.add(from, original, decoded);
@@ -59,16 +60,20 @@ class Outcome {
       put_rows(std::move(block.clip.channels), first, compressed_.frames, decoded_.channels);
   }
 
-  void correct(int first, Uncorrected& block) {
-    if (keeps_all_)
-      put_rows(block.clip.channels, first, compressed_.frames, correction_.uncorrected.channels);
-    correction_.report.add(mocapress::correct(compressed_, block.differences, block.clip));
-    knees_->add(block.clip);
+  void finish(int first, Uncorrected& block) {
+    if (knees_ && keeps_all_) {
+      Eigen::MatrixXd uncorrected = block.clip.channels;
+      finish_.add_ends(first, uncorrected);
+      put_rows(std::move(uncorrected), first, compressed_.frames, correction_.uncorrected.channels);
+    }
+    correction_.report.add(finish_(first, block));
+    if (knees_) knees_->add(block.clip);
   }
 
   const Original original_;
   const bool keeps_all_;
   const CompressedClip& compressed_;
+  const Finish finish_;
   DistortionMeter distortion_;
   FootskateMeter footskate_;
   std::optional<KneeSpeed> knees_;  // none: no correction
@@ -131,6 +136,7 @@ Encoding Encoder::encode(const EncodeOptions& options,
   EncodeOptions effective = options;
   effective.coding = effective_coding(options);
   check_room(shape_for(motion(), effective));
+  if (!effective.loop) effective.loop = find_loop(motion());
   // Segments are put into other orders one by one: the whole would be in memory twice.
   const bool is_whole = even_segments(motion().clip.frames(), effective.segments).count() == 1;
   const ClipAnalysis& analysis = effective.method == Method::ClosedLoop && is_whole
@@ -141,6 +147,7 @@ Encoding Encoder::encode(const EncodeOptions& options,
   Encoding encoding;
   Outcome(analysis, effective, found.compressed).run(found, encoding);
   encoding.compressed = std::move(found.compressed);
+  encoding.compressed.loop = *effective.loop;
   if (RotationOrders coded = rotation_orders(encoding.compressed.skeleton);
       coded != rotation_orders(motion().skeleton)) {
     encoding.compressed.orders = std::move(coded);

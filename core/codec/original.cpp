@@ -19,8 +19,9 @@ void Original::compare(int first_frame, const Skeleton& skeleton, const Clip& de
 
 void Original::compare(const CompressedClip& compressed, const Visit& visit) const {
   const Skeleton skeleton = compressed.coded_skeleton();
+  const Finish finish(compressed);
   visit_decoded(compressed, [&](int first, Uncorrected& block) {
-    correct(compressed, block.differences, block.clip);
+    finish(first, block);
     compare(first, skeleton, block.clip, visit);
   });
 }

@@ -5,7 +5,7 @@
 
 namespace mocapress {
 
-void RangeEncoder::code(bool bit, Probability probability_of_one) {
+bool RangeEncoder::code(bool bit, Probability probability_of_one) {
   assert(probability_of_one > 0 && probability_of_one < 65536);
   const std::uint32_t middle = decoder::range_split(low_, high_, probability_of_one);
   if (bit)
@@ -17,6 +17,7 @@ void RangeEncoder::code(bool bit, Probability probability_of_one) {
     low_ <<= 8;
     high_ = (high_ << 8) | 0xFF;
   }
+  return bit;
 }
 
 std::vector<std::byte> RangeEncoder::finish() {

@@ -18,7 +18,14 @@ using decoder::Probability;
 /// only: the same bytes everywhere.
 class RangeEncoder {
  public:
-  void code(bool bit, Probability probability_of_one);
+  static constexpr bool kWrites = true;
+
+  /// Returns the bit: what a walk that is the same for writing and reading goes on with.
+  bool code(bool bit, Probability probability_of_one);
+
+  // Numbers that are written are within bounds.
+  void refuse() {}
+  static constexpr bool failed() { return false; }
 
   /// The bytes, once every bit was coded.
   std::vector<std::byte> finish();

@@ -16,7 +16,6 @@ constexpr int kLongestRun = 254;
 constexpr int kWide = -32513;          // the coefficient follows in 32 bits
 constexpr int kLargestNarrow = 32512;  // just above the codes, and the same below zero
 constexpr double kLargestWide = 0x1p31 - 1;
-constexpr double kFinestExponent = -17;  // 8e-6 rad or cm: nothing to be seen
 
 /// The exponent of a channel's step. It need not be finer than half of what was dropped: digits
 /// below that would be noise to pack. It must not be so fine that the largest does not fit 32 bits.

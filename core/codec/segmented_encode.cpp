@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/codec/end_fit.h"
 #include "core/codec/goal.h"
 #include "core/codec/scale_search.h"
 #include "core/metrics/rate.h"
@@ -113,8 +114,18 @@ class SegmentedEncode {
         coded.trial.complete = observer(EncodeProgress{.iteration = part.index + 1});
       return std::move(coded.trial);
     });
+    if (trial.complete && work.compensate) finish_ends(trial);
     weigh(work, trial);
     return trial;
+  }
+
+  void finish_ends(Trial& trial) const {
+    if (!codes_ends(options_)) return;
+    const int rows = frames_at_ends(layout_.frames);
+    const Motion first = motion_of(0);
+    const Motion last = motion_of(layout_.count() - 1);
+    fit_ends(options_, trial, first.skeleton, first.clip.channels.topRows(rows),
+             last.clip.channels.bottomRows(rows));
   }
 
   /// Each segment by itself: where two are blended, the error is no larger than both of theirs, but
@@ -126,7 +137,9 @@ class SegmentedEncode {
       if (!part.go_on) return Trial{.complete = false};
       return coarsen_to_bound(part.analysis, options, coded.next(), bound_cm, observer);
     });
-    if (coarser.complete) weigh({}, coarser);
+    if (!coarser.complete) return coarser;
+    finish_ends(coarser);
+    weigh({}, coarser);
     return coarser;
   }
 

@@ -12,8 +12,6 @@
 namespace mocapress {
 namespace {
 
-constexpr double kFinestExponent = -17;  // as rle16 has it
-
 Eigen::VectorXd gains_of(const Lifting& lifting) {
   const std::vector<double> gains = lifting.gains();
   return Eigen::Map<const Eigen::VectorXd>(gains.data(), lifting.length());

@@ -101,16 +101,6 @@ Skeleton read_joints(ByteReader& reader, int joints) {
   return skeleton;
 }
 
-struct EncodingBits {
-  static constexpr bool kWrites = true;
-  RangeEncoder encoder;
-  bool code(bool bit, Probability one) {
-    encoder.code(bit, one);
-    return bit;
-  }
-  static constexpr bool failed() { return false; }
-};
-
 }  // namespace
 
 std::vector<std::byte> encode_skeleton(const Skeleton& skeleton) {
@@ -134,10 +124,10 @@ std::vector<std::byte> encode_joints(const Skeleton& skeleton) {
   writer.write(static_cast<std::uint32_t>(bytes.size()));
   writer.write(static_cast<std::uint16_t>(skeleton.joint_count()));
   writer.write(static_cast<std::uint16_t>(skeleton.channel_count()));
-  EncodingBits bits;
+  RangeEncoder bits;
   OwnMemory<decoder::JointByteCoder>()->run(bits, reinterpret_cast<std::uint8_t*>(bytes.data()),
                                             static_cast<std::uint32_t>(bytes.size()));
-  writer.append(bits.encoder.finish());
+  writer.append(bits.finish());
   return writer.release();
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/codec/count_search.h"
 #include "core/codec/decoder.h"
+#include "core/codec/end_fit.h"
 #include "core/codec/goal.h"
 #include "core/codec/scale_search.h"
 #include "core/codec/segmented_encode.h"
@@ -17,7 +18,6 @@
 #include "core/codec/trial.h"
 #include "core/metrics/rate.h"
 #include "core/select/annealing.h"
-#include "core/select/end_weights.h"
 
 namespace mocapress {
 namespace {
@@ -42,7 +42,7 @@ class TargetedEncode {
                         motion.clip.sample_rate_hz);
     correction_ratio_ = options.correction->ratio.value_or(SplitSearch::kFirst);
     if (!heeds_model) return;
-    if (!own_model_) own_model_ = analysis.model(options.weighting, ends());
+    if (!own_model_) own_model_ = analysis.model(options.weighting);
     for (const auto& response : correction_->responses(motion.clip, analysis.original_tracks()))
       own_model_->add(response);
   }
@@ -100,22 +100,21 @@ class TargetedEncode {
 
   /// What errors of the motion cost: some joints more, what a correction makes good less.
   const ErrorModel& model() const {
-    return own_model_ ? *own_model_ : analysis_.model(options_.weighting, ends());
+    return own_model_ ? *own_model_ : analysis_.model(options_.weighting);
   }
 
-  /// The paper's methods know nothing of ends; and a hard maximum holds there as anywhere.
-  Ends ends() const {
-    return options_.method == Method::ClosedLoop && options_.target.kind != Target::Kind::MaxError
-               ? Ends::More
-               : Ends::LikeTheRest;
+  void finish_ends(Trial& trial) const {
+    const Motion& motion = analysis_.motion();
+    const int rows = frames_at_ends(motion.clip.frames());
+    if (!codes_ends(options_) || rows == 0) return;
+    fit_ends(options_, trial, motion.skeleton, motion.clip.channels.topRows(rows),
+             motion.clip.channels.bottomRows(rows));
   }
 
   void emphasise(const Importance& importance) {
     const Motion& motion = analysis_.motion();
     own_model_.emplace(motion.skeleton, motion.clip,
                        important_points(motion.skeleton, options_.weighting, importance));
-    if (ends() == Ends::More)
-      own_model_->weigh_frames(end_weights(motion.clip.frames(), motion.clip.sample_rate_hz));
     if (importance.contacts == 0) return;
     for (const auto& point : standing_points(motion.skeleton, analysis_.original_tracks(),
                                              contacts_, importance.contacts))
@@ -270,7 +269,7 @@ class TargetedEncode {
   }
 
   const ClosedLoop& loop() {
-    if (!own_model_) return analysis_.closed_loop(options_.basis, options_.weighting, ends());
+    if (!own_model_) return analysis_.closed_loop(options_.basis, options_.weighting);
     if (!own_loop_) own_loop_.emplace(coefficients_, analysis_.motion().clip, *own_model_);
     return *own_loop_;
   }
@@ -285,6 +284,7 @@ class TargetedEncode {
                                  [this](const Trial& trial, double bound_cm) {
                                    Trial coarser =
                                        coarsen(AdaptiveSegments(trial.compressed).next(), bound_cm);
+                                   finish_ends(coarser);
                                    weigh(coarser);
                                    return coarser;
                                  }};
@@ -303,6 +303,7 @@ class TargetedEncode {
         effort == Effort::Draft && options_.target.kind == Target::Kind::Error && !own_model_;
     const bool is_rough = !work.compensate;  // its coding is not asked for
     Trial trial = code_at(scale, work, frame_weights, !model_will_do || !is_rough);
+    if (!is_rough) finish_ends(trial);
     if (model_will_do) {
       trial.achieved = trial.eps_cm;  // near enough, and there already
       trial.excess = goal_.excess(trial.achieved);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "limb.h"
+#include "loop_kind.h"
 #include "mocapress_decoder.h"
 #include "resident_signals.h"
 #include "segment_layout.h"
@@ -35,9 +36,12 @@ struct ClipBlock {
   std::uint32_t solver_iterations = 0;  // at most, for a limb at a frame
   std::uint16_t limb_count = 0;
   std::uint16_t most_links = 0;  // of a limb
-  std::uint32_t joints = 0;      // offsets from the clip
+  LoopKind loop = LoopKind::None;
+  std::uint8_t end_reach[2] = {};  // frames that have a share in what an end lacks; 0: none
+  std::uint32_t joints = 0;        // offsets from the clip
   std::uint32_t names = 0;
   std::uint32_t limbs = 0;
+  std::uint32_t ends = 0;     // what the first frame lacks in each channel, then the last
   std::uint32_t motions = 0;  // of each segment: the offset of its signals
   SegmentLayout segments;
   SignalsShape largest;  // no segment's is larger in any way
@@ -47,8 +51,16 @@ struct ClipBlock {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
   }
   const JointModel* joint_models() const { return at<JointModel>(joints); }
+  const float* end_values(int end) const {
+    return at<float>(ends) + static_cast<std::size_t>(end) * channel_count;
+  }
   const ResidentSignals& motion(int segment) const {
     return *at<ResidentSignals>(at<std::uint32_t>(motions)[segment]);
+  }
+  /// Frames of one turn; 0: it is no loop.
+  int turn_frames() const {
+    if (loop == LoopKind::None) return 0;
+    return loop == LoopKind::Repeats ? segments.frames - 1 : segments.frames;
   }
   LimbPlan limb(int l) const {
     const ResidentLimb& limb = at<ResidentLimb>(limbs)[l];

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "cursor.h"
+#include "end_poses.h"
 #include "format_limits.h"
 
 namespace mocapress::decoder {
@@ -83,7 +84,7 @@ class SectionsReader {
   }
 
  private:
-  enum class Expected { Joints, Clip, Segments, Motion, Correction, Nothing };
+  enum class Expected { Joints, Clip, Segments, Motion, Correction, Ends, Nothing };
 
   /// Sections stand in a fixed order; optional ones anywhere.
   mcpr_result take(const Section& section) {
@@ -105,9 +106,14 @@ class SectionsReader {
       return check_segment_sizes();
     }
     if (next_ == Expected::Correction && section.is("IKCO")) {
-      next_ = Expected::Nothing;
+      next_ = Expected::Ends;
       return read_correction(section.payload);
     }
+    if ((next_ == Expected::Correction || next_ == Expected::Ends) && section.is("ENDS")) {
+      next_ = Expected::Nothing;
+      return read_ends(section.payload);
+    }
+    if (section.is("loop")) return read_loop(section.payload);
     if (section.is_optional()) return kOk;
     if (section.is("SKEL") || section.is("COMP"))
       return failure(MCPR_UNSUPPORTED, section.start, "not of the coding adaptive");
@@ -225,6 +231,33 @@ class SectionsReader {
         return failure(MCPR_INVALID, cursor.offset() - 4, "an effector is no joint");
     }
     return check_values(payload.offset + 1);
+  }
+
+  mcpr_result read_loop(const Bytes& payload) {
+    if (sections_.loop != LoopKind::None)
+      return failure(MCPR_INVALID, payload.offset, "a second section loop");
+    if (payload.size != 1 || payload.data[0] < 1 || payload.data[0] > 2)
+      return failure(MCPR_INVALID, payload.offset, "unknown kind of loop");
+    sections_.loop = static_cast<LoopKind>(payload.data[0]);
+    return kOk;
+  }
+
+  mcpr_result read_ends(const Bytes& payload) {
+    Cursor cursor(payload.data, payload.size, payload.offset);
+    for (std::uint8_t& reach : sections_.end_reach) reach = cursor.read<std::uint8_t>();
+    for (std::int8_t& fineness : sections_.end_fineness) fineness = cursor.read<std::int8_t>();
+    if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "ENDS is too short");
+    for (const std::uint8_t reach : sections_.end_reach)
+      if (reach < 1 || reach > sections_.frames)
+        return failure(MCPR_INVALID, payload.offset, "ends of impossible length");
+    for (const std::int8_t fineness : sections_.end_fineness)
+      if (fineness < kLeastEndFineness || fineness > kMostEndFineness)
+        return failure(MCPR_INVALID, payload.offset + 2, "ends in impossible steps");
+    sections_.ends_bytes = payload.size;
+    const std::size_t size = cursor.left();
+    const std::size_t offset = cursor.offset();
+    sections_.coded_ends = {cursor.take(size), size, offset};
+    return kOk;
   }
 
   const mcpr_limits& limits_;

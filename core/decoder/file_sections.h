@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "limb.h"
+#include "loop_kind.h"
 #include "resident_signals.h"
 #include "result.h"
 #include "segment_layout.h"
@@ -33,6 +34,11 @@ struct FileSections {
   Bytes segment_sizes;             // u32 of each in MOTN; none where there is no SEGS
   std::size_t segments_bytes = 0;  // of SEGS
   std::size_t correction_bytes = 0;
+  std::size_t ends_bytes = 0;  // of ENDS; 0: none
+  LoopKind loop = LoopKind::None;
+  std::uint8_t end_reach[2] = {};    // frames
+  std::int8_t end_fineness[2] = {};  // first, last
+  Bytes coded_ends;
   Solver solver = Solver::NearestPose;
   std::uint32_t effectors = 0;
   struct Effector {
@@ -49,7 +55,9 @@ struct FileSections {
   }
 
   /// What the file has of the motion.
-  std::size_t motion_bytes() const { return motion.size + segments_bytes + correction_bytes; }
+  std::size_t motion_bytes() const {
+    return motion.size + segments_bytes + correction_bytes + ends_bytes;
+  }
 
   /// Of a segment in MOTN.
   std::uint32_t segment_size(int segment) const;

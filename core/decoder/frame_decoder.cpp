@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "end_poses.h"
 #include "format_limits.h"
 
 namespace mocapress::decoder {
@@ -118,10 +119,13 @@ void FrameDecoder::decode(int first, int count, float* out) {
     const int frames = std::min(count, kWindow);
     if (is_plain()) {
       signals_.make(first, frames, out, static_cast<std::ptrdiff_t>(values));
+      for (int t = 0; t < frames; ++t)
+        add_ends(shares_at(first + t), out + values * static_cast<std::size_t>(t));
     } else {
       signals_.make(first, frames, rows_, row_step_);
       for (int t = 0; t < frames; ++t)
-        put_out(rows_ + t * row_step_, out + values * static_cast<std::size_t>(t));
+        put_out(rows_ + t * row_step_, shares_at(first + t),
+                out + values * static_cast<std::size_t>(t));
     }
     first += frames;
     out += values * static_cast<std::size_t>(frames);
@@ -136,7 +140,70 @@ void FrameDecoder::decode_moment(double frame, float* out) {
   const float* const after = rows_ + row_step_;
   if (share > 0)
     for (std::ptrdiff_t k = 0; k < row_step_; ++k) rows_[k] += share * (after[k] - rows_[k]);
-  put_out(rows_, out);
+  put_out(rows_, shares_at(before, share), out);
+}
+
+void FrameDecoder::decode_across(float share, float* out) {
+  constexpr float kTurn = 6.28318531F;  // radians
+  const int last = clip_.segments.frames - 1;
+  if (last == 0) return decode_moment(0, out);
+  signals_.make(last - 1, 2, rows_, row_step_);
+  const float* const before = rows_;
+  float* const row = rows_ + row_step_;
+  float* const first = row + row_step_;
+  signals_.make(0, 1, first, row_step_);
+  const auto go = [&](std::int32_t signal, const auto& way) {
+    if (const std::int32_t k = columns_[signal]; k != ResidentSignals::Columns::kNone)
+      row[k] += share * way(k);
+  };
+  const auto straight = [&](std::int32_t k) { return first[k] - row[k]; };
+  for (std::uint32_t j = 0; j < clip_.joint_count; ++j) {
+    const JointModel& joint = clip_.joint_models()[j];
+    for (int c = 0; c < joint.channels; ++c) {
+      const std::int32_t channel = joint.first_channel + c;
+      if (joint.parent < 0)
+        go(channel, [&](std::int32_t k) { return row[k] - before[k]; });
+      else if (is_rotation(joint.kinds[c]))
+        go(channel, [&](std::int32_t k) { return std::remainder(straight(k), kTurn); });
+      else
+        go(channel, straight);
+    }
+  }
+  for (int s = static_cast<int>(clip_.channel_count); s < clip_.largest.signal_count; ++s)
+    go(s, straight);
+  EndShares shares;
+  if (request_.bands_left_out == 0) shares = {{share, 1 - share}};
+  if (clip_.end_reach[0] == 0) shares = {};
+  put_out(row, shares, out);
+}
+
+EndShares FrameDecoder::shares_at(int frame, float share_of_next) const {
+  EndShares shares;
+  if (request_.bands_left_out > 0) return shares;  // of other rows
+  const auto of_frame = [&](int end, int away) {
+    const int reach = clip_.end_reach[end];
+    return away < reach ? end_share(away, reach) : 0.0F;
+  };
+  const int last = clip_.segments.frames - 1;
+  const int away[2] = {frame, last - frame};
+  for (int end = 0; end < 2; ++end) {
+    shares.of[end] = of_frame(end, away[end]);
+    if (share_of_next > 0) {
+      const float next = of_frame(end, end == 0 ? away[end] + 1 : away[end] - 1);
+      shares.of[end] += share_of_next * (next - shares.of[end]);
+    }
+  }
+  return shares;
+}
+
+void FrameDecoder::add_ends(const EndShares& shares, float* row) const {
+  for (int end = 0; end < 2; ++end) {
+    const float share = shares.of[end];
+    if (share == 0) continue;
+    const float* const lacking = clip_.end_values(end);
+    for (std::uint32_t c = 0; c < clip_.channel_count; ++c)
+      if (columns_[c] != ResidentSignals::Columns::kNone) row[columns_[c]] += share * lacking[c];
+  }
 }
 
 void FrameDecoder::correct(float* row) {
@@ -156,8 +223,9 @@ void FrameDecoder::correct(float* row) {
   }
 }
 
-void FrameDecoder::put_out(float* row, float* out) {
+void FrameDecoder::put_out(float* row, const EndShares& shares, float* out) {
   if (solves_) correct(row);
+  add_ends(shares, row);
   if (request_.output == MCPR_LOCAL) return put_out_local(row, out);
   if (request_.output == MCPR_POSITIONS) return put_out_positions(row, out);
   if (!picks_) {

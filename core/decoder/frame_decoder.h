@@ -13,6 +13,11 @@ bool is_possible(const ClipBlock& clip, const mcpr_request& request);
 /// Floats in a frame of a possible request's output.
 std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request);
 
+/// Of what the first and the last frame lack.
+struct EndShares {
+  float of[2] = {0, 0};
+};
+
 /// Plays frames of a clip as a request wants them.
 class FrameDecoder {
  public:
@@ -25,10 +30,17 @@ class FrameDecoder {
   /// An instant between 0 and the last frame.
   void decode_moment(double frame, float* out);
 
+  /// So far on the way from the last frame to the first, of a loop.
+  void decode_across(float share, float* out);
+
  private:
   /// A row of the synthesis: channels, then what the correction adds. Corrects it in place.
   void correct(float* row);
-  void put_out(float* row, float* out);
+  void put_out(float* row, const EndShares& shares, float* out);
+
+  /// How much of what the ends lack goes to a frame, or to an instant between it and the next.
+  EndShares shares_at(int frame, float share_of_next = 0) const;
+  void add_ends(const EndShares& shares, float* row) const;
   void put_out_local(const float* row, float* out) const;
   void put_out_positions(const float* row, float* out) const;
   SignalRequest signal_request(Memory& memory);

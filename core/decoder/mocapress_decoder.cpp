@@ -163,7 +163,8 @@ mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip) {
           .effectors = block.effector_count,
           .bands = static_cast<std::uint32_t>(block.motion(0).band_count() - 1),
           .resident_bytes = static_cast<std::size_t>(block.total_bytes),
-          .skeleton_bytes = static_cast<std::size_t>(block.skeleton_bytes)};
+          .skeleton_bytes = static_cast<std::size_t>(block.skeleton_bytes),
+          .loop_frames = static_cast<std::uint32_t>(block.turn_frames())};
 }
 
 mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out) {
@@ -231,5 +232,25 @@ mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* reques
   if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
   Memory memory(scratch, scratch_size);
   FrameDecoder(memory, clip->block, *request).decode_moment(frame, out);
+  return kOk;
+}
+
+mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request, double frame,
+                               float* out, void* scratch, size_t scratch_size) {
+  mcpr_result result = check_request(clip, request);
+  if (failed(result)) return result;
+  const int turn = clip->block.turn_frames();
+  if (turn < 1) return argument("the clip is no loop");
+  if (!std::isfinite(frame) || out == nullptr) return argument("an instant that is none");
+  if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
+  double within = std::fmod(frame, turn);
+  if (within < 0) within += turn;
+  if (within >= turn) within = 0;  // rounded up from just below zero
+  Memory memory(scratch, scratch_size);
+  FrameDecoder decoder(memory, clip->block, *request);
+  if (within <= clip->block.segments.frames - 1)
+    decoder.decode_moment(within, out);
+  else
+    decoder.decode_across(static_cast<float>(within - (turn - 1)), out);
   return kOk;
 }

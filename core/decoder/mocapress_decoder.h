@@ -106,6 +106,8 @@ typedef struct mcpr_clip_info {
                             segments but the last, which may have fewer */
   size_t resident_bytes; /* all of the clip */
   size_t skeleton_bytes; /* of them the skeleton's: names, offsets, axes */
+  uint32_t loop_frames;  /* of one turn of a loop: one less than frames where the last frame shows
+                            the first pose again; 0: the clip is no loop */
 } mcpr_clip_info;
 
 /* All zero where there is no clip. */
@@ -174,6 +176,13 @@ mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* reques
 /* One instant, in frames from the first, 0 .. frames - 1: exact at a frame, between two the
  * channels and what the correction adds are linear in time. */
 mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request, double frame,
+                               float* out, void* scratch, size_t scratch_size);
+
+/* The same of a clip that is a loop, at any instant before or after: mcpr_decode_moment of what is
+ * left of it after whole turns. From the last frame on, where the first follows upon it, channels
+ * go to the first frame's, angles by the shorter way; those of roots go on as they came, for where
+ * a character stands and heads is the caller's to add up, turn by turn. */
+mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request, double frame,
                                float* out, void* scratch, size_t scratch_size);
 
 #ifdef __cplusplus

@@ -64,6 +64,7 @@ Opening::Opening(Memory& memory, const FileSections& sections)
       steps_(memory.take<float>(sections.signal_count())),
       wide_limits_(memory.take<float>(sections.signal_count())),
       reach_(memory.take<float>(sections.joints)),
+      ends_(memory.take<float>(sections.ends_bytes > 0 ? 2 * std::uint64_t{sections.channels} : 0)),
       notes_(memory.take<std::uint8_t>(sections.signal_count())),
       joint_coder_(memory),
       kin_finder_(memory, static_cast<int>(sections.joints)),
@@ -132,18 +133,36 @@ mcpr_result Opening::read_motion() {
   set_correction_kin(channels, signal_count - channels, kin_ + channels);
   find_wide_limits();
   std::size_t first_byte = 0;
+  const Bytes& coded_ends = sections_.coded_ends;
+  RangeDecoder end_bits(coded_ends.data, coded_ends.size);
+  EndCoder end_coder;
   for (int k = 0; k < sections_.segments.count(); ++k) {
     segments_[k] = {first_byte, sections_.segment_size(k), 0};
     const mcpr_result result = read_segment(k);
     if (failed(result)) return result;
+    if (k == 0) read_end(end_coder, end_bits, 0);
+    if (k == sections_.segments.count() - 1) read_end(end_coder, end_bits, 1);
     segments_[k].resident_bytes = ResidentSignals::size(source(k));
     first_byte += segments_[k].bytes;
   }
+  if (sections_.ends_bytes > 0 && (end_bits.failed() || !end_bits.is_at_end()))
+    return failure(MCPR_INVALID, coded_ends.offset + end_bits.position(),
+                   "the coded ends are damaged");
   // The file is done with.
   if (sections_.segments.count() > 1)
     std::copy_n(sections_.motion.data, sections_.motion.size, coded_motion_);
   sections_.motion.data = coded_motion_;
   return kOk;
+}
+
+/// In steps of the segment that was decoded last.
+void Opening::read_end(EndCoder& coder, RangeDecoder& bits, int end) {
+  if (sections_.ends_bytes == 0) return;
+  const std::uint32_t channels = sections_.channels;
+  const int fineness = sections_.end_fineness[end];
+  for (std::uint32_t c = 0; c < channels; ++c)
+    ends_[static_cast<std::uint32_t>(end) * channels + c] =
+        end_value(coder.code(bits, 0), steps_[c], fineness);
 }
 
 /// Unless it is the one that was decoded last.
@@ -254,6 +273,13 @@ std::uint64_t Opening::lay_out(std::byte* memory) {
                                      block.at<LimbLink>(limb.link), block.at<LimbTurn>(limb.turn)});
     limb.is_two_bones = plan.is_two_bones ? 1 : 0;
     block.at<ResidentLimb>(head.limbs)[l] = limb;
+  }
+  head.loop = sections_.loop;
+  if (sections_.ends_bytes > 0) {
+    std::copy_n(sections_.end_reach, 2, head.end_reach);
+    const std::size_t values = std::size_t{2} * head.channel_count;
+    head.ends = block.reserve(values * sizeof(float));
+    if (memory != nullptr) std::copy_n(ends_, values, block.at<float>(head.ends));
   }
   lay_out_motion(block, head, memory);
   head.total_bytes = block.used();

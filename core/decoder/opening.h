@@ -6,6 +6,7 @@
 
 #include "clip.h"
 #include "coefficient_coder.h"
+#include "end_poses.h"
 #include "file_sections.h"
 #include "joint_bytes.h"
 #include "limb_planner.h"
@@ -45,6 +46,7 @@ class Opening {
   mcpr_result read_segment(int segment);
   mcpr_result decode_segment(int segment, const Bytes& coded);
   void find_wide_limits();
+  void read_end(EndCoder& coder, RangeDecoder& bits, int end);
   QuantisedSource source(int segment) const;
 
   FileSections sections_;
@@ -69,6 +71,7 @@ class Opening {
   float* steps_;
   float* wide_limits_;
   float* reach_;  // of each joint
+  float* ends_;   // what the first frame lacks in each channel, then the last; null: nothing
   std::uint8_t* notes_;
   JointByteCoder joint_coder_;
   KinFinder kin_finder_;

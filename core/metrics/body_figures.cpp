@@ -33,7 +33,8 @@ BodyFigures body_figures(const Skeleton& skeleton, const Distortion& distortion)
           .shell = distortion.shell,
           .head_degrees = degrees(heads(skeleton)),
           .hand_degrees = degrees(joints_of(skeleton, BodyPart::Hands)),
-          .angle_rms_degrees = distortion.degrees(all)};
+          .angle_rms_degrees = distortion.degrees(all),
+          .ends = distortion.ends};
 }
 
 }  // namespace mocapress

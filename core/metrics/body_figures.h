@@ -14,6 +14,7 @@ struct BodyFigures {
   std::optional<double> head_degrees;  // how far they are turned in the world, RMS; unset: none is
   std::optional<double> hand_degrees;  // known by its name
   double angle_rms_degrees = 0;        // over all joints
+  EndErrors ends;
 
   bool operator==(const BodyFigures&) const = default;
 };

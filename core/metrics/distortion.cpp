@@ -75,7 +75,8 @@ DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail de
                                  Weighting weighting)
     : skeleton_(skeleton),
       detail_(detail),
-      squared_turns_(Eigen::VectorXd::Zero(skeleton.joint_count())) {
+      squared_turns_(Eigen::VectorXd::Zero(skeleton.joint_count())),
+      ends_(std::ssize(landmarks(skeleton))) {
   const auto look_at = [&](Weighting points) {
     Set set{.errors = PointErrors(skeleton, points)};
     set.squares = Eigen::VectorXd::Zero(set.errors.measured().weights.size());
@@ -136,6 +137,8 @@ void DistortionMeter::add(int first_frame, const TrackRows& original, const Trac
   for (Set& set : sets_) {
     const Eigen::MatrixXd squared = set.errors.squared(original, decoded);
     add(set, first_frame, squared);
+    if (detail_ != Detail::Means && set.errors.weighting() == Weighting::Surface)
+      ends_.add(original, decoded, squared * set.errors.measured().weights);
     if (detail_ == Detail::Distances && &set == &sets_.front())
       distances_.middleRows(first_frame, squared.rows()) = squared.cwiseSqrt().cast<float>();
   }
@@ -165,7 +168,8 @@ Distortion DistortionMeter::distortion() const {
       .surface = spread(1),
       .shell = spread(2),
       .joint_degrees = squared_turns_,
-      .turns = turns_};
+      .turns = turns_,
+      .ends = ends_.errors()};
   if (frames_ > 0)
     distortion.joint_degrees = (squared_turns_ / static_cast<double>(frames_)).cwiseSqrt();
   if (detail_ == Detail::Distances) {

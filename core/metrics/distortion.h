@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "core/metrics/distance_counts.h"
+#include "core/metrics/end_errors.h"
 #include "core/motion/track_blocks.h"
 
 namespace mocapress {
@@ -41,6 +42,7 @@ struct Distortion {
   Eigen::VectorXd joint_degrees;  // how far each joint is turned in the world, RMS over the frames
   Eigen::MatrixXf turns;          // as distances: by how many degrees a landmark's joint is turned
   double p99_degrees = 0;         // over all of them
+  EndErrors ends;
 
   double eps(Weighting weighting) const;
   const WorstPoint& worst(Weighting weighting) const;
@@ -112,6 +114,7 @@ class DistortionMeter {
   Eigen::MatrixXf distances_;
   Eigen::MatrixXf turns_;          // degrees
   Eigen::VectorXd squared_turns_;  // degrees^2, the sum over the frames so far of each joint
+  EndErrorMeter ends_;
 };
 
 /// Compares clips of one skeleton. Requires equal shapes.

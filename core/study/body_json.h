@@ -20,6 +20,14 @@ void add_body_figures(const BodyFigures& figures, const Add& add) {
   add("head_degrees", or_null(figures.head_degrees));
   add("hand_degrees", or_null(figures.hand_degrees));
   add("angle_rms_degrees", Json(figures.angle_rms_degrees));
+  add("first_frame_cm", Json(figures.ends.first_cm));
+  add("last_frame_cm", Json(figures.ends.last_cm));
+  add("seam_cm", Json(figures.ends.seam_cm));
+  add("seam_cm_per_frame", Json(figures.ends.seam_cm_per_frame));
+  add("neighbours_cm", Json(figures.ends.neighbours_cm));
+  add("neighbours_cm_per_frame", Json(figures.ends.neighbours_cm_per_frame));
+  add("worst_neighbours_cm", Json(figures.ends.worst_neighbours_cm));
+  add("worst_neighbours_cm_per_frame", Json(figures.ends.worst_neighbours_cm_per_frame));
 }
 
 /// What add_body_figures() wrote, but for where the worst points are. Throws like the JSON library
@@ -37,7 +45,16 @@ inline BodyFigures body_figures_of(const Json& json) {
           .shell = spread("shell"),
           .head_degrees = optional_at<double>(json, "head_degrees"),
           .hand_degrees = optional_at<double>(json, "hand_degrees"),
-          .angle_rms_degrees = json.at("angle_rms_degrees").get<double>()};
+          .angle_rms_degrees = json.at("angle_rms_degrees").get<double>(),
+          .ends = {.first_cm = json.at("first_frame_cm").get<double>(),
+                   .last_cm = json.at("last_frame_cm").get<double>(),
+                   .seam_cm = json.at("seam_cm").get<double>(),
+                   .seam_cm_per_frame = json.at("seam_cm_per_frame").get<double>(),
+                   .neighbours_cm = json.at("neighbours_cm").get<double>(),
+                   .neighbours_cm_per_frame = json.at("neighbours_cm_per_frame").get<double>(),
+                   .worst_neighbours_cm = json.at("worst_neighbours_cm").get<double>(),
+                   .worst_neighbours_cm_per_frame =
+                       json.at("worst_neighbours_cm_per_frame").get<double>()}};
 }
 
 }  // namespace mocapress

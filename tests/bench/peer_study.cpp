@@ -4,7 +4,8 @@
 // own points, three 3 cm from each joint. One line a clip and precision, then geometric means of
 // our share of ACL's bytes. --json: one JSON object a line and nothing else. --no-max: without the
 // maximum, which takes most of the time.
-// Usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--json] [--no-max]
+// --game: on rigs as games have them (tests/support/game_like.h).
+// Usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max]
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,6 +26,7 @@
 #include "core/motion/body_tracks.h"
 #include "tests/bench/acl_peer.h"
 #include "tests/bench/study_clips.h"
+#include "tests/support/game_like.h"
 
 namespace mocapress {
 namespace {
@@ -94,12 +96,15 @@ Json row_of(const Motion& motion, const Encoder& encoder, double precision, bool
 int run(int count, char** arguments) {
   std::vector<fs::path> clips;
   int every = 1;
+  bool on_game_rig = false;
   bool json = false;
   bool with_max = true;
   for (int i = 1; i < count; ++i) {
     const std::string_view word = arguments[i];
     if (word == "--json")
       json = true;
+    else if (word == "--game")
+      on_game_rig = true;
     else if (word == "--no-max")
       with_max = false;
     else if (word == "--every" && i + 1 < count)
@@ -108,7 +113,8 @@ int run(int count, char** arguments) {
       for (const fs::path& clip : clips_of(word)) clips.push_back(clip);
   }
   if (clips.empty()) {
-    std::cerr << "usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--json] [--no-max]\n";
+    std::cerr
+        << "usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max]\n";
     return 2;
   }
   constexpr std::array kMeasures = {"bytes_at_eps", "bytes_at_shell_rms", "bytes_at_shell_p99",
@@ -119,7 +125,8 @@ int run(int count, char** arguments) {
   };
   std::map<double, std::array<Mean, kMeasures.size()>> means;
   for (const fs::path& path : clips) {
-    const Motion motion = thinned(read_motion(path).motion, every);
+    Motion motion = thinned(read_motion(path).motion, every);
+    if (on_game_rig) motion = test::game_like(motion);
     const Encoder encoder(motion);
     for (const double precision : kPrecisions) {
       const Json row = row_of(motion, encoder, precision, with_max);

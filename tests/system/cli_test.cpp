@@ -86,7 +86,7 @@ TEST_F(Cli, CompressReportsExactlyTheDocumentedKeys) {
   expect_report(report, true);
   EXPECT_EQ(report["input"], clip_);
   EXPECT_EQ(report["method"], "annealed");
-  EXPECT_EQ(report["weighting"], "bone-ends");
+  EXPECT_EQ(report["weighting"], "surface");
   EXPECT_EQ(report["coding"], "deflate");
   EXPECT_EQ(report["frames"], 600);
   EXPECT_EQ(report["channels"], 14);
@@ -95,7 +95,7 @@ TEST_F(Cli, CompressReportsExactlyTheDocumentedKeys) {
   EXPECT_EQ(report["file_bytes"], std::filesystem::file_size(packed_));
   EXPECT_NEAR(report["ratio"].get<double>(),
               report["raw_bytes"].get<double>() / report["motion_bytes"].get<double>(), 1e-9);
-  EXPECT_EQ(report["eps_x_cm"], report["eps_x_bone_ends_cm"]);
+  EXPECT_EQ(report["eps_x_cm"], report["surface_rms_cm"]);
   EXPECT_EQ(report["verified_by"], "library") << "no engine plays annealed wavelets in DEFLATE";
 }
 

@@ -18,20 +18,24 @@ Texts textsOf(const Preset& preset) {
   const std::string word = slug(preset.name);
   if (word == "hero-close-up")
     return {Presets::tr("Hero close-up"),
-            Presets::tr("Characters the camera comes near to: an error of 0.65 mm on the skin, heads and "
-                        "hands turned by about a degree at most.")};
+            Presets::tr(
+                "Characters the camera comes near to: an error of 0.65 mm on the skin, heads and "
+                "hands turned by about a degree at most.")};
   if (word == "gameplay")
     return {Presets::tr("Gameplay"),
-            Presets::tr("Characters in play: an error of 2.5 mm on the skin, heads turned by 2.5 degrees "
-                        "at most and hands by 4.")};
+            Presets::tr(
+                "Characters in play: an error of 2.5 mm on the skin, heads turned by 2.5 degrees "
+                "at most and hands by 4.")};
   if (word == "planted-feet")
-    return {Presets::tr("Planted feet"),
-            Presets::tr("As Gameplay, with feet that stay where they stand: a third of the sliding or "
-                        "less, for about a twentieth more bytes.")};
+    return {
+        Presets::tr("Planted feet"),
+        Presets::tr("As Gameplay, with feet that stay where they stand: a third of the sliding or "
+                    "less, for about a twentieth more bytes.")};
   if (word == "crowd")
-    return {Presets::tr("Crowd"),
-            Presets::tr("Figures in the background: an error of 6 mm on the skin, heads turned by 7.5 "
-                        "degrees at most and hands by 12.")};
+    return {
+        Presets::tr("Crowd"),
+        Presets::tr("Figures in the background: an error of 6 mm on the skin, heads turned by 7.5 "
+                    "degrees at most and hands by 12.")};
   if (word == "archive")
     return {Presets::tr("Archive"),
             Presets::tr("To keep in place of the source: no point of the body more than 1 mm off "
@@ -74,6 +78,18 @@ QString displayName(Effort effort) {
   return {};
 }
 
+QString displayName(Ends ends) {
+  switch (ends) {
+    case Ends::Free:
+      return Presets::tr("Free");
+    case Ends::Even:
+      return Presets::tr("Even");
+    case Ends::Exact:
+      return Presets::tr("Exact");
+  }
+  return {};
+}
+
 QString importanceText(const NamedImportance& importance) {
   QStringList texts;
   const auto add = [&](const QString& name, double factor) {
@@ -90,6 +106,7 @@ QString detailsOf(const Preset& preset) {
     texts << Presets::tr("Importance: %1.").arg(importanceText(preset.importance));
   if (preset.effort != Effort::Default)
     texts << Presets::tr("Effort: %1.").arg(displayName(preset.effort));
+  if (preset.ends != Ends::Even) texts << Presets::tr("Ends: %1.").arg(displayName(preset.ends));
   if (preset.contacts)
     texts << Presets::tr("%Ln contact(s) of its own.", nullptr,
                          static_cast<int>(preset.contacts->size()));

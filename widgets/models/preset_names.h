@@ -19,6 +19,7 @@ QString detailsOf(const Preset& preset);
 
 QString displayName(BodyPart part);
 QString displayName(Effort effort);
+QString displayName(Ends ends);
 
 /// "Feet × 4, contacts × 20"; empty where all are alike.
 QString importanceText(const NamedImportance& importance);

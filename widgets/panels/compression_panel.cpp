@@ -42,6 +42,7 @@ CompressionPanel::CompressionPanel(QWidget* parent)
       correction_(new CorrectionControl(this)),
       method_(new QComboBox(this)),
       effort_(new QComboBox(this)),
+      ends_(new QComboBox(this)),
       importance_(new QToolButton(this)),
       weighting_(new QComboBox(this)),
       coding_(new QComboBox(this)) {
@@ -82,6 +83,7 @@ CompressionPanel::CompressionPanel(QWidget* parent)
   };
   chosen_in(method_, &EncodeOptions::method);
   chosen_in(effort_, &EncodeOptions::effort);
+  chosen_in(ends_, &EncodeOptions::ends);
   chosen_in(weighting_, &EncodeOptions::weighting);
   chosen_in(coding_, &EncodeOptions::coding);
   connect(importance_, &QToolButton::clicked, this, &CompressionPanel::importanceRequested);
@@ -93,7 +95,7 @@ QWidget* CompressionPanel::makeDrawer() {
   auto* drawer = new QWidget(this);
   auto* more = new QToolButton(drawer);
   more->setText(tr("More"));
-  more->setToolTip(tr("Weighting of the error, and coding: seldom changed."));
+  more->setToolTip(tr("Weighting of the error, ends of the clip, and coding: seldom changed."));
   more->setCheckable(true);
   more->setAutoRaise(true);
   more->setArrowType(Qt::RightArrow);
@@ -105,6 +107,7 @@ QWidget* CompressionPanel::makeDrawer() {
   form->setVerticalSpacing(6);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("Weighting"), weighting_);
+  form->addRow(tr("Ends"), ends_);
   form->addRow(tr("Coding"), coding_);
   inside->setVisible(false);
   connect(more, &QToolButton::toggled, inside, [more, inside](bool open) {
@@ -130,6 +133,8 @@ void CompressionPanel::makeChoices() {
          "largest of all, per channel keeps as many of each."));
   addChoices(effort_, {Effort::Default, Effort::Best});
   effort_->setAccessibleName(tr("Effort"));
+  addChoices(ends_, {Ends::Free, Ends::Even, Ends::Exact});
+  ends_->setAccessibleName(tr("Ends"));
   importance_->setAccessibleName(tr("Importance"));
   importance_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   addChoices(weighting_, kWeightings);
@@ -150,6 +155,13 @@ void CompressionPanel::showWhatApplies() {
       closed ? tr("Best looks longer for something smaller: a few per cent, for some ten times the "
                   "time.")
              : tr("Only the closed loop can try harder: the paper's methods end where they end."));
+  ends_->setEnabled(closed);
+  ends_->setToolTip(
+      closed
+          ? tr("The first and the last pose, where clips are blended and looped. Even: no further "
+               "off than the target. Exact: a tenth of it, as loops have them anyway; that "
+               "takes some 4 % more. Free: whatever comes out.")
+          : tr("Only the closed loop codes the first and the last pose once more."));
   coding_->setEnabled(!closed);
   choose(coding_, effective_coding(options_));
   coding_->setToolTip(
@@ -181,6 +193,7 @@ void CompressionPanel::setOptions(const EncodeOptions& options) {
   correction_->setCorrection(options.correction);
   choose(method_, options.method);
   choose(effort_, options.effort);
+  choose(ends_, options.ends);
   choose(weighting_, options.weighting);
   showWhatApplies();
 }

@@ -32,6 +32,7 @@ class CompressionPanel : public QWidget {
   CorrectionControl* correction() const { return correction_; }
   QComboBox* method() const { return method_; }
   QComboBox* effort() const { return effort_; }
+  QComboBox* ends() const { return ends_; }
   QComboBox* coding() const { return coding_; }
   QToolButton* importance() const { return importance_; }
 
@@ -53,6 +54,7 @@ class CompressionPanel : public QWidget {
   CorrectionControl* correction_;
   QComboBox* method_;
   QComboBox* effort_;
+  QComboBox* ends_;
   QToolButton* importance_;
   QComboBox* weighting_;
   QComboBox* coding_;

@@ -50,7 +50,7 @@ TEST(Bomb, OfUnreachablePlacesTakesNoMoreStepsThanItsSamplesAllow) {
     const CompressedClip clip = read_container(write_container(unreachable_clip(60, solver)));
     ASSERT_LT(clip.motion.size(), 400u);
     Uncorrected decoded = decode_uncorrected(clip);
-    const CorrectionReport report = correct(clip, decoded.differences, decoded.clip);
+    const CorrectionReport report = Finish(clip)(0, decoded);
     // A limb has three signals or more, so that samples bound its steps; and the samples of a file
     // are bounded by its bytes.
     const long most =

@@ -88,7 +88,7 @@ TEST_F(EveryContender, WritesAFileThatReadsAsWhatWasMeasured) {
     const OpenedMcpr opened = read_mcpr(made.file);
     EXPECT_EQ(opened.method, contender.name);
     EXPECT_EQ(opened.of_wavelets, find_comparison_method(contender.name) == nullptr);
-    EXPECT_EQ(opened.compressed.motion.size(), made.motion_bytes);
+    EXPECT_EQ(opened.compressed.motion_bytes(), made.motion_bytes);
     EXPECT_EQ(opened.compressed.provenance.weighting, Weighting::JointOrigins);
     EXPECT_FLOAT_EQ(opened.compressed.provenance.eps_cm,
                     static_cast<float>(made.distortion.eps_joint_origins));

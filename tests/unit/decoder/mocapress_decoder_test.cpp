@@ -353,5 +353,65 @@ TEST(Decoder, RefusesEveryPrefixAndEveryFlippedBit) {
   }
 }
 
+/// A walk on the spot, of 60 frames a turn, and one whose last frame shows the first pose again.
+std::vector<std::byte> loop_file(Loop loop) {
+  const int frames = loop == Loop::Repeats ? 61 : 60;
+  Motion motion = test::smooth_motion(frames);
+  for (int c = 0; c < motion.skeleton.channel_count(); ++c)
+    for (int t = 0; t < frames; ++t)
+      motion.clip.channels(t, c) = 0.5 * std::sin(6.283185307179586 * t / 60 + c);
+  return write_container(Encoder(motion)
+                             .encode({.method = Method::ClosedLoop,
+                                      .weighting = Weighting::Surface,
+                                      .target = {Target::Kind::Error, 0.05},
+                                      .loop = loop})
+                             .compressed);
+}
+
+std::vector<float> looped(const OpenedClip& clip, const mcpr_request& request, double frame) {
+  const AlignedBytes scratch(mcpr_scratch_bytes(clip.clip, &request));
+  std::vector<float> out(mcpr_frame_values(clip.clip, &request));
+  if (mcpr_decode_looped(clip.clip, &request, frame, out.data(), scratch.data(), scratch.size())
+          .status != MCPR_OK)
+    out.clear();
+  return out;
+}
+
+TEST(DecoderOfALoop, GoesRoundBothWays) {
+  for (const Loop loop : {Loop::Repeats, Loop::Follows}) {
+    const OpenedClip clip(loop_file(loop));
+    ASSERT_NE(clip.clip, nullptr) << clip.result.message;
+    EXPECT_EQ(mcpr_clip_describe(clip.clip).loop_frames, 60u);
+    for (const mcpr_request& request : {mcpr_request{}, mcpr_request{.output = MCPR_LOCAL}})
+      for (const double frame : {0.0, 0.25, 17.0, 58.5}) {
+        const std::vector<float> expected = clip.moment(request, frame);
+        for (const int turns : {-3, 0, 1, 1000})
+          EXPECT_EQ(looped(clip, request, frame + 60 * turns), expected);
+      }
+  }
+}
+
+TEST(DecoderOfALoop, HasNoJumpAtTheSeam) {
+  for (const Loop loop : {Loop::Repeats, Loop::Follows}) {
+    const OpenedClip clip(loop_file(loop));
+    ASSERT_NE(clip.clip, nullptr);
+    // 0.5 at most in a sixtieth of a turn is 0.053; a hundredth of that in a hundredth of the time.
+    std::vector<float> before = looped(clip, {}, 58);
+    for (double frame = 58.01; frame < 62; frame += 0.01) {
+      const std::vector<float> now = looped(clip, {}, frame);
+      for (std::size_t c = 6; c < now.size(); ++c)  // roots go on by themselves
+        EXPECT_NEAR(now[c], before[c], 0.004) << frame;
+      before = now;
+    }
+  }
+}
+
+TEST(DecoderOfALoop, RefusesAClipThatIsNone) {
+  EXPECT_EQ(mcpr_clip_describe(opened().clip).loop_frames, 0u);
+  EXPECT_TRUE(looped(opened(), {}, 0).empty());
+  const OpenedClip clip(loop_file(Loop::Follows));
+  EXPECT_TRUE(looped(clip, {}, std::numeric_limits<double>::infinity()).empty());
+}
+
 }  // namespace
 }  // namespace mocapress

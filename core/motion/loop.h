@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/motion/clip.h"
+
+namespace mocapress {
+
+/// How a clip goes on after its last frame when it is played again and again. The values are part
+/// of the file format.
+enum class Loop : std::uint8_t {
+  None = 0,
+  Repeats = 1,  // the last frame shows the first one's pose again: a turn takes frames - 1
+  Follows = 2,  // the first frame follows upon the last: a turn takes frames
+};
+
+/// "none", "repeats", "follows".
+std::string_view name(Loop loop);
+
+/// Whether first and last pose are alike to half of what the clip moves in a frame, as a rule, and
+/// velocities to that and what they change. Where the root stands and heads may differ.
+Loop find_loop(const Motion& motion);
+
+}  // namespace mocapress
