@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace mocapress {
@@ -116,10 +115,7 @@ void DistortionMeter::add_turns(int first_frame, const TrackRows& original,
                                 const TrackRows& decoded) {
   const JointErrors errors(skeleton_, original, decoded);
   for (int j = 0; j < skeleton_.joint_count(); ++j) {
-    // Of a rotation by the angle a, the axes' squared differences come to 8 sin(a / 2)^2.
-    const Eigen::ArrayXd sine =
-        (errors.of(j).rightCols<9>().rowwise().squaredNorm() / 8).array().min(1).sqrt();
-    const Eigen::VectorXd degrees = (360 / std::numbers::pi) * sine.asin();
+    const Eigen::VectorXd degrees = JointErrors::degrees(errors.of(j));
     squared_turns_(j) += degrees.squaredNorm();
     if (detail_ == Detail::Distances)
       turns_.col(j).segment(first_frame, degrees.size()) = degrees.cast<float>();

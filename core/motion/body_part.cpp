@@ -53,4 +53,12 @@ std::vector<int> joints_of(const Skeleton& skeleton, BodyPart part) {
   return joints;
 }
 
+std::vector<int> head_joints(const Skeleton& skeleton) {
+  const std::vector<int> all = joints_of(skeleton, BodyPart::Head);
+  std::vector<int> heads;
+  for (const int j : all)
+    if (lower(skeleton.joint(j).name).find("head") != std::string::npos) heads.push_back(j);
+  return heads.empty() ? all : heads;
+}
+
 }  // namespace mocapress

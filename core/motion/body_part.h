@@ -21,4 +21,7 @@ std::string_view name(BodyPart part);
 /// wrist.R, lthumb, RightHandIndex1). Joints with none of these names belong to no part.
 std::vector<int> joints_of(const Skeleton& skeleton, BodyPart part);
 
+/// Those of the head without what carries it and what is in it, where these have other names.
+std::vector<int> head_joints(const Skeleton& skeleton);
+
 }  // namespace mocapress

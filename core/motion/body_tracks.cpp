@@ -2,6 +2,7 @@
 #include "core/motion/body_tracks.h"
 
 #include <cassert>
+#include <numbers>
 
 namespace mocapress {
 
@@ -40,6 +41,13 @@ Eigen::VectorXd JointErrors::squared(const Eigen::Matrix<double, Eigen::Dynamic,
           in_joint.y() * of_joint.middleCols<3>(6) + in_joint.z() * of_joint.middleCols<3>(9))
       .rowwise()
       .squaredNorm();
+}
+
+Eigen::VectorXd JointErrors::degrees(const Eigen::Matrix<double, Eigen::Dynamic, 12>& of_joint) {
+  // Of a rotation by the angle a, the axes' squared differences come to 8 sin(a / 2)^2.
+  const Eigen::ArrayXd sine =
+      (of_joint.rightCols<9>().rowwise().squaredNorm() / 8).array().min(1).sqrt();
+  return (360 / std::numbers::pi) * sine.asin();
 }
 
 }  // namespace mocapress

@@ -27,6 +27,9 @@ class JointErrors {
   static Eigen::VectorXd squared(const Eigen::Matrix<double, Eigen::Dynamic, 12>& of_joint,
                                  const Eigen::Vector3d& in_joint);
 
+  /// By how much the joint is turned at each frame.
+  static Eigen::VectorXd degrees(const Eigen::Matrix<double, Eigen::Dynamic, 12>& of_joint);
+
  private:
   Eigen::Ref<const Eigen::MatrixXd> original_;
   Eigen::Ref<const Eigen::MatrixXd> decoded_;

@@ -30,7 +30,7 @@ const std::map<std::string, RoomRules> kRooms = {
     {"core/formats", {{"core/base", "core/motion", "core/decoder"}}},
     {"core/decoder", {{}, false, true}},
     {"core/wavelet", {{"core/base"}}},
-    {"core/metrics", {{"core/base", "core/motion"}}},
+    {"core/metrics", {{"core/base", "core/motion", "core/contact"}}},
     {"core/select", {{"core/base", "core/motion", "core/wavelet", "core/metrics"}}},
     {"core/codec",
      {{"core/base", "core/motion", "core/wavelet", "core/select", "core/metrics", "core/contact",
