@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// What the eye sees of clips at some errors, as Markdown tables: RMS and maximum on the surface,
+// the verdict and its reason, and each cue's worst as times of what is noticed; then where the
+// three put clips in another order.
+// Usage: mocapress-visibility-study CLIP|FOLDER... [--every N]
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/number_text.h"
+#include "core/codec/encoder.h"
+#include "core/formats/motion_file.h"
+#include "core/metrics/rate.h"
+#include "core/metrics/visibility.h"
+#include "core/motion/body_tracks.h"
+#include "tests/bench/study_clips.h"
+
+namespace mocapress {
+namespace {
+
+constexpr std::array<double, 4> kTargets = {0.1, 0.26, 0.5, 1};  // cm on the surface
+
+struct Row {
+  std::string clip;
+  double target_cm = 0;
+  double ratio = 0;
+  std::array<double, 3> figures{};  // RMS, maximum (cm), times of what is noticed
+  std::array<double, kCues> times{};
+  Sight sight{};
+  std::string why;
+};
+
+Row measure_row(const Encoder& encoder, const std::string& clip, double target_cm) {
+  const Motion& motion = encoder.motion();
+  const Encoding encoding = encoder.encode({.method = Method::ClosedLoop,
+                                            .coding = Coding::Adaptive,
+                                            .weighting = Weighting::Surface,
+                                            .target = {Target::Kind::Error, target_cm}});
+  const Visibility seen = measure_visibility(motion.skeleton, encoder.original_body(),
+                                             body_tracks(motion.skeleton, encoding.decoded),
+                                             motion.clip.sample_rate_hz, encoder.contacts());
+  Row row{clip, target_cm, compression_ratio(motion.clip, encoding.compressed.motion_bytes())};
+  row.figures = {encoding.distortion.surface.rms, encoding.distortion.surface.max.cm,
+                 seen.worst().times_noticed()};
+  for (std::size_t i = 0; i < kCues; ++i) row.times[i] = seen.worst_of[i].times_noticed();
+  row.sight = seen.sight();
+  row.why = reason(seen.worst(), motion.skeleton);
+  return row;
+}
+
+void print(const Row& row) {
+  std::printf("| %s | %s | %.1f | %.3f | %.2f | %s | %.2f |", row.clip.c_str(),
+              significant_text(row.target_cm, 3).c_str(), row.ratio, row.figures[0], row.figures[1],
+              std::string(name(row.sight)).c_str(), row.figures[2]);
+  for (const double times : row.times) std::printf(" %.2f |", times);
+  std::printf(" %s |\n", row.why.c_str());
+  std::fflush(stdout);
+}
+
+/// Of all pairs of rows, how many two figures put in another order, and the pair that they disagree
+/// about most.
+void print_disagreement(const std::vector<Row>& rows, std::size_t a, std::size_t b) {
+  constexpr std::array<const char*, 3> kNames = {"RMS", "maximum", "eye"};
+  int pairs = 0;
+  int contrary = 0;
+  double most = 1;
+  const Row* better = nullptr;  // by a
+  const Row* worse = nullptr;
+  for (const Row& one : rows)
+    for (const Row& other : rows) {
+      if (one.figures[a] >= other.figures[a]) continue;
+      ++pairs;
+      if (one.figures[b] <= other.figures[b]) continue;
+      ++contrary;
+      const double distance =
+          std::min(other.figures[a] / one.figures[a], one.figures[b] / other.figures[b]);
+      if (distance <= most) continue;
+      most = distance;
+      better = &one;
+      worse = &other;
+    }
+  std::printf("| %s, %s | %.0f %% |", kNames[a], kNames[b], 100.0 * contrary / std::max(pairs, 1));
+  if (better)
+    std::printf(" %s at %s cm, %s at %s cm: %.3g to %.3g, but %.3g to %.3g |\n",
+                better->clip.c_str(), significant_text(better->target_cm, 3).c_str(),
+                worse->clip.c_str(), significant_text(worse->target_cm, 3).c_str(),
+                better->figures[a], worse->figures[a], better->figures[b], worse->figures[b]);
+  else
+    std::printf(" |\n");
+}
+
+int run(const std::vector<std::string>& paths, int every) {
+  std::printf("| clip | target, cm | ratio | RMS | max | verdict | times noticed |");
+  for (std::size_t i = 0; i < kCues; ++i)
+    std::printf(" %s |", std::string(name(static_cast<Cue>(i))).c_str());
+  std::printf(" reason |\n|");
+  for (std::size_t i = 0; i < kCues + 8; ++i) std::printf(" --- |");
+  std::printf("\n");
+  std::vector<Row> rows;
+  for (const std::string& path : paths)
+    for (const auto& clip : clips_of(path)) {
+      const Encoder encoder(thinned(read_motion(clip).motion, every));
+      for (const double target_cm : kTargets) {
+        rows.push_back(measure_row(encoder, clip.stem().string(), target_cm));
+        print(rows.back());
+      }
+    }
+  std::printf(
+      "\n| verdicts at | not visible | borderline | visible |\n| --- | --- | --- | --- |\n");
+  for (const double target_cm : kTargets) {
+    std::printf("| %s cm |", significant_text(target_cm, 3).c_str());
+    for (const Sight sight : {Sight::NotVisible, Sight::Borderline, Sight::Visible})
+      std::printf(" %d |",
+                  static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](const Row& row) {
+                    return row.target_cm == target_cm && row.sight == sight;
+                  })));
+    std::printf("\n");
+  }
+  std::printf("\n| order by | contrary pairs | the most contrary |\n| --- | --- | --- |\n");
+  print_disagreement(rows, 0, 1);
+  print_disagreement(rows, 0, 2);
+  print_disagreement(rows, 1, 2);
+  return 0;
+}
+
+}  // namespace
+}  // namespace mocapress
+
+int main(int argc, char** argv) {
+  std::vector<std::string> paths;
+  int every = 1;
+  try {
+    for (int i = 1; i < argc; ++i) {
+      const std::string_view argument = argv[i];
+      if (argument == "--every" && i + 1 < argc)
+        every = std::stoi(argv[++i]);
+      else
+        paths.emplace_back(argument);
+    }
+    if (paths.empty() || every < 1) {
+      std::fprintf(stderr, "Usage: mocapress-visibility-study CLIP|FOLDER... [--every N]\n");
+      return 2;
+    }
+    return mocapress::run(paths, every);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "mocapress-visibility-study: %s\n", error.what());
+    return 1;
+  }
+}
