@@ -495,6 +495,14 @@
         <source>What the library says about the clip. A rejected clip is left out until it is ticked.</source>
         <translation>Ce que la bibliothèque dit du clip. Un clip rejeté reste à l&apos;écart tant qu&apos;il n&apos;est pas coché.</translation>
     </message>
+    <message>
+        <source>not visible</source>
+        <translation>invisible</translation>
+    </message>
+    <message>
+        <source>%1 times noticed</source>
+        <translation>%1 fois le perceptible</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchQueueView</name>
@@ -2325,10 +2333,6 @@
         <translation>Rapport de coefficients</translation>
     </message>
     <message>
-        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
-        <translation>eps_x : l&apos;erreur quadratique moyenne pondérée, que certaines images peuvent dépasser. Maximum absolu : aucun point du corps n&apos;est plus loin à aucune image. Les cibles de qualité conviennent à tous les clips ; le rapport et les octets ignorent la difficulté d&apos;un clip.</translation>
-    </message>
-    <message>
         <source>How much of it</source>
         <translation>Combien</translation>
     </message>
@@ -2355,6 +2359,18 @@
     <message>
         <source> cm</source>
         <translation> cm</translation>
+    </message>
+    <message>
+        <source>What the eye notices</source>
+        <translation>Ce que l&apos;œil remarque</translation>
+    </message>
+    <message>
+        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. What the eye notices: nothing exceeds that so many times; at 1, nothing is visible. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
+        <translation>eps_x : l&apos;erreur quadratique moyenne pondérée, que certaines images peuvent dépasser. Maximum absolu : aucun point du corps n&apos;est plus loin à aucune image. Ce que l&apos;œil remarque : rien ne le dépasse tant de fois ; à 1, rien n&apos;est visible. Les cibles de qualité conviennent à tous les clips ; le rapport et les octets ignorent la difficulté d&apos;un clip.</translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation> fois</translation>
     </message>
 </context>
 <context>
@@ -2740,6 +2756,66 @@
         <source>%1 / %2</source>
         <comment>footskate</comment>
         <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>not visible</source>
+        <translation>invisible</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation>visible</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>vitesse</translation>
+    </message>
+    <message>
+        <source>place about the body</source>
+        <translation>place par rapport au corps</translation>
+    </message>
+    <message>
+        <source>trembling</source>
+        <translation>tremblement</translation>
+    </message>
+    <message>
+        <source>sliding foot</source>
+        <translation>pied qui glisse</translation>
+    </message>
+    <message>
+        <source>floating foot</source>
+        <translation>pied qui flotte</translation>
+    </message>
+    <message>
+        <source>below the floor</source>
+        <translation>sous le sol</translation>
+    </message>
+    <message>
+        <source>flight</source>
+        <translation>vol</translation>
+    </message>
+    <message>
+        <source>turned head</source>
+        <translation>tête tournée</translation>
+    </message>
+    <message>
+        <source>turned hand</source>
+        <translation>main tournée</translation>
+    </message>
+    <message>
+        <source>%1, %2 at %L3 s: %L4 times what people notice</source>
+        <translation>%1, %2 à %L3 s : %L4 fois ce que l&apos;on remarque</translation>
+    </message>
+    <message>
+        <source>To the eye</source>
+        <translation>À l&apos;œil</translation>
+    </message>
+    <message>
+        <source>Whether anything that is off is more than people notice.</source>
+        <translation>Si un écart dépasse ce que l&apos;on remarque.</translation>
     </message>
 </context>
 <context>
@@ -3146,6 +3222,10 @@ Cliquer pour le charger dans le studio.</translation>
         <source>Time to compress, the search for the target and all.</source>
         <translation>Durée de la compression, recherche de la cible comprise.</translation>
     </message>
+    <message>
+        <source>%L1 times noticed</source>
+        <translation>%L1 fois le perceptible</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::StudySession</name>
@@ -3327,10 +3407,6 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Erreur (eps_x)</translation>
     </message>
     <message>
-        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; or a distance that no joint exceeds at any frame).</source>
-        <translation>Demander une taille (taux de compression : octets des canaux en flottants de 32 bits sur les octets du mouvement compressé ; ou ces octets mêmes) ou une qualité (erreur moyenne pondérée eps_x ; ou une distance qu&apos;aucune articulation ne dépasse à aucune image).</translation>
-    </message>
-    <message>
         <source>Target on a slider</source>
         <translation>Cible au curseur</translation>
     </message>
@@ -3357,6 +3433,18 @@ Cliquer pour le charger dans le studio.</translation>
     <message>
         <source>There is nothing to ask for at zero.</source>
         <translation>À zéro, il n&apos;y a rien à demander.</translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation> fois</translation>
+    </message>
+    <message>
+        <source>What the eye notices</source>
+        <translation>Ce que l&apos;œil remarque</translation>
+    </message>
+    <message>
+        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; a distance that no joint exceeds at any frame; or how many times what people notice nothing exceeds: at 1, nothing is visible).</source>
+        <translation>Demander une taille (taux de compression : octets des canaux en flottants de 32 bits sur les octets du mouvement compressé ; ou ces octets mêmes) ou une qualité (erreur moyenne pondérée eps_x ; une distance qu&apos;aucune articulation ne dépasse à aucune image ; ou combien de fois ce que l&apos;on remarque rien ne dépasse : à 1, rien n&apos;est visible).</translation>
     </message>
 </context>
 <context>

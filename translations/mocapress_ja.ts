@@ -494,6 +494,14 @@
         <source>What the library says about the clip. A rejected clip is left out until it is ticked.</source>
         <translation>ライブラリでのクリップの判定です。却下したクリップは、チェックを入れるまで除外されます。</translation>
     </message>
+    <message>
+        <source>not visible</source>
+        <translation>見えない</translation>
+    </message>
+    <message>
+        <source>%1 times noticed</source>
+        <translation>知覚限界の %1 倍</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchQueueView</name>
@@ -2311,10 +2319,6 @@
         <translation>係数比</translation>
     </message>
     <message>
-        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
-        <translation>eps_x: 重み付き二乗平均平方根誤差。個々のフレームでは超えることがあります。絶対的な上限: どのフレームでも体のどの点もこれ以上離れません。品質の目標はどんなクリップにも向きます。圧縮率とバイト数はクリップの難しさを知りません。</translation>
-    </message>
-    <message>
         <source>How much of it</source>
         <translation>その量</translation>
     </message>
@@ -2341,6 +2345,18 @@
     <message>
         <source> cm</source>
         <translation> cm</translation>
+    </message>
+    <message>
+        <source>What the eye notices</source>
+        <translation>目で気づく差</translation>
+    </message>
+    <message>
+        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. What the eye notices: nothing exceeds that so many times; at 1, nothing is visible. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
+        <translation>eps_x: 重み付き二乗平均平方根誤差。個々のフレームでは超えることがあります。絶対的な上限: どのフレームでも体のどの点もこれ以上離れません。目で気づく差: 何もその倍数を超えません。1 なら何も見えません。品質の目標はどんなクリップにも向きます。圧縮率とバイト数はクリップの難しさを知りません。</translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation> 倍</translation>
     </message>
 </context>
 <context>
@@ -2723,6 +2739,66 @@
         <source>%1 / %2</source>
         <comment>footskate</comment>
         <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>not visible</source>
+        <translation>見えない</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>境界</translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation>見える</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>place about the body</source>
+        <translation>体に対する位置</translation>
+    </message>
+    <message>
+        <source>trembling</source>
+        <translation>震え</translation>
+    </message>
+    <message>
+        <source>sliding foot</source>
+        <translation>足の滑り</translation>
+    </message>
+    <message>
+        <source>floating foot</source>
+        <translation>足の浮き</translation>
+    </message>
+    <message>
+        <source>below the floor</source>
+        <translation>床下</translation>
+    </message>
+    <message>
+        <source>flight</source>
+        <translation>空中の動き</translation>
+    </message>
+    <message>
+        <source>turned head</source>
+        <translation>頭の向き</translation>
+    </message>
+    <message>
+        <source>turned hand</source>
+        <translation>手の向き</translation>
+    </message>
+    <message>
+        <source>%1, %2 at %L3 s: %L4 times what people notice</source>
+        <translation>%1、%2、%L3 秒：人が気づく差の %L4 倍</translation>
+    </message>
+    <message>
+        <source>To the eye</source>
+        <translation>目に見えるか</translation>
+    </message>
+    <message>
+        <source>Whether anything that is off is more than people notice.</source>
+        <translation>人が気づく以上のずれがあるかどうか。</translation>
     </message>
 </context>
 <context>
@@ -3127,6 +3203,10 @@ Click to load it into the studio.</source>
         <source>Time to compress, the search for the target and all.</source>
         <translation>目標の探索を含む圧縮時間。</translation>
     </message>
+    <message>
+        <source>%L1 times noticed</source>
+        <translation>知覚限界の %L1 倍</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::StudySession</name>
@@ -3304,10 +3384,6 @@ Click to load it into the studio.</source>
         <translation>誤差 (eps_x)</translation>
     </message>
     <message>
-        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; or a distance that no joint exceeds at any frame).</source>
-        <translation>大きさ(圧縮率：32ビット浮動小数点のチャンネルと圧縮後の動きのバイト数の比、またはバイト数そのもの)か、品質(重み付き平均誤差 eps_x、またはどの関節もどのフレームでも超えない距離)を指定します。</translation>
-    </message>
-    <message>
         <source>Target on a slider</source>
         <translation>目標のスライダー</translation>
     </message>
@@ -3334,6 +3410,18 @@ Click to load it into the studio.</source>
     <message>
         <source>There is nothing to ask for at zero.</source>
         <translation>0 では指定になりません。</translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation> 倍</translation>
+    </message>
+    <message>
+        <source>What the eye notices</source>
+        <translation>目で気づく差</translation>
+    </message>
+    <message>
+        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; a distance that no joint exceeds at any frame; or how many times what people notice nothing exceeds: at 1, nothing is visible).</source>
+        <translation>大きさ(圧縮率：32ビット浮動小数点のチャンネルと圧縮後の動きのバイト数の比、またはバイト数そのもの)か、品質(重み付き平均誤差 eps_x、またはどの関節もどのフレームでも超えない距離、またはどのずれも超えない「人が気づく差」の倍数: 1 なら何も見えません)を指定します。</translation>
     </message>
 </context>
 <context>

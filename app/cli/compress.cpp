@@ -61,6 +61,7 @@ struct Compress {
         .verified_by = std::string(found.by),
         .distortion = std::move(found.distortion),
         .footskate = std::move(found.footskate),
+        .visibility = std::move(found.visibility),
         .contacts = options.contacts->size(),
         .correction_bytes = made.correction ? std::optional(made.correction->bytes) : std::nullopt,
         .correction = std::move(made.correction),
@@ -119,6 +120,14 @@ void add_compress(CLI::App& app) {
   add("--target-error", Target::Kind::Error, "CM", "eps_x not above this");
   add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes not above this");
   add("--max-error", Target::Kind::MaxError, "CM", "No point further off at any frame");
+  target
+      ->add_option_function<Sight>(
+          "--target",
+          [call](const Sight&) {
+            call->options.target = {Target::Kind::Visibility, 1};
+          },
+          "As small as it gets with nothing to see")
+      ->transform(one_of({Sight::NotVisible}));
   call->correction.add_options(*command);
   call->contacts.add_options(*command);
   call->importance.add_options(*command);

@@ -30,10 +30,9 @@ struct Measure {
                            std::to_string(decoded.channels.cols()) + " channels, the original " +
                            std::to_string(motion.clip.frames()) + " of " +
                            std::to_string(motion.clip.channels.cols()));
-    const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
+    const Eigen::MatrixXd tracks = body_tracks(motion.skeleton, motion.clip);
+    const Eigen::MatrixXd found = body_tracks(motion.skeleton, decoded);
     const std::vector<ContactSpan> contacts = contact_input.spans(motion);
-    const Footskate footskate = measure_footskate(
-        contacts, tracks, landmark_tracks(motion.skeleton, decoded), decoded.sample_rate_hz);
     const Report report{
         .input = original,
         .original = &motion,
@@ -44,8 +43,10 @@ struct Measure {
         .motion_bytes = opened.compressed.motion_bytes(),
         .file_bytes = std::filesystem::file_size(compressed),
         .verified_by = "library",
-        .distortion = mocapress::measure(motion.skeleton, motion.clip, decoded),
-        .footskate = footskate,
+        .distortion = mocapress::measure(motion.skeleton, tracks, found),
+        .footskate = measure_footskate(contacts, tracks, found, decoded.sample_rate_hz),
+        .visibility =
+            measure_visibility(motion.skeleton, tracks, found, decoded.sample_rate_hz, contacts),
         .contacts = contacts.size(),
         .correction_bytes = opened.compressed.correction
                                 ? std::optional(opened.compressed.correction_bytes())

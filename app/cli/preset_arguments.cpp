@@ -37,6 +37,14 @@ void PresetArguments::add_options(CLI::App& command) {
   add("--target-error", Target::Kind::Error, "CM", "eps_x not above this");
   add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes not above this");
   add("--max-error", Target::Kind::MaxError, "CM", "No point further off at any frame");
+  targets
+      ->add_option_function<Sight>(
+          "--target",
+          [this](const Sight&) {
+            target = Target{Target::Kind::Visibility, 1};
+          },
+          "As small as it gets with nothing to see")
+      ->transform(one_of({Sight::NotVisible}));
   correction.add_options(command);
   importance.add_options(command);
   command.add_option("--effort", effort, "Of the closed loop (default)")

@@ -28,6 +28,39 @@ void print(const char* of, const Spread& spread) {
             << cm(spread.max.cm) << " (frame " << spread.max.frame << ")\n";
 }
 
+void print(const Visibility& seen, const Skeleton& skeleton) {
+  const std::string why = reason(seen.worst(), skeleton);
+  std::cerr << "  to the eye "
+            << (seen.sight() == Sight::NotVisible ? "not visible" : name(seen.sight()))
+            << (why.empty() ? "" : ": ") << why << '\n'
+            << "  velocities off by " << fixed_text(seen.velocity_error, 2) << " cm/s (RMS)";
+  if (seen.jitter_ratio)
+    std::cerr << ", jitter " << fixed_text(*seen.jitter_ratio, 2) << " of the original's";
+  if (seen.visible_share > 0)
+    std::cerr << ", visible in " << fixed_text(100 * seen.visible_share, 1) << " % of the frames";
+  std::cerr << '\n';
+}
+
+/// Every figure by itself.
+void add_visibility(const Visibility& seen, Json& json) {
+  const auto worst = [&](Cue cue) {
+    return seen.worst_of[static_cast<std::size_t>(cue)].times_noticed();
+  };
+  json["velocity_error_cm_per_s"] = seen.velocity_error;
+  json["velocity_error_worst_cm_per_s"] = seen.worst_velocity_error;
+  json["jitter_ratio"] = or_null(seen.jitter_ratio);
+  json["slide_worst_contact_cm"] = seen.contacts ? Json(seen.contacts->worst_slide_cm) : Json();
+  json["lift_worst_contact_cm"] = seen.contacts ? Json(seen.contacts->worst_lift_cm) : Json();
+  json["floor_depth_cm"] = seen.floor_depth;
+  json["root_flight_cm_per_s"] = or_null(seen.flight_error);
+  json["head_worst_degrees"] = or_null(seen.worst_head);
+  json["hand_worst_degrees"] = or_null(seen.worst_hand);
+  for (std::size_t i = 0; i < kCues; ++i) {
+    const auto cue = static_cast<Cue>(i);
+    json["noticed_by_cue"][std::string(name(cue))] = worst(cue);
+  }
+}
+
 void print(const CorrectionResult& correction) {
   if (correction.slide_without_cm)
     std::cerr << "  r_IK found: " << significant_text(correction.ratio, 3) << ", against "
@@ -73,6 +106,9 @@ Json to_json(const Report& report) {
   };
   add_body_figures(body_figures(report.original->skeleton, report.distortion),
                    [&](const char* key, Json value) { json[key] = std::move(value); });
+  add_seen(seen_in(report.visibility, report.original->skeleton),
+           [&](const char* key, Json value) { json[key] = std::move(value); });
+  add_visibility(report.visibility, json);
   json.update(Json{
       {"bits_per_joint_sample", bits_per_joint_sample(*report.original, report.motion_bytes)},
       {"iterations", or_null(report.iterations)},
@@ -122,6 +158,7 @@ void print(const Report& report) {
               << cm(ends.seam_cm_per_frame) << " a frame off, frames in a row up to "
               << cm(ends.worst_neighbours_cm) << " and " << cm(ends.worst_neighbours_cm_per_frame);
   std::cerr << '\n';
+  print(report.visibility, report.original->skeleton);
   if (const auto slide = slide_per_contact(report.footskate, report.contacts))
     std::cerr << "  footskate " << fixed_text(report.footskate.total_cm, 2) << " cm in "
               << report.contacts << " contacts: mean " << cm(slide->mean_cm) << ", worst "

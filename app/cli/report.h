@@ -23,7 +23,8 @@ struct Report {
   std::size_t file_bytes = 0;
   std::string verified_by;  // Verification::by
   Distortion distortion;
-  Footskate footskate;                          // beyond the original's own
+  Footskate footskate;  // beyond the original's own
+  Visibility visibility;
   std::size_t contacts = 0;                     // over which it was measured
   std::optional<std::size_t> correction_bytes;  // unset: no correction
   std::optional<CorrectionResult> correction;   // what compress knows of it

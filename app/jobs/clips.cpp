@@ -47,6 +47,10 @@ void findArtifacts(DecodedClip& decoded, const Encoder& encoder,
                              decoded.clip.sample_rate_hz);
   };
   decoded.footskate = measure(*decoded.tracks);
+  if (!decoded.visibility)
+    decoded.visibility = measure_visibility(encoder.motion().skeleton, encoder.original_body(),
+                                            body_tracks(encoder.motion().skeleton, decoded.clip),
+                                            decoded.clip.sample_rate_hz, contacts);
   decoded.glitches = find_glitches(encoder.original_tracks(), *decoded.tracks);
   if (decoded.uncorrected_tracks)
     decoded.uncorrected_footskate = measure(*decoded.uncorrected_tracks);
@@ -67,6 +71,7 @@ DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeOp
   decoded.compressed = std::move(encoding.compressed);
   decoded.clip = std::move(encoding.decoded);
   decoded.distortion = std::move(encoding.distortion);
+  decoded.visibility = std::move(encoding.visibility);
   decoded.correction = std::move(encoding.correction);
   decoded.coefficient_ratio = encoding.coefficient_ratio;
   decoded.iterations = encoding.iterations;
@@ -93,6 +98,7 @@ DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original,
 
 DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original) {
   DecodedClip result = decoded;
+  result.visibility.reset();
   result.distortion =
       measure(original.motion().skeleton, original.encoder->original_body(), result.clip);
   findArtifacts(result, *original.encoder, original.encoder->contacts());

@@ -49,6 +49,7 @@ struct DecodedClip {
   double bits_per_joint_sample = 0;
   std::optional<Distortion> distortion;  // none: its original is not there to compare with
   std::optional<Footskate> footskate;    // none: as for distortion
+  std::optional<Visibility> visibility;  // likewise
   std::vector<Glitch> glitches;          // likewise
   Tracks uncorrected_tracks;             // null: there is no correction
   std::optional<Footskate> uncorrected_footskate;

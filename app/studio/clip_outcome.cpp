@@ -15,6 +15,8 @@ double quantityOf(const DecodedClip& decoded, const EncodeOptions& options) {
       return decoded.distortion->eps(options.weighting);
     case Target::Kind::MaxError:
       return decoded.distortion->worst(options.weighting).cm;
+    case Target::Kind::Visibility:
+      return decoded.visibility->worst().times_noticed();
     case Target::Kind::CoefficientRatio:
       break;
   }

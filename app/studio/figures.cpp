@@ -53,6 +53,13 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
     figures.p99_cm = decoded.distortion->p99;
     figures.max_cm = decoded.distortion->max.cm;
   }
+  if (decoded.visibility) {
+    const WorstSight& worst = decoded.visibility->worst();
+    figures.seen =
+        SeenFigures{decoded.visibility->sight(), worst.cue,
+                    QString::fromStdString(decoded.compressed.skeleton.joint(worst.joint).name),
+                    worst.frame / decoded.clip.sample_rate_hz, worst.times_noticed()};
+  }
   return figures;
 }
 

@@ -19,12 +19,13 @@ constexpr std::array kLoops = {Loop::None, Loop::Repeats, Loop::Follows};
 constexpr std::array kBases = {Basis::Haar, Basis::Linear, Basis::Cubic};
 constexpr std::array kPlaces = {CorrectAt::EveryFrame, CorrectAt::Contacts};
 constexpr std::array kSolvers = {IkSolver::CyclicDescent, IkSolver::NearestPose};
-constexpr std::array<std::pair<Target::Kind, const char*>, 5> kTargets = {
+constexpr std::array<std::pair<Target::Kind, const char*>, 6> kTargets = {
     {{Target::Kind::Ratio, "ratio"},
      {Target::Kind::CoefficientRatio, "coefficient-ratio"},
      {Target::Kind::Size, "bytes"},
      {Target::Kind::Error, "error-cm"},
-     {Target::Kind::MaxError, "greatest-error-cm"}}};
+     {Target::Kind::MaxError, "greatest-error-cm"},
+     {Target::Kind::Visibility, "times-noticed"}}};
 
 template <typename Value>
 QString text(Value value) {

@@ -200,6 +200,7 @@ class Export {
     row_.verified_by = found.by;
     made.distortion = std::move(found.distortion);
     made.footskate = std::move(found.footskate);
+    made.visibility = std::move(found.visibility);
     made.decoded = std::move(found.decoded);
     row_.measured = clip.measure(made, contacts.size());
     row_.worst = std::move(found.worst);

@@ -145,6 +145,8 @@ std::string target_text(const Target& target) {
       return "eps_x " + plain(target.value) + " cm";
     case Target::Kind::MaxError:
       return "max " + plain(target.value) + " cm";
+    case Target::Kind::Visibility:
+      return target.value == 1 ? "not visible" : plain(target.value) + " times noticed";
   }
   return "";
 }

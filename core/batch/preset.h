@@ -66,7 +66,7 @@ void check(const Preset& preset);
 /// For one skeleton. Throws Error when an effector or another joint that is named is not of it.
 EncodeOptions encode_options(const Preset& preset, const Skeleton& skeleton);
 
-/// "eps_x 0.5 cm", "max 0.5 cm", "20:1", "40000 bytes", "r = 30".
+/// "eps_x 0.5 cm", "max 0.5 cm", "not visible", "20:1", "40000 bytes", "r = 30".
 std::string target_text(const Target& target);
 
 }  // namespace mocapress

@@ -115,8 +115,8 @@ Target target_from(const Json& json, const std::string& of) {
   Target target{Target::Kind::Error, 0};
   target.kind = keys.word("kind", target.kind,
                           {Target::Kind::Ratio, Target::Kind::CoefficientRatio, Target::Kind::Size,
-                           Target::Kind::Error, Target::Kind::MaxError});
-  target.value = keys.number("value", 0);
+                           Target::Kind::Error, Target::Kind::MaxError, Target::Kind::Visibility});
+  target.value = keys.number("value", target.kind == Target::Kind::Visibility ? 1 : 0);
   keys.end();
   return target;
 }

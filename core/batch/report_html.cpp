@@ -113,6 +113,14 @@ std::string text_cell(std::string_view text, std::string_view css) {
   return text.empty() ? cell(kNothing, css) : cell(escaped(text), css);
 }
 
+/// The eye's verdict, and on what.
+std::string seen_cell(const std::optional<Seen>& seen) {
+  if (!seen) return cell(kNothing, "name");
+  std::string text(seen->sight() == Sight::NotVisible ? "not visible" : name(seen->sight()));
+  if (!seen->reason.empty()) text += ": " + escaped(seen->reason);
+  return cell(text, "wrap");
+}
+
 /// What a reviewer said about it.
 std::string review_cells(const BatchRow& row) {
   return text_cell(name(row.review.verdict), "name") + text_cell(row.review.note, "wrap");
@@ -140,19 +148,20 @@ std::string clip_line(const BatchRow& row) {
   std::string method(method_title(row.preset.method));
   if (row.preset.correction) method += ", feet held";
   if (m.ik_ratio_used) method += ", r_IK " + figure(*m.ik_ratio_used);
-  return line(
-      row_head(row.output) + cell(escaped(row.preset.name), "name") +
-      cell(escaped(method), "name") + cell(escaped(target_text(row.preset.target)), "name") +
-      cell(std::to_string(m.frames)) + cell(ratio_text(m.ratio)) +
-      cell(figure(static_cast<double>(m.motion_bytes) / 1024)) +
-      cell(figure(m.eps_cm(row.preset.weighting))) + cell(figure(m.p95_error_cm)) +
-      cell(figure(m.p99_error_cm)) + cell(figure(m.max_error_cm)) +
-      cell(std::to_string(m.worst_frame)) + degrees_cell(m.body.angle_rms_degrees) +
-      degrees_cell(m.body.head_degrees) + degrees_cell(m.body.hand_degrees) +
-      figure_cell(m.footskate_cm) +
-      figure_cell(m.slide ? std::optional(m.slide->mean_cm) : std::nullopt) +
-      figure_cell(m.slide ? std::optional(m.slide->worst_cm) : std::nullopt) + review_cells(row) +
-      cell(row.warnings.empty() ? kNothing : std::to_string(row.warnings.size())));
+  return line(row_head(row.output) + cell(escaped(row.preset.name), "name") +
+              cell(escaped(method), "name") +
+              cell(escaped(target_text(row.preset.target)), "name") +
+              cell(std::to_string(m.frames)) + cell(ratio_text(m.ratio)) +
+              cell(figure(static_cast<double>(m.motion_bytes) / 1024)) +
+              cell(figure(m.eps_cm(row.preset.weighting))) + cell(figure(m.p95_error_cm)) +
+              cell(figure(m.p99_error_cm)) + cell(figure(m.max_error_cm)) +
+              cell(std::to_string(m.worst_frame)) + degrees_cell(m.body.angle_rms_degrees) +
+              degrees_cell(m.body.head_degrees) + degrees_cell(m.body.hand_degrees) +
+              figure_cell(m.footskate_cm) +
+              figure_cell(m.slide ? std::optional(m.slide->mean_cm) : std::nullopt) +
+              figure_cell(m.slide ? std::optional(m.slide->worst_cm) : std::nullopt) +
+              seen_cell(m.seen) + review_cells(row) +
+              cell(row.warnings.empty() ? kNothing : std::to_string(row.warnings.size())));
 }
 
 void write_clips(std::ostream& out, const BatchRows& rows) {
@@ -167,7 +176,8 @@ void write_clips(std::ostream& out, const BatchRows& rows) {
               head("&#949;<sub>x</sub>") + head("p95") + head("p99") + head("max") +
               head("at frame") + head("joints") + head("head") + head("hands") +
               head("foot slide") + head("a contact") + head("worst contact") +
-              head("verdict", left) + head("note", left) + head("warnings"))
+              head("to the eye", left) + head("verdict", left) + head("note", left) +
+              head("warnings"))
       << "</thead><tbody>\n";
   rows([&](const BatchRow& row) {
     if (row.done() && row.measured) out << clip_line(row) << '\n';

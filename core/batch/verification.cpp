@@ -64,12 +64,15 @@ class Verifier {
     DistortionMeter distortion(motion_.skeleton, motion_.clip.frames(),
                                in_blocks ? Detail::Figures : Detail::Distances);
     FootskateMeter footskate(request_.contacts, motion_.clip.sample_rate_hz);
+    VisibilityMeter visibility(motion_.skeleton, motion_.clip.frames(), motion_.clip.sample_rate_hz,
+                               request_.contacts);
     const Eigen::Index on_bones = 3 * std::ssize(landmarks(motion_.skeleton));
     PosePoints wanted;
     PosePoints found;
     const auto visit = [&](int first, const TrackRows& there, const TrackRows& decoded) {
       distortion.add(first, there, decoded);
       footskate.add(first, there, decoded);
+      visibility.add(first, there, decoded);
       const int row = distortion.worst().frame - first;
       if (row < 0 || row >= there.rows()) return;  // one of those before is still the worst
       wanted = points_at(there.leftCols(on_bones), row);
@@ -88,6 +91,7 @@ class Verifier {
           in_source_channels(opened_.compressed, std::move(verification.decoded));
     verification.distortion = distortion.distortion();
     verification.footskate = footskate.footskate();
+    verification.visibility = visibility.visibility();
     const double ground_cm =
         is_long_ ? ground_of(tracks_of_some(motion_)) : ground_of(encoder_.original_tracks());
     verification.worst = worst_pose(motion_.skeleton, std::move(wanted), std::move(found),

@@ -19,13 +19,14 @@ struct Verification {
   std::string_view by;
   Distortion distortion;
   Footskate footskate;
+  Visibility visibility;
   WorstPose worst;
   Clip decoded;  // empty where it was not asked for
 };
 
 /// What is asked of a verification.
 struct VerificationRequest {
-  std::vector<ContactSpan> contacts;  // where footskate is measured
+  std::vector<ContactSpan> contacts;  // of the feet
   bool motion = false;                // the decoded clip is wanted
 };
 

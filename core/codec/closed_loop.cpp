@@ -63,6 +63,8 @@ double likely_scale(const Target& target, std::size_t raw_bytes) {
       return for_error(target.value);
     case Target::Kind::MaxError:
       return for_error(target.value / 8);
+    case Target::Kind::Visibility:
+      return for_error(0.1 * target.value);
     case Target::Kind::Ratio:
       return for_ratio(target.value);
     case Target::Kind::Size:

@@ -26,7 +26,9 @@ class Outcome {
         finish_(compressed),
         distortion_(compressed.skeleton, compressed.frames,
                     keeps_all_ || !compressed.segments ? Detail::Distances : Detail::Figures),
-        footskate_(contacts_for(analysis, options), compressed.sample_rate_hz) {
+        footskate_(contacts_for(analysis, options), compressed.sample_rate_hz),
+        visibility_(compressed.skeleton, compressed.frames, compressed.sample_rate_hz,
+                    contacts_for(analysis, options)) {
     if (compressed.correction)
       knees_.emplace(compressed.skeleton, compressed.correction->effectors);
   }
@@ -38,6 +40,7 @@ class Outcome {
     encoding.distortion = distortion_.distortion();
     if (!keeps_all_) encoding.distortion.distances.resize(0, 0);
     encoding.footskate = footskate_.footskate();
+    encoding.visibility = visibility_.visibility();
     if (!knees_) return;
     correction_.ratio = found.correction_ratio;
     correction_.slide_without_cm = found.slide_without_cm;
@@ -55,6 +58,7 @@ class Outcome {
                       [&](int from, const TrackRows& original, const TrackRows& decoded) {
                         distortion_.add(from, original, decoded);
                         footskate_.add(from, original, decoded);
+                        visibility_.add(from, original, decoded);
                       });
     if (keeps_all_)
       put_rows(std::move(block.clip.channels), first, compressed_.frames, decoded_.channels);
@@ -76,6 +80,7 @@ class Outcome {
   const Finish finish_;
   DistortionMeter distortion_;
   FootskateMeter footskate_;
+  VisibilityMeter visibility_;
   std::optional<KneeSpeed> knees_;  // none: no correction
   CorrectionResult correction_;
   Clip decoded_;

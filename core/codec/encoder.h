@@ -13,6 +13,7 @@
 #include "core/codec/target.h"
 #include "core/contact/footskate.h"
 #include "core/metrics/distortion.h"
+#include "core/metrics/visibility.h"
 
 namespace mocapress {
 
@@ -70,13 +71,15 @@ struct CorrectionResult {
 
 /// A finished encode, decoded again and measured. Where only figures are asked for, the decoded
 /// clip and the distances stay empty and percentiles are those of DistanceCounts: of a closed loop
-/// in segments, what encoding takes then does not grow with the clip, but for the contacts, the
-/// coded bytes and, under a hard maximum, a weight for each frame.
+/// in segments, what encoding takes then does not grow with the clip, but for the contacts, what is
+/// seen in each tenth of a second, the coded bytes and, under a hard maximum, a weight for each
+/// frame.
 struct Encoding {
   CompressedClip compressed;
   Clip decoded;
   Distortion distortion;
   Footskate footskate;
+  Visibility visibility;
   std::optional<CorrectionResult> correction;
   double coefficient_ratio = 0;  // the paper's r
   int iterations = 0;            // of the last annealing, or sweeps of the closed loop

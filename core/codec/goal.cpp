@@ -36,8 +36,24 @@ double Goal::achieved(std::size_t motion_bytes, const Comparison& compare) const
       return measured().eps();
     case Target::Kind::MaxError:
       return measured().worst().cm;
+    case Target::Kind::Visibility:
+      return seen(compare).worst().times_noticed();
   }
   return 0;
+}
+
+Visibility Goal::seen(const Comparison& compare) const {
+  const Motion& motion = original_.motion();
+  VisibilityMeter meter(motion.skeleton, motion.clip.frames(), motion.clip.sample_rate_hz,
+                        contacts_);
+  compare([&](int first, const TrackRows& original, const TrackRows& decoded) {
+    meter.add(first, original, decoded);
+  });
+  return meter.visibility();
+}
+
+Visibility Goal::seen(const CompressedClip& compressed) const {
+  return seen([&](const Original::Visit& visit) { original_.compare(compressed, visit); });
 }
 
 double Goal::achieved(const CompressedClip& compressed) const {
@@ -79,16 +95,24 @@ void Goal::require_met(double excess, double achieved, bool everything_kept) con
 
 void Goal::raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const {
   constexpr double kMostWeight = 1e4;
+  constexpr double kNear = 0.95;  // of the target
+  const auto raise = [&](Eigen::Index frame, double excess) {
+    if (excess > 1) weights(frame) = std::min(weights(frame) * excess * excess, kMostWeight);
+  };
+  if (target_.kind == Target::Kind::Visibility) {
+    const SightTable table = seen(compressed).table;
+    const Eigen::VectorXf worst = table.times_noticed.rowwise().maxCoeff();
+    for (Eigen::Index t = 0; t < weights.size(); ++t)
+      raise(t, worst(table.window_of(static_cast<int>(t))) / (kNear * target_.value));
+    return;
+  }
   const PointErrors errors(original_.motion().skeleton, weighting_);
   original_.compare(
       compressed, [&](int first, const TrackRows& original, const TrackRows& decoded) {
         const Eigen::VectorXf worst =
             errors.squared(original, decoded).rowwise().maxCoeff().cwiseSqrt().cast<float>();
-        const Eigen::VectorXd excess = worst.cast<double>() / (0.95 * target_.value);
-        for (Eigen::Index t = 0; t < excess.size(); ++t) {
-          double& weight = weights(first + t);
-          if (excess(t) > 1) weight = std::min(weight * excess(t) * excess(t), kMostWeight);
-        }
+        const Eigen::VectorXd excess = worst.cast<double>() / (kNear * target_.value);
+        for (Eigen::Index t = 0; t < excess.size(); ++t) raise(first + t, excess(t));
       });
 }
 

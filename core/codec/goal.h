@@ -6,6 +6,7 @@
 #include "core/codec/count_search.h"
 #include "core/codec/original.h"
 #include "core/codec/target.h"
+#include "core/metrics/visibility.h"
 
 namespace mocapress {
 
@@ -14,8 +15,13 @@ namespace mocapress {
 /// with the number of coefficients.
 class Goal {
  public:
-  Goal(Original original, const Target& target, Weighting weighting)
-      : original_(std::move(original)), target_(target), weighting_(weighting) {}
+  /// The contacts are those of the feet, which the eye looks at.
+  Goal(Original original, const Target& target, Weighting weighting,
+       std::vector<ContactSpan> contacts)
+      : original_(std::move(original)),
+        target_(target),
+        weighting_(weighting),
+        contacts_(std::move(contacts)) {}
 
   /// The target's quantity for a coded clip, which is only decoded for the errors.
   double achieved(const CompressedClip& compressed) const;
@@ -29,7 +35,10 @@ class Goal {
   /// the promise too.
   void require_met(double excess, double achieved, bool everything_kept) const;
 
-  /// Raises the weights of frames at which a clip exceeds a hard maximum.
+  /// What the eye sees of a coded clip.
+  Visibility seen(const CompressedClip& compressed) const;
+
+  /// Raises the weights of frames at which a clip exceeds a hard maximum or is noticed.
   void raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const;
 
   /// Whether `excess` is a better outcome than `other`: a kept promise first, then nearness.
@@ -45,10 +54,12 @@ class Goal {
   /// Visits what was decoded beside the original.
   using Comparison = std::function<void(const Original::Visit&)>;
   double achieved(std::size_t motion_bytes, const Comparison& compare) const;
+  Visibility seen(const Comparison& compare) const;
 
   Original original_;
   Target target_;
   Weighting weighting_;
+  std::vector<ContactSpan> contacts_;
 };
 
 }  // namespace mocapress

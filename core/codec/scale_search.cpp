@@ -12,7 +12,8 @@ namespace mocapress {
 namespace {
 
 bool is_by_error(const Target& target) {
-  return target.kind == Target::Kind::Error || target.kind == Target::Kind::MaxError;
+  return target.kind == Target::Kind::Error || target.kind == Target::Kind::MaxError ||
+         target.kind == Target::Kind::Visibility;
 }
 
 /// Trials of one search, of which the best is kept: what is nearest to the target or, of what meets
@@ -202,9 +203,10 @@ Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& go
   ScaleSearch search(goal, target, trials.attempt);
   seek(guess, goal, first_scale, near_enough(guess, target), work_of(Effort::Default), search);
   if (effort == Effort::Best && search.met()) try_harder(target, work, search);
-  if (target.kind == Target::Kind::MaxError && search.may_go_on()) {
+  if (is_by_worst(target) && search.may_go_on()) {
     if (!guess.dear) hold_worst_frames(goal, frames, work, trials.attempt, search.best());
-    if (search.may_go_on()) approach_bound(goal, target, trials.coarsen, search.best());
+    if (target.kind == Target::Kind::MaxError && search.may_go_on())
+      approach_bound(goal, target, trials.coarsen, search.best());
   }
   return std::move(search.best());
 }

@@ -23,7 +23,7 @@ class SegmentedEncode {
         options_(options),
         layout_(layout),
         observer_(observer),
-        goal_(Original(motion_), options.target, options.weighting) {
+        goal_(Original(motion_), options.target, options.weighting, contacts_) {
     if (options_.target.kind == Target::Kind::Size)
       share_of_size_ = static_cast<double>(layout.length) / std::max(layout.frames, 1);
     if (options_.correction && !options_.correction->ratio)

@@ -11,10 +11,16 @@ struct Target {
     Size,              // motion bytes, not exceeded
     Error,             // eps_x in cm in the chosen weighting, not exceeded
     MaxError,          // cm, by no landmark at any frame exceeded
+    Visibility,        // times of what is noticed: by nothing at any time exceeded; 1: not visible
   };
   Kind kind = Kind::Ratio;
   double value = 25;
 };
+
+/// Whether errors at single frames decide.
+constexpr bool is_by_worst(const Target& target) {
+  return target.kind == Target::Kind::MaxError || target.kind == Target::Kind::Visibility;
+}
 
 /// Whether a clip that came to `achieved`, the target's quantity, is as was asked. Figures that
 /// went through a text and back are forgiven their rounding; a coefficient ratio is met by

@@ -32,19 +32,15 @@ class TargetedEncode {
         options_(options),
         observer_(observer),
         contacts_(contacts_for(analysis, options)),
-        goal_(original_of(analysis), options.target, options.weighting) {
+        goal_(original_of(analysis), options.target, options.weighting, contacts_) {
     const Motion& motion = analysis.motion();
-    const bool heeds_model =
-        options.method == Method::Annealed || options.method == Method::ClosedLoop;
-    if (heeds_model && !options.importance.is_even()) emphasise(options.importance);
-    if (!options.correction) return;
-    correction_.emplace(motion.skeleton, analysis.original_tracks(), *options.correction, contacts_,
-                        motion.clip.sample_rate_hz);
-    correction_ratio_ = options.correction->ratio.value_or(SplitSearch::kFirst);
-    if (!heeds_model) return;
-    if (!own_model_) own_model_ = analysis.model(options.weighting);
-    for (const auto& response : correction_->responses(motion.clip, analysis.original_tracks()))
-      own_model_->add(response);
+    if (options.correction) {
+      correction_.emplace(motion.skeleton, analysis.original_tracks(), *options.correction,
+                          contacts_, motion.clip.sample_rate_hz);
+      correction_ratio_ = options.correction->ratio.value_or(SplitSearch::kFirst);
+    }
+    if (options.method == Method::Annealed || options.method == Method::ClosedLoop)
+      prepare_model(options.importance);
   }
 
   double correction_ratio() const { return correction_ratio_; }
@@ -109,6 +105,44 @@ class TargetedEncode {
     if (!codes_ends(options_) || rows == 0) return;
     fit_ends(options_, trial, motion.skeleton, motion.clip.channels.topRows(rows),
              motion.clip.channels.bottomRows(rows));
+  }
+
+  void prepare_model(const Importance& importance) {
+    own_model_.reset();
+    own_loop_.reset();
+    if (!importance.is_even()) emphasise(importance);
+    if (!correction_) return;
+    const Motion& motion = analysis_.motion();
+    if (!own_model_) own_model_ = analysis_.model(options_.weighting);
+    for (const auto& response : correction_->responses(motion.clip, analysis_.original_tracks()))
+      own_model_->add(response);
+  }
+
+  /// Lets joints weigh by how soon their errors are noticed. Returns about the scale at which
+  /// nothing is.
+  double balance_joints(double scale) {
+    constexpr int kRounds = 4;
+    constexpr double kMostStep = 4;
+    constexpr double kMost = 1000;
+    Importance importance = options_.importance;
+    importance.joints.resize(static_cast<std::size_t>(analysis_.motion().skeleton.joint_count()),
+                             1.0);
+    for (int round = 0; round < kRounds; ++round) {
+      const Trial trial = code_at(scale, {.sweeps = 0}, {});
+      if (!trial.complete) break;
+      const Eigen::ArrayXd noticed = goal_.seen(trial.compressed).table.by_joint();
+      const double mean = noticed.max(1e-6).log().mean();
+      for (std::size_t j = 0; j < importance.joints.size(); ++j) {
+        const double step = std::max(noticed(static_cast<Eigen::Index>(j)), 1e-6) / std::exp(mean);
+        importance.joints[j] = std::clamp(
+            importance.joints[j] * std::clamp(step, 1 / kMostStep, kMostStep), 1 / kMost, kMost);
+      }
+      prepare_model(importance);
+      scale *= std::clamp(std::pow(options_.target.value / std::max(noticed.maxCoeff(), 1e-6), 1.2),
+                          1 / kMostStep, kMostStep);
+    }
+    quantised_.clear();
+    return scale;
   }
 
   void emphasise(const Importance& importance) {
@@ -178,7 +212,7 @@ class TargetedEncode {
 
   /// So does a hard maximum, and what more the best effort does.
   Effort split_effort() const {
-    if (options_.target.kind == Target::Kind::MaxError) return Effort::Draft;
+    if (is_by_worst(options_.target)) return Effort::Draft;
     return std::min(options_.effort, Effort::Default);
   }
 
@@ -288,11 +322,13 @@ class TargetedEncode {
                                    weigh(coarser);
                                    return coarser;
                                  }};
-    const ScaleGuess guess{
-        .likely = likely_scale(options_.target, raw_bytes(analysis_.motion().clip)),
-        .finest = [&] { return loop().finest_scale(); },
-        .dear = correction_ && options_.target.kind != Target::Kind::MaxError,
-        .corrected = correction_.has_value()};
+    double likely = likely_scale(options_.target, raw_bytes(analysis_.motion().clip));
+    if (options_.target.kind == Target::Kind::Visibility && effort != Effort::Draft)
+      likely = balance_joints(likely);
+    const ScaleGuess guess{.likely = likely,
+                           .finest = [&] { return loop().finest_scale(); },
+                           .dear = correction_ && !is_by_worst(options_.target),
+                           .corrected = correction_.has_value()};
     return search_scale(guess, options_.target, goal_, effort, analysis_.motion().clip.frames(),
                         trials);
   }

@@ -83,6 +83,7 @@ Compression compress_wavelets(const Encoder& encoder, const EncodeOptions& optio
   compression.decoded = std::move(encoding.decoded);
   compression.distortion = std::move(encoding.distortion);
   compression.footskate = std::move(encoding.footskate);
+  compression.visibility = std::move(encoding.visibility);
   compression.correction = std::move(encoding.correction);
   compression.coefficient_ratio = encoding.coefficient_ratio;
   if (options.method == Method::Annealed) compression.iterations = encoding.iterations;
@@ -95,12 +96,12 @@ Compression compress_wavelets(const Encoder& encoder, const EncodeOptions& optio
 class DetailSearch {
  public:
   DetailSearch(Original original, const ComparisonMethod& method, const DetailCoder& coder,
-               const EncodeOptions& options)
+               const EncodeOptions& options, std::vector<ContactSpan> contacts)
       : motion_(original.motion()),
         method_(method),
         coder_(coder),
         target_(options.target),
-        goal_(std::move(original), options.target, options.weighting) {}
+        goal_(std::move(original), options.target, options.weighting, std::move(contacts)) {}
 
   struct Trial {
     std::vector<std::byte> motion;
@@ -227,19 +228,21 @@ Compression ContenderEncoder::compress(const Contender& contender, const EncodeO
   const Motion& motion = parts_->wavelets.motion();
   check_room(
       {motion.skeleton, motion.clip.sample_rate_hz, SegmentLayout::whole(motion.clip.frames())});
-  const Eigen::MatrixXd& tracks = parts_->wavelets.original_tracks();
   const Eigen::MatrixXd& body = parts_->wavelets.original_body();
+  const std::vector<ContactSpan>& contacts =
+      options.contacts ? *options.contacts : parts_->wavelets.contacts();
   const DetailSearch search(Original(motion, [&]() -> const Eigen::MatrixXd& { return body; }),
-                            *method, parts_->coder(*method, options.weighting), options);
+                            *method, parts_->coder(*method, options.weighting), options, contacts);
   auto [best, complete] = search.run(observer);
   if (complete) search.check(best);
 
   Compression compression;
   compression.decoded = search.decode(best.motion);
   compression.distortion = measure(motion.skeleton, body, compression.decoded);
-  compression.footskate = measure_footskate(
-      options.contacts ? *options.contacts : parts_->wavelets.contacts(), tracks,
-      landmark_tracks(motion.skeleton, compression.decoded), motion.clip.sample_rate_hz);
+  const Eigen::MatrixXd decoded = body_tracks(motion.skeleton, compression.decoded);
+  compression.footskate = measure_footskate(contacts, body, decoded, motion.clip.sample_rate_hz);
+  compression.visibility =
+      measure_visibility(motion.skeleton, body, decoded, motion.clip.sample_rate_hz, contacts);
   compression.motion_bytes = best.motion.size();
   compression.complete = complete;
   CompressedClip clip;

@@ -40,6 +40,7 @@ struct Compression {
   Clip decoded;
   Distortion distortion;
   Footskate footskate;                         // against Encoder::contacts(), or edited ones
+  Visibility visibility;                       // as footskate
   std::optional<CorrectionResult> correction;  // of wavelets
   std::optional<double> coefficient_ratio;     // of wavelets
   std::optional<int> iterations;               // of annealing

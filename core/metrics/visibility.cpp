@@ -90,6 +90,11 @@ std::string reason(const WorstSight& worst, const Skeleton& skeleton) {
          ", noticed from " + significant_text(worst.noticed_from, 3) + of_unit;
 }
 
+Seen seen_in(const Visibility& visibility, const Skeleton& skeleton) {
+  const WorstSight& worst = visibility.worst();
+  return {worst.times_noticed(), visibility.visible_share, reason(worst, skeleton)};
+}
+
 const WorstSight& Visibility::worst() const {
   return *std::max_element(worst_of.begin(), worst_of.end(),
                            [](const WorstSight& a, const WorstSight& b) {
@@ -99,6 +104,18 @@ const WorstSight& Visibility::worst() const {
 
 int SightTable::window_of(int frame) const {
   return std::min(frame / window_frames, windows() - 1);
+}
+
+Eigen::ArrayXd SightTable::by_joint() const {
+  constexpr double kPower = 8;
+  if (windows() == 0) return Eigen::ArrayXd::Zero(times_noticed.cols());
+  return times_noticed.cast<double>()
+      .array()
+      .pow(kPower)
+      .colwise()
+      .mean()
+      .pow(1 / kPower)
+      .transpose();
 }
 
 VisibilityMeter::VisibilityMeter(const Skeleton& skeleton, int frames, double sample_rate_hz,

@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/metrics/jitter.h"
 #include "core/metrics/moved_contacts.h"
@@ -101,6 +102,9 @@ struct SightTable {
   int windows() const { return static_cast<int>(times_noticed.rows()); }
   int window_of(int frame) const;
   int first_frame(int window) const { return window * window_frames; }
+
+  /// How much each joint is noticed where it is noticed most: the power mean by 8 over time.
+  Eigen::ArrayXd by_joint() const;
 };
 
 /// What the eye sees of a decoded clip against its original. Worst figures are the largest of any
@@ -125,6 +129,18 @@ struct Visibility {
 
 /// "velocity of rhand at frame 321: 5.2 cm/s, noticed from 3.1 cm/s"; empty where nothing differs.
 std::string reason(const WorstSight& worst, const Skeleton& skeleton);
+
+/// The verdict alone.
+struct Seen {
+  double times_noticed = 0;  // of the worst
+  double visible_share = 0;  // of the frames
+  std::string reason;        // as reason() has it
+
+  Sight sight() const { return sight_of(times_noticed); }
+  bool operator==(const Seen&) const = default;
+};
+
+Seen seen_in(const Visibility& visibility, const Skeleton& skeleton);
 
 /// Looks at clips whose tracks come some frames at a time, in time and none left out. Up is y. Its
 /// memory grows by a few numbers for each joint and window.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/metrics/body_figures.h"
+#include "core/metrics/visibility.h"
 #include "core/study/json_value.h"
 
 namespace mocapress {
@@ -28,6 +29,22 @@ void add_body_figures(const BodyFigures& figures, const Add& add) {
   add("neighbours_cm_per_frame", Json(figures.ends.neighbours_cm_per_frame));
   add("worst_neighbours_cm", Json(figures.ends.worst_neighbours_cm));
   add("worst_neighbours_cm_per_frame", Json(figures.ends.worst_neighbours_cm_per_frame));
+}
+
+/// The same of what the eye sees.
+template <typename Add>
+void add_seen(const std::optional<Seen>& seen, const Add& add) {
+  add("visibility", seen ? Json(name(seen->sight())) : Json());
+  add("visibility_reason", seen ? text_or_null(seen->reason) : Json());
+  add("times_noticed", seen ? Json(seen->times_noticed) : Json());
+  add("visible_frames_share", seen ? Json(seen->visible_share) : Json());
+}
+
+/// What add_seen() wrote; unset where nothing did. Throws like the JSON library does.
+inline std::optional<Seen> seen_of(const Json& json) {
+  if (!json.contains("times_noticed") || json.at("times_noticed").is_null()) return std::nullopt;
+  return Seen{json.at("times_noticed").get<double>(), json.at("visible_frames_share").get<double>(),
+              optional_at<std::string>(json, "visibility_reason").value_or("")};
 }
 
 /// What add_body_figures() wrote, but for where the worst points are. Throws like the JSON library

@@ -34,6 +34,7 @@ Measurement ClipInHand::measure(const Compression& compression,
   m.p95_error_cm = distortion.p95;
   m.p99_error_cm = distortion.p99;
   m.body = body_figures(motion().skeleton, distortion);
+  m.seen = seen_in(compression.visibility, motion().skeleton);
   m.worst_frame = distortion.max.frame;
   m.iterations = compression.iterations;
   m.encode_seconds = compression.seconds;

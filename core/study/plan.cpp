@@ -16,12 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::pair<Target::Kind, std::string_view>, 5> kKinds = {{
+constexpr std::array<std::pair<Target::Kind, std::string_view>, 6> kKinds = {{
     {Target::Kind::Ratio, "ratio"},
     {Target::Kind::CoefficientRatio, "coefficient-ratio"},
     {Target::Kind::Size, "size"},
     {Target::Kind::Error, "error"},
     {Target::Kind::MaxError, "max-error"},
+    {Target::Kind::Visibility, "not-visible"},
 }};
 
 constexpr std::string_view kHeldMethod = "annealed";  // of which feet are held

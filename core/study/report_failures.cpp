@@ -30,6 +30,8 @@ std::string target_text(const Target& target) {
     case Target::Kind::Error:
     case Target::Kind::MaxError:
       return plain(target.value) + " cm";
+    case Target::Kind::Visibility:
+      return plain(target.value) + " times noticed";
   }
   return "";
 }

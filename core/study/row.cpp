@@ -37,6 +37,8 @@ double Measurement::quantity(Target::Kind kind, Weighting weighting) const {
       return eps_cm(weighting);
     case Target::Kind::MaxError:
       return max_cm(weighting);
+    case Target::Kind::Visibility:
+      return seen ? seen->times_noticed : 0;
   }
   return 0;
 }

@@ -10,6 +10,7 @@
 #include "core/codec/target.h"
 #include "core/contact/slide_per_contact.h"
 #include "core/metrics/body_figures.h"
+#include "core/metrics/visibility.h"
 #include "core/study/review.h"
 
 namespace mocapress {
@@ -30,6 +31,7 @@ struct Measurement {
   double p95_error_cm = 0;
   double p99_error_cm = 0;
   BodyFigures body;
+  std::optional<Seen> seen;  // unset: in rows from before it was measured
   int worst_frame = 0;
   int contacts = 0;                      // of the feet with the ground, in the original
   std::optional<double> footskate_cm;    // over all contacts; unset: there are none

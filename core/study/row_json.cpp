@@ -38,6 +38,7 @@ void add_measurement(Json& json, const StudyRow& row) {
   add("p95_error_cm", m.p95_error_cm);
   add("p99_error_cm", m.p99_error_cm);
   add_body_figures(m.body, add);
+  add_seen(m.seen, add);
   add("worst_frame", m.worst_frame);
   add("contacts", m.contacts);
   add("footskate_cm", or_null(m.footskate_cm));
@@ -84,6 +85,7 @@ Measurement measurement_from(const Json& json) {
   json.at("p95_error_cm").get_to(m.p95_error_cm);
   json.at("p99_error_cm").get_to(m.p99_error_cm);
   m.body = body_figures_of(json);
+  m.seen = seen_of(json);
   json.at("worst_frame").get_to(m.worst_frame);
   json.at("contacts").get_to(m.contacts);
   m.footskate_cm = optional_at<double>(json, "footskate_cm");

@@ -111,8 +111,8 @@ TEST(TargetControl, AnotherKindAsksForWhatTheResultHasOfIt) {
 
 TEST(TargetControl, WithoutAResultEveryKindBeginsWithSomethingUsual) {
   TargetControl control;
-  for (const auto kind :
-       {Target::Kind::Size, Target::Kind::Error, Target::Kind::MaxError, Target::Kind::Ratio}) {
+  for (const auto kind : {Target::Kind::Size, Target::Kind::Error, Target::Kind::MaxError,
+                          Target::Kind::Visibility, Target::Kind::Ratio}) {
     choose(control, kind);
     EXPECT_EQ(control.target().kind, kind);
     EXPECT_GT(control.target().value, 0);
@@ -163,7 +163,18 @@ TEST(ResultPanel, ShowsDashesForWhatIsNotKnown) {
   for (const QLabel* label : panel.findChildren<QLabel*>()) texts << label->text();
   EXPECT_TRUE(texts.contains(QStringLiteral("12.3 : 1"))) << texts.join(u'|').toStdString();
   EXPECT_TRUE(texts.contains(QStringLiteral("4.6 mm")));
-  EXPECT_EQ(texts.count(QStringLiteral("–")), 7);
+  EXPECT_EQ(texts.count(QStringLiteral("–")), 8);
+}
+
+TEST(ResultPanel, ShowsWhatTheEyeSeesAndWhereMost) {
+  ResultPanel panel;
+  ResultFigures figures;
+  figures.seen = SeenFigures{Sight::Borderline, Cue::Head, QStringLiteral("Neck1"), 2.5, 1.25};
+  panel.setFigures(figures);
+  QString reason;
+  for (const QLabel* label : panel.findChildren<QLabel*>())
+    if (label->text() == QStringLiteral("borderline")) reason = label->toolTip();
+  EXPECT_TRUE(reason.contains(QStringLiteral("Neck1 at 2.50 s: 1.25 times"))) << qPrintable(reason);
 }
 
 TEST(ResultPanel, ShowsTheSlideOfAContactBesideTheTotal) {

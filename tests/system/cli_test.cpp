@@ -35,7 +35,8 @@ std::set<std::string> keys_of(const json& object) {
   return keys;
 }
 
-const std::set<std::string> kStringKeys = {"input", "method", "weighting", "coding", "verified_by"};
+const std::set<std::string> kStringKeys = {
+    "input", "method", "weighting", "coding", "verified_by", "visibility", "visibility_reason"};
 const std::set<std::string> kIntegerKeys = {"frames",       "channels",   "joints",  "raw_bytes",
                                             "motion_bytes", "file_bytes", "contacts"};
 const std::set<std::string> kNumberKeys = {"sample_rate_hz",
@@ -56,13 +57,28 @@ const std::set<std::string> kNumberKeys = {"sample_rate_hz",
                                            "shell_p99_cm",
                                            "shell_max_cm",
                                            "angle_rms_degrees",
-                                           "head_degrees"};
+                                           "head_degrees",
+                                           "times_noticed",
+                                           "visible_frames_share",
+                                           "velocity_error_cm_per_s",
+                                           "velocity_error_worst_cm_per_s",
+                                           "jitter_ratio",
+                                           "floor_depth_cm",
+                                           "head_worst_degrees",
+                                           "root_flight_cm_per_s"};
 const std::set<std::string> kEncodingKeys = {"coefficient_ratio", "iterations", "encode_seconds"};
 // Null: the clip has neither feet nor hands.
-const std::set<std::string> kNullKeys = {
-    "hand_degrees",           "ik_ratio",          "ik_bytes",
-    "footskate_cm",           "footskate_mean_cm", "footskate_worst_cm",
-    "footskate_without_ik_cm"};
+const std::set<std::string> kNullKeys = {"hand_degrees",
+                                         "ik_ratio",
+                                         "ik_bytes",
+                                         "footskate_cm",
+                                         "footskate_mean_cm",
+                                         "footskate_worst_cm",
+                                         "footskate_without_ik_cm",
+                                         "slide_worst_contact_cm",
+                                         "lift_worst_contact_cm",
+
+                                         "hand_worst_degrees"};
 
 /// Exactly the keys of a report, each of its type; those of the encoding are numbers or null.
 void expect_report(const json& report, bool encoded) {
@@ -78,6 +94,8 @@ void expect_report(const json& report, bool encoded) {
   expect_all(kEncodingKeys,
              [&](const json& value) { return encoded ? value.is_number() : value.is_null(); });
   expect_all(kNullKeys, [](const json& value) { return value.is_null(); });
+  EXPECT_TRUE(report["noticed_by_cue"].is_object());
+  all.insert("noticed_by_cue");
   EXPECT_EQ(keys_of(report), all);
 }
 
@@ -104,6 +122,16 @@ TEST_F(Cli, CompressReadsBackWhatItWroteAsAnEngineWould) {
   EXPECT_EQ(report["verified_by"], "runtime");
   const json measured = json_of({"measure", clip_, packed_, "--json"});
   EXPECT_NEAR(measured["max_error_cm"].get<double>(), report["max_error_cm"].get<double>(), 1e-4);
+}
+
+TEST_F(Cli, CompressesToWhatIsNotVisible) {
+  const json report = compress({"--weighting", "surface", "--target", "not-visible"});
+  EXPECT_EQ(report["visibility"], "not-visible");
+  EXPECT_LE(report["times_noticed"], 1);
+  EXPECT_GT(report["times_noticed"], 0.6);
+  const json measured = json_of({"measure", clip_, packed_, "--json"});
+  EXPECT_EQ(measured["visibility"], "not-visible");
+  EXPECT_EQ(compress({"--ratio", "500", "--method", "closed-loop"})["visibility"], "visible");
 }
 
 TEST_F(Cli, HoldsTheFeetOfASampleAndReportsIt) {

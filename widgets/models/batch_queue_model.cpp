@@ -51,6 +51,9 @@ QString batchTargetText(const Target& target) {
       return BatchQueueModel::tr("eps_x %1 cm").arg(value);
     case Target::Kind::MaxError:
       return BatchQueueModel::tr("at most %1 cm").arg(value);
+    case Target::Kind::Visibility:
+      return target.value == 1 ? BatchQueueModel::tr("not visible")
+                               : BatchQueueModel::tr("%1 times noticed").arg(value);
   }
   return {};
 }

@@ -9,7 +9,7 @@ namespace {
 
 /// Passes that most clips take.
 double usualPasses(const EncodeOptions& options) {
-  const bool by_bound = options.target.kind == Target::Kind::MaxError;
+  const bool by_bound = is_by_worst(options.target);
   if (options.method == Method::Annealed) return by_bound ? 20 : 8;
   const double default_effort = by_bound ? 20 : 3;
   return options.effort == Effort::Best ? default_effort + 4 : default_effort;

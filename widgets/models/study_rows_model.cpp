@@ -76,6 +76,8 @@ QString targetText(const Target& target) {
       return StudyRowsModel::tr("%L1 cm").arg(target.value);
     case Target::Kind::MaxError:
       return StudyRowsModel::tr("max %L1 cm").arg(target.value);
+    case Target::Kind::Visibility:
+      return StudyRowsModel::tr("%L1 times noticed").arg(target.value);
   }
   return {};
 }

@@ -47,13 +47,15 @@ void PresetEditor::addRows() {
   kind_->setAccessibleName(tr("What is asked for"));
   kind_->addItem(tr("Error, eps_x"), static_cast<int>(Target::Kind::Error));
   kind_->addItem(tr("Hard maximum"), static_cast<int>(Target::Kind::MaxError));
+  kind_->addItem(tr("What the eye notices"), static_cast<int>(Target::Kind::Visibility));
   kind_->addItem(tr("Ratio"), static_cast<int>(Target::Kind::Ratio));
   kind_->addItem(tr("Bytes"), static_cast<int>(Target::Kind::Size));
   kind_->addItem(tr("Coefficient ratio"), static_cast<int>(Target::Kind::CoefficientRatio));
   kind_->setToolTip(
       tr("eps_x: the weighted root mean square error, which single frames may exceed. Hard "
-         "maximum: no point of the body is further off at any frame. Quality targets suit clips of "
-         "all kinds; ratio and bytes do not know how hard a clip is."));
+         "maximum: no point of the body is further off at any frame. What the eye notices: nothing "
+         "exceeds that so many times; at 1, nothing is visible. Quality targets suit clips of all "
+         "kinds; ratio and bytes do not know how hard a clip is."));
   value_->setAccessibleName(tr("How much of it"));
   value_->setKeyboardTracking(false);
   value_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -124,6 +126,8 @@ void PresetEditor::showKind() {
         return {64, 1e9, 20000, 0, tr(" bytes")};
       case Target::Kind::MaxError:
         return {0.001, 100, 1, 3, tr(" cm")};
+      case Target::Kind::Visibility:
+        return {0.01, 100, 1, 2, tr(" times")};
       default:
         return {0.001, 100, 0.5, 3, tr(" cm")};
     }

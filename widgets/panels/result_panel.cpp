@@ -38,6 +38,54 @@ QString kneeText(const ResultFigures& figures) {
       .arg(qRadiansToDegrees(*figures.fastest_knee_of_original), 0, 'f', 0);
 }
 
+QString sightText(Sight sight) {
+  switch (sight) {
+    case Sight::NotVisible:
+      return ResultPanel::tr("not visible");
+    case Sight::Borderline:
+      return ResultPanel::tr("borderline");
+    case Sight::Visible:
+      return ResultPanel::tr("visible");
+  }
+  return {};
+}
+
+QString cueText(Cue cue) {
+  switch (cue) {
+    case Cue::Velocity:
+      return ResultPanel::tr("velocity");
+    case Cue::Place:
+      return ResultPanel::tr("place about the body");
+    case Cue::Jitter:
+      return ResultPanel::tr("trembling");
+    case Cue::Slide:
+      return ResultPanel::tr("sliding foot");
+    case Cue::Lift:
+      return ResultPanel::tr("floating foot");
+    case Cue::Floor:
+      return ResultPanel::tr("below the floor");
+    case Cue::Flight:
+      return ResultPanel::tr("flight");
+    case Cue::Head:
+      return ResultPanel::tr("turned head");
+    case Cue::Hand:
+      return ResultPanel::tr("turned hand");
+  }
+  return {};
+}
+
+QString seenExplanation() {
+  return ResultPanel::tr("Whether anything that is off is more than people notice.");
+}
+
+/// What is seen most, and when.
+QString reasonText(const SeenFigures& seen) {
+  return ResultPanel::tr("%1, %2 at %L3 s: %L4 times what people notice")
+      .arg(cueText(seen.cue), seen.joint)
+      .arg(seen.seconds, 0, 'f', 2)
+      .arg(seen.times_noticed, 0, 'f', 2);
+}
+
 }  // namespace
 
 ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
@@ -66,6 +114,7 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   p99_ = addRow(tr("99 % of points within"),
                 tr("99th percentile of the distance over all joints and frames, unweighted."));
   max_ = addRow(tr("Worst point"), tr("Greatest distance of any joint at any frame."));
+  seen_ = addRow(tr("To the eye"), seenExplanation());
   footskate_ = addRow(tr("Footskate"),
                       tr("Way of the feet over the ground while they stand, beyond the original's "
                          "own, summed over the clip."));
@@ -120,7 +169,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   setEnabled(figures.has_value());
   if (!figures) {
     eps_name_->setText(tr("eps_x"));
-    for (QLabel* label : {ratio_, eps_, bytes_, p95_, p99_, max_, coefficient_ratio_, bits_,
+    for (QLabel* label : {ratio_, eps_, bytes_, p95_, p99_, max_, seen_, coefficient_ratio_, bits_,
                           footskate_, slide_, correction_, knee_})
       label->setText(kUnknown);
     return;
@@ -133,6 +182,8 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   p95_->setText(distance(figures->p95_cm));
   p99_->setText(distance(figures->p99_cm));
   max_->setText(distance(figures->max_cm));
+  seen_->setText(figures->seen ? sightText(figures->seen->sight) : kUnknown);
+  seen_->setToolTip(figures->seen ? reasonText(*figures->seen) : seenExplanation());
   coefficient_ratio_->setText(figures->coefficient_ratio
                                   ? tr("%L1 : 1").arg(*figures->coefficient_ratio, 0, 'f', 1)
                                   : kUnknown);

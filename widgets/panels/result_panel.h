@@ -6,12 +6,22 @@
 #include <optional>
 
 #include "core/contact/slide_per_contact.h"
+#include "core/metrics/visibility.h"
 #include "core/motion/landmarks.h"
 
 class QGridLayout;
 class QLabel;
 
 namespace mocapress {
+
+/// What the eye sees, and where it sees it most.
+struct SeenFigures {
+  Sight sight = Sight::NotVisible;
+  Cue cue = Cue::Velocity;
+  QString joint;
+  double seconds = 0;
+  double times_noticed = 0;
+};
 
 /// The figures of one compressed clip. Unset: not known.
 struct ResultFigures {
@@ -23,6 +33,7 @@ struct ResultFigures {
   std::optional<double> p95_cm;
   std::optional<double> p99_cm;
   double max_cm = 0;
+  std::optional<SeenFigures> seen;
   std::optional<double> coefficient_ratio;
   double bits_per_joint_sample = 0;
   std::optional<double> footskate_cm;
@@ -59,6 +70,7 @@ class ResultPanel : public QWidget {
   QLabel* p95_;
   QLabel* p99_;
   QLabel* max_;
+  QLabel* seen_;
   QLabel* coefficient_ratio_;
   QLabel* bits_;
   QLabel* footskate_;

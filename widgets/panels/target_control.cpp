@@ -34,6 +34,8 @@ Unit unitOf(Target::Kind kind) {
       return {{0.01, 10}, 0.5, 1, 6, TargetControl::tr(" cm")};
     case Target::Kind::MaxError:
       return {{0.05, 20}, 2, 1, 6, TargetControl::tr(" cm")};
+    case Target::Kind::Visibility:
+      return {{0.2, 20}, 1, 1, 6, TargetControl::tr(" times")};
     case Target::Kind::Ratio:
     case Target::Kind::CoefficientRatio:
       break;
@@ -61,10 +63,12 @@ TargetControl::TargetControl(QWidget* parent)
   kind_->addItem(tr("Size in bytes"), static_cast<int>(Target::Kind::Size));
   kind_->addItem(tr("Error (eps_x)"), static_cast<int>(Target::Kind::Error));
   kind_->addItem(tr("Hard maximum"), static_cast<int>(Target::Kind::MaxError));
-  kind_->setToolTip(
-      tr("Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the "
-         "compressed motion bytes; or these bytes themselves) or for a quality (weighted mean "
-         "error eps_x; or a distance that no joint exceeds at any frame)."));
+  kind_->addItem(tr("What the eye notices"), static_cast<int>(Target::Kind::Visibility));
+  kind_->setToolTip(tr(
+      "Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the "
+      "compressed motion bytes; or these bytes themselves) or for a quality (weighted mean "
+      "error eps_x; a distance that no joint exceeds at any frame; or how many times what people "
+      "notice nothing exceeds: at 1, nothing is visible)."));
   slider_->setAccessibleName(tr("Target on a slider"));
   slider_->setRange(0, LogScale().steps);
   slider_->setPageStep(50);

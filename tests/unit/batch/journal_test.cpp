@@ -28,6 +28,7 @@ class JournalTest : public test::BatchTest {
     row.joints = 8;
     row.measured = Measurement{.frames = 7,
                                .eps_bone_ends_cm = 0.1,
+                               .seen = Seen{0.5, 0, "slide of lfoot at frame 3: 0.5 cm"},
                                .contacts = 2,
                                .footskate_cm = 3,
                                .slide = SlidePerContact{1.5, 2},

@@ -64,6 +64,15 @@ TEST(Preset, BuiltInOnesKeepHeadsAndHandsWithinWhatTheyPromise) {
   }
 }
 
+TEST(Preset, AsksForNothingToSeeWithoutANumber) {
+  const Preset preset =
+      parse_presets("", R"({"name": "a", "target": {"kind": "not-visible"}})").front();
+  EXPECT_EQ(preset.target.kind, Target::Kind::Visibility);
+  EXPECT_EQ(preset.target.value, 1);
+  EXPECT_EQ(parse_presets("", presets_text({&preset, 1})).front(), preset);
+  EXPECT_EQ(target_text(preset.target), "not visible");
+}
+
 TEST(Preset, WhatAFileLeavesOutIsAsUsual) {
   EXPECT_EQ(parse_presets("", R"({"name": "mine"})").front(), Preset{.name = "mine"});
 }

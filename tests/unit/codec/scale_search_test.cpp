@@ -42,6 +42,25 @@ TEST(ScaleSearch, MeetsEveryKindOfTargetWithinTwoPercent) {
   }
 }
 
+TEST(ScaleSearch, LeavesNothingToSee) {
+  const auto seen = [](double times, const EncodeOptions& more) {
+    EncodeOptions options = more;
+    options.method = Method::ClosedLoop;
+    options.weighting = Weighting::Surface;
+    options.target = {Target::Kind::Visibility, times};
+    return run().encode(options);
+  };
+  const Encoding hidden = seen(1, {});
+  EXPECT_EQ(hidden.visibility.sight(), Sight::NotVisible);
+  EXPECT_GT(hidden.visibility.worst().times_noticed(), 0.7);
+  const Encoding borderline = seen(2, {});
+  EXPECT_EQ(borderline.visibility.sight(), Sight::Borderline);
+  EXPECT_LT(borderline.compressed.motion_bytes(), hidden.compressed.motion_bytes());
+  EncodeOptions corrected;
+  corrected.correction.emplace().ratio = 16;
+  EXPECT_EQ(seen(1, corrected).visibility.sight(), Sight::NotVisible);
+}
+
 TEST(ScaleSearch, HoldsAHardMaximumWithACorrectionToo) {
   for (const double bound : {1.5, 3.0}) {
     EncodeOptions options{.method = Method::ClosedLoop, .target = {Target::Kind::MaxError, bound}};

@@ -65,6 +65,12 @@ TEST(SegmentedEncode, HoldsAHardMaximum) {
   }
 }
 
+TEST(SegmentedEncode, LeavesNothingToSee) {
+  const Encoding encoding = walk().encode(options({Target::Kind::Visibility, 1}));
+  EXPECT_EQ(encoding.visibility.sight(), Sight::NotVisible);
+  EXPECT_GT(encoding.visibility.worst().times_noticed(), 0.8);
+}
+
 TEST(SegmentedEncode, WhatIsMeasuredIsWhatTheFileDecodesTo) {
   const Encoding encoding = walk().encode(options({Target::Kind::Ratio, 60}));
   const CompressedClip read = read_container(write_container(encoding.compressed));

@@ -33,6 +33,7 @@ inline StudyRow full_row() {
                              .max_error_cm = 3.5,
                              .p95_error_cm = 1.1,
                              .p99_error_cm = 2.2,
+                             .seen = Seen{1.5, 0.25, "head of head at frame 7: 2.85 degrees"},
                              .worst_frame = 599,
                              .contacts = 4,
                              .footskate_cm = 0.75,
