@@ -24,8 +24,8 @@ ClosedLoop::ClosedLoop(const Coefficients& transform, const Clip& original, cons
   const std::vector<double> gains = transform.lifting.gains();
   gains_ = Eigen::Map<const Eigen::VectorXd>(gains.data(), std::ssize(gains));
   if (curvature_.size() > 0) {
-    const double mean = curvature_.rowwise().mean().cwiseQuotient(model.frame_weights()).mean();
-    curvature_ = curvature_.cwiseMax(std::max(kLeastMoved * mean, 1e-12)).eval();
+    const double least = std::max(kLeastMoved * curvature_.mean(), 1e-12);
+    curvature_ = curvature_.cwiseMax(least).eval();
   }
   mean_curvature_ = curvature_.colwise().sum() / std::max(original.frames(), 1);
   mean_curvature_ = mean_curvature_.cwiseMax(1e-12).eval();

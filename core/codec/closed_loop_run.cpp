@@ -46,8 +46,7 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, QuantisedSignals coded,
 
 void ClosedLoopRun::begin() {
   errors_ = reconstruct(coded_, loop_.transform_.lifting) - loop_.original_.channels;
-  energies_ = Eigen::VectorXd::Zero(errors_.rows());
-  pass([&](int j) { energies_ += errors_.col(j).cwiseProduct(gradient_); });
+  pass([&](int j) { energy_ += errors_.col(j).dot(gradient_); });
 }
 
 ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
@@ -99,7 +98,7 @@ ClosedLoop::Result ClosedLoopRun::coarsen(ErrorBound& bound,
 }
 
 void ClosedLoopRun::move(int j, const Eigen::VectorXd& delta) {
-  add_energies(j, 0, gradient_, delta);
+  add_energy(j, 0, gradient_, delta);
   errors_.col(j) += delta;
   under_way_->add(delta);
 }
@@ -161,8 +160,7 @@ void ClosedLoopRun::sweep(int j) {
 }
 
 double ClosedLoopRun::eps_cm() const {
-  const double all = energies_.cwiseQuotient(loop_.model_.frame_weights()).sum();
-  return std::sqrt(std::max(all, 0.0) / std::max(loop_.original_.frames(), 1));
+  return std::sqrt(std::max(energy_, 0.0) / std::max(loop_.original_.frames(), 1));
 }
 
 double ClosedLoopRun::total_bits() {
@@ -187,14 +185,13 @@ double ClosedLoopRun::energy_of(int j, const Eigen::VectorXd& delta) const {
   return delta.dot(2 * gradient_ + curvature().col(j).cwiseProduct(delta));
 }
 
-void ClosedLoopRun::add_energies(int j, Eigen::Index first,
-                                 const Eigen::Ref<const Eigen::VectorXd>& gradient,
-                                 const Eigen::VectorXd& delta) {
+void ClosedLoopRun::add_energy(int j, Eigen::Index first,
+                               const Eigen::Ref<const Eigen::VectorXd>& gradient,
+                               const Eigen::VectorXd& delta) {
   // By the model's own curvature: that of what moves nothing was raised, so as to have a step.
   Eigen::VectorXd curve = loop_.model_.curvature().col(j).segment(first, delta.size());
   if (weighted()) curve.array() *= frame_weights_.segment(first, delta.size()).array();
-  energies_.segment(first, delta.size()) +=
-      delta.cwiseProduct(2 * gradient + curve.cwiseProduct(delta));
+  energy_ += delta.dot(2 * gradient + curve.cwiseProduct(delta));
 }
 
 ClosedLoopRun::Place ClosedLoopRun::place_of(

@@ -102,9 +102,9 @@ class ClosedLoopRun {
   /// What `delta` in channel j would add to the sum of squared errors.
   double energy_of(int j, const Eigen::VectorXd& delta) const;
 
-  /// Adds that to the errors of the frames from `first` on.
-  void add_energies(int j, Eigen::Index first, const Eigen::Ref<const Eigen::VectorXd>& gradient,
-                    const Eigen::VectorXd& delta);
+  /// Adds that to energy_, of frames from `first` on.
+  void add_energy(int j, Eigen::Index first, const Eigen::Ref<const Eigen::VectorXd>& gradient,
+                  const Eigen::VectorXd& delta);
 
   Place place_of(int j, int band, int index,
                  const Eigen::Ref<const Eigen::VectorXd>& gradient) const;
@@ -130,7 +130,7 @@ class ClosedLoopRun {
   RateTable rates_;
   QuantisedSignals coded_;
   Eigen::MatrixXd errors_;           // frames x channels: decoded minus original
-  Eigen::VectorXd energies_;         // the squared error that makes of each frame, weighted
+  double energy_ = 0;                // the sum of squared errors that makes, frames weighted
   double bit_price_;                 // squared steps of error
   ErrorBound* bound_ = nullptr;      // that must hold, if any
   ErrorSweep* under_way_ = nullptr;  // the pass under way

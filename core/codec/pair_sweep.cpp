@@ -79,7 +79,7 @@ void ClosedLoopRun::move_of_pair(const Place& place, int steps, int first_channe
   const int j = place.channel;
   const auto& [first, function] = place.function;
   const Eigen::VectorXd delta = steps * place.step * function;
-  add_energies(j, first, gradient.col(j).segment(first, delta.size()), delta);
+  add_energy(j, first, gradient.col(j).segment(first, delta.size()), delta);
   errors_.col(j).segment(first, delta.size()) += delta;
   loop_.model_.add_to_gradient(j, first, delta, first_channel, gradient);
   set(place, value_at(place) + steps, alive);

@@ -157,7 +157,6 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
   motions_.resize(rows, 6 * channels);
   forces_.resize(rows, 6 * channels);
   curvature_.resize(rows, channels);
-  frame_weights_.setOnes(rows);
   const Eigen::Index blocks = (rows + kBlock - 1) / kBlock;
   parallel_for(Eigen::Index{0}, blocks, [&](Eigen::Index block) {
     const Eigen::Index first = block * kBlock;
@@ -229,13 +228,6 @@ Eigen::MatrixXd ErrorModel::velocity(int channel, const Eigen::MatrixXd& places)
     moved.col(i) = shift.col(i) + turn.col(j) * arm.col(k) - turn.col(k) * arm.col(j);
   }
   return moved;
-}
-
-void ErrorModel::weigh_frames(const Eigen::VectorXd& weights) {
-  assert(weights.size() == frames() && !has_terms());
-  forces_.array().colwise() *= weights.cast<float>().array();
-  curvature_.array().colwise() *= weights.array();
-  frame_weights_.array() *= weights.array();
 }
 
 void ErrorModel::add(const PointResponse& response) {

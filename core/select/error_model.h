@@ -55,10 +55,6 @@ class ErrorModel {
   bool moves(int channel, int joint) const;
   Eigen::MatrixXd velocity(int channel, const Eigen::MatrixXd& places) const;
 
-  /// Lets errors of frames count by these weights, one for each. Before points are added.
-  void weigh_frames(const Eigen::VectorXd& weights);
-  const Eigen::VectorXd& frame_weights() const { return frame_weights_; }
-
   /// Lets errors of some points count otherwise.
   void add(const PointResponse& response);
 
@@ -98,7 +94,6 @@ class ErrorModel {
   Eigen::MatrixXf motions_;              // frames x 6 * channels
   Eigen::MatrixXf forces_;               // frames x 6 * channels
   Eigen::MatrixXd curvature_;
-  Eigen::VectorXd frame_weights_;
   std::vector<PointTerm> terms_;
 };
 

@@ -50,19 +50,6 @@ TEST_P(ErrorModelOf, GradientIsTheBruteForceFormTimesTheError) {
   }
 }
 
-TEST_P(ErrorModelOf, WeighedFramesCountByTheirWeights) {
-  ErrorModel weighed = model_;
-  const Eigen::VectorXd weights = Eigen::VectorXd::LinSpaced(150, 0.5, 8);
-  weighed.weigh_frames(weights);
-  EXPECT_TRUE(weighed.curvature().isApprox(weights.asDiagonal() * model_.curvature(), 1e-12));
-  const Eigen::VectorXd delta = Eigen::VectorXd::Ones(150);
-  Eigen::MatrixXd alike = Eigen::MatrixXd::Zero(150, model_.channels());
-  Eigen::MatrixXd by_weight = alike;
-  model_.add_to_gradient(4, delta, alike);
-  weighed.add_to_gradient(4, delta, by_weight);
-  EXPECT_TRUE(by_weight.isApprox(weights.asDiagonal() * alike, 1e-5));
-}
-
 TEST_P(ErrorModelOf, GradientOfSomeFramesAndChannelsIsPartOfTheWhole) {
   Random random(5);
   Eigen::VectorXd delta(40);
