@@ -13,6 +13,7 @@
 #include "coefficient_model.h"
 #include "memory.h"
 #include "signal_kin.h"
+#include "value_prediction.h"
 
 namespace mocapress::decoder {
 
@@ -35,13 +36,19 @@ struct CoderNotes {
   std::int64_t* sums;  // of magnitudes, in this band and the one above, by signal
   std::int64_t* sums_above;
   int* activity;  // of the band, from its coefficient -1
+  int* restless;  // likewise: how much more than expected there was at each time, 256ths of octaves
   std::size_t activity_size;
+  int* restless_signals;          // the same of each signal
+  SignalPrediction* predictions;  // of each signal
 
   CoderNotes(Memory& memory, const Bands& bands, int signal_count)
       : sums(memory.take<std::int64_t>(static_cast<std::uint64_t>(signal_count))),
         sums_above(memory.take<std::int64_t>(static_cast<std::uint64_t>(signal_count))),
         activity_size(static_cast<std::size_t>(bands[bands.count - 1].size) + 2) {
     activity = memory.take<int>(activity_size);
+    restless = memory.take<int>(activity_size);
+    restless_signals = memory.take<int>(static_cast<std::uint64_t>(signal_count));
+    predictions = memory.take<SignalPrediction>(static_cast<std::uint64_t>(signal_count));
   }
 };
 
@@ -71,10 +78,15 @@ class CoefficientCoder {
     code_fineness();
     for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) code_coarse(s);
     std::fill_n(notes_.sums, coded_.signal_count, 0);
+    std::fill_n(notes_.restless_signals, coded_.signal_count, 0);
+    for (int s = 0; s < coded_.signal_count; ++s) notes_.predictions[s].begin();
+    for (std::size_t scale = 0; scale < deviations_.size(); ++scale)
+      deviations_[scale] = 26 + (1 << 24) / kInverseScales[scale];
     for (int b = 1; b < bands_.count; ++b) {
       std::swap(notes_.sums, notes_.sums_above);
       std::fill_n(notes_.sums, coded_.signal_count, 0);
       std::fill_n(notes_.activity, static_cast<std::size_t>(bands_[b].size) + 2, 0);
+      std::fill_n(notes_.restless, static_cast<std::size_t>(bands_[b].size) + 2, 0);
       for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) code_band(b, s);
     }
   }
@@ -83,24 +95,31 @@ class CoefficientCoder {
   /// What is around a coefficient, in the terms of the contexts.
   struct Surroundings {
     int level;
-    int near;      // own + above, as size
     int own;       // size of the two before
     int above;     // size of the two parents
-    int sibling;   // size of the three beside it
     int crowd;     // degree of what all signals so far did at that time
     int recent;    // degree of the running mean of the band
     int density;   // degree of the band above
     int expected;  // half octaves of a weighted sum of all
   };
 
-  template <std::size_t count>
-  bool code(bool bit, const int (&contexts)[count], int set) {
+  template <std::size_t count, std::size_t opinion_count = 0>
+  bool code(bool bit, const int (&contexts)[count], int set,
+            const std::array<std::int32_t, opinion_count>& opinions = {}) {
     std::array<AdaptiveBit*, count> believed;
     for (std::size_t i = 0; i < count; ++i) believed[i] = &context_at(contexts[i]);
-    MixedBit mixed(believed, model_.weights[static_cast<std::size_t>(set)]);
+    MixedBit<count, opinion_count> mixed(believed, model_.weights[static_cast<std::size_t>(set)],
+                                         opinions);
     bit = bits_.code(bit, mixed.one());
     mixed.follow(bit);
     for (const int context : contexts) tally(context, bit);
+    return bit;
+  }
+
+  bool code(bool bit, int set, const ExpectedValue::Opinions& opinions) {
+    MixedBit<0, 2> mixed({}, model_.weights[static_cast<std::size_t>(set)], opinions);
+    bit = bits_.code(bit, mixed.one());
+    mixed.follow(bit);
     return bit;
   }
 
@@ -159,7 +178,8 @@ class CoefficientCoder {
   bool code_alive(int b, int s, int density);
   int density_of(int b, int s) const;
   void code_band(int b, int s);
-  int code_magnitude(int magnitude, int s, const Surroundings& around);
+  int code_magnitude(int magnitude, int s, const Surroundings& around,
+                     const ExpectedValue& expected);
 
   Bits& bits_;
   const SignalKin* kin_;
@@ -169,6 +189,7 @@ class CoefficientCoder {
   QuantisedView coded_;
   CoderNotes notes_;
   ContextCount* tally_;
+  std::array<std::int32_t, kScales> deviations_;  // mean distances from predictions, 256ths
 };
 
 template <typename Bits>
@@ -251,6 +272,9 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
   const std::int32_t* const sibling = column(kin.sibling, band);
   const std::int32_t* const mirror = column(kin.mirror, band);
   const std::int32_t* const before = column(s - 2, band);
+  const std::int32_t* const earlier = column(s - 3, band);
+  const auto& weights =
+      kScaleWeights[static_cast<std::size_t>(std::min(bands_.count - 1 - b, kScaleLevels - 1))];
   const auto at = [](const std::int32_t* values, int i, int size) {
     return values == nullptr || i < 0 || i >= size ? 0 : values[i];
   };
@@ -276,9 +300,6 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
 
     around.own = size_of(2 * own1 + own2);
     around.above = size_of(2 * above1 + above2);
-    around.near = size_of(2 * own1 + own2 + above1 + (above1 + above2 + 1) / 2);
-    around.sibling = size_of(2 * beside + magnitude_at(sibling, i - 1, band.size) +
-                             magnitude_at(sibling, i + 1, band.size));
     around.crowd = s == 0 ? 0 : degree_of(8 * busy / s);
     around.recent = degree_of(recent / 4);
     const auto capped = [](int magnitude) { return std::min(magnitude, 255); };
@@ -287,15 +308,72 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
                                      14 * capped(magnitude_at(mirror, i, band.size)) +
                                      (s == 0 ? 0 : 16 * activity[0] / s) + recent / 4);
 
+    int* const restless = notes_.restless + i + 1;
+    int& restless_signal = notes_.restless_signals[s];
+    const auto in_64ths = [](int magnitude) { return 64 * std::min(magnitude, 1 << 14); };
+    const auto size_at = [&](const std::int32_t* values, int at_i, int size) {
+      return in_64ths(magnitude_at(values, at_i, size));
+    };
+    const std::array<int, kScaleFeatures> features = {
+        in_64ths(own1),
+        in_64ths(own2),
+        in_64ths(own3),
+        in_64ths(above1),
+        in_64ths(above2),
+        has_parents ? size_at(parents, i % 2 != 0 ? k - 1 : k + 1, upper.size) : 0,
+        size_at(sibling, i - 1, band.size),
+        in_64ths(beside),
+        size_at(sibling, i + 1, band.size),
+        size_at(mirror, i - 1, band.size),
+        size_at(mirror, i, band.size),
+        size_at(mirror, i + 1, band.size),
+        s == 0 ? 0 : 64 * activity[0] / s,
+        s == 0 ? 0 : 64 * (activity[-1] + activity[1]) / s,
+        recent,
+        19,
+        size_at(before, i, band.size),
+        size_at(earlier, i, band.size)};
+    std::int32_t weighted = 6 << 10;
+    for (std::size_t f = 0; f < features.size(); ++f) weighted += weights[f] * features[f];
+    const int scale = std::clamp(
+        kScaleOfOne +
+            ((log2_256(static_cast<std::uint32_t>(weighted >> 10)) - 6 * 256 + restless_signal +
+              (2 * restless[0] + restless[-1] + restless[1]) / 4 + 32) >>
+             6),
+        0, kScales - 1);
+    const std::int32_t inverse = kInverseScales[static_cast<std::size_t>(scale)];
+    const auto normal = [inverse](int v) {
+      return static_cast<std::int16_t>(
+          std::clamp<std::int64_t>(static_cast<std::int64_t>(v) * inverse >> 10,
+                                   -SignalPrediction::kFarthest, SignalPrediction::kFarthest));
+    };
+    SignalPrediction::Taps taps = {normal(at(own, i - 1, band.size)),
+                                   normal(at(own, i - 2, band.size)),
+                                   normal(has_parents ? at(parents, k, upper.size) : 0),
+                                   normal(has_parents ? at(parents, l, upper.size) : 0),
+                                   normal(at(sibling, i - 1, band.size)),
+                                   normal(at(sibling, i, band.size)),
+                                   normal(at(sibling, i + 1, band.size)),
+                                   normal(at(mirror, i - 1, band.size)),
+                                   normal(at(mirror, i, band.size)),
+                                   normal(at(mirror, i + 1, band.size))};
+    for (int t = 10, other = s - 1; t < SignalPrediction::kTaps; ++t, --other)
+      taps[static_cast<std::size_t>(t)] =
+          normal(other == kin.sibling ? 0 : at(column(other, band), i, band.size));
+    SignalPrediction& prediction = notes_.predictions[s];
+    const int predicted = prediction.of(taps);
+    const int mean = predicted * 65536 / inverse;  // 64ths, at most 2^24
+    std::int32_t& deviation = deviations_[static_cast<std::size_t>(scale)];
+    ExpectedValue expected(mean, deviation);
+
     std::int32_t& value = own[i];
     const bool some = code(
         value != 0,
         {at_.zero_near.at(around.level, around.own, around.above),
          at_.zero_crowd.at(around.crowd, around.own, around.above),
-         at_.zero_recent.at(around.recent, density, around.level / 2),
          at_.zero_expected.at(around.level, around.expected), at_.zero_own.at(s, around.level)},
-        MixingSets::kZero + around.level);
-    const int magnitude = some ? code_magnitude(std::abs(value), s, around) : 0;
+        MixingSets::kZero + around.level, expected.some());
+    int magnitude = 0;
     if (some) {
       const int own1_sign = sign_of(at(own, i - 1, band.size));
       const int own2_sign = sign_of(at(own, i - 2, band.size));
@@ -308,11 +386,21 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
                 at_.sign_above.at(above1_sign * kSigns + above2_sign, own1_sign, i % 2),
                 at_.sign_kin.at(s, sibling_sign, sign_of(at(mirror, i, band.size))),
                 at_.sign_before.at(s, sibling_sign, sign_of(at(before, i, band.size)))},
-               MixingSets::kSign);
+               MixingSets::kSign, expected.minus());
+      expected.fold(minus);
+      magnitude = code_magnitude(std::abs(value), s, around, expected);
       value = minus ? -magnitude : magnitude;
     } else {
       value = 0;
     }
+    const std::int64_t distance = std::min<std::int64_t>(
+        std::abs((static_cast<std::int64_t>(value) << 6) - mean), 1 << 20);  // 64ths
+    deviation += static_cast<std::int32_t>((4 * distance - deviation) / 32);
+    const auto excess = static_cast<int>(
+        std::clamp<std::int64_t>((distance * inverse >> 14) - 256, -256, 512));  // 256ths
+    restless[0] = std::clamp(restless[0] + 37 * excess / 256, -2048, 2048);
+    restless_signal = std::clamp(restless_signal + 15 * excess / 256, -2048, 2048);
+    prediction.follow(taps, normal(value) - predicted);
     recent += (64 * std::min(magnitude, 255) - recent) / 8;
     activity[0] += std::min(magnitude, 8);
     notes_.sums[s] += std::min(magnitude, 255);
@@ -321,34 +409,38 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
 
 /// The number of digits in unary, then the digits below the first.
 template <typename Bits>
-int CoefficientCoder<Bits>::code_magnitude(int magnitude, int s, const Surroundings& around) {
+int CoefficientCoder<Bits>::code_magnitude(int magnitude, int s, const Surroundings& around,
+                                           const ExpectedValue& expected) {
   constexpr int kMostDigits = 29;  // kMostSteps has as many
   const int wanted = digits_of(magnitude);
   int digits = 1;
   for (; digits < kMostDigits; ++digits) {
     const int k = std::min(digits, kClasses) - 1;
     if (!code(digits < wanted,
-              {at_.class_near.at(k, around.level, around.near),
-               at_.class_kin.at(k, around.sibling, around.own),
-               at_.class_crowd.at(k, around.crowd, std::min(around.above, 3)),
-               at_.class_recent.at(k, around.recent, around.density),
+              {at_.class_recent.at(k, around.recent, around.density),
                at_.class_expected.at(k, around.expected), at_.class_own.at(s, k)},
-              MixingSets::kClass + k))
+              MixingSets::kClass + k,
+              expected.at_least(std::int64_t{1} << (digits - 1), std::int64_t{1} << digits)))
       break;
   }
   const int k = std::min(digits, kClasses) - 1;
   int made = 1;
   for (int d = digits - 2; d >= 0; --d) {
     bool digit = (magnitude >> d & 1) != 0;
+    const std::int64_t least = static_cast<std::int64_t>(made) << (d + 1);
+    const auto half = std::int64_t{1} << d;
+    const ExpectedValue::Opinions opinions =
+        expected.in_upper(least, least + half, least + 2 * half);
     if (d == digits - 2)
       digit = code(digit,
-                   {at_.top_expected.at(k, around.expected), at_.top_level.at(k, around.level),
+                   {at_.top_expected.at(k, around.expected),
                     at_.top_recent.at(k, around.recent, around.own)},
-                   MixingSets::kTop);
+                   MixingSets::kTop, opinions);
     else if (d == digits - 3)
-      digit = code(digit, at_.next_digit.at(k, made & 1, around.expected / 4));
+      digit = code(digit, {at_.next_digit.at(k, made & 1, around.expected / 4)}, MixingSets::kNext,
+                   opinions);
     else
-      digit = bits_.code(digit, kEvenOdds);
+      digit = code(digit, MixingSets::kLower, opinions);
     made = 2 * made + digit;
   }
   if (made > kMostSteps) bits_.refuse();

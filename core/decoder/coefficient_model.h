@@ -35,9 +35,9 @@ inline constexpr int kSigns = 3;
 /// Where each context is. Those before `shared` begin with what other clips taught; the others are
 /// each signal's own.
 struct ContextLayout {
-  ContextTable zero_near, zero_crowd, zero_recent, zero_expected;
-  ContextTable class_near, class_kin, class_crowd, class_recent, class_expected;
-  ContextTable top_expected, top_level, top_recent, next_digit;
+  ContextTable zero_near, zero_crowd, zero_expected;
+  ContextTable class_recent, class_expected;
+  ContextTable top_expected, top_recent, next_digit;
   ContextTable sign_near, sign_above;
   ContextTable alive_level, alive_kin, alive_length;
   ContextTable number_plain, number_first, number_second, number_third, number_top;
@@ -53,15 +53,10 @@ struct ContextLayout {
     };
     zero_near = table(kLevels, kSizes, kSizes);
     zero_crowd = table(kDegrees, kSizes, kSizes);
-    zero_recent = table(kDegrees, kDegrees, kLevels / 2);
     zero_expected = table(kLevels, kExpectations);
-    class_near = table(kClasses, kLevels, kSizes);
-    class_kin = table(kClasses, kSizes, kSizes);
-    class_crowd = table(kClasses, kDegrees, 4);
     class_recent = table(kClasses, kDegrees, kDegrees);
     class_expected = table(kClasses, kExpectations);
     top_expected = table(kClasses, kExpectations);
-    top_level = table(kClasses, kLevels);
     top_recent = table(kClasses, kDegrees, kSizes);
     next_digit = table(kClasses, 2, 8);
     sign_near = table(kLevels, kSigns * kSigns, kSigns);
@@ -90,7 +85,9 @@ struct MixingSets {
   static constexpr int kTop = kClass + kClasses;
   static constexpr int kSign = kTop + 1;
   static constexpr int kNumber = kSign + 1;  // by kind
-  static constexpr int kCount = kNumber + kNumberKinds;
+  static constexpr int kNext = kNumber + kNumberKinds;
+  static constexpr int kLower = kNext + 1;
+  static constexpr int kCount = kLower + 1;
 };
 
 /// All that the coding has learned so far. `contexts` are layout.end, in memory of whoever made it.

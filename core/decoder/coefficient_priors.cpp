@@ -9,160 +9,142 @@ namespace {
 
 // clang-format off
 constexpr std::string_view kContexts =
-    "/>?BDGKRFGHHJKOUHIJKLNPTGKJJMNQVJMMMNORWKNNOPPSWOQOPRSTYNVTTUTW]1=?ADGKSHHIIKLOUJJKLMNQTIJ"
-    "KLMOQVLNNNOPRWNPPPQRTXPTRRSTVZXaUZXZX_5>@BEHMUIIJJLMOVKKKLMNQUKLLMMORWNOPOOQSWQQQQRSTXUUTT"
-    "TUW[ZSWZ^Z[a;?BDGJNXHHJJLMPVLLLMNORVLLMNNPSWPOPOQQTXSTSSRSUYYVVVWVX]gX[_[]]bBCEGILQ[IIJKMN"
-    "QWLLLMNPSXNMNNOPSXRPPQQSUYURSTTTVZ[XVVWWY^h[m]_]^dHDIKMPUbIKJMMPSXNMLMNQUYOLNOPQUZSPRQRSV["
-    "XSSTTTW[]YXWXXZ_h^b]^__eOFLNPTYgIKLMNQSXNMMNORV[PMOPQSVZTRPQSSW]YTRTUUX^_VVWWX[_je]]]]_gWJ"
-    "OSTW]hIJKOQSW_NKLNRTX^TQPRRTX_WSSRSUX_[UTUVVY``VYY[Z[`l`Vmaaag)79;>AGSCDDEGHLSEFGHIKNTFHGH"
-    "IKOVHIKKLNQWNOOOOQSY[WQRUVX^l `VbYbg0:;>?BGNECDDEFJSGIGIIJMRFFEGGILQJJKGJLNSKLJNLKNU;HGJGJ"
-    "KQ        2<>?BEHMFFGEHHKQHHGIIKNPGIGHHJMRLKJJKKNQJNKLLLPTLUOJNONT        5?@BDFJOGGHHIILS"
-    "HJHJJKMQHIHHJKMTJKJJKLNTLNMMMMOUOTMOOPQV@  J  PQ7@BDFHLQIHIIKKMTJJKKLMORIJKKLMOSLMMLMNPULM"
-    "MMNOPURSOPOPRXT  R TQV:ACEGJNSIIJJLMOTKKKLNOPSKKLMNOQUMOONOPRUNOOPPQRVORPQRRSWRaW_]VWY=CEG"
-    "ILPUIJJKMNQVLLLMNPRULMMNOPRVOPPPQRSVRRQRRSTWTTSTTTVYSQUUXYY]DDGIKNRZIJKLMORXMMLMNPSWNMNOOQ"
-    "TXRPQQQSUXUSTTTTVYZWVVWWX[gX][][]`OGKMORWcKLMNORTZNNNNPRVZQNPQQSV[URRRSTW[YTUUVVX]_VXXYYZ_"
-    "kb^b_^_d_     ef     Q cc   QL^ic   OYU_c  WcQZa`  OUY^ac`fX][`cm R[Zdbi6?DK17? 59>A7:@F9<"
-    "CH;?FL?DPXCGNSGKQXNSZc0<@I.49 26=@57<B89?G;<AI>>DM@AEPBCHUEHKTADEG>AB ?BCB@ACDABDGCDFIDEIO"
-    "FGKPGIMSJMRXBHIKBDF CEE<CDFHDEGIFGHKGHKQIJLPJKNTMNSZKJORFIF GAK FGHLHJKMIJLMJKNSLMNRMNPTOP"
-    "TZ  TQE   I   I@GUJLMRLMNOMNQWNOQSPQRVQRUZ            I   L   MMOTPRX_QRTURSTWTUW[        "
-    "        H   K   P^fjRUVXUUWXWXY^                    Q   MqlmUVXbUWY]Y[^`                  "
-    "       s|uT Q VUYeZ`cg&%1468;=@DGJLOQTVXZ[[Xadoje     )'0357:=?BFILNQSVXZ]^aaccad     ,)22"
-    "57:<?BEHKNQSVXZ]`aceikxl    1*3369:<?BEHKNQTVXZ]_bdgiknnc   <,878:<>@CEHJNQTVX[^`adfhknrm "
-    "  G5::9=>@BDFHKNQTWY[_abegjlnvr   SAD?A?@DCEGIKNRUWZ]_acfijlnqt   e   FTLLJJKMNQSVY[^`bcgj"
-    "loorq   LJJKMORXLJJKMOSYKJJKMOSZNIJKMPT]QJJLNQU_SJLMORVaVKNOPSWcWIOQRVZeFGFGHJNTFEFGGJNTFD"
-    "EFGJNVQEFGHJOXSGIHILPZUHKJKMR]VIMLMOS_XJOOOQUaBEDEFFIPEFDDDFIQIAFDEFJRSFIFGGKTUBJIIILVUBKJ"
-    "JKNXVCMLLLOZXJNONOQ]A=<<ADEMG>3CDBEMG<GECDFOTEJGFFGQU<KHHHISU?JIKJKUU MJLLLWWIMMNNOY    A?"
-    "CK@  ;>CDLH D9GDDNT KLIFGPT MMIKHRU RLKKJTT PKKNLUV LOMNNW      DM     =CJ    OGFLS FMHJHN"
-    "S NMHLIPS RNMLJRT QNNMLST RONLNU      @M      =J      CKR  O IFMQ RPQNGOQ MOMMJPR NPGNKRS "
-    "MOQOMS       D       I       IO  OOOFKO HOJNGLO JOOOHNO LLRLLOQ JMMLLPLLMOQTYdLLNOQSV_MMNP"
-    "QTW^MMNPRTW]NNOQSUX^PPQRSUY_SQSTUWZ`ZSUWXZ_fIHIJLOT`IHIJKNRZJIIJLORYJIIKMOSXKJKLMPSYMKLMNP"
-    "TYPNNOPRU[YPQRSVYaMFGHILQ[JEFGHJMVJFGGHJNUJGGHIJNTKHGHIKOTLHHIJLPUPJJKLMQWXNOOPRU]RGFGHIMX"
-    "O>@BEGIUM?EDEEJTLDCDEGIPLDEFFGJPMCFGGHKQOFGHHILSWKLMMNPXTHHHIILUR IGFIGTPJDCDEGRM8AEDCGNMG"
-    "F>DFGMM=EFFFHNOEEFFHIOVIKJKLMUTGLGIJJST   >DISP   =BJRN  E:DDNL?EH@BEJM ECACFKNABFDFGLTGLJ"
-    "IJKSS IIIJIQQ     KRR     JTL     EOL    ?HIK  @@CBIM @EDEEKRIKJIIIQQ  QNJKOQ      PP     "
-    "FQM      OG     =KI     =HJ    F?IP IKGIHNOHIQIHILJIIMKJJMKKKNLLLPMLLRPMMUXOOZhc`gRFFQB?@F"
-    "EEDHDEEHFEFIGHGKJIJNQJKRXLMWdUWbYDGSC?DFA>>DA?@ECBCGCFFIIGGKQJJOXKMUaNZ^Y=BS   I   D> =CE;"
-    ">ECACGGDEJQGHMWKLS] JZX  S   :   G   C   DO =GGE?IODILVLLR[ HWW  S           J   F   DR  G"
-    "M FLTIMQY  UU  R               J   IM  FK  JSJNPV  RQ  P                   >   AH  HPOGNR "
-    " OGLKJIJTOS[BIJJIIKLMQDGGIIJLMOSIHJJKKMMOSONONMMOOPSS POPPRQRU_  LUQWTUW     RaWWZ     _jW"
-    "Y^      qPYdDAEFFFUKOY@CDEEEEGINBGFFEEHHKPD?CEFFIHKPKFGHHHJIKPR JOKJNKMQ_   PNUOPR     R_Q"
-    "SU     TdTVY      nVV`GBCABDVILW 8DCBCCCHM?B?IEDJFHN< CCDEJEHNFGE>CFKEHNN @DBGNGIN_   LMTJ"
-    "KO     P[NNR      aQRU      hXS]G J?D>VFIU  J<AA@?EK   D7AIEGL   >FFLEFL    FCNCDL    =APD"
-    "DL_   JHSFFL     _XJIN      ]NOQ      dXPX      UGGT        IE     @O7AK    @:LBBL     GNF"
-    "GK     GODDKJ    IQFDK     TUGGL      XNKN      `OUV      TCIS         F      Q @K      O>"
-    "=K      L8BJ      NIGK      OFFJ      Q>DK      TMGL      [ RS      S AR                M "
-    " J      O  I      O  K      K=:I      MLCJ      N FJ      PL@J      X QQ      P  O        "
-    "        L  G      M  G      L  J      N  J      K  H      K  I      M  I      R KNQJHGHHGH"
-    "IIJKMOQTVX[^`cegjmqsq   VB?E@DBCCCDEGIKNQSVXZ^`ceiloy   ZBG88D@CBBCDFGGIKNQTVY[_adhml   Y "
-    "   ?>FIFEGIJHGHILNQTVY]`chn   W       RLLKNPMKIHIJMPRUX[_de   V       Q RHNQNNLKIHILNQSWZ`"
-    "c   U         VTNQMOOMLJILKMOSVZa   R         L MQLLMNMLKOKLLNPQS                         "
-    "          HDHDFEFFGGHHIJLMMNNOOOOOOPON    NF?HFEDFGFGFGHIJLMNNNNOOONPP    M    Q>GHHGHHHHH"
-    "JKLMNOOOOPOQ    O        OKKKKIIIHJKLMNOOOPNd   O          EMLIKIHHIJKLMNOOOP   N         "
-    "  ILKKJJJIIJJKMMNOK   L         O LKLKLJJKIKJJKKLMM           KKLLMMMMKKLLMMMMJKKLMMMMIJKL"
-    "LMMMIJKKLLMMLJKKKLLLMJJJKKLL                                                              "
-    "                  K       HJ      HIKK    IHJKL   JJKKKMO KKLLLMN LLMMMMNNMMMMMNNNKNMMMNOO"
-    "LLMNLNNOL       HJ      HIJJ    HHHJK   HHHHILM JJJIJKM KKKKKLMNLLLLMMMNLLMLMNNNMOMKLNNOM "
-    "      FI      HFJI    GIIKK   HHHGJKL HHIHIJL IIIJIJKNKLKKKLLNLLMMLMMNLMNLMMNOM       DJ  "
-    "    =FJH    HHHJK   @JGHJKK DFEIHIK IJGGIHJMJIIJIIJMKMIKKKKMNOMMMLMNL       @H        LM  "
-    "    @JI   G IKHJL > GGHIJ KDHFGGJKGJKHGIHKLIIIIIIKIIOLIKKML                 K       _MK   "
-    "    LJF    HJCJ     CEJJ   GHFHKIJEKKGHKG@JHJKJLL                 J        LO       OJI   "
-    "   KK      HHJ     @FJ     CDJ  >JJIIL                                IJJLNOO KMLLNOP LMJK"
-    "MOO MHMMNOP L ILMNO L QMMNOTL NLLMOPL  NMMO=M  LLLNHN  NMMN=L  LMLMLL LMMMNNOPNOOMOPOONMOO"
-    "MNNMPRPPQPOPPOPNNOMOQOMMKONLMMKQSQQRQPRPOPNOPMPQNMMJNNKMMKQSQQSQPSPOOONPMOQNMMJNNLMMKQSRQS"
-    "QPSPONPNONPQONMKNMLMMLPRQPRQPRQOMRNONQPPONMNNNONMPQPOPPPPPOLRNNNQPQPOPNNNOOOPOOOOPPPPOMQOO"
-    "NOQQOPQNPOQOQOONMLNOOOOOOPNOMNNMQPPPMNPRLONKQNNPNLQQQSNNTSRNMPPSMKJKPPQNMNPQ6KNQTX[chx5EJL"
-    "PTXal|8DFKNRYbj|<EGKNSVco|?HJJOTTel|AMINPTUdp|A LKNSUgm|H ?JLPXhp|6CFGIJERW DMQQSUXal|6FHI"
-    "KNMYb|AGJLNPL_YbKNRVVZajr|CLNPRW[fo|                    <FFNLR]^c|                        "
-    "                          : BDFLQZat5BFHNTZerq6KPTYahwsp                                  "
-    "      :  @EKPWjx7 @EHMS^gz6AGHNSXblv3ELOSYbrww                              ?   INWbjz;  G"
-    "FKS[d|8 @EJOU^e|7DGKOT_iux4DGLQWb{z|                    C    NT`gq@   LPWav|;  EHMS]h|9 AH"
-    "IQWaw|;DGJPW`oo|8EHMRVany|                    B    SS]atB   JPXdo|=  EJOT`e|= LEPT[nv|=GGK"
-    "RYbnv|=HJNTZcuu|                    C    QT[gpA   MPWal|@  KOTZgo|> HLOV[gv|?JIOSakss|BTNS"
-    "Xilkmu                    D    NU]awA   IPWdj|A  LPT_jv|@ MJR^dst|: GMS[kklv              "
-    "                L    KXep{I   KNYgm|E  KNYcsu|B ?EP_kklw                    TRLK#         "
-    "                  H>1                             W[ZYXWUTSRPMJJJ<                TYXWVUTS"
-    "RPOMKJMSRM              urpkgba_]YVUTRNJG?              ceb`][YXWVTSSRPMJE              WX"
-    "_O(           TRJI&                                                                       "
+    "2>@CEHLTHIIJLMPUJKLMOPRUKMMMOPSWOOPQQRTXPQRRSTVYTUSUUVX[WXXWZY[a4@ADFIMUJJJLMNQWKKLMNPRVLM"
+    "MNOPSWNPPPQRTXQRRSTTVZUUVVVWY]Y^]Z[]^b6?ADFINWJJKKMNRWKLLMNORVLMNNOPSXPPPPQRTYSRSTTTVZVWWV"
+    "WWY^_^Y`_]^c;@CEGJOZIIKKLNQWKLLMNORWNLMNOQSXQPPQQRTYTTTSSTVZZXVWWWY^g][_]]_eCCEGJMQ^IJKJMN"
+    "QWMLLMNQSXNMNOPQTXRPQQQSUZVTSTTUW[[ZWWWWY^kY`^^^_fIEIKMQVdIKKMMPSXNMMMOQUYOMNPORU[SQRQSTV["
+    "WRTUTUX[]ZXXXXZ_mbc_a__gPFLNPTYiHKLLOQUYNMLMORVZPNOPQSV[TQQQRTV]YUTTVVY^_TXXWXZ`kf]c]_`iWI"
+    "ORTW]iIJLORSVXNLLNQUY^SPPRQTX_WSRSTUX_[TUUVVY`aVXZ[Z[ambYfbbbi*79;>AGSDFFGHJMTGIIJLMOTHJJK"
+    "LNQVLMMOPQTXPPQRRTVZYUUVWVY^l bd^fag0:;=?BFNEDCCEEIQGIHIJKMQGGFGHILSKHHIJLNSLJOJLJNUCJJLGK"
+    "NS        1;=?ADHMFEFEFGJQIIHIJKMOGHHHIILQLMJJKLNRMKLJKMPTO WJMNNU      JQ3=?ACFJPHGGGHIKQ"
+    "JJJKKLNPHIHIIKMRKLKLKMNRMMJMMMPTPRMMNQQU   O  PS5?@CEHKQHIHIJKNRKKKLMNPRJKKLMMOSLMMMNOPTLN"
+    "NNOOQTQSQPPQRVW  TOXSW7@BEGJMSIIJJKMOTLKLMNOQSKLLMNOQTNOOOPQRUPPPPQQSVPSQQRRSWOYUXYUUY9ACF"
+    "ILOUIJKLMOQVKLLMOPSULMNNOQSVPPPQRRTWRRRSSTUXUVSUUUWYUSZWXWY]?CFHKNRYJJKLNPSXLLLMOQTWNMNOPR"
+    "TXRQQQRSUYUSTUUUWZYXWWWXY[gXZZ[Z]`KGJKNQUbLLMNORUYNNNNPRUZQOPQQSV[TRSRSTW[XTUUVVX]_XXYXY[_"
+    "le]``__dO     fc     O_gQ   XO^fW   UYWbc  TXVZ`a USWY[abc[XXZ`cr`]Y`hbk%&/3469;?BEHLORTWY"
+    "[^`adfijlk    ('03479<>ADGKNQTVY[^`bcfhikje   -'22579<>ADGJNQTVY[^`bcfijoos   2+1259:<?BEG"
+    "JMQTVX[^`adfhknr|   =.868:;?@CFHJNQTVY[^`adfilntu   G6899?<@BDFHKNQTWY[_`aehjlpv|   T<B;@@"
+    "BCDEGILNRUWZ]_bbfiknsu|   g     KKJJKMOPSVY[^`b`gkkopus   EKJJIJTOS]AGHHGHIJLPDDGHHHJKMRIH"
+    "IJIIKLNRNLNLLLMNORRVRNOOPPRTT   RTVSTV    QU_VWZ    QahWY^      vSYeDAEEEFVKOZ;@FCDDEFHMAF"
+    "CEDEGGJPC@DDEEGHJPNEHDGGIHJOS_QIHJLKLO    PNSNOR     P]QRU     WeSUY      oWV`GBE>@DXILX B"
+    "CABEEEHL>HDFFFIFHNFGEEEEIEHNI@EDDEJEGNR_=GEHMFHM    KJRIJN     UZNNQ     QbRQT      iQT]G "
+    "H F@XFIV  ??:>ECGL   CA?JEFM   =EFKEFMT   DCMCEMOJ  9CODEL    HFRFFK     QXHIL      ]QNP  "
+    "    gTPX      WHGV      HGJH     @O5@L    @@LBCM     HNFGL     KPCEL     GQEDK     OUGFK  "
+    "    YNJM      bONV      VAGU        @N      Q  J      P=9L      M5<L     JNIDK      PBDJ  "
+    "   @QAEJ      UKFJ      _QKS      U AT         >      M  J      P  I      O  K      MDFK  "
+    "    N>GK      O DJ      QHBJ      [ NR      S  R                L  J      N  D      N  I  "
+    "    O  J      M =J      M KK      N JJ      T JQSHHFFHFGGGHJLNQSVX[^`begjmpuu   VB?C?EBBCC"
+    "DDFHKMPSVXZ^`cehlpq   [:HB;F@DDBBCEEFHKNQSVX[^adhmo   [    K>AJFFFIIFFFHKNQTVY[`dho   Y   "
+    "    QIJJMPKIGFGILOQUW[`ei   X       U LGNSNNKIGGHLMPSW[ad   W       R   MTNNNLKIHMJMNRW]a "
+    "  T       L M MSPNNNNMLRLOLOQST                                   HFHBGEDGFGGHIJKMNNNOOOOO"
+    "ONOPP   LB@MCHEFGEFFGHIJLMNNNOOOONONP   N    L>KGFHFGHGHIJLMNOOOOPOPO   O       H=MLJKHHHH"
+    "IKLMNOOOOOQ   O         HHLLJJIGHHIJLMNNOOO   M           JLKJJIIHHIJKLNNOO   L       O   "
+    "JNMKKKJJIKJKJKLMM                                                                         "
+    "          L       GI      HIJK    HHIJL   JIJJKMO KKKKLMN LLMMMNNOMMMMNNNNLMMNMNOONLMMNNOO"
+    "M       HJ      GHJJ    HHHJK   IHHHILM IIIIIKM KKKKKKMNLLLMMMMNMMNLMMNNNMNMMNNOM       GI"
+    "      GGJI    HIHKK   HHGIIKL HHHHHIL JIIIIIKNKJKKKKLNMLKLLLMNLKNLMMNOM       IK      IDJG"
+    "    ICIJK   GEHIJKJ GGEIHIK IHHHIHJMIIIIIIJLJKJKKKKLLKLLLLMNL        N       @JJ    KHHLI "
+    "  ILHFHJK ENDHHJJ HDCFHHJKFJIIIGHKLIIIIIIKLLHKKKKMM        O       JH       QJM      IKKH "
+    "@  QAGJ L QCFHJKFGGHGFHJKIJJGGHJIJKKJIJLL                 I        KL       QLG      MK   "
+    "   IIK    ODIJ   ?<CFJM BHLJIL                                JJJLNOOULLKLNOORPMIKMOOOOPML"
+    "NOPRL IKLNOQJ JLMNOOL LLKMOOK HMLMNOL  LKLNOO  NLMNPM HLLLMNM HLLMNNOPNNOMOQOLLKNNMLMLRSQR"
+    "RQPQPOPNOOMOQOMNLNNMNNMQRPPQPPQPOPNOOMOQNMMLNNMMNLQRPPRPPQPOOONPNOQOMMKNNLMNLQSQQRPPRPONPN"
+    "ONPPONNLONMNNLPRQPRPPQPOLRNONPPPONMNNNONMPQPOPPPPPOLRNNNQPPPOPNNNOOOPOOOOPPOPOMQONMOQQOPQM"
+    "POQOQOONMLNOOOOONOOPNNMMQPPPMNQRMPNLQONPNMQPQSNOSRRNMOQRMKKLPOPNMNPQ7LPQUY^gry8GKMQUZbo|8E"
+    "GKMSYbm|<EGKNSWco|?HKKOTUep|@KKMPTVep|@HFLMSVen|I IILOYfq|7EFHHHERW GNPQSUY_m|7GHHKNMYc|AJ"
+    "LKLOL`]cKQQTW[alr|CLOQSW]fs|                    <EKKMS^[l|                                "
+    "                  9 AGHMS]fq8?EIOTYguz7LRU[dlq||                                        < "
+    " AGKS[g{8 GEHNT]iv9BEINTXav|6GLPT[cq||                              ?   HOUaj|<  GGKS]l|7 "
+    "@FIOV^gx8HHJMT]gv|5EHMQXa{{|                    E    NUahs@   MQWcn|<  GHNU]h|9 DGKQXbw|:H"
+    "FLPW_oo|9EHLQWarz|                    B    TT[evB   KQYex|=  HKNU`i|> KGPT[nw|=GJKRZcnw|>H"
+    "LNSZcmv|                    C    NU[grA   LPWcl|@  LPTZhn|? IKPU[hv|@GKNT^jst|APNUYaklmw  "
+    "                  B    MV]axB   HPWcl|>  LNT_ev|@ GLR]hst|?HDKWhjklx                      "
+    "        M    KYdp|J   KNXdo|F  JMVast|B IERYkkky                    TRKK#                 "
+    "          H;2                             X^][ZYWVUUTSRPMJJM<             UZZYXWVUTTSRQONK"
+    "JMPQ            vsqlidb`_ZXWWVUTROJD            eec`_][ZYXVVUTSSRPLIH           ZU_O'     "
+    "      TRJH&                                                                               "
     "                                                                                          "
-    "                                                                          H*              "
-    "H@1                                                                                       "
-    "                                                                                          "
-    "                                                            X]ZYXVUTSRPMLKJ<GNPQQOI       "
-    "  TMNNOPSF        YWMNLLRbJ       ^[VNNNJO`M      c`[VNNLIL       kfa]VMKHJ       rmfc]VKI"
-    "GL      nrnfc^VJIJL     pxxjed_VIHJH    wwwwlgf`XIGH    wwwwwkfhaWHC?   uuuuumhdf`VF>   qq"
-    "qqqqqfdf^UD<  jjjjjjjjbbj^R@                  UYXWVUTSQPONKKOPHMOONLKM        RQPOOLJF    "
-    "    YWQPPOOKK       _]VPOPMRLI      c`[VQOOMRKF     ee`]VPNNLOMH    gdg`ZVOMMHL     ijge`]"
-    "VMLPLPF   nnhgg`]VMMPMMH  ollijg_[UMJMN?  uufufjf`^VKIOJ  rrrjrdff`[YHHT  nnnnnnfnn`]WB@  "
-    "gggggggggggWSH                  urpkgba_]YVUTRNI                                          "
+    "                                                                  H)              H<2     "
     "                                                                                          "
     "                                                                                          "
-    "                  ceb`][YXWVTSSRPL                                                        "
+    "                                                    Y^][YXWVUUTRQPMKGNOPROPI        SNMMPP"
+    "QL        YWNNMOPSO       ]]VNOOPNVI      c`]VNNKNI       kea^XMMKNPWM    spda_WLLJLN     "
+    "{nkeb^VKKJKM    rzrkcb]VKJGN    yyyymed^VJHHH   xxxoojfb^UJHKM  wwwwwoohc`VJIKH vvvvvvvjfd"
+    "aWIGE uuuuuuummigbWHF>vvvvvvvvviegaXMFVZZYXWVUTSRQPNNLHMOONOOG        RQPPOPMLR@      YWRQ"
+    "POPLK?      _[VQPPNRMH      d`]VQPPNPJE     fd`]VPNOMPNK    jfe`]VPNOLNM?   jjffa]VONPMQKH"
+    "  nnhhda[WONOLPMJ nnlkida]UOMMJN@ xxpkhgd_[VNKNMOLwwwjwhjea]VMMOMKuuuujjhff_ZWMHMIsssskhkk"
+    "keb^VKJMrrrrrjrrggrb]ZPHvsqlidb`_ZXWWVUQ                                                  "
     "                                                                                          "
     "                                                                                          "
-    "    RVRO$           SMKE3           WTH?7           ^UE.            UNI3            LWF6  "
-    "          tLG9            ]Q0             YH8             ll3             i6              "
-    "[V(             tNF9                                                            G>3       "
-    "      L@6             1               3               F2                                  "
+    "          eec`_][ZYXVVUTSQ                                                                "
     "                                                                                          "
-    "                                                                                  PVYYZYXU"
-    "UTQOKC  RUSTRQRRQPPK    VVVSSQOPPORH    WXVVTRPONQLK    Y[XVUTRONOQL=   Y_YWVTRQOLMNH   [^"
-    "]XWUSQROKII   ]b^[XWURQQMJGT  ^c`^ZXVTQQNHHJ  _fb_^YWUTONKH>  bkd`]]XWVSNJFO  jlgd`]ZXVVRL"
-    "ID  xxjfc_Z[XVSOKI? ssshe`^W[XVRLG  rrrrrc]ZWWUUSQL>TYYXVUTSRQONKKNPILNNMMOL        QONLNL"
-    "LJ        VSPOOLIE        ZWTONMKI>       _[WSONKKI@      c`ZWRONKKC      fd_ZWROMMKF     "
-    "jfc^YVRNMLIJ    hicc^YVQLMGF    oiecb^ZXPLLGO   xlidcb^XXOMII   umiccca[WUOJA   qqif``eb^W"
-    "TPC   kkk``c_b]^[XO;  dddd[dddZZccYL  wwwoc]ZXWTRQPNI                                     "
-    "                            ddddddddPR@     jjjjjjjj^NRE    kkkkkkkkcXMMG   lllllllldZWMNF"
-    "  mmmmmmmm^YUXNP= hpppphphdWSVWLSHqeehqcec``WRVVJNpphappd_[^_VQUTGnnnccnnc_[^aTPNKnnnnafnn"
-    "c]]a_SI<qqqqqiabic_]XWSIefa`][YXWWUSSSQLfWTZYI          VZSTM           WXXSSRM         X_"
-    "b[SQOO        ZckXYRQQT?      ^beaWWSPPP@     _^]]]VURPNQ     dd]^ZZUUSOLO    oga]cZYTRQML"
-    "    nnnf_`^^UOOSO   nnncf_]`ZVKNO   nnnnaf]`YWSIN   llllldl^cXYSHJ  iiiiiiiiii]`VF  mmmmmm"
-    "mmmmmmaYOK                ZM0             sLI9            IYK6            VQL3            "
-    "aTG0            VVI;<           TJHD9           RVRO$           RRLE5           YQEG9     "
-    "      YUC6            UK2             RU0             iO9             _S<9                "
-    "                                                            F2              3             "
-    "  9               MC9             G>3             L>9             2                       "
-    "                                                                                        PV"
-    "XYZYWUTTQOKC  RVTTRRRQQNNK    UWWTTQQQPPMG    XYWWUSPPPPNJG   Z[XVVUSPPPOMK@  [_YXVTSSPNNL"
-    "H   ^^]XXVSRRPMMF   _b^[XWURQRNLKK  bd`]ZXVTQQOHHJ  ffb_]YWVTONLG?  ikd`][XVVSNJGO  {lgda["
-    "ZXVWRLIE  wwjed_[[YVTOKH@ rrrfd`^X[XWRKI  qqqqqc`[WVUUURL>                MSTUTTTSRPONIG  "
-    "QSSSRQRPNQOMH   TVSSSRPONLLG    VXVSRRROPMLK@   YZXUSRQPNMOIG   ]]YXTSQPPNJIH   ``]YWTRROO"
-    "MK9   bb_[XVSQQONKJ>  eea^[XUSQPNMLI  jjc_]ZXURPOLKG  mkeb_]YWTPNNDH  nnid^^[YWSOMK:  kvig"
-    "c[]XXYSPKJ? jjrjd_X]UVVSPNL rggrrc_XVSPQVSWRwwwoc]ZXWTRQPNI                               "
-    "                                  ddddddddPR@     jjjjjjjj^NRE    kkkkkkkkcXMMG   llllllll"
-    "dZWMNF  mmmmmmmm^YUXNP= hpppphphdWSVWLSHqeehqcec``WRVVJNpphappd_[^_VQUTGnnnccnnc_[^aTPNKnn"
-    "nnafnnc]]a_SI<qqqqqiabic_]XWSIhda_[YXVUTSQPRRMXZYi]]Y_ZYQPQ   YVTTWQaW`Q      ^]WYVXUffTKO"
-    "    Zc]]ZVVW^ZSKH   bq`YZXUUWWSTK@  gecZYZVVUXSSQK  bgj`[YZWWUXTSRK@ggbg^[XXYXSYVQRIejjec]"
-    "YZVVVS[TMGqiieec^YWXSVTYNGbphbdg_[[WWSYRYKcnnfcff^XZXRTXSPjjjj_jj_^TWWON Rfffff^^fY[QXaR@ "
-    "hhhhhh`Y_^fWTMJ  RIGH                            I1                              OMMMMMMLM"
-    "MKJIJK                 OMMMMMLLLLKKIKJ                   IONONPPNMMONMHH               SNN"
-    "NNNMMMNMKNNKGF              ";
+    "                                                                                      SWQO"
+    "#           SMLF0           WTH9;           _SE.            SPL/            MSF6          "
+    "  tMG8            ]P/             WE;             nn1             n1              YY(     "
+    "        uQD8                                                            G<5             L;"
+    "8             K8              2               F1                                          "
+    "                                                                                          "
+    "                                                                          OWZZ[ZXWWVVUTRNJ"
+    "RURSSSTSSQTTUUJ UVUSSQPPROOD    XXVVTSPONQQNN   Y[XVUTQOOOPNN?  Z`YXVTRQOOPPONM ]_]YXVSRRO"
+    "OOQLN ^c_]YWURQQONMPK@`eb_[YWUSRRNMOOG`gd`_[YWURQQNKJF`iec`^[XVTRQQKIK`qgfb`^[XVTQPOIJa|ng"
+    "fb^]YWVSPNKBc{pjfe`^[YWUSNJIr||uuhfc^[YWVSOKU[ZYXWVUUTSRQONLILNNMNQSO       QOMMOLI       "
+    "  VSPOOMKI        ZWTPONMLKVJ     _[XTOOLNJE      c`[XSOOLMJ=     fd_ZXRONLLH@    gfd_ZWRO"
+    "OKJG    jgce_ZVRNNMLH   mkgfd_ZVRNNLHG  {plgec^ZVRMMLMJ zrmigeb^ZVQMMIE xxoliddc^ZWQLLGOvv"
+    "vnnfbe`^ZVOLIGvvvvmhdbbc]ZVSPIxxxme^[YYXWUURQN                                            "
+    "                    ccccccccPQ      jjjjjjjj^NRE    kkkkkkkkcXMMG   lllllllllZWMNF  mmmmmm"
+    "mm_ZUWMO> gooogoogdWRUVLSFpeehpceb`_VPUUMIpphappe`]_`VRVVMoooddood`]_bVSUPoooobgood^_caVRR"
+    "uuuuumghheca`_[Rehd`_^[ZYYWVUTSQ_XU[UNO         WZP`Q           WTeQUaO         Z^__ROOO  "
+    "      YccXXSPPR@      `^laWVRQOR@     d]^_[VVROPO     bg][[[UTSOOV@   pda[aZZUTQPQO   nffc"
+    "___^XQPNN   ogodg_]_ZXNSLO  nnnncn^b[[VNSKJ nnnnnbf`e]ZSKRNOmmmmmmem[a[[ULSLrrrrrrrfrcca]Z"
+    "UQ                ZM/             sMI8            JUJ6            UPR/            eSE0    "
+    "        WVI:;           TJJG5           SWQO#           QRME4           XQD0            ZT"
+    "D5            QO.             TQ0             jO8             ^T<8                        "
+    "                                                    F1              2               8     "
+    "          JF8             G<5             M&              O8                              "
+    "                                                                                OWYY[ZXWVV"
+    "VUTRNJRVTTRSTRRPSRSUJ UWWUUQQQQONJO   XXWWUTQPPPROOF  Z[XWVUSPPQPNK>  Z`ZXWUSRPPROQMK ^_]Y"
+    "XWTSSPPQPNH _c_]YWVSRSPPPNMEaeb_[YWVSSSOOONJchda_[YWUSQROMMBfjfc`^[XWUSRRLLJhugfb`][XWTQPO"
+    "IKt|mgfb]]YWVSPNKC{{ojfe`^[YWVSNJI|||tthfc^[XWVTOK                MSUUUUUTTUTRRPMIQTTTSSQS"
+    "RTQTONTJTVTSSRQQOOROM?  VXVTSRQPONLJJ   YZXVSRRQOONOIJ  [^ZXUSSQPOONKH  ^a]YXUSRQPOPLMI `b"
+    "a]ZWTRRQPNNNG cfc_]YWURQPNMJHJgkeb_[YWTRQOPNKCgmjea^[XVTQQOLMDlokgb`^ZXURQPMPJtqlkib_[ZWUQ"
+    "PPLIzrrmjd`_[YXTPNMD{{sslhea^[YWUQONxxxme^[YYXWUURQN                                      "
+    "                          ccccccccPQ      jjjjjjjj^NRE    kkkkkkkkcXMMG   lllllllllZWMNF  "
+    "mmmmmmmm_ZUWMO> gooogoogdWRUVLSFpeehpceb`_VPUUMIpphappe`]_`VRVVMoooddood`]_bVSUPoooobgood^"
+    "_caVRRuuuuumghheca`_[Rhfc`^[YXWWVTSRQPX_Y]Z[X^YYPTM   UVU^]VdZcSTVT   _[YXVYUffUMQ    [d]["
+    "XVUXaZSMN  Peb_Z[XUUXVSTK@  fcfYY[VWTZTSQLOUcge`]YYWUTWTRQK gbcg][XWXXSWTNSKgrged][YWWVVXV"
+    "RNqiiddf][WWUWTXSPfqibiib_[YYWVT[RepphechbZYXVTWRRhpppdhpgdZXZWVTRfnfnnfbebbWYVTSSphpppphc"
+    "eh_ZXYUR QHGI                            H2                              OMMNNMMMMMMMMLKIJ"
+    "E              OMMMMMMMMMLLLLKJFO                KQOOOPPOMMMMNNNMK             SNMOMMMMNNM"
+    "MMNNNONKJ           ";
 
-constexpr std::array<std::int16_t, 200> kWeights = {
-    -703, 697, 1129, 307, 307, 307, 307, 307,
-    -192, 635, 129, 944, 18, 307, 307, 307,
-    315, 277, 45, 503, 4, 307, 307, 307,
-    434, 107, 185, 355, -102, 307, 307, 307,
-    272, 224, 116, 616, 136, 307, 307, 307,
-    320, 281, 68, 766, -47, 307, 307, 307,
-    287, 8, -68, 727, -67, 307, 307, 307,
-    129, -2, 55, 756, 41, 307, 307, 307,
-    42, 202, 513, 580, -248, 307, 307, 307,
-    60, 154, -7, 242, 794, -108, 307, 307,
-    85, 149, -37, 359, 834, -233, 307, 307,
-    -27, 233, 5, 351, 898, -186, 307, 307,
-    117, 446, 112, 307, 1056, -305, 307, 307,
-    159, 137, 68, 115, 1140, -322, 307, 307,
-    274, -36, -93, -31, 1015, -78, 307, 307,
-    469, -62, -385, 206, 623, -23, 307, 307,
-    513, 5, -141, 284, 347, 276, 307, 307,
-    845, -62, 387, 307, 307, 307, 307, 307,
-    705, 1191, 685, 587, 307, 307, 307, 307,
-    -630, 811, 335, 714, 307, 307, 307, 307,
-    -18, 165, 599, 647, 307, 307, 307, 307,
-    -402, 903, 159, 501, 307, 307, 307, 307,
-    -1042, 803, 1317, 455, 307, 307, 307, 307,
-    110, 77, 435, 435, 307, 307, 307, 307,
-    -91, -126, 1094, 842, 307, 307, 307, 307,
+constexpr std::array<std::int16_t, 216> kWeights = {
+    -793, 619, 1081, 307, 307, 307, 307, 307,
+    207, 346, 271, -10, -104, 438, 307, 307,
+    353, 78, 352, 79, -9, 680, 307, 307,
+    503, -95, 223, -104, -247, 653, 307, 307,
+    253, -157, 334, -171, -181, 547, 307, 307,
+    351, -50, 477, -358, -210, 569, 307, 307,
+    182, -28, 585, -234, -456, 477, 307, 307,
+    248, -3, 657, 18, -462, 703, 307, 307,
+    559, -56, 518, -62, -606, 529, 307, 307,
+    84, 323, 100, -31, 293, 307, 307, 307,
+    71, 293, 202, 92, 293, 307, 307, 307,
+    -189, 329, 234, 376, 329, 307, 307, 307,
+    -142, 298, 92, 291, 199, 307, 307, 307,
+    96, 353, 132, 267, 236, 307, 307, 307,
+    -80, 400, 125, 385, 221, 307, 307, 307,
+    -15, 296, 88, 403, 300, 307, 307, 307,
+    105, 53, 295, 429, 235, 307, 307, 307,
+    264, 197, 139, 87, 307, 307, 307, 307,
+    176, 393, -15, 382, 303, 177, 307, 307,
+    -761, 902, 376, 734, 307, 307, 307, 307,
+    15, 172, 540, 834, 307, 307, 307, 307,
+    -278, 900, 191, 466, 307, 307, 307, 307,
+    -996, 831, 1329, 432, 307, 307, 307, 307,
+    409, -84, 395, 395, 307, 307, 307, 307,
+    -12, -284, 1043, 807, 307, 307, 307, 307,
+    388, 191, 162, 307, 307, 307, 307, 307,
+    141, 179, 307, 307, 307, 307, 307, 307,
 };
 // clang-format on
 

@@ -60,18 +60,21 @@ struct MixingWeights {
 /// The prediction of one bit from several contexts, each of which saw its share of the past.
 /// Whatever is coded passes through here, so it is open to the compiler, and the number of contexts
 /// is known to it.
-template <std::size_t count>
+template <std::size_t count, std::size_t opinion_count = 0>
 class MixedBit {
  public:
-  static_assert(count <= MixingWeights::kMost);
+  static constexpr std::size_t kAll = count + opinion_count;
+  static_assert(kAll <= MixingWeights::kMost);
 
-  MixedBit(const std::array<AdaptiveBit*, count>& contexts, MixingWeights& weights)
+  /// `opinions` are log odds that come from elsewhere; their weights follow those of the contexts.
+  MixedBit(const std::array<AdaptiveBit*, count>& contexts, MixingWeights& weights,
+           const std::array<std::int32_t, opinion_count>& opinions = {})
       : contexts_(contexts), weights_(weights) {
+    for (std::size_t i = 0; i < count; ++i) evidence_[i] = kStretched[contexts[i]->one >> 4];
+    std::copy(opinions.begin(), opinions.end(), evidence_.begin() + count);
     std::int64_t sum = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      evidence_[i] = kStretched[contexts[i]->one >> 4];
+    for (std::size_t i = 0; i < kAll; ++i)
       sum += static_cast<std::int64_t>(weights.of[i]) * evidence_[i];
-    }
     const auto log_odds = std::clamp<std::int64_t>(sum >> 16, -kLogOddsRange, kLogOddsRange);
     one_ = static_cast<Probability>(squash(static_cast<std::int32_t>(log_odds)));
   }
@@ -82,19 +85,19 @@ class MixedBit {
     constexpr std::int32_t kRate = 3;
     constexpr std::int64_t kMost = 1 << 22;  // 64: hostile bytes cannot overflow
     const std::int32_t surprise = (bit ? 65536 : 0) - static_cast<std::int32_t>(one_);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < kAll; ++i) {
       // 65536ths of weight; the product fits 64 bits by far.
       const std::int64_t step = static_cast<std::int64_t>(surprise) * evidence_[i] * kRate;
       const auto weight = weights_.of[i] + ((step + (1 << 16)) >> 17);
       weights_.of[i] = static_cast<std::int32_t>(std::clamp<std::int64_t>(weight, -kMost, kMost));
-      contexts_[i]->follow(bit);
     }
+    for (AdaptiveBit* const context : contexts_) context->follow(bit);
   }
 
  private:
   const std::array<AdaptiveBit*, count> contexts_;
   MixingWeights& weights_;
-  std::array<std::int32_t, count> evidence_;  // log odds
+  std::array<std::int32_t, kAll> evidence_;  // log odds
   Probability one_;
 };
 

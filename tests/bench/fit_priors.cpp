@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kEvery[] = {1, 2, 4};                        // frames: 120, 60 and 30 Hz
-constexpr double kScales[] = {2.4, 1.2, 0.5, 0.15, 0.07};  // cm; eps_x is about half of it
+constexpr int kEvery[] = {1, 2, 4};                              // frames: 120, 60 and 30 Hz
+constexpr double kScales[] = {2.4, 1.2, 0.5, 0.15, 0.04, 0.01};  // cm; eps_x is about half of it
 
 struct Sample {
   std::vector<SignalKin> kin;
