@@ -366,13 +366,17 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
     std::int32_t& deviation = deviations_[static_cast<std::size_t>(scale)];
     ExpectedValue expected(mean, deviation);
 
+    const auto less = expected.down_from_minus(1);
+    const auto something = sum(expected.from(1), less);
+    constexpr ExpectedValue::Shares kAll = {ExpectedValue::kWhole, ExpectedValue::kWhole};
+
     std::int32_t& value = own[i];
     const bool some = code(
         value != 0,
         {at_.zero_near.at(around.level, around.own, around.above),
          at_.zero_crowd.at(around.crowd, around.own, around.above),
          at_.zero_expected.at(around.level, around.expected), at_.zero_own.at(s, around.level)},
-        MixingSets::kZero + around.level, expected.some());
+        MixingSets::kZero + around.level, ExpectedValue::opinions(something, kAll));
     int magnitude = 0;
     if (some) {
       const int own1_sign = sign_of(at(own, i - 1, band.size));
@@ -386,7 +390,7 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
                 at_.sign_above.at(above1_sign * kSigns + above2_sign, own1_sign, i % 2),
                 at_.sign_kin.at(s, sibling_sign, sign_of(at(mirror, i, band.size))),
                 at_.sign_before.at(s, sibling_sign, sign_of(at(before, i, band.size)))},
-               MixingSets::kSign, expected.minus());
+               MixingSets::kSign, ExpectedValue::opinions(less, something));
       expected.fold(minus);
       magnitude = code_magnitude(std::abs(value), s, around, expected);
       value = minus ? -magnitude : magnitude;
@@ -414,23 +418,25 @@ int CoefficientCoder<Bits>::code_magnitude(int magnitude, int s, const Surroundi
   constexpr int kMostDigits = 29;  // kMostSteps has as many
   const int wanted = digits_of(magnitude);
   int digits = 1;
+  auto all = expected.from(1);  // that are left, and those from the next digit on
+  auto upper = expected.from(2);
   for (; digits < kMostDigits; ++digits) {
     const int k = std::min(digits, kClasses) - 1;
     if (!code(digits < wanted,
               {at_.class_recent.at(k, around.recent, around.density),
                at_.class_expected.at(k, around.expected), at_.class_own.at(s, k)},
-              MixingSets::kClass + k,
-              expected.at_least(std::int64_t{1} << (digits - 1), std::int64_t{1} << digits)))
+              MixingSets::kClass + k, ExpectedValue::opinions(upper, all)))
       break;
+    all = upper;
+    upper = expected.from(std::int64_t{2} << digits);
   }
   const int k = std::min(digits, kClasses) - 1;
   int made = 1;
+  all = difference(all, upper);
   for (int d = digits - 2; d >= 0; --d) {
     bool digit = (magnitude >> d & 1) != 0;
-    const std::int64_t least = static_cast<std::int64_t>(made) << (d + 1);
-    const auto half = std::int64_t{1} << d;
-    const ExpectedValue::Opinions opinions =
-        expected.in_upper(least, least + half, least + 2 * half);
+    const auto in_upper_half = difference(expected.from((2 * std::int64_t{made} + 1) << d), upper);
+    const ExpectedValue::Opinions opinions = ExpectedValue::opinions(in_upper_half, all);
     if (d == digits - 2)
       digit = code(digit,
                    {at_.top_expected.at(k, around.expected),
@@ -442,6 +448,12 @@ int CoefficientCoder<Bits>::code_magnitude(int magnitude, int s, const Surroundi
     else
       digit = code(digit, MixingSets::kLower, opinions);
     made = 2 * made + digit;
+    if (digit) {
+      all = in_upper_half;
+    } else {
+      all = difference(all, in_upper_half);
+      upper = sum(upper, in_upper_half);
+    }
   }
   if (made > kMostSteps) bits_.refuse();
   return made;

@@ -75,45 +75,27 @@ class ExpectedValue {
   /// Two opinions on each bit, as log odds: of this distribution and one half as wide.
   using Opinions = std::array<std::int32_t, 2>;
 
-  Opinions some() const {
-    Opinions opinions;
-    for (int half = 0; half < 2; ++half)
-      opinions[half] = log_odds(above(32, half) + below(-32, half), kWhole);
-    return opinions;
+  /// Shares of both distributions, of 2^30.
+  using Shares = std::array<std::int32_t, 2>;
+  static constexpr std::int32_t kWhole = 1 << 30;
+
+  /// Of `value` and more; of -`value` and less.
+  Shares from(std::int64_t value) const {
+    return {above(64 * value - 32, 0), above(64 * value - 32, 1)};
   }
-  Opinions minus() const {
-    Opinions opinions;
-    for (int half = 0; half < 2; ++half) {
-      const std::int32_t less = below(-32, half);
-      opinions[half] = log_odds(less, above(32, half) + less);
-    }
-    return opinions;
+  Shares down_from_minus(std::int64_t value) const {
+    return {kWhole - above(32 - 64 * value, 0), kWhole - above(32 - 64 * value, 1)};
   }
 
   /// The sign is known: what follows is of magnitudes.
   void fold(bool minus) { mean_ = minus ? -mean_ : mean_; }
 
-  /// Whether a magnitude of at least `least` is at least `middle`.
-  Opinions at_least(std::int64_t least, std::int64_t middle) const {
-    Opinions opinions;
-    for (int half = 0; half < 2; ++half)
-      opinions[half] = log_odds(above(64 * middle - 32, half), above(64 * least - 32, half));
-    return opinions;
-  }
-  /// Whether one of least ... end - 1 is at least `middle`.
-  Opinions in_upper(std::int64_t least, std::int64_t middle, std::int64_t end) const {
-    Opinions opinions;
-    for (int half = 0; half < 2; ++half) {
-      const std::int32_t beyond = above(64 * end - 32, half);
-      opinions[half] =
-          log_odds(above(64 * middle - 32, half) - beyond, above(64 * least - 32, half) - beyond);
-    }
-    return opinions;
+  /// Of part / whole.
+  static Opinions opinions(const Shares& part, const Shares& whole) {
+    return {log_odds(part[0], whole[0]), log_odds(part[1], whole[1])};
   }
 
  private:
-  static constexpr std::int32_t kWhole = 1 << 30;
-
   /// The share of the distribution above x (64ths), of 2^30.
   std::int32_t above(std::int64_t x, int half) const {
     constexpr std::int64_t kFarthest = 16 << 8;
@@ -130,7 +112,6 @@ class ExpectedValue {
                           6);
     return far < 0 ? kWhole - tail : tail;
   }
-  std::int32_t below(std::int64_t x, int half) const { return kWhole - above(x, half); }
 
   /// Of part / whole; unknown where so little is left that it says nothing.
   static std::int32_t log_odds(std::int32_t part, std::int32_t whole) {
@@ -145,5 +126,13 @@ class ExpectedValue {
   std::int64_t mean_;
   std::int32_t inverse_;
 };
+
+inline ExpectedValue::Shares sum(const ExpectedValue::Shares& a, const ExpectedValue::Shares& b) {
+  return {a[0] + b[0], a[1] + b[1]};
+}
+inline ExpectedValue::Shares difference(const ExpectedValue::Shares& a,
+                                        const ExpectedValue::Shares& b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
 
 }  // namespace mocapress::decoder
