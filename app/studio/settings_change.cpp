@@ -28,6 +28,8 @@ QString nameOf(SettingsField field) {
       return Texts::tr("Importance");
     case SettingsField::Weighting:
       return Texts::tr("Weighting");
+    case SettingsField::Ends:
+      return Texts::tr("Ends");
     case SettingsField::Coding:
       return Texts::tr("Coding");
     case SettingsField::Correction:
@@ -67,6 +69,7 @@ SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
   if (only(&EncodeOptions::effort)) return SettingsField::Effort;
   if (only(&EncodeOptions::importance)) return SettingsField::Importance;
   if (only(&EncodeOptions::weighting)) return SettingsField::Weighting;
+  if (only(&EncodeOptions::ends)) return SettingsField::Ends;
   if (only(&EncodeOptions::coding)) return SettingsField::Coding;
   if (only(&EncodeOptions::correction)) return SettingsField::Correction;
   return SettingsField::Other;

@@ -18,6 +18,7 @@ enum class SettingsField {
   Effort,
   Importance,
   Weighting,
+  Ends,
   Coding,
   Correction,
   Contacts,

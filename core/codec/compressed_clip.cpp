@@ -64,20 +64,32 @@ std::vector<SignalKin> kin_of(const CompressedClip& clip) {
 
 AdaptiveSegments::AdaptiveSegments(const CompressedClip& clip) : clip_(clip), kin_(kin_of(clip)) {}
 
+std::size_t AdaptiveSegments::size() const {
+  return clip_.segments ? clip_.segments->bytes[static_cast<std::size_t>(segment_)]
+                        : clip_.motion.size();
+}
+
 QuantisedSignals AdaptiveSegments::next() {
-  const SegmentLayout layout = clip_.segment_layout();
-  const std::size_t size = clip_.segments
-                               ? clip_.segments->bytes[static_cast<std::size_t>(segment_)]
-                               : clip_.motion.size();
-  const std::span bytes = std::span(clip_.motion).subspan(first_byte_, size);
-  QuantisedSignals coded = adaptive_decode(bytes, kin_, layout.frames_of(segment_), first_byte_);
-  first_byte_ += size;
-  ++segment_;
+  if (clip_.known) return *clip_.known;
+  const std::span bytes = std::span(clip_.motion).subspan(first_byte_, size());
+  QuantisedSignals coded =
+      adaptive_decode(bytes, kin_, clip_.segment_layout().frames_of(segment_), first_byte_);
+  skip();
   return coded;
+}
+
+void AdaptiveSegments::skip() {
+  first_byte_ += size();
+  ++segment_;
 }
 
 std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const CompressedClip& clip) {
   return adaptive_encode(coded, kin_of(clip));
+}
+
+void set_motion(QuantisedSignals coded, CompressedClip& clip) {
+  clip.motion = pack_adaptive(coded, clip);
+  clip.known = std::make_shared<const QuantisedSignals>(std::move(coded));
 }
 
 }  // namespace mocapress

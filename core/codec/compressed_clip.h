@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -69,6 +70,8 @@ struct CompressedClip {
   Basis basis = Basis::Cubic;
   Coding coding = Coding::Deflate;
   std::vector<std::byte> motion;  // coefficients of every channel, then of the correction, coded
+  // What an adaptive motion of one segment decodes to, where its encoder still knows.
+  std::shared_ptr<const QuantisedSignals> known;
   std::optional<CodedSegments> segments;  // of Coding::Adaptive only
   std::optional<CodedCorrection> correction;
   Loop loop = Loop::None;
@@ -108,7 +111,11 @@ class AdaptiveSegments {
   /// The next segment's: the motion's coefficients, then the correction's.
   QuantisedSignals next();
 
+  void skip();
+
  private:
+  std::size_t size() const;  // of the next segment, in bytes
+
   const CompressedClip& clip_;
   std::vector<SignalKin> kin_;
   int segment_ = 0;
@@ -117,5 +124,8 @@ class AdaptiveSegments {
 
 /// The coefficients of a segment, or of a clip that is not in segments, coded.
 std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const CompressedClip& clip);
+
+/// Makes them the motion of a clip in one segment.
+void set_motion(QuantisedSignals coded, CompressedClip& clip);
 
 }  // namespace mocapress

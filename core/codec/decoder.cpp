@@ -84,10 +84,11 @@ void visit_words(const CompressedClip& compressed, const DecodedBlock& visit) {
 
 std::pair<std::vector<float>, std::vector<float>> steps_at_ends(const CompressedClip& compressed) {
   AdaptiveSegments segments(compressed);
-  QuantisedSignals coded = segments.next();
-  const std::vector<float> first = steps_of(coded);
-  for (int k = compressed.segment_layout().count(); k > 1; --k) coded = segments.next();
-  return {first, steps_of(coded)};
+  const std::vector<float> first = steps_of(segments.next());
+  const int count = compressed.segment_layout().count();
+  if (count == 1) return {first, first};
+  for (int k = 1; k < count - 1; ++k) segments.skip();
+  return {first, steps_of(segments.next())};
 }
 
 void visit_decoded(const CompressedClip& compressed, const DecodedBlock& visit) {

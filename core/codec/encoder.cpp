@@ -149,6 +149,7 @@ Encoding Encoder::encode(const EncodeOptions& options,
                                      : *analysis_;
   TargetedEncoding found = encode_to_target(analysis, effective, observer);
 
+  found.compressed.known.reset();  // what is measured is what the bytes say
   Encoding encoding;
   Outcome(analysis, effective, found.compressed).run(found, encoding);
   encoding.compressed = std::move(found.compressed);

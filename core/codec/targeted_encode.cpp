@@ -282,7 +282,7 @@ class TargetedEncode {
       append(differences, coded);
       compressed.correction = correction_->correction();
     }
-    compressed.motion = pack_adaptive(coded, compressed);
+    set_motion(std::move(coded), compressed);
   }
 
   void weigh(Trial& trial) const {

@@ -9,142 +9,142 @@ namespace {
 
 // clang-format off
 constexpr std::string_view kContexts =
-    "2>@CEHLTHIIJLMPUJKLMOPRUKMMMOPSWOOPQQRTXPQRRSTVYTUSUUVX[WXXWZY[a4@ADFIMUJJJLMNQWKKLMNPRVLM"
-    "MNOPSWNPPPQRTXQRRSTTVZUUVVVWY]Y^]Z[]^b6?ADFINWJJKKMNRWKLLMNORVLMNNOPSXPPPPQRTYSRSTTTVZVWWV"
-    "WWY^_^Y`_]^c;@CEGJOZIIKKLNQWKLLMNORWNLMNOQSXQPPQQRTYTTTSSTVZZXVWWWY^g][_]]_eCCEGJMQ^IJKJMN"
-    "QWMLLMNQSXNMNOPQTXRPQQQSUZVTSTTUW[[ZWWWWY^kY`^^^_fIEIKMQVdIKKMMPSXNMMMOQUYOMNPORU[SQRQSTV["
-    "WRTUTUX[]ZXXXXZ_mbc_a__gPFLNPTYiHKLLOQUYNMLMORVZPNOPQSV[TQQQRTV]YUTTVVY^_TXXWXZ`kf]c]_`iWI"
-    "ORTW]iIJLORSVXNLLNQUY^SPPRQTX_WSRSTUX_[TUUVVY`aVXZ[Z[ambYfbbbi*79;>AGSDFFGHJMTGIIJLMOTHJJK"
-    "LNQVLMMOPQTXPPQRRTVZYUUVWVY^l bd^fag0:;=?BFNEDCCEEIQGIHIJKMQGGFGHILSKHHIJLNSLJOJLJNUCJJLGK"
-    "NS        1;=?ADHMFEFEFGJQIIHIJKMOGHHHIILQLMJJKLNRMKLJKMPTO WJMNNU      JQ3=?ACFJPHGGGHIKQ"
-    "JJJKKLNPHIHIIKMRKLKLKMNRMMJMMMPTPRMMNQQU   O  PS5?@CEHKQHIHIJKNRKKKLMNPRJKKLMMOSLMMMNOPTLN"
-    "NNOOQTQSQPPQRVW  TOXSW7@BEGJMSIIJJKMOTLKLMNOQSKLLMNOQTNOOOPQRUPPPPQQSVPSQQRRSWOYUXYUUY9ACF"
-    "ILOUIJKLMOQVKLLMOPSULMNNOQSVPPPQRRTWRRRSSTUXUVSUUUWYUSZWXWY]?CFHKNRYJJKLNPSXLLLMOQTWNMNOPR"
-    "TXRQQQRSUYUSTUUUWZYXWWWXY[gXZZ[Z]`KGJKNQUbLLMNORUYNNNNPRUZQOPQQSV[TRSRSTW[XTUUVVX]_XXYXY[_"
-    "le]``__dO     fc     O_gQ   XO^fW   UYWbc  TXVZ`a USWY[abc[XXZ`cr`]Y`hbk%&/3469;?BEHLORTWY"
-    "[^`adfijlk    ('03479<>ADGKNQTVY[^`bcfhikje   -'22579<>ADGJNQTVY[^`bcfijoos   2+1259:<?BEG"
-    "JMQTVX[^`adfhknr|   =.868:;?@CFHJNQTVY[^`adfilntu   G6899?<@BDFHKNQTWY[_`aehjlpv|   T<B;@@"
-    "BCDEGILNRUWZ]_bbfiknsu|   g     KKJJKMOPSVY[^`b`gkkopus   EKJJIJTOS]AGHHGHIJLPDDGHHHJKMRIH"
-    "IJIIKLNRNLNLLLMNORRVRNOOPPRTT   RTVSTV    QU_VWZ    QahWY^      vSYeDAEEEFVKOZ;@FCDDEFHMAF"
-    "CEDEGGJPC@DDEEGHJPNEHDGGIHJOS_QIHJLKLO    PNSNOR     P]QRU     WeSUY      oWV`GBE>@DXILX B"
-    "CABEEEHL>HDFFFIFHNFGEEEEIEHNI@EDDEJEGNR_=GEHMFHM    KJRIJN     UZNNQ     QbRQT      iQT]G "
-    "H F@XFIV  ??:>ECGL   CA?JEFM   =EFKEFMT   DCMCEMOJ  9CODEL    HFRFFK     QXHIL      ]QNP  "
-    "    gTPX      WHGV      HGJH     @O5@L    @@LBCM     HNFGL     KPCEL     GQEDK     OUGFK  "
-    "    YNJM      bONV      VAGU        @N      Q  J      P=9L      M5<L     JNIDK      PBDJ  "
-    "   @QAEJ      UKFJ      _QKS      U AT         >      M  J      P  I      O  K      MDFK  "
-    "    N>GK      O DJ      QHBJ      [ NR      S  R                L  J      N  D      N  I  "
-    "    O  J      M =J      M KK      N JJ      T JQSHHFFHFGGGHJLNQSVX[^`begjmpuu   VB?C?EBBCC"
-    "DDFHKMPSVXZ^`cehlpq   [:HB;F@DDBBCEEFHKNQSVX[^adhmo   [    K>AJFFFIIFFFHKNQTVY[`dho   Y   "
-    "    QIJJMPKIGFGILOQUW[`ei   X       U LGNSNNKIGGHLMPSW[ad   W       R   MTNNNLKIHMJMNRW]a "
-    "  T       L M MSPNNNNMLRLOLOQST                                   HFHBGEDGFGGHIJKMNNNOOOOO"
-    "ONOPP   LB@MCHEFGEFFGHIJLMNNNOOOONONP   N    L>KGFHFGHGHIJLMNOOOOPOPO   O       H=MLJKHHHH"
-    "IKLMNOOOOOQ   O         HHLLJJIGHHIJLMNNOOO   M           JLKJJIIHHIJKLNNOO   L       O   "
-    "JNMKKKJJIKJKJKLMM                                                                         "
-    "          L       GI      HIJK    HHIJL   JIJJKMO KKKKLMN LLMMMNNOMMMMNNNNLMMNMNOONLMMNNOO"
-    "M       HJ      GHJJ    HHHJK   IHHHILM IIIIIKM KKKKKKMNLLLMMMMNMMNLMMNNNMNMMNNOM       GI"
-    "      GGJI    HIHKK   HHGIIKL HHHHHIL JIIIIIKNKJKKKKLNMLKLLLMNLKNLMMNOM       IK      IDJG"
-    "    ICIJK   GEHIJKJ GGEIHIK IHHHIHJMIIIIIIJLJKJKKKKLLKLLLLMNL        N       @JJ    KHHLI "
-    "  ILHFHJK ENDHHJJ HDCFHHJKFJIIIGHKLIIIIIIKLLHKKKKMM        O       JH       QJM      IKKH "
-    "@  QAGJ L QCFHJKFGGHGFHJKIJJGGHJIJKKJIJLL                 I        KL       QLG      MK   "
-    "   IIK    ODIJ   ?<CFJM BHLJIL                                JJJLNOOULLKLNOORPMIKMOOOOPML"
-    "NOPRL IKLNOQJ JLMNOOL LLKMOOK HMLMNOL  LKLNOO  NLMNPM HLLLMNM HLLMNNOPNNOMOQOLLKNNMLMLRSQR"
-    "RQPQPOPNOOMOQOMNLNNMNNMQRPPQPPQPOPNOOMOQNMMLNNMMNLQRPPRPPQPOOONPNOQOMMKNNLMNLQSQQRPPRPONPN"
-    "ONPPONNLONMNNLPRQPRPPQPOLRNONPPPONMNNNONMPQPOPPPPPOLRNNNQPPPOPNNNOOOPOOOOPPOPOMQONMOQQOPQM"
-    "POQOQOONMLNOOOOONOOPNNMMQPPPMNQRMPNLQONPNMQPQSNOSRRNMOQRMKKLPOPNMNPQ7LPQUY^gry8GKMQUZbo|8E"
-    "GKMSYbm|<EGKNSWco|?HKKOTUep|@KKMPTVep|@HFLMSVen|I IILOYfq|7EFHHHERW GNPQSUY_m|7GHHKNMYc|AJ"
-    "LKLOL`]cKQQTW[alr|CLOQSW]fs|                    <EKKMS^[l|                                "
-    "                  9 AGHMS]fq8?EIOTYguz7LRU[dlq||                                        < "
-    " AGKS[g{8 GEHNT]iv9BEINTXav|6GLPT[cq||                              ?   HOUaj|<  GGKS]l|7 "
-    "@FIOV^gx8HHJMT]gv|5EHMQXa{{|                    E    NUahs@   MQWcn|<  GHNU]h|9 DGKQXbw|:H"
-    "FLPW_oo|9EHLQWarz|                    B    TT[evB   KQYex|=  HKNU`i|> KGPT[nw|=GJKRZcnw|>H"
-    "LNSZcmv|                    C    NU[grA   LPWcl|@  LPTZhn|? IKPU[hv|@GKNT^jst|APNUYaklmw  "
-    "                  B    MV]axB   HPWcl|>  LNT_ev|@ GLR]hst|?HDKWhjklx                      "
-    "        M    KYdp|J   KNXdo|F  JMVast|B IERYkkky                    TRKK#                 "
-    "          H;2                             X^][ZYWVUUTSRPMJJM<             UZZYXWVUTTSRQONK"
-    "JMPQ            vsqlidb`_ZXWWVUTROJD            eec`_][ZYXVVUTSSRPLIH           ZU_O'     "
-    "      TRJH&                                                                               "
+    "3?@CEHMTFHIJKMPUIKLMNPRVKLMMNPRWNOPPQRUXPQQRSTVYTTTTUVX[WZYYYY[`3@ADFIMUIJJKMNQVKKLMNPRVKM"
+    "MNOPSWOPPPQRTXQRRSSTVZVUVVWWY][Z[[[]^b6@ADFINWIJJKMNQWKLLMNORWLMMNOPSWOPPPQRTXSRSSTTVZVVVV"
+    "WWY]]][^]]^c;@CEGJOYGIJKLNQWKLLMNORWMMMNOQSXQPPQQRTYTSSSSTVZZWVWWWY^h`_[^]^dACFGJMQ]HJJKLN"
+    "RWKLLMNPSXMMMNPQTXRPQQQRUYVSSTTTV[[ZWWWWY^j__^__^fGEIKMQVdHJJMNPSXKMMMOQUZOMNOPRUZSPPQRSV["
+    "WTSTUUW[][WWXXZ_kaa_`__gNFLMPTYhGJKNOPTWLLMMPRV[PNNPQSV[SQQQRSW[XTSSUVX^^WXWWXZ`jb^`^`_hUJ"
+    "ORTW]iFJJNRTUXHLMNQTW]TMOQQTW^VSRRSTX^ZUUUVVY``UZZYZ[`k]`beabh+89<?BGSEEFGHIMTHIIJKMOTGIIJ"
+    "KMPVLMMNPPSXOPPQRSVZXSSUUVY^o`gYa`ag2<>@BEIOFFFFGHKRIJIJKLMPGHHHIKMRJJIJKLNRLMLMLLOTIOQNJP"
+    "QU      RW3>?ADGJPGFGHHJMRJJJKLMOQHKJJKLOSKMLLMNPSMMLMMNPUQSPNPQRV    TPNU4?@CEHLRGHHIJKMS"
+    "JKKLMNPSJKKKLNPTMNNNNOQTNNOPPPRURPRQQRSWT_PQSSRX6@BDGIMSGHIJKMOTJKLMNOQTKLLMNOQUNNOOPQSVOP"
+    "PQQRTWRSSRSTUXWVZTXVW[9ACFHKOUHIJKMNQVJLLMNPRVLMMNOPSVPPPQQRTWRRRSSTUXUUUUUVWZ[ZZZZYZ^>CEG"
+    "JMQYHJKLNORWJLLMOQSWNNNOPQTXQQQQRSUXTSSTTUVZZVWWWWY]e]^]][]aCDFIKOS^HKKMNPSXJLMNOQTXNNOOQR"
+    "UYRQQRRTVZVTTUUUW[]XWXXXZ^j]_^]^_eJGJLNQUbKLMNPRUYMMNNPRUZPOPQQSVZTRRRSTW[XTUUVVX]_WXYYY[_"
+    "ka_____e?CJK WfkFHDI Q__FLEMWM[aL@TJShYbe V_^VZ_a TRVX]cac_X_[`ctaXZ_fck(+1467:=@CGJMPRUWY"
+    "[^_bcehimn    *)1357:<?BFILORTWY[^`bdfhjlnf   /+3358:<?BEILORTVY[^`adfhjoru   4-557:;=@CFI"
+    "LORTVX[^_adfiknq|   <2899<=?BDGJLORTWY[^``dfilosx   F4:;<>?ADFHKMPSUWY[^`^ehilpty   Q?<?@B"
+    "BDGIKLNQSVXZ]_a_fijmpuw   fJQQLMKKMNOOOSUWY[^`a[gklnpuq   BHIIIJSOS]=AGGGHIJLPAAFHHHJKMRGC"
+    "HIIJKLNRNGILLLMNORVQMNPPPPRTVO TSTUSTV_  UUV_VWZ    OWiWY^      tWZeDBDDEFUKOZ@?ECDDEFIMA@"
+    "DEDEGGKPE>ADEEHHJPMEEFGGIIJOPSPLHJLKLO_  NONSNOR_  LOO]QRU     UdTUY      oTV`EACABFWILXB>"
+    "?CBCEDHLDJGEEEIFHN5IFFDEIFHNCDFDCEJFGNQR<EFGMGHM_  TNIRJJN_    RYNNQ     PaRQT      jUT]CH"
+    "FH?AWFIV  H8@ACCGK GD?\?<JCGM  JEGGLEFMQ @KECMDELMH G4AODEL_  MEGRFFK_    PXIIL     T]QNP  "
+    "    fOPX     =WGGU     >FFHI     ?O@DM    F>LBBL   @LHNEFLR    LOCEL@    DQEDKO    MUFFK  "
+    "    XMJM      bUPV      VBGT        =J      P 9J      Q@5L     IM@@K@    FNHFK      OCDJ  "
+    "   >Q>DJ      UIEJ      ^QMS      U >T         =      L  K      P  I      O@EK      LD>J  "
+    "    NAGK      O@DJ      QDAJ      ZNLR      S  R                M  I      M  I      N  J  "
+    "    N  J      M 8J      M JJ      N FJ      T FPPEFEEFEFGHIKMOQTVY[^`behjmpuw   UABBBDCCDE"
+    "FGGILNQTVX[^`cehlpr   [>>?DGEFGHJJFFGILNQTVY[_adhmp   Z   <IJELMQQJHFFGILNQTVY]`dhn   Y   "
+    " GQLLNSUPNKIGGHJLPRUX[`ei   X     R@NLTVQPNLKIGGHLMPSW[ad   W     H QKSVSQMNNLKIHMJMOSW]a "
+    "  T       MGRSTQNNMNMMKQKNMOQST                                   GCFFGGFGGGHHIKLMNNOOOOOO"
+    "OOOON   LEDFBHFFHHGHHHIJLMNNNOOOOOONO   M   INHHJJJJHHHHJKLMNOOOOOOPQ   M    QHJKMLLJJIHHI"
+    "JKLMNOOOOOP   M      JIKLLLLJJHHHHJKLMNNOOO   M     J FJLLKKKKJIIHHIJKMNNOO   L       QKLL"
+    "LLKKKKKJIKJJJKLMM                                                                         "
+    "          L       GJ      HHJK    IHIJL   JIJJKMO KKKLLMN LLMMMMNOMMMMNNNNMNMMNNOOMMMMNNOO"
+    "L       GJ      GHJJ    HHHJK   HHHHILM IIIIIJM KKKKKKMNLLLLLMMNMMMMMMNNMNMMMNNOM       HJ"
+    "      HHJJ    HHIKK   GGGIIKL IGHHHIL IHIIIIKNLKKKKKLNLMLLLLMNMMLMMMNOM       GI      IKJI"
+    "    FHIJK   FFHIIKK FHFHIIK HHHHHHJMIJIIIIJLJKKKKKKLJNKKMLMNL       JK      IKJE    EFMKI "
+    "  JGHHJKK EIGFHJK FFCGFHJKHIJIHGHKJIJHIIIKLKJKKKKML        L       ?K       OKK     ?JJJH "
+    "D >IDGJ =FKGHIJKDGFGFEGJLEDIGGHJHJHJIJJLL                 M       @JL      @HKK     NMJ   "
+    "  GGJJ   NGAIK  ?AEDFJLLEHJJIL                                JKKLNOOPMMLMNOONMLKKMOOLNPNL"
+    "NOPPKGMKLNOOLOMLMNOMKJMLKMONL NMLMNPK NLKLNPN NMMMNPM NLLLMNL NMMMNNOPNOOMOQOLMKNNMLMLRSQR"
+    "RQPQPOPNOOMPQOMNLNNMNNMQRPPQPPQPOPNOPMPQOMMKNNMMNLQRQQRPPQPOOONPNOQNMMKNNLMNLQSQQRPPRPONPN"
+    "ONPPONMLONMNNLPRQPRPPQPOLRNONPPPONMNNNONNPPPOPPPPPOLRONNPPPPOPNNNOOOOOOOOPPPPONQOONPQPOOPM"
+    "POQOQOONMMOPONOONOPPNNMMQPPPMNPRMPNLQONPNMQPQSNOSRRNMOPRMKKLPOPNMNPQ7MOQTX]dm|5JJMOTYbo|7H"
+    "HJMRX`m|9IJJMRQdo|:KLLMROdp|;OMMMQOfr|;IKHJPNem|B IGFJPht|6FHHGIBUXfGQQSTVWfo|8IIJKOK_k|<K"
+    "KKLNHY[jLSTVW[_k{|@OOOQUUfr|                    9BHILP^]h|                                "
+    "                  9 BBDKQXb|7ECHMRYdq|7MQUZak|||                                        8 "
+    " DEKQZk|5 ?DGMS[hv3CEILQXbm|5JLPTZeu||                              <   GLVeg|8  FFLR[jx6 "
+    "DDINT[h|5DGJNS^ez|7IIMQXaq||                    @    LManw<   IMXbn|8  FJMT^i|7 DFKQXd||8H"
+    "JLOV`pp|9IKMQVbm||                    <    MM`cz<   INYcq|9  IKOU`k|9 JJNS]k{|;IJLRYdh{|;K"
+    "NOSZcrz|                    ?    IM^hs<   GMWco|9  JOTZfs|9 KKNU^l{|<KNOT`gxy|=RRVYapqr|  "
+    "                  @    EN^d|;   DNYbk|9  ELS_hp|9 KJP[ewx|<IJPWappq|                      "
+    "        F    DOgu|C   DIXfr|>  FJWbxy|= IJR_opp|                    QURR#                 "
+    "          EB&                             N]]ZYXWVUUTSQPNLMMI<            MXYYXWVUTSSQPNMK"
+    "JMOO@           Xinkfca_]ZXWVUUSQNJF@           X`ca_^[ZYXWVUTTRSOMIH           VR`L'     "
+    "      PUQR#                                                                               "
     "                                                                                          "
-    "                                                                  H)              H<2     "
-    "                                                                                          "
-    "                                                                                          "
-    "                                                    Y^][YXWVUUTRQPMKGNOPROPI        SNMMPP"
-    "QL        YWNNMOPSO       ]]VNOOPNVI      c`]VNNKNI       kea^XMMKNPWM    spda_WLLJLN     "
-    "{nkeb^VKKJKM    rzrkcb]VKJGN    yyyymed^VJHHH   xxxoojfb^UJHKM  wwwwwoohc`VJIKH vvvvvvvjfd"
-    "aWIGE uuuuuuummigbWHF>vvvvvvvvviegaXMFVZZYXWVUTSRQPNNLHMOONOOG        RQPPOPMLR@      YWRQ"
-    "POPLK?      _[VQPPNRMH      d`]VQPPNPJE     fd`]VPNOMPNK    jfe`]VPNOLNM?   jjffa]VONPMQKH"
-    "  nnhhda[WONOLPMJ nnlkida]UOMMJN@ xxpkhgd_[VNKNMOLwwwjwhjea]VMMOMKuuuujjhff_ZWMHMIsssskhkk"
-    "keb^VKJMrrrrrjrrggrb]ZPHvsqlidb`_ZXWWVUQ                                                  "
+    "                                                                  C)              EB&     "
     "                                                                                          "
     "                                                                                          "
-    "          eec`_][ZYXVVUTSQ                                                                "
+    "                                                    O]]ZYXWVUUTRQPOM=NPQONMMG       SNNNOP"
+    "OH        XXONNOPOMN      ]^WONNNONJ      c`_WNLLJKTH     hfa^WMLLLPML    jmdc^WLKKKNJ    "
+    "qpkeb^VLKKIPG   qspjdc^VLJJJN@  u||rifc^VKIIKH  ||tqokgc^VKHIJ  s{{{sskhe`VIGI> zzzzrroigf"
+    "`WIGF yyyyyyppjifaVGA?yyyyyyyynhhgbYMFNYYYXWVUTSRQPNMLAKONONLLL       PQPOOOKLKO      YVRP"
+    "OPPKLG      ^[WRPONOKKF     ba[WQOONPHJO    ee`[VQNNMPKH    iff`]VPNMLOJ=   jjgf`[VONNLQLG"
+    "  mmlff_[WONNKQME voljge_[VNMLJMF u|pmjeg^[VNKNKPLs{snsihea[VMLNMLyyyylqifh_[VMILGwwwwolwh"
+    "jgb]VJHLvvvvvnvvjhj`_YPHXinkfca_]ZXWVUUQ                                                  "
     "                                                                                          "
-    "                                                                                      SWQO"
-    "#           SMLF0           WTH9;           _SE.            SPL/            MSF6          "
-    "  tMG8            ]P/             WE;             nn1             n1              YY(     "
-    "        uQD8                                                            G<5             L;"
-    "8             K8              2               F1                                          "
     "                                                                                          "
-    "                                                                          OWZZ[ZXWWVVUTRNJ"
-    "RURSSSTSSQTTUUJ UVUSSQPPROOD    XXVVTSPONQQNN   Y[XVUTQOOOPNN?  Z`YXVTRQOOPPONM ]_]YXVSRRO"
-    "OOQLN ^c_]YWURQQONMPK@`eb_[YWUSRRNMOOG`gd`_[YWURQQNKJF`iec`^[XVTRQQKIK`qgfb`^[XVTQPOIJa|ng"
-    "fb^]YWVSPNKBc{pjfe`^[YWUSNJIr||uuhfc^[YWVSOKU[ZYXWVUUTSRQONLILNNMNQSO       QOMMOLI       "
-    "  VSPOOMKI        ZWTPONMLKVJ     _[XTOOLNJE      c`[XSOOLMJ=     fd_ZXRONLLH@    gfd_ZWRO"
-    "OKJG    jgce_ZVRNNMLH   mkgfd_ZVRNNLHG  {plgec^ZVRMMLMJ zrmigeb^ZVQMMIE xxoliddc^ZWQLLGOvv"
-    "vnnfbe`^ZVOLIGvvvvmhdbbc]ZVSPIxxxme^[YYXWUURQN                                            "
-    "                    ccccccccPQ      jjjjjjjj^NRE    kkkkkkkkcXMMG   lllllllllZWMNF  mmmmmm"
-    "mm_ZUWMO> gooogoogdWRUVLSFpeehpceb`_VPUUMIpphappe`]_`VRVVMoooddood`]_bVSUPoooobgood^_caVRR"
-    "uuuuumghheca`_[Rehd`_^[ZYYWVUTSQ_XU[UNO         WZP`Q           WTeQUaO         Z^__ROOO  "
-    "      YccXXSPPR@      `^laWVRQOR@     d]^_[VVROPO     bg][[[UTSOOV@   pda[aZZUTQPQO   nffc"
-    "___^XQPNN   ogodg_]_ZXNSLO  nnnncn^b[[VNSKJ nnnnnbf`e]ZSKRNOmmmmmmem[a[[ULSLrrrrrrrfrcca]Z"
-    "UQ                ZM/             sMI8            JUJ6            UPR/            eSE0    "
-    "        WVI:;           TJJG5           SWQO#           QRME4           XQD0            ZT"
-    "D5            QO.             TQ0             jO8             ^T<8                        "
-    "                                                    F1              2               8     "
-    "          JF8             G<5             M&              O8                              "
-    "                                                                                OWYY[ZXWVV"
-    "VUTRNJRVTTRSTRRPSRSUJ UWWUUQQQQONJO   XXWWUTQPPPROOF  Z[XWVUSPPQPNK>  Z`ZXWUSRPPROQMK ^_]Y"
-    "XWTSSPPQPNH _c_]YWVSRSPPPNMEaeb_[YWVSSSOOONJchda_[YWUSQROMMBfjfc`^[XWUSRRLLJhugfb`][XWTQPO"
-    "IKt|mgfb]]YWVSPNKC{{ojfe`^[YWVSNJI|||tthfc^[XWVTOK                MSUUUUUTTUTRRPMIQTTTSSQS"
-    "RTQTONTJTVTSSRQQOOROM?  VXVTSRQPONLJJ   YZXVSRRQOONOIJ  [^ZXUSSQPOONKH  ^a]YXUSRQPOPLMI `b"
-    "a]ZWTRRQPNNNG cfc_]YWURQPNMJHJgkeb_[YWTRQOPNKCgmjea^[XVTQQOLMDlokgb`^ZXURQPMPJtqlkib_[ZWUQ"
-    "PPLIzrrmjd`_[YXTPNMD{{sslhea^[YWUQONxxxme^[YYXWUURQN                                      "
-    "                          ccccccccPQ      jjjjjjjj^NRE    kkkkkkkkcXMMG   lllllllllZWMNF  "
-    "mmmmmmmm_ZUWMO> gooogoogdWRUVLSFpeehpceb`_VPUUMIpphappe`]_`VRVVMoooddood`]_bVSUPoooobgood^"
-    "_caVRRuuuuumghheca`_[Rhfc`^[YXWWVTSRQPX_Y]Z[X^YYPTM   UVU^]VdZcSTVT   _[YXVYUffUMQ    [d]["
-    "XVUXaZSMN  Peb_Z[XUUXVSTK@  fcfYY[VWTZTSQLOUcge`]YYWUTWTRQK gbcg][XWXXSWTNSKgrged][YWWVVXV"
-    "RNqiiddf][WWUWTXSPfqibiib_[YYWVT[RepphechbZYXVTWRRhpppdhpgdZXZWVTRfnfnnfbebbWYVTSSphpppphc"
-    "eh_ZXYUR QHGI                            H2                              OMMNNMMMMMMMMLKIJ"
-    "E              OMMMMMMMMMLLLLKJFO                KQOOOPPOMMMMNNNMK             SNMOMMMMNNM"
-    "MMNNNONKJ           ";
+    "          X`ca_^[ZYXWVUTTQ                                                                "
+    "                                                                                          "
+    "                                                                                      PYUS"
+    "#           UPSQ#           VVOS#           XZMQ#           X]SO&           OYNO,         "
+    "  QVGD8           KLO/            LHC8            CN-             GGI6            KTC1    "
+    "        KN.             >8              I8                              D?+             JC"
+    ",             LP/             Ag8             D2                                          "
+    "                                                                                          "
+    "                                                                          IYZYYXWWVVUTSRPN"
+    "OVUUTQPRQPSUTW[RQWWUTRPNMOL<    SXVVUTQOMMOLL   S[XVVTSPOMMLN>  T_ZWVUSSPOMMNMM Ua^YWUTRRO"
+    "NKNLJ Ud`]YWUSRRPNMMK?Vgc`]YVUSRRNKLMIUgfb`]XVURQRNKJFVihea`[XVTSQQLIHUkkgda_[XVTQPOJGVlnk"
+    "hd`^ZWUSPOMFVnrlieb_^ZVTRNKGThv|sigd_]YVURNJMYZYXWVUTSSQQONKAJNONOPONO      QLMNOLNPF     "
+    "  VSPNNMKPPSL     [WSPOMNJLPQ     _[WSOOLLLMNJ    c`ZWSOOMMIE     gd_ZWSONLMIJ    ife^ZVRO"
+    "NKLE@   khfd_ZVRNMLLF@  pohfc_ZVRNNKIB  trmgfc^YURMMKJI vsslheb^ZVQMMJF |ttpjedb]YVRKLGKzz"
+    "zrrhed`^ZVPKHEyyyyqkfccb[ZVSOJ|||nc^[YYWVVTRQMxmhhhhfc_ZXWWWUQhhh_g_g__^UUZNTM            "
+    "    O               OfffffffPR?     Oaiiiiii^MUE    P^kkkkkkcZLMG   P_lllllldZWMNF  Q`nnnn"
+    "nn[VUWMO> SaoogoogdWQUVNPFShappceb__WQUVLITchappd`]_`USVVNTdoddood`]_cVSVPSooogaooc]^b`WRR"
+    "Whuuumfhheba`^ZRXbba`^[ZYYWVUTTQHKVUPXO         SKQURO          YX^VURNJ        Ye_]SOPP? "
+    "      ]bmXZRQOP?      ]cffWXUSQP=     bZ]^]VVRPON@    e^`]ZXUVTPQS=   rbc]aYYUTROPN@  qicf"
+    "`_]^WOPOPR@ rrrcga]_ZYOSMMM qqqqbi_eZZUMRJM qqqqqbq_e[YTLSQMppppppeh^`Z[UJTLuuuuuuufmdda]Z"
+    "VQ                =A8             JNMO8           MxTN-           ^_[O(           ^[LU%   "
+    "        ZWPS#           UNUR#           PYUS#           USQO%           RSMR(           TZ"
+    "OM*           UZMP-           TT@g8           UZF.            NMF+                        "
+    "                                                    D2              Dg8             KO5   "
+    "          KF1             D?+             JB/             MQ1             /               "
+    "                                                                                IYZYYXWWVV"
+    "UTSRPNOWVUTRQRQPRTUVXRQWWVTRQONPMJQ   RYWWUTQPNNPLMH  S[YWVUSPONNMME  T_ZXVUSSQPNNPKI Ua^Y"
+    "WVUSSPOMNNH Ud`]YWUTRSPNNLMGVfc`]YVUTSSOLMLKUhfb`]XVUSRROLKDViheb`[XVTSRQMKHVkkgda_[XVTQPO"
+    "JGVlnjhd`^ZVUSPOMFVnrlieb_]ZVTRNKGShv|sigd_]YVURNJ                HUWWWWVUTTSRQOOLMSTTSRRS"
+    "SVTSPPMLQUTSRQOONNLQPJ  SXUTSQPONMJJJ   T[WUTRQPNNNNHJ  U_[WUTRPPOMNJG  Ua^[WTSRPONMLME Vc"
+    "b^ZVTSQPONKOJ?Vee`^ZVTRQONMIHJVfgd`]ZVSRQNNNGDVflec_]YUSRPNKLEWgmidb_[YTSQOMNKVflolca^[XTR"
+    "QNLJVdtokfaa]ZYSQPLDTburllhb_[YWTPOM|||nc^[YYWVVTRQMxmhhhhfc_ZXWWWUQhhh_g_g__^UUZNTM      "
+    "          O               OfffffffPR?     Oaiiiiii^MUE    P^kkkkkkcZLMG   P_lllllldZWMNF  "
+    "Q`nnnnnn[VUWMO> SaoogoogdWQUVNPFShappceb__WQUVLITchappd`]_`USVVNTdoddood`]_cVSVPSooogaooc]"
+    "^b`WRRWhuuumfhheba`^ZRieb`^[YXWWVTSRQPbfdfdb__^ZWXVUUQY^^`a`ibbWYVYWXQTYW[VWV[gRMM    S]]^"
+    "YXWZbYRML  OUZ_X[XVTXVTSMH  TZdYY[VWUWSTRK TT]e`]YYWUTXSQSK T[ee^ZYVXXSWUNZIT[jdb^[YVVUUXT"
+    "SNT`ifib][XWUXTYUPU[ibfqb`[YYWVS[QS_pehehdYYXVSWRRT]hpdgogd[XZWUTQS]ennebee`WZVTSSSZhppphc"
+    "hdaZXZUR QLNC                            IF                              OMMMMMMMMMMLLLKLM"
+    "MM             OMMMMMMMMLLLKKJIIOOO            OONONOOOONMMLLLLMLJ@            MNMMMMMMNMM"
+    "LNMMLMJJI           ";
 
 constexpr std::array<std::int16_t, 216> kWeights = {
-    -793, 619, 1081, 307, 307, 307, 307, 307,
-    207, 346, 271, -10, -104, 438, 307, 307,
-    353, 78, 352, 79, -9, 680, 307, 307,
-    503, -95, 223, -104, -247, 653, 307, 307,
-    253, -157, 334, -171, -181, 547, 307, 307,
-    351, -50, 477, -358, -210, 569, 307, 307,
-    182, -28, 585, -234, -456, 477, 307, 307,
-    248, -3, 657, 18, -462, 703, 307, 307,
-    559, -56, 518, -62, -606, 529, 307, 307,
-    84, 323, 100, -31, 293, 307, 307, 307,
-    71, 293, 202, 92, 293, 307, 307, 307,
-    -189, 329, 234, 376, 329, 307, 307, 307,
-    -142, 298, 92, 291, 199, 307, 307, 307,
-    96, 353, 132, 267, 236, 307, 307, 307,
-    -80, 400, 125, 385, 221, 307, 307, 307,
-    -15, 296, 88, 403, 300, 307, 307, 307,
-    105, 53, 295, 429, 235, 307, 307, 307,
-    264, 197, 139, 87, 307, 307, 307, 307,
-    176, 393, -15, 382, 303, 177, 307, 307,
-    -761, 902, 376, 734, 307, 307, 307, 307,
-    15, 172, 540, 834, 307, 307, 307, 307,
-    -278, 900, 191, 466, 307, 307, 307, 307,
-    -996, 831, 1329, 432, 307, 307, 307, 307,
-    409, -84, 395, 395, 307, 307, 307, 307,
-    -12, -284, 1043, 807, 307, 307, 307, 307,
-    388, 191, 162, 307, 307, 307, 307, 307,
-    141, 179, 307, 307, 307, 307, 307, 307,
+    -848, 592, 1178, 307, 307, 307, 307, 307,
+    -18, 249, 193, -222, -81, 292, 307, 307,
+    320, 15, 45, -92, -75, 297, 307, 307,
+    377, 13, 41, -92, -168, 620, 307, 307,
+    347, 27, 367, -95, -98, 473, 307, 307,
+    412, 148, 426, -295, -294, 525, 307, 307,
+    393, 37, 418, -223, -401, 567, 307, 307,
+    475, -7, 542, -69, -623, 608, 307, 307,
+    1057, -210, 638, 113, -666, 320, 307, 307,
+    45, 342, 254, 132, 294, 307, 307, 307,
+    67, 507, 214, 185, 346, 307, 307, 307,
+    -17, 287, 181, 379, 264, 307, 307, 307,
+    -4, 354, 296, 206, 145, 307, 307, 307,
+    135, 292, 231, 384, 284, 307, 307, 307,
+    -33, 214, 218, 344, 225, 307, 307, 307,
+    17, 216, 158, 437, 304, 307, 307, 307,
+    251, 84, 351, 473, 303, 307, 307, 307,
+    362, 242, 214, 67, 307, 307, 307, 307,
+    257, 412, 290, 403, 231, 129, 307, 307,
+    -812, 799, 26, 1066, 307, 307, 307, 307,
+    -193, 356, 275, 425, 307, 307, 307, 307,
+    -242, 975, 567, 12, 307, 307, 307, 307,
+    -1039, 873, 1260, 509, 307, 307, 307, 307,
+    405, -210, 386, 386, 307, 307, 307, 307,
+    20, -491, 1022, 967, 307, 307, 307, 307,
+    381, 158, 176, 307, 307, 307, 307, 307,
+    216, 239, 307, 307, 307, 307, 307, 307,
 };
 // clang-format on
 

@@ -47,7 +47,10 @@ inline constexpr int kMostLinks = 256;
 inline constexpr std::size_t kMemoryBesideValues = std::size_t{16} << 20;
 
 /// Of reading: the values of a segment, which may be all, and the coded motion of all segments.
-inline constexpr std::size_t kMostScratchBytes = 8 * kMostValues + kMemoryBesideValues;
+/// And what the prediction learns of each signal, 2.6 KB.
+inline constexpr std::size_t kMemoryOfSignals = std::size_t{80} << 20;
+inline constexpr std::size_t kMostScratchBytes =
+    8 * kMostValues + kMemoryOfSignals + kMemoryBesideValues;
 
 inline constexpr std::size_t kMostResidentBytes = 4 * kMostValues + kMemoryBesideValues;
 

@@ -59,7 +59,7 @@ typedef struct mcpr_limits {
 } mcpr_limits;
 
 /* Those of the format, so that every file that can be written opens: frames 2^22, joints 4096,
- * channels 24576, values 2^26, scratch memory 528 MiB, resident form 272 MiB, 60 iterations. That
+ * channels 24576, values 2^26, scratch memory 608 MiB, resident form 272 MiB, 60 iterations. That
  * is hours of motion: give less where files come from strangers and memory is dear. More than the
  * format allows is refused whatever is given. */
 mcpr_limits mcpr_default_limits(void);

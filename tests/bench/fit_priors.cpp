@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fits what the adaptive coding knows beforehand to other clips than those it is judged by:
+// Fits what the adaptive coding knows beforehand to other clips than those it is judged by, on
+// their own rigs and on ones as games have them:
 //   mocapress-fit-priors CORPUS/train > core/decoder/coefficient_priors.cpp
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,7 @@
 #include "core/decoder/coefficient_priors.h"
 #include "core/formats/motion_file.h"
 #include "tests/bench/study_clips.h"
+#include "tests/support/game_like.h"
 
 namespace mocapress {
 namespace {
@@ -44,13 +46,14 @@ std::vector<Sample> samples_of(const fs::path& folder) {
   std::vector<Sample> samples;
   for (const fs::path& path : clips_of(folder)) {
     const Motion motion = read_motion(path).motion;
-    for (const int every : kEvery) {
-      const ClipAnalysis source(thinned(motion, every));
-      const ClipAnalysis& analysis = source.in_chosen_orders();
-      const ClosedLoop& loop = analysis.closed_loop(Basis::Cubic, Weighting::Surface);
-      for (const double scale : kScales)
-        samples.push_back({channel_kin(analysis.motion().skeleton), loop.quantise(scale).coded});
-    }
+    for (const Motion& rig : {motion, test::game_like(motion)})
+      for (const int every : kEvery) {
+        const ClipAnalysis source(thinned(rig, every));
+        const ClipAnalysis& analysis = source.in_chosen_orders();
+        const ClosedLoop& loop = analysis.closed_loop(Basis::Cubic, Weighting::Surface);
+        for (const double scale : kScales)
+          samples.push_back({channel_kin(analysis.motion().skeleton), loop.quantise(scale).coded});
+      }
     std::fprintf(stderr, "%s\n", path.stem().c_str());
   }
   return samples;
@@ -96,6 +99,13 @@ std::vector<int> fit_weights(std::vector<Sample>& samples, const std::string& le
   return shares;
 }
 
+/// As C++ has to be told what is no trigraph.
+std::string without_trigraphs(std::string letters) {
+  for (std::size_t at = 0; (at = letters.find("??", at)) != std::string::npos; at += 2)
+    letters.insert(at + 1, "\\");
+  return letters;
+}
+
 void print(const std::string& letters, const std::vector<int>& shares) {
   constexpr std::size_t kLine = 90;
   std::printf(
@@ -104,7 +114,7 @@ void print(const std::string& letters, const std::vector<int>& shares) {
       "namespace mocapress::decoder {\nnamespace {\n\n// clang-format off\n"
       "constexpr std::string_view kContexts =\n");
   for (std::size_t i = 0; i < letters.size(); i += kLine)
-    std::printf("    \"%s\"%s\n", letters.substr(i, kLine).c_str(),
+    std::printf("    \"%s\"%s\n", without_trigraphs(letters.substr(i, kLine)).c_str(),
                 i + kLine < letters.size() ? "" : ";");
   std::printf("\nconstexpr std::array<std::int16_t, %zu> kWeights = {", shares.size());
   for (std::size_t i = 0; i < shares.size(); ++i)

@@ -78,6 +78,7 @@ TEST(SettingsChange, NamesWhatChanged) {
             Correction);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.contacts.begin_height = 9; }), Contacts);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.effort = mocapress::Effort::Best; }), Effort);
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.ends = mocapress::Ends::Exact; }), Ends);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.importance.contacts = 9; }), Importance);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.preset = QStringLiteral("Mine"); }), Preset);
 }
