@@ -974,16 +974,28 @@
         <translation>Plus</translation>
     </message>
     <message>
-        <source>Weighting of the error, and coding: seldom changed.</source>
-        <translation>Pondération de l&apos;erreur et codage : rarement changés.</translation>
-    </message>
-    <message>
         <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
         <translation>Cette méthode prend les coefficients comme ils viennent, sans égard à l&apos;importance : choisissez %1 ou %2.</translation>
     </message>
     <message>
         <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
         <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Weighting of the error, ends of the clip, and coding: seldom changed.</source>
+        <translation>Pondération de l&apos;erreur, extrémités du clip et codage : rarement changés.</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Extrémités</translation>
+    </message>
+    <message>
+        <source>Only the closed loop codes the first and the last pose once more.</source>
+        <translation>Seule la boucle fermée code une fois de plus la première et la dernière pose.</translation>
+    </message>
+    <message>
+        <source>The first and the last pose, where clips are blended and looped. Even: no further off than the target, and those of a loop alike. Exact: a tenth of it, which takes some 4 % more. Free: whatever comes out.</source>
+        <translation>La première et la dernière pose, où les clips sont fondus et bouclés. Égales : pas plus loin que la cible, et celles d&apos;une boucle pareilles. Exactes : un dixième de celle-ci, pour environ 4 % d&apos;octets de plus. Libres : ce qui vient.</translation>
     </message>
 </context>
 <context>
@@ -2536,6 +2548,22 @@
         <source>As Gameplay, with feet that stay where they stand: a third of the sliding or less, for about a twentieth more bytes.</source>
         <translation>Comme Jeu, avec des pieds qui restent où ils sont posés : un tiers du glissement ou moins, pour environ un vingtième d&apos;octets de plus.</translation>
     </message>
+    <message>
+        <source>Free</source>
+        <translation>Libres</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Égales</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exactes</translation>
+    </message>
+    <message>
+        <source>Ends: %1.</source>
+        <translation>Extrémités : %1.</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ProjectFiles</name>
@@ -2881,6 +2909,10 @@
     <message>
         <source>Importance</source>
         <translation>Importance</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Extrémités</translation>
     </message>
 </context>
 <context>

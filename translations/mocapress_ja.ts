@@ -966,16 +966,28 @@
         <translation>詳細</translation>
     </message>
     <message>
-        <source>Weighting of the error, and coding: seldom changed.</source>
-        <translation>誤差の重み付けと符号化。めったに変えません。</translation>
-    </message>
-    <message>
         <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
         <translation>この手法は係数をそのまま選び、重要度を考慮しません。%1か%2を選んでください。</translation>
     </message>
     <message>
         <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
         <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
+    </message>
+    <message>
+        <source>Weighting of the error, ends of the clip, and coding: seldom changed.</source>
+        <translation>誤差の重み付け、クリップの両端、符号化。めったに変えません。</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>両端</translation>
+    </message>
+    <message>
+        <source>Only the closed loop codes the first and the last pose once more.</source>
+        <translation>最初と最後のポーズをもう一度符号化するのは閉ループだけです。</translation>
+    </message>
+    <message>
+        <source>The first and the last pose, where clips are blended and looped. Even: no further off than the target, and those of a loop alike. Exact: a tenth of it, which takes some 4 % more. Free: whatever comes out.</source>
+        <translation>最初と最後のポーズ。クリップがブレンドされ、ループする所です。均等：目標より離れず、ループでは両端がそろいます。厳密：目標の十分の一で、約 4 % 大きくなります。自由：成り行きのまま。</translation>
     </message>
 </context>
 <context>
@@ -2521,6 +2533,22 @@
         <source>As Gameplay, with feet that stay where they stand: a third of the sliding or less, for about a twentieth more bytes.</source>
         <translation>ゲームプレイと同じで、足は立った位置にとどまります：滑りは三分の一以下、バイト数は約二十分の一増えます。</translation>
     </message>
+    <message>
+        <source>Free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>均等</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>厳密</translation>
+    </message>
+    <message>
+        <source>Ends: %1.</source>
+        <translation>両端：%1。</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ProjectFiles</name>
@@ -2864,6 +2892,10 @@
     <message>
         <source>Importance</source>
         <translation>重要度</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>両端</translation>
     </message>
 </context>
 <context>

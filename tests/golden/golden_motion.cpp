@@ -92,6 +92,17 @@ CompressedClip golden_adaptive_clip() {
   return clip;
 }
 
+CompressedClip golden_ends_clip() {
+  CompressedClip clip = golden_adaptive_clip();
+  clip.loop = Loop::Follows;
+  CodedEnds ends{.reach = {8, 3}, .fineness = {-1, 4}, .steps = {}};
+  ends.steps.resize(clip.skeleton.channel_count(), 2);
+  for (int c = 0; c < clip.skeleton.channel_count(); ++c)
+    ends.steps.row(c) << 3 * c % 11 - 5, -7 * c % 40;
+  clip.ends = std::move(ends);
+  return clip;
+}
+
 CompressedClip golden_segmented_clip() {
   const SegmentLayout layout{540, 256, 64};
   const Motion motion = golden_motion_of(layout.frames);

@@ -17,6 +17,9 @@ CompressedClip golden_clip(Coding coding);
 /// The same in steps as Coding::Adaptive has them, one scale for all.
 CompressedClip golden_adaptive_clip();
 
+/// golden_adaptive_clip() as a loop, with something lacking at both ends.
+CompressedClip golden_ends_clip();
+
 /// 540 frames of the same figure in three segments of Coding::Adaptive, each of another scale.
 CompressedClip golden_segmented_clip();
 

@@ -151,6 +151,16 @@ TEST(GoldenJoints, TheWriterStillMakesTheSameFile) {
   EXPECT_TRUE(write_container(golden_adaptive_clip()) == read_bytes(golden("v1_joints.mcpr")));
 }
 
+TEST(GoldenEnds, Version1PlaysToTheSameBits) {
+  const std::vector<std::byte> file = read_bytes(golden("v1_ends.mcpr"));
+  EXPECT_TRUE(played(file) == read_bytes(golden("v1_ends_expected.f32")));
+  EXPECT_EQ(read_container(file).loop, Loop::Follows);
+}
+
+TEST(GoldenEnds, TheWriterStillMakesTheSameFile) {
+  EXPECT_TRUE(write_container(golden_ends_clip()) == read_bytes(golden("v1_ends.mcpr")));
+}
+
 TEST(GoldenSegments, Version1PlaysToTheSameBits) {
   const std::vector<std::byte> file = read_bytes(golden("v1_segments.mcpr"));
   EXPECT_TRUE(played(file) == read_bytes(golden("v1_segments_expected.f32")));
@@ -204,6 +214,8 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
   write_bytes(golden("v1_joints_expected.f32"), played(write_container(golden_adaptive_clip())));
   write_bytes(golden("v1_source.mcpr"),
               with_source(write_container(golden_adaptive_clip()), kGoldenSource));
+  save_mcpr(golden("v1_ends.mcpr"), golden_ends_clip());
+  write_bytes(golden("v1_ends_expected.f32"), played(write_container(golden_ends_clip())));
   save_mcpr(golden("v1_segments.mcpr"), golden_segmented_clip());
   write_bytes(golden("v1_segments_expected.f32"), played(write_container(golden_segmented_clip())));
   save_mcpr(golden("v1_correction.mcpr"), golden_corrected_clip());

@@ -159,7 +159,7 @@ void CompressionPanel::showWhatApplies() {
   ends_->setToolTip(
       closed
           ? tr("The first and the last pose, where clips are blended and looped. Even: no further "
-               "off than the target. Exact: a tenth of it, as loops have them anyway; that "
+               "off than the target, and those of a loop alike. Exact: a tenth of it, which "
                "takes some 4 % more. Free: whatever comes out.")
           : tr("Only the closed loop codes the first and the last pose once more."));
   coding_->setEnabled(!closed);
