@@ -36,7 +36,8 @@ void PresetArguments::add_options(CLI::App& command) {
   add("--coefficient-ratio", Target::Kind::CoefficientRatio, "r", "The paper's r: all / kept");
   add("--target-error", Target::Kind::Error, "CM", "eps_x not above this");
   add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes not above this");
-  add("--max-error", Target::Kind::MaxError, "CM", "No point further off at any frame");
+  add("--max-error", Target::Kind::MaxError, "CM",
+      "No point of the weighting further off at any frame");
   targets
       ->add_option_function<Sight>(
           "--target",

@@ -169,6 +169,7 @@ std::array<int, 2> smoothest(const std::vector<End::Reach>& first,
 
 bool codes_ends(const EncodeOptions& options) {
   if (options.method != Method::ClosedLoop || options.ends == Ends::Free) return false;
+  if (options.effort == Effort::Draft) return options.ends == Ends::Exact;
   const bool loops = options.loop.value_or(Loop::None) != Loop::None;
   return loops || options.ends == Ends::Exact || options.target.kind != Target::Kind::MaxError;
 }

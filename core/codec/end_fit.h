@@ -6,7 +6,8 @@
 
 namespace mocapress {
 
-/// Whether ENDS is asked for: of a closed loop, and not where a hard maximum holds anyway.
+/// Whether ENDS is asked for: of a closed loop, and not where a hard maximum holds anyway or a
+/// draft, which promises nothing, has to be there at once.
 bool codes_ends(const EncodeOptions& options);
 
 /// How many frames at either end are looked at, to see how far an end's error reaches.

@@ -146,7 +146,7 @@ TEST(CompressionPanel, EveryControlHasANameAndAnExplanation) {
   for (QWidget* control : panel.findChildren<QComboBox*>()) controls << control;
   for (QWidget* control : panel.findChildren<QAbstractSpinBox*>()) controls << control;
   for (QWidget* control : panel.findChildren<QSlider*>()) controls << control;
-  EXPECT_EQ(controls.size(), 11);
+  EXPECT_EQ(controls.size(), 12);
   for (const QWidget* control : controls) {
     EXPECT_FALSE(control->accessibleName().isEmpty());
     EXPECT_FALSE(control->toolTip().isEmpty()) << control->accessibleName().toStdString();

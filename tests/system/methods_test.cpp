@@ -61,7 +61,7 @@ TEST_P(CliMethods, DecompressesToTheMotionThatWasMeasured) {
   const Motion original = read_motion(clip_, {}).motion;
   const Motion again = read_motion(back, bones).motion;
   ASSERT_EQ(again.clip.channels.cols(), original.clip.channels.cols());
-  EXPECT_NEAR(measure(original.skeleton, original.clip, again.clip).eps_bone_ends,
+  EXPECT_NEAR(measure(original.skeleton, original.clip, again.clip).surface.rms,
               made["eps_x_cm"].get<double>(), 1e-3);
 }
 
