@@ -37,7 +37,7 @@ std::span<const Preset> built_in_presets() {
   // Heads and hands are looked at more than they have skin, and feet stand. With these factors no
   // head of the corpus is turned by more than 2.5 degrees at gameplay, no hand by more than 4 (RMS
   // over a clip), close up by a third, in a crowd by three times of that.
-  const NamedImportance looks{.factors = {{"feet", 4}, {"fingers", 8}, {"hands", 48}, {"head", 3}},
+  const NamedImportance looks{.factors = {{"feet", 4}, {"fingers", 8}, {"hands", 54}, {"head", 3}},
                               .contacts = 0};
   NamedImportance planted = looks;
   planted.contacts = 20;

@@ -199,7 +199,8 @@ void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_
     }
   });
   const auto tolerance = [&](double share) { return tolerance_of(options, share, trial.eps_cm); };
-  const double share = options.ends == Ends::Exact ? kExact : kEven;
+  const bool is_exact = options.ends == Ends::Exact || compressed.correction;  // else feet slide
+  const double share = is_exact ? kExact : kEven;
   const bool is_loop = options.loop.value_or(Loop::None) != Loop::None;
   const auto [first_steps, last_steps] = steps_at_ends(compressed);
 
@@ -216,8 +217,10 @@ void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_
   CodedEnds ends{.fineness = {first_fineness, last_fineness}, .steps = {}};
   const std::vector<End::Reach> of_first = first.reaches();
   const std::vector<End::Reach> of_last = last.reaches();
-  ends.reach = is_loop ? smoothest(of_first, of_last)
-                       : std::array{best_of(of_first).frames, best_of(of_last).frames};
+  // Frames that a correction holds in place are left there.
+  if (!compressed.correction)
+    ends.reach = is_loop ? smoothest(of_first, of_last)
+                         : std::array{best_of(of_first).frames, best_of(of_last).frames};
   ends.steps.resize(channels, 2);
   ends.steps << first_whole, last_whole;
   compressed.ends = std::move(ends);

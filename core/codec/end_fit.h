@@ -17,8 +17,9 @@ int frames_at_ends(int frames);
 /// promise: of an even end 0.8 of the target, so that neighbours fare well too, of an exact one a
 /// tenth; of what the trial has where the target is no error. The last pose of a loop comes to a
 /// tenth of the target as near to the first's error, so that nothing jumps, and velocities as near
-/// as may be. The originals are in the channels that are coded: as many first and last frames as
-/// frames_at_ends() says, at least one.
+/// as may be. Beside a correction ends are exact and no other frame takes part, or feet that are
+/// held would slide. The originals are in the channels that are coded: as many first and last
+/// frames as frames_at_ends() says, at least one.
 void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_skeleton,
               const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last);
 
