@@ -51,9 +51,8 @@ std::span<const Preset> built_in_presets() {
        .weighting = kSkin,
        .target = {Target::Kind::Error, 0.25},
        .importance = looks},
-      // On 16_22, 49_02 and 14_06 27 % of the sliding is left or less, for 3 to 7 % of the ratio
-      // (on 02_01, which slides by 0.3 cm in all, 0.2); with inverse kinematics a tenth, for 3 to
-      // 40 %.
+      // On 02_01, 16_22, 49_02 and 14_06 a fifth of the sliding is left or less, for 5 to 11 % of
+      // the ratio; with inverse kinematics a tenth, for 6 to 19 %.
       {.name = "Planted feet",
        .weighting = kSkin,
        .target = {Target::Kind::Error, 0.25},

@@ -52,6 +52,10 @@ const std::vector<ContactSpan>& ClipAnalysis::contacts() const {
   });
 }
 
+Loop ClipAnalysis::loop() const {
+  return loop_.get({}, [&] { return std::make_unique<Loop>(find_loop(motion_)); });
+}
+
 const Coefficients& ClipAnalysis::coefficients(Basis basis) const {
   return coefficients_.get(
       basis, [&] { return std::make_unique<Coefficients>(transform(motion_.clip, basis)); });

@@ -10,6 +10,7 @@
 
 #include "core/codec/closed_loop.h"
 #include "core/contact/contact_spans.h"
+#include "core/motion/loop.h"
 #include "core/motion/rotation_order.h"
 #include "core/select/error_model.h"
 #include "core/select/truncation.h"
@@ -52,6 +53,8 @@ class ClipAnalysis {
   const ErrorModel& model(Weighting weighting) const;
   const ClosedLoop& closed_loop(Basis basis, Weighting weighting) const;
 
+  Loop loop() const;  // find_loop()
+
   /// Of the feet, as found on the original; empty where there are no feet.
   const std::vector<ContactSpan>& contacts() const;
 
@@ -84,6 +87,7 @@ class ClipAnalysis {
   OnDemand<Only, Eigen::MatrixXd> original_tracks_;
   OnDemand<Only, Eigen::MatrixXd> original_body_;
   OnDemand<Only, std::vector<ContactSpan>> contacts_;
+  OnDemand<Only, Loop> loop_;
   OnDemand<Basis, Coefficients> coefficients_;
   OnDemand<Basis, BasisAnalysis> bases_;
   OnDemand<Weighting, ErrorModel> models_;

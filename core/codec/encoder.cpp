@@ -141,7 +141,7 @@ Encoding Encoder::encode(const EncodeOptions& options,
   EncodeOptions effective = options;
   effective.coding = effective_coding(options);
   check_room(shape_for(motion(), effective));
-  if (!effective.loop) effective.loop = find_loop(motion());
+  if (!effective.loop) effective.loop = analysis_->loop();
   // Segments are put into other orders one by one: the whole would be in memory twice.
   const bool is_whole = even_segments(motion().clip.frames(), effective.segments).count() == 1;
   const ClipAnalysis& analysis = effective.method == Method::ClosedLoop && is_whole

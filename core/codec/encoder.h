@@ -42,8 +42,8 @@ struct EncodeOptions {
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
   SegmentPlan segments;                              // of a closed loop
   Ends ends = Ends::Even;                            // of a closed loop; their bytes count
-  std::optional<Loop> loop;   // whether it is one; unset: find_loop()
-  bool figures_only = false;  // what the encoding is made of: Encoding
+  std::optional<Loop> loop;                          // whether it is one; unset: find_loop()
+  bool figures_only = false;                         // what the encoding is made of: Encoding
 };
 
 /// The coding that will be used: the closed loop has one of its own, whatever was asked for.

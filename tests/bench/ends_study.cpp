@@ -3,7 +3,7 @@
 // first and last frame, and of the four at either end, as shares of the clip's own. --loops: of the
 // most loop-like stretch of each clip, closed to a loop (tests/support/loop_of.h), also what
 // changes in the errors of pose and velocity at the seam, as shares of what changes most from any
-// frame to the next, and whether the encoder knew it for a loop. --game: on rigs as games have them.
+// frame to the next, and whether the encoder knew it for a loop. --game: on rigs that games have.
 // Usage: mocapress-ends-study CLIP|FOLDER... [--every N] [--game] [--loops] [--error CM]
 //   [--ends free|even|exact]
 #include <algorithm>

@@ -72,7 +72,8 @@ TEST(EndFit, OfALoopNothingJumpsFromTheLastFrameToTheFirst) {
   const Motion loop = test::loop_of(test::smooth_motion(600, 6), 1);
   ASSERT_GT(loop.clip.frames(), 100);
   EncodeOptions asked = with_ends(Ends::Even);
-  for (const Target target : {Target{Target::Kind::Error, kEndTarget}, {Target::Kind::MaxError, 3}}) {
+  for (const Target target :
+       {Target{Target::Kind::Error, kEndTarget}, {Target::Kind::MaxError, 3}}) {
     asked.target = target;
     asked.loop = Loop::Repeats;
     const EndErrors told = Encoder(loop).encode(asked).distortion.ends;
