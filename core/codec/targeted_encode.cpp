@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <tuple>
 
@@ -282,7 +283,10 @@ class TargetedEncode {
       append(differences, coded);
       compressed.correction = correction_->correction();
     }
-    set_motion(std::move(coded), compressed);
+    if (packs_)
+      set_motion(std::move(coded), compressed);
+    else
+      compressed.known = std::make_shared<const QuantisedSignals>(std::move(coded));
   }
 
   void weigh(Trial& trial) const {
@@ -329,8 +333,13 @@ class TargetedEncode {
                            .finest = [&] { return loop().finest_scale(); },
                            .dear = correction_ && !is_by_worst(options_.target),
                            .corrected = correction_.has_value()};
-    return search_scale(guess, options_.target, goal_, effort, analysis_.motion().clip.frames(),
-                        trials);
+    // Trials that are weighed by their error alone need no bytes but for the one that is chosen.
+    packs_ = options_.target.kind != Target::Kind::Error || effort != Effort::Default;
+    Trial trial = search_scale(guess, options_.target, goal_, effort,
+                               analysis_.motion().clip.frames(), trials);
+    if (!packs_) set_motion(*trial.compressed.known, trial.compressed);
+    packs_ = true;
+    return trial;
   }
 
   Trial attempt_scale(double scale, const ClosedLoopWork& work,
@@ -452,6 +461,7 @@ class TargetedEncode {
   std::optional<ClosedLoop> own_loop_;   // by that
   std::optional<double> slide_without_cm_;
   bool remembers_ = false;  // what splits have in common
+  bool packs_ = true;       // trials into bytes
   std::map<std::tuple<float, bool, int>, ClosedLoop::Result> quantised_;
   std::map<int, AnnealingReport> annealed_;  // by count
   Goal goal_;
