@@ -15,7 +15,7 @@ namespace mocapress {
 /// games blend and loop.
 enum class Ends {
   Free,   // nothing
-  Even,   // they are no further off than the clip
+  Even,   // they are no further off than the target or, where that is no error, the clip
   Exact,  // a tenth of that
 };
 

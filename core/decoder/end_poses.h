@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the first and last frame of a clip still lack, where these were asked to be exact:
-// FORMAT.md, ENDS. The same walk for writing and reading.
+// What the first and last frame of a clip still lack, where more was promised of them than the
+// coefficients give: FORMAT.md, ENDS. The same walk for writing and reading.
 #pragma once
 
 #include <algorithm>

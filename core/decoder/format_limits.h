@@ -46,9 +46,11 @@ inline constexpr int kMostLinks = 256;
 // the rest is for the skeleton, contexts and indices.
 inline constexpr std::size_t kMemoryBesideValues = std::size_t{16} << 20;
 
-/// Of reading: the values of a segment, which may be all, and the coded motion of all segments.
-/// And what the prediction learns of each signal, 2.6 KB.
+/// What the prediction learns of signals, 2.6 KB each.
 inline constexpr std::size_t kMemoryOfSignals = std::size_t{80} << 20;
+
+/// Of reading: the values of a segment, which may be all, the coded motion of all segments, and
+/// what is learned of signals.
 inline constexpr std::size_t kMostScratchBytes =
     8 * kMostValues + kMemoryOfSignals + kMemoryBesideValues;
 
