@@ -52,7 +52,7 @@ class Verifier {
         found.skeleton.channel_count() != motion_.skeleton.channel_count() ||
         !same_axes(found.skeleton, motion_.skeleton))
       refuse();
-    coded_ = found.orders.empty() ? motion_.skeleton : with_orders(motion_.skeleton, found.orders);
+    coded_ = found.forms.empty() ? motion_.skeleton : with_forms(motion_.skeleton, found.forms);
   }
 
   Verification run() {

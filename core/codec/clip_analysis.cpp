@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/clip_analysis.h"
 
-#include "core/codec/order_choice.h"
+#include "core/codec/form_choice.h"
 #include "core/codec/segments.h"
 #include "core/motion/body_tracks.h"
 
@@ -14,16 +14,16 @@ BasisAnalysis::BasisAnalysis(const Clip& columns, const std::vector<double>& com
                              Basis basis)
     : ranked(rank_coefficients(columns, basis)), standard(ranked, comparable), scales(comparable) {}
 
-const RotationOrders& ClipAnalysis::chosen_orders() const {
-  return orders_.get(Only(),
-                     [&] { return std::make_unique<RotationOrders>(choose_orders(motion_)); });
+const RotationForms& ClipAnalysis::chosen_forms() const {
+  return forms_.get(Only(),
+                     [&] { return std::make_unique<RotationForms>(choose_forms(motion_)); });
 }
 
-const ClipAnalysis& ClipAnalysis::in_chosen_orders() const {
-  const RotationOrders& orders = chosen_orders();
-  if (orders == rotation_orders(motion_.skeleton)) return *this;
-  return in_chosen_orders_.get(
-      Only(), [&] { return std::make_unique<ClipAnalysis>(with_orders(motion_, orders), *this); });
+const ClipAnalysis& ClipAnalysis::in_chosen_forms() const {
+  const RotationForms& forms = chosen_forms();
+  if (forms == rotation_forms(motion_.skeleton)) return *this;
+  return in_chosen_forms_.get(
+      Only(), [&] { return std::make_unique<ClipAnalysis>(with_forms(motion_, forms), *this); });
 }
 
 const Eigen::MatrixXd& ClipAnalysis::original_tracks() const {

@@ -11,7 +11,7 @@
 #include "core/codec/closed_loop.h"
 #include "core/contact/contact_spans.h"
 #include "core/motion/loop.h"
-#include "core/motion/rotation_order.h"
+#include "core/motion/rotation_form.h"
 #include "core/select/error_model.h"
 #include "core/select/truncation.h"
 
@@ -42,9 +42,9 @@ class ClipAnalysis {
 
   const Motion& motion() const { return motion_; }
 
-  /// choose_orders(), and the same motion in these: this, where they are its own.
-  const RotationOrders& chosen_orders() const;
-  const ClipAnalysis& in_chosen_orders() const;
+  /// choose_forms(), and the same motion in these: this, where they are its own.
+  const RotationForms& chosen_forms() const;
+  const ClipAnalysis& in_chosen_forms() const;
 
   const Eigen::MatrixXd& original_tracks() const;       // landmark_tracks()
   const Eigen::MatrixXd& original_body() const;         // body_tracks()
@@ -82,8 +82,8 @@ class ClipAnalysis {
 
   Motion motion_;
   const ClipAnalysis* same_ = nullptr;
-  OnDemand<Only, RotationOrders> orders_;
-  OnDemand<Only, ClipAnalysis> in_chosen_orders_;
+  OnDemand<Only, RotationForms> forms_;
+  OnDemand<Only, ClipAnalysis> in_chosen_forms_;
   OnDemand<Only, Eigen::MatrixXd> original_tracks_;
   OnDemand<Only, Eigen::MatrixXd> original_body_;
   OnDemand<Only, std::vector<ContactSpan>> contacts_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/compressed_clip.h"
 
+#include "core/codec/axes_section.h"
 #include "core/codec/rle16.h"
 
 namespace mocapress {
@@ -20,7 +21,13 @@ std::string_view name(Method method) {
 }
 
 Skeleton CompressedClip::coded_skeleton() const {
-  return orders.empty() ? skeleton : with_orders(skeleton, orders);
+  return forms.empty() ? skeleton : with_forms(skeleton, forms);
+}
+
+std::size_t CompressedClip::motion_bytes() const {
+  return motion.size() + (segments ? segments->section_bytes() : 0) +
+         (correction ? correction->section_bytes() : 0) + (ends ? ends->section_bytes() : 0) +
+         axes_section_bytes(coded_skeleton());
 }
 
 std::size_t CompressedClip::correction_bytes() const {

@@ -17,7 +17,7 @@
 #include "core/motion/clip.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/loop.h"
-#include "core/motion/rotation_order.h"
+#include "core/motion/rotation_form.h"
 #include "core/wavelet/basis.h"
 
 namespace mocapress {
@@ -64,7 +64,7 @@ struct CodedSegments {
 /// A compressed clip as values: what a .mcpr file holds. FORMAT.md says how.
 struct CompressedClip {
   Skeleton skeleton;      // the source's
-  RotationOrders orders;  // of its joints' angles as they are coded; empty: the skeleton's own
+  RotationForms forms;    // of its joints' angles as they are coded; empty: the skeleton's own
   double sample_rate_hz = 120;
   int frames = 0;
   Basis basis = Basis::Cubic;
@@ -81,11 +81,8 @@ struct CompressedClip {
   /// The skeleton in whose channels the motion is coded.
   Skeleton coded_skeleton() const;
 
-  /// What a ratio counts: motion, segments, correction and ends, not the skeleton.
-  std::size_t motion_bytes() const {
-    return motion.size() + (segments ? segments->section_bytes() : 0) +
-           (correction ? correction->section_bytes() : 0) + (ends ? ends->section_bytes() : 0);
-  }
+  /// What a ratio counts: motion, segments, correction, ends and turned axes, not the skeleton.
+  std::size_t motion_bytes() const;
 
   /// How many of them are the correction's: what the motion alone would not take.
   std::size_t correction_bytes() const;

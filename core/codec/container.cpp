@@ -12,6 +12,7 @@
 #include "core/base/byte_cursor.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/codec/axes_section.h"
 #include "core/codec/room.h"
 #include "core/codec/section.h"
 #include "core/codec/skeleton_section.h"
@@ -149,6 +150,20 @@ CodedSegments read_segments(std::span<const std::byte> payload, std::size_t offs
   return segments;
 }
 
+bool turns_axes(const CompressedClip& clip) {
+  return std::any_of(clip.forms.begin(), clip.forms.end(),
+                     [](const RotationForm& form) { return form.has_fixed_turns(); });
+}
+
+/// Whether any joint's angles are coded in another order than the source has them.
+bool reorders(const CompressedClip& clip) {
+  if (clip.forms.empty()) return false;
+  const RotationForms source = rotation_forms(clip.skeleton);
+  return !std::equal(
+      source.begin(), source.end(), clip.forms.begin(), clip.forms.end(),
+      [](const RotationForm& a, const RotationForm& b) { return a.order == b.order; });
+}
+
 /// The orders that a source's angles have, those of joints that turn freely: one, or each one's.
 std::vector<std::byte> write_orders(const Skeleton& source) {
   std::vector<std::byte> orders;
@@ -159,16 +174,16 @@ std::vector<std::byte> write_orders(const Skeleton& source) {
   return orders;
 }
 
-RotationOrders read_orders(const Section& section, const Skeleton& coded) {
+RotationForms read_orders(const Section& section, const Skeleton& coded) {
   ByteReader reader(section.payload, section.payload_offset);
   const bool all_alike = section.payload.size() == 1;
-  RotationOrders orders = rotation_orders(coded);
+  RotationForms orders = rotation_forms(coded);
   std::optional<RotationOrder> last;
   for (int j = 0; j < coded.joint_count(); ++j) {
     if (!turns_freely(coded.joint(j))) continue;
     if (!last || !all_alike)
       last = read_enum(reader, RotationOrder::Xyz, RotationOrder::Zyx, "order of rotations");
-    orders[static_cast<std::size_t>(j)] = *last;
+    orders[static_cast<std::size_t>(j)].order = *last;
   }
   reader.expect_end();
   return orders;
@@ -279,7 +294,7 @@ std::vector<std::byte> write_container(const Container& container) {
   file.write(kVersion);
   file.write(static_cast<std::uint16_t>(3 + (clip.segments ? 1 : 0) + (clip.correction ? 1 : 0) +
                                         (clip.ends ? 1 : 0) + (clip.loop != Loop::None ? 1 : 0) +
-                                        (clip.orders.empty() ? 0 : 1)));
+                                        (turns_axes(clip) ? 1 : 0) + (reorders(clip) ? 1 : 0)));
   if (is_adaptive(container))
     write_section(file, "JNTS", encode_joints(clip.coded_skeleton()));
   else
@@ -289,9 +304,10 @@ std::vector<std::byte> write_container(const Container& container) {
   write_section(file, motion_tag(container), clip.motion);
   if (clip.correction) write_section(file, "IKCO", write_correction(*clip.correction));
   if (clip.ends) write_section(file, kEnds, clip.ends->write());
+  if (turns_axes(clip)) write_section(file, kAxes, write_axes(clip.skeleton, clip.forms));
   if (clip.loop != Loop::None)
     write_section(file, kLoop, std::vector{static_cast<std::byte>(clip.loop)});
-  if (!clip.orders.empty()) write_section(file, kOrders, write_orders(clip.skeleton));
+  if (reorders(clip)) write_section(file, kOrders, write_orders(clip.skeleton));
   return with_room(std::move(file), sample_count(clip));
 }
 
@@ -329,8 +345,9 @@ Container read(std::span<const std::byte> bytes, bool wavelets_only) {
       throw FormatError(segments.payload_offset + 12, "the segments are not as large as MOTN");
   }
   clip.motion.assign(motion.payload.begin(), motion.payload.end());
-  const auto [correction, ends] = sections.take_last<2>(
-      {container.of_comparison ? "" : "IKCO", is_adaptive(container) ? kEnds : ""});
+  const bool adaptive = is_adaptive(container);
+  const auto [correction, ends, axes] = sections.take_last<3>(
+      {container.of_comparison ? "" : "IKCO", adaptive ? kEnds : "", adaptive ? kAxes : ""});
   if (correction)
     clip.correction =
         read_correction(correction->payload, correction->payload_offset, clip.skeleton);
@@ -343,11 +360,10 @@ Container read(std::span<const std::byte> bytes, bool wavelets_only) {
     clip.loop = read_enum(reader, Loop::Repeats, Loop::Follows, "kind of loop");
     reader.expect_end();
   }
-  if (const std::optional<Section>& of_source = sections.orders()) {
-    const RotationOrders source = read_orders(*of_source, clip.skeleton);
-    clip.orders = rotation_orders(clip.skeleton);
-    clip.skeleton = with_orders(clip.skeleton, source);
-  }
+  if (axes || sections.orders()) clip.forms = rotation_forms(clip.skeleton);
+  if (axes) read_axes(axes->payload, axes->payload_offset, clip.skeleton, clip.forms);
+  if (sections.orders())
+    clip.skeleton = with_forms(clip.skeleton, read_orders(*sections.orders(), clip.skeleton));
   const std::uint64_t samples = sample_count(clip);
   if (samples > decoder::kMostValues)
     throw FormatError(description.payload_offset + 8, "more than 2^26 values");

@@ -142,10 +142,10 @@ Encoding Encoder::encode(const EncodeOptions& options,
   effective.coding = effective_coding(options);
   check_room(shape_for(motion(), effective));
   if (!effective.loop) effective.loop = analysis_->loop();
-  // Segments are put into other orders one by one: the whole would be in memory twice.
+  // Segments are put into other forms one by one: the whole would be in memory twice.
   const bool is_whole = even_segments(motion().clip.frames(), effective.segments).count() == 1;
   const ClipAnalysis& analysis = effective.method == Method::ClosedLoop && is_whole
-                                     ? analysis_->in_chosen_orders()
+                                     ? analysis_->in_chosen_forms()
                                      : *analysis_;
   TargetedEncoding found = encode_to_target(analysis, effective, observer);
 
@@ -154,9 +154,9 @@ Encoding Encoder::encode(const EncodeOptions& options,
   Outcome(analysis, effective, found.compressed).run(found, encoding);
   encoding.compressed = std::move(found.compressed);
   encoding.compressed.loop = *effective.loop;
-  if (RotationOrders coded = rotation_orders(encoding.compressed.skeleton);
-      coded != rotation_orders(motion().skeleton)) {
-    encoding.compressed.orders = std::move(coded);
+  if (effective.method == Method::ClosedLoop &&
+      analysis_->chosen_forms() != rotation_forms(motion().skeleton)) {
+    encoding.compressed.forms = analysis_->chosen_forms();
     encoding.compressed.skeleton = motion().skeleton;
     if (!options.figures_only)
       encoding.decoded = in_source_channels(encoding.compressed, std::move(encoding.decoded));

@@ -17,8 +17,8 @@ class SegmentedEncode {
   SegmentedEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
                   const SegmentLayout& layout, const Observer<EncodeProgress>& observer)
       : motion_(analysis.motion()),
-        orders_(analysis.chosen_orders()),
-        first_angles_(angles_at(motion_, orders_, first_frames(layout))),
+        forms_(analysis.chosen_forms()),
+        first_angles_(angles_at(motion_, forms_, first_frames(layout))),
         contacts_(contacts_for(analysis, options)),
         options_(options),
         layout_(layout),
@@ -85,10 +85,10 @@ class SegmentedEncode {
     return frames_of(contacts_, layout_.first(segment), layout_.frames_of(segment));
   }
 
-  /// In the orders that are coded, the angles those of one conversion of the whole.
+  /// In the forms that are coded, the angles those of one conversion of the whole.
   Motion motion_of(int segment) const {
-    return with_orders(frames_of(motion_, layout_.first(segment), layout_.frames_of(segment)),
-                       orders_, first_angles_[static_cast<std::size_t>(segment)]);
+    return with_forms(frames_of(motion_, layout_.first(segment), layout_.frames_of(segment)),
+                       forms_, first_angles_[static_cast<std::size_t>(segment)]);
   }
 
   EncodeOptions options_for(int segment) const {
@@ -155,7 +155,7 @@ class SegmentedEncode {
   /// Not weighed yet.
   template <typename EncodePart>
   Trial encode_all(double scale, const EncodePart& encode) {
-    Trial trial{.compressed = {.skeleton = with_orders(motion_.skeleton, orders_),
+    Trial trial{.compressed = {.skeleton = with_forms(motion_.skeleton, forms_),
                                .sample_rate_hz = motion_.clip.sample_rate_hz,
                                .frames = layout_.frames,
                                .basis = options_.basis,
@@ -205,7 +205,7 @@ class SegmentedEncode {
   }
 
   const Motion& motion_;
-  const RotationOrders& orders_;
+  const RotationForms& forms_;
   const std::vector<Eigen::Matrix3Xd> first_angles_;  // of each segment
   const std::vector<ContactSpan> contacts_;
   EncodeOptions options_;

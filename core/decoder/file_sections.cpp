@@ -84,7 +84,7 @@ class SectionsReader {
   }
 
  private:
-  enum class Expected { Joints, Clip, Segments, Motion, Correction, Ends, Nothing };
+  enum class Expected { Joints, Clip, Segments, Motion, Correction, Ends, Axes, Nothing };
 
   /// Sections stand in a fixed order; optional ones anywhere.
   mcpr_result take(const Section& section) {
@@ -110,8 +110,13 @@ class SectionsReader {
       return read_correction(section.payload);
     }
     if ((next_ == Expected::Correction || next_ == Expected::Ends) && section.is("ENDS")) {
-      next_ = Expected::Nothing;
+      next_ = Expected::Axes;
       return read_ends(section.payload);
+    }
+    if (next_ >= Expected::Correction && next_ <= Expected::Axes && section.is("AXES")) {
+      next_ = Expected::Nothing;
+      sections_.axes = section.payload;
+      return kOk;
     }
     if (section.is("loop")) return read_loop(section.payload);
     if (section.is_optional()) return kOk;

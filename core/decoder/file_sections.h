@@ -46,6 +46,7 @@ struct FileSections {
     std::uint16_t top;
   } effector[kMostEffectors] = {};
   std::size_t effector_offset = 0;  // of the first
+  Bytes axes;                       // AXES
 
   std::uint32_t signal_count() const { return channels + 3 * effectors; }
 
@@ -56,7 +57,7 @@ struct FileSections {
 
   /// What the file has of the motion.
   std::size_t motion_bytes() const {
-    return motion.size + segments_bytes + correction_bytes + ends_bytes;
+    return motion.size + segments_bytes + correction_bytes + ends_bytes + axes.size;
   }
 
   /// Of a segment in MOTN.

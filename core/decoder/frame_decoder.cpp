@@ -42,7 +42,7 @@ bool turns_any(const ClipBlock& clip, const mcpr_request& request) {
 /// A joint's frame within its parent's: translation and rotation of one row of channels.
 JointPlace place_in_parent(const JointModel& joint, const float* row) {
   JointPlace place{Matrix3(), joint.offset};
-  if (joint.has_axes) place.world_from_joint = joint.joint_from_axes;
+  if (joint.has_axes) place.world_from_joint = joint.parent_from_axes;
   for (int c = 0; c < joint.channels; ++c) {
     const double value = row[joint.first_channel + c];
     const int axis = axis_of(joint.kinds[c]);
@@ -51,8 +51,7 @@ JointPlace place_in_parent(const JointModel& joint, const float* row) {
     else
       place.origin[axis] += value;
   }
-  if (joint.has_axes)
-    place.world_from_joint = times_transposed(place.world_from_joint, joint.joint_from_axes);
+  if (joint.has_axes) place.world_from_joint = place.world_from_joint * joint.axes_from_joint;
   return place;
 }
 

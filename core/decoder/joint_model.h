@@ -20,12 +20,13 @@ constexpr int axis_of(std::uint8_t kind) {
 /// A joint as the decoder keeps it. A point moves from the joint's frame to its parent's by
 ///
 ///   x_in_parent = offset + translation + rotation * x_in_joint
-///   rotation    = joint_from_axes * R * joint_from_axes^T
+///   rotation    = parent_from_axes * R * axes_from_joint
 ///
 /// where R is the product of the rotation channels, the first leftmost.
 struct JointModel {
   Vector3 offset;            // cm, in the parent's frame
-  Matrix3 joint_from_axes;   // identity unless has_axes
+  Matrix3 parent_from_axes;  // identity unless has_axes
+  Matrix3 axes_from_joint;   // identity unless has_axes
   float end_site[3] = {};    // cm, in the joint's frame
   std::uint32_t name = 0;    // where it is among the names
   std::int32_t parent = -1;  // -1: a root

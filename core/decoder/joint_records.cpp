@@ -43,8 +43,10 @@ mcpr_result read_joint(Cursor& cursor, int index, JointRecord& record) {
   if ((flags & ~3) != 0) return refuse("unknown flags of a joint");
   joint.has_axes = (flags & 1) != 0;
   joint.has_end_site = (flags & 2) != 0;
-  if (joint.has_axes && !read_axes(cursor, joint.joint_from_axes))
-    return refuse("axes are no unit quaternion");
+  if (joint.has_axes) {
+    if (!read_axes(cursor, joint.parent_from_axes)) return refuse("axes are no unit quaternion");
+    joint.axes_from_joint = transposed(joint.parent_from_axes);
+  }
   if (joint.has_end_site && !read_finite(cursor, 3, joint.end_site))
     return refuse("a number of the skeleton is not finite");
   joint.channels = cursor.read<std::uint8_t>();

@@ -81,7 +81,7 @@ void Limb::update(int first_link) {
     const JointPlace* const parent = link.parent < 0 ? nullptr : places_ + link.parent;
     Vector3 in_parent = joint.offset;
     Matrix3 world_from_axes = parent == nullptr ? Matrix3() : parent->world_from_joint;
-    if (joint.has_axes) world_from_axes = world_from_axes * joint.joint_from_axes;
+    if (joint.has_axes) world_from_axes = world_from_axes * joint.parent_from_axes;
     for (int c = 0; c < joint.channels; ++c) {
       const int axis = axis_of(joint.kinds[c]);
       double value = values_[kMostChannelsOfJoint * l + c];
@@ -97,7 +97,7 @@ void Limb::update(int first_link) {
     }
     JointPlace& place = places_[l];
     place.world_from_joint =
-        joint.has_axes ? times_transposed(world_from_axes, joint.joint_from_axes) : world_from_axes;
+        joint.has_axes ? world_from_axes * joint.axes_from_joint : world_from_axes;
     place.origin =
         parent == nullptr ? in_parent : parent->origin + parent->world_from_joint * in_parent;
   }
@@ -121,7 +121,7 @@ void Limb::turn_ball(const Matrix3& rotation) {
   const LimbLink& ball = plan_.link[plan_.turn[0].link];
   const JointModel& joint = joints_[ball.joint];
   Matrix3 world_from_axes = ball.parent < 0 ? Matrix3() : places_[ball.parent].world_from_joint;
-  if (joint.has_axes) world_from_axes = world_from_axes * joint.joint_from_axes;
+  if (joint.has_axes) world_from_axes = world_from_axes * joint.parent_from_axes;
   Matrix3 turned = transposed(world_from_axes) * (rotation * world_from_axes);
   const int axes[3] = {plan_.turn[0].axis, plan_.turn[1].axis, plan_.turn[2].axis};
   for (int i = 0; i < 3; ++i) turn_about(axes[i], angles_[i], turned);

@@ -9,6 +9,7 @@
 
 #include "format_limits.h"
 #include "joint_records.h"
+#include "turned_axes.h"
 #include "wide_limits.h"
 
 namespace mocapress::decoder {
@@ -73,7 +74,8 @@ Opening::Opening(Memory& memory, const FileSections& sections)
       limb_planner_(memory, static_cast<int>(sections.joints)) {}
 
 mcpr_result Opening::read() {
-  for (const auto step : {&Opening::read_joints, &Opening::plan_limbs, &Opening::read_motion}) {
+  for (const auto step : {&Opening::read_joints, &Opening::turn_axes_of_joints,
+                          &Opening::plan_limbs, &Opening::read_motion}) {
     const mcpr_result result = (this->*step)();
     if (failed(result)) return result;
   }
@@ -114,6 +116,33 @@ mcpr_result Opening::read_joint_records() {
   if (!cursor.at_end()) return failure(MCPR_INVALID, offset, "bytes after the last joint");
   if (channels != sections_.channels)
     return failure(MCPR_INVALID, offset, "not as many channels as JNTS promises");
+  return kOk;
+}
+
+mcpr_result Opening::turn_axes_of_joints() {
+  const Bytes& axes = sections_.axes;
+  if (axes.data == nullptr) return kOk;
+  std::size_t candidates = 0;
+  for (int j = 0; j < static_cast<int>(sections_.joints); ++j)
+    candidates += may_turn_axes(joints_[j]) ? 1 : 0;
+  Cursor cursor(axes.data, axes.size, axes.offset);
+  const std::uint8_t* const flags = cursor.take((candidates + 7) / 8);
+  if (cursor.failed()) return failure(MCPR_INVALID, axes.offset, "AXES is too short");
+  if (candidates % 8 != 0 && flags[candidates / 8] >> (candidates % 8) != 0)
+    return failure(MCPR_INVALID, axes.offset, "axes turned that are none");
+  std::size_t i = 0;
+  for (int j = 0; j < static_cast<int>(sections_.joints); ++j) {
+    if (!may_turn_axes(joints_[j])) continue;
+    const bool turned = (flags[i / 8] >> (i % 8) & 1) != 0;
+    ++i;
+    if (!turned) continue;
+    const std::size_t offset = cursor.offset();
+    TurnedAxes coded;
+    if (!coded.set(cursor.read<std::uint32_t>()) || cursor.failed())
+      return failure(MCPR_INVALID, offset, "axes turned that are none");
+    turn_axes(coded, joints_[j]);
+  }
+  if (!cursor.at_end()) return failure(MCPR_INVALID, cursor.offset(), "AXES of another size");
   return kOk;
 }
 

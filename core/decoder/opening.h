@@ -38,6 +38,7 @@ class Opening {
  private:
   mcpr_result read_joints();
   mcpr_result read_joint_records();
+  mcpr_result turn_axes_of_joints();
   mcpr_result plan_limbs();
   mcpr_result read_motion();
   class Block;

@@ -17,10 +17,15 @@ decoder::JointModel model_of(const Skeleton& skeleton, int index) {
   model.channels = static_cast<std::uint8_t>(joint.channels.size());
   for (std::size_t c = 0; c < joint.channels.size(); ++c)
     model.kinds[c] = static_cast<std::uint8_t>(joint.channels[c]);
-  model.has_axes = !joint.joint_from_axes.isIdentity(0);
+  const Eigen::Matrix3d parent_from_axes = joint.parent_from_axes();
+  const Eigen::Matrix3d axes_from_joint = joint.axes_from_joint();
+  model.has_axes = !parent_from_axes.isIdentity(0) || !axes_from_joint.isIdentity(0);
   for (int i = 0; i < 3; ++i) {
     model.offset[i] = joint.offset(i);
-    for (int k = 0; k < 3; ++k) model.joint_from_axes(i, k) = joint.joint_from_axes(i, k);
+    for (int k = 0; k < 3; ++k) {
+      model.parent_from_axes(i, k) = parent_from_axes(i, k);
+      model.axes_from_joint(i, k) = axes_from_joint(i, k);
+    }
   }
   return model;
 }

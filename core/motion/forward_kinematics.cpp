@@ -47,7 +47,7 @@ void compute_pose(const Skeleton& skeleton, const FrameRow& frame, Pose& pose) {
     const LocalMotion local(joint, skeleton.first_channel(static_cast<int>(j)), frame);
     const Eigen::Vector3d in_parent = joint.offset + local.translation;
     const Eigen::Matrix3d parent_from_joint =
-        joint.joint_from_axes * local.rotation * joint.joint_from_axes.transpose();
+        joint.parent_from_axes() * local.rotation * joint.axes_from_joint();
     if (joint.parent < 0) {
       pose.origin[j] = in_parent;
       pose.world_from_joint[j] = parent_from_joint;
@@ -61,7 +61,11 @@ void compute_pose(const Skeleton& skeleton, const FrameRow& frame, Pose& pose) {
 
 Pose rest_pose(const Skeleton& skeleton) {
   Pose pose;
-  compute_pose(skeleton, Eigen::RowVectorXd::Zero(skeleton.channel_count()), pose);
+  for (const Joint& joint : skeleton.joints()) {
+    pose.world_from_joint.push_back(Eigen::Matrix3d::Identity());
+    pose.origin.push_back(joint.offset);
+    if (joint.parent >= 0) pose.origin.back() += pose.origin[static_cast<std::size_t>(joint.parent)];
+  }
   return pose;
 }
 

@@ -14,16 +14,24 @@ namespace mocapress {
 ///
 ///   x_in_parent = offset + translation + rotation * x_in_joint
 ///   rotation    = joint_from_axes * R * joint_from_axes^T
+///   R           = before * (the product of the rotation channels, the first leftmost) * after
 ///
-/// where `translation` gathers the translation channels and R is the product of the rotation
-/// channels, the first channel leftmost. `joint_from_axes` is ASF's `axis`; in BVH it is identity.
+/// where `translation` gathers the translation channels. `joint_from_axes` is ASF's `axis`; in BVH
+/// it is identity. No source has `before` and `after`: they suit coded angles to how a joint moves
+/// (RotationForm).
 struct Joint {
   std::string name;
   int parent = -1;                                   // -1: a root
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // cm, in the parent's frame
   Eigen::Matrix3d joint_from_axes = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d before = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d after = Eigen::Matrix3d::Identity();
   std::vector<ChannelKind> channels;        // in the order of the product above
   std::optional<Eigen::Vector3d> end_site;  // cm, in the joint's frame; leaves only
+
+  /// rotation = parent_from_axes() * (the product of the rotation channels) * axes_from_joint()
+  Eigen::Matrix3d parent_from_axes() const { return joint_from_axes * before; }
+  Eigen::Matrix3d axes_from_joint() const { return after * joint_from_axes.transpose(); }
 };
 
 /// A bone: from a joint's origin to where a child joint or an end site sits.

@@ -49,7 +49,7 @@ std::vector<Sample> samples_of(const fs::path& folder) {
     for (const Motion& rig : {motion, test::game_like(motion)})
       for (const int every : kEvery) {
         const ClipAnalysis source(thinned(rig, every));
-        const ClipAnalysis& analysis = source.in_chosen_orders();
+        const ClipAnalysis& analysis = source.in_chosen_forms();
         const ClosedLoop& loop = analysis.closed_loop(Basis::Cubic, Weighting::Surface);
         for (const double scale : kScales)
           samples.push_back({channel_kin(analysis.motion().skeleton), loop.quantise(scale).coded});

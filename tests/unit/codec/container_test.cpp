@@ -11,7 +11,9 @@
 #include "core/base/random.h"
 #include "core/codec/decoder.h"
 #include "core/codec/encoder.h"
+#include "core/codec/runtime_clip.h"
 #include "tests/support/test_motion.h"
+#include "tests/support/turned_forms.h"
 
 namespace mocapress {
 namespace {
@@ -100,20 +102,51 @@ TEST(Container, ReadsBackAMotionOfNoBytes) {
 /// With joints whose angles are coded in another order than the source has them.
 std::vector<std::byte> reordered_file() {
   CompressedClip clip = small_clip();
-  clip.orders =
-      RotationOrders(static_cast<std::size_t>(clip.skeleton.joint_count()), RotationOrder::Yxz);
+  clip.forms =
+      RotationForms(static_cast<std::size_t>(clip.skeleton.joint_count()), {RotationOrder::Yxz});
   return write_container(clip);
 }
 
 TEST(Container, KeepsTheOrdersOfTheSourceBesideThoseThatAreCoded) {
   const CompressedClip clip = small_clip();
   const CompressedClip read = read_container(reordered_file());
-  EXPECT_EQ(rotation_orders(read.skeleton), rotation_orders(clip.skeleton));
+  EXPECT_EQ(rotation_forms(read.skeleton), rotation_forms(clip.skeleton));
   const Skeleton coded = read.coded_skeleton();
   for (const Joint& joint : coded.joints())
     if (turns_freely(joint)) {
       EXPECT_EQ(rotation_order(joint), RotationOrder::Yxz);
     }
+}
+
+CompressedClip turned_clip() {
+  CompressedClip clip = small_clip(Coding::Adaptive);
+  clip.forms = test::turned_forms(clip.skeleton);
+  return clip;
+}
+
+TEST(Container, KeepsTurnedAxesWhichCountAsMotion) {
+  const CompressedClip clip = turned_clip();
+  const std::vector<std::byte> file = write_container(clip);
+  const CompressedClip read = read_container(file);
+  EXPECT_EQ(read.forms, clip.forms);
+  EXPECT_EQ(read.motion_bytes(), clip.motion_bytes());
+  const std::uint32_t size = find_section(file, "AXES").size;
+  EXPECT_GT(size, 4);
+  EXPECT_EQ(clip.motion_bytes(), small_clip(Coding::Adaptive).motion_bytes() + size);
+}
+
+TEST(Container, RefusesTurnedAxesThatAreNone) {
+  const std::vector<std::byte> good = write_container(turned_clip());
+  const Place place = find_section(good, "AXES");
+  const auto refused = [&](std::uint32_t byte, int bits) {
+    std::vector<std::byte> file = good;
+    file[place.start + 12 + byte] |= static_cast<std::byte>(bits);
+    mend_checksum(file, place);
+    EXPECT_THROW(read_container(file), FormatError);
+    EXPECT_THROW(RuntimeClip{file}, FormatError);
+  };
+  refused(0, 0x80);  // a joint there is not
+  refused(4, 0x40);  // a seventh number
 }
 
 TEST(Container, RefusesOrdersThatAreNone) {

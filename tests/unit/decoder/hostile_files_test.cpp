@@ -13,6 +13,7 @@
 #include "tests/fuzz/file_sections.h"
 #include "tests/support/opened_clip.h"
 #include "tests/support/test_motion.h"
+#include "tests/support/turned_forms.h"
 
 namespace mocapress {
 namespace {
@@ -24,12 +25,14 @@ std::vector<std::byte> small_file() {
   const CorrectionOptions correction{
       .joints = {motion.skeleton.joint_count() - 1, motion.skeleton.joint_count() - 4},
       .ratio = 4.0};
-  return write_container(Encoder(motion)
-                             .encode({.method = Method::Standard,
-                                      .coding = Coding::Adaptive,
-                                      .target = {Target::Kind::CoefficientRatio, 8},
-                                      .correction = correction})
-                             .compressed);
+  CompressedClip clip = Encoder(motion)
+                            .encode({.method = Method::Standard,
+                                     .coding = Coding::Adaptive,
+                                     .target = {Target::Kind::CoefficientRatio, 8},
+                                     .correction = correction})
+                            .compressed;
+  clip.forms = test::turned_forms(clip.skeleton);
+  return write_container(clip);
 }
 
 /// Opens, and plays all of what opens. True where it opened.

@@ -15,6 +15,7 @@
 #include "core/codec/encoder.h"
 #include "tests/support/opened_clip.h"
 #include "tests/support/test_motion.h"
+#include "tests/support/turned_forms.h"
 
 namespace mocapress {
 namespace {
@@ -140,6 +141,22 @@ TEST(Decoder, PositionsAreThoseOfForwardKinematics) {
   const Eigen::MatrixXd expected = landmark_tracks(compressed.skeleton, decode(compressed))
                                        .leftCols(positions.cols());  // joints before end sites
   EXPECT_LT((positions.cast<double>() - expected).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+TEST(Decoder, TurnedAxesAreThoseOfCore) {
+  CompressedClip compressed = read_container(corrected_file());
+  compressed.forms = test::turned_forms(compressed.skeleton);
+  const OpenedClip turned(write_container(compressed));
+  ASSERT_NE(turned.clip, nullptr) << turned.result.message;
+  EXPECT_EQ(turned.info.motion_bytes, compressed.motion_bytes());
+  const Eigen::MatrixXd expected = landmark_tracks(compressed.skeleton, decode(compressed));
+  for (const int corrected : {0, 1}) {
+    const mcpr_request request{.output = MCPR_POSITIONS, .corrected = corrected};
+    const auto columns = static_cast<Eigen::Index>(mcpr_frame_values(turned.clip, &request));
+    const Eigen::MatrixXf positions = matrix(turned.frames(request, 0, kFrames), columns);
+    EXPECT_EQ((positions.cast<double>() - expected.leftCols(columns)).cwiseAbs().maxCoeff() < 1e-4,
+              corrected == 1);
+  }
 }
 
 TEST(Decoder, FloatsAreWithinATenthOfAHundredthOfAMillimetre) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "core/motion/rotation_order.h"
+#include "core/motion/rotation_form.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -24,10 +25,12 @@ std::vector<int> rotation_axes(const Joint& joint) {
   return axes;
 }
 
-Joint with_order(Joint joint, RotationOrder order) {
+Joint with_form(Joint joint, const RotationForm& form) {
   std::size_t next = 0;
   for (ChannelKind& kind : joint.channels)
-    if (is_rotation(kind)) kind = rotation_about(axes_of(order)[next++]);
+    if (is_rotation(kind)) kind = rotation_about(axes_of(form.order)[next++]);
+  joint.before = rotation_of(form.before);
+  joint.after = rotation_of(form.after);
   return joint;
 }
 
@@ -40,13 +43,17 @@ Eigen::Vector3d first_angles(const std::array<int, 3>& axes, const Eigen::Matrix
   return {turned(angles(0)), std::remainder(pi - angles(1), 2 * pi), turned(angles(2))};
 }
 
-/// A joint's angles in another order, frame after frame.
+/// A joint's angles in another form, frame after frame.
 class Conversion {
  public:
-  Conversion(const Joint& joint, RotationOrder order) : joint_(joint), axes_(axes_of(order)) {}
+  Conversion(const Joint& joint, const RotationForm& form)
+      : joint_(joint),
+        axes_(axes_of(form.order)),
+        left_(rotation_of(form.before).transpose() * joint.before),
+        right_(joint.after * rotation_of(form.after).transpose()) {}
 
   Eigen::Vector3d next(const Eigen::RowVectorXd& values) {
-    const Eigen::Matrix3d rotation = joint_rotation(joint_, values);
+    const Eigen::Matrix3d rotation = left_ * joint_rotation(joint_, values) * right_;
     last_ = last_ ? three_angles(axes_, rotation, *last_) : first_angles(axes_, rotation);
     return *last_;
   }
@@ -55,6 +62,8 @@ class Conversion {
  private:
   const Joint& joint_;
   std::array<int, 3> axes_;
+  Eigen::Matrix3d left_;
+  Eigen::Matrix3d right_;
   std::optional<Eigen::Vector3d> last_;
 };
 
@@ -66,8 +75,10 @@ std::vector<Eigen::Index> rotation_places(const Joint& joint) {
   return places;
 }
 
-bool changes(const Joint& joint, RotationOrder order) {
-  return turns_freely(joint) && rotation_order(joint) != order;
+bool changes(const Joint& joint, const RotationForm& form) {
+  return turns_freely(joint) &&
+         (rotation_order(joint) != form.order || joint.before != rotation_of(form.before) ||
+          joint.after != rotation_of(form.after));
 }
 
 auto channels_of(const Motion& motion, int joint) {
@@ -76,16 +87,16 @@ auto channels_of(const Motion& motion, int joint) {
       static_cast<Eigen::Index>(motion.skeleton.joint(joint).channels.size()));
 }
 
-Motion converted(const Motion& motion, const RotationOrders& orders,
+Motion converted(const Motion& motion, const RotationForms& forms,
                  const Eigen::Matrix3Xd* first_angles) {
-  Motion result{with_orders(motion.skeleton, orders), motion.clip};
+  Motion result{with_forms(motion.skeleton, forms), motion.clip};
   parallel_for(0, motion.skeleton.joint_count(), [&](int j) {
     const Joint& joint = motion.skeleton.joint(j);
-    if (!changes(joint, orders[static_cast<std::size_t>(j)])) return;
+    if (!changes(joint, forms[static_cast<std::size_t>(j)])) return;
     const auto from = channels_of(motion, j);
     auto to = result.clip.channels.middleCols(result.skeleton.first_channel(j), from.cols());
     const std::vector<Eigen::Index> places = rotation_places(joint);
-    Conversion conversion(joint, orders[static_cast<std::size_t>(j)]);
+    Conversion conversion(joint, forms[static_cast<std::size_t>(j)]);
     if (first_angles) conversion.go_on_from(first_angles->col(j));
     for (Eigen::Index t = 0; t < from.rows(); ++t)
       to(t, places) = conversion.next(from.row(t)).transpose();
@@ -114,40 +125,58 @@ RotationOrder rotation_order(const Joint& joint) {
   return static_cast<RotationOrder>(found - kAxes.begin());
 }
 
-RotationOrders rotation_orders(const Skeleton& skeleton) {
-  RotationOrders orders;
-  for (const Joint& joint : skeleton.joints())
-    orders.push_back(turns_freely(joint) ? rotation_order(joint) : RotationOrder::Xyz);
-  return orders;
+Eigen::Matrix3d rotation_of(const FixedTurn& turn) {
+  const Eigen::Vector3d vector =
+      Eigen::Vector3d(turn[0], turn[1], turn[2]) * (std::numbers::pi / kFixedTurns);
+  const double angle = vector.norm();
+  if (angle == 0) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
 }
 
-Skeleton with_orders(const Skeleton& skeleton, const RotationOrders& orders) {
-  assert(std::ssize(orders) == skeleton.joint_count());
+FixedTurn fixed_turn_near(const Eigen::Matrix3d& rotation) {
+  const Eigen::AngleAxisd found(rotation);
+  const Eigen::Vector3d vector = found.axis() * (found.angle() * kFixedTurns / std::numbers::pi);
+  FixedTurn turn;
+  for (int i = 0; i < 3; ++i)
+    turn[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(
+        std::clamp<long>(std::lround(vector(i)), -kFixedTurns, kFixedTurns - 1));
+  return turn;
+}
+
+RotationForms rotation_forms(const Skeleton& skeleton) {
+  RotationForms forms;
+  for (const Joint& joint : skeleton.joints())
+    forms.push_back({turns_freely(joint) ? rotation_order(joint) : RotationOrder::Xyz});
+  return forms;
+}
+
+Skeleton with_forms(const Skeleton& skeleton, const RotationForms& forms) {
+  assert(std::ssize(forms) == skeleton.joint_count());
   Skeleton result;
-  for (std::size_t j = 0; j < orders.size(); ++j) {
+  for (std::size_t j = 0; j < forms.size(); ++j) {
     const Joint& joint = skeleton.joints()[j];
-    result.add(turns_freely(joint) ? with_order(joint, orders[j]) : joint);
+    result.add(turns_freely(joint) ? with_form(joint, forms[j]) : joint);
   }
   return result;
 }
 
-Motion with_orders(const Motion& motion, const RotationOrders& orders) {
-  return converted(motion, orders, nullptr);
+Motion with_forms(const Motion& motion, const RotationForms& forms) {
+  return converted(motion, forms, nullptr);
 }
 
-Motion with_orders(const Motion& motion, const RotationOrders& orders,
+Motion with_forms(const Motion& motion, const RotationForms& forms,
                    const Eigen::Matrix3Xd& first_angles) {
-  return converted(motion, orders, &first_angles);
+  return converted(motion, forms, &first_angles);
 }
 
-std::vector<Eigen::Matrix3Xd> angles_at(const Motion& motion, const RotationOrders& orders,
+std::vector<Eigen::Matrix3Xd> angles_at(const Motion& motion, const RotationForms& forms,
                                         const std::vector<int>& frames) {
   std::vector<Eigen::Matrix3Xd> angles(frames.size(),
                                        Eigen::Matrix3Xd::Zero(3, motion.skeleton.joint_count()));
   parallel_for(0, motion.skeleton.joint_count(), [&](int j) {
     const Joint& joint = motion.skeleton.joint(j);
-    if (!changes(joint, orders[static_cast<std::size_t>(j)])) return;
-    Conversion conversion(joint, orders[static_cast<std::size_t>(j)]);
+    if (!changes(joint, forms[static_cast<std::size_t>(j)])) return;
+    Conversion conversion(joint, forms[static_cast<std::size_t>(j)]);
     int t = 0;
     for (std::size_t i = 0; i < frames.size(); ++i)
       for (; t <= frames[i]; ++t) angles[i].col(j) = conversion.next(channels_of(motion, j).row(t));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/codec/order_choice.h"
+#include "core/codec/form_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Motion near_the_pole(int frames = 300) {
     smooth.clip.channels.row(t) =
         Eigen::RowVector3d(1.57 + 0.2 * std::cos(0.065 * t), 0.03 * std::sin(0.05 * t),
                            0.15 + 0.03 * std::sin(0.035 * t));
-  return with_orders(smooth, {RotationOrder::Zyx});
+  return with_forms(smooth, RotationForms{{RotationOrder::Zyx}});
 }
 
 EncodeOptions closed_loop(double eps_cm = 0.2) {
@@ -39,10 +39,10 @@ EncodeOptions closed_loop(double eps_cm = 0.2) {
           .target = {Target::Kind::Error, eps_cm}};
 }
 
-TEST(OrderChoice, LeavesAnOrderWhoseMiddleAngleIsNearARightOne) {
+TEST(FormChoice, LeavesAnOrderWhoseMiddleAngleIsNearARightOne) {
   const ClipAnalysis source(near_the_pole());
-  const ClipAnalysis& chosen = source.in_chosen_orders();
-  EXPECT_NE(rotation_orders(chosen.motion().skeleton), rotation_orders(source.motion().skeleton));
+  const ClipAnalysis& chosen = source.in_chosen_forms();
+  EXPECT_NE(rotation_forms(chosen.motion().skeleton), rotation_forms(source.motion().skeleton));
   const auto coefficients = [](const ClipAnalysis& analysis) {
     return (analysis.closed_loop(Basis::Cubic, Weighting::BoneEnds)
                 .quantise(0.5)
@@ -52,26 +52,26 @@ TEST(OrderChoice, LeavesAnOrderWhoseMiddleAngleIsNearARightOne) {
   EXPECT_LT(coefficients(chosen), 0.8 * static_cast<double>(coefficients(source)));
 }
 
-TEST(OrderChoice, KeepsTheOrdersOfWhatDoesNotMove) {
+TEST(FormChoice, KeepsTheOrdersOfWhatDoesNotMove) {
   Motion still = near_the_pole(1);
   still.clip.channels = still.clip.channels.replicate(100, 1).eval();
-  EXPECT_EQ(choose_orders(still), rotation_orders(still.skeleton));
+  EXPECT_EQ(choose_forms(still), rotation_forms(still.skeleton));
   still.clip.channels.resize(0, 3);
-  EXPECT_EQ(choose_orders(still), rotation_orders(still.skeleton));
+  EXPECT_EQ(choose_forms(still), rotation_forms(still.skeleton));
 }
 
-TEST(OrderChoice, IsTheSameEachTime) {
+TEST(FormChoice, IsTheSameEachTime) {
   const Motion motion = test::smooth_motion(500);
-  EXPECT_EQ(choose_orders(motion), choose_orders(motion));
+  EXPECT_EQ(choose_forms(motion), choose_forms(motion));
 }
 
-TEST(OrderChoice, FilesGiveTheChannelsOfTheSourceBack) {
+TEST(FormChoice, FilesGiveTheChannelsOfTheSourceBack) {
   const Motion motion = near_the_pole();
   const Encoding encoding = Encoder(motion).encode(closed_loop());
-  ASSERT_FALSE(encoding.compressed.orders.empty());
+  ASSERT_FALSE(encoding.compressed.forms.empty());
   EXPECT_EQ(encoding.compressed.skeleton.joint(0).channels, motion.skeleton.joint(0).channels);
   const CompressedClip read = read_container(write_container(encoding.compressed));
-  EXPECT_EQ(read.orders, encoding.compressed.orders);
+  EXPECT_EQ(read.forms, encoding.compressed.forms);
   EXPECT_EQ(read.skeleton.joint(0).channels, motion.skeleton.joint(0).channels);
   const Clip decoded = decode(read);
   EXPECT_EQ(decoded.channels, encoding.decoded.channels);
@@ -80,7 +80,7 @@ TEST(OrderChoice, FilesGiveTheChannelsOfTheSourceBack) {
   EXPECT_LE(encoding.distortion.eps_bone_ends, 0.2);
 }
 
-TEST(OrderChoice, TheRuntimeDecoderPlaysWhatIsCoded) {
+TEST(FormChoice, TheRuntimeDecoderPlaysWhatIsCoded) {
   const Encoding encoding = Encoder(near_the_pole()).encode(closed_loop());
   const RuntimeClip clip(write_container(encoding.compressed));
   EXPECT_TRUE(clip.has_joints_of(encoding.compressed.coded_skeleton()));
@@ -89,10 +89,10 @@ TEST(OrderChoice, TheRuntimeDecoderPlaysWhatIsCoded) {
                   .isApprox(landmark_tracks(encoding.compressed.skeleton, encoding.decoded), 1e-5));
 }
 
-TEST(OrderChoice, IsForClosedLoopsAlone) {
+TEST(FormChoice, IsForClosedLoopsAlone) {
   EncodeOptions standard = closed_loop();
   standard.method = Method::Standard;
-  EXPECT_TRUE(Encoder(near_the_pole()).encode(standard).compressed.orders.empty());
+  EXPECT_TRUE(Encoder(near_the_pole()).encode(standard).compressed.forms.empty());
 }
 
 }  // namespace

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "core/codec/order_choice.h"
+#include "core/codec/form_choice.h"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/parallel.h"
 #include "core/codec/adaptive.h"
+#include "core/codec/axes_section.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/joint_rotation.h"
 #include "core/motion/measured_points.h"
@@ -18,10 +22,27 @@ namespace {
 constexpr double kScale = 1.8;     // cm: steps as for half a centimetre of eps_x
 constexpr double kRate = 30;       // Hz; faster than that little of a motion differs between orders
 constexpr int kMostFrames = 2048;  // at a time
-constexpr double kWorthIt = 0.93;  // of the bits; a skeleton as it came is worth something too
+constexpr double kWorthIt = 0.98;   // of the bits; a skeleton as it came is worth something too
+constexpr double kTurnedBits = 40;  // as counted here, for what turned axes take in the file
 
-/// Of each order.
-using Bits = std::array<double, kRotationOrders>;
+/// About turned axes with the twist innermost.
+constexpr std::array<RotationOrder, 2> kTurnedOrders = {RotationOrder::Yzx, RotationOrder::Zyx};
+constexpr std::size_t kCandidates = kRotationOrders + kTurnedOrders.size();
+
+/// Of each candidate: all orders, then those about turned axes.
+using Bits = std::array<double, kCandidates>;
+
+/// Of the axes that a frame may be given by, some backwards, the one nearest to the identity.
+Eigen::Matrix3d nearest_frame(Eigen::Matrix3d axes) {
+  if (axes.determinant() < 0) axes = -axes;
+  Eigen::Matrix3d best = axes;
+  for (int kept = 0; kept < 3; ++kept) {
+    Eigen::Matrix3d other = -axes;
+    other.col(kept) = axes.col(kept);
+    if (other.trace() > best.trace()) best = other;
+  }
+  return best;
+}
 
 /// Points that hang on a joint: the sums of w, w x and w x x^T.
 struct Burden {
@@ -94,18 +115,42 @@ class Turns {
 
   int frames() const { return frames_; }
 
-  /// Of a joint's details, more or less, in steps in inverse proportion to what its angles move.
-  double bits(int j, RotationOrder order) const {
+  /// Axes along and across what hangs on a joint, in its mean place.
+  RotationForm along_limb(int j) const {
     const OfJoint& joint = joints_[static_cast<std::size_t>(j)];
-    const std::array<int, 3> axes = axes_of(order);
+    Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < joint.rotations.size(); ++i) {
+      rotations += joint.rotations[i];
+      inertia += joint.inertias[i];
+    }
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(rotations,
+                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Eigen::Matrix3d mean = svd.matrixU() * svd.matrixV().transpose();
+    if (mean.determinant() < 0)
+      mean -= 2 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia);
+    RotationForm form;
+    form.before = fixed_turn_near(nearest_frame(principal.eigenvectors()));
+    form.after = fixed_turn_near(rotation_of(form.before).transpose() * mean);
+    return form;
+  }
+
+  /// Of a joint's details, more or less, in steps in inverse proportion to what its angles move.
+  double bits(int j, const RotationForm& form) const {
+    const OfJoint& joint = joints_[static_cast<std::size_t>(j)];
+    const std::array<int, 3> axes = axes_of(form.order);
+    const Eigen::Matrix3d before = rotation_of(form.before);
+    const Eigen::Matrix3d left = before.transpose();
+    const Eigen::Matrix3d right = rotation_of(form.after).transpose();
     Eigen::MatrixXd angles(frames_, 3);
     Eigen::Vector3d curvature = Eigen::Vector3d::Zero();
     Eigen::Vector3d last = Eigen::Vector3d::Zero();
     for (int t = 0; t < frames_; ++t) {
       const auto i = static_cast<std::size_t>(t);
-      last = three_angles(axes, joint.rotations[i], last);
+      last = three_angles(axes, left * joint.rotations[i] * right, last);
       angles.row(t) = last.transpose();
-      Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+      Eigen::Matrix3d turned = before;
       for (int k = 0; k < 3; ++k) {
         const Eigen::Vector3d axis = turned.col(axes[static_cast<std::size_t>(k)]);
         curvature(k) += axis.dot(joint.inertias[i] * axis) / frames_;
@@ -139,20 +184,36 @@ class Turns {
   std::vector<OfJoint> joints_;
 };
 
-std::vector<Bits> count_bits(const Motion& motion) {
+/// Of each joint: what its candidates take, and the axes of those that are turned.
+struct Count {
+  std::vector<Bits> bits;
+  RotationForms turned;
+};
+
+Count count_bits(const Motion& motion) {
   const MeasuredPoints measured = measured_points(motion.skeleton, Weighting::Surface);
   const int step = std::max(1, static_cast<int>(std::lround(motion.clip.sample_rate_hz / kRate)));
-  std::vector<Bits> bits(static_cast<std::size_t>(motion.skeleton.joint_count()), Bits{});
+  const auto joints = static_cast<std::size_t>(motion.skeleton.joint_count());
+  Count count{std::vector<Bits>(joints, Bits{}), RotationForms(joints)};
+  // Of a long clip, the first part's axes will do.
   for (int first = 0; first < motion.clip.frames(); first += step * kMostFrames) {
     const Turns turns(motion, measured, first, step);
     parallel_for(0, motion.skeleton.joint_count(), [&](int j) {
-      if (!turns_freely(motion.skeleton.joint(j))) return;
-      for (int o = 0; o < kRotationOrders; ++o)
-        bits[static_cast<std::size_t>(j)][static_cast<std::size_t>(o)] +=
-            turns.bits(j, static_cast<RotationOrder>(o));
+      const Joint& joint = motion.skeleton.joint(j);
+      if (!turns_freely(joint)) return;
+      Bits& bits = count.bits[static_cast<std::size_t>(j)];
+      for (std::size_t o = 0; o < kRotationOrders; ++o)
+        bits[o] += turns.bits(j, {static_cast<RotationOrder>(o)});
+      if (!may_turn_axes(joint)) return;
+      RotationForm& turned = count.turned[static_cast<std::size_t>(j)];
+      if (first == 0) turned = turns.along_limb(j);
+      for (std::size_t o = 0; o < kTurnedOrders.size(); ++o) {
+        turned.order = kTurnedOrders[o];
+        bits[kRotationOrders + o] += turns.bits(j, turned);
+      }
     });
   }
-  return bits;
+  return count;
 }
 
 /// The joint whose angles predict those of each, or -1.
@@ -169,30 +230,40 @@ std::vector<int> mirrors_of(const Skeleton& skeleton) {
 
 }  // namespace
 
-RotationOrders choose_orders(const Motion& motion) {
+RotationForms choose_forms(const Motion& motion) {
   const Skeleton& skeleton = motion.skeleton;
-  std::vector<Bits> bits = count_bits(motion);
+  auto [bits, turned] = count_bits(motion);
   const std::vector<int> mirrors = mirrors_of(skeleton);
-  RotationOrders orders = rotation_orders(skeleton);
+  RotationForms forms = rotation_forms(skeleton);
+  for (std::size_t j = 0; j < forms.size(); ++j)
+    for (std::size_t o = kRotationOrders; o < kCandidates; ++o)
+      bits[j][o] = may_turn_axes(skeleton.joints()[j]) && turned[j].has_fixed_turns()
+                       ? bits[j][o] + kTurnedBits
+                       : std::numeric_limits<double>::infinity();
   // The first of several that mirror one another chooses for all.
   const auto follows = [&](std::size_t j) {
     return mirrors[j] >= 0 && turns_freely(skeleton.joint(mirrors[j]));
   };
-  for (std::size_t j = orders.size(); j-- > 0;)
+  for (std::size_t j = forms.size(); j-- > 0;)
     if (follows(j))
-      for (std::size_t o = 0; o < kRotationOrders; ++o)
+      for (std::size_t o = 0; o < kCandidates; ++o)
         bits[static_cast<std::size_t>(mirrors[j])][o] += bits[j][o];
-  for (std::size_t j = 0; j < orders.size(); ++j) {
+  for (std::size_t j = 0; j < forms.size(); ++j) {
     if (!turns_freely(skeleton.joints()[j])) continue;
     if (follows(j)) {
-      orders[j] = orders[static_cast<std::size_t>(mirrors[j])];
+      const RotationForm& leader = forms[static_cast<std::size_t>(mirrors[j])];
+      if (leader.has_fixed_turns()) forms[j] = turned[j];
+      forms[j].order = leader.order;
       continue;
     }
     const auto best = std::min_element(bits[j].begin(), bits[j].end());
-    if (*best < kWorthIt * bits[j][static_cast<std::size_t>(orders[j])])
-      orders[j] = static_cast<RotationOrder>(best - bits[j].begin());
+    if (*best >= kWorthIt * bits[j][static_cast<std::size_t>(forms[j].order)]) continue;
+    const auto found = static_cast<std::size_t>(best - bits[j].begin());
+    if (found >= kRotationOrders) forms[j] = turned[j];
+    forms[j].order = found < kRotationOrders ? static_cast<RotationOrder>(found)
+                                             : kTurnedOrders[found - kRotationOrders];
   }
-  return orders;
+  return forms;
 }
 
 }  // namespace mocapress

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Joints whose coded angles are about turned axes: FORMAT.md, AXES.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/motion/rotation_form.h"
+
+namespace mocapress {
+
+inline constexpr std::string_view kAxes = "AXES";
+
+/// Whether a joint may have fixed turns: it has a parent and turns freely.
+bool may_turn_axes(const Joint& joint);
+
+/// Of the section for a coded skeleton: none where no axes are turned.
+std::size_t axes_section_bytes(const Skeleton& coded);
+
+/// The payload of AXES.
+std::vector<std::byte> write_axes(const Skeleton& skeleton, const RotationForms& forms);
+
+/// Sets the fixed turns of the forms. Throws FormatError, with offsets counted from `base_offset`.
+void read_axes(std::span<const std::byte> payload, std::size_t base_offset,
+               const Skeleton& skeleton, RotationForms& forms);
+
+}  // namespace mocapress
