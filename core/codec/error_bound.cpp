@@ -73,20 +73,20 @@ void ErrorBound::enter_joint(int joint) {
         world_from_left[t] = world_from_joint_[static_cast<std::size_t>(left.parent)][t];
       if (count > 0)
         world_from_left[t] *=
-            left.parent_from_axes() *
+            skeleton_.axes(joint - 1).parent_from_axes *
             joint_rotation(left, channels_.row(static_cast<Eigen::Index>(t))
                                      .segment(skeleton_.first_channel(joint - 1), count)) *
-            left.axes_from_joint();
+            skeleton_.axes(joint - 1).axes_from_joint;
     }
     world_from_joint_.push_back(std::move(world_from_left));
   }
   joint_ = joint;
   const Joint& entered = skeleton_.joint(joint);
-  world_from_axes_.assign(frames, entered.parent_from_axes());
+  world_from_axes_.assign(frames, skeleton_.axes(joint).parent_from_axes);
   if (entered.parent < 0) return;
   const Rotations& world_from_parent = world_from_joint_[static_cast<std::size_t>(entered.parent)];
   for (std::size_t t = 0; t < frames; ++t)
-    world_from_axes_[t] = world_from_parent[t] * entered.parent_from_axes();
+    world_from_axes_[t] = world_from_parent[t] * skeleton_.axes(joint).parent_from_axes;
 }
 
 void ErrorBound::find_moved() {

@@ -22,7 +22,7 @@ namespace {
 constexpr double kScale = 1.8;     // cm: steps as for half a centimetre of eps_x
 constexpr double kRate = 30;       // Hz; faster than that little of a motion differs between orders
 constexpr int kMostFrames = 2048;  // at a time
-constexpr double kWorthIt = 0.98;   // of the bits; a skeleton as it came is worth something too
+constexpr double kWorthIt = 0.98;  // of the bits; a skeleton as it came is worth something too
 constexpr double kTurnedBits = 40;  // as counted here, for what turned axes take in the file
 
 /// About turned axes with the twist innermost.
@@ -127,8 +127,7 @@ class Turns {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(rotations,
                                                 Eigen::ComputeFullU | Eigen::ComputeFullV);
     Eigen::Matrix3d mean = svd.matrixU() * svd.matrixV().transpose();
-    if (mean.determinant() < 0)
-      mean -= 2 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
+    if (mean.determinant() < 0) mean -= 2 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia);
     RotationForm form;
     form.before = fixed_turn_near(nearest_frame(principal.eigenvectors()));
@@ -142,19 +141,25 @@ class Turns {
     const std::array<int, 3> axes = axes_of(form.order);
     const Eigen::Matrix3d before = rotation_of(form.before);
     const Eigen::Matrix3d left = before.transpose();
+    const double sign = (axes[0] + 1) % 3 == axes[1] ? 1 : -1;  // an even or odd order of the axes
     const Eigen::Matrix3d right = rotation_of(form.after).transpose();
     Eigen::MatrixXd angles(frames_, 3);
     Eigen::Vector3d curvature = Eigen::Vector3d::Zero();
     Eigen::Vector3d last = Eigen::Vector3d::Zero();
     for (int t = 0; t < frames_; ++t) {
       const auto i = static_cast<std::size_t>(t);
-      last = three_angles(axes, left * joint.rotations[i] * right, last);
+      const Eigen::Matrix3d rotation = left * joint.rotations[i] * right;
+      last = three_angles(axes, rotation, last);
       angles.row(t) = last.transpose();
-      Eigen::Matrix3d turned = before;
+      // The second axis is turned by the first angle; the last turns itself no further.
+      const std::array<Eigen::Vector3d, 3> turned = {
+          before.col(axes[0]),
+          before.col(axes[1]) * std::cos(last(0)) +
+              before.col(axes[2]) * (sign * std::sin(last(0))),
+          before * rotation.col(axes[2])};
       for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d axis = turned.col(axes[static_cast<std::size_t>(k)]);
+        const Eigen::Vector3d& axis = turned[static_cast<std::size_t>(k)];
         curvature(k) += axis.dot(joint.inertias[i] * axis) / frames_;
-        turned *= axis_rotation(axes[static_cast<std::size_t>(k)], last(k));
       }
     }
     const Lifting lifting(Basis::Cubic, frames_);

@@ -17,8 +17,7 @@ decoder::JointModel model_of(const Skeleton& skeleton, int index) {
   model.channels = static_cast<std::uint8_t>(joint.channels.size());
   for (std::size_t c = 0; c < joint.channels.size(); ++c)
     model.kinds[c] = static_cast<std::uint8_t>(joint.channels[c]);
-  const Eigen::Matrix3d parent_from_axes = joint.parent_from_axes();
-  const Eigen::Matrix3d axes_from_joint = joint.axes_from_joint();
+  const auto& [parent_from_axes, axes_from_joint] = skeleton.axes(index);
   model.has_axes = !parent_from_axes.isIdentity(0) || !axes_from_joint.isIdentity(0);
   for (int i = 0; i < 3; ++i) {
     model.offset[i] = joint.offset(i);

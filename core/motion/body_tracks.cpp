@@ -4,13 +4,33 @@
 #include <cassert>
 #include <numbers>
 
+#include "core/base/parallel.h"
+#include "core/motion/forward_kinematics.h"
+#include "core/motion/measured_points.h"
+
 namespace mocapress {
 
 Eigen::MatrixXd body_tracks(const Skeleton& skeleton, const Clip& clip) {
-  std::vector<Landmark> points = landmarks(skeleton);
-  const std::vector<Landmark> shell = shell_points(skeleton);
-  points.insert(points.end(), shell.begin(), shell.end());
-  return point_tracks(skeleton, points, clip);
+  const std::vector<Landmark> points = landmarks(skeleton);
+  const Eigen::Index shell = 3 * std::ssize(points);
+  const Eigen::Index joints = skeleton.joint_count();
+  Eigen::MatrixXd tracks(clip.frames(), shell + 9 * joints);
+  parallel_ranges(0, clip.frames(), 64, [&](int first, int end) {
+    Pose pose;
+    for (int t = first; t < end; ++t) {
+      compute_pose(skeleton, clip.channels.row(t), pose);
+      place_landmarks(points, pose, t, tracks);
+      // The points of shell_points(): of each joint along its axes.
+      for (Eigen::Index j = 0; j < joints; ++j) {
+        const auto& origin = pose.origin[static_cast<std::size_t>(j)];
+        const auto& axes = pose.world_from_joint[static_cast<std::size_t>(j)];
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+          for (Eigen::Index i = 0; i < 3; ++i)
+            tracks(t, shell + 9 * j + 3 * axis + i) = origin(i) + kShellRadius * axes(i, axis);
+      }
+    }
+  });
+  return tracks;
 }
 
 JointErrors::JointErrors(const Skeleton& skeleton,

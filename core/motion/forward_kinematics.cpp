@@ -18,23 +18,6 @@ void turn(Eigen::Matrix3d& rotation, int axis, double radians) {
   rotation.col(k) = cosine * rotation.col(k) - sine * before;
 }
 
-/// Gathers a joint's channels into a translation (cm, parent's frame) and the product R (axes).
-struct LocalMotion {
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-
-  LocalMotion(const Joint& joint, int first_channel, const FrameRow& frame) {
-    for (std::size_t i = 0; i < joint.channels.size(); ++i) {
-      const ChannelKind kind = joint.channels[i];
-      const double value = frame(first_channel + static_cast<int>(i));
-      if (is_rotation(kind))
-        turn(rotation, axis_of(kind), value);
-      else
-        translation(axis_of(kind)) += value;
-    }
-  }
-};
-
 }  // namespace
 
 void compute_pose(const Skeleton& skeleton, const FrameRow& frame, Pose& pose) {
@@ -44,18 +27,31 @@ void compute_pose(const Skeleton& skeleton, const FrameRow& frame, Pose& pose) {
   pose.origin.resize(count);
   for (std::size_t j = 0; j < count; ++j) {
     const Joint& joint = skeleton.joints()[j];
-    const LocalMotion local(joint, skeleton.first_channel(static_cast<int>(j)), frame);
-    const Eigen::Vector3d in_parent = joint.offset + local.translation;
-    const Eigen::Matrix3d parent_from_joint =
-        joint.parent_from_axes() * local.rotation * joint.axes_from_joint();
-    if (joint.parent < 0) {
-      pose.origin[j] = in_parent;
-      pose.world_from_joint[j] = parent_from_joint;
-    } else {
-      const auto parent = static_cast<std::size_t>(joint.parent);
-      pose.origin[j] = pose.to_world(joint.parent, in_parent);
-      pose.world_from_joint[j] = pose.world_from_joint[parent] * parent_from_joint;
+    const JointAxes& axes = skeleton.axes(static_cast<int>(j));
+    const auto parent = static_cast<std::size_t>(joint.parent);
+    const bool is_root = joint.parent < 0;
+    Eigen::Matrix3d& world_from_joint = pose.world_from_joint[j];
+    if (joint.channels.empty() && !is_root) {
+      world_from_joint = pose.world_from_joint[parent];
+      pose.origin[j] = pose.to_world(joint.parent, joint.offset);
+      continue;
     }
+    if (is_root)
+      world_from_joint = axes.parent_from_axes;
+    else
+      world_from_joint.noalias() = pose.world_from_joint[parent] * axes.parent_from_axes;
+    Eigen::Vector3d in_parent = joint.offset;
+    const int first_channel = skeleton.first_channel(static_cast<int>(j));
+    for (std::size_t i = 0; i < joint.channels.size(); ++i) {
+      const ChannelKind kind = joint.channels[i];
+      const double value = frame(first_channel + static_cast<int>(i));
+      if (is_rotation(kind))
+        turn(world_from_joint, axis_of(kind), value);
+      else
+        in_parent(axis_of(kind)) += value;
+    }
+    pose.origin[j] = is_root ? in_parent : pose.to_world(joint.parent, in_parent);
+    world_from_joint = world_from_joint * axes.axes_from_joint;
   }
 }
 
@@ -64,7 +60,8 @@ Pose rest_pose(const Skeleton& skeleton) {
   for (const Joint& joint : skeleton.joints()) {
     pose.world_from_joint.push_back(Eigen::Matrix3d::Identity());
     pose.origin.push_back(joint.offset);
-    if (joint.parent >= 0) pose.origin.back() += pose.origin[static_cast<std::size_t>(joint.parent)];
+    if (joint.parent >= 0)
+      pose.origin.back() += pose.origin[static_cast<std::size_t>(joint.parent)];
   }
   return pose;
 }

@@ -165,7 +165,7 @@ Motion with_forms(const Motion& motion, const RotationForms& forms) {
 }
 
 Motion with_forms(const Motion& motion, const RotationForms& forms,
-                   const Eigen::Matrix3Xd& first_angles) {
+                  const Eigen::Matrix3Xd& first_angles) {
   return converted(motion, forms, &first_angles);
 }
 

@@ -10,6 +10,8 @@ int Skeleton::add(Joint joint) {
   assert(joint.parent < index);
   first_channels_.push_back(channel_count());
   channel_joints_.insert(channel_joints_.end(), joint.channels.size(), index);
+  axes_.push_back(
+      {joint.joint_from_axes * joint.before, joint.after * joint.joint_from_axes.transpose()});
   joints_.push_back(std::move(joint));
   return index;
 }

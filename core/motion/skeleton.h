@@ -28,10 +28,12 @@ struct Joint {
   Eigen::Matrix3d after = Eigen::Matrix3d::Identity();
   std::vector<ChannelKind> channels;        // in the order of the product above
   std::optional<Eigen::Vector3d> end_site;  // cm, in the joint's frame; leaves only
+};
 
-  /// rotation = parent_from_axes() * (the product of the rotation channels) * axes_from_joint()
-  Eigen::Matrix3d parent_from_axes() const { return joint_from_axes * before; }
-  Eigen::Matrix3d axes_from_joint() const { return after * joint_from_axes.transpose(); }
+/// rotation = parent_from_axes * (the product of the rotation channels) * axes_from_joint
+struct JointAxes {
+  Eigen::Matrix3d parent_from_axes;
+  Eigen::Matrix3d axes_from_joint;
 };
 
 /// A bone: from a joint's origin to where a child joint or an end site sits.
@@ -51,6 +53,7 @@ class Skeleton {
   int joint_count() const { return static_cast<int>(joints_.size()); }
   const Joint& joint(int index) const { return joints_[static_cast<std::size_t>(index)]; }
   const std::vector<Joint>& joints() const { return joints_; }
+  const JointAxes& axes(int joint) const { return axes_[static_cast<std::size_t>(joint)]; }
 
   /// Channels are numbered joint by joint, in each joint's order.
   int channel_count() const { return static_cast<int>(channel_joints_.size()); }
@@ -74,6 +77,7 @@ class Skeleton {
 
  private:
   std::vector<Joint> joints_;
+  std::vector<JointAxes> axes_;
   std::vector<int> first_channels_;
   std::vector<int> channel_joints_;
 };

@@ -95,7 +95,7 @@ ErrorModel::Posed ErrorModel::pose_channels(const Skeleton& skeleton, const Clip
         const Eigen::Matrix3d world_from_parent =
             joint.parent < 0 ? Eigen::Matrix3d::Identity()
                              : pose.world_from_joint[static_cast<std::size_t>(joint.parent)];
-        Eigen::Matrix3d world_from_axes = world_from_parent * joint.parent_from_axes();
+        Eigen::Matrix3d world_from_axes = world_from_parent * skeleton.axes(j).parent_from_axes;
         for (std::size_t i = 0; i < joint.channels.size(); ++i) {
           const int channel = skeleton.first_channel(j) + static_cast<int>(i);
           const int axis = axis_of(joint.channels[i]);
