@@ -15,8 +15,7 @@ BasisAnalysis::BasisAnalysis(const Clip& columns, const std::vector<double>& com
     : ranked(rank_coefficients(columns, basis)), standard(ranked, comparable), scales(comparable) {}
 
 const RotationForms& ClipAnalysis::chosen_forms() const {
-  return forms_.get(Only(),
-                     [&] { return std::make_unique<RotationForms>(choose_forms(motion_)); });
+  return forms_.get(Only(), [&] { return std::make_unique<RotationForms>(choose_forms(motion_)); });
 }
 
 const ClipAnalysis& ClipAnalysis::in_chosen_forms() const {

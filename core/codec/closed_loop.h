@@ -13,7 +13,7 @@ namespace mocapress {
 /// How hard it tries.
 struct ClosedLoopWork {
   bool compensate = true;  // each channel for the others, once
-  int sweeps = 5;          // over all coefficients
+  int sweeps = 8;          // over all coefficients
   bool pairs = false;      // the later ones with two channels at a time, too
 };
 

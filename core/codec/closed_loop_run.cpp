@@ -7,8 +7,15 @@
 namespace mocapress {
 namespace {
 
-constexpr double kDeadZone = 0.1;   // what is added before details are cut to whole steps
-constexpr double kBitPrice = 0.04;  // squared steps of error that a bit is worth
+constexpr double kDeadZone = 0.1;  // what is added before details are cut to whole steps
+
+// Squared steps of error that a bit is worth, in the first sweep and in the last.
+constexpr double kFirstBitPrice = 0.032;
+constexpr double kLastBitPrice = 0.024;
+
+double price_of(int sweep, int sweeps) {
+  return kFirstBitPrice + (kLastBitPrice - kFirstBitPrice) * sweep / std::max(sweeps - 1, 1);
+}
 
 }  // namespace
 
@@ -17,7 +24,7 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, const Eigen::VectorXd& fram
       bands_(loop.transform_.lifting.bands()),
       frame_weights_(frame_weights),
       rates_(bands_),
-      bit_price_(kBitPrice) {
+      bit_price_(kFirstBitPrice) {
   if (!weighted()) return;
   weighted_curvature_ = frame_weights.asDiagonal() * loop.curvature_;
   weighted_coefficient_curvature_ = loop.coefficient_curvature(weighted_curvature_);
@@ -52,17 +59,13 @@ void ClosedLoopRun::begin() {
 ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
                                       const Observer<ClosedLoopProgress>& observer) {
   ClosedLoop::Result result;
-  rates_.learn(coded_.values);
   if (work.compensate) pass([&](int j) { compensate(j); });
   result.eps_cm = eps_cm();
   const bool with_pairs = work.pairs && !weighted() && !loop_.model_.has_terms();
   while (result.sweeps < work.sweeps && result.complete) {
     // Pairs are for what single moves have left.
-    if (with_pairs && 2 * result.sweeps >= work.sweeps) {
-      rates_.learn(coded_.values);
-      sweep_pairs();
-    }
-    rates_.learn(coded_.values);
+    if (with_pairs && 2 * result.sweeps >= work.sweeps) sweep_pairs();
+    bit_price_ = price_of(result.sweeps, work.sweeps);
     pass([&](int j) { sweep(j); });
     ++result.sweeps;
     result.eps_cm = eps_cm();
@@ -164,7 +167,6 @@ double ClosedLoopRun::eps_cm() const {
 }
 
 double ClosedLoopRun::total_bits() {
-  rates_.learn(coded_.values);
   double bits = 0;
   for (int j = 0; j < channels(); ++j) bits += rates_.bits(values_of(j));
   return bits;

@@ -63,8 +63,8 @@ struct CodedSegments {
 
 /// A compressed clip as values: what a .mcpr file holds. FORMAT.md says how.
 struct CompressedClip {
-  Skeleton skeleton;      // the source's
-  RotationForms forms;    // of its joints' angles as they are coded; empty: the skeleton's own
+  Skeleton skeleton;    // the source's
+  RotationForms forms;  // of its joints' angles as they are coded; empty: the skeleton's own
   double sample_rate_hz = 120;
   int frames = 0;
   Basis basis = Basis::Cubic;

@@ -110,7 +110,7 @@ void put_rows(Eigen::MatrixXd rows, int first, int all, Eigen::MatrixXd& matrix)
 Clip in_source_channels(const CompressedClip& compressed, Clip coded) {
   if (compressed.forms.empty()) return coded;
   return with_forms(Motion{compressed.coded_skeleton(), std::move(coded)},
-                     rotation_forms(compressed.skeleton))
+                    rotation_forms(compressed.skeleton))
       .clip;
 }
 

@@ -2,21 +2,38 @@
 #include "core/codec/rate_table.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/codec/coefficient_model.h"
 
 namespace mocapress {
 namespace {
 
-constexpr int kContexts = kLevels * kSizes * kSizes;
 constexpr int kMagnitudes = 16;  // the last stands for all above
+
+using BitsOfMagnitudes = std::array<double, kMagnitudes>;
+using Table = std::array<std::array<BitsOfMagnitudes, kSizes>, kSizes>;
+
+/// By size_of() those before and above.
+Table make_table() {
+  Table table{};
+  for (int before = 0; before < kSizes; ++before)
+    for (int above = 0; above < kSizes; ++above) {
+      const double mean = 0.02 + 0.2 * before + 0.15 * above;
+      const double ratio = mean / (1 + mean);
+      for (int m = 0; m < kMagnitudes; ++m)
+        table[static_cast<std::size_t>(before)][static_cast<std::size_t>(above)]
+             [static_cast<std::size_t>(m)] =
+                 (m > 0 ? 1 : 0) - std::log2((1 - ratio) * std::pow(ratio, m));
+    }
+  return table;
+}
+
+const Table kBits = make_table();
 
 }  // namespace
 
-RateTable::RateTable(const std::vector<Band>& bands)
-    : bands_(bands), bits_(static_cast<std::size_t>(kContexts * kMagnitudes), 0) {}
-
-int RateTable::context(const int* signal, int b, int i) const {
+double RateTable::bits(const int* signal, int b, int i, int value) const {
   const int* const own = signal + bands_[static_cast<std::size_t>(b)].first;
   const int before = 2 * (i > 0 ? std::abs(own[i - 1]) : 0) + (i > 1 ? std::abs(own[i - 2]) : 0);
   int above = 0;
@@ -27,15 +44,11 @@ int RateTable::context(const int* signal, int b, int i) const {
     if (k < upper.size) above += 2 * std::abs(signal[upper.first + k]);
     if (l >= 0 && l < upper.size) above += std::abs(signal[upper.first + l]);
   }
-  const int level = std::min(static_cast<int>(bands_.size()) - 1 - b, kLevels - 1);
-  return (level * kSizes + size_of(before)) * kSizes + size_of(above);
-}
-
-double RateTable::bits_in(int context, int value) const {
+  const BitsOfMagnitudes& of =
+      kBits[static_cast<std::size_t>(size_of(before))][static_cast<std::size_t>(size_of(above))];
   const int magnitude = std::abs(value);
-  const double* const row = bits_.data() + static_cast<std::ptrdiff_t>(context) * kMagnitudes;
-  if (magnitude < kMagnitudes - 1) return row[magnitude];
-  return row[kMagnitudes - 1] + 2 * std::log2(magnitude - kMagnitudes + 2.0);
+  if (magnitude < kMagnitudes - 1) return of[static_cast<std::size_t>(magnitude)];
+  return of[kMagnitudes - 1] + 2 * std::log2(magnitude - kMagnitudes + 2.0);
 }
 
 bool RateTable::is_zero(const int* signal, const Band& band) const {
@@ -70,35 +83,6 @@ double RateTable::bits(const int* signal) const {
     for (int i = 0; i < band.size; ++i) sum += bits(signal, b, i, signal[band.first + i]);
   }
   return sum;
-}
-
-void RateTable::learn(const Eigen::MatrixXi& values) {
-  std::vector<double> counts(bits_.size(), 0);
-  for (Eigen::Index s = 0; s < values.cols(); ++s) {
-    const int* const signal = values.col(s).data();
-    for (int b = 1; b < static_cast<int>(bands_.size()); ++b) {
-      const Band& band = bands_[static_cast<std::size_t>(b)];
-      if (is_zero(signal, band)) continue;
-      for (int i = 0; i < band.size; ++i) {
-        const int magnitude = std::min(std::abs(signal[band.first + i]), kMagnitudes - 1);
-        counts[static_cast<std::size_t>(context(signal, b, i) * kMagnitudes + magnitude)] += 1;
-      }
-    }
-  }
-  for (int c = 0; c < kContexts; ++c) {
-    // What was seen little leans on a geometric law that follows the neighbours.
-    constexpr double kTrust = 4;
-    const double mean = 0.02 + 0.2 * (c / kSizes % kSizes) + 0.15 * (c % kSizes);
-    const double ratio = mean / (1 + mean);
-    double* const row = bits_.data() + static_cast<std::ptrdiff_t>(c) * kMagnitudes;
-    double total = 0;
-    for (int m = 0; m < kMagnitudes; ++m) {
-      row[m] = counts[static_cast<std::size_t>(c * kMagnitudes + m)] + 0.002 +
-               kTrust * (1 - ratio) * std::pow(ratio, m);
-      total += row[m];
-    }
-    for (int m = 0; m < kMagnitudes; ++m) row[m] = std::log2(total / row[m]) + (m > 0 ? 1 : 0);
-  }
 }
 
 }  // namespace mocapress

@@ -85,7 +85,7 @@ double coarser_after_rough_trial(double excess, const Target& target, const Clos
                                  bool corrected) {
   const bool by_error = is_by_error(target);
   const bool swept = work.sweeps > 0;
-  const double more = by_error ? (swept ? -0.52 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
+  const double more = by_error ? (swept ? -0.485 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
   const double unmended = by_error && corrected ? 0.12 : 0;
   return std::exp(power_of_scale(target) * std::clamp(excess - more - unmended, -3.0, 3.0));
 }
@@ -101,7 +101,7 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
           const ClosedLoopWork& work, ScaleSearch& trials) {
   constexpr double kLength = 1e6;  // cm
   constexpr double kPower = 0.7;
-  constexpr double kNear = 0.015;  // so near, one trial is enough
+  constexpr double kNear = 0.02;  // so near, one trial is enough
   constexpr int kFew = 2;
   constexpr int kMany = 4;
   constexpr int kManyMore = 6;  // where it is met at all

@@ -88,7 +88,7 @@ class SegmentedEncode {
   /// In the forms that are coded, the angles those of one conversion of the whole.
   Motion motion_of(int segment) const {
     return with_forms(frames_of(motion_, layout_.first(segment), layout_.frames_of(segment)),
-                       forms_, first_angles_[static_cast<std::size_t>(segment)]);
+                      forms_, first_angles_[static_cast<std::size_t>(segment)]);
   }
 
   EncodeOptions options_for(int segment) const {

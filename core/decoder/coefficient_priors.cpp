@@ -9,142 +9,142 @@ namespace {
 
 // clang-format off
 constexpr std::string_view kContexts =
-    "3?@CEHMTFHIJKMPUIKLMNPRVKLMMNPRWNOPPQRUXPQQRSTVYTTTTUVX[WZYYYY[`3@ADFIMUIJJKMNQVKKLMNPRVKM"
-    "MNOPSWOPPPQRTXQRRSSTVZVUVVWWY][Z[[[]^b6@ADFINWIJJKMNQWKLLMNORWLMMNOPSWOPPPQRTXSRSSTTVZVVVV"
-    "WWY]]][^]]^c;@CEGJOYGIJKLNQWKLLMNORWMMMNOQSXQPPQQRTYTSSSSTVZZWVWWWY^h`_[^]^dACFGJMQ]HJJKLN"
-    "RWKLLMNPSXMMMNPQTXRPQQQRUYVSSTTTV[[ZWWWWY^j__^__^fGEIKMQVdHJJMNPSXKMMMOQUZOMNOPRUZSPPQRSV["
-    "WTSTUUW[][WWXXZ_kaa_`__gNFLMPTYhGJKNOPTWLLMMPRV[PNNPQSV[SQQQRSW[XTSSUVX^^WXWWXZ`jb^`^`_hUJ"
-    "ORTW]iFJJNRTUXHLMNQTW]TMOQQTW^VSRRSTX^ZUUUVVY``UZZYZ[`k]`beabh+89<?BGSEEFGHIMTHIIJKMOTGIIJ"
-    "KMPVLMMNPPSXOPPQRSVZXSSUUVY^o`gYa`ag2<>@BEIOFFFFGHKRIJIJKLMPGHHHIKMRJJIJKLNRLMLMLLOTIOQNJP"
-    "QU      RW3>?ADGJPGFGHHJMRJJJKLMOQHKJJKLOSKMLLMNPSMMLMMNPUQSPNPQRV    TPNU4?@CEHLRGHHIJKMS"
-    "JKKLMNPSJKKKLNPTMNNNNOQTNNOPPPRURPRQQRSWT_PQSSRX6@BDGIMSGHIJKMOTJKLMNOQTKLLMNOQUNNOOPQSVOP"
-    "PQQRTWRSSRSTUXWVZTXVW[9ACFHKOUHIJKMNQVJLLMNPRVLMMNOPSVPPPQQRTWRRRSSTUXUUUUUVWZ[ZZZZYZ^>CEG"
-    "JMQYHJKLNORWJLLMOQSWNNNOPQTXQQQQRSUXTSSTTUVZZVWWWWY]e]^]][]aCDFIKOS^HKKMNPSXJLMNOQTXNNOOQR"
-    "UYRQQRRTVZVTTUUUW[]XWXXXZ^j]_^]^_eJGJLNQUbKLMNPRUYMMNNPRUZPOPQQSVZTRRRSTW[XTUUVVX]_WXYYY[_"
-    "ka_____e?CJK WfkFHDI Q__FLEMWM[aL@TJShYbe V_^VZ_a TRVX]cac_X_[`ctaXZ_fck(+1467:=@CGJMPRUWY"
-    "[^_bcehimn    *)1357:<?BFILORTWY[^`bdfhjlnf   /+3358:<?BEILORTVY[^`adfhjoru   4-557:;=@CFI"
-    "LORTVX[^_adfiknq|   <2899<=?BDGJLORTWY[^``dfilosx   F4:;<>?ADFHKMPSUWY[^`^ehilpty   Q?<?@B"
-    "BDGIKLNQSVXZ]_a_fijmpuw   fJQQLMKKMNOOOSUWY[^`a[gklnpuq   BHIIIJSOS]=AGGGHIJLPAAFHHHJKMRGC"
-    "HIIJKLNRNGILLLMNORVQMNPPPPRTVO TSTUSTV_  UUV_VWZ    OWiWY^      tWZeDBDDEFUKOZ@?ECDDEFIMA@"
-    "DEDEGGKPE>ADEEHHJPMEEFGGIIJOPSPLHJLKLO_  NONSNOR_  LOO]QRU     UdTUY      oTV`EACABFWILXB>"
-    "?CBCEDHLDJGEEEIFHN5IFFDEIFHNCDFDCEJFGNQR<EFGMGHM_  TNIRJJN_    RYNNQ     PaRQT      jUT]CH"
-    "FH?AWFIV  H8@ACCGK GD?\?<JCGM  JEGGLEFMQ @KECMDELMH G4AODEL_  MEGRFFK_    PXIIL     T]QNP  "
-    "    fOPX     =WGGU     >FFHI     ?O@DM    F>LBBL   @LHNEFLR    LOCEL@    DQEDKO    MUFFK  "
-    "    XMJM      bUPV      VBGT        =J      P 9J      Q@5L     IM@@K@    FNHFK      OCDJ  "
-    "   >Q>DJ      UIEJ      ^QMS      U >T         =      L  K      P  I      O@EK      LD>J  "
-    "    NAGK      O@DJ      QDAJ      ZNLR      S  R                M  I      M  I      N  J  "
-    "    N  J      M 8J      M JJ      N FJ      T FPPEFEEFEFGHIKMOQTVY[^`behjmpuw   UABBBDCCDE"
-    "FGGILNQTVX[^`cehlpr   [>>?DGEFGHJJFFGILNQTVY[_adhmp   Z   <IJELMQQJHFFGILNQTVY]`dhn   Y   "
-    " GQLLNSUPNKIGGHJLPRUX[`ei   X     R@NLTVQPNLKIGGHLMPSW[ad   W     H QKSVSQMNNLKIHMJMOSW]a "
-    "  T       MGRSTQNNMNMMKQKNMOQST                                   GCFFGGFGGGHHIKLMNNOOOOOO"
-    "OOOON   LEDFBHFFHHGHHHIJLMNNNOOOOOONO   M   INHHJJJJHHHHJKLMNOOOOOOPQ   M    QHJKMLLJJIHHI"
-    "JKLMNOOOOOP   M      JIKLLLLJJHHHHJKLMNNOOO   M     J FJLLKKKKJIIHHIJKMNNOO   L       QKLL"
-    "LLKKKKKJIKJJJKLMM                                                                         "
-    "          L       GJ      HHJK    IHIJL   JIJJKMO KKKLLMN LLMMMMNOMMMMNNNNMNMMNNOOMMMMNNOO"
-    "L       GJ      GHJJ    HHHJK   HHHHILM IIIIIJM KKKKKKMNLLLLLMMNMMMMMMNNMNMMMNNOM       HJ"
-    "      HHJJ    HHIKK   GGGIIKL IGHHHIL IHIIIIKNLKKKKKLNLMLLLLMNMMLMMMNOM       GI      IKJI"
-    "    FHIJK   FFHIIKK FHFHIIK HHHHHHJMIJIIIIJLJKKKKKKLJNKKMLMNL       JK      IKJE    EFMKI "
-    "  JGHHJKK EIGFHJK FFCGFHJKHIJIHGHKJIJHIIIKLKJKKKKML        L       ?K       OKK     ?JJJH "
-    "D >IDGJ =FKGHIJKDGFGFEGJLEDIGGHJHJHJIJJLL                 M       @JL      @HKK     NMJ   "
-    "  GGJJ   NGAIK  ?AEDFJLLEHJJIL                                JKKLNOOPMMLMNOONMLKKMOOLNPNL"
-    "NOPPKGMKLNOOLOMLMNOMKJMLKMONL NMLMNPK NLKLNPN NMMMNPM NLLLMNL NMMMNNOPNOOMOQOLMKNNMLMLRSQR"
-    "RQPQPOPNOOMPQOMNLNNMNNMQRPPQPPQPOPNOPMPQOMMKNNMMNLQRQQRPPQPOOONPNOQNMMKNNLMNLQSQQRPPRPONPN"
-    "ONPPONMLONMNNLPRQPRPPQPOLRNONPPPONMNNNONNPPPOPPPPPOLRONNPPPPOPNNNOOOOOOOOPPPPONQOONPQPOOPM"
-    "POQOQOONMMOPONOONOPPNNMMQPPPMNPRMPNLQONPNMQPQSNOSRRNMOPRMKKLPOPNMNPQ7MOQTX]dm|5JJMOTYbo|7H"
-    "HJMRX`m|9IJJMRQdo|:KLLMROdp|;OMMMQOfr|;IKHJPNem|B IGFJPht|6FHHGIBUXfGQQSTVWfo|8IIJKOK_k|<K"
-    "KKLNHY[jLSTVW[_k{|@OOOQUUfr|                    9BHILP^]h|                                "
-    "                  9 BBDKQXb|7ECHMRYdq|7MQUZak|||                                        8 "
-    " DEKQZk|5 ?DGMS[hv3CEILQXbm|5JLPTZeu||                              <   GLVeg|8  FFLR[jx6 "
-    "DDINT[h|5DGJNS^ez|7IIMQXaq||                    @    LManw<   IMXbn|8  FJMT^i|7 DFKQXd||8H"
-    "JLOV`pp|9IKMQVbm||                    <    MM`cz<   INYcq|9  IKOU`k|9 JJNS]k{|;IJLRYdh{|;K"
-    "NOSZcrz|                    ?    IM^hs<   GMWco|9  JOTZfs|9 KKNU^l{|<KNOT`gxy|=RRVYapqr|  "
-    "                  @    EN^d|;   DNYbk|9  ELS_hp|9 KJP[ewx|<IJPWappq|                      "
-    "        F    DOgu|C   DIXfr|>  FJWbxy|= IJR_opp|                    QURR#                 "
-    "          EB&                             N]]ZYXWVUUTSQPNLMMI<            MXYYXWVUTSSQPNMK"
-    "JMOO@           Xinkfca_]ZXWVUUSQNJF@           X`ca_^[ZYXWVUTTRSOMIH           VR`L'     "
-    "      PUQR#                                                                               "
+    "5@CEGJMTEGHJKMPUHJJLMOQVJLLNOPSWNOOPQRTXPQQRSTVYSTTUUVX[WWYYXY[`5ACFHJMUGHIJLNPVJJKLMOQVKM"
+    "MNOPSWNOOPQRTXQRRSSTVZUUVVWWY]WZ]][^^b6ADFHJNWGHIJLMPVJJKLMOQWLMMNOPSXOOPPQRTYRRRSSTVZUVVV"
+    "WWY^`^[^^]^c:AEFHKOYGHIJKMQVKJKLMORWLMMNOPSXPOPPQRTYTSSSSTVZYVWWWWY^h_^^]^^e@CGHJMQ]HIJKLN"
+    "QWMKLMNPSYMMNNOQTYQPPQRSUZVSSTTUW[]YWWWXY^j_`]_^^fFFJKMPUdIJKLNPSXNLMMOQU[NNNOPRU[RQQQRSV["
+    "WTTSUUW]^YWWXXZ_kcb_`__gMGMNPSYiKJKMOQTYPMMNPRV^PNOPQSV[TPQRRTW]YSSTUVX^^WYXWXZ`ib^a__`hWI"
+    "QRTX_kMKMOQTVXUONOQTX`UPPPRTX_VRRSTUX_ZSUVVVY`_WZZZZ[`k`g`d`bh-:=?ADHSBCDFGILSFFGHJKNUHIIK"
+    "LNPVLLMNOPSXQQPQRSVYYTTUVWY^l`bYb``g3>ABDFIODDEFGHJPGFGHIJLPHIGIIJLRIJIJJLNRNNLKLLOTNQONPP"
+    "RV     HUU4?BDFHKOEEFGHJLQHHHIKLMQHJIJKLNRKKKLMMOSMMLMNNPTOPOPOPRV    OSQX6ACEGILQEFGHJKMR"
+    "HIIKLMORJJKLMNPSLMMNNOQTNONOOPRUPRPPQRRWPQbVUUTY7BDFHJNRFGHJKMOSIJJKMNPTJLLMNOQUMNNOPQSUOQ"
+    "PPQRTWRQRSSTUXSVSVWVX[9CEGILOUGHJKLNQUJKKLNORVLMMNOQSVOOPPQRTWRRRSSTUXVTTUUVWZ^Y]YZYZ^=DGI"
+    "KMQZHIJKMORWKKLMNPSWMMNOPQTXPPPQRSUYTSSSTUVZ[VVVWWY]f[][][]a@EHJLOR^HIKLNPSXLLLMOQTYNNOOPR"
+    "UYQQQRRSVZVSTTUUW[]WWWXXY^k^^^^__eHHKLNQUbKLMNOQUZOMNOPRUZPOPQRSV[SRRSSTW[YTUVVVX]^YYYYYZ_"
+    "kca`__`e<FHIM dfIDMH  bgLHBJWQZmIGONXZZfX V [XZ_a TTSX[cd_hZZ]`cq Z]abdk+.468:<?ADGJMPRUWY"
+    "[^`bcfhjkf    ,-2679<>@CFILORTWY[^`bdfilmkc   /,357:<>@CFILOQTVY[^`adfikops   4.468;<?ACFI"
+    "KNQTVX[^`adgilnr|   <267:<>@BDGILORTVY[]__egilos{   E57:;=?ADFHJMORUWY[^`^ehilpt|   O=A==@"
+    "BDFIKMNPSVXZ]_a_eijlpvv   m OMILJJMOQRRSUXZ]_accgjknosr   @CFGHITOR]:<CDEFGIKPD@DGFGJKMRGB"
+    "FHHIKLNRNFJKLLMNORTQPMOOPPRTTO PSSUSTV    QT_VWY    TciWY^      sWYdCACCEEUKOZ?;ACCDEFIMA;"
+    "DECDHGKPD>?DEEGGJPJ@EFGGIHJOPaOJGJLKLO   OONSNOR    XN]QRU    QPeTUY      oUW`GB>B@DWILX=B"
+    "@C@CECHKBBFEDEJFIOFEBDDEJEHNH@FBCEJEGNLa;HFFLGHM    LJRJJN    RSYNNQ     QaSQT      jTT]E "
+    " F::XGIV   9CACDFK? H><?KDGMF  9CFLEGME JIFBMCEMFL G@BODEL    8FRFFK    _PXIIL      ]PNP  "
+    "    fOQX      WGHU     ?;LMK     <PBDL    =AM>CM    FHOCFL     KOCDL     DQEDK    TIUFFK  "
+    "    XNIM      bTOV      V@ET       @;L      P?8K      P<AL     LM<?L     NNFDK      OCCJ  "
+    "    QAEJ      UIDJ      ^NLS      U 6T         G      L  K      O  K      O FK      MEAJ  "
+    "    NAFK      OFDJ      QDBJ      ZJLR      S  R                J  L      M  J      N  J  "
+    "    N  J      M :J      M KJ      N ?J      T BPL9<>@BBDEGIKMOQTVY[^`begimptv   Z?>=@CABCD"
+    "FFGILNQTVXZ^`cehlpt   ]?\?D@ICGIIKJFFGILNQTVY[_adhmr   ]    NPHNORRJHFFGILNQTVY]`dhm   Z   "
+    " <QJMOTUONJIGGHJLPRUX[`ei   X     R?MOTVQPMLKIGGHLMPSW[ae   W     M QJTVSQNNMLKIHMJMOSW]a "
+    "  T       LIRSSRNMMMMMKRKNMOQST                                   HCDCDDEEFGGHIKLMNNNOOOOO"
+    "OOOPM   LM?EEEFGGGGGGHIKLMNNNOOOOOOOM   M    KGHJHJIHGHHIKLMNNOOOOOON   M    OHMLNLLJJIHHI"
+    "JKLMNNOOOOO   M      HILMLKKJJHHHHJKLMNNOON   M       GKLMKKKJJIIHHIJKMNNOO   M       NLLL"
+    "LLLJKJJIIKJJKKLMM                                                                         "
+    "          L       GJ      GHJK    HHIJL   IIJJKMN KKKLLMN LMMMMMNOMMMNNNNOLMMNNNOOLLMMNNOO"
+    "L       GI      GHJK    GHHJK   HHHHIKM IIIIIKM JKKKKLMNKLLLMMMNLMMMMNNNLMMMNNNOM       GK"
+    "      GIJJ    GHHKK   GGHHIKL HHHHHIL HHIIIIKNKKJKKKLMLLLLLMMNJMLMMMNOM       CK      HCJH"
+    "    GHIJK   FFFIIKK FHGHHIK IHHHHHJMIIIIIIJLJKLKKKKLMMKLLLMNL       IL       FJK    EEPKI "
+    "  ILIIIKJ EJFIHIK ?GFEGGJKHGHHGGHKGIHJHIIKLMJKKKKML        K        I       PLJ     @KJII "
+    "F >HFFJ  FNGHHJKLFCGGEGJNJFIGGHJKMFIIJJLL                 K       JIK      =KKH     IOJ   "
+    "  FFIJ   JOBIK  ?<BEFJHJLGHJIL                                LJJLNOOORNLMNOOSNLKKMOOQLKLL"
+    "NOPQNINKLNORNLNLMNONMRNLKMOOM MMLMOPL MLKLNON NMMMNOM MLLLMML MMLMNNOPNOOMOQOLMKNNMLMLRSQR"
+    "RQPQPOPNOOMOQOMNLNNMNNMQRPPQPPQPOPNOOMOQOMMLNNMNNLQRPPRPPQPOOOOPNOQNMMKNNLMNLQSQQRPPRPONPN"
+    "ONPPONMLNNMNNLPRQPRPPQPOLRNNNPPPONMNNNONNPQPOPPPPPOLRNNNPPPPOOMNOOOPPOOOOOPOPONQOONOQPOOPM"
+    "POPOQOONMMOOONOONOPPMNMLQPPPMNPRMPNLQONPNMQPQSNOSRQNMOPRMKKLPOPNMNPQ9OPRUY^fp|7KKMQUZbm|7J"
+    "JLOSXal|9KKLOTQcn|:LMLPUNdp|;NMNQVNeq|:QMORUMfl|: JNRTNfs|5GIIKM=UYeGRQTVZ^fm|7JIKNRJ_j|<K"
+    "LMORG][cKUUUX^bhu|?QPQTXUfq|                    8CGJMR^[i|                                "
+    "                  8 ECFLSZd|8HGJNTZfy|:ORU[djx||                                        6 "
+    " HGJQYev5 CDINT]h|4EFIMRZbr|7KLPU]fu||                              9   ORU^h|5  FIMRZg{4 "
+    "EEIOU]g|6DHKNT^hz|9JKMRYcs||                    <    ULlmw:   NSW`m|7  IJMT]g|7 GHLRXdt|9G"
+    "JLQX`pp|;KLNRYdv||                    =    ULcdz:   PSYal|7  KLOV^mz9 KHOT[l{|;JKMSYhs{|=M"
+    "NOU^izz|                    <    VL_kv:   ORXbk|8  MPT[fs|: ILOW^r{|=LMOUbwxy|@PQVWnpqr{  "
+    "                  =    UM_c|:   PSYdi|8  NQT^fp|; MPT^jwy|>QNQ[eopq|                      "
+    "        ;    VNfu|9   PRYdp|8  NRWbxy|: JNW`opp|                    QVRQ#                 "
+    "          EA'                             N[[ZYXWVUTTRQONLNLI<            MXYXXWVUTSSQPOMK"
+    "JMOO@           Xglkfca_]ZXWVUUSQNJF@           Y`ba_^[ZYXWVUTTRSOMIH           VR_L'     "
+    "      PVRR#                                                                               "
     "                                                                                          "
-    "                                                                  C)              EB&     "
-    "                                                                                          "
-    "                                                                                          "
-    "                                                    O]]ZYXWVUUTRQPOM=NPQONMMG       SNNNOP"
-    "OH        XXONNOPOMN      ]^WONNNONJ      c`_WNLLJKTH     hfa^WMLLLPML    jmdc^WLKKKNJ    "
-    "qpkeb^VLKKIPG   qspjdc^VLJJJN@  u||rifc^VKIIKH  ||tqokgc^VKHIJ  s{{{sskhe`VIGI> zzzzrroigf"
-    "`WIGF yyyyyyppjifaVGA?yyyyyyyynhhgbYMFNYYYXWVUTSRQPNMLAKONONLLL       PQPOOOKLKO      YVRP"
-    "OPPKLG      ^[WRPONOKKF     ba[WQOONPHJO    ee`[VQNNMPKH    iff`]VPNMLOJ=   jjgf`[VONNLQLG"
-    "  mmlff_[WONNKQME voljge_[VNMLJMF u|pmjeg^[VNKNKPLs{snsihea[VMLNMLyyyylqifh_[VMILGwwwwolwh"
-    "jgb]VJHLvvvvvnvvjhj`_YPHXinkfca_]ZXWVUUQ                                                  "
+    "                                                                  C)              EA'     "
     "                                                                                          "
     "                                                                                          "
-    "          X`ca_^[ZYXWVUTTQ                                                                "
+    "                                                    O][ZYXWVUTSRQPON>NPQPPNJG       SNOMOQ"
+    "PNO@      YWONONPONN      ^^VONNNPOJT     b`^WOMMJLVI     hf`]WNMMLPNL    njdb]WMKLLNMO   "
+    "tnkea]VMKLLNI   qvqieb]VMJKKK   |u|njf`]VLIJMF  ||ttolha]VLHKJ@ s{{{spnhb^VJGJF zzzzqqlkic"
+    "^WJGG@xxxxxxpxkic_VHB?xxxxxxxxmjifaXMENXYYXWVUTSRQPNMLBKNOONLOK@      OPPOPONKPL      XVRP"
+    "NPPJK=      ^]VQPONPLMG     b`[VQOOOPHKM    ee`[VPONMQLG    hge`[VPNNLNJ=   llfe`[VPNNLRMI"
+    "  tmkge_]VONNLPL= |qmkfd_[VNMLKNI ||qnhfg_[VNJNMOI{{{snihd`ZVMKONLyyyyynheg^]VMHOJwwwwwwig"
+    "ge`[VKGMvvvvvvvmjhj_`ZPHXglkfca_]ZXWVUUQ                                                  "
     "                                                                                          "
-    "                                                                                      PYUS"
-    "#           UPSQ#           VVOS#           XZMQ#           X]SO&           OYNO,         "
-    "  QVGD8           KLO/            LHC8            CN-             GGI6            KTC1    "
-    "        KN.             >8              I8                              D?+             JC"
-    ",             LP/             Ag8             D2                                          "
     "                                                                                          "
-    "                                                                          IYZYYXWWVVUTSRPN"
-    "OVUUTQPRQPSUTW[RQWWUTRPNMOL<    SXVVUTQOMMOLL   S[XVVTSPOMMLN>  T_ZWVUSSPOMMNMM Ua^YWUTRRO"
-    "NKNLJ Ud`]YWUSRRPNMMK?Vgc`]YVUSRRNKLMIUgfb`]XVURQRNKJFVihea`[XVTSQQLIHUkkgda_[XVTQPOJGVlnk"
-    "hd`^ZWUSPOMFVnrlieb_^ZVTRNKGThv|sigd_]YVURNJMYZYXWVUTSSQQONKAJNONOPONO      QLMNOLNPF     "
-    "  VSPNNMKPPSL     [WSPOMNJLPQ     _[WSOOLLLMNJ    c`ZWSOOMMIE     gd_ZWSONLMIJ    ife^ZVRO"
-    "NKLE@   khfd_ZVRNMLLF@  pohfc_ZVRNNKIB  trmgfc^YURMMKJI vsslheb^ZVQMMJF |ttpjedb]YVRKLGKzz"
-    "zrrhed`^ZVPKHEyyyyqkfccb[ZVSOJ|||nc^[YYWVVTRQMxmhhhhfc_ZXWWWUQhhh_g_g__^UUZNTM            "
-    "    O               OfffffffPR?     Oaiiiiii^MUE    P^kkkkkkcZLMG   P_lllllldZWMNF  Q`nnnn"
-    "nn[VUWMO> SaoogoogdWQUVNPFShappceb__WQUVLITchappd`]_`USVVNTdoddood`]_cVSVPSooogaooc]^b`WRR"
-    "Whuuumfhheba`^ZRXbba`^[ZYYWVUTTQHKVUPXO         SKQURO          YX^VURNJ        Ye_]SOPP? "
-    "      ]bmXZRQOP?      ]cffWXUSQP=     bZ]^]VVRPON@    e^`]ZXUVTPQS=   rbc]aYYUTROPN@  qicf"
-    "`_]^WOPOPR@ rrrcga]_ZYOSMMM qqqqbi_eZZUMRJM qqqqqbq_e[YTLSQMppppppeh^`Z[UJTLuuuuuuufmdda]Z"
-    "VQ                =A8             JNMO8           MxTN-           ^_[O(           ^[LU%   "
-    "        ZWPS#           UNUR#           PYUS#           USQO%           RSMR(           TZ"
-    "OM*           UZMP-           TT@g8           UZF.            NMF+                        "
-    "                                                    D2              Dg8             KO5   "
-    "          KF1             D?+             JB/             MQ1             /               "
-    "                                                                                IYZYYXWWVV"
-    "UTSRPNOWVUTRQRQPRTUVXRQWWVTRQONPMJQ   RYWWUTQPNNPLMH  S[YWVUSPONNMME  T_ZXVUSSQPNNPKI Ua^Y"
-    "WVUSSPOMNNH Ud`]YWUTRSPNNLMGVfc`]YVUTSSOLMLKUhfb`]XVUSRROLKDViheb`[XVTSRQMKHVkkgda_[XVTQPO"
-    "JGVlnjhd`^ZVUSPOMFVnrlieb_]ZVTRNKGShv|sigd_]YVURNJ                HUWWWWVUTTSRQOOLMSTTSRRS"
-    "SVTSPPMLQUTSRQOONNLQPJ  SXUTSQPONMJJJ   T[WUTRQPNNNNHJ  U_[WUTRPPOMNJG  Ua^[WTSRPONMLME Vc"
-    "b^ZVTSQPONKOJ?Vee`^ZVTRQONMIHJVfgd`]ZVSRQNNNGDVflec_]YUSRPNKLEWgmidb_[YTSQOMNKVflolca^[XTR"
-    "QNLJVdtokfaa]ZYSQPLDTburllhb_[YWTPOM|||nc^[YYWVVTRQMxmhhhhfc_ZXWWWUQhhh_g_g__^UUZNTM      "
-    "          O               OfffffffPR?     Oaiiiiii^MUE    P^kkkkkkcZLMG   P_lllllldZWMNF  "
-    "Q`nnnnnn[VUWMO> SaoogoogdWQUVNPFShappceb__WQUVLITchappd`]_`USVVNTdoddood`]_cVSVPSooogaooc]"
-    "^b`WRRWhuuumfhheba`^ZRieb`^[YXWWVTSRQPbfdfdb__^ZWXVUUQY^^`a`ibbWYVYWXQTYW[VWV[gRMM    S]]^"
-    "YXWZbYRML  OUZ_X[XVTXVTSMH  TZdYY[VWUWSTRK TT]e`]YYWUTXSQSK T[ee^ZYVXXSWUNZIT[jdb^[YVVUUXT"
-    "SNT`ifib][XWUXTYUPU[ibfqb`[YYWVS[QS_pehehdYYXVSWRRT]hpdgogd[XZWUTQS]ennebee`WZVTSSSZhppphc"
-    "hdaZXZUR QLNC                            IF                              OMMMMMMMMMMLLLKLM"
-    "MM             OMMMMMMMMLLLKKJIIOOO            OONONOOOONMMLLLLMLJ@            MNMMMMMMNMM"
+    "          Y`ba_^[ZYXWVUTTQ                                                                "
+    "                                                                                          "
+    "                                                                                      PYVR"
+    "#           SPTQ#           UVOR#           YZNR#           X]TP$           N_PL,         "
+    "  SWGC8           MLM/            MN?7            FP)             GGF8            KRE1    "
+    "        IP.             >8              I8                              D?+             JB"
+    "-             IN1             ?g8             C4                                          "
+    "                                                                                          "
+    "                                                                          IYZYXXWVVUTSRQPO"
+    "NVUUTRRSTTUTUOXQQVVTSRPNMPKNO   RXVVTSQOMLOLF   SZXVVSSPOLLOM?  T^YWVUSRPONMMJJ U_]YWUURRO"
+    "NJNPI Vc_]YWUTRRPNMLL>Vec_[YVUTRRNLJKIVgfa_ZXVUSQRNKGEVhifa^ZXVTTQPMH8Vikhd`^ZXVTQPPKFVomh"
+    "id_]YWURQONGWinnigb^]XVTQNJFSdr|uhgd_]XVTRNJMXYYXWVUTSSQQONLAJNOOPQOOK      QLNNNMOSKT    "
+    "  VSPNOLMQOQL     [VSPOMLMNQOO    _[WSOOMKLOQO    c`ZWSOOLLLJQ    gd_ZWSONLLJQO   hgd_ZVRO"
+    "NKKJL   khfd_ZVRNMLJD   qnhgc^ZVRNNKG;  pomhfc_YURMMKJL rrrlhfb^YVRLNID |slnmedc]YVQKLHNrz"
+    "zrrgeea]YVPKHEyqyyljgdce[YVTOJ|||lc^[YXWVVTRQMmxihhgec_ZXXWWVQjjbbjjja^ZWTTTRP            "
+    "    M               QYffffffPR?     P^iiiiii^MUE    P]kkkkkkcZLMG   P[lllllldZWMNF  Q_nnnn"
+    "nn[VUWMO> S`gogoogdWQUVNPFT`appceb__WQUVLIUceappd`]_`USVVNTgoddood`]_cVSVPTboogaooc]^b`WRR"
+    "Wmmuumfhheba`^ZRXaba`^]ZYYWVUTTQIKXWQTL         SHOT            VX_STSOG        Z`a^RPOS> "
+    "      a_bYZTPNP?      `_gcXWVRQP=     b[[^]VVSPON@    ab_]YZUUTPQS=   rg`]aYYUTROPN@  qffd"
+    "`_]^WOPOPR@ rrjega]_ZYOSMMM qqqidf`eZZUMRJM qqqqqbq_e[YTLSQMppppppeh^`Z[UJTLuuuuuuufucda]Z"
+    "VQ                =A8             KOMM8           NzSK-           `aWP%           ]ZKS'   "
+    "        WWNS#           SNUS#           PYVR#           SSRN&           STOP(           VZ"
+    "SP'           SXOP-           QUDg8           ZYF-            OOD+                        "
+    "                                                    C4              Bg8             GO8   "
+    "          KF0             D?+             J@1             JM2             ,               "
+    "                                                                                IYZYXXWVVU"
+    "TSRQPONWVUTSRSSTUTUOVQQWWUTRQONPKPTVTJRXWWUSRPNMPLI   SZXWVTSPONMNLF  T^YXVVSSQPONOIG U_]Y"
+    "WVUSRPOLOOG Vc_]YWUTRSQOOLMDVeb_[YVUTRROLKLJVhfa_ZXVUSQROLHCViifa^ZXVUTQQMI7Vijhd`^ZXVTQPP"
+    "KFVomhic_]YWUSQONGWinnigb^]XVTQNJGScr|uhgd_]XVTRNJ                ITXWWWVUUTSRQPMJMSTTTSTT"
+    "TTTSROPPPTTSRRPPNNOQO>  RWUTSRQOONLKF   SZWUTRRQONNNJ>  U]ZWUTRQPONNKG  U_]ZVTSRQPOMNNH Va"
+    "`]ZVTSQPPNMNJFVcc_]YVTRQPNNLJFWffc_[YUSRQONNJEWdieb][XUSRPOMNGWfikda]ZXTSQPMNKWdjnic`]ZWSR"
+    "POMJWctmigc_ZXXRPPLGV_lpmjfb_[YWTOOM|||lc^[YXWVVTRQMmxihhgec_ZXXWWVQjjbbjjja^ZWTTTRP      "
+    "          M               QYffffffPR?     P^iiiiii^MUE    P]kkkkkkcZLMG   P[lllllldZWMNF  "
+    "Q_nnnnnn[VUWMO> S`gogoogdWQUVNPFT`appceb__WQUVLIUceappd`]_`USVVNTgoddood`]_cVSVPTboogaooc]"
+    "^b`WRRWmmuumfhheba`^ZRgha`^[YXWWVTSRQPaeeedb`^^ZWXVUVQ]__`babg^YWYUVWRTVYYVWX`hWOSaaLOUX^]"
+    "[WVXbXRKO  OT]^Y[WWUXVTVKH  T[dYZZVWUXSSPK TUYca[YYWVTXSRRK T[de][YVWXSWUNZIT[jdb^[YVVUUXT"
+    "SNT]fifc][XWUXTYUPU]bdfqb`[YYWVS[QTYpehehdYYXVSWRRT[ppdgogd[XZWUTQS^`nnebee`WZVTSSS[pppphc"
+    "hdaZXZUR QLNC                            JF                              OMMMMMMLMMMLLLJMM"
+    "NM             OMMMMMMMLLLLKKJIIOOO            OKMPOONOONMMLLLLMLJ@            NMLNMMMMNMM"
     "LNMMLMJJI           ";
 
 constexpr std::array<std::int16_t, 216> kWeights = {
-    -848, 592, 1178, 307, 307, 307, 307, 307,
-    -18, 249, 193, -222, -81, 292, 307, 307,
-    320, 15, 45, -92, -75, 297, 307, 307,
-    377, 13, 41, -92, -168, 620, 307, 307,
-    347, 27, 367, -95, -98, 473, 307, 307,
-    412, 148, 426, -295, -294, 525, 307, 307,
-    393, 37, 418, -223, -401, 567, 307, 307,
-    475, -7, 542, -69, -623, 608, 307, 307,
-    1057, -210, 638, 113, -666, 320, 307, 307,
-    45, 342, 254, 132, 294, 307, 307, 307,
-    67, 507, 214, 185, 346, 307, 307, 307,
-    -17, 287, 181, 379, 264, 307, 307, 307,
-    -4, 354, 296, 206, 145, 307, 307, 307,
-    135, 292, 231, 384, 284, 307, 307, 307,
-    -33, 214, 218, 344, 225, 307, 307, 307,
-    17, 216, 158, 437, 304, 307, 307, 307,
-    251, 84, 351, 473, 303, 307, 307, 307,
-    362, 242, 214, 67, 307, 307, 307, 307,
-    257, 412, 290, 403, 231, 129, 307, 307,
-    -812, 799, 26, 1066, 307, 307, 307, 307,
-    -193, 356, 275, 425, 307, 307, 307, 307,
-    -242, 975, 567, 12, 307, 307, 307, 307,
-    -1039, 873, 1260, 509, 307, 307, 307, 307,
-    405, -210, 386, 386, 307, 307, 307, 307,
-    20, -491, 1022, 967, 307, 307, 307, 307,
-    381, 158, 176, 307, 307, 307, 307, 307,
-    216, 239, 307, 307, 307, 307, 307, 307,
+    -1233, 853, 1134, 307, 307, 307, 307, 307,
+    -139, 385, 228, -322, -27, 273, 307, 307,
+    -96, 318, 104, -98, 50, 349, 307, 307,
+    74, 249, -79, 80, -74, 558, 307, 307,
+    209, 225, 220, -58, -107, 546, 307, 307,
+    322, 279, 337, -173, -243, 619, 307, 307,
+    423, 148, 370, -126, -365, 612, 307, 307,
+    376, -32, 542, -23, -533, 682, 307, 307,
+    519, -149, 513, -265, -417, 614, 307, 307,
+    37, 326, 72, 165, 294, 307, 307, 307,
+    112, 513, 134, 166, 234, 307, 307, 307,
+    -45, 370, 179, 355, 291, 307, 307, 307,
+    56, 369, 272, 269, 132, 307, 307, 307,
+    133, 409, 159, 352, 322, 307, 307, 307,
+    -83, 275, 164, 334, 220, 307, 307, 307,
+    129, 347, 83, 372, 367, 307, 307, 307,
+    173, 84, 285, 441, 313, 307, 307, 307,
+    361, 91, 153, 199, 307, 307, 307, 307,
+    163, 457, 64, 252, 249, 183, 307, 307,
+    -845, 753, 85, 990, 307, 307, 307, 307,
+    -179, 371, 206, 458, 307, 307, 307, 307,
+    -327, 1043, 663, -15, 307, 307, 307, 307,
+    -1011, 849, 1302, 481, 307, 307, 307, 307,
+    421, -186, 373, 373, 307, 307, 307, 307,
+    6, -508, 1061, 962, 307, 307, 307, 307,
+    375, 252, 91, 307, 307, 307, 307, 307,
+    52, 218, 307, 307, 307, 307, 307, 307,
 };
 // clang-format on
 

@@ -59,8 +59,8 @@ struct TurnedAxes {
 };
 
 inline Matrix3 rotation_of(const std::int8_t (&turn)[3]) {
-  const Vector3 steps{{static_cast<double>(turn[0]), static_cast<double>(turn[1]),
-                       static_cast<double>(turn[2])}};
+  const Vector3 steps{
+      {static_cast<double>(turn[0]), static_cast<double>(turn[1]), static_cast<double>(turn[2])}};
   const double count = norm(steps);
   if (count == 0) return {};
   constexpr double kPi = 3.14159265358979323846;
