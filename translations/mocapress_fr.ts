@@ -1120,6 +1120,18 @@
         <source>Heat map and error graph: by how many degrees joints are turned in the world, instead of how far they are off (%1)</source>
         <translation>Carte de chaleur et graphique d&apos;erreur : de combien de degrés les articulations sont tournées dans l&apos;espace, au lieu de leur écart (%1)</translation>
     </message>
+    <message>
+        <source>What the Eye Sees</source>
+        <translation>Ce que l&apos;œil voit</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Vu</translation>
+    </message>
+    <message>
+        <source>Heat map: where people notice that joints are off, instead of how far they are off (%1)</source>
+        <translation>Carte de chaleur : où l&apos;on remarque l&apos;écart des articulations, au lieu de sa valeur (%1)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ErrorGraph</name>
@@ -1702,6 +1714,14 @@
     <message>
         <source>Angle in the world between the joint&apos;s rotation and the original&apos;s, RMS over the clip. Ends of bones turn with their joint.</source>
         <translation>Angle dans l&apos;espace entre la rotation de l&apos;articulation et celle de l&apos;original, moyenne quadratique sur la séquence. Les bouts d&apos;os tournent avec leur articulation.</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Vu</translation>
+    </message>
+    <message>
+        <source>The worst of the joint, in times of what people notice: up to 1 is not visible, up to 2 borderline.</source>
+        <translation>Le pire de l&apos;articulation, en multiples de ce que l&apos;on remarque : jusqu&apos;à 1 invisible, jusqu&apos;à 2 limite.</translation>
     </message>
 </context>
 <context>
@@ -2786,54 +2806,6 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>not visible</source>
-        <translation>invisible</translation>
-    </message>
-    <message>
-        <source>borderline</source>
-        <translation>limite</translation>
-    </message>
-    <message>
-        <source>visible</source>
-        <translation>visible</translation>
-    </message>
-    <message>
-        <source>velocity</source>
-        <translation>vitesse</translation>
-    </message>
-    <message>
-        <source>place about the body</source>
-        <translation>place par rapport au corps</translation>
-    </message>
-    <message>
-        <source>trembling</source>
-        <translation>tremblement</translation>
-    </message>
-    <message>
-        <source>sliding foot</source>
-        <translation>pied qui glisse</translation>
-    </message>
-    <message>
-        <source>floating foot</source>
-        <translation>pied qui flotte</translation>
-    </message>
-    <message>
-        <source>below the floor</source>
-        <translation>sous le sol</translation>
-    </message>
-    <message>
-        <source>flight</source>
-        <translation>vol</translation>
-    </message>
-    <message>
-        <source>turned head</source>
-        <translation>tête tournée</translation>
-    </message>
-    <message>
-        <source>turned hand</source>
-        <translation>main tournée</translation>
-    </message>
-    <message>
         <source>%1, %2 at %L3 s: %L4 times what people notice</source>
         <translation>%1, %2 à %L3 s : %L4 fois ce que l&apos;on remarque</translation>
     </message>
@@ -2913,6 +2885,84 @@
     <message>
         <source>Ends</source>
         <translation>Extrémités</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Sight</name>
+    <message>
+        <source>not visible</source>
+        <translation>invisible</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation>visible</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>vitesse</translation>
+    </message>
+    <message>
+        <source>place about the body</source>
+        <translation>place par rapport au corps</translation>
+    </message>
+    <message>
+        <source>trembling</source>
+        <translation>tremblement</translation>
+    </message>
+    <message>
+        <source>sliding foot</source>
+        <translation>pied qui glisse</translation>
+    </message>
+    <message>
+        <source>floating foot</source>
+        <translation>pied qui flotte</translation>
+    </message>
+    <message>
+        <source>below the floor</source>
+        <translation>sous le sol</translation>
+    </message>
+    <message>
+        <source>flight</source>
+        <translation>vol</translation>
+    </message>
+    <message>
+        <source>turned head</source>
+        <translation>tête tournée</translation>
+    </message>
+    <message>
+        <source>turned hand</source>
+        <translation>main tournée</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3, noticed from %4</source>
+        <translation>%1 : %2 %3, remarqué à partir de %4</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::SightStrip</name>
+    <message>
+        <source>What the eye sees</source>
+        <translation>Ce que l&apos;œil voit</translation>
+    </message>
+    <message>
+        <source>Where people notice that the clip is compressed. The heat map has it by joint.</source>
+        <translation>Où l&apos;on remarque que la séquence est compressée. La carte de chaleur le montre par articulation.</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Vu</translation>
+    </message>
+    <message>
+        <source>Where people notice that the clip is compressed: half a column is borderline, a whole one is visible.</source>
+        <translation>Où l&apos;on remarque que la séquence est compressée : une demi-colonne est limite, une colonne entière est visible.</translation>
+    </message>
+    <message>
+        <source>%1, frame %L2</source>
+        <translation>%1, image %L2</translation>
     </message>
 </context>
 <context>

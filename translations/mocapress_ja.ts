@@ -1111,6 +1111,18 @@
         <source>Heat map and error graph: by how many degrees joints are turned in the world, instead of how far they are off (%1)</source>
         <translation>ヒートマップと誤差のグラフ：位置のずれの代わりに、関節の回転が空間で何度ずれているかを示す（%1）</translation>
     </message>
+    <message>
+        <source>What the Eye Sees</source>
+        <translation>目に見えるもの</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>見え方</translation>
+    </message>
+    <message>
+        <source>Heat map: where people notice that joints are off, instead of how far they are off (%1)</source>
+        <translation>ヒートマップ：関節のずれの大きさの代わりに、ずれが人の目に付く箇所を表示します（%1）</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ErrorGraph</name>
@@ -1691,6 +1703,14 @@
     <message>
         <source>Angle in the world between the joint&apos;s rotation and the original&apos;s, RMS over the clip. Ends of bones turn with their joint.</source>
         <translation>空間での関節の回転と元の回転との角度、クリップ全体の二乗平均平方根。骨の先端は関節と共に回転します。</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>見え方</translation>
+    </message>
+    <message>
+        <source>The worst of the joint, in times of what people notice: up to 1 is not visible, up to 2 borderline.</source>
+        <translation>関節の最悪値。人が気付く大きさの何倍かで示します。1 までは見えず、2 までは境界です。</translation>
     </message>
 </context>
 <context>
@@ -2769,54 +2789,6 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>not visible</source>
-        <translation>見えない</translation>
-    </message>
-    <message>
-        <source>borderline</source>
-        <translation>境界</translation>
-    </message>
-    <message>
-        <source>visible</source>
-        <translation>見える</translation>
-    </message>
-    <message>
-        <source>velocity</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>place about the body</source>
-        <translation>体に対する位置</translation>
-    </message>
-    <message>
-        <source>trembling</source>
-        <translation>震え</translation>
-    </message>
-    <message>
-        <source>sliding foot</source>
-        <translation>足の滑り</translation>
-    </message>
-    <message>
-        <source>floating foot</source>
-        <translation>足の浮き</translation>
-    </message>
-    <message>
-        <source>below the floor</source>
-        <translation>床下</translation>
-    </message>
-    <message>
-        <source>flight</source>
-        <translation>空中の動き</translation>
-    </message>
-    <message>
-        <source>turned head</source>
-        <translation>頭の向き</translation>
-    </message>
-    <message>
-        <source>turned hand</source>
-        <translation>手の向き</translation>
-    </message>
-    <message>
         <source>%1, %2 at %L3 s: %L4 times what people notice</source>
         <translation>%1、%2、%L3 秒：人が気づく差の %L4 倍</translation>
     </message>
@@ -2896,6 +2868,84 @@
     <message>
         <source>Ends</source>
         <translation>両端</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Sight</name>
+    <message>
+        <source>not visible</source>
+        <translation>見えない</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>境界</translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation>見える</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>place about the body</source>
+        <translation>体に対する位置</translation>
+    </message>
+    <message>
+        <source>trembling</source>
+        <translation>震え</translation>
+    </message>
+    <message>
+        <source>sliding foot</source>
+        <translation>足の滑り</translation>
+    </message>
+    <message>
+        <source>floating foot</source>
+        <translation>足の浮き</translation>
+    </message>
+    <message>
+        <source>below the floor</source>
+        <translation>床下</translation>
+    </message>
+    <message>
+        <source>flight</source>
+        <translation>空中の動き</translation>
+    </message>
+    <message>
+        <source>turned head</source>
+        <translation>頭の向き</translation>
+    </message>
+    <message>
+        <source>turned hand</source>
+        <translation>手の向き</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3, noticed from %4</source>
+        <translation>%1：%2 %3（%4 から気付く）</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::SightStrip</name>
+    <message>
+        <source>What the eye sees</source>
+        <translation>目に見えるもの</translation>
+    </message>
+    <message>
+        <source>Where people notice that the clip is compressed. The heat map has it by joint.</source>
+        <translation>クリップの圧縮が人の目に付く箇所です。関節ごとの表示はヒートマップにあります。</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>見え方</translation>
+    </message>
+    <message>
+        <source>Where people notice that the clip is compressed: half a column is borderline, a whole one is visible.</source>
+        <translation>クリップの圧縮が人の目に付く箇所です。半分の高さは境界、全体の高さは見えることを表します。</translation>
+    </message>
+    <message>
+        <source>%1, frame %L2</source>
+        <translation>%1、フレーム %L2</translation>
     </message>
 </context>
 <context>

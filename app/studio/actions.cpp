@@ -165,7 +165,7 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
 
   QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
   addInGroups(view, actions.view);
-  view->addAction(actions.in_degrees);
+  view->addActions({actions.in_degrees, actions.as_seen});
   view->addMenu(Texts::tr("Error S&cale"))->addActions(actions.error_scales->actions());
   view->addMenu(Texts::tr("Angle Scale"))->addActions(actions.angle_scales->actions());
   view->addSeparator();

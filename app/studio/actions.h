@@ -52,6 +52,7 @@ struct Actions {
   QActionGroup* error_scales = nullptr;  // of distances
   QActionGroup* angle_scales = nullptr;
   QAction* in_degrees = nullptr;  // errors of heat map and graph
+  QAction* as_seen = nullptr;     // in the heat map
   ViewActions view;
   TransportActions transport;
 };

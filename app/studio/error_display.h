@@ -9,8 +9,9 @@ class QAction;
 
 namespace mocapress {
 
-/// How errors are shown: by which scale of distances and which of angles, and whether heat map and
-/// graph tell distances or angles. Remembered from run to run.
+/// How errors are shown: by which scale of distances and which of angles, whether heat map and
+/// graph tell distances or angles, and whether the heat map tells what is seen instead. Remembered
+/// from run to run.
 class ErrorDisplay : public QObject {
   Q_OBJECT
 
@@ -24,8 +25,12 @@ class ErrorDisplay : public QObject {
     return quantity == ErrorQuantity::Angle ? angles_ : distances_;
   }
 
-  /// The switch between both quantities.
+  /// Of the heat map.
+  bool tellsSight() const;
+
+  /// The switches to angles and to what is seen: one at most is on.
   QAction* inDegrees() const { return in_degrees_; }
+  QAction* asSeen() const { return as_seen_; }
 
  signals:
   void changed();
@@ -34,6 +39,7 @@ class ErrorDisplay : public QObject {
   ErrorScaleChoice* distances_;
   ErrorScaleChoice* angles_;
   QAction* in_degrees_;
+  QAction* as_seen_;
 };
 
 }  // namespace mocapress

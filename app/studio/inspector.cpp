@@ -19,6 +19,7 @@
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
 #include "widgets/timeline/playback.h"
+#include "widgets/timeline/sight_strip.h"
 #include "widgets/timeline/timeline.h"
 
 namespace mocapress {
@@ -107,10 +108,11 @@ Inspector::Inspector(Session* session, Playback* playback, const InspectionViews
 void Inspector::connectViews() {
   Timeline* timeline = views_.timeline;
   timeline->errors()->addActions(error_display_->scales(ErrorQuantity::Distance)->actions());
-  views_.heat_map->setSwitch(error_display_->inDegrees());
+  views_.heat_map->setSwitches({error_display_->inDegrees(), error_display_->asSeen()});
   showErrorScales();
   connect(timeline, &Timeline::seekRequested, playback_, &Playback::seek);
   connect(timeline->contacts(), &ContactStrip::contactsEdited, session_, &Session::setContacts);
+  connect(timeline->sight(), &SightStrip::chosen, this, &Inspector::chooseCell);
   connect(timeline->errors(), &ErrorStrip::rangeChosen, playback_,
           [this](const FrameRange& range) { playback_->setRange(range); });
   connect(playback_, &Playback::rangeChanged, timeline->errors(),
@@ -136,7 +138,8 @@ void Inspector::connectViews() {
 void Inspector::showErrorScales() {
   HeatMap* map = views_.heat_map;
   for (QAction* action : map->actions()) map->removeAction(action);
-  map->addAction(error_display_->inDegrees());
+  map->addActions({error_display_->inDegrees(), error_display_->asSeen()});
+  if (error_display_->tellsSight()) return;
   auto* rule = new QAction(map);
   rule->setSeparator(true);
   map->addAction(rule);
@@ -157,6 +160,10 @@ void Inspector::showErrors() {
                                        document.frames());
   views_.timeline->errors()->setGlitches(measured ? decoded->glitches : std::vector<Glitch>(),
                                          names);
+  const SightPtr sight =
+      measured && decoded->visibility ? SightPtr(decoded, &decoded->visibility->table) : nullptr;
+  views_.timeline->sight()->setSight(sight, names, document.frames());
+  views_.heat_map->setSight(sight, error_display_->tellsSight());
   views_.heat_map->setErrors(errors, names, scale_of(error_display_->quantity()));
   views_.figures->setFigures(figuresOf(document));
   const int apart = std::max(1, static_cast<int>(kWorstApart * document.sampleRate()));

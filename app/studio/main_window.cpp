@@ -58,7 +58,7 @@ namespace {
 constexpr QSize kFirstSize(1440, 900);
 constexpr int kSidebarWidth = 320;
 constexpr int kLibraryWidth = 240;
-constexpr int kJointsWidth = 370;
+constexpr int kJointsWidth = 400;
 constexpr int kBelowHeight = 240;
 constexpr std::chrono::milliseconds kSlowOpening{400};  // from here on it is said
 
@@ -80,6 +80,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   actions_.error_scales = error_display_->scales(ErrorQuantity::Distance);
   actions_.angle_scales = error_display_->scales(ErrorQuantity::Angle);
   actions_.in_degrees = error_display_->inDegrees();
+  actions_.as_seen = error_display_->asSeen();
   setCentralWidget(makeCentre());
   addDocks();
   recent_ = addMenus(this, actions_, layout_.docks());

@@ -143,7 +143,8 @@ void Presenter::showDecoded() {
   views_.result->setState(stateOf(document));
   const bool measured = decoded && decoded->distortion;
   const ErrorsPtr errors = measured ? ErrorsPtr(decoded, &*decoded->distortion) : nullptr;
-  models_.joints->setErrors(errors.get());
+  models_.joints->setErrors(
+      errors.get(), measured && decoded->visibility ? &decoded->visibility->table : nullptr);
   models_.joints->setSelection(document.curves());
   views_.graph->setErrors(errors, document.sampleRate(), curvesOf(document));
   showErrors();

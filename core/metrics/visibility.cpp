@@ -106,6 +106,19 @@ int SightTable::window_of(int frame) const {
   return std::min(frame / window_frames, windows() - 1);
 }
 
+WorstSight SightTable::at(int frame, int joint) const {
+  const int window = window_of(frame);
+  const auto from = static_cast<double>(noticed_from(window, joint));
+  const auto times = static_cast<double>(times_noticed(window, joint));
+  return {static_cast<Cue>(cues(window, joint)), joint, frame, times * from, from};
+}
+
+WorstSight SightTable::at(int frame) const {
+  Eigen::Index joint = 0;
+  times_noticed.row(window_of(frame)).maxCoeff(&joint);
+  return at(frame, static_cast<int>(joint));
+}
+
 Eigen::ArrayXd SightTable::by_joint() const {
   constexpr double kPower = 8;
   if (windows() == 0) return Eigen::ArrayXd::Zero(times_noticed.cols());
@@ -138,6 +151,7 @@ VisibilityMeter::VisibilityMeter(const Skeleton& skeleton, int frames, double sa
   seen_.table.window_frames = window_frames(sample_rate_hz);
   seen_.table.times_noticed = Eigen::MatrixXf::Zero(windows, skeleton.joint_count());
   seen_.table.cues.setZero(windows, skeleton.joint_count());
+  seen_.table.noticed_from = Eigen::MatrixXf::Ones(windows, skeleton.joint_count());
   lowest_.resize(windows, skeleton.joint_count());
   original_sum_ = decoded_sum_ = Eigen::RowVectorXd::Zero(3 * std::ssize(points_));
 }
@@ -297,6 +311,7 @@ void VisibilityMeter::see(Visibility& seen, int window, WorstSight what) {
   if (times > most) {
     most = times;
     seen.table.cues(window, what.joint) = static_cast<std::uint8_t>(what.cue);
+    seen.table.noticed_from(window, what.joint) = static_cast<float>(what.noticed_from);
   }
   WorstSight& worst = seen.worst_of[static_cast<std::size_t>(what.cue)];
   if (what.times_noticed() > worst.times_noticed()) worst = what;

@@ -98,10 +98,15 @@ struct SightTable {
   int window_frames = 1;
   Eigen::MatrixXf times_noticed;                                     // windows x joints
   Eigen::Matrix<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic> cues;  // of these
+  Eigen::MatrixXf noticed_from;                                      // likewise
 
   int windows() const { return static_cast<int>(times_noticed.rows()); }
   int window_of(int frame) const;
   int first_frame(int window) const { return window * window_frames; }
+
+  /// What is seen most of a joint at a frame, and of all joints.
+  WorstSight at(int frame, int joint) const;
+  WorstSight at(int frame) const;
 
   /// How much each joint is noticed where it is noticed most: the power mean by 8 over time.
   Eigen::ArrayXd by_joint() const;

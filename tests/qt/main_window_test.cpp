@@ -35,6 +35,7 @@
 #include "widgets/plots/error_graph.h"
 #include "widgets/plots/heat_map.h"
 #include "widgets/timeline/error_strip.h"
+#include "widgets/timeline/sight_strip.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/viewport/viewport.h"
 
@@ -251,6 +252,31 @@ TEST_F(StudioWithoutAScreen, HeatMapAndGraphTellDegreesByOneSwitchThatIsRemember
   in_degrees->trigger();
   EXPECT_EQ(picture(), in_cm);
   EXPECT_EQ(graph->yAxis->label(), axis);
+}
+
+TEST_F(StudioWithoutAScreen, TheHeatMapTellsWhatIsSeenByASwitchThatIsRemembered) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh")); });
+  HeatMap* map = window_.inspection().heat_map;
+  const auto picture = [map] { return map->grab().toImage(); };
+  const QImage in_cm = picture();
+  window_.actions().as_seen->trigger();
+  EXPECT_NE(picture(), in_cm);
+  EXPECT_FALSE(map->actions().contains(scale(5))) << "thresholds are what they are";
+  MainWindow next;
+  EXPECT_TRUE(next.errorDisplay()->tellsSight());
+  window_.actions().in_degrees->trigger();
+  EXPECT_FALSE(window_.errorDisplay()->tellsSight()) << "one at a time";
+  window_.actions().in_degrees->trigger();
+  EXPECT_EQ(picture(), in_cm);
+}
+
+TEST_F(StudioWithoutAScreen, AClickOnWhatIsSeenGoesThereAndSelectsTheJoint) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh")); });
+  SightStrip* strip = window_.inspection().timeline->sight();
+  QTest::mouseClick(strip, Qt::LeftButton, {}, {strip->width() - 12, strip->height() / 2});
+  EXPECT_GT(window_.playback().frame(), 50);
+  EXPECT_EQ(document_.currentJoint(),
+            document_.decoded()->visibility->table.at(window_.playback().frame()).joint);
 }
 
 TEST_F(StudioWithoutAScreen, ATargetOutOfReachIsSaidBesideItAndStays) {

@@ -79,11 +79,11 @@ TEST_F(JointErrors, ShowsEveryLandmarkWithItsMeanAndMax) {
   EXPECT_EQ(at(0, JointErrorModel::Mean).toString(), QStringLiteral("–"));
   Distortion errors{.distances = Eigen::MatrixXf::Zero(4, model_.rowCount())};
   errors.distances.col(2) << 0, 1, 2, 5;
-  model_.setErrors(&errors);
+  model_.setErrors(&errors, nullptr);
   EXPECT_DOUBLE_EQ(at(2, JointErrorModel::Mean, JointErrorModel::kSortRole).toDouble(), 2);
   EXPECT_DOUBLE_EQ(at(2, JointErrorModel::Max, JointErrorModel::kSortRole).toDouble(), 5);
   EXPECT_EQ(at(0, JointErrorModel::Name).toString(), QStringLiteral("root"));
-  model_.setErrors(nullptr);
+  model_.setErrors(nullptr, nullptr);
   EXPECT_EQ(at(2, JointErrorModel::Max).toString(), QStringLiteral("–"));
 }
 
@@ -93,7 +93,7 @@ TEST_F(JointErrors, ShowsTheAngleOfEveryJointAndItsEnds) {
   Distortion errors{.distances = Eigen::MatrixXf::Zero(4, model_.rowCount()),
                     .joint_degrees = Eigen::VectorXd::LinSpaced(joints, 0, joints - 1)};
   EXPECT_EQ(at(2, JointErrorModel::Angle).toString(), QStringLiteral("–"));
-  model_.setErrors(&errors);
+  model_.setErrors(&errors, nullptr);
   EXPECT_EQ(at(2, JointErrorModel::Angle).toString(), QStringLiteral("2.0°"));
   for (int row = 0; row < model_.rowCount(); ++row)
     EXPECT_EQ(at(row, JointErrorModel::Angle, JointErrorModel::kSortRole).toInt(),
@@ -103,12 +103,24 @@ TEST_F(JointErrors, ShowsTheAngleOfEveryJointAndItsEnds) {
                   .contains(QStringLiteral("in the world")));
 }
 
+TEST_F(JointErrors, ShowsHowMuchTheEyeSeesOfEveryJointAtWorst) {
+  model_.setLandmarks(points_);
+  SightTable sight;
+  sight.times_noticed.setZero(3, test::small_skeleton().joint_count());
+  sight.times_noticed(1, 2) = 1.44F;
+  EXPECT_EQ(at(2, JointErrorModel::Seen).toString(), QStringLiteral("–"));
+  model_.setErrors(nullptr, &sight);
+  EXPECT_EQ(at(2, JointErrorModel::Seen).toString(), QStringLiteral("1.44×"));
+  EXPECT_EQ(at(2, JointErrorModel::Seen, Qt::ToolTipRole).toString(), QStringLiteral("borderline"));
+  EXPECT_EQ(at(0, JointErrorModel::Seen).toString(), QStringLiteral("0.00×"));
+}
+
 TEST_F(JointErrors, SortsByError) {
   model_.setLandmarks(points_);
   Distortion errors{.distances = Eigen::MatrixXf::Zero(1, model_.rowCount())};
   errors.distances(0, 3) = 10.5F;
   errors.distances(0, 5) = 9;
-  model_.setErrors(&errors);
+  model_.setErrors(&errors, nullptr);
   QSortFilterProxyModel sorted;
   sorted.setSourceModel(&model_);
   sorted.setSortRole(JointErrorModel::kSortRole);

@@ -16,13 +16,17 @@
 #include <QTextBrowser>
 #include <QTranslator>
 #include <cstdio>
+#include <string>
 
 #include "app/studio/help.h"
 #include "app/studio/sample_clip.h"
 #include "app/studio/screenshot.h"
 #include "tests/qt/studio_at_work.h"
+#include "widgets/models/sight_colour.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/target_control.h"
+#include "widgets/plots/heat_map.h"
+#include "widgets/timeline/sight_strip.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/viewport/viewport.h"
 
@@ -139,6 +143,20 @@ TEST_F(StudioTour, DarkThemeIsDarkEverywhere) {
        {QPoint(20, 60), QPoint(700, 12), QPoint(1300, 65), QPoint(900, 300)}) {
     EXPECT_LT(qGray(dark.pixel(place)), 100) << place.x();
     EXPECT_GT(qGray(light.pixel(place)), 150) << place.x();
+  }
+}
+
+TEST_F(StudioTour, WhatTheEyeSeesIsPlainInBothThemes) {
+  Studio studio;
+  studio.open(sampleClip());
+  studio->findChild<QDockWidget*>(QStringLiteral("heat-map"))->raise();
+  studio->actions().as_seen->trigger();
+  for (const char* theme : {"light", "dark"}) {
+    studio->actions().themes->actions().at(theme == std::string("light") ? 1 : 2)->trigger();
+    const QImage picture = studio.picture(QStringLiteral("seen-") + QLatin1String(theme));
+    for (const QWidget* view : {static_cast<QWidget*>(studio->inspection().heat_map),
+                                static_cast<QWidget*>(studio->inspection().timeline->sight())})
+      EXPECT_GT(pixelsNear(picture, studio.areaOf(view), sightColour(Sight::Visible)), 100);
   }
 }
 

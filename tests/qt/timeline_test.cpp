@@ -14,12 +14,15 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolTip>
+#include <cmath>
 
+#include "widgets/models/sight_colour.h"
 #include "widgets/panels/figures_bar.h"
 #include "widgets/plots/channel_graph.h"
 #include "widgets/plots/heat_map.h"
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
+#include "widgets/timeline/sight_strip.h"
 
 namespace mocapress {
 namespace {
@@ -113,6 +116,55 @@ TEST_F(TimelineStrips, AContactsEndCanBeDragged) {
   drag(40, 45);  // between the ends: nothing is edited
   EXPECT_EQ(edited, (std::vector<ContactSpan>{{1, 5, 79}}));
   EXPECT_GT(seek.count(), 0);
+}
+
+/// Two windows of the hip and the toe: the toe is borderline in the first, visible from frame 40
+/// on.
+SightPtr toeIsSeen() {
+  SightTable table{.window_frames = 40};
+  table.times_noticed.resize(2, 2);
+  table.times_noticed << 0.25F, 1.5F, 0.5F, 3.F;
+  table.cues.setConstant(2, 2, static_cast<std::uint8_t>(Cue::Slide));
+  table.noticed_from = Eigen::MatrixXf::Constant(2, 2, 2);
+  return std::make_shared<SightTable>(table);
+}
+
+QString toolTipAt(QWidget& widget, const QPoint& place) {
+  QHelpEvent help(QEvent::ToolTip, place, widget.mapToGlobal(place));
+  QApplication::sendEvent(&widget, &help);
+  return QToolTip::text();
+}
+
+TEST_F(TimelineStrips, ShowWhatTheEyeSeesHalfHighWhereItIsBorderline) {
+  SightStrip* strip = timeline_.sight();
+  const auto there = [&](int from, int to) {
+    return QRect(QPoint(xOf(from) + 1, 0), QPoint(xOf(to) - 2, strip->height() - 1));
+  };
+  const QColor visible = sightColour(Sight::Visible);
+  const QColor borderline = sightColour(Sight::Borderline);
+  EXPECT_EQ(countOf(strip->grab().toImage(), visible, strip->rect()), 0) << "unknown";
+  strip->setSight(toeIsSeen(), kNames, kFrames);
+  const QImage picture = strip->grab().toImage();
+  const QRect late = there(40, 100);  // the last window is longer
+  const QRect early = there(2, 40);
+  EXPECT_GT(countOf(picture, visible, late), 2 * late.width() * late.height() / 3);
+  EXPECT_GT(countOf(picture, borderline, early), early.width() * early.height() / 4);
+  EXPECT_LT(countOf(picture, borderline, early), early.width() * early.height() / 2);
+  EXPECT_EQ(countOf(picture, borderline, late) + countOf(picture, visible, early), 0);
+}
+
+TEST_F(TimelineStrips, TellWhatTheEyeSeesAndGoThere) {
+  SightStrip* strip = timeline_.sight();
+  QSignalSpy chosen(strip, &SightStrip::chosen);
+  QTest::mouseClick(strip, Qt::LeftButton, {}, {xOf(70) + 2, 10});
+  EXPECT_EQ(chosen.count(), 0) << "unknown";
+  strip->setSight(toeIsSeen(), kNames, kFrames);
+  QTest::mouseClick(strip, Qt::LeftButton, {}, {xOf(70) + 2, 10});
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen[0][0].toInt(), 70);
+  EXPECT_EQ(chosen[0][1].toInt(), 1);
+  EXPECT_EQ(toolTipAt(*strip, {xOf(70) + 2, 10}),
+            QStringLiteral("toe, frame 71\nvisible: sliding foot 6.00 cm, noticed from 2.00 cm"));
 }
 
 class ZoomedTimeline : public TimelineStrips {
@@ -259,11 +311,68 @@ TEST(HeatMap, TellsBothErrorsOfWhatIsPointedAt) {
   for (const ErrorQuantity quantity : {ErrorQuantity::Distance, ErrorQuantity::Angle}) {
     map.setErrors(errorsOfBoth(), kNames, {10, quantity});
     const QPoint toe_at_the_end(600 - 8 - 1, 180);
-    QHelpEvent help(QEvent::ToolTip, toe_at_the_end, map.mapToGlobal(toe_at_the_end));
-    QApplication::sendEvent(&map, &help);
-    EXPECT_TRUE(QToolTip::text().endsWith(QStringLiteral("1.00 cm · 10.0°")))
-        << QToolTip::text().toStdString();
+    EXPECT_TRUE(toolTipAt(map, toe_at_the_end).endsWith(QStringLiteral("1.00 cm · 10.0°")));
   }
+}
+
+TEST(HeatMap, ShowsWhatTheEyeSeesByJointAndTime) {
+  HeatMap map;
+  map.resize(600, 240);
+  map.show();
+  map.setErrors(errorsOfBoth(), kNames, {1, ErrorQuantity::Distance});
+  const QPoint toe(300, 180);  // before the middle
+  const QPoint toe_at_the_end(600 - 8 - 2, 180);
+  const auto colourAt = [&](const QPoint& place) { return map.grab().toImage().pixelColor(place); };
+  map.setSight(toeIsSeen(), false);
+  EXPECT_EQ(colourAt(toe), viridis(1));
+  map.setSight(toeIsSeen(), true);
+  EXPECT_EQ(colourAt({300, 60}), sightColour(0.5));
+  EXPECT_EQ(colourAt({toe.x() - 150, toe.y()}), sightColour(Sight::Borderline));
+  EXPECT_EQ(colourAt(toe_at_the_end), sightColour(Sight::Visible));
+  EXPECT_EQ(toolTipAt(map, toe_at_the_end),
+            QStringLiteral("toe, frame 100: 1.00 cm · 10.0°\n"
+                           "visible: sliding foot 6.00 cm, noticed from 2.00 cm"));
+  QSignalSpy chosen(&map, &HeatMap::chosen);
+  QTest::mouseClick(&map, Qt::LeftButton, {}, toe_at_the_end);
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen[0][1].toInt(), 1);
+  map.setSight(nullptr, true);
+  EXPECT_EQ(colourAt(toe), viridis(1)) << "of an unknown verdict errors are shown";
+}
+
+TEST(SightImage, KeepsTheWorstOfFramesThatShareAColumn) {
+  SightTable table{.window_frames = 10};
+  table.times_noticed = Eigen::MatrixXf::Zero(100, 3);
+  table.times_noticed(43, 1) = 2.5F;
+  const QImage image = sightImage(table, 1005, 25);
+  ASSERT_EQ(image.size(), QSize(25, 3));
+  for (int column = 0; column < 25; ++column)
+    for (int row = 0; row < 3; ++row)
+      EXPECT_EQ(image.pixelColor(column, row), sightColour(column == 10 && row == 1 ? 2.5 : 0.0))
+          << column << ' ' << row;
+}
+
+/// How far apart two colours are to somebody without red cones, or green ones (Vienot et al. 1999),
+/// and how much lighter one is.
+double apartWithoutRedOrGreen(const QColor& a, const QColor& b) {
+  const auto seen = [](const QColor& colour) {
+    const auto linear = [](double part) { return std::pow(part / 255, 2.2); };
+    const double both = 0.3 * linear(colour.red()) + 0.7 * linear(colour.green());
+    return std::pair(255 * std::pow(both, 1 / 2.2), static_cast<double>(colour.blue()));
+  };
+  const auto [yellow, blue] = seen(a);
+  const auto [other_yellow, other_blue] = seen(b);
+  return std::hypot(yellow - other_yellow, blue - other_blue);
+}
+
+TEST(SightColour, TellsVerdictsApartWithoutRedOrGreen) {
+  const QColor slate = sightColour(1.0);
+  const QColor amber = sightColour(2.0);
+  const QColor vermilion = sightColour(2.1);
+  EXPECT_GT(apartWithoutRedOrGreen(slate, amber), 60);
+  EXPECT_GT(apartWithoutRedOrGreen(amber, vermilion), 60);
+  EXPECT_GT(apartWithoutRedOrGreen(slate, vermilion), 60);
+  EXPECT_LT(sightColour(0.1).lightness(), slate.lightness());
 }
 
 TEST(FiguresBar, NamesTheWeightingAndShowsEveryFigure) {

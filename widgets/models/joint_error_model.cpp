@@ -4,6 +4,8 @@
 #include <cassert>
 
 #include "widgets/models/error_quantity.h"
+#include "widgets/models/sight_colour.h"
+#include "widgets/models/sight_text.h"
 
 namespace mocapress {
 
@@ -12,10 +14,14 @@ void JointErrorModel::setLandmarks(std::vector<Landmark> points) {
   points_ = std::move(points);
   distances_.resize(0, 2);
   joint_degrees_.resize(0);
+  times_noticed_.resize(0);
   endResetModel();
 }
 
-void JointErrorModel::setErrors(const Distortion* errors) {
+void JointErrorModel::setErrors(const Distortion* errors, const SightTable* sight) {
+  times_noticed_.resize(0);
+  if (sight && sight->windows() > 0)
+    times_noticed_ = sight->times_noticed.colwise().maxCoeff().transpose();
   if (!errors || errors->distances.size() == 0) {
     distances_.resize(0, 2);
     joint_degrees_.resize(0);
@@ -27,7 +33,7 @@ void JointErrorModel::setErrors(const Distortion* errors) {
     distances_.col(1) = distances.colwise().maxCoeff().transpose();
     joint_degrees_ = errors->joint_degrees;
   }
-  if (rowCount() > 0) emit dataChanged(index(0, Mean), index(rowCount() - 1, Angle));
+  if (rowCount() > 0) emit dataChanged(index(0, Mean), index(rowCount() - 1, Seen));
 }
 
 void JointErrorModel::setSelection(const CurveSelection& selection) {
@@ -73,12 +79,19 @@ QVariant JointErrorModel::errorData(int row, int column, int role) const {
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   const std::optional<double> error = errorAt(row, column);
   if (role == kSortRole) return error.value_or(-1);
+  if (role == Qt::DecorationRole && column == Seen && error) return sightColour(sight_of(*error));
+  if (role == Qt::ToolTipRole && column == Seen && error) return displayName(sight_of(*error));
   if (role != Qt::DisplayRole) return {};
   if (!error) return QStringLiteral("–");
+  if (column == Seen) return QStringLiteral("%L1×").arg(*error, 0, 'f', 2);
   return errorText(*error, column == Angle ? ErrorQuantity::Angle : ErrorQuantity::Distance);
 }
 
 std::optional<double> JointErrorModel::errorAt(int row, int column) const {
+  if (column == Seen)
+    return times_noticed_.size() > 0
+               ? std::optional(static_cast<double>(times_noticed_(jointOf(row))))
+               : std::nullopt;
   if (distances_.rows() == 0) return std::nullopt;
   if (column == Angle) return joint_degrees_(jointOf(row));
   return static_cast<double>(distances_(row, column - Mean));
@@ -93,6 +106,9 @@ std::pair<QString, QString> JointErrorModel::headerTexts(int column) {
       return {tr("Mean"), tr("Distance in the world from the original, averaged over the clip.")};
     case Max:
       return {tr("Max"), tr("Greatest distance in the world from the original, at any frame.")};
+    case Seen:
+      return {tr("Seen"), tr("The worst of the joint, in times of what people notice: up to 1 is "
+                             "not visible, up to 2 borderline.")};
     default:
       return {tr("Angle"), tr("Angle in the world between the joint's rotation and the original's, "
                               "RMS over the clip. Ends of bones turn with their joint.")};

@@ -7,17 +7,18 @@
 #include <vector>
 
 #include "core/metrics/distortion.h"
+#include "core/metrics/visibility.h"
 #include "widgets/models/curve_selection.h"
 
 namespace mocapress {
 
-/// One row a landmark: its name, checkable, its mean and greatest distance from the original (cm)
-/// and by how much it is turned (degrees).
+/// One row a landmark: its name, checkable, its mean and greatest distance from the original (cm),
+/// by how much it is turned (degrees) and whether the eye sees it.
 class JointErrorModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { Name, Mean, Max, Angle, kColumns };
+  enum Column { Name, Mean, Max, Angle, Seen, kColumns };
   static constexpr int kSortRole = Qt::UserRole;
 
   using QAbstractTableModel::QAbstractTableModel;
@@ -26,7 +27,7 @@ class JointErrorModel : public QAbstractTableModel {
   void setLandmarks(std::vector<Landmark> points);
 
   /// Of those landmarks; null: unknown.
-  void setErrors(const Distortion* errors);
+  void setErrors(const Distortion* errors, const SightTable* sight);
 
   void setSelection(const CurveSelection& selection);
 
@@ -53,6 +54,7 @@ class JointErrorModel : public QAbstractTableModel {
   std::vector<Landmark> points_;
   Eigen::MatrixX2f distances_;     // cm: mean, max; no rows: unknown
   Eigen::VectorXd joint_degrees_;  // by joint, RMS
+  Eigen::VectorXf times_noticed_;  // by joint, at worst; empty: unknown
   CurveSelection selection_;
 };
 

@@ -49,7 +49,8 @@ JointsPanel::JointsPanel(JointErrorModel* model, QWidget* parent)
   view_->sortByColumn(JointErrorModel::Name, Qt::AscendingOrder);
   view_->header()->setStretchLastSection(false);
   view_->header()->setSectionResizeMode(JointErrorModel::Name, QHeaderView::Stretch);
-  for (const int column : {JointErrorModel::Mean, JointErrorModel::Max, JointErrorModel::Angle})
+  for (const int column :
+       {JointErrorModel::Mean, JointErrorModel::Max, JointErrorModel::Angle, JointErrorModel::Seen})
     view_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

@@ -7,6 +7,7 @@
 #include <QtMath>
 
 #include "widgets/models/length_text.h"
+#include "widgets/models/sight_text.h"
 #include "widgets/panels/names.h"
 
 namespace mocapress {
@@ -38,42 +39,6 @@ QString kneeText(const ResultFigures& figures) {
       .arg(qRadiansToDegrees(*figures.fastest_knee_of_original), 0, 'f', 0);
 }
 
-QString sightText(Sight sight) {
-  switch (sight) {
-    case Sight::NotVisible:
-      return ResultPanel::tr("not visible");
-    case Sight::Borderline:
-      return ResultPanel::tr("borderline");
-    case Sight::Visible:
-      return ResultPanel::tr("visible");
-  }
-  return {};
-}
-
-QString cueText(Cue cue) {
-  switch (cue) {
-    case Cue::Velocity:
-      return ResultPanel::tr("velocity");
-    case Cue::Place:
-      return ResultPanel::tr("place about the body");
-    case Cue::Jitter:
-      return ResultPanel::tr("trembling");
-    case Cue::Slide:
-      return ResultPanel::tr("sliding foot");
-    case Cue::Lift:
-      return ResultPanel::tr("floating foot");
-    case Cue::Floor:
-      return ResultPanel::tr("below the floor");
-    case Cue::Flight:
-      return ResultPanel::tr("flight");
-    case Cue::Head:
-      return ResultPanel::tr("turned head");
-    case Cue::Hand:
-      return ResultPanel::tr("turned hand");
-  }
-  return {};
-}
-
 QString seenExplanation() {
   return ResultPanel::tr("Whether anything that is off is more than people notice.");
 }
@@ -81,7 +46,7 @@ QString seenExplanation() {
 /// What is seen most, and when.
 QString reasonText(const SeenFigures& seen) {
   return ResultPanel::tr("%1, %2 at %L3 s: %L4 times what people notice")
-      .arg(cueText(seen.cue), seen.joint)
+      .arg(displayName(seen.cue), seen.joint)
       .arg(seen.seconds, 0, 'f', 2)
       .arg(seen.times_noticed, 0, 'f', 2);
 }
@@ -182,7 +147,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   p95_->setText(distance(figures->p95_cm));
   p99_->setText(distance(figures->p99_cm));
   max_->setText(distance(figures->max_cm));
-  seen_->setText(figures->seen ? sightText(figures->seen->sight) : kUnknown);
+  seen_->setText(figures->seen ? displayName(figures->seen->sight) : kUnknown);
   seen_->setToolTip(figures->seen ? reasonText(*figures->seen) : seenExplanation());
   coefficient_ratio_->setText(figures->coefficient_ratio
                                   ? tr("%L1 : 1").arg(*figures->coefficient_ratio, 0, 'f', 1)

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
+#include "widgets/models/sight_colour.h"
 #include "widgets/plots/switch_button.h"
 
 namespace mocapress {
@@ -26,26 +28,46 @@ std::array<QRgb, 256> ramp() {
   return colours;
 }
 
-}  // namespace
-
-QImage heatImage(const Eigen::MatrixXf& errors, const ErrorScale& scale, int most_columns) {
-  if (errors.size() == 0) return {};
-  static const std::array<QRgb, 256> kRamp = ramp();
-  const auto frames = static_cast<int>(errors.rows());
-  const auto rows = static_cast<int>(errors.cols());
-  const int columns = std::min(frames, most_columns);
-  QImage image(columns, rows, QImage::Format_RGB32);
+/// A row each, a column for frames that share it: `colour(row, first, last)` of them.
+template <typename Colour>
+QImage paintedCells(int frames, int rows, int most_columns, const Colour& colour) {
+  if (frames == 0 || rows == 0) return {};
+  const std::int64_t columns = std::min(frames, most_columns);
+  QImage image(static_cast<int>(columns), rows, QImage::Format_RGB32);
   for (int row = 0; row < rows; ++row) {
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(row));
-    for (int column = 0; column < columns; ++column) {
-      const auto first = static_cast<Eigen::Index>(column) * frames / columns;
-      const auto end = static_cast<Eigen::Index>(column + 1) * frames / columns;
-      const auto worst = static_cast<double>(
-          errors.col(row).segment(first, std::max<Eigen::Index>(end - first, 1)).maxCoeff());
-      line[column] = kRamp[static_cast<std::size_t>(std::lround(255 * scale.share(worst)))];
+    for (std::int64_t column = 0; column < columns; ++column) {
+      const auto first = static_cast<int>(column * frames / columns);
+      const auto end = static_cast<int>((column + 1) * frames / columns);
+      line[column] = colour(row, first, std::max(end - 1, first));
     }
   }
   return image;
+}
+
+}  // namespace
+
+QImage heatImage(const Eigen::MatrixXf& errors, const ErrorScale& scale, int most_columns) {
+  static const std::array<QRgb, 256> kRamp = ramp();
+  return paintedCells(
+      static_cast<int>(errors.rows()), static_cast<int>(errors.cols()), most_columns,
+      [&](int row, int first, int last) {
+        const auto worst =
+            static_cast<double>(errors.col(row).segment(first, last - first + 1).maxCoeff());
+        return kRamp[static_cast<std::size_t>(std::lround(255 * scale.share(worst)))];
+      });
+}
+
+QImage sightImage(const SightTable& sight, int frames, int most_columns) {
+  return paintedCells(
+      frames, static_cast<int>(sight.times_noticed.cols()), most_columns,
+      [&](int row, int first, int last) {
+        const int window = sight.window_of(first);
+        const int count = sight.window_of(last) - window + 1;
+        return sightColour(static_cast<double>(
+                               sight.times_noticed.col(row).segment(window, count).maxCoeff()))
+            .rgb();
+      });
 }
 
 HeatMap::HeatMap(QWidget* parent) : QWidget(parent) {
@@ -74,21 +96,32 @@ QFont HeatMap::boldFont() const {
   return bold;
 }
 
-void HeatMap::setSwitch(QAction* action) {
-  delete switch_;
-  switch_ = new SwitchButton(action, this);
-  placeSwitch();
+void HeatMap::setSight(SightPtr sight, bool shown) {
+  sight_ = std::move(sight);
+  sight_shown_ = shown;
+  image_ = QImage();
+  update();
+}
+
+void HeatMap::setSwitches(const QList<QAction*>& actions) {
+  qDeleteAll(switches_);
+  switches_.clear();
+  for (QAction* action : actions) switches_.push_back(new SwitchButton(action, this));
+  placeSwitches();
 }
 
 /// Below the names, where the legend leaves room.
-void HeatMap::placeSwitch() {
-  if (!switch_) return;
-  const QSize size(switch_->sizeHint().width(), kLegendHeight - 2);
-  switch_->setGeometry({{kMargin, height() - size.height() - 1}, size});
+void HeatMap::placeSwitches() {
+  int left = kMargin;
+  for (SwitchButton* button : switches_) {
+    const QSize size(button->sizeHint().width(), kLegendHeight - 2);
+    button->setGeometry({{left, height() - size.height() - 1}, size});
+    left += size.width() + 2;
+  }
 }
 
 void HeatMap::resizeEvent(QResizeEvent*) {
-  placeSwitch();
+  placeSwitches();
 }
 
 const Eigen::MatrixXf& HeatMap::shown() const {
@@ -120,11 +153,10 @@ QRectF HeatMap::rowOf(int landmark) const {
 std::optional<HeatMap::Cell> HeatMap::cellAt(const QPointF& position) const {
   const QRectF area = mapArea();
   if (shown().size() == 0) return {};
-  const auto frames = static_cast<int>(shown().rows());
   const auto place = [](double share, int count) {
     return std::clamp(static_cast<int>(std::floor(share * count)), 0, count - 1);
   };
-  return Cell{place((position.x() - area.left()) / area.width(), frames),
+  return Cell{place((position.x() - area.left()) / area.width(), frames()),
               place((position.y() - area.top()) / area.height(), rows())};
 }
 
@@ -132,7 +164,7 @@ void HeatMap::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Base));
   const QRectF area = mapArea();
-  if (image_.isNull()) image_ = heatImage(shown(), scale_, kMostColumns);
+  if (image_.isNull()) image_ = paintedImage();
   if (image_.isNull()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect(), Qt::AlignCenter, tr("Errors are measured against the original."));
@@ -145,12 +177,13 @@ void HeatMap::paintEvent(QPaintEvent*) {
   const int step = std::max(1, static_cast<int>(std::ceil(line / rowOf(0).height())));
   const auto name = [&](int row) {
     const QRectF at = rowOf(row);
-    painter.drawText(QRectF(kMargin, at.center().y() - line / 2.0, names_width_, line),
+    const double top = std::min(at.center().y() - line / 2.0, area.bottom() - line);
+    painter.drawText(QRectF(kMargin, std::max(top, 0.0), names_width_, line),
                      Qt::AlignRight | Qt::AlignVCenter, names_[static_cast<std::size_t>(row)]);
   };
   for (int row = 0; row < rows(); row += step)
     if (current_ < 0 || std::abs(row - current_) >= step) name(row);
-  const double x = area.left() + area.width() * (frame_ + 0.5) / std::max(1, int(shown().rows()));
+  const double x = area.left() + area.width() * (frame_ + 0.5) / std::max(1, frames());
   painter.setPen(QPen(Qt::white, 1));
   painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
   if (current_ >= 0 && current_ < rows()) {
@@ -161,7 +194,12 @@ void HeatMap::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(Qt::white, 1));
     painter.drawRect(rowOf(current_).adjusted(0, -0.5, 0, 0.5));
   }
-  paintLegend(painter);
+  showsSight() ? paintVerdicts(painter) : paintLegend(painter);
+}
+
+QImage HeatMap::paintedImage() const {
+  return showsSight() ? sightImage(*sight_, frames(), kMostColumns)
+                      : heatImage(shown(), scale_, kMostColumns);
 }
 
 void HeatMap::paintLegend(QPainter& painter) const {
@@ -182,6 +220,25 @@ void HeatMap::paintLegend(QPainter& painter) const {
                    none);
 }
 
+/// What the colours of verdicts mean, from the right.
+void HeatMap::paintVerdicts(QPainter& painter) const {
+  const QRectF area = mapArea();
+  const double y = area.bottom() + kLegendHeight / 2.0 + 1;
+  const double line = fontMetrics().height();
+  double right = area.right();
+  for (const auto& [sight, beyond] : {std::pair(Sight::Visible, QStringLiteral(" > 2×")),
+                                      std::pair(Sight::Borderline, QStringLiteral(" > 1×")),
+                                      std::pair(Sight::NotVisible, QString())}) {
+    const QString text = displayName(sight) + beyond;
+    const double width = fontMetrics().horizontalAdvance(text) + 4;
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(QRectF(right - width, y - line / 2, width, line),
+                     Qt::AlignRight | Qt::AlignVCenter, text);
+    painter.fillRect(QRectF(right - width - 12, y - 5, 10, 10), sightColour(sight));
+    right -= width + 26;
+  }
+}
+
 bool HeatMap::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
@@ -190,13 +247,18 @@ bool HeatMap::event(QEvent* event) {
     QToolTip::hideText();
     return true;
   }
-  QToolTip::showText(help->globalPos(),
-                     tr("%1, frame %L2: %3")
-                         .arg(names_[static_cast<std::size_t>(cell->landmark)])
-                         .arg(cell->frame + 1)
-                         .arg(errorsText(*errors_, cell->frame, cell->landmark)),
-                     this);
+  QToolTip::showText(help->globalPos(), describe(*cell), this);
   return true;
+}
+
+QString HeatMap::describe(const Cell& cell) const {
+  const QString errors = tr("%1, frame %L2: %3")
+                             .arg(names_[static_cast<std::size_t>(cell.landmark)])
+                             .arg(cell.frame + 1)
+                             .arg(errorsText(*errors_, cell.frame, cell.landmark));
+  // Landmark j is joint j; the ends of bones come after them.
+  if (!sight_ || cell.landmark >= sight_->times_noticed.cols()) return errors;
+  return errors + QLatin1Char('\n') + sightText(sight_->at(cell.frame, cell.landmark));
 }
 
 void HeatMap::choose(const QPointF& position) {

@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "widgets/models/error_colour.h"
+#include "widgets/models/sight_text.h"
 
 namespace mocapress {
 
 class SwitchButton;
 
 /// Every landmark's error at every frame at a glance, a distance or an angle: a row a landmark,
-/// time to the right, coloured by a scale of either. A click seeks and chooses the joint.
+/// time to the right, coloured by a scale of either. Or whether the eye sees it, a row a joint. A
+/// click seeks and chooses the joint.
 class HeatMap : public QWidget {
   Q_OBJECT
 
@@ -24,8 +26,11 @@ class HeatMap : public QWidget {
   /// `names` of all landmarks. The scale says which errors are shown.
   void setErrors(ErrorsPtr errors, std::vector<QString> names, const ErrorScale& scale);
 
-  /// What switches to the other quantity, in the corner.
-  void setSwitch(QAction* action);
+  /// Of the same clip; null: unknown. Shown in place of its errors, or told beside them.
+  void setSight(SightPtr sight, bool shown);
+
+  /// What switches to other quantities, in the corner.
+  void setSwitches(const QList<QAction*>& actions);
 
   void setFrame(int frame);
 
@@ -57,17 +62,26 @@ class HeatMap : public QWidget {
   QRectF rowOf(int landmark) const;
   std::optional<Cell> cellAt(const QPointF& position) const;
   void choose(const QPointF& position);
+  QImage paintedImage() const;
+  QString describe(const Cell& cell) const;
   void paintLegend(QPainter& painter) const;
-  void placeSwitch();
+  void paintVerdicts(QPainter& painter) const;
+  void placeSwitches();
 
   /// Frames x landmarks; empty: unknown.
   const Eigen::MatrixXf& shown() const;
-  int rows() const { return static_cast<int>(shown().cols()); }
+  bool showsSight() const { return sight_ && sight_shown_; }
+  int frames() const { return static_cast<int>(shown().rows()); }
+  int rows() const {
+    return static_cast<int>(showsSight() ? sight_->times_noticed.cols() : shown().cols());
+  }
 
   ErrorsPtr errors_;
   std::vector<QString> names_;
   ErrorScale scale_;
-  SwitchButton* switch_ = nullptr;
+  SightPtr sight_;
+  bool sight_shown_ = false;
+  std::vector<SwitchButton*> switches_;
   QImage image_;  // one pixel a landmark and a stretch of frames
   int frame_ = 0;
   int current_ = -1;
@@ -76,5 +90,8 @@ class HeatMap : public QWidget {
 
 /// The picture of a heat map: the worst of the frames that share a column counts.
 QImage heatImage(const Eigen::MatrixXf& errors, const ErrorScale& scale, int most_columns);
+
+/// The same of what is seen.
+QImage sightImage(const SightTable& sight, int frames, int most_columns);
 
 }  // namespace mocapress

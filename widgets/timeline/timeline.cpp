@@ -10,6 +10,7 @@
 
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
+#include "widgets/timeline/sight_strip.h"
 
 namespace mocapress {
 namespace {
@@ -30,6 +31,7 @@ double possibleLength(double wanted, int frames) {
 Timeline::Timeline(QWidget* parent)
     : QWidget(parent),
       errors_(new ErrorStrip(this)),
+      sight_(new SightStrip(this)),
       contacts_(new ContactStrip(this)),
       scroll_(new QScrollBar(Qt::Horizontal, this)) {
   scroll_->setAccessibleName(tr("Part of the clip in sight"));
@@ -39,20 +41,26 @@ Timeline::Timeline(QWidget* parent)
   column->setContentsMargins(0, 2, 0, 0);
   column->setSpacing(0);
   column->addWidget(errors_);
+  column->addWidget(sight_);
   column->addWidget(contacts_);
   column->addWidget(scroll_);
   connect(errors_, &ErrorStrip::seekRequested, this, &Timeline::seekRequested);
   connect(contacts_, &ContactStrip::seekRequested, this, &Timeline::seekRequested);
   connect(scroll_, &QScrollBar::valueChanged, this,
           [this](int first) { setWindow(first, window_.length); });
-  errors_->setLabelWidth(errors_->labelWidth());
+  setContacts({}, {}, 0);
+}
+
+int Timeline::labelWidth() const {
+  return std::max({errors_->labelWidth(), sight_->labelWidth(), contacts_->labelWidth()});
 }
 
 void Timeline::setContacts(std::vector<ContactSpan> contacts, const std::vector<QString>& names,
                            int frames) {
   contacts_->setContacts(std::move(contacts), names, frames);
-  const int width = std::max(errors_->labelWidth(), contacts_->labelWidth());
+  const int width = labelWidth();
   errors_->setLabelWidth(width);
+  sight_->setLabelWidth(width);
   contacts_->setLabelWidth(width);
   if (frames == frames_) return;
   frames_ = frames;
@@ -61,6 +69,7 @@ void Timeline::setContacts(std::vector<ContactSpan> contacts, const std::vector<
 
 void Timeline::setFrame(int frame) {
   errors_->setFrame(frame);
+  sight_->setFrame(frame);
   contacts_->setFrame(frame);
   if (window_.length == 0) return;
   if (frame < window_.first)
@@ -74,8 +83,7 @@ void Timeline::showAll() {
 }
 
 TimeAxis Timeline::axis() const {
-  const int labels = std::max(errors_->labelWidth(), contacts_->labelWidth());
-  return {static_cast<double>(2 * kStripMargin + labels),
+  return {static_cast<double>(2 * kStripMargin + labelWidth()),
           static_cast<double>(width() - kStripMargin), frames_, window_};
 }
 
@@ -84,6 +92,7 @@ void Timeline::setWindow(double first, double length) {
   const bool whole = length >= frames_;
   window_ = whole ? FrameWindow() : FrameWindow{std::clamp(first, 0.0, frames_ - length), length};
   errors_->setWindow(window_);
+  sight_->setWindow(window_);
   contacts_->setWindow(window_);
   const QSignalBlocker blocker(scroll_);
   scroll_->setRange(0, whole ? 0 : static_cast<int>(std::ceil(frames_ - length)));

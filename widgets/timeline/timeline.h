@@ -13,6 +13,7 @@ namespace mocapress {
 
 class ContactStrip;
 class ErrorStrip;
+class SightStrip;
 
 /// The strips below the 3D view, in line with each other. The wheel zooms about the mouse, with
 /// Shift it moves along; a scroll bar stands below while a part is in sight.
@@ -23,6 +24,7 @@ class Timeline : public QWidget {
   explicit Timeline(QWidget* parent = nullptr);
 
   ErrorStrip* errors() const { return errors_; }
+  SightStrip* sight() const { return sight_; }
   ContactStrip* contacts() const { return contacts_; }
   QScrollBar* scroll() const { return scroll_; }
 
@@ -47,8 +49,10 @@ class Timeline : public QWidget {
  private:
   void setWindow(double first, double length);
   TimeAxis axis() const;
+  int labelWidth() const;
 
   ErrorStrip* errors_;
+  SightStrip* sight_;
   ContactStrip* contacts_;
   QScrollBar* scroll_;
   int frames_ = 0;

@@ -136,6 +136,18 @@ TEST(Visibility, ALiftedFootFloats) {
   EXPECT_FALSE(compare(skeleton, still(120), lifted).contacts.has_value());
 }
 
+TEST(Visibility, ItsTableTellsByWhatEachJointIsSeenAndFromWhereOn) {
+  const Skeleton skeleton = stick("top");
+  const Clip lifted = moved(still(120), 1, [](double) { return 1.5; });
+  const Visibility seen = compare(skeleton, still(120), lifted, {{0, 24, 71}});
+  const WorstSight foot = seen.table.at(30);
+  EXPECT_EQ(foot, seen.table.at(30, 0));
+  EXPECT_EQ(foot.cue, Cue::Lift);
+  EXPECT_EQ(foot.frame, 30);
+  EXPECT_EQ(reason(foot, skeleton), "lift of root at frame 30: 1.5 cm, noticed from 1 cm");
+  EXPECT_EQ(reason(seen.table.at(30, 1), skeleton), "");
+}
+
 TEST(Visibility, ASlidingFootIsVisibleFromWhereItWasSeen) {
   const Skeleton skeleton = stick("top");
   const auto slides = [&](double cm) {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <QWidget>
+#include <vector>
+
+#include "widgets/models/sight_text.h"
+#include "widgets/timeline/time_axis.h"
+
+namespace mocapress {
+
+/// What the eye sees over time, of the joint that is seen most: nothing where it is not visible,
+/// half a column where it is borderline, a whole one where it is visible. A click or drag tells
+/// frame and joint.
+class SightStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SightStrip(QWidget* parent = nullptr);
+
+  /// `names` of all joints.
+  void setSight(SightPtr sight, std::vector<QString> names, int frames);
+  void setFrame(int frame);
+  void setWindow(const FrameWindow& window);
+
+  /// Pixels left for names, in line with the other strips.
+  void setLabelWidth(int pixels);
+  int labelWidth() const;
+
+  QSize sizeHint() const override { return {200, 17}; }
+
+ signals:
+  void chosen(int frame, int joint);
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+
+ private:
+  TimeAxis axis() const;
+  void choose(double x);
+  void paintColumns(QPainter& painter, const QRectF& area) const;
+
+  SightPtr sight_;
+  Eigen::VectorXf worst_;  // of the joints in each of its windows
+  std::vector<QString> names_;
+  int frames_ = 0;
+  FrameWindow window_;
+  int frame_ = 0;
+  int label_width_ = 0;
+};
+
+}  // namespace mocapress
