@@ -204,6 +204,7 @@ class Export {
     made.decoded = std::move(found.decoded);
     row_.measured = clip.measure(made, contacts.size());
     row_.worst = std::move(found.worst);
+    row_.sights = sight_chart(made.visibility.table, clip.motion().skeleton);
     if (!keeps_promise(preset_, *row_.measured))
       throw Error("verification: " + target_text(preset_.target) +
                   " was asked for, but it came to " + came_to());

@@ -17,11 +17,17 @@ namespace {
 
 constexpr std::size_t kPictures = 6;
 
+bool is_seen(const BatchRow& row) {
+  return row.measured && row.measured->seen && row.measured->seen->sight() != Sight::NotVisible &&
+         !row.sights.empty();
+}
+
 /// What the whole batch came to.
 struct Totals {
   std::size_t done = 0;
   std::size_t failed = 0;
   std::size_t warned = 0;
+  std::size_t seen = 0;  // clips of which something is
   double raw_bytes = 0;
   double motion_bytes = 0;
   double worst_eps_cm = 0;
@@ -35,6 +41,7 @@ struct Totals {
       return;
     }
     ++done;
+    seen += is_seen(row);
     raw_bytes += static_cast<double>(row.measured->raw_bytes);
     motion_bytes += static_cast<double>(row.measured->motion_bytes);
     worst_eps_cm = std::max(worst_eps_cm, row.measured->eps_cm(row.preset.weighting));
@@ -185,6 +192,24 @@ void write_clips(std::ostream& out, const BatchRows& rows) {
   out << "</tbody></table></div></section>\n";
 }
 
+/// Of the clips of which something is seen.
+void write_sights(std::ostream& out, const BatchRows& rows) {
+  out << "<section><h2>What the eye sees</h2>" << muted(kSightLegend)
+      << "<div class=\"multiples\">\n";
+  rows([&](const BatchRow& row) {
+    if (!row.done() || !is_seen(row)) return;
+    const Measurement& m = *row.measured;
+    out << element(
+               "figure", "",
+               draw(row.sights, m.frames / m.sample_rate_hz,
+                    row.output + ": what the eye sees over time") +
+                   element("figcaption", "",
+                           element("b", "", escaped(row.output)) + ": " + escaped(m.seen->reason)))
+        << '\n';
+  });
+  out << "</div></section>\n";
+}
+
 void write_warnings(std::ostream& out, const BatchRows& rows) {
   const auto left = attribute("class", "name");
   out << "<section><h2>Repaired or guessed on reading</h2><div class=\"scroll\"><table><thead>"
@@ -239,6 +264,7 @@ void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t wait
   if (totals.failed > 0) write_failures(out, rows);
   out << pictures(totals) << '\n';
   if (totals.done > 0) write_clips(out, rows);
+  if (totals.seen > 0) write_sights(out, rows);
   if (totals.warned > 0) write_warnings(out, rows);
   out << notes() << "</main></body></html>\n";
 }

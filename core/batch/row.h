@@ -39,6 +39,7 @@ struct BatchRow {
   std::vector<WrittenFile> files;
   std::vector<std::string> warnings;  // what the reader repaired or guessed
   std::optional<WorstPose> worst;
+  SightChart sights;  // empty: in rows from before it was kept
   std::string error;  // why it failed; empty: it is done
 
   bool done() const { return error.empty(); }

@@ -191,6 +191,8 @@ BatchRow row_from(const Json& json) {
   row.review = {verdict_named(optional_at<std::string>(json, "verdict").value_or("")),
                 optional_at<std::string>(json, "note").value_or("")};
   row.error = optional_at<std::string>(json, "error").value_or("");
+  for (const Json& line : json.value("sights", Json::array()))
+    row.sights.push_back({line.at(0).get<std::string>(), line.at(1).get<std::string>()});
   if (!json.at("worst").is_null()) row.worst = pose_from(json.at("worst"));
   return row;
 }
@@ -237,6 +239,8 @@ std::string to_journal_line(const BatchRow& row) {
     json["written"].push_back({{"name", file.name}, {"bytes", file.bytes}, {"hash", file.hash}});
   json["encode_seconds"] = row.measured ? Json(row.measured->encode_seconds) : Json();
   json["worst"] = row.worst ? to_json(*row.worst) : Json();
+  json["sights"] = Json::array();
+  for (const SightLine& line : row.sights) json["sights"].push_back({line.joint, line.sights});
   return dumped(json);
 }
 

@@ -78,9 +78,11 @@ std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem
                                     const Observer<EncodeProgress>& observer) {
   const ClipInHand clip(plan, path);
   const Skeleton& skeleton = clip.motion().skeleton;
+  const int frames = clip.motion().clip.frames();
   Picture picture{.clip = path.string(),
                   .ratio = ratio,
                   .sample_rate_hz = clip.motion().clip.sample_rate_hz,
+                  .frames = frames,
                   .bones = figure_shape(skeleton)};
   for (const Landmark& landmark : landmarks(skeleton))
     picture.landmark_names.push_back(landmark.name);
@@ -98,13 +100,13 @@ std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem
     if (!made.complete) return std::nullopt;
     if (tracks.decoded.empty()) worst = worst_frame(made.distortion);
     picture.methods.push_back({name, compression_ratio(clip.motion().clip, made.motion_bytes),
-                               made.distortion.eps(plan.weighting), made.distortion.max.cm});
+                               made.distortion.eps(plan.weighting), made.distortion.max.cm,
+                               sight_chart(made.visibility.table, skeleton)});
     tracks.decoded.push_back(landmark_tracks(skeleton, made.decoded));
   }
   picture.ground_cm = floor_cm(tracks.original);
   picture.worst = tracks.at(worst);
   picture.facing = facing(skeleton, picture.worst.original);
-  const int frames = clip.motion().clip.frames();
   for (int i = 0; i < kSequenceFrames; ++i)
     picture.sequence.push_back(tracks.at((2 * i + 1) * frames / (2 * kSequenceFrames)));
   if (!clip.contacts().empty() && !tracks.decoded.empty())

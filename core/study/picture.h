@@ -12,6 +12,7 @@
 #include "core/codec/encoder.h"
 #include "core/study/figure_shape.h"
 #include "core/study/plan.h"
+#include "core/study/sight_chart.h"
 
 namespace mocapress {
 
@@ -24,6 +25,7 @@ struct PicturedMethod {
   double ratio = 0;
   double eps_cm = 0;
   double max_error_cm = 0;
+  SightChart sights;
 };
 
 /// One frame, as it was and as each method left it.
@@ -47,6 +49,7 @@ struct Picture {
   std::string clip;  // path
   double ratio = 0;  // asked of every method
   double sample_rate_hz = 120;
+  int frames = 0;
   std::vector<DrawnBone> bones;
   std::vector<std::string> landmark_names;
   double ground_cm = 0;    // height of the floor

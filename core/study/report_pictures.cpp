@@ -123,6 +123,13 @@ std::string foot_scene(const Picture& picture, std::size_t m) {
                        fixed(foot.slid_cm[m], 1) + " cm while planted.");
 }
 
+std::string sights(const Picture& picture, std::size_t m) {
+  const std::string title = title_of(picture.methods[m]);
+  return captioned(draw(picture.methods[m].sights, picture.frames / picture.sample_rate_hz,
+                        title + ": what the eye sees over time"),
+                   element("b", "", escaped(title)));
+}
+
 }  // namespace
 
 std::string picture_section(const Picture& picture) {
@@ -133,9 +140,11 @@ std::string picture_section(const Picture& picture) {
   std::string pair;
   std::string strips;
   std::string feet;
+  std::string seen;
   for (std::size_t m = 0; m < picture.methods.size(); ++m) {
     pair += worst_scene(picture, m, view);
     strips += strip(picture, m, height_cm);
+    seen += sights(picture, m);
     if (picture.foot) feet += foot_scene(picture, m);
   }
   const std::string clip = std::filesystem::path(picture.clip).stem().string();
@@ -147,7 +156,10 @@ std::string picture_section(const Picture& picture) {
                   escaped(title_of(picture.methods.front())) +
                   " is furthest off: " + seconds_text(picture, picture.worst.frame) +
                   ". Lines on the floor are half a metre apart.") +
-      element("div", attribute("class", "pair"), pair) + strips;
+      element("div", attribute("class", "pair"), pair) + strips +
+      element("h3", "", "What the eye sees") +
+      element("p", attribute("class", "muted"), kSightLegend) +
+      element("div", attribute("class", "pair"), seen);
   if (picture.foot)
     content += element("h3", "", "The foot that slides most") +
                element("p", attribute("class", "muted"),

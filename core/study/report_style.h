@@ -103,6 +103,9 @@ figcaption b { color: var(--ink); }
 .scene .trail path { fill: none; stroke-width: 3; stroke-linejoin: round; stroke-linecap: round; }
 .scene .trail.was { stroke: var(--g1); fill: var(--g1); } .scene .trail.is { stroke: var(--ink); fill: var(--ink); }
 .scene .trail circle { stroke: none; }
+.sights { width: 100%; max-width: 720px; height: auto; display: block; font-size: 11px; }
+.sights text { fill: var(--muted); } .seen0 { fill: var(--rule); }
+.seen1 { fill: #f2b705; } .seen2 { fill: #d53e1a; }
 summary { cursor: pointer; color: var(--muted); }
 dl { margin: 0; display: grid; grid-template-columns: max-content 1fr; gap: 5px 18px; }
 dt { font-weight: 600; } dd { margin: 0; color: var(--muted); }

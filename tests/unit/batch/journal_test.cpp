@@ -45,6 +45,7 @@ class JournalTest : public test::BatchTest {
                           .bones = {{0, 1, 2.5, 1.25}},
                           .original = {{0, 1, 2}, {3, 4, 5.25}},
                           .decoded = {{0, 1, 2}, {3, 4, 5.5}}};
+    row.sights = {{"", "0012"}, {"lfoot", "0002"}};
     return row;
   }
 
@@ -64,6 +65,7 @@ TEST_F(JournalTest, ARowComesBackAsItWas) {
   EXPECT_EQ(read->review, written.review);
   EXPECT_EQ(read->worst->decoded[1].z(), 5.5);
   EXPECT_EQ(read->worst->off_cm, 0.251);
+  EXPECT_EQ(read->sights, written.sights);
 }
 
 TEST_F(JournalTest, WhatIsNoWholeRowIsNone) {

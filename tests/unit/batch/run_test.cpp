@@ -297,6 +297,28 @@ TEST_F(BatchRun, PicturesSayWhatTheirCaptionsAndTheBoundSay) {
   }
 }
 
+TEST_F(BatchRun, TheReportDrawsWhatTheEyeSeesByJointAndTime) {
+  run(batch());
+  const std::string page = read_text(out() / "report.html");
+  int seen = 0;
+  for (const BatchRow& row : rows()) {
+    ASSERT_FALSE(row.sights.empty());
+    const Seen& worst = *row.measured->seen;
+    const bool is_seen = worst.sight() != Sight::NotVisible;
+    seen += is_seen;
+    EXPECT_EQ(row.sights.size() > 1, is_seen);
+    EXPECT_EQ(row.sights[0].sights.find('2') != std::string::npos, worst.sight() == Sight::Visible);
+    if (!is_seen) continue;
+    EXPECT_THAT(worst.reason, HasSubstr(" of " + row.sights[1].joint + " at frame"));
+  }
+  EXPECT_GT(seen, 0);
+  std::size_t drawn = 0;
+  for (auto at = page.find("class=\"sights\""); at != std::string::npos;
+       at = page.find("class=\"sights\"", at + 1))
+    ++drawn;
+  EXPECT_EQ(drawn, static_cast<std::size_t>(seen));
+}
+
 TEST_F(BatchRun, EveryReportHasAnglesBesideDistances) {
   run(batch());
   const std::string page = read_text(out() / "report.html");

@@ -229,6 +229,8 @@ TEST(Report, ShowsTheWorstFrameOfTheFirstMethod) {
   EXPECT_EQ(test::misfit(html), "");
   EXPECT_THAT(html, Not(HasSubstr("nan ")));
   EXPECT_THAT(html, HasSubstr("frame " + std::to_string(picture->worst.frame)));
+  EXPECT_FALSE(picture->methods[1].sights.empty());
+  EXPECT_THAT(html, HasSubstr("Annealed wavelets: what the eye sees over time"));
 }
 
 TEST(Scene, AFigureAtTheCentreIsDrawnInTheMiddleOfTheSheet) {
