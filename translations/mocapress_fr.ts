@@ -2565,10 +2565,6 @@
         <translation>Figurants : une erreur de 6 mm sur la peau, la tête tournée de 7,5 degrés au plus et les mains de 12.</translation>
     </message>
     <message>
-        <source>As Gameplay, with feet that stay where they stand: a third of the sliding or less, for about a twentieth more bytes.</source>
-        <translation>Comme Jeu, avec des pieds qui restent où ils sont posés : un tiers du glissement ou moins, pour environ un vingtième d&apos;octets de plus.</translation>
-    </message>
-    <message>
         <source>Free</source>
         <translation>Libres</translation>
     </message>
@@ -2583,6 +2579,10 @@
     <message>
         <source>Ends: %1.</source>
         <translation>Extrémités : %1.</translation>
+    </message>
+    <message>
+        <source>As Gameplay, with feet that stay where they stand: a third of the sliding or less, for 5 to 12 % more bytes.</source>
+        <translation>Comme Jeu, avec des pieds qui restent où ils sont posés : un tiers du glissement ou moins, pour 5 à 12 % d&apos;octets de plus.</translation>
     </message>
 </context>
 <context>
@@ -2816,6 +2816,39 @@
     <message>
         <source>Whether anything that is off is more than people notice.</source>
         <translation>Si un écart dépasse ce que l&apos;on remarque.</translation>
+    </message>
+    <message>
+        <source>Elsewhere, at worst</source>
+        <translation>Ailleurs, au pire</translation>
+    </message>
+    <message>
+        <source>The same between two frames in a row elsewhere in the clip: a seam below that stands out nowhere.</source>
+        <translation>La même chose entre deux images successives ailleurs dans la séquence : un raccord en dessous ne ressort pas.</translation>
+    </message>
+    <message>
+        <source>%1, %2 a frame</source>
+        <translation>%1, %2 par image</translation>
+    </message>
+    <message>
+        <source>Loop: seam</source>
+        <translation>Boucle : raccord</translation>
+    </message>
+    <message>
+        <source>First / last pose</source>
+        <translation>Première / dernière pose</translation>
+    </message>
+    <message>
+        <source>By how much errors of poses and velocities change from the last frame to the first: what jumps where the loop starts again.</source>
+        <translation>De combien l&apos;écart des poses et des vitesses change de la dernière image à la première : ce qui saute là où la boucle recommence.</translation>
+    </message>
+    <message>
+        <source>How far the first and the last pose are from the original&apos;s, over the body&apos;s surface: where clips are blended.</source>
+        <translation>De combien la première et la dernière pose s&apos;écartent de l&apos;original, sur la surface du corps : là où les séquences sont enchaînées.</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>poses</comment>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>

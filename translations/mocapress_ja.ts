@@ -2550,10 +2550,6 @@
         <translation>背景の人物：皮膚上の誤差 6 mm、頭の回転は最大 7.5 度、手は 12 度。</translation>
     </message>
     <message>
-        <source>As Gameplay, with feet that stay where they stand: a third of the sliding or less, for about a twentieth more bytes.</source>
-        <translation>ゲームプレイと同じで、足は立った位置にとどまります：滑りは三分の一以下、バイト数は約二十分の一増えます。</translation>
-    </message>
-    <message>
         <source>Free</source>
         <translation>自由</translation>
     </message>
@@ -2568,6 +2564,10 @@
     <message>
         <source>Ends: %1.</source>
         <translation>両端：%1。</translation>
+    </message>
+    <message>
+        <source>As Gameplay, with feet that stay where they stand: a third of the sliding or less, for 5 to 12 % more bytes.</source>
+        <translation>ゲームプレイと同じで、足は立った位置にとどまります：滑りは三分の一以下、バイト数は 5～12 % 増えます。</translation>
     </message>
 </context>
 <context>
@@ -2799,6 +2799,39 @@
     <message>
         <source>Whether anything that is off is more than people notice.</source>
         <translation>人が気づく以上のずれがあるかどうか。</translation>
+    </message>
+    <message>
+        <source>Elsewhere, at worst</source>
+        <translation>他の最悪値</translation>
+    </message>
+    <message>
+        <source>The same between two frames in a row elsewhere in the clip: a seam below that stands out nowhere.</source>
+        <translation>クリップ内の他の連続する二フレーム間の同じ値です。継ぎ目がこれより小さければ目立ちません。</translation>
+    </message>
+    <message>
+        <source>%1, %2 a frame</source>
+        <translation>%1、フレームあたり %2</translation>
+    </message>
+    <message>
+        <source>Loop: seam</source>
+        <translation>ループの継ぎ目</translation>
+    </message>
+    <message>
+        <source>First / last pose</source>
+        <translation>最初／最後のポーズ</translation>
+    </message>
+    <message>
+        <source>By how much errors of poses and velocities change from the last frame to the first: what jumps where the loop starts again.</source>
+        <translation>最後のフレームから最初のフレームへ移るときに、ポーズと速度のずれがどれだけ変わるか。ループが再び始まるところで飛ぶ量です。</translation>
+    </message>
+    <message>
+        <source>How far the first and the last pose are from the original&apos;s, over the body&apos;s surface: where clips are blended.</source>
+        <translation>最初と最後のポーズが体表面で元からどれだけ離れているか。クリップがつながれるところです。</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>poses</comment>
+        <translation>%1／%2</translation>
     </message>
 </context>
 <context>

@@ -52,6 +52,8 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
     figures.p95_cm = decoded.distortion->p95;
     figures.p99_cm = decoded.distortion->p99;
     figures.max_cm = decoded.distortion->max.cm;
+    figures.ends = decoded.distortion->ends;
+    figures.is_loop = decoded.compressed.loop != Loop::None;
   }
   if (decoded.visibility) {
     const WorstSight& worst = decoded.visibility->worst();

@@ -163,7 +163,7 @@ TEST(ResultPanel, ShowsDashesForWhatIsNotKnown) {
   for (const QLabel* label : panel.findChildren<QLabel*>()) texts << label->text();
   EXPECT_TRUE(texts.contains(QStringLiteral("12.3 : 1"))) << texts.join(u'|').toStdString();
   EXPECT_TRUE(texts.contains(QStringLiteral("4.6 mm")));
-  EXPECT_EQ(texts.count(QStringLiteral("–")), 8);
+  EXPECT_EQ(texts.count(QStringLiteral("–")), 9);
 }
 
 TEST(ResultPanel, ShowsWhatTheEyeSeesAndWhereMost) {
@@ -175,6 +175,34 @@ TEST(ResultPanel, ShowsWhatTheEyeSeesAndWhereMost) {
   for (const QLabel* label : panel.findChildren<QLabel*>())
     if (label->text() == QStringLiteral("borderline")) reason = label->toolTip();
   EXPECT_TRUE(reason.contains(QStringLiteral("Neck1 at 2.50 s: 1.25 times"))) << qPrintable(reason);
+}
+
+TEST(ResultPanel, ShowsBothEndsOfAClipAndTheSeamOfALoop) {
+  ResultPanel panel;
+  ResultFigures figures;
+  figures.ends = EndErrors{.first_cm = 0.2,
+                           .last_cm = 0.3,
+                           .seam_cm = 0.12,
+                           .seam_cm_per_frame = 0.05,
+                           .worst_neighbours_cm = 1.4,
+                           .worst_neighbours_cm_per_frame = 0.2};
+  const auto texts = [&panel] {
+    QStringList all;
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (!label->isHidden()) all << label->text();
+    return all.join(QLatin1Char('|'));
+  };
+  const auto has = [&](const char* text) { return texts().contains(QString::fromUtf8(text)); };
+  panel.setFigures(figures);
+  EXPECT_TRUE(has("First / last pose|2.0 mm / 3.0 mm|")) << texts().toStdString();
+  EXPECT_FALSE(has("a frame"));
+  figures.is_loop = true;
+  panel.setFigures(figures);
+  EXPECT_TRUE(has("Loop: seam|1.2 mm, 0.5 mm a frame|Elsewhere, at worst|1.40 cm, 2.0 mm a frame|"))
+      << texts().toStdString();
+  EXPECT_FALSE(has("First / last"));
+  panel.setFigures({});
+  EXPECT_FALSE(has("a frame"));
 }
 
 TEST(ResultPanel, ShowsTheSlideOfAContactBesideTheTotal) {

@@ -30,7 +30,7 @@ Texts textsOf(const Preset& preset) {
     return {
         Presets::tr("Planted feet"),
         Presets::tr("As Gameplay, with feet that stay where they stand: a third of the sliding or "
-                    "less, for about a twentieth more bytes.")};
+                    "less, for 5 to 12 % more bytes.")};
   if (word == "crowd")
     return {
         Presets::tr("Crowd"),

@@ -85,6 +85,10 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
                          "own, summed over the clip."));
   slide_ = addRow(tr("A contact: mean / worst"),
                   tr("Footskate of one contact: it compares clips of any length."));
+  ends_ = addRow({}, {});
+  elsewhere_ = addRow(tr("Elsewhere, at worst"),
+                      tr("The same between two frames in a row elsewhere in the clip: a seam below "
+                         "that stands out nowhere."));
   bytes_ = addRow(tr("Motion / file"),
                   tr("Compressed motion bytes, and bytes of the whole file with its skeleton."));
   coefficient_ratio_ =
@@ -134,6 +138,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   setEnabled(figures.has_value());
   if (!figures) {
     eps_name_->setText(tr("eps_x"));
+    setEnds({});
     for (QLabel* label : {ratio_, eps_, bytes_, p95_, p99_, max_, seen_, coefficient_ratio_, bits_,
                           footskate_, slide_, correction_, knee_})
       label->setText(kUnknown);
@@ -142,6 +147,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   ratio_->setText(tr("%L1 : 1").arg(figures->ratio, 0, 'f', 1));
   eps_->setText(distance(figures->eps_cm));
   eps_name_->setText(tr("eps_x, %1").arg(displayName(figures->weighting).toLower()));
+  setEnds(*figures);
   bytes_->setText(
       tr("%1 / %2", "bytes").arg(bytes(figures->motion_bytes), bytes(figures->file_bytes)));
   p95_->setText(distance(figures->p95_cm));
@@ -160,6 +166,36 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
                                  : kUnknown);
   correction_->setText(correctionText(*figures));
   knee_->setText(kneeText(*figures));
+}
+
+QLabel* ResultPanel::nameOf(QLabel* value) const {
+  int row = 0, column = 0, rows = 0, columns = 0;
+  grid_->getItemPosition(grid_->indexOf(value), &row, &column, &rows, &columns);
+  return qobject_cast<QLabel*>(grid_->itemAtPosition(row, 0)->widget());
+}
+
+/// Where a clip begins and ends, or goes over into its beginning.
+void ResultPanel::setEnds(const ResultFigures& figures) {
+  const bool is_loop = figures.ends && figures.is_loop;
+  const auto change = [](double cm, double cm_per_frame) {
+    return tr("%1, %2 a frame").arg(lengthText(cm), lengthText(cm_per_frame));
+  };
+  const EndErrors ends = figures.ends.value_or(EndErrors());
+  const QString name = is_loop ? tr("Loop: seam") : tr("First / last pose");
+  const QString explanation =
+      is_loop ? tr("By how much errors of poses and velocities change from the last frame to "
+                   "the first: what jumps where the loop starts again.")
+              : tr("How far the first and the last pose are from the original's, over the body's "
+                   "surface: where clips are blended.");
+  nameOf(ends_)->setText(name);
+  ends_->setAccessibleName(name);
+  for (QLabel* label : {nameOf(ends_), ends_}) label->setToolTip(explanation);
+  ends_->setText(
+      !figures.ends ? kUnknown
+      : is_loop     ? change(ends.seam_cm, ends.seam_cm_per_frame)
+                : tr("%1 / %2", "poses").arg(lengthText(ends.first_cm), lengthText(ends.last_cm)));
+  elsewhere_->setText(change(ends.worst_neighbours_cm, ends.worst_neighbours_cm_per_frame));
+  for (QLabel* label : {nameOf(elsewhere_), elsewhere_}) label->setVisible(is_loop);
 }
 
 void ResultPanel::setState(const QString& state) {

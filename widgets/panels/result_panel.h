@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/contact/slide_per_contact.h"
+#include "core/metrics/end_errors.h"
 #include "core/metrics/visibility.h"
 #include "core/motion/landmarks.h"
 
@@ -38,6 +39,8 @@ struct ResultFigures {
   double bits_per_joint_sample = 0;
   std::optional<double> footskate_cm;
   std::optional<SlidePerContact> slide;
+  std::optional<EndErrors> ends;
+  bool is_loop = false;
   std::optional<std::size_t> correction_bytes;
   std::optional<double> correction_ratio;  // r_IK
   std::optional<double> fastest_knee;      // radians/s
@@ -60,12 +63,16 @@ class ResultPanel : public QWidget {
  private:
   QLabel* addHeadline(const QString& name, const QString& explanation, int column);
   QLabel* addRow(const QString& name, const QString& explanation);
+  QLabel* nameOf(QLabel* value) const;
+  void setEnds(const ResultFigures& figures);
 
   QGridLayout* grid_;
   QLabel* ratio_;
   QLabel* eps_;
   QLabel* eps_name_;
   QLabel* state_;
+  QLabel* ends_;
+  QLabel* elsewhere_;  // what a loop's seam compares with
   QLabel* bytes_;
   QLabel* p95_;
   QLabel* p99_;
