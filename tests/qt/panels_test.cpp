@@ -337,6 +337,35 @@ TEST(ErrorGraph, DrawsAnglesOnAnAxisInDegrees) {
   EXPECT_EQ(plot->graph(1)->data()->at(50)->value, 20);
 }
 
+TEST(ErrorGraph, ItsLegendIsWholeBesideTheSwitchHoweverNarrow) {
+  ErrorGraph graph;
+  QAction degrees(QStringLiteral("Degrees"));
+  graph.setSwitch(&degrees);
+  std::vector<ErrorCurve> curves;
+  for (int i = 0; i < 4; ++i)
+    curves.push_back({QStringLiteral("a joint of a long name %1").arg(i), Qt::red, i});
+  graph.setErrors(
+      std::make_shared<Distortion>(Distortion{.distances = Eigen::MatrixXf::Ones(10, 4)}), 120,
+      curves);
+  graph.show();
+  auto* plot = graph.findChild<QCustomPlot*>();
+  const auto* button = graph.findChild<QToolButton*>();
+  int rows_before = 0;
+  for (const int width : {1600, 600, 300}) {
+    graph.resize(width, 300);
+    QApplication::processEvents();
+    plot->replot();
+    for (int i = 0; i < plot->legend->itemCount(); ++i) {
+      const QCPAbstractLegendItem* item = plot->legend->item(i);
+      if (!item) continue;
+      EXPECT_GE(item->outerRect().width(), item->minimumOuterSizeHint().width()) << width;
+      EXPECT_LT(item->outerRect().right(), button->geometry().left()) << width;
+    }
+    EXPECT_GT(plot->legend->rowCount(), rows_before);
+    rows_before = plot->legend->rowCount();
+  }
+}
+
 TEST(ErrorGraph, TellsBothErrorsWhereItIsPointedAt) {
   ErrorGraph graph;
   graph.resize(600, 300);

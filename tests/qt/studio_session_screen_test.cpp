@@ -85,7 +85,8 @@ TEST_F(StudioTour, AFolderIsReviewedClipByClip) {
   };
   for (int row = 0; row < 9; ++row) tune(row, row % 3 == 2 ? 90 : 60);
   studio->library().setVerdict(0, Verdict::Approved);
-  tune(6, 120);  // a walk
+  tune(6, 200);                                                // a walk
+  studio->actions().error_scales->actions().at(2)->trigger();  // 1 cm
   studio->actions().view.by_error->trigger();
   studio->actions().view.trail->trigger();
   studio->actions().view.trail_poses->actions().front()->trigger();

@@ -18,6 +18,7 @@ namespace mocapress {
 namespace {
 
 constexpr int kSwitchMargin = 4;
+constexpr QSize kLeastSize = {120, 80};
 
 }  // namespace
 
@@ -35,7 +36,7 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   // Thousands of points: smooth lines would take longer to draw than the 3D picture.
   plot_->setNotAntialiasedElements(QCP::aePlottables | QCP::aeFills);
 
-  // Above the curves, in one line.
+  // Above the curves, in as few lines as it fits.
   auto* above = new QCPLayoutGrid;
   plot_->plotLayout()->insertRow(0);
   plot_->plotLayout()->addElement(0, 0, above);
@@ -48,6 +49,7 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   plot_->legend->setIconSize(14, 8);
   plot_->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
   plot_->legend->setColumnSpacing(14);
+  plot_->setMinimumSize(kLeastSize);  // else as wide as the legend is now
 
   // On a layer of its own: moving it does not draw the curves again.
   plot_->addLayer(QStringLiteral("playhead"));
@@ -97,6 +99,34 @@ void ErrorGraph::setSwitch(QAction* action) {
   switch_ = new SwitchButton(action, this);
   beside_legend_->setMinimumSize(switch_->sizeHint());
   placeSwitch();
+  fitLegend();
+}
+
+/// In as few lines as leave every name whole beside the switch.
+void ErrorGraph::fitLegend() {
+  const QCPLegend& legend = *plot_->legend;
+  const QMargins margins = legend.margins();
+  const int room = width() - margins.left() - margins.right() -
+                   (switch_ ? switch_->sizeHint().width() + 2 * kSwitchMargin : 0);
+  std::vector<int> widths;
+  for (int i = 0; i < legend.itemCount(); ++i)
+    if (const auto* item = legend.item(i))  // of the last line cells may be empty
+      widths.push_back(item->minimumOuterSizeHint().width());
+  const auto width_in = [&](int columns) {
+    int sum = (columns - 1) * legend.columnSpacing();
+    for (int column = 0; column < columns; ++column) {
+      int widest = 0;
+      for (auto i = static_cast<std::size_t>(column); i < widths.size();
+           i += static_cast<std::size_t>(columns))
+        widest = std::max(widest, widths[i]);
+      sum += widest;
+    }
+    return sum;
+  };
+  int columns = std::max(static_cast<int>(widths.size()), 1);
+  while (columns > 1 && width_in(columns) > room) --columns;
+  plot_->legend->setWrap(columns);
+  plot_->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);  // anew
 }
 
 /// In line with the legend.
@@ -109,6 +139,7 @@ void ErrorGraph::placeSwitch() {
 void ErrorGraph::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   placeSwitch();
+  fitLegend();
 }
 
 const Eigen::MatrixXf& ErrorGraph::shown() const {
@@ -138,6 +169,7 @@ void ErrorGraph::redraw() {
     for (const ErrorCurve& curve : curves_) addCurve(curve);
     highest = static_cast<double>(shown().maxCoeff());
   }
+  fitLegend();
   plot_->yAxis->setRange(0, highest > 0 ? 1.08 * highest : 1);
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }

@@ -60,6 +60,7 @@ class ErrorGraph : public QWidget {
   int frameAt(int x_pixel) const;
   QString readout(int frame) const;
   void placeSwitch();
+  void fitLegend();
 
   /// Frames x landmarks; empty: unknown.
   const Eigen::MatrixXf& shown() const;
