@@ -2818,14 +2818,6 @@
         <translation>Si un écart dépasse ce que l&apos;on remarque.</translation>
     </message>
     <message>
-        <source>Elsewhere, at worst</source>
-        <translation>Ailleurs, au pire</translation>
-    </message>
-    <message>
-        <source>The same between two frames in a row elsewhere in the clip: a seam below that stands out nowhere.</source>
-        <translation>La même chose entre deux images successives ailleurs dans la séquence : un raccord en dessous ne ressort pas.</translation>
-    </message>
-    <message>
         <source>%1, %2 a frame</source>
         <translation>%1, %2 par image</translation>
     </message>
@@ -2849,6 +2841,14 @@
         <source>%1 / %2</source>
         <comment>poses</comment>
         <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Loop: elsewhere</source>
+        <translation>Boucle : ailleurs</translation>
+    </message>
+    <message>
+        <source>The largest such change between two frames in a row. A seam below it does not stand out.</source>
+        <translation>Le plus grand changement de ce genre entre deux images successives. Un raccord en dessous ne ressort pas.</translation>
     </message>
 </context>
 <context>

@@ -2801,14 +2801,6 @@
         <translation>人が気づく以上のずれがあるかどうか。</translation>
     </message>
     <message>
-        <source>Elsewhere, at worst</source>
-        <translation>他の最悪値</translation>
-    </message>
-    <message>
-        <source>The same between two frames in a row elsewhere in the clip: a seam below that stands out nowhere.</source>
-        <translation>クリップ内の他の連続する二フレーム間の同じ値です。継ぎ目がこれより小さければ目立ちません。</translation>
-    </message>
-    <message>
         <source>%1, %2 a frame</source>
         <translation>%1、フレームあたり %2</translation>
     </message>
@@ -2832,6 +2824,14 @@
         <source>%1 / %2</source>
         <comment>poses</comment>
         <translation>%1／%2</translation>
+    </message>
+    <message>
+        <source>Loop: elsewhere</source>
+        <translation>ループの他の部分</translation>
+    </message>
+    <message>
+        <source>The largest such change between two frames in a row. A seam below it does not stand out.</source>
+        <translation>連続する二フレーム間の同じ変化の最大値です。継ぎ目がこれより小さければ目立ちません。</translation>
     </message>
 </context>
 <context>

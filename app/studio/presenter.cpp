@@ -141,6 +141,7 @@ void Presenter::showDecoded() {
   const DecodedPtr& decoded = document.decoded();
   views_.result->setFigures(figuresOf(document));
   views_.result->setState(stateOf(document));
+  playback_->setRepeatsFirst(decoded && decoded->compressed.loop == Loop::Repeats);
   const bool measured = decoded && decoded->distortion;
   const ErrorsPtr errors = measured ? ErrorsPtr(decoded, &*decoded->distortion) : nullptr;
   models_.joints->setErrors(

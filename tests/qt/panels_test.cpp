@@ -198,7 +198,7 @@ TEST(ResultPanel, ShowsBothEndsOfAClipAndTheSeamOfALoop) {
   EXPECT_FALSE(has("a frame"));
   figures.is_loop = true;
   panel.setFigures(figures);
-  EXPECT_TRUE(has("Loop: seam|1.2 mm, 0.5 mm a frame|Elsewhere, at worst|1.40 cm, 2.0 mm a frame|"))
+  EXPECT_TRUE(has("Loop: seam|1.2 mm, 0.5 mm a frame|Loop: elsewhere|1.40 cm, 2.0 mm a frame|"))
       << texts().toStdString();
   EXPECT_FALSE(has("First / last"));
   panel.setFigures({});

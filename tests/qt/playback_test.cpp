@@ -50,6 +50,20 @@ TEST_F(Playing, LoopsOrStopsAtTheEnd) {
   EXPECT_FALSE(playback_.playing());
 }
 
+TEST_F(Playing, ALoopThatRepeatsItsFirstPoseIsShownWithoutItsLastFrame) {
+  playback_.setClip(121, 120);
+  playback_.setRepeatsFirst(true);
+  playback_.play();
+  passAndTick(119 / 120.0 + 0.001);
+  EXPECT_EQ(playback_.frame(), 119);
+  passAndTick(1 / 120.0);
+  EXPECT_EQ(playback_.frame(), 0);
+  playback_.setRange(std::pair(100, 120));
+  playback_.seek(119);
+  passAndTick(1.5 / 120);
+  EXPECT_EQ(playback_.frame(), 120) << "a range is played as it was chosen";
+}
+
 TEST_F(Playing, BeginsAgainFromTheEnd) {
   playback_.setClip(120, 120);
   playback_.seek(119);

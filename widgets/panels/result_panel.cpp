@@ -86,9 +86,10 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   slide_ = addRow(tr("A contact: mean / worst"),
                   tr("Footskate of one contact: it compares clips of any length."));
   ends_ = addRow({}, {});
-  elsewhere_ = addRow(tr("Elsewhere, at worst"),
-                      tr("The same between two frames in a row elsewhere in the clip: a seam below "
-                         "that stands out nowhere."));
+  elsewhere_ =
+      addRow(tr("Loop: elsewhere"),
+             tr("The largest such change between two frames in a row. A seam below it does "
+                "not stand out."));
   bytes_ = addRow(tr("Motion / file"),
                   tr("Compressed motion bytes, and bytes of the whole file with its skeleton."));
   coefficient_ratio_ =

@@ -31,6 +31,7 @@ void Playback::setClip(int frames, double sample_rate_hz) {
   sample_rate_hz_ = sample_rate_hz;
   frame_ = 0;
   range_.reset();
+  repeats_first_ = false;
   emit clipChanged();
   emit rangeChanged();
   emit frameChanged(frame_);
@@ -90,6 +91,10 @@ void Playback::setLoops(bool loops) {
   loops_ = loops;
 }
 
+void Playback::setRepeatsFirst(bool repeats) {
+  repeats_first_ = repeats;
+}
+
 void Playback::setSpeed(double speed) {
   speed_ = speed;
   restartFrom(frame_);
@@ -100,7 +105,7 @@ void Playback::tick() {
   const double passed = (clock_() - start_seconds_) * sample_rate_hz_ * speed_ * pace_;
   const auto frame = start_frame_ + static_cast<long long>(passed);
   if (loops_) {
-    const long long length = last() - first() + 1;
+    const long long length = last() - first() + (repeats_first_ && !range_ ? 0 : 1);
     const long long into = ((frame - first()) % length + length) % length;
     show(first() + static_cast<int>(into));
   } else if (frame >= first() && frame <= last()) {

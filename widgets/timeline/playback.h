@@ -51,6 +51,10 @@ class Playback : public QObject {
 
   void setLoops(bool loops);
 
+  /// Whether the last frame shows the first one's pose again: looping, the whole clip is played
+  /// without it, or the figure would halt for a frame. A new clip does not.
+  void setRepeatsFirst(bool repeats);
+
   /// 1: as recorded.
   void setSpeed(double speed);
 
@@ -79,6 +83,7 @@ class Playback : public QObject {
   double pace_ = 1;  // of the shuttle, on top of the speed; negative: backwards
   std::optional<std::pair<int, int>> range_;
   bool loops_ = true;
+  bool repeats_first_ = false;
   int start_frame_ = 0;  // where the clock read start_seconds_
   double start_seconds_ = 0;
 };

@@ -48,7 +48,7 @@ Timeline::Timeline(QWidget* parent)
   connect(contacts_, &ContactStrip::seekRequested, this, &Timeline::seekRequested);
   connect(scroll_, &QScrollBar::valueChanged, this,
           [this](int first) { setWindow(first, window_.length); });
-  setContacts({}, {}, 0);
+  setContacts({}, {}, 0);  // room for names
 }
 
 int Timeline::labelWidth() const {
