@@ -2818,10 +2818,6 @@
         <translation>Si un écart dépasse ce que l&apos;on remarque.</translation>
     </message>
     <message>
-        <source>%1, %2 a frame</source>
-        <translation>%1, %2 par image</translation>
-    </message>
-    <message>
         <source>Loop: seam</source>
         <translation>Boucle : raccord</translation>
     </message>
@@ -2849,6 +2845,10 @@
     <message>
         <source>The largest such change between two frames in a row. A seam below it does not stand out.</source>
         <translation>Le plus grand changement de ce genre entre deux images successives. Un raccord en dessous ne ressort pas.</translation>
+    </message>
+    <message>
+        <source>%1, %2/frame</source>
+        <translation>%1, %2/image</translation>
     </message>
 </context>
 <context>

@@ -2801,10 +2801,6 @@
         <translation>人が気づく以上のずれがあるかどうか。</translation>
     </message>
     <message>
-        <source>%1, %2 a frame</source>
-        <translation>%1、フレームあたり %2</translation>
-    </message>
-    <message>
         <source>Loop: seam</source>
         <translation>ループの継ぎ目</translation>
     </message>
@@ -2832,6 +2828,10 @@
     <message>
         <source>The largest such change between two frames in a row. A seam below it does not stand out.</source>
         <translation>連続する二フレーム間の同じ変化の最大値です。継ぎ目がこれより小さければ目立ちません。</translation>
+    </message>
+    <message>
+        <source>%1, %2/frame</source>
+        <translation>%1、%2/フレーム</translation>
     </message>
 </context>
 <context>

@@ -195,14 +195,14 @@ TEST(ResultPanel, ShowsBothEndsOfAClipAndTheSeamOfALoop) {
   const auto has = [&](const char* text) { return texts().contains(QString::fromUtf8(text)); };
   panel.setFigures(figures);
   EXPECT_TRUE(has("First / last pose|2.0 mm / 3.0 mm|")) << texts().toStdString();
-  EXPECT_FALSE(has("a frame"));
+  EXPECT_FALSE(has("/frame"));
   figures.is_loop = true;
   panel.setFigures(figures);
-  EXPECT_TRUE(has("Loop: seam|1.2 mm, 0.5 mm a frame|Loop: elsewhere|1.40 cm, 2.0 mm a frame|"))
+  EXPECT_TRUE(has("Loop: seam|1.2 mm, 0.5 mm/frame|Loop: elsewhere|1.40 cm, 2.0 mm/frame|"))
       << texts().toStdString();
   EXPECT_FALSE(has("First / last"));
   panel.setFigures({});
-  EXPECT_FALSE(has("a frame"));
+  EXPECT_FALSE(has("/frame"));
 }
 
 TEST(ResultPanel, ShowsTheSlideOfAContactBesideTheTotal) {

@@ -179,7 +179,7 @@ QLabel* ResultPanel::nameOf(QLabel* value) const {
 void ResultPanel::setEnds(const ResultFigures& figures) {
   const bool is_loop = figures.ends && figures.is_loop;
   const auto change = [](double cm, double cm_per_frame) {
-    return tr("%1, %2 a frame").arg(lengthText(cm), lengthText(cm_per_frame));
+    return tr("%1, %2/frame").arg(lengthText(cm), lengthText(cm_per_frame));
   };
   const EndErrors ends = figures.ends.value_or(EndErrors());
   const QString name = is_loop ? tr("Loop: seam") : tr("First / last pose");
