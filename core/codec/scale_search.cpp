@@ -170,7 +170,7 @@ void hold_worst_frames(const Goal& goal, int frames, const ClosedLoopWork& work,
 /// correction, which makes more or less of the same errors.
 void approach_bound(const Goal& goal, const Target& target, const CoarsenTrial& coarsen,
                     Trial& best) {
-  constexpr int kMost = 4;
+  constexpr int kMost = 8;
   constexpr double kNear = 0.02;
   constexpr double kRounding = 1e-4;  // between what is coarsened and what is decoded
   const Trial fine = best;

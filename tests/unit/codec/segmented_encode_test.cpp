@@ -61,7 +61,7 @@ TEST(SegmentedEncode, HoldsAHardMaximum) {
     if (corrected) asked.correction.emplace().ratio = 16;
     const double max_cm = walk().encode(asked).distortion.max.cm;
     EXPECT_LE(max_cm, 2);
-    EXPECT_GT(max_cm, 0.98 * 2);
+    EXPECT_GT(max_cm, 0.97 * 2);  // the cheapest found, which need not be the nearest
   }
 }
 
