@@ -6,6 +6,7 @@
 #include "core/codec/deflate.h"
 #include "core/codec/rle16.h"
 #include "core/select/truncation.h"
+#include "tests/support/turned_forms.h"
 
 namespace mocapress::test {
 namespace {
@@ -100,6 +101,12 @@ CompressedClip golden_ends_clip() {
   for (int c = 0; c < clip.skeleton.channel_count(); ++c)
     ends.steps.row(c) << 3 * c % 11 - 5, -7 * c % 40;
   clip.ends = std::move(ends);
+  return clip;
+}
+
+CompressedClip golden_turned_clip() {
+  CompressedClip clip = golden_adaptive_clip();
+  clip.forms = test::turned_forms(clip.skeleton);
   return clip;
 }
 

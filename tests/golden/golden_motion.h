@@ -20,6 +20,9 @@ CompressedClip golden_adaptive_clip();
 /// golden_adaptive_clip() as a loop, with something lacking at both ends.
 CompressedClip golden_ends_clip();
 
+/// golden_adaptive_clip() about turned axes: another motion of the same channels.
+CompressedClip golden_turned_clip();
+
 /// 540 frames of the same figure in three segments of Coding::Adaptive, each of another scale.
 CompressedClip golden_segmented_clip();
 

@@ -161,6 +161,27 @@ TEST(GoldenEnds, TheWriterStillMakesTheSameFile) {
   EXPECT_TRUE(write_container(golden_ends_clip()) == read_bytes(golden("v1_ends.mcpr")));
 }
 
+/// Where joints are, cm, as the runtime decoder has them.
+std::vector<float> positions(const std::vector<std::byte>& file) {
+  const OpenedClip clip(file);
+  EXPECT_NE(clip.clip, nullptr) << clip.result.message;
+  if (clip.clip == nullptr) return {};
+  return clip.frames({.output = MCPR_POSITIONS}, 0, clip.info.frames);
+}
+
+TEST(GoldenAxes, Version1PutsJointsWhereItAlwaysDid) {
+  const std::vector<float> found = positions(read_bytes(golden("v1_axes.mcpr")));
+  const std::vector<std::byte> bytes = read_bytes(golden("v1_axes_expected.f32"));
+  std::vector<float> expected(bytes.size() / sizeof(float));
+  std::memcpy(expected.data(), bytes.data(), bytes.size());
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) ASSERT_NEAR(found[i], expected[i], 1e-3) << i;
+}
+
+TEST(GoldenAxes, TheWriterStillMakesTheSameFile) {
+  EXPECT_TRUE(write_container(golden_turned_clip()) == read_bytes(golden("v1_axes.mcpr")));
+}
+
 TEST(GoldenSegments, Version1PlaysToTheSameBits) {
   const std::vector<std::byte> file = read_bytes(golden("v1_segments.mcpr"));
   EXPECT_TRUE(played(file) == read_bytes(golden("v1_segments_expected.f32")));
@@ -216,6 +237,9 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
               with_source(write_container(golden_adaptive_clip()), kGoldenSource));
   save_mcpr(golden("v1_ends.mcpr"), golden_ends_clip());
   write_bytes(golden("v1_ends_expected.f32"), played(write_container(golden_ends_clip())));
+  save_mcpr(golden("v1_axes.mcpr"), golden_turned_clip());
+  const std::vector<float> places = positions(write_container(golden_turned_clip()));
+  write_bytes(golden("v1_axes_expected.f32"), std::as_bytes(std::span(places)));
   save_mcpr(golden("v1_segments.mcpr"), golden_segmented_clip());
   write_bytes(golden("v1_segments_expected.f32"), played(write_container(golden_segmented_clip())));
   save_mcpr(golden("v1_correction.mcpr"), golden_corrected_clip());
