@@ -2581,8 +2581,8 @@
         <translation>Extrémités : %1.</translation>
     </message>
     <message>
-        <source>As Gameplay, with feet that stay where they stand: a third of the sliding or less, for 5 to 12 % more bytes.</source>
-        <translation>Comme Jeu, avec des pieds qui restent où ils sont posés : un tiers du glissement ou moins, pour 5 à 12 % d&apos;octets de plus.</translation>
+        <source>As Gameplay, with feet that stay where they stand: much less sliding, for 5 to 13 % more bytes.</source>
+        <translation>Comme Jeu, avec des pieds qui restent où ils sont posés : bien moins de glissement, pour 5 à 13 % d&apos;octets de plus.</translation>
     </message>
 </context>
 <context>

@@ -2566,8 +2566,8 @@
         <translation>両端：%1。</translation>
     </message>
     <message>
-        <source>As Gameplay, with feet that stay where they stand: a third of the sliding or less, for 5 to 12 % more bytes.</source>
-        <translation>ゲームプレイと同じで、足は立った位置にとどまります：滑りは三分の一以下、バイト数は 5～12 % 増えます。</translation>
+        <source>As Gameplay, with feet that stay where they stand: much less sliding, for 5 to 13 % more bytes.</source>
+        <translation>ゲームプレイと同じで、足は立った位置にとどまります：滑りはずっと少なく、バイト数は 5～13 % 増えます。</translation>
     </message>
 </context>
 <context>

@@ -51,8 +51,8 @@ std::span<const Preset> built_in_presets() {
        .weighting = kSkin,
        .target = {Target::Kind::Error, 0.25},
        .importance = looks},
-      // On 02_01, 16_22, 49_02 and 14_06 a fifth of the sliding is left or less, for 5 to 11 % of
-      // the ratio; with inverse kinematics a tenth, for 6 to 19 %.
+      // On 02_01, 16_22, 49_02 and 14_06 none to three fifths of the sliding are left, for 5 to 13 %
+      // more bytes.
       {.name = "Planted feet",
        .weighting = kSkin,
        .target = {Target::Kind::Error, 0.25},

@@ -9,142 +9,142 @@ namespace {
 
 // clang-format off
 constexpr std::string_view kContexts =
-    "5@CEGJMTEGHJKMPUHJJLMOQVJLLNOPSWNOOPQRTXPQQRSTVYSTTUUVX[WWYYXY[`5ACFHJMUGHIJLNPVJJKLMOQVKM"
-    "MNOPSWNOOPQRTXQRRSSTVZUUVVWWY]WZ]][^^b6ADFHJNWGHIJLMPVJJKLMOQWLMMNOPSXOOPPQRTYRRRSSTVZUVVV"
-    "WWY^`^[^^]^c:AEFHKOYGHIJKMQVKJKLMORWLMMNOPSXPOPPQRTYTSSSSTVZYVWWWWY^h_^^]^^e@CGHJMQ]HIJKLN"
-    "QWMKLMNPSYMMNNOQTYQPPQRSUZVSSTTUW[]YWWWXY^j_`]_^^fFFJKMPUdIJKLNPSXNLMMOQU[NNNOPRU[RQQQRSV["
-    "WTTSUUW]^YWWXXZ_kcb_`__gMGMNPSYiKJKMOQTYPMMNPRV^PNOPQSV[TPQRRTW]YSSTUVX^^WYXWXZ`ib^a__`hWI"
-    "QRTX_kMKMOQTVXUONOQTX`UPPPRTX_VRRSTUX_ZSUVVVY`_WZZZZ[`k`g`d`bh-:=?ADHSBCDFGILSFFGHJKNUHIIK"
-    "LNPVLLMNOPSXQQPQRSVYYTTUVWY^l`bYb``g3>ABDFIODDEFGHJPGFGHIJLPHIGIIJLRIJIJJLNRNNLKLLOTNQONPP"
-    "RV     HUU4?BDFHKOEEFGHJLQHHHIKLMQHJIJKLNRKKKLMMOSMMLMNNPTOPOPOPRV    OSQX6ACEGILQEFGHJKMR"
-    "HIIKLMORJJKLMNPSLMMNNOQTNONOOPRUPRPPQRRWPQbVUUTY7BDFHJNRFGHJKMOSIJJKMNPTJLLMNOQUMNNOPQSUOQ"
-    "PPQRTWRQRSSTUXSVSVWVX[9CEGILOUGHJKLNQUJKKLNORVLMMNOQSVOOPPQRTWRRRSSTUXVTTUUVWZ^Y]YZYZ^=DGI"
-    "KMQZHIJKMORWKKLMNPSWMMNOPQTXPPPQRSUYTSSSTUVZ[VVVWWY]f[][][]a@EHJLOR^HIKLNPSXLLLMOQTYNNOOPR"
-    "UYQQQRRSVZVSTTUUW[]WWWXXY^k^^^^__eHHKLNQUbKLMNOQUZOMNOPRUZPOPQRSV[SRRSSTW[YTUVVVX]^YYYYYZ_"
-    "kca`__`e<FHIM dfIDMH  bgLHBJWQZmIGONXZZfX V [XZ_a TTSX[cd_hZZ]`cq Z]abdk+.468:<?ADGJMPRUWY"
-    "[^`bcfhjkf    ,-2679<>@CFILORTWY[^`bdfilmkc   /,357:<>@CFILOQTVY[^`adfikops   4.468;<?ACFI"
-    "KNQTVX[^`adgilnr|   <267:<>@BDGILORTVY[]__egilos{   E57:;=?ADFHJMORUWY[^`^ehilpt|   O=A==@"
-    "BDFIKMNPSVXZ]_a_eijlpvv   m OMILJJMOQRRSUXZ]_accgjknosr   @CFGHITOR]:<CDEFGIKPD@DGFGJKMRGB"
-    "FHHIKLNRNFJKLLMNORTQPMOOPPRTTO PSSUSTV    QT_VWY    TciWY^      sWYdCACCEEUKOZ?;ACCDEFIMA;"
-    "DECDHGKPD>?DEEGGJPJ@EFGGIHJOPaOJGJLKLO   OONSNOR    XN]QRU    QPeTUY      oUW`GB>B@DWILX=B"
-    "@C@CECHKBBFEDEJFIOFEBDDEJEHNH@FBCEJEGNLa;HFFLGHM    LJRJJN    RSYNNQ     QaSQT      jTT]E "
-    " F::XGIV   9CACDFK? H><?KDGMF  9CFLEGME JIFBMCEMFL G@BODEL    8FRFFK    _PXIIL      ]PNP  "
-    "    fOQX      WGHU     ?;LMK     <PBDL    =AM>CM    FHOCFL     KOCDL     DQEDK    TIUFFK  "
-    "    XNIM      bTOV      V@ET       @;L      P?8K      P<AL     LM<?L     NNFDK      OCCJ  "
-    "    QAEJ      UIDJ      ^NLS      U 6T         G      L  K      O  K      O FK      MEAJ  "
-    "    NAFK      OFDJ      QDBJ      ZJLR      S  R                J  L      M  J      N  J  "
-    "    N  J      M :J      M KJ      N ?J      T BPL9<>@BBDEGIKMOQTVY[^`begimptv   Z?>=@CABCD"
-    "FFGILNQTVXZ^`cehlpt   ]?\?D@ICGIIKJFFGILNQTVY[_adhmr   ]    NPHNORRJHFFGILNQTVY]`dhm   Z   "
-    " <QJMOTUONJIGGHJLPRUX[`ei   X     R?MOTVQPMLKIGGHLMPSW[ae   W     M QJTVSQNNMLKIHMJMOSW]a "
-    "  T       LIRSSRNMMMMMKRKNMOQST                                   HCDCDDEEFGGHIKLMNNNOOOOO"
-    "OOOPM   LM?EEEFGGGGGGHIKLMNNNOOOOOOOM   M    KGHJHJIHGHHIKLMNNOOOOOON   M    OHMLNLLJJIHHI"
-    "JKLMNNOOOOO   M      HILMLKKJJHHHHJKLMNNOON   M       GKLMKKKJJIIHHIJKMNNOO   M       NLLL"
-    "LLLJKJJIIKJJKKLMM                                                                         "
-    "          L       GJ      GHJK    HHIJL   IIJJKMN KKKLLMN LMMMMMNOMMMNNNNOLMMNNNOOLLMMNNOO"
-    "L       GI      GHJK    GHHJK   HHHHIKM IIIIIKM JKKKKLMNKLLLMMMNLMMMMNNNLMMMNNNOM       GK"
-    "      GIJJ    GHHKK   GGHHIKL HHHHHIL HHIIIIKNKKJKKKLMLLLLLMMNJMLMMMNOM       CK      HCJH"
-    "    GHIJK   FFFIIKK FHGHHIK IHHHHHJMIIIIIIJLJKLKKKKLMMKLLLMNL       IL       FJK    EEPKI "
-    "  ILIIIKJ EJFIHIK ?GFEGGJKHGHHGGHKGIHJHIIKLMJKKKKML        K        I       PLJ     @KJII "
-    "F >HFFJ  FNGHHJKLFCGGEGJNJFIGGHJKMFIIJJLL                 K       JIK      =KKH     IOJ   "
-    "  FFIJ   JOBIK  ?<BEFJHJLGHJIL                                LJJLNOOORNLMNOOSNLKKMOOQLKLL"
-    "NOPQNINKLNORNLNLMNONMRNLKMOOM MMLMOPL MLKLNON NMMMNOM MLLLMML MMLMNNOPNOOMOQOLMKNNMLMLRSQR"
-    "RQPQPOPNOOMOQOMNLNNMNNMQRPPQPPQPOPNOOMOQOMMLNNMNNLQRPPRPPQPOOOOPNOQNMMKNNLMNLQSQQRPPRPONPN"
-    "ONPPONMLNNMNNLPRQPRPPQPOLRNNNPPPONMNNNONNPQPOPPPPPOLRNNNPPPPOOMNOOOPPOOOOOPOPONQOONOQPOOPM"
-    "POPOQOONMMOOONOONOPPMNMLQPPPMNPRMPNLQONPNMQPQSNOSRQNMOPRMKKLPOPNMNPQ9OPRUY^fp|7KKMQUZbm|7J"
-    "JLOSXal|9KKLOTQcn|:LMLPUNdp|;NMNQVNeq|:QMORUMfl|: JNRTNfs|5GIIKM=UYeGRQTVZ^fm|7JIKNRJ_j|<K"
-    "LMORG][cKUUUX^bhu|?QPQTXUfq|                    8CGJMR^[i|                                "
-    "                  8 ECFLSZd|8HGJNTZfy|:ORU[djx||                                        6 "
-    " HGJQYev5 CDINT]h|4EFIMRZbr|7KLPU]fu||                              9   ORU^h|5  FIMRZg{4 "
-    "EEIOU]g|6DHKNT^hz|9JKMRYcs||                    <    ULlmw:   NSW`m|7  IJMT]g|7 GHLRXdt|9G"
-    "JLQX`pp|;KLNRYdv||                    =    ULcdz:   PSYal|7  KLOV^mz9 KHOT[l{|;JKMSYhs{|=M"
-    "NOU^izz|                    <    VL_kv:   ORXbk|8  MPT[fs|: ILOW^r{|=LMOUbwxy|@PQVWnpqr{  "
-    "                  =    UM_c|:   PSYdi|8  NQT^fp|; MPT^jwy|>QNQ[eopq|                      "
-    "        ;    VNfu|9   PRYdp|8  NRWbxy|: JNW`opp|                    QVRQ#                 "
-    "          EA'                             N[[ZYXWVUTTRQONLNLI<            MXYXXWVUTSSQPOMK"
-    "JMOO@           Xglkfca_]ZXWVUUSQNJF@           Y`ba_^[ZYXWVUTTRSOMIH           VR_L'     "
-    "      PVRR#                                                                               "
+    "6ACEGJNUEGHJKMPVHJJLMORVJLLMOPSWNOOPQRTXQRRRSTVZTTTUUVX]WVXYYY[`6ADFHKNVFHIJLNQVHJJLMORVKL"
+    "MNOQSWNPPPQRUXRRSSTUWZVVVWWWY]XY]]]]^b8BDFHKOXFHIJLNQWIJJLMORWKLMNOQSXOOPPQRUYRSSSTUVZVVVW"
+    "WXY^``_^]^^c;BEGILPZGGIJLNQWJJKLMORXKMMNOQSYPOPQQRUYUSSSTUV[ZXVWWWY^hb^^__^e@DGIKMR^HHIKLN"
+    "RXKKKMNPSYLMNNOQTYQPPPQSUZWSSTTUW[]YWWWXY_k]_^^__fDFJKMQVeIJKLNPSYLKLMOQU[MMNOPRUZRPQRRSV["
+    "WTTTUUX]^YYXXXZ_k[dc_``gKHMNPTYiJJKMORTYNLMNPRV]OMOPQSW[SQQRSTW^XTTUUVX^^VWWXYZ`jca^_^`hUJ"
+    "QRTX_kLJKOPSWYSMOORTY_SOPPQTX_WQSSTUX_ZWUUVWY``V[YYZ[alh^cdcbh/:=?BEIVBCDFGIMTEFGHJLOVHIJK"
+    "LNQWLNMNPQTXQQQRSTVZZTVVWWY^l XiZe`g6?ABDGJOCDDEGHKPFFFGIJMQGGGIIJMSIJJJKLOSMMMLMLPUKSNRPQ"
+    "RT      TT7@BDFHKQDFFGHJLRGHHIKLNRHJIJKLNSKLLLMNPSONNMNOPURSQQQPSW     TRX8ADEGJMREGHIJKNS"
+    "HIIJLMOSIJKLMNPTMMMNOPQUOPPOPQRVPTPRRRSWS `PTYTY9CEGIKNSFHIJKMOTHJJLMOQTJLLMNPRUMNOOPQSVPQ"
+    "QQRSTWRSSSTTUYTVSVYWX]:DFHJMPVGHJKMNQVIJKLNPRVKMMNOQSWOOPPQRTWRRSSSTVYXTTUVVXZ^U[]YZZ^=DGI"
+    "KNRZHIJLMORXJKLMOPSWLMNOPRTXPPQQRSUYUSSTTUWZ[WVWWXY]fZ[][]]bAFHJLOS_HJKLNPSXKLLMOQTYMNNPQR"
+    "UYQQQRRTVZWTTTUVW[^XWWXXZ^k`a^_^_eGHKMORVcIKMNPRUZMMNOQRU[POPQRSV[TRSSTUW]YUVVVWX]_XYYYY[_"
+    "l_`a_``e>GJH  dhJJHJ  bdKIGOPPZmJGIMQWYeT  aZWZad QXUY^ccag^Z[`dp a`bcck-0689;=?BEHKMPSUWY"
+    "[^`acfihma    //579:=>ADGJMORUWY[^`befimms_   20679;=?ACFILORTWY[^`adgikoqn   4279:<>?ACFI"
+    "LOQTVX[^``egimos{   ;49:<=?ACDFILORTVXZ]_]egjlotx   C7;<=?@BDFGJMORUWY[]_[fhjmpvw   O@<@@A"
+    "BDFHJLNPSVXZ]_`[fijnqv|   i;PJJJHJMNPQQSUXZ]_ab`gkknpto   =@CEFHSOR]:9?BDEFHKPB=ADFGIJMRD?"
+    "BFHHJKMRLFFJKKMMORUZOMOOPPQTdO QQRUSTV    PU_UWY    TViWY^      rXYdBABCEEUKOZ9<?BCCDFIM@7"
+    "?CCCHGKPD:=BDDGGJPJ@EDFFHHJOQSTJJJLKLOT  RMNSNOR    SP]QRU    QUeUUX      nWW`JD?8BEWILX?8"
+    "CAACDEGLCHCECCJFIOEHFCEDJEHOF@CCDEJEGNLa=LEGLFHMO  QNJRIJN    RSZNNQ     OaRQT      jSS]:@"
+    "  @AWGIV  H=CACFFL> H?\?@LEGMG JDGFLEFMG  FEEMDEMDL ;@BODELJ   GHRFFK    _RXIIM      ]PNP  "
+    "    fOQX     ?VGGU     @<EKL     =OADL    :=MACL    GFNEGL     MOBDK     DQEDJ    TJUEFK  "
+    "    XMJM      bROV      VBDT        PH      O?BK      P:>K     GMA>K     INFDK      ODBJ  "
+    "   @QBCJ      UJEK      ^RKS      U @T        @K      L  J      O  J      OJLK      L9=J  "
+    "    N8HK      OFDJ      Q@BJ      ZJMR      R  Q                K  G      L  K      N  I  "
+    "    N  J      M 9J      M JJ      N >J      S CPI9:<>@@BDFHJLOQTVY[^`bdgimpsw   Z>9=>C@BCC"
+    "EFGILNQTVXZ^`cehlpt   ]F C5HDGIIKJFFGILNQTVY[^adhmq   ]    JJJMORRJHFFGILNQTVY]`dhm   Z   "
+    " =NJMOSUOMJIGGHJLPRUX[`di   X      HMNTVQPMLKIGGHLMPSW[ae   W       RJTVSQNNMLKIHNJMOSW[` "
+    "  T       JKQSSRMMMNMLKQKNMOQST                                   HACBDEDEEFGHIKLMNNNOOOOO"
+    "OOOON   KF ;FIGGFGGGGHIJLMNNNOOOOOOOQ   M    IJGJIJIHGHHIKLMNNOOOOOOO   M    PJOKKLLKIIHHH"
+    "JKLMNNOOOOO   M      JENLMKKJJIHHIJKLMNNOOP   M       EKLMLKKKIJIHHIJKMNNOP   M       NILM"
+    "LMKKKJJJIKJJKKLMM                                                                         "
+    "          L       FJ      GGIJ    HHIJL   IIJJKMO KKKKLMN LLMMMMNNLMMNNNNOMNMMNNOOKLMNNNOO"
+    "L       HI      FHJK    GHHJK   HHHHILM IIIIJKM JKKKKKMNLLLLLMMNLLMMMMNNMMMMMMNOM       HJ"
+    "      HHJJ    GHGJK   FGHHIKL HHHHHIL HIIIIIKNJJKKKKLMLKLLLLMNMKNMMMNOM       JK      HJJI"
+    "    HHHJK   GFEIIJK FGFGHIK HGHHHHJMHHIIIIJLJJJKKKKLMMKMMLMNM       MI       NJJ     EMKJ "
+    "  DHHHIKL GHIHHIK CGEGFGIKHGGHHHHKHIIHHIIKLIJJKKKML        =        IK      PKJ     OJIJK "
+    "N  HEGJ JFJMJGJKGFDCHEGJIEHHGGHJGJJLHIJLL                 L       @IJ      JJKJ    O=KJ   "
+    "  OIIK   JNDHJ  ?=@DFJ>GKIHHIL                                KKJLNOOOPMLMNOOWPLLKMOOONPML"
+    "MOOPNINKLNONLMNLMNOPM MLKMOQL MMLMOQL MLKLNPO MMMMNOM MLLLMNL MMLMNNOPNOOMOQOLMKNNMLMLRSQR"
+    "RQPQPOPNOOMOQOMNLNNMNNMQRPPQPPQPOPNOPMOQOMNLNNMMNLQRPPRPPQPOOOOPNOQNMMKNNLMNLQSQQRPPRPONPN"
+    "ONPPONMLNNMNNLPRQPRPPQPOLRNNNPPPONMNNNONNPQPOPPPPPOLRNNNPPQPOONNOOOPPOOOOOPOPONQNONORPOOPM"
+    "POPOQONNMMOOONOONOPPMNMMQPPPMNPRMPNLQONPNMQPQSNOSRQNMOPRMKKLPOPNMNPQ<PQRUZ`jo|:MMNQU[dq|;L"
+    "MMOTZco|=MNNPTQeq|>NOOQUNfp|>QPPQUNfr|>OOORUNgo|= KOQSNhv|8GIJKL>WYdISUTUY[fq|:KLLNRJbm|?M"
+    "MNPQG]^jLWWVX^bmt|BRRRTXUgt|                    9EJKOS_]e|                                "
+    "                  < FGGNT_c|<GIKOU]ky|<PSV[dm|||                                        9 "
+    " FHJSZj|9 GGIOU_l|9FHJNT[ir|;MOQV^ku||                              <   NPV`o|:  HIMT]g|: "
+    "FHJOW`o{:GKLOV`kz|<MNOS]g|||                    =    PLdnv<   ORXa{|:  HKNU_i|; IJNR[h||>J"
+    "MORYcqs|>MPPSYk|||                    ?    VLbbz<   OQXc||<  IMPWbi|> JMPW^p||@KOPS[f{{|@P"
+    "QSU^izz|                    >    TM^k|=   OQXcn|=  NPT]hp|? MMQVaj{|AOQSVawxy|BRSXZgqqr{  "
+    "                  >    UM_dq<   PQXdl|=  MQT^i{|@ NOR]exx|COPSXepqr|                      "
+    "        <    SNgu|<   OQYft|=  ORYbyz|@ KMV^oqq|                    PVQP#                 "
+    "          D?*                             NZ[ZYWVVUTSRQOMMOMJ<            MWYXWVUUTSRQONLJ"
+    "KNOL            Xepjfca_]ZXWVUUSQNJF@           Y_ba_^[ZYXWVUTTRSOMIH           TS`L'     "
+    "      PVQP#                                                                               "
     "                                                                                          "
-    "                                                                  C)              EA'     "
-    "                                                                                          "
-    "                                                                                          "
-    "                                                    O][ZYXWVUTSRQPON>NPQPPNJG       SNOMOQ"
-    "PNO@      YWONONPONN      ^^VONNNPOJT     b`^WOMMJLVI     hf`]WNMMLPNL    njdb]WMKLLNMO   "
-    "tnkea]VMKLLNI   qvqieb]VMJKKK   |u|njf`]VLIJMF  ||ttolha]VLHKJ@ s{{{spnhb^VJGJF zzzzqqlkic"
-    "^WJGG@xxxxxxpxkic_VHB?xxxxxxxxmjifaXMENXYYXWVUTSRQPNMLBKNOONLOK@      OPPOPONKPL      XVRP"
-    "NPPJK=      ^]VQPONPLMG     b`[VQOOOPHKM    ee`[VPONMQLG    hge`[VPNNLNJ=   llfe`[VPNNLRMI"
-    "  tmkge_]VONNLPL= |qmkfd_[VNMLKNI ||qnhfg_[VNJNMOI{{{snihd`ZVMKONLyyyyynheg^]VMHOJwwwwwwig"
-    "ge`[VKGMvvvvvvvmjhj_`ZPHXglkfca_]ZXWVUUQ                                                  "
+    "                                                                  F'              D?*     "
     "                                                                                          "
     "                                                                                          "
-    "          Y`ba_^[ZYXWVUTTQ                                                                "
+    "                                                    O[[ZYWWVUTSQQONN@LOQPPMK>       QOONPP"
+    "OMP@      YWOOOOPONO@     ^]WONMNQOLM     ba]WNMNLMQNO    he`]WMLLMOML    niea]VLKKKPNJ   "
+    "rqjea^VLLKLMN   ssojda]VLKJGH   u|uniea]VLJIL>  t||tqog`]VKHID  {s{{smoeb^VJGGH yyyyqqnnhb"
+    "]WIFH wwwwwwoolfe_VFA vvvvvvvvmjmg_XJBNWYXWVUUTSRQONLLCJOOONJNNO      NPPOONMLKJ      XUQP"
+    "OPPKMF      _[VQOOOOLMG     b`[VQOOOOGI     fd`[VPNNNPMH@   hge`[VPNNLMI>   okff`[VPMNNQNI"
+    "  rmjgd`]VOMMMNJ@ ||mked^[UOLLMMJ ||mqhhd_[VNJNONFzzzrzghd^[UMKMNJxxxxxxfhe`]VLFPKuuuuuuud"
+    "ec_]VJIMssssssssskh`dZMBXepjfca_]ZXWVUUQ                                                  "
     "                                                                                          "
-    "                                                                                      PYVR"
-    "#           SPTQ#           UVOR#           YZNR#           X]TP$           N_PL,         "
-    "  SWGC8           MLM/            MN?7            FP)             GGF8            KRE1    "
-    "        IP.             >8              I8                              D?+             JB"
-    "-             IN1             ?g8             C4                                          "
     "                                                                                          "
-    "                                                                          IYZYXXWVVUTSRQPO"
-    "NVUUTRRSTTUTUOXQQVVTSRPNMPKNO   RXVVTSQOMLOLF   SZXVVSSPOLLOM?  T^YWVUSRPONMMJJ U_]YWUURRO"
-    "NJNPI Vc_]YWUTRRPNMLL>Vec_[YVUTRRNLJKIVgfa_ZXVUSQRNKGEVhifa^ZXVTTQPMH8Vikhd`^ZXVTQPPKFVomh"
-    "id_]YWURQONGWinnigb^]XVTQNJFSdr|uhgd_]XVTRNJMXYYXWVUTSSQQONLAJNOOPQOOK      QLNNNMOSKT    "
-    "  VSPNOLMQOQL     [VSPOMLMNQOO    _[WSOOMKLOQO    c`ZWSOOLLLJQ    gd_ZWSONLLJQO   hgd_ZVRO"
-    "NKKJL   khfd_ZVRNMLJD   qnhgc^ZVRNNKG;  pomhfc_YURMMKJL rrrlhfb^YVRLNID |slnmedc]YVQKLHNrz"
-    "zrrgeea]YVPKHEyqyyljgdce[YVTOJ|||lc^[YXWVVTRQMmxihhgec_ZXXWWVQjjbbjjja^ZWTTTRP            "
-    "    M               QYffffffPR?     P^iiiiii^MUE    P]kkkkkkcZLMG   P[lllllldZWMNF  Q_nnnn"
-    "nn[VUWMO> S`gogoogdWQUVNPFT`appceb__WQUVLIUceappd`]_`USVVNTgoddood`]_cVSVPTboogaooc]^b`WRR"
-    "Wmmuumfhheba`^ZRXaba`^]ZYYWVUTTQIKXWQTL         SHOT            VX_STSOG        Z`a^RPOS> "
-    "      a_bYZTPNP?      `_gcXWVRQP=     b[[^]VVSPON@    ab_]YZUUTPQS=   rg`]aYYUTROPN@  qffd"
-    "`_]^WOPOPR@ rrjega]_ZYOSMMM qqqidf`eZZUMRJM qqqqqbq_e[YTLSQMppppppeh^`Z[UJTLuuuuuuufucda]Z"
-    "VQ                =A8             KOMM8           NzSK-           `aWP%           ]ZKS'   "
-    "        WWNS#           SNUS#           PYVR#           SSRN&           STOP(           VZ"
-    "SP'           SXOP-           QUDg8           ZYF-            OOD+                        "
-    "                                                    C4              Bg8             GO8   "
-    "          KF0             D?+             J@1             JM2             ,               "
-    "                                                                                IYZYXXWVVU"
-    "TSRQPONWVUTSRSSTUTUOVQQWWUTRQONPKPTVTJRXWWUSRPNMPLI   SZXWVTSPONMNLF  T^YXVVSSQPONOIG U_]Y"
-    "WVUSRPOLOOG Vc_]YWUTRSQOOLMDVeb_[YVUTRROLKLJVhfa_ZXVUSQROLHCViifa^ZXVUTQQMI7Vijhd`^ZXVTQPP"
-    "KFVomhic_]YWUSQONGWinnigb^]XVTQNJGScr|uhgd_]XVTRNJ                ITXWWWVUUTSRQPMJMSTTTSTT"
-    "TTTSROPPPTTSRRPPNNOQO>  RWUTSRQOONLKF   SZWUTRRQONNNJ>  U]ZWUTRQPONNKG  U_]ZVTSRQPOMNNH Va"
-    "`]ZVTSQPPNMNJFVcc_]YVTRQPNNLJFWffc_[YUSRQONNJEWdieb][XUSRPOMNGWfikda]ZXTSQPMNKWdjnic`]ZWSR"
-    "POMJWctmigc_ZXXRPPLGV_lpmjfb_[YWTOOM|||lc^[YXWVVTRQMmxihhgec_ZXXWWVQjjbbjjja^ZWTTTRP      "
-    "          M               QYffffffPR?     P^iiiiii^MUE    P]kkkkkkcZLMG   P[lllllldZWMNF  "
-    "Q_nnnnnn[VUWMO> S`gogoogdWQUVNPFT`appceb__WQUVLIUceappd`]_`USVVNTgoddood`]_cVSVPTboogaooc]"
-    "^b`WRRWmmuumfhheba`^ZRgha`^[YXWWVTSRQPaeeedb`^^ZWXVUVQ]__`babg^YWYUVWRTVYYVWX`hWOSaaLOUX^]"
-    "[WVXbXRKO  OT]^Y[WWUXVTVKH  T[dYZZVWUXSSPK TUYca[YYWVTXSRRK T[de][YVWXSWUNZIT[jdb^[YVVUUXT"
-    "SNT]fifc][XWUXTYUPU]bdfqb`[YYWVS[QTYpehehdYYXVSWRRT[ppdgogd[XZWUTQS^`nnebee`WZVTSSS[pppphc"
-    "hdaZXZUR QLNC                            JF                              OMMMMMMLMMMLLLJMM"
-    "NM             OMMMMMMMLLLLKKJIIOOO            OKMPOONOONMMLLLLMLJ@            NMLNMMMMNMM"
+    "          Y_ba_^[ZYXWVUTTQ                                                                "
+    "                                                                                          "
+    "                                                                                      PZUQ"
+    "#           SORT#           TXNP#           ZYNO$           SZTK(           MOMD8         "
+    "  RTD.            JT9>            HQ'             GG/             KN>8            HR.     "
+    "        '               8                                               C>-             K>"
+    "1             ES5             I.              ,                                           "
+    "                                                                                          "
+    "                                                                          IXYYXWWVVUTSRPPO"
+    "NVVUTSRSTTTUURTPQVVTSQPNNNMK    SWVVTSQOMKOLH   TZXVUSRPOMLNKO  U]YWVURRPONLMG  U_]YVUTRRO"
+    "MJMM? Vc`]XVUSRROMMLL?Vec_]YVUSRQNKE= Vggb_ZXVTSQQNKC Vgjfb^[XVTSQPKH;Viikda^YWUSQPNJDVgpi"
+    "kd_]YWTRPNJHWjothjc_[XVSPLH9Rb||niid_[XUTPMIMWYXWWVUTSRQPNMKBHNONQNOMQ      RKMNNMPOKJ    "
+    "  VRPNNLNOMPO     [WSPNMMMPNOO    `[WSPOMLLOI     c_[WSONLMJLM    gd_ZWSONLLIPM   ifd_ZVRN"
+    "MKMKH   khfd_ZURNNLJA   oqhgc^ZVRNMKHK  pmnhfb^YUQMMKIF |rnlgeb]YVQLLIFOssnnkfdb]YVPLJHNxx"
+    "xmmggeaZYUPIC owwooldceaZYVUMI|||lb_[YYWVVTRQMppkgigfb^ZXWWXUQkkk`ckcck]Y[ZRYN            "
+    "    Q               P^ffffffPPH     Oaiiiiii]MTF    P]ckkkkkcZLMG   P]lllllldZWMNF  RZnnnn"
+    "nn[VUWMO> T^gogoogdWQUVNPFT`eppceb_`VQUVLITep`ppd`]_`USVVNTaoddood`]_cVSVPT`oodcooc]^b`WRR"
+    "Wduuumfhheba`^ZRY`ca`^[ZYYWVUTTQIKTZSWK         RMQ[RT?         WVXTPNVJ        [b^^SPQN? "
+    "      __bX[TPPN@      ^`gcWXVRRO=     a^[]]VUSPON@    ca]^ZYUVTPQS=   jcc^_YYUUROPN@  qicf"
+    "`^^^XOPOPR@ rrrcga]_ZYOSMMM qqqidq^eZZUMRJM qqqqqbi`e[YTLSQMppppppep]`Z[UJTLuuuuuuufucda]Z"
+    "VQ                71              JO,             JVTD8           SaWK)           bXLO(   "
+    "        V]NO#           SMSW#           PZUQ#           TSPP'           RTMS(           V["
+    "RN(           TSLH7           OKC8            |UF.            NO97                        "
+    "                                                    ,               H/              Hj5   "
+    "          L%              C>-             JA1             B8              K8              "
+    "                                                                                IXYYXWWVVU"
+    "TSRPPONVVUTSRSTTTUURTPQWVTSQPNOMMMQ   SWWVTSQOMLONK   SZXWVSSPOMMKKO  U]YWVUSRPPNMNG  U_]Y"
+    "WUTSRPNLOH? Vc`]YVUTSSPNMLL>Vec_]YVUTRROLHH Vfgb_ZXVUSRQNKB Vgjfb^[XVTSQPLH9Viijda^YWUSQPO"
+    "JDWgoijd_]YWTRPMKHWjothjc_[XVSPMH:Ra{{nhhd_[XUTPMJ                ISWWWVVUTTRQPOLLMRTTTTTT"
+    "TSSQQQNKQTSSRQOONPOPG   SVUSSQPONLJC    TYWUTRQPNNNKB   U]ZVTSRQPOMKI>  V^]YWTSRPPOMNJ= Va"
+    "`]YVTRQPPNJMI Wbd`]YVTRQONNKI?Wcic^[YUSRPNNNHEWcjfb^[XUSQPNMMEWbikfa]ZXTRQPMLLWbjkhe`[YWSQ"
+    "OML@Wbnjhhd`YYWSNNLEU]psjheb_ZXWSOOM|||lb_[YYWVVTRQMppkgigfb^ZXWWXUQkkk`ckcck]Y[ZRYN      "
+    "          Q               P^ffffffPPH     Oaiiiiii]MTF    P]ckkkkkcZLMG   P]lllllldZWMNF  "
+    "RZnnnnnn[VUWMO> T^gogoogdWQUVNPFT`eppceb_`VQUVLITep`ppd`]_`USVVNTaoddood`]_cVSVPT`oodcooc]"
+    "^b`WRRWduuumfhheba`^ZRhfb`^[YXWWVTSRQPbdcfca`_]ZXXVUVQ[bbacacarZWXVVTQVVZ[XX[aiTNVXbXNTZZ^"
+    "YXVXaXSMJ  QT[^X[WWTXWTTMH  UZ`[YZUWUWSSPK TT[e`]YXWVTXSRRK TZde^[YWXXSWUNZIT]eeb^[YVVUUXT"
+    "SNT]dffc][XWUXTYUPU[ddfqb`[YYWVS[QTZpehehdYYXVSWRRS^ppdgogd[XZWUTQT[_nnebee`WZVTSSTYpppphc"
+    "hdaZXZUR RLN>                            LA                              OMMMMMMMMMMLLLJOM"
+    "OM             OMMMMMMMMLLLKLJJJLO             NJMQPOOOONMMLLLLMLJ@            MMLNMMMMNMM"
     "LNMMLMJJI           ";
 
 constexpr std::array<std::int16_t, 216> kWeights = {
-    -1233, 853, 1134, 307, 307, 307, 307, 307,
-    -139, 385, 228, -322, -27, 273, 307, 307,
-    -96, 318, 104, -98, 50, 349, 307, 307,
-    74, 249, -79, 80, -74, 558, 307, 307,
-    209, 225, 220, -58, -107, 546, 307, 307,
-    322, 279, 337, -173, -243, 619, 307, 307,
-    423, 148, 370, -126, -365, 612, 307, 307,
-    376, -32, 542, -23, -533, 682, 307, 307,
-    519, -149, 513, -265, -417, 614, 307, 307,
-    37, 326, 72, 165, 294, 307, 307, 307,
-    112, 513, 134, 166, 234, 307, 307, 307,
-    -45, 370, 179, 355, 291, 307, 307, 307,
-    56, 369, 272, 269, 132, 307, 307, 307,
-    133, 409, 159, 352, 322, 307, 307, 307,
-    -83, 275, 164, 334, 220, 307, 307, 307,
-    129, 347, 83, 372, 367, 307, 307, 307,
-    173, 84, 285, 441, 313, 307, 307, 307,
-    361, 91, 153, 199, 307, 307, 307, 307,
-    163, 457, 64, 252, 249, 183, 307, 307,
-    -845, 753, 85, 990, 307, 307, 307, 307,
-    -179, 371, 206, 458, 307, 307, 307, 307,
-    -327, 1043, 663, -15, 307, 307, 307, 307,
-    -1011, 849, 1302, 481, 307, 307, 307, 307,
-    421, -186, 373, 373, 307, 307, 307, 307,
-    6, -508, 1061, 962, 307, 307, 307, 307,
-    375, 252, 91, 307, 307, 307, 307, 307,
-    52, 218, 307, 307, 307, 307, 307, 307,
+    -1071, 812, 1090, 307, 307, 307, 307, 307,
+    -206, 420, 199, -255, -48, 395, 307, 307,
+    -168, 316, 44, -79, 3, 408, 307, 307,
+    5, 203, 19, -57, -63, 629, 307, 307,
+    53, 331, 177, -120, 39, 472, 307, 307,
+    382, 299, 315, -206, -178, 527, 307, 307,
+    488, 123, 358, -231, -347, 514, 307, 307,
+    519, 36, 351, -47, -471, 662, 307, 307,
+    686, -174, 514, -118, -402, 607, 307, 307,
+    13, 324, 137, 121, 263, 307, 307, 307,
+    99, 484, 278, 142, 258, 307, 307, 307,
+    -35, 337, 176, 389, 192, 307, 307, 307,
+    101, 322, 242, 152, 80, 307, 307, 307,
+    157, 381, 190, 385, 340, 307, 307, 307,
+    -10, 339, 114, 279, 151, 307, 307, 307,
+    152, 325, 134, 306, 331, 307, 307, 307,
+    259, 91, 293, 362, 251, 307, 307, 307,
+    397, 114, 235, 99, 307, 307, 307, 307,
+    187, 334, 163, 277, 242, 289, 307, 307,
+    -1212, 1040, 305, 901, 307, 307, 307, 307,
+    -99, 327, 178, 605, 307, 307, 307, 307,
+    -325, 1072, 630, -29, 307, 307, 307, 307,
+    -972, 867, 1276, 429, 307, 307, 307, 307,
+    413, -201, 385, 385, 307, 307, 307, 307,
+    -12, -523, 1063, 966, 307, 307, 307, 307,
+    494, 212, 109, 307, 307, 307, 307, 307,
+    232, 122, 307, 307, 307, 307, 307, 307,
 };
 // clang-format on
 

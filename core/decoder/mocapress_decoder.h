@@ -73,7 +73,7 @@ typedef struct mcpr_info {
   uint32_t joints;
   uint32_t channels;
   uint32_t effectors;  /* of the IK correction; 0: none */
-  size_t motion_bytes; /* of the file: coded motion, segments and correction */
+  size_t motion_bytes; /* of the file: coded motion, segments, correction, ends, turned axes */
   size_t read_bytes;   /* scratch memory that mcpr_read needs; of a long clip in segments that of
                           one segment, and its motion_bytes */
 } mcpr_info;
@@ -122,7 +122,9 @@ typedef struct mcpr_joint {
   float offset[3];  /* cm, in the parent's frame */
   uint32_t first_channel;
   uint32_t channels; /* 0 .. 6 */
-  uint8_t kinds[6];  /* 0 1 2: translation x y z, cm; 3 4 5: rotation x y z, radians */
+  uint8_t kinds[6];  /* 0 1 2: translation x y z, cm; 3 4 5: rotation x y z, radians; of angles the
+                        first leftmost, about axes that suit the clip and are not told here (AXES
+                        in FORMAT.md): MCPR_LOCAL is what poses a joint */
   uint8_t has_end_site;
   float end_site[3]; /* cm, in the joint's frame */
 } mcpr_joint;

@@ -33,7 +33,7 @@ inline constexpr int kFixedTurns = 16;  // in half a turn
 
 Eigen::Matrix3d rotation_of(const FixedTurn& turn);
 
-/// The one that is about the rotation, within 10 degrees.
+/// About the rotation: most are within 10 degrees of it.
 FixedTurn fixed_turn_near(const Eigen::Matrix3d& rotation);
 
 /// R = before * (three angles about coordinate axes) * after.

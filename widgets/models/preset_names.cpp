@@ -29,8 +29,8 @@ Texts textsOf(const Preset& preset) {
   if (word == "planted-feet")
     return {
         Presets::tr("Planted feet"),
-        Presets::tr("As Gameplay, with feet that stay where they stand: a third of the sliding or "
-                    "less, for 5 to 12 % more bytes.")};
+        Presets::tr("As Gameplay, with feet that stay where they stand: much less sliding, for 5 "
+                    "to 13 % more bytes.")};
   if (word == "crowd")
     return {
         Presets::tr("Crowd"),
