@@ -9,13 +9,13 @@
 #include <cstdio>
 #include <exception>
 
-#include "app/studio/language.h"
-#include "app/studio/launch_options.h"
-#include "app/studio/main_window.h"
-#include "app/studio/project.h"
-#include "app/studio/screenshot.h"
-#include "app/studio/style.h"
-#include "app/studio/trace.h"
+#include "app/studio/library/project.h"
+#include "app/studio/window/language.h"
+#include "app/studio/window/launch_options.h"
+#include "app/studio/window/main_window.h"
+#include "app/studio/window/screenshot.h"
+#include "app/studio/window/style.h"
+#include "app/studio/window/trace.h"
 #include "translations/install.h"
 #include "widgets/viewport/viewport.h"
 

@@ -9,10 +9,10 @@
 #include "app/cli/option_words.h"
 #include "app/cli/report.h"
 #include "core/base/staged_file.h"
+#include "core/baselines/comparison_method.h"
+#include "core/baselines/compression_method.h"
 #include "core/batch/verification.h"
-#include "core/codec/source_section.h"
-#include "core/compare/comparison_method.h"
-#include "core/compare/contender.h"
+#include "core/codec/format/source_section.h"
 
 namespace mocapress::cli {
 namespace {
@@ -30,7 +30,7 @@ struct Compress {
   bool json = false;
 
   void run() {
-    const Contender& contender = *find_contender(method);
+    const CompressionMethod& compression_method = *find_compression_method(method);
     const bool is_closed_loop = method == name(Method::ClosedLoop);
     const bool of_wavelets = find_comparison_method(method) == nullptr;
     if (options.target.kind == Target::Kind::CoefficientRatio && !of_wavelets)
@@ -39,14 +39,14 @@ struct Compress {
       throw CLI::ValidationError("--coding", "the closed loop is coded adaptively");
     options.coding = is_closed_loop ? Coding::Adaptive : coding.value_or(options.coding);
     MotionFile file = source.read_file(input);
-    const ContenderEncoder encoder(std::move(file.motion));
+    const MethodEncoder encoder(std::move(file.motion));
     options.correction = correction.options(encoder.wavelets().motion().skeleton);
     if (options.correction && !of_wavelets)
       throw CLI::ValidationError("--ik", "corrects wavelets only");
     options.importance = importance.importance(encoder.wavelets().motion().skeleton);
     options.contacts = contacts.spans(encoder.wavelets().motion());
     options.figures_only = true;
-    Compression made = encoder.compress(contender, options);
+    Compression made = encoder.compress(compression_method, options);
     made.file = with_source(made.file, file.source);
     Verification found = write(made.file, encoder.wavelets());
     const Report report{

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/cli/report.h"
-#include "core/contact/contact_spans.h"
+#include "core/feet/contact_spans.h"
 
 namespace mocapress::cli {
 

@@ -8,8 +8,8 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number_text.h"
-#include "core/compare/compared_file.h"
-#include "core/contact/footskate.h"
+#include "core/baselines/compared_file.h"
+#include "core/feet/footskate.h"
 
 namespace mocapress::cli {
 namespace {

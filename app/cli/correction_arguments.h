@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/batch/preset.h"
-#include "core/codec/correction_encoder.h"
+#include "core/codec/encode/correction_encoder.h"
 
 namespace mocapress::cli {
 

@@ -5,8 +5,8 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
-#include "core/codec/source_section.h"
-#include "core/compare/compared_file.h"
+#include "core/baselines/compared_file.h"
+#include "core/codec/format/source_section.h"
 #include "core/formats/motion_file.h"
 
 namespace mocapress::cli {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/codec/named_importance.h"
+#include "core/codec/encode/named_importance.h"
 
 namespace mocapress::cli {
 

@@ -10,8 +10,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
-#include "core/codec/source_section.h"
-#include "core/compare/compared_file.h"
+#include "core/baselines/compared_file.h"
+#include "core/codec/format/source_section.h"
 #include "core/metrics/rate.h"
 
 namespace mocapress::cli {

@@ -6,7 +6,7 @@
 #include "app/cli/contact_input.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
-#include "core/compare/compared_file.h"
+#include "core/baselines/compared_file.h"
 
 namespace mocapress::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/compare/contender.h"
+#include "core/baselines/compression_method.h"
 
 namespace mocapress::cli {
 
@@ -24,10 +24,11 @@ CLI::CheckedTransformer one_of(std::initializer_list<Enum> values) {
   return transformer;
 }
 
-/// The name of a contender.
+/// The name of a compression_method.
 inline CLI::IsMember one_of_the_methods() {
   std::vector<std::string> names;
-  for (const Contender& contender : contenders()) names.emplace_back(contender.name);
+  for (const CompressionMethod& compression_method : compression_methods())
+    names.emplace_back(compression_method.name);
   return CLI::IsMember(names, CLI::ignore_case);
 }
 

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "core/base/number_text.h"
-#include "core/compare/contender.h"
-#include "core/contact/slide_per_contact.h"
+#include "core/baselines/compression_method.h"
+#include "core/feet/footskate.h"
 #include "core/metrics/rate.h"
-#include "core/study/body_json.h"
+#include "core/report/body_json.h"
 
 namespace mocapress::cli {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 #include "core/metrics/body_figures.h"
 #include "core/motion/loop.h"
-#include "core/study/json_value.h"
+#include "core/report/json_value.h"
 
 namespace mocapress::cli {
 
@@ -16,7 +16,7 @@ struct Report {
   std::string input;
   const Motion* original = nullptr;
   Loop loop = Loop::None;
-  std::string method;  // a contender's name
+  std::string method;  // a compression_method's name
   Weighting weighting = Weighting::BoneEnds;
   std::optional<Coding> coding;  // unset: of a comparison method
   std::size_t motion_bytes = 0;

@@ -13,7 +13,8 @@
 #include "app/cli/report.h"
 #include "app/cli/stop_on_signals.h"
 #include "core/base/number_text.h"
-#include "core/compare/contender.h"
+#include "core/baselines/compression_method.h"
+#include "core/formats/clip_files.h"
 #include "core/study/published_figures.h"
 #include "core/study/results.h"
 #include "core/study/row_json.h"
@@ -62,7 +63,8 @@ struct Study {
     plan.reading = source.options;
     plan.weighting = weighting.value_or(paper ? Weighting::JointOrigins : Weighting::Surface);
     if (plan.methods.empty())
-      for (const Contender& contender : contenders()) plan.methods.emplace_back(contender.name);
+      for (const CompressionMethod& compression_method : compression_methods())
+        plan.methods.emplace_back(compression_method.name);
     for (const fs::path& clip : find_clips({inputs.begin(), inputs.end()}))
       plan.clips.push_back({clip, targets_of(clip)});
     return plan;

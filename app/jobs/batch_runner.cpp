@@ -78,7 +78,7 @@ void BatchRunner::pause() {
 }
 
 void BatchRunner::goOn() {
-  if (control_) control_->go_on();
+  if (control_) control_->should_continue();
 }
 
 void BatchRunner::stopAfterCurrent() {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/jobs/open_clip.h"
-#include "core/compare/compared_file.h"
+#include "core/baselines/compared_file.h"
 #include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/base/staged_file.h"
 #include "core/batch/verification.h"
-#include "core/codec/source_section.h"
+#include "core/codec/format/source_section.h"
 
 namespace mocapress {
 

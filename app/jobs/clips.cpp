@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/codec/container.h"
-#include "core/codec/decoder.h"
+#include "core/codec/decode/decoder.h"
+#include "core/codec/format/container.h"
 #include "core/metrics/rate.h"
 
 namespace mocapress {

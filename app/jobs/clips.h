@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/codec/encoder.h"
-#include "core/compare/compared_file.h"
+#include "core/baselines/compared_file.h"
+#include "core/codec/encode/encoder.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/glitches.h"
 
@@ -38,7 +38,7 @@ struct OriginalClip {
 
 /// A compressed clip, decoded for showing.
 struct DecodedClip {
-  std::string method;       // a contender's name
+  std::string method;       // a compression_method's name
   bool of_wavelets = true;  // else `compressed` is as OpenedMcpr has it
   CompressedClip compressed;
   std::vector<std::byte> file;  // the .mcpr

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/jobs/job_runner.h"
-#include "core/codec/encoder.h"
-#include "core/study/curve.h"
+#include "core/codec/encode/encoder.h"
+#include "core/report/curve.h"
 
 namespace mocapress {
 

@@ -3,7 +3,7 @@
 
 #include <exception>
 
-#include "app/jobs/give_way.h"
+#include "app/jobs/lower_priority.h"
 
 namespace mocapress {
 
@@ -57,7 +57,7 @@ void JobRunner::launch(Work work, Failed failed) {
 }
 
 void JobRunner::serve(const std::stop_token& quit) {
-  giveWay(GiveWay::ToTheWindow);
+  lowerPriority(LowerPriority::ToTheWindow);
   while (true) {
     std::unique_lock lock(mutex_);
     if (!wake_.wait(lock, quit, [this] { return waiting_.has_value(); })) return;

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/codec/source_section.h"
-#include "core/compare/contender.h"
+#include "core/baselines/compression_method.h"
+#include "core/codec/format/source_section.h"
 #include "core/formats/motion_file.h"
 
 namespace mocapress {
@@ -64,11 +64,11 @@ OpenedClip openOriginal(const OpenRequest& request) {
 /// The clip as a comparison method leaves it.
 OpenedClip openCompared(const OpenRequest& request, const Job& job) {
   const OriginalPtr original = readOriginal(request);
-  const Contender* contender = find_contender(request.comparison);
-  if (!contender) throw Error("there is no method \"" + request.comparison + "\"");
+  const CompressionMethod* compression_method = find_compression_method(request.comparison);
+  if (!compression_method) throw Error("there is no method \"" + request.comparison + "\"");
   const Compression made =
-      ContenderEncoder(original->motion())
-          .compress(*contender, request.options.value_or(EncodeOptions()),
+      MethodEncoder(original->motion())
+          .compress(*compression_method, request.options.value_or(EncodeOptions()),
                     [&](const EncodeProgress&) { return !job.stopRequested(); });
   return {original, decodedClip(read_mcpr(made.file), original.get())};
 }

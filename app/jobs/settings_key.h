@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 
 namespace mocapress {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/one_thread.h"
 
-#ifndef __SANITIZE_THREAD__  // see parallel.h
+#ifndef __SANITIZE_THREAD__
 #include <tbb/task_arena.h>
 #endif
 

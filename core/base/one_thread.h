@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Apart from parallel.h, whose TBB headers do not go with those of Qt.
 #pragma once
 
 #include <functional>

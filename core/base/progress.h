@@ -12,7 +12,7 @@ template <typename State>
 using Observer = std::function<bool(const State&)>;
 
 template <typename State>
-bool go_on(const Observer<State>& observer, const State& state) {
+bool should_continue(const Observer<State>& observer, const State& state) {
   return !observer || observer(state);
 }
 

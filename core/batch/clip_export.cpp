@@ -9,12 +9,12 @@
 #include "core/base/number_text.h"
 #include "core/base/staged_file.h"
 #include "core/batch/verification.h"
-#include "core/codec/source_section.h"
+#include "core/codec/format/source_section.h"
 #include "core/formats/amc.h"
 #include "core/formats/asf.h"
 #include "core/formats/bvh.h"
 #include "core/formats/csv.h"
-#include "core/study/clip_in_hand.h"
+#include "core/report/loaded_clip.h"
 
 namespace mocapress {
 namespace {
@@ -116,7 +116,7 @@ class Export {
 
  private:
   void report(ClipProgress::Stage stage, double fraction) const {
-    if (!go_on(observer_, ClipProgress{stage, fraction})) throw Stopped{};
+    if (!should_continue(observer_, ClipProgress{stage, fraction})) throw Stopped{};
   }
 
   /// Before any work: files that may not be replaced, and the clip's own.
@@ -147,17 +147,17 @@ class Export {
   }
 
   void work() {
-    StudyPlan reading{.reading = batch_.reading_of(item_)};
-    if (!item_.skeleton.empty()) reading.skeleton = item_.skeleton;
-    const ClipInHand clip(reading, item_.input);
+    std::optional<fs::path> skeleton;
+    if (!item_.skeleton.empty()) skeleton = item_.skeleton;
+    const LoadedClip clip(read_motion(item_.input, skeleton, batch_.reading_of(item_)));
     for (const Warning& warning : clip.warnings()) row_.warnings.push_back(warning.text());
     row_.joints = clip.motion().skeleton.joint_count();
     report(ClipProgress::Stage::Encoding, 0.1);
     const EncodeOptions options = options_for(clip.motion());
     Compression made = clip.encoder().compress(
-        *find_contender(preset_.method), options, [&](const EncodeProgress& progress) {
-          return go_on(observer_,
-                       ClipProgress{ClipProgress::Stage::Encoding, encoding_fraction(progress)});
+        *find_compression_method(preset_.method), options, [&](const EncodeProgress& progress) {
+          return should_continue(
+              observer_, ClipProgress{ClipProgress::Stage::Encoding, encoding_fraction(progress)});
         });
     if (!made.complete) throw Stopped{};
     made.file = with_source(made.file, clip.source());
@@ -190,7 +190,7 @@ class Export {
 
   /// Measures what the disk gave back; the decoded motion, where a format wants it, is from there
   /// on.
-  void verify(const ClipInHand& clip, const Bytes& bytes, const std::vector<ContactSpan>& contacts,
+  void verify(const LoadedClip& clip, const Bytes& bytes, const std::vector<ContactSpan>& contacts,
               Compression& made) {
     const bool asks_for_motion =
         std::any_of(batch_.formats.begin(), batch_.formats.end(),

@@ -10,7 +10,7 @@ void BatchControl::pause() {
   paused_ = true;
 }
 
-void BatchControl::go_on() {
+void BatchControl::should_continue() {
   const std::lock_guard lock(mutex_);
   paused_ = false;
   changed_.notify_all();

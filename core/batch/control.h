@@ -11,7 +11,7 @@ class BatchControl {
  public:
   /// Workers stop where they are and wait.
   void pause();
-  void go_on();
+  void should_continue();
 
   /// Clips that are being worked on are finished, no other is begun.
   void stop_after_current();

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/formats/motion_file.h"
-#include "core/study/json_value.h"
+#include "core/report/json_value.h"
 
 namespace mocapress {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/formats/motion_file.h"
-#include "core/study/review.h"
+#include "core/report/review.h"
 
 namespace mocapress {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/compare/comparison_method.h"
-#include "core/compare/contender.h"
-#include "core/study/markup.h"
+#include "core/baselines/comparison_method.h"
+#include "core/baselines/compression_method.h"
+#include "core/report/markup.h"
 
 namespace mocapress {
 namespace {
@@ -51,8 +51,8 @@ std::span<const Preset> built_in_presets() {
        .weighting = kSkin,
        .target = {Target::Kind::Error, 0.25},
        .importance = looks},
-      // On 02_01, 16_22, 49_02 and 14_06 none to three fifths of the sliding are left, for 5 to 13 %
-      // more bytes.
+      // On 02_01, 16_22, 49_02 and 14_06 none to three fifths of the sliding are left, for 5 to 13
+      // % more bytes.
       {.name = "Planted feet",
        .weighting = kSkin,
        .target = {Target::Kind::Error, 0.25},
@@ -87,7 +87,8 @@ void check(const Preset& preset) {
   const auto refuse = [&](const std::string& why) {
     throw Error("the preset \"" + preset.name + "\" " + why);
   };
-  if (!find_contender(preset.method)) refuse("has no method that is known: " + preset.method);
+  if (!find_compression_method(preset.method))
+    refuse("has no method that is known: " + preset.method);
   const bool of_wavelets = find_comparison_method(preset.method) == nullptr;
   if (is_closed_loop(preset) && preset.coding.value_or(Coding::Adaptive) != Coding::Adaptive)
     refuse("wants a coding that the closed loop, which is coded adaptively, does not have");
@@ -117,8 +118,8 @@ EncodeOptions encode_options(const Preset& preset, const Skeleton& skeleton) {
                         .importance = importance_for(preset.importance, skeleton),
                         .ends = preset.ends,
                         .loop = preset.loop};
-  if (const Contender* contender = find_contender(preset.method))
-    choose_wavelets(*contender, options);
+  if (const CompressionMethod* compression_method = find_compression_method(preset.method))
+    choose_wavelets(*compression_method, options);
   if (preset.contacts) options.contacts = contacts_for(*preset.contacts, skeleton);
   if (!preset.correction) return options;
   const PresetCorrection& wanted = *preset.correction;
@@ -135,17 +136,17 @@ EncodeOptions encode_options(const Preset& preset, const Skeleton& skeleton) {
 std::string target_text(const Target& target) {
   switch (target.kind) {
     case Target::Kind::Ratio:
-      return plain(target.value) + ":1";
+      return format_shortest(target.value) + ":1";
     case Target::Kind::CoefficientRatio:
-      return "r = " + plain(target.value);
+      return "r = " + format_shortest(target.value);
     case Target::Kind::Size:
-      return plain(target.value) + " bytes";
+      return format_shortest(target.value) + " bytes";
     case Target::Kind::Error:
-      return "eps_x " + plain(target.value) + " cm";
+      return "eps_x " + format_shortest(target.value) + " cm";
     case Target::Kind::MaxError:
-      return "max " + plain(target.value) + " cm";
+      return "max " + format_shortest(target.value) + " cm";
     case Target::Kind::Visibility:
-      return target.value == 1 ? "not visible" : plain(target.value) + " times noticed";
+      return target.value == 1 ? "not visible" : format_shortest(target.value) + " times noticed";
   }
   return "";
 }

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/codec/encoder.h"
-#include "core/codec/named_importance.h"
-#include "core/study/plan.h"
+#include "core/codec/encode/encoder.h"
+#include "core/codec/encode/named_importance.h"
+#include "core/codec/encode/target.h"
 
 namespace mocapress {
 
@@ -35,7 +35,7 @@ struct PresetContact {
 /// By what to compress any clip: EncodeOptions before the skeleton is known.
 struct Preset {
   std::string name;
-  std::string method = "closed-loop";  // a contender's name
+  std::string method = "closed-loop";  // a compression_method's name
   std::optional<Coding> coding;        // unset: the method's usual one
   Weighting weighting = Weighting::BoneEnds;
   Target target{Target::Kind::Error, 0.5};

@@ -3,11 +3,11 @@
 #include <optional>
 #include <ostream>
 
+#include "core/baselines/compression_method.h"
 #include "core/batch/report.h"
-#include "core/compare/contender.h"
-#include "core/study/html_table.h"
-#include "core/study/markup.h"
-#include "core/study/report_style.h"
+#include "core/report/html_table.h"
+#include "core/report/markup.h"
+#include "core/report/report_style.h"
 
 namespace mocapress {
 
@@ -73,14 +73,14 @@ std::string tiles(const Totals& totals, std::size_t waiting) {
   if (totals.failed > 0) all += tile(std::to_string(totals.failed), "failed");
   if (waiting > 0) all += tile(std::to_string(waiting), "still waiting");
   if (totals.motion_bytes > 0)
-    all += tile(
-        ratio_text(totals.raw_bytes / totals.motion_bytes),
-        "all channels as 32-bit floats over all coded motion: " + figure(totals.raw_bytes / 1024) +
-            " KB to " + figure(totals.motion_bytes / 1024) + " KB");
+    all += tile(ratio_text(totals.raw_bytes / totals.motion_bytes),
+                "all channels as 32-bit floats over all coded motion: " +
+                    format_significant(totals.raw_bytes / 1024) + " KB to " +
+                    format_significant(totals.motion_bytes / 1024) + " KB");
   if (totals.done > 0)
-    all += tile(figure(totals.worst_cm) + " cm",
+    all += tile(format_significant(totals.worst_cm) + " cm",
                 "the furthest any point is off at any frame; &#949;<sub>x</sub> at most " +
-                    figure(totals.worst_eps_cm) + " cm");
+                    format_significant(totals.worst_eps_cm) + " cm");
   return element("div", attribute("class", "tiles"), all);
 }
 
@@ -90,15 +90,15 @@ std::string pictures(const Totals& totals) {
     const WorstPose& pose = *row.worst;
     const std::string scene =
         worst_scene(pose, row.output + " over its original at its worst frame");
-    figures +=
-        element("figure", "",
-                scene + element("figcaption", "",
-                                element("b", "", escaped(row.output)) + ", frame " +
-                                    std::to_string(pose.frame) + ", " +
-                                    fixed(pose.frame / row.measured->sample_rate_hz, 2) +
-                                    " s: the " + escaped(pose.landmark) + " is " +
-                                    figure(pose.off_cm) + " cm off. " + escaped(row.preset.name) +
-                                    ", " + ratio_text(row.measured->ratio) + "."));
+    figures += element(
+        "figure", "",
+        scene + element("figcaption", "",
+                        element("b", "", escaped(row.output)) + ", frame " +
+                            std::to_string(pose.frame) + ", " +
+                            fixed(pose.frame / row.measured->sample_rate_hz, 2) + " s: the " +
+                            escaped(pose.landmark) + " is " + format_significant(pose.off_cm) +
+                            " cm off. " + escaped(row.preset.name) + ", " +
+                            ratio_text(row.measured->ratio) + "."));
   }
   if (figures.empty()) return "";
   return element("section", "",
@@ -109,11 +109,11 @@ std::string pictures(const Totals& totals) {
 }
 
 std::string figure_cell(const std::optional<double>& value) {
-  return cell(value ? figure(*value) : std::string(kNothing));
+  return cell(value ? format_significant(*value) : std::string(kNothing));
 }
 
 std::string degrees_cell(const std::optional<double>& value) {
-  return cell(value ? figure(*value) + "&#176;" : std::string(kNothing));
+  return cell(value ? format_significant(*value) + "&#176;" : std::string(kNothing));
 }
 
 std::string text_cell(std::string_view text, std::string_view css) {
@@ -154,17 +154,17 @@ std::string clip_line(const BatchRow& row) {
   const Measurement& m = *row.measured;
   std::string method(method_title(row.preset.method));
   if (row.preset.correction) method += ", feet held";
-  if (m.ik_ratio_used) method += ", r_IK " + figure(*m.ik_ratio_used);
+  if (m.ik_ratio_used) method += ", r_IK " + format_significant(*m.ik_ratio_used);
   return line(row_head(row.output) + cell(escaped(row.preset.name), "name") +
               cell(escaped(method), "name") +
               cell(escaped(target_text(row.preset.target)), "name") +
               cell(std::to_string(m.frames)) + cell(ratio_text(m.ratio)) +
-              cell(figure(static_cast<double>(m.motion_bytes) / 1024)) +
-              cell(figure(m.eps_cm(row.preset.weighting))) + cell(figure(m.p95_error_cm)) +
-              cell(figure(m.p99_error_cm)) + cell(figure(m.max_error_cm)) +
-              cell(std::to_string(m.worst_frame)) + degrees_cell(m.body.angle_rms_degrees) +
-              degrees_cell(m.body.head_degrees) + degrees_cell(m.body.hand_degrees) +
-              figure_cell(m.footskate_cm) +
+              cell(format_significant(static_cast<double>(m.motion_bytes) / 1024)) +
+              cell(format_significant(m.eps_cm(row.preset.weighting))) +
+              cell(format_significant(m.p95_error_cm)) + cell(format_significant(m.p99_error_cm)) +
+              cell(format_significant(m.max_error_cm)) + cell(std::to_string(m.worst_frame)) +
+              degrees_cell(m.body.angle_rms_degrees) + degrees_cell(m.body.head_degrees) +
+              degrees_cell(m.body.hand_degrees) + figure_cell(m.footskate_cm) +
               figure_cell(m.slide ? std::optional(m.slide->mean_cm) : std::nullopt) +
               figure_cell(m.slide ? std::optional(m.slide->worst_cm) : std::nullopt) +
               seen_cell(m.seen) + review_cells(row) +

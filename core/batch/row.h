@@ -9,7 +9,8 @@
 #include "core/batch/batch.h"
 #include "core/batch/input_stamp.h"
 #include "core/batch/worst_pose.h"
-#include "core/study/row.h"
+#include "core/report/measurement.h"
+#include "core/report/review.h"
 
 namespace mocapress {
 

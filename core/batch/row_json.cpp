@@ -5,7 +5,7 @@
 #include "core/batch/format_options_json.h"
 #include "core/batch/preset_json.h"
 #include "core/batch/row.h"
-#include "core/study/body_json.h"
+#include "core/report/body_json.h"
 
 namespace mocapress {
 namespace {

@@ -149,7 +149,7 @@ class Run {
 
   bool observe(BatchProgress& step) {
     step.counts = counts_;
-    if (go_on(observer_, step)) return true;
+    if (should_continue(observer_, step)) return true;
     control_.cancel();
     return false;
   }

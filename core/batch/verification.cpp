@@ -5,10 +5,10 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "core/codec/decoder.h"
-#include "core/codec/original.h"
-#include "core/codec/runtime_clip.h"
-#include "core/compare/compared_file.h"
+#include "core/baselines/compared_file.h"
+#include "core/codec/decode/decoder.h"
+#include "core/codec/decode/runtime_clip.h"
+#include "core/codec/encode/original.h"
 
 namespace mocapress {
 namespace {

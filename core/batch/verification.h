@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/batch/worst_pose.h"
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 
 namespace mocapress {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/contact/contact_spans.h"
-#include "core/study/markup.h"
-#include "core/study/scene_svg.h"
+#include "core/feet/contact_spans.h"
+#include "core/report/markup.h"
+#include "core/report/scene_svg.h"
 
 namespace mocapress {
 namespace {
@@ -76,7 +76,7 @@ std::string worst_scene(const WorstPose& pose, const std::string& label) {
   scene.add_figure(pose.original, "ghost");
   scene.add_figure(pose.decoded, "figure");
   const auto point = static_cast<std::size_t>(pose.point);
-  scene.add_gap(pose.original[point], pose.decoded[point], figure(pose.off_cm) + " cm");
+  scene.add_gap(pose.original[point], pose.decoded[point], format_significant(pose.off_cm) + " cm");
   return scene.finish(label);
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/metrics/distortion.h"
-#include "core/study/picture.h"
+#include "core/report/picture.h"
 
 namespace mocapress {
 

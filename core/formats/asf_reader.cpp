@@ -5,7 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "core/decoder/format_limits.h"
+#include "core/codec/format/format_limits.h"
 #include "core/formats/asf.h"
 #include "core/formats/text_cursor.h"
 
@@ -159,8 +159,8 @@ void AsfReader::read_bones() {
   while (in_section()) {
     const Token begin = cursor_.peek();
     cursor_.expect("begin");
-    if (bones_.size() == decoder::kMostJoints)
-      cursor_.fail(begin, "more than " + std::to_string(decoder::kMostJoints) + " bones");
+    if (bones_.size() == runtime::kMostJoints)
+      cursor_.fail(begin, "more than " + std::to_string(runtime::kMostJoints) + " bones");
     read_bone();
   }
 }
@@ -183,9 +183,9 @@ void AsfReader::read_bone_property(ReadBone& bone, const Token& keyword) {
   if (is("name")) {
     if (!cursor_.on_line(keyword.line)) cursor_.fail(keyword, "expected a name after 'name'");
     const Token name = cursor_.take();
-    if (name.text.size() > decoder::kMostNameBytes)
+    if (name.text.size() > runtime::kMostNameBytes)
       cursor_.fail(name, "the name of a bone has more than " +
-                             std::to_string(decoder::kMostNameBytes) + " bytes");
+                             std::to_string(runtime::kMostNameBytes) + " bytes");
     bone.name = name.text;
     if (!bone_named_.emplace(name.text, static_cast<int>(bones_.size())).second)
       cursor_.fail(name, "a second bone named " + quoted(name));
@@ -267,9 +267,9 @@ std::vector<int> AsfReader::depth_first() const {
     order.push_back(b);
     const ReadBone& bone = bones_[static_cast<std::size_t>(b)];
     const int depth = depths[static_cast<std::size_t>(b)];
-    if (depth > decoder::kMostDepth)
+    if (depth > runtime::kMostDepth)
       cursor_.fail(bone.at, "bone '" + bone.name + "' is nested deeper than " +
-                                std::to_string(decoder::kMostDepth));
+                                std::to_string(runtime::kMostDepth));
     for (const int child : bone.children) depths[static_cast<std::size_t>(child)] = depth + 1;
     waiting.insert(waiting.end(), bone.children.rbegin(), bone.children.rend());
   }

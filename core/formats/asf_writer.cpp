@@ -4,7 +4,7 @@
 #include <unordered_set>
 
 #include "core/base/error.h"
-#include "core/decoder/format_limits.h"
+#include "core/codec/format/format_limits.h"
 #include "core/formats/asf.h"
 #include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
@@ -116,17 +116,17 @@ void AsfWriter::make_bones() {
 
 /// What no reader here would take: bones that carry others count and nest too.
 void AsfWriter::check_limits() const {
-  if (bones_.size() > decoder::kMostJoints)
+  if (bones_.size() > runtime::kMostJoints)
     throw Error("an .asf of this skeleton would have " + std::to_string(bones_.size()) +
-                " bones, at most " + std::to_string(decoder::kMostJoints) + " are possible");
+                " bones, at most " + std::to_string(runtime::kMostJoints) + " are possible");
   std::vector<int> depths;
   for (const WrittenBone& bone : bones_) {
-    if (bone.name.size() > decoder::kMostNameBytes)
+    if (bone.name.size() > runtime::kMostNameBytes)
       throw Error("a bone's name would be too long for an .asf: " + bone.name);
     depths.push_back(bone.parent < 0 ? 1 : depths[static_cast<std::size_t>(bone.parent)] + 1);
-    if (depths.back() > decoder::kMostDepth)
+    if (depths.back() > runtime::kMostDepth)
       throw Error("in an .asf bones of this skeleton would be nested deeper than " +
-                  std::to_string(decoder::kMostDepth));
+                  std::to_string(runtime::kMostDepth));
   }
 }
 

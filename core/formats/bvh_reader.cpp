@@ -4,7 +4,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "core/decoder/format_limits.h"
+#include "core/codec/format/format_limits.h"
 #include "core/formats/bvh.h"
 #include "core/formats/bvh_conventions.h"
 #include "core/formats/text_cursor.h"
@@ -127,16 +127,16 @@ void BvhReader::read_tree() {
 
 void BvhReader::open_joint(std::vector<int>& open) {
   const Token keyword = cursor_.take();
-  if (open.size() == decoder::kMostDepth)
-    cursor_.fail(keyword, "joints are nested deeper than " + std::to_string(decoder::kMostDepth));
-  if (joints_.size() == decoder::kMostJoints)
-    cursor_.fail(keyword, "more than " + std::to_string(decoder::kMostJoints) + " joints");
+  if (open.size() == runtime::kMostDepth)
+    cursor_.fail(keyword, "joints are nested deeper than " + std::to_string(runtime::kMostDepth));
+  if (joints_.size() == runtime::kMostJoints)
+    cursor_.fail(keyword, "more than " + std::to_string(runtime::kMostJoints) + " joints");
   if (cursor_.at_end() || cursor_.next_is("{")) cursor_.fail_expecting("the name of the joint");
   Joint joint;
   const Token name = cursor_.take_line('{');
-  if (name.text.size() > decoder::kMostNameBytes)
+  if (name.text.size() > runtime::kMostNameBytes)
     cursor_.fail(name, "the name of a joint has more than " +
-                           std::to_string(decoder::kMostNameBytes) + " bytes");
+                           std::to_string(runtime::kMostNameBytes) + " bytes");
   joint.name = name.text;
   joint.parent = open.empty() ? -1 : open.back();
   cursor_.expect("{");

@@ -23,11 +23,12 @@ Effector effector_at(const Skeleton& skeleton, int joint);
 /// Throws Error when `top` is not above the joint or cannot turn.
 Effector effector_between(const Skeleton& skeleton, int top, int joint);
 
-/// The feet, one effector each: the ball of the foot where there is one, else the ankle. Found by
-/// name in any of the usual spellings (ltoes, LeftToeBase, mixamorig:LeftToeBase, Toe_L, toe1-1.L,
-/// LeftForeFoot, LeftFoot), and where no name tells, by topology: the lowest joints of the two
-/// limbs that reach lowest in the rest pose. Empty when there is nothing like a leg; a foot that
-/// nothing turns is left out.
-std::vector<Effector> find_feet(const Skeleton& skeleton);
+/// The joints above `joint` up to where its limb leaves the trunk: the root, or the first joint
+/// that carries another branch reaching about as far. Toes and twist bones fork too, but do not
+/// reach far.
+std::vector<int> limb_above(const Skeleton& skeleton, int joint);
+
+/// effector_at(), with an empty chain where nothing above the joint turns.
+Effector effector_of_limb(const Skeleton& skeleton, int joint);
 
 }  // namespace mocapress

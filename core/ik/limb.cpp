@@ -4,14 +4,14 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/decoder/limb_planner.h"
+#include "core/runtime/limb_planner.h"
 
 namespace mocapress {
 namespace {
 
-decoder::JointModel model_of(const Skeleton& skeleton, int index) {
+runtime::JointModel model_of(const Skeleton& skeleton, int index) {
   const Joint& joint = skeleton.joint(index);
-  decoder::JointModel model;
+  runtime::JointModel model;
   model.parent = joint.parent;
   model.first_channel = static_cast<std::uint16_t>(skeleton.first_channel(index));
   model.channels = static_cast<std::uint8_t>(joint.channels.size());
@@ -29,14 +29,14 @@ decoder::JointModel model_of(const Skeleton& skeleton, int index) {
   return model;
 }
 
-std::vector<decoder::JointModel> models_of(const Skeleton& skeleton) {
-  std::vector<decoder::JointModel> models;
+std::vector<runtime::JointModel> models_of(const Skeleton& skeleton) {
+  std::vector<runtime::JointModel> models;
   for (int j = 0; j < skeleton.joint_count(); ++j) models.push_back(model_of(skeleton, j));
   return models;
 }
 
-std::vector<decoder::EffectorEnds> ends_of(const std::vector<Effector>& effectors) {
-  std::vector<decoder::EffectorEnds> ends;
+std::vector<runtime::EffectorEnds> ends_of(const std::vector<Effector>& effectors) {
+  std::vector<runtime::EffectorEnds> ends;
   for (const Effector& effector : effectors)
     ends.push_back({effector.joint, effector.chain.front()});
   return ends;
@@ -45,19 +45,19 @@ std::vector<decoder::EffectorEnds> ends_of(const std::vector<Effector>& effector
 /// The planner of a skeleton's limbs, after it planned. Throws Error.
 class Planned {
  public:
-  Planned(const std::vector<decoder::JointModel>& joints, const std::vector<Effector>& effectors)
+  Planned(const std::vector<runtime::JointModel>& joints, const std::vector<Effector>& effectors)
       : ends_(ends_of(effectors)), planner_(static_cast<int>(joints.size())) {
-    if (effectors.size() > decoder::kMostEffectors)
-      throw Error("more than " + std::to_string(decoder::kMostEffectors) + " effectors");
+    if (effectors.size() > runtime::kMostEffectors)
+      throw Error("more than " + std::to_string(runtime::kMostEffectors) + " effectors");
     if (const char* const wrong =
             planner_->plan(joints.data(), ends_.data(), static_cast<int>(ends_.size())))
       throw Error(wrong);
   }
-  decoder::LimbPlanner* operator->() { return &*planner_; }
+  runtime::LimbPlanner* operator->() { return &*planner_; }
 
  private:
-  std::vector<decoder::EffectorEnds> ends_;
-  OwnMemory<decoder::LimbPlanner> planner_;
+  std::vector<runtime::EffectorEnds> ends_;
+  OwnMemory<runtime::LimbPlanner> planner_;
 };
 
 }  // namespace
@@ -66,12 +66,12 @@ Limb::Limb(const Skeleton& skeleton, const std::vector<Effector>& effectors)
     : joints_(models_of(skeleton)), frame_(Eigen::RowVectorXd::Zero(skeleton.channel_count())) {
   Planned planned(joints_, effectors);
   if (planned->limb_count() != 1) throw Error("these effectors are no one limb");
-  const decoder::LimbPlan size = planned->size(0);
+  const runtime::LimbPlan size = planned->size(0);
   effector_numbers_.resize(effectors.size());
   effector_links_.resize(effectors.size());
   links_.resize(static_cast<std::size_t>(size.links));
   turns_.resize(static_cast<std::size_t>(size.turns));
-  limb_ = std::make_unique<OwnMemory<decoder::Limb>>(size.links);
+  limb_ = std::make_unique<OwnMemory<runtime::Limb>>(size.links);
   (*limb_)->set(planned->lay_out(0, {effector_numbers_.data(), effector_links_.data(),
                                      links_.data(), turns_.data()}),
                 joints_.data());
@@ -91,7 +91,7 @@ Eigen::VectorXd Limb::angles() const {
 }
 
 std::vector<Limb> limbs_of(const Skeleton& skeleton, const std::vector<Effector>& effectors) {
-  const std::vector<decoder::JointModel> joints = models_of(skeleton);
+  const std::vector<runtime::JointModel> joints = models_of(skeleton);
   Planned planned(joints, effectors);
   std::vector<Limb> limbs;
   for (int l = 0; l < planned->limb_count(); ++l) {
@@ -104,7 +104,7 @@ std::vector<Limb> limbs_of(const Skeleton& skeleton, const std::vector<Effector>
 }
 
 void check_effectors(const Skeleton& skeleton, const std::vector<Effector>& effectors) {
-  const std::vector<decoder::JointModel> joints = models_of(skeleton);
+  const std::vector<runtime::JointModel> joints = models_of(skeleton);
   Planned(joints, effectors);
 }
 

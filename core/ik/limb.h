@@ -5,14 +5,14 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/own_memory.h"
-#include "core/decoder/limb.h"
+#include "core/codec/format/own_memory.h"
 #include "core/ik/effector.h"
 #include "core/motion/forward_kinematics.h"
+#include "core/runtime/limb.h"
 
 namespace mocapress {
 
-/// The runtime decoder's limb (core/decoder/limb.h) with memory of its own: effectors that share
+/// The runtime decoder's limb (core/runtime/limb.h) with memory of its own: effectors that share
 /// joints, and the joints between them and the root. `angles` are the rotation channels of the
 /// effectors' chains, which may change; all others keep the values of the frame.
 class Limb {
@@ -51,20 +51,20 @@ class Limb {
   /// Centre of an angle's turn.
   Eigen::Vector3d center(int angle) const { return vector((*limb_)->center(angle)); }
 
-  decoder::Limb& of_decoder() { return **limb_; }
+  runtime::Limb& of_decoder() { return **limb_; }
 
  private:
-  static Eigen::Vector3d vector(const decoder::Vector3& v) { return {v[0], v[1], v[2]}; }
-  const decoder::LimbPlan& plan() const { return (*limb_)->plan(); }
+  static Eigen::Vector3d vector(const runtime::Vector3& v) { return {v[0], v[1], v[2]}; }
+  const runtime::LimbPlan& plan() const { return (*limb_)->plan(); }
 
   std::vector<Effector> effectors_;
-  std::vector<decoder::JointModel> joints_;
+  std::vector<runtime::JointModel> joints_;
   // What the plan points to.
   std::vector<std::uint16_t> effector_numbers_;
   std::vector<std::uint16_t> effector_links_;
-  std::vector<decoder::LimbLink> links_;
-  std::vector<decoder::LimbTurn> turns_;
-  std::unique_ptr<OwnMemory<decoder::Limb>> limb_;
+  std::vector<runtime::LimbLink> links_;
+  std::vector<runtime::LimbTurn> turns_;
+  std::unique_ptr<OwnMemory<runtime::Limb>> limb_;
   Eigen::RowVectorXd frame_;
 };
 
@@ -72,7 +72,7 @@ class Limb {
 std::vector<Limb> limbs_of(const Skeleton& skeleton, const std::vector<Effector>& effectors);
 
 /// Throws Error when a limb of these effectors has more effectors or angles than a solver has room
-/// for, when there are more than decoder::kMostEffectors, or a joint stands twice.
+/// for, when there are more than runtime::kMostEffectors, or a joint stands twice.
 void check_effectors(const Skeleton& skeleton, const std::vector<Effector>& effectors);
 
 }  // namespace mocapress

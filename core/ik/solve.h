@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "core/decoder/solve.h"
 #include "core/ik/limb.h"
+#include "core/runtime/solve.h"
 
 namespace mocapress {
 
@@ -26,7 +26,7 @@ struct IkOutcome {
   bool reached = true;  // miss_cm is within kReachedCm
 };
 
-using decoder::kReachedCm;
+using runtime::kReachedCm;
 
 /// Turns the limb's angles, starting from the frame's, so that its effectors come to `targets` (cm,
 /// in the world, one for each). Bone lengths cannot change: only angles do. A target out of reach

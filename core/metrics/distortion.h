@@ -6,7 +6,7 @@
 
 #include "core/metrics/distance_counts.h"
 #include "core/metrics/end_errors.h"
-#include "core/motion/track_blocks.h"
+#include "core/motion/body_tracks.h"
 
 namespace mocapress {
 

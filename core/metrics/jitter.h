@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "core/motion/track_blocks.h"
+#include "core/motion/body_tracks.h"
 
 namespace mocapress {
 

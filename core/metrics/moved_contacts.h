@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "core/contact/contact_spans.h"
-#include "core/motion/track_blocks.h"
+#include "core/feet/contact_spans.h"
+#include "core/motion/body_tracks.h"
 
 namespace mocapress {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/motion/body_tracks.h"
 
+#include <algorithm>
 #include <cassert>
 #include <numbers>
 
@@ -68,6 +69,16 @@ Eigen::VectorXd JointErrors::degrees(const Eigen::Matrix<double, Eigen::Dynamic,
   const Eigen::ArrayXd sine =
       (of_joint.rightCols<9>().rowwise().squaredNorm() / 8).array().min(1).sqrt();
   return (360 / std::numbers::pi) * sine.asin();
+}
+
+void visit_tracks(const Skeleton& skeleton, const Clip& clip, const TrackBlock& visit) {
+  constexpr int kBlock = 8192;
+  if (clip.frames() <= kBlock) return visit(0, body_tracks(skeleton, clip));
+  for (int first = 0; first < clip.frames(); first += kBlock) {
+    const int count = std::min(kBlock, clip.frames() - first);
+    visit(first,
+          body_tracks(skeleton, Clip{clip.sample_rate_hz, clip.channels.middleRows(first, count)}));
+  }
 }
 
 }  // namespace mocapress

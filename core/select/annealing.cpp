@@ -100,8 +100,8 @@ AnnealingReport anneal(const RankedCoefficients& ranked, const ErrorModel& model
       failures = 0;
     }
     ++report.iterations;
-    report.complete =
-        go_on(observer, AnnealingProgress{report.iterations, step, first_step, allocation.eps()});
+    report.complete = should_continue(
+        observer, AnnealingProgress{report.iterations, step, first_step, allocation.eps()});
   }
   report.kept = allocation.all_kept();
   report.eps_cm = allocation.eps();

@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/study/plan.h"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
-#include <set>
-#include <utility>
-
 #include "core/base/error.h"
-#include "core/compare/comparison_method.h"
+#include "core/baselines/comparison_method.h"
 #include "core/study/published_figures.h"
 
 namespace mocapress {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::pair<Target::Kind, std::string_view>, 6> kKinds = {{
-    {Target::Kind::Ratio, "ratio"},
-    {Target::Kind::CoefficientRatio, "coefficient-ratio"},
-    {Target::Kind::Size, "size"},
-    {Target::Kind::Error, "error"},
-    {Target::Kind::MaxError, "max-error"},
-    {Target::Kind::Visibility, "not-visible"},
-}};
 
 constexpr std::string_view kHeldMethod = "annealed";  // of which feet are held
 
@@ -33,38 +18,7 @@ std::vector<Target> targets(Target::Kind kind, std::initializer_list<double> val
   return all;
 }
 
-bool is_clip(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".bvh" || extension == ".amc";
-}
-
-std::vector<fs::path> clips_below(const fs::path& folder) {
-  std::vector<fs::path> clips;
-  try {
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (is_clip(entry.path()) && entry.is_regular_file()) clips.push_back(entry.path());
-  } catch (const fs::filesystem_error& error) {
-    throw InputError(folder.string(), 0, 0, error.code().message());
-  }
-  if (clips.empty()) throw InputError(folder.string(), 0, 0, "holds no .bvh and no .amc");
-  std::sort(clips.begin(), clips.end());
-  return clips;
-}
-
 }  // namespace
-
-std::string_view name(Target::Kind kind) {
-  for (const auto& [value, word] : kKinds)
-    if (value == kind) return word;
-  return "";
-}
-
-std::optional<Target::Kind> target_kind(std::string_view name) {
-  for (const auto& [value, word] : kKinds)
-    if (word == name) return value;
-  return std::nullopt;
-}
 
 std::vector<Target> usual_targets() {
   std::vector<Target> all = targets(Target::Kind::Ratio, {7, 10, 15, 20, 30, 40, 50});
@@ -82,24 +36,6 @@ std::vector<Target> paper_targets(const fs::path& clip) {
     for (const PublishedSizes& row : published->sizes)
       all.push_back({Target::Kind::Error, row.eps_cm});
   return all;
-}
-
-std::vector<fs::path> find_clips(const std::vector<fs::path>& inputs) {
-  std::vector<fs::path> clips;
-  std::set<fs::path> found;
-  const auto add = [&](const fs::path& clip) {
-    if (found.insert(clip).second) clips.push_back(clip);
-  };
-  for (const fs::path& input : inputs) {
-    std::error_code error;
-    const fs::file_status status = fs::status(input, error);
-    if (!fs::exists(status)) throw InputError(input.string(), 0, 0, "No such file or directory");
-    if (!fs::is_directory(status))
-      add(input);
-    else
-      for (const fs::path& clip : clips_below(input)) add(clip);
-  }
-  return clips;
 }
 
 std::vector<StudyJob> jobs_of(const StudyPlan& plan) {

@@ -7,22 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/codec/compressed_clip.h"
-#include "core/codec/target.h"
+#include "core/codec/encode/target.h"
+#include "core/codec/format/compressed_clip.h"
 #include "core/formats/motion_file.h"
-#include "core/study/review.h"
+#include "core/report/review.h"
 
 namespace mocapress {
-
-/// "ratio", "coefficient-ratio", "size", "error", "max-error".
-std::string_view name(Target::Kind kind);
-
-/// The inverse; unset when it is none of them.
-std::optional<Target::Kind> target_kind(std::string_view name);
-
-inline bool operator==(const Target& a, const Target& b) {
-  return a.kind == b.kind && a.value == b.value;
-}
 
 /// A clip and what each method is asked to make of it.
 struct StudyClip {
@@ -34,7 +24,7 @@ struct StudyClip {
 /// Every clip by every method at every target of the clip.
 struct StudyPlan {
   std::vector<StudyClip> clips;
-  std::vector<std::string> methods;               // names of contenders()
+  std::vector<std::string> methods;               // names of compression_methods()
   std::optional<std::filesystem::path> skeleton;  // of clips that have none beside them
   ReadOptions reading;
   Weighting weighting = Weighting::BoneEnds;
@@ -49,10 +39,6 @@ std::vector<Target> usual_targets();
 /// The paper's evaluation of a clip: a grid of ratios that holds those of Table 2, the coefficient
 /// ratio of its video, and for the clips of Table 1 the errors of their rows.
 std::vector<Target> paper_targets(const std::filesystem::path& clip);
-
-/// The clips a user names: files as they are, and of folders every .bvh and .amc below them, in the
-/// order of their names. Throws InputError when one is not there or holds no clip.
-std::vector<std::filesystem::path> find_clips(const std::vector<std::filesystem::path>& inputs);
 
 /// One compression of a plan, by its places there.
 struct StudyJob {

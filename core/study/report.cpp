@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/compare/contender.h"
-#include "core/study/chart_svg.h"
-#include "core/study/markup.h"
+#include "core/baselines/compression_method.h"
+#include "core/report/chart_svg.h"
+#include "core/report/markup.h"
+#include "core/report/report_style.h"
 #include "core/study/plan.h"
 #include "core/study/report_angles.h"
 #include "core/study/report_feet.h"
 #include "core/study/report_pictures.h"
-#include "core/study/report_style.h"
 #include "core/study/report_tables.h"
 
 namespace mocapress {
@@ -130,10 +130,10 @@ std::string tiles(const Results& results) {
   if (ratio)
     all += tile(
         ratio_text(ratio->ratio),
-        escaped(first.title) + " at &#949;<sub>x</sub> = " + plain(eps_cm) + " cm, " +
+        escaped(first.title) + " at &#949;<sub>x</sub> = " + format_shortest(eps_cm) + " cm, " +
             mean_of(*ratio) +
             (results.weighting() == Weighting::JointOrigins && eps_cm == kPublishedInvisibleEpsCm
-                 ? " (the paper: about " + plain(kPublishedMeanRatio) + ":1)"
+                 ? " (the paper: about " + format_shortest(kPublishedMeanRatio) + ":1)"
                  : ""));
   const Series* standard = results.find_series("standard");
   if (annealed && standard && ratio)
@@ -147,7 +147,7 @@ std::string tiles(const Results& results) {
         row.measured->ms_per_frame() > 0)
       ms.push_back(row.measured->ms_per_frame());
   if (const auto mean = geometric_mean(ms))
-    all += tile(figure(*mean) + " ms",
+    all += tile(format_significant(*mean) + " ms",
                 "a frame to anneal to 30:1, search for the ratio included (the paper: 254 and "
                 "391 ms)");
   return element("div", attribute("class", "tiles"), all);
@@ -193,8 +193,8 @@ std::string measuring_notes(const Results& results) {
                   " at a time; what compressions of a clip share counts where it was first needed. "
                   "The paper&#8217;s: a 2 GHz Athlon 64.");
   for (const Series& series : results.series())
-    if (const Contender* contender = find_contender(series.method))
-      add(escaped(series.title), escaped(contender->note));
+    if (const CompressionMethod* compression_method = find_compression_method(series.method))
+      add(escaped(series.title), escaped(compression_method->note));
   add("The paper",
       "Figures marked as the paper&#8217;s are those it published: Adapting Wavelet "
       "Compression to Human Motion Capture Clips, Tables 1 and 2.");

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/study/picture.h"
+#include "core/report/picture.h"
 #include "core/study/results.h"
 
 namespace mocapress {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/study/html_table.h"
+#include "core/report/html_table.h"
 #include "core/study/published_figures.h"
 #include "core/study/report_tables.h"
 
@@ -28,12 +28,13 @@ std::optional<Target> angle_target(const Results& results) {
 }
 
 std::string angle_target_text(const Target& target) {
-  return target.kind == Target::Kind::Ratio ? plain(target.value) + ":1"
-                                            : "&#949;<sub>x</sub> = " + plain(target.value) + " cm";
+  return target.kind == Target::Kind::Ratio
+             ? format_shortest(target.value) + ":1"
+             : "&#949;<sub>x</sub> = " + format_shortest(target.value) + " cm";
 }
 
 std::string degrees_text(const std::optional<double>& value) {
-  return value ? figure(*value) + "&#176;" : kNothing;
+  return value ? format_significant(*value) + "&#176;" : kNothing;
 }
 
 std::string angle_cell(const BodyFigures& body) {

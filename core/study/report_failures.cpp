@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "core/study/html_table.h"
+#include "core/report/html_table.h"
 #include "core/study/report_tables.h"
 
 namespace mocapress {
@@ -22,16 +22,16 @@ struct Failure {
 std::string target_text(const Target& target) {
   switch (target.kind) {
     case Target::Kind::Ratio:
-      return plain(target.value) + ":1";
+      return format_shortest(target.value) + ":1";
     case Target::Kind::CoefficientRatio:
-      return "r = " + plain(target.value);
+      return "r = " + format_shortest(target.value);
     case Target::Kind::Size:
-      return plain(target.value) + " bytes";
+      return format_shortest(target.value) + " bytes";
     case Target::Kind::Error:
     case Target::Kind::MaxError:
-      return plain(target.value) + " cm";
+      return format_shortest(target.value) + " cm";
     case Target::Kind::Visibility:
-      return plain(target.value) + " times noticed";
+      return format_shortest(target.value) + " times noticed";
   }
   return "";
 }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/study/html_table.h"
+#include "core/report/html_table.h"
 
 namespace mocapress {
 namespace {

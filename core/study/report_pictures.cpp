@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "core/compare/contender.h"
-#include "core/study/markup.h"
-#include "core/study/scene_svg.h"
+#include "core/baselines/compression_method.h"
+#include "core/report/markup.h"
+#include "core/report/scene_svg.h"
 
 namespace mocapress {
 namespace {
@@ -70,12 +70,12 @@ std::string worst_scene(const Picture& picture, std::size_t m, const SceneView& 
   scene.add_figure(original, "ghost");
   scene.add_figure(decoded, "figure");
   scene.add_gap(original[worst], decoded[worst],
-                figure((original[worst] - decoded[worst]).norm()) + " cm");
+                format_significant((original[worst] - decoded[worst]).norm()) + " cm");
   const PicturedMethod& method = picture.methods[m];
   return captioned(scene.finish(title_of(method) + " over the original at its worst frame"),
                    element("b", "", escaped(title_of(method))) + " at " + ratio_text(method.ratio) +
-                       ": &#949;<sub>x</sub> " + figure(method.eps_cm) +
-                       " cm over the clip, at most " + figure(method.max_error_cm) +
+                       ": &#949;<sub>x</sub> " + format_significant(method.eps_cm) +
+                       " cm over the clip, at most " + format_significant(method.max_error_cm) +
                        " cm. Here the " + escaped(picture.landmark_names[worst]) +
                        " is furthest off.");
 }
@@ -149,7 +149,7 @@ std::string picture_section(const Picture& picture) {
   }
   const std::string clip = std::filesystem::path(picture.clip).stem().string();
   std::string content =
-      element("h2", "", escaped(clip) + " at " + plain(picture.ratio) + ":1") +
+      element("h2", "", escaped(clip) + " at " + format_shortest(picture.ratio) + ":1") +
       element("p", attribute("class", "muted"),
               "Compressed in red over the original in grey, all at the same ratio. " +
                   std::string("First the frame where ") +

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/study/picture.h"
+#include "core/report/picture.h"
 
 namespace mocapress {
 

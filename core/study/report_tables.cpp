@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "core/study/html_table.h"
-#include "core/study/markup.h"
+#include "core/report/html_table.h"
+#include "core/report/markup.h"
 #include "core/study/plan.h"
 
 namespace mocapress {
@@ -17,7 +17,7 @@ using namespace html;
 namespace {
 
 std::string eps_text(double eps_cm) {
-  return plain(eps_cm) + " cm";
+  return format_shortest(eps_cm) + " cm";
 }
 
 /// The series that have anything to show, in order.
@@ -81,7 +81,7 @@ const PublishedSize* published_size(const PublishedSizes* row, std::string_view 
 }
 
 std::string size_text(double kb, double ratio) {
-  return figure(kb) + " (" + ratio_text(ratio) + ")";
+  return format_significant(kb) + " (" + ratio_text(ratio) + ")";
 }
 
 /// "≈" where the figure comes from the curve.
@@ -107,13 +107,15 @@ std::string size_lines(const Results& results, const StudiedClip& clip,
   std::string body;
   for (const Level& level : levels) {
     std::string cells = row_head(&level == &levels.front() ? clip_head(clip) : "");
-    cells += cell(plain(level.eps_cm));
+    cells += cell(format_shortest(level.eps_cm));
     for (const Series* one : series) {
       cells += size_cell(results, clip, *one, level.eps_cm);
       const PublishedSize* paper = published_size(level.published, one->method);
       if (with_paper && !one->ik_ratio)
         cells +=
-            cell(paper ? plain(paper->kb) + " (" + plain(paper->ratio) + ":1)" : kNothing, "paper");
+            cell(paper ? format_shortest(paper->kb) + " (" + format_shortest(paper->ratio) + ":1)"
+                       : kNothing,
+                 "paper");
     }
     body += line(cells);
   }
@@ -132,13 +134,13 @@ std::vector<double> timed_ratios(const Results& results) {
 }
 
 std::string time_cells(const StudyRow* row, const StudiedClip& clip, double ratio) {
-  std::string cells = row ? cell(figure(row->measured->ms_per_frame())) +
+  std::string cells = row ? cell(format_significant(row->measured->ms_per_frame())) +
                                 cell(std::to_string(row->measured->iterations.value_or(0)))
                           : cell(kNothing) + cell(kNothing);
   if (!clip.published) return cells;
   for (const PublishedTiming& timing : clip.published->timings)
     if (timing.ratio == ratio)
-      return cells + cell(plain(timing.ms_per_frame), "paper") +
+      return cells + cell(format_shortest(timing.ms_per_frame), "paper") +
              cell(std::to_string(timing.iterations), "paper");
   return cells + cell(kNothing, "paper") + cell(kNothing, "paper");
 }
@@ -201,8 +203,9 @@ std::string footskate_at(const Results& results, const Target& target) {
   body += line(cells, attribute("class", "sum"));
   const bool paper_ratio = target.kind == Target::Kind::CoefficientRatio;
   return element("h3", "",
-                 paper_ratio ? "At the paper&#8217;s coefficient ratio r = " + plain(target.value)
-                             : "At the compression ratio " + plain(target.value) + ":1") +
+                 paper_ratio
+                     ? "At the paper&#8217;s coefficient ratio r = " + format_shortest(target.value)
+                     : "At the compression ratio " + format_shortest(target.value) + ":1") +
          table(line(heads), body);
 }
 
@@ -290,7 +293,7 @@ std::string time_table(const Results& results) {
   }
   std::string body;
   for (const double ratio : ratios) {
-    std::string cells = head(plain(ratio) + ":1", attribute("scope", "row"));
+    std::string cells = head(format_shortest(ratio) + ":1", attribute("scope", "row"));
     for (const StudiedClip* clip : clips)
       cells +=
           time_cells(results.row(*clip, *annealed, {Target::Kind::Ratio, ratio}), *clip, ratio);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/study/curve.h"
+#include "core/report/curve.h"
 #include "core/study/published_figures.h"
 #include "core/study/row.h"
 

@@ -2,46 +2,8 @@
 #include "core/study/row.h"
 
 #include "core/base/number_text.h"
-#include "core/study/plan.h"
 
 namespace mocapress {
-
-double Measurement::eps_cm(Weighting weighting) const {
-  switch (weighting) {
-    case Weighting::BoneEnds:
-      return eps_bone_ends_cm;
-    case Weighting::JointOrigins:
-      return eps_joint_origins_cm;
-    case Weighting::Surface:
-      return body.surface.rms;
-    case Weighting::Shell:
-      return body.shell.rms;
-  }
-  return 0;
-}
-
-double Measurement::max_cm(Weighting weighting) const {
-  if (is_on_bones(weighting)) return max_error_cm;
-  return (weighting == Weighting::Surface ? body.surface : body.shell).max.cm;
-}
-
-double Measurement::quantity(Target::Kind kind, Weighting weighting) const {
-  switch (kind) {
-    case Target::Kind::Ratio:
-      return ratio;
-    case Target::Kind::CoefficientRatio:
-      return coefficient_ratio.value_or(0);
-    case Target::Kind::Size:
-      return static_cast<double>(motion_bytes);
-    case Target::Kind::Error:
-      return eps_cm(weighting);
-    case Target::Kind::MaxError:
-      return max_cm(weighting);
-    case Target::Kind::Visibility:
-      return seen ? seen->times_noticed : 0;
-  }
-  return 0;
-}
 
 bool StudyRow::reached() const {
   return measured && mocapress::reached(target, measured->quantity(target.kind, weighting));

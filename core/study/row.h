@@ -6,59 +6,19 @@
 #include <string>
 #include <string_view>
 
-#include "core/codec/compressed_clip.h"
-#include "core/codec/target.h"
-#include "core/contact/slide_per_contact.h"
-#include "core/metrics/body_figures.h"
-#include "core/metrics/visibility.h"
-#include "core/study/review.h"
+#include "core/codec/encode/target.h"
+#include "core/codec/format/compressed_clip.h"
+#include "core/report/measurement.h"
+#include "core/report/review.h"
 
 namespace mocapress {
-
-/// What a compression came to.
-struct Measurement {
-  int frames = 0;
-  int channels = 0;
-  double sample_rate_hz = 0;
-  std::size_t raw_bytes = 0;  // as 32-bit floats, skeleton left out
-  std::size_t motion_bytes = 0;
-  std::size_t file_bytes = 0;
-  double ratio = 0;                         // raw_bytes / motion_bytes
-  std::optional<double> coefficient_ratio;  // of wavelets
-  double eps_bone_ends_cm = 0;
-  double eps_joint_origins_cm = 0;
-  double max_error_cm = 0;
-  double p95_error_cm = 0;
-  double p99_error_cm = 0;
-  BodyFigures body;
-  std::optional<Seen> seen;  // unset: in rows from before it was measured
-  int worst_frame = 0;
-  int contacts = 0;                      // of the feet with the ground, in the original
-  std::optional<double> footskate_cm;    // over all contacts; unset: there are none
-  std::optional<SlidePerContact> slide;  // the same footskate, a contact
-  std::optional<double> ik_ratio_used;   // with IK: r_IK, asked for or found
-  std::optional<std::size_t> ik_bytes;
-  std::optional<double> knee_speed_ratio;  // with IK: its speed over the original's
-  std::optional<int> iterations;           // of the last annealing
-  double encode_seconds = 0;               // search for the target and all
-
-  /// What eps_x and the maximum are in a weighting.
-  double eps_cm(Weighting weighting) const;
-  double max_cm(Weighting weighting) const;
-
-  /// Of the kind a target is of; 0: unknown.
-  double quantity(Target::Kind kind, Weighting weighting) const;
-  double ms_per_frame() const { return frames > 0 ? 1000 * encode_seconds / frames : 0; }
-
-  bool operator==(const Measurement&) const = default;
-};
 
 /// One compression of a study: what was asked, and what came of it or why nothing did.
 struct StudyRow {
   std::string clip;         // the path as given
   ClipReview review = {};   // where a library has one
   std::string fingerprint;  // of the motion that was read; empty: it could not be
-  std::string method;       // name of a contender
+  std::string method;       // name of a compression_method
   Target target;
   Weighting weighting = Weighting::BoneEnds;
   std::optional<Coding> coding = Coding::Deflate;  // of wavelets

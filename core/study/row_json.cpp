@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/study/row_json.h"
 
-#include "core/study/body_json.h"
+#include "core/report/body_json.h"
 #include "core/study/plan.h"
 
 namespace mocapress {

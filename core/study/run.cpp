@@ -12,8 +12,8 @@
 #include <unordered_map>
 
 #include "core/base/parallel.h"
-#include "core/compare/comparison_method.h"
-#include "core/study/clip_in_hand.h"
+#include "core/baselines/comparison_method.h"
+#include "core/report/loaded_clip.h"
 
 namespace mocapress {
 namespace {
@@ -25,11 +25,11 @@ class SharedClip {
   explicit SharedClip(int jobs) : jobs_left_(jobs) {}
 
   /// nullptr, and error(), when it cannot be read.
-  const ClipInHand* get(const StudyPlan& plan, const std::filesystem::path& path) {
+  const LoadedClip* get(const StudyPlan& plan, const std::filesystem::path& path) {
     const std::lock_guard lock(mutex_);
     if (!clip_ && error_.empty()) {
       try {
-        clip_ = std::make_unique<const ClipInHand>(plan, path);
+        clip_ = std::make_unique<const LoadedClip>(read_motion(path, plan.skeleton, plan.reading));
         warnings_ = clip_->warnings();
       } catch (const std::exception& error) {
         error_ = error.what();
@@ -49,7 +49,7 @@ class SharedClip {
  private:
   std::mutex mutex_;
   int jobs_left_;
-  std::unique_ptr<const ClipInHand> clip_;
+  std::unique_ptr<const LoadedClip> clip_;
   Warnings warnings_;
   std::string error_;
 };
@@ -102,7 +102,7 @@ class Run {
                  .jobs = workers_};
     bool kept = false;
     bool complete = true;
-    if (const ClipInHand* clip = shared.get(plan_, plan_.clips[job.clip].path)) {
+    if (const LoadedClip* clip = shared.get(plan_, plan_.clips[job.clip].path)) {
       row.fingerprint = clip->fingerprint();
       kept = keep_earlier(row);
       if (!kept) complete = compress(*clip, row);
@@ -129,18 +129,19 @@ class Run {
   }
 
   /// False when the observer ended it.
-  bool compress(const ClipInHand& clip, StudyRow& row) {
+  bool compress(const LoadedClip& clip, StudyRow& row) {
     bool told_to_stop = false;
     try {
-      const Contender* contender = find_contender(row.method);
-      if (!contender) throw Error("there is no method \"" + row.method + "\"");
+      const CompressionMethod* compression_method = find_compression_method(row.method);
+      if (!compression_method) throw Error("there is no method \"" + row.method + "\"");
       EncodeOptions options{.coding = plan_.coding,
                             .weighting = row.weighting,
                             .target = row.target,
                             .seed = row.seed};
       if (row.ik_ratio) options.correction = CorrectionOptions{.ratio = row.ik_ratio};
-      const Compression compression = clip.encoder().compress(
-          *contender, options, [&](const EncodeProgress&) { return !(told_to_stop = !ask()); });
+      const Compression compression =
+          clip.encoder().compress(*compression_method, options,
+                                  [&](const EncodeProgress&) { return !(told_to_stop = !ask()); });
       if (!compression.complete) return false;
       row.measured = clip.measure(compression);
     } catch (const std::exception& error) {
@@ -175,7 +176,7 @@ class Run {
   }
 
   bool observe() {
-    if (!stopped_ && !go_on(observer_, progress_)) stopped_ = true;
+    if (!stopped_ && !should_continue(observer_, progress_)) stopped_ = true;
     return !stopped_;
   }
 

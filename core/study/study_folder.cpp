@@ -10,11 +10,11 @@
 
 #include "core/base/file.h"
 #include "core/base/parallel.h"
-#include "core/study/picture.h"
 #include "core/study/report.h"
 #include "core/study/results.h"
 #include "core/study/row_json.h"
 #include "core/study/rows_file.h"
+#include "core/study/take_picture.h"
 
 namespace mocapress {
 namespace {
@@ -125,7 +125,7 @@ StudyOutcome run_study_in(const fs::path& folder, const StudyPlan& plan,
   StudyProgress last;
   StudyOutcome outcome = run_study_kept(folder, plan, [&](const StudyProgress& progress) {
     last = progress;
-    return go_on(observer, progress);
+    return should_continue(observer, progress);
   });
   if (!outcome.complete) return outcome;
 
@@ -133,7 +133,7 @@ StudyOutcome run_study_in(const fs::path& folder, const StudyPlan& plan,
   std::mutex mutex;
   const auto report = study_report(plan, Results(outcome.rows), [&](const EncodeProgress&) {
     const std::lock_guard lock(mutex);
-    return go_on(observer, last);
+    return should_continue(observer, last);
   });
   outcome.complete = report.has_value();
   if (!outcome.complete) return outcome;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 #include "core/study/results.h"
 #include "core/study/run.h"
 

@@ -7,6 +7,18 @@
 #include <cmath>
 
 namespace mocapress {
+
+std::string_view name(Basis basis) {
+  switch (basis) {
+    case Basis::Haar:
+      return "haar";
+    case Basis::Linear:
+      return "linear";
+    case Basis::Cubic:
+      return "cubic";
+  }
+  return "unknown";
+}
 namespace {
 
 constexpr int kCoarsest = 4;  // a signal shorter than this is not split further

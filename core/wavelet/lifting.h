@@ -3,12 +3,25 @@
 // W. Sweldens, "The lifting scheme: a construction of second generation wavelets", 1998.
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
-#include "core/wavelet/basis.h"
+#include "core/wavelet/lifting.h"
 
 namespace mocapress {
+
+/// The interpolating wavelet bases, by the neighbours that predict an odd sample. The values are
+/// part of the file format.
+enum class Basis : std::uint8_t {
+  Haar = 0,    // the even sample before it
+  Linear = 1,  // 2 neighbours
+  Cubic = 2,   // 4 neighbours: the paper's
+};
+
+/// "haar", "linear", "cubic".
+std::string_view name(Basis basis);
 
 /// A contiguous run of coefficients of one scale.
 struct Band {

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/rate.h"
 

@@ -4,9 +4,9 @@
 
 #include <cstring>
 
-#include "core/codec/decoder.h"
-#include "core/codec/deflate.h"
-#include "core/codec/rle16.h"
+#include "core/codec/decode/decoder.h"
+#include "core/codec/format/deflate.h"
+#include "core/codec/format/rle16.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/landmarks.h"
 #include "core/select/truncation.h"

@@ -7,7 +7,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 #include "core/formats/motion_file.h"
 
 namespace mocapress {

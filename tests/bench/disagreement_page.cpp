@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/study/markup.h"
-#include "core/study/report_style.h"
+#include "core/report/markup.h"
+#include "core/report/report_style.h"
 
 namespace mocapress {
 namespace {
@@ -43,7 +43,7 @@ std::string curves(const LookedAt& clip, double top_cm) {
                  attribute("class", "sights") + attribute("role", "img") +
                      attribute("viewBox", "0 0 " + fixed(kWidth, 0) + " " + fixed(kHeight + 2, 0)),
                  element("title", "", "Error over time: largest, and root mean square") +
-                     text(kTop + 4, figure(top_cm) + " cm") + text(kHeight, "0") +
+                     text(kTop + 4, format_significant(top_cm) + " cm") + text(kHeight, "0") +
                      curve(clip.max_cm, top_cm, "line s5") + curve(clip.rms_cm, top_cm, "line s0"));
 }
 

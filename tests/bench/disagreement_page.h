@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/batch/worst_pose.h"
-#include "core/study/sight_chart.h"
+#include "core/report/sight_chart.h"
 
 namespace mocapress {
 

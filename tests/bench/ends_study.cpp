@@ -17,7 +17,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/rate.h"
 #include "core/motion/body_tracks.h"

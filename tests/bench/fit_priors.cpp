@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fits what the adaptive coding knows beforehand to other clips than those it is judged by, on
 // their own rigs and on ones as games have them:
-//   mocapress-fit-priors CORPUS/train > core/decoder/coefficient_priors.cpp
+//   mocapress-fit-priors CORPUS/train > core/codec/format/coefficient_priors.cpp
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/codec/adaptive.h"
-#include "core/codec/clip_analysis.h"
-#include "core/codec/coefficient_model.h"
-#include "core/decoder/coefficient_priors.h"
+#include "core/codec/encode/clip_analysis.h"
+#include "core/codec/encode/coefficient_model.h"
+#include "core/codec/format/adaptive.h"
+#include "core/codec/format/coefficient_priors.h"
 #include "core/formats/motion_file.h"
 #include "tests/bench/study_clips.h"
 #include "tests/support/game_like.h"
@@ -26,18 +26,18 @@ constexpr int kEvery[] = {1, 2, 4};                              // frames: 120,
 constexpr double kScales[] = {2.4, 1.2, 0.5, 0.15, 0.04, 0.01};  // cm; eps_x is about half of it
 
 struct Sample {
-  std::vector<SignalKin> kin;
+  std::vector<SignalNeighbours> kin;
   QuantisedSignals coded;
 };
 
-using decoder::ContextLayout;
-using decoder::letter_of_prior;
-using decoder::MixingWeights;
-using ContextTally = std::vector<decoder::ContextCount>;
+using runtime::ContextLayout;
+using runtime::letter_of_prior;
+using runtime::MixingWeights;
+using ContextTally = std::vector<runtime::ContextCount>;
 
 struct IgnoredBits {
   static constexpr bool kWrites = true;
-  bool code(bool bit, decoder::Probability) { return bit; }
+  bool code(bool bit, runtime::Probability) { return bit; }
   void refuse() {}
   static constexpr bool failed() { return false; }
 };
@@ -52,7 +52,8 @@ std::vector<Sample> samples_of(const fs::path& folder) {
         const ClipAnalysis& analysis = source.in_chosen_forms();
         const ClosedLoop& loop = analysis.closed_loop(Basis::Cubic, Weighting::Surface);
         for (const double scale : kScales)
-          samples.push_back({channel_kin(analysis.motion().skeleton), loop.quantise(scale).coded});
+          samples.push_back(
+              {channel_neighbours(analysis.motion().skeleton), loop.quantise(scale).coded});
       }
     std::fprintf(stderr, "%s\n", path.stem().c_str());
   }
@@ -111,7 +112,7 @@ void print(const std::string& letters, const std::vector<int>& shares) {
   std::printf(
       "// SPDX-License-Identifier: MIT\n// Made by tests/bench/fit_priors.cpp.\n"
       "#include \"coefficient_priors.h\"\n\n#include <array>\n\n"
-      "namespace mocapress::decoder {\nnamespace {\n\n// clang-format off\n"
+      "namespace mocapress::runtime {\nnamespace {\n\n// clang-format off\n"
       "constexpr std::string_view kContexts =\n");
   for (std::size_t i = 0; i < letters.size(); i += kLine)
     std::printf("    \"%s\"%s\n", without_trigraphs(letters.substr(i, kLine)).c_str(),
@@ -123,7 +124,7 @@ void print(const std::string& letters, const std::vector<int>& shares) {
       "\n};\n// clang-format on\n\n}  // namespace\n\n"
       "std::string_view context_priors() {\n  return kContexts;\n}\n\n"
       "std::span<const std::int16_t> weight_priors() {\n  return kWeights;\n}\n\n"
-      "}  // namespace mocapress::decoder\n");
+      "}  // namespace mocapress::runtime\n");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/distortion.h"
 #include "core/motion/body_tracks.h"

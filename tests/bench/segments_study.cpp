@@ -21,11 +21,11 @@
 #include <string>
 #include <vector>
 
-#include "core/codec/container.h"
-#include "core/codec/encoder.h"
-#include "core/decoder/mocapress_decoder.h"
+#include "core/codec/encode/encoder.h"
+#include "core/codec/format/container.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/rate.h"
+#include "core/runtime/mocapress_runtime.h"
 
 namespace mocapress {
 namespace {

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 #include "core/formats/motion_file.h"
 
 namespace mocapress {

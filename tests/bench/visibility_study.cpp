@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/base/number_text.h"
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/rate.h"
 #include "core/metrics/visibility.h"

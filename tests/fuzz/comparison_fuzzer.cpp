@@ -7,8 +7,8 @@
 #include <span>
 
 #include "core/base/error.h"
-#include "core/codec/deflate.h"
-#include "core/compare/compared_file.h"
+#include "core/baselines/compared_file.h"
+#include "core/codec/format/deflate.h"
 
 namespace {
 

@@ -3,9 +3,9 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
-#include "core/codec/container.h"
-#include "core/codec/decoder.h"
-#include "core/codec/source_section.h"
+#include "core/codec/decode/decoder.h"
+#include "core/codec/format/container.h"
+#include "core/codec/format/source_section.h"
 #include "tests/fuzz/file_sections.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,9 +5,9 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
-#include "core/codec/container.h"
-#include "core/codec/decoder.h"
-#include "core/codec/encoder.h"
+#include "core/codec/decode/decoder.h"
+#include "core/codec/encode/encoder.h"
+#include "core/codec/format/container.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/codec/deflate.h"
-#include "core/codec/rle16.h"
+#include "core/codec/format/deflate.h"
+#include "core/codec/format/rle16.h"
 #include "core/select/truncation.h"
 #include "tests/support/turned_forms.h"
 
@@ -96,7 +96,7 @@ CompressedClip golden_adaptive_clip() {
 CompressedClip golden_ends_clip() {
   CompressedClip clip = golden_adaptive_clip();
   clip.loop = Loop::Follows;
-  CodedEnds ends{.reach = {8, 3}, .fineness = {-1, 4}, .steps = {}};
+  CodedEnds ends{.reach = {8, 3}, .step_exponent = {-1, 4}, .steps = {}};
   ends.steps.resize(clip.skeleton.channel_count(), 2);
   for (int c = 0; c < clip.skeleton.channel_count(); ++c)
     ends.steps.row(c) << 3 * c % 11 - 5, -7 * c % 40;

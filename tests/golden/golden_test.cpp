@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "core/base/file.h"
-#include "core/codec/container.h"
-#include "core/codec/decoder.h"
-#include "core/codec/source_section.h"
+#include "core/codec/decode/decoder.h"
+#include "core/codec/format/container.h"
+#include "core/codec/format/source_section.h"
 #include "core/formats/csv.h"
 #include "tests/golden/golden_motion.h"
 #include "tests/support/opened_clip.h"

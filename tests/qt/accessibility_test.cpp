@@ -13,10 +13,10 @@
 #include <QScrollBar>
 #include <QSettings>
 
-#include "app/studio/help.h"
-#include "app/studio/main_window.h"
-#include "app/studio/study_window.h"
-#include "app/studio/theme.h"
+#include "app/studio/study/study_window.h"
+#include "app/studio/window/help.h"
+#include "app/studio/window/main_window.h"
+#include "app/studio/window/theme.h"
 
 namespace mocapress {
 namespace {

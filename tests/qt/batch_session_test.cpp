@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/batch_session.h"
+#include "app/studio/batch/batch_session.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/studio/batch_memory.h"
-#include "app/studio/batch_status.h"
-#include "app/studio/preset_shelf.h"
+#include "app/studio/batch/batch_memory.h"
+#include "app/studio/batch/batch_status.h"
+#include "app/studio/document/preset_shelf.h"
 #include "core/base/file.h"
 #include "core/batch/queue_json.h"
 #include "core/formats/motion_file.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The batch's window beside the studio's: needs an X display with OpenGL (Xvfb will do).
-#include "app/studio/batch_window.h"
+#include "app/studio/batch/batch_window.h"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,9 @@
 #include <QTest>
 #include <cstdlib>
 
-#include "app/studio/batch_memory.h"
-#include "app/studio/main_window.h"
-#include "app/studio/screenshot.h"
+#include "app/studio/batch/batch_memory.h"
+#include "app/studio/window/main_window.h"
+#include "app/studio/window/screenshot.h"
 #include "core/base/file.h"
 #include "core/formats/motion_file.h"
 #include "widgets/models/palette.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/clip_files.h"
+#include "app/studio/document/clip_files.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/studio/import_options_dialog.h"
-#include "app/studio/recent_files.h"
-#include "app/studio/session.h"
+#include "app/studio/document/import_options_dialog.h"
+#include "app/studio/document/recent_files.h"
+#include "app/studio/document/session.h"
 #include "core/base/file.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/studio/settings_json.h"
+#include "app/studio/document/settings_json.h"
 
 namespace mocapress::test {
 

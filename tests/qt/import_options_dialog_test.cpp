@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/import_options_dialog.h"
+#include "app/studio/document/import_options_dialog.h"
 
 #include <gtest/gtest.h>
 

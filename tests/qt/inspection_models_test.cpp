@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 #include "core/wavelet/lifting.h"
 #include "tests/support/test_motion.h"
 #include "widgets/models/contact_edit.h"

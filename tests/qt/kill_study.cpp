@@ -30,7 +30,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/studio/project.h"
+#include "app/studio/library/project.h"
 #include "core/base/error.h"
 #include "core/formats/motion_file.h"
 #include "tests/qt/studio_at_random.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/library.h"
+#include "app/studio/library/library.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/studio/session.h"
+#include "app/studio/document/session.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
 #include "widgets/models/library_model.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole studio on a screen: needs an X display with OpenGL (Xvfb will do).
-#include "app/studio/main_window.h"
+#include "app/studio/window/main_window.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "app/studio/sample_clip.h"
-#include "app/studio/screenshot.h"
-#include "app/studio/trace.h"
+#include "app/studio/document/sample_clip.h"
+#include "app/studio/window/screenshot.h"
+#include "app/studio/window/trace.h"
 #include "core/formats/motion_file.h"
 #include "tests/qt/studio_at_work.h"
 #include "tests/support/test_motion.h"

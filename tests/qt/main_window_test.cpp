@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The studio's window without a screen.
-#include "app/studio/main_window.h"
+#include "app/studio/window/main_window.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 #include <QTranslator>
 
-#include "core/compare/contender.h"
+#include "core/baselines/compression_method.h"
 #include "widgets/panels/names.h"
 #include "widgets/panels/study_panel.h"
 
@@ -16,11 +16,11 @@ namespace mocapress {
 namespace {
 
 TEST(MethodNames, AreTheOnesOfTheOneTable) {
-  for (const Contender& contender : contenders())
-    EXPECT_EQ(methodTitle(contender.name).toStdString(), contender.title);
+  for (const CompressionMethod& compression_method : compression_methods())
+    EXPECT_EQ(methodTitle(compression_method.name).toStdString(), compression_method.title);
   for (const Method method :
        {Method::ClosedLoop, Method::Annealed, Method::Standard, Method::PerChannel})
-    EXPECT_EQ(displayName(method).toStdString(), find_contender(name(method))->title);
+    EXPECT_EQ(displayName(method).toStdString(), find_compression_method(name(method))->title);
   EXPECT_EQ(seriesTitle("annealed", 16), QStringLiteral("Annealed wavelets + IK 16:1"));
   EXPECT_EQ(methodTitle("unheard-of"), QStringLiteral("unheard-of"));
 }
@@ -29,10 +29,11 @@ TEST(MethodNames, AreTranslated) {
   for (const char* language : {"fr", "ja"}) {
     QTranslator texts;
     ASSERT_TRUE(texts.load(QStringLiteral(":/i18n/mocapress_%1.qm").arg(QLatin1String(language))));
-    for (const Contender& contender : contenders())
+    for (const CompressionMethod& compression_method : compression_methods())
       EXPECT_FALSE(
-          texts.translate("mocapress::Methods", std::string(contender.title).c_str()).isEmpty())
-          << language << ": " << contender.title;
+          texts.translate("mocapress::Methods", std::string(compression_method.title).c_str())
+              .isEmpty())
+          << language << ": " << compression_method.title;
   }
 }
 

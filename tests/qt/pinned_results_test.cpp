@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/pinned_results.h"
+#include "app/studio/compare/pinned_results.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <QTreeView>
 #include <map>
 
-#include "app/studio/session.h"
+#include "app/studio/document/session.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
 #include "widgets/models/pinned_model.h"

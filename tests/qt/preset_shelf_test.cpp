@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/preset_shelf.h"
+#include "app/studio/document/preset_shelf.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/preset_views.h"
+#include "app/studio/document/preset_views.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <QTest>
 
 #include "app/jobs/settings_key.h"
-#include "app/studio/clip_preset.h"
-#include "app/studio/preset_shelf.h"
-#include "app/studio/session.h"
+#include "app/studio/document/clip_preset.h"
+#include "app/studio/document/preset_shelf.h"
+#include "app/studio/document/session.h"
 #include "resources/samples/generator/samples.h"
 #include "widgets/panels/preset_chooser.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/project_files.h"
+#include "app/studio/library/project_files.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/studio/library.h"
-#include "app/studio/session.h"
+#include "app/studio/document/session.h"
+#include "app/studio/library/library.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {

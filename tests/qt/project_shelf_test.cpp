@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/project_shelf.h"
+#include "app/studio/library/project_shelf.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/studio/project.h"
+#include "app/studio/library/project.h"
 
 namespace mocapress {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/session.h"
+#include "app/studio/document/session.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <QTest>
 #include <memory>
 
-#include "app/studio/figures.h"
+#include "app/studio/compare/figures.h"
 #include "core/base/file.h"
-#include "core/compare/contender.h"
+#include "core/baselines/compression_method.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
 
@@ -236,8 +236,8 @@ TEST_F(Studio, ShowsACompressedClipWithItsOriginalAlreadyOpen) {
 TEST_F(Studio, ShowsAndSavesAClipOfAComparisonMethod) {
   const QString original = writeClip("motion.bvh", 300);
   const Motion motion = read_motion(original.toStdU16String(), {}).motion;
-  const Compression made = ContenderEncoder(motion).compress(*find_contender("pca"),
-                                                             {.target = {Target::Kind::Ratio, 5}});
+  const Compression made = MethodEncoder(motion).compress(*find_compression_method("pca"),
+                                                          {.target = {Target::Kind::Ratio, 5}});
   write_bytes(path("pca.mcpr").toStdU16String(), made.file);
   openAndSettle(path("pca.mcpr"));
   ASSERT_TRUE(document_.decoded());

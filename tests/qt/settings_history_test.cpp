@@ -7,9 +7,9 @@
 
 #include "app/jobs/result_cache.h"
 #include "app/jobs/settings_key.h"
-#include "app/studio/clip_curve.h"
-#include "app/studio/session.h"
-#include "app/studio/settings_change.h"
+#include "app/studio/compare/clip_curve.h"
+#include "app/studio/document/session.h"
+#include "app/studio/document/settings_change.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/settings_json.h"
+#include "app/studio/document/settings_json.h"
 
 #include <gtest/gtest.h>
 

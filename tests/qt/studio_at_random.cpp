@@ -18,8 +18,8 @@
 #include <chrono>
 #include <random>
 
-#include "app/studio/main_window.h"
-#include "app/studio/style.h"
+#include "app/studio/window/main_window.h"
+#include "app/studio/window/style.h"
 #include "widgets/models/library_tree.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/library_panel.h"

@@ -5,7 +5,7 @@
 #include <QMimeData>
 #include <set>
 
-#include "app/studio/screenshot.h"
+#include "app/studio/window/screenshot.h"
 #include "widgets/viewport/viewport.h"
 
 namespace mocapress::test {

@@ -12,7 +12,7 @@
 #include <QTest>
 #include <QTranslator>
 
-#include "app/studio/main_window.h"
+#include "app/studio/window/main_window.h"
 
 namespace mocapress::test {
 

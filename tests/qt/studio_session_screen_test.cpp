@@ -21,10 +21,10 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/studio/batch_memory.h"
-#include "app/studio/batch_window.h"
-#include "app/studio/sample_clip.h"
-#include "app/studio/screenshot.h"
+#include "app/studio/batch/batch_memory.h"
+#include "app/studio/batch/batch_window.h"
+#include "app/studio/document/sample_clip.h"
+#include "app/studio/window/screenshot.h"
 #include "core/formats/motion_file.h"
 #include "tests/qt/studio_at_work.h"
 #include "widgets/models/batch_queue_model.h"

@@ -18,9 +18,9 @@
 #include <cstdio>
 #include <string>
 
-#include "app/studio/help.h"
-#include "app/studio/sample_clip.h"
-#include "app/studio/screenshot.h"
+#include "app/studio/document/sample_clip.h"
+#include "app/studio/window/help.h"
+#include "app/studio/window/screenshot.h"
 #include "tests/qt/studio_at_work.h"
 #include "widgets/models/sight_colour.h"
 #include "widgets/panels/compression_panel.h"

@@ -9,7 +9,7 @@
 #include <map>
 #include <tuple>
 
-#include "core/compare/contender.h"
+#include "core/baselines/compression_method.h"
 #include "tests/unit/study/study_rows.h"
 #include "widgets/models/number_list.h"
 #include "widgets/models/rate_curves.h"
@@ -79,16 +79,17 @@ TEST(StudySettings, BecomeAPlanOfEveryClipAtEveryTarget) {
 TEST(StudySettings, UsualOnesNameContendersAndUsualTargets) {
   const StudySettings settings = usualStudySettings();
   for (const QString& method : settings.methods)
-    EXPECT_TRUE(find_contender(method.toStdString())) << method.toStdString();
+    EXPECT_TRUE(find_compression_method(method.toStdString())) << method.toStdString();
   EXPECT_EQ(settings.ratios.size() + settings.errors.size(), usual_targets().size());
 }
 
 TEST(SeriesStyle, TellsAllContendersApart) {
   std::map<std::tuple<QRgb, int, bool, bool>, std::string_view> seen;
-  for (const Contender& contender : contenders()) {
-    const SeriesStyle style = seriesStyle(contender.name, false);
+  for (const CompressionMethod& compression_method : compression_methods()) {
+    const SeriesStyle style = seriesStyle(compression_method.name, false);
     const std::tuple key(style.colour.rgb(), style.shape, style.dashed, style.hollow);
-    EXPECT_TRUE(seen.emplace(key, contender.name).second) << contender.name << " as " << seen[key];
+    EXPECT_TRUE(seen.emplace(key, compression_method.name).second)
+        << compression_method.name << " as " << seen[key];
   }
   EXPECT_TRUE(seriesStyle("annealed", true).hollow);
 }

@@ -11,7 +11,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/compare/contender.h"
+#include "core/baselines/compression_method.h"
 #include "widgets/panels/study_clips.h"
 
 namespace mocapress {
@@ -39,11 +39,11 @@ class StudyPanelTest : public testing::Test {
 
 TEST_F(StudyPanelTest, OffersEveryContenderWithItsNote) {
   EXPECT_TRUE(told_.empty()) << "only of what the user does";
-  ASSERT_EQ(panel_.methods()->count(), static_cast<int>(contenders().size()));
-  for (const Contender& contender : contenders()) {
-    const QListWidgetItem* item = method(std::string(contender.name).c_str());
+  ASSERT_EQ(panel_.methods()->count(), static_cast<int>(compression_methods().size()));
+  for (const CompressionMethod& compression_method : compression_methods()) {
+    const QListWidgetItem* item = method(std::string(compression_method.name).c_str());
     ASSERT_TRUE(item);
-    EXPECT_GT(item->toolTip().size(), static_cast<qsizetype>(contender.note.size()));
+    EXPECT_GT(item->toolTip().size(), static_cast<qsizetype>(compression_method.note.size()));
   }
 }
 
@@ -51,8 +51,8 @@ TEST_F(StudyPanelTest, TellsOfMethodsInTheOrderTheyStand) {
   method("linear")->setCheckState(Qt::Checked);
   ASSERT_EQ(told_.size(), 1u);
   method("pca")->setCheckState(Qt::Unchecked);
-  const QStringList wanted = {QStringLiteral("annealed"), QStringLiteral("standard"),
-                              QStringLiteral("haar"), QStringLiteral("linear"),
+  const QStringList wanted = {QStringLiteral("annealed"),    QStringLiteral("standard"),
+                              QStringLiteral("haar"),        QStringLiteral("linear"),
                               QStringLiteral("closed-loop"), QStringLiteral("subsample")};
   EXPECT_EQ(told_.back().methods, wanted);
 }

@@ -5,8 +5,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-#include "app/studio/figures.h"
-#include "app/studio/session.h"
+#include "app/studio/compare/figures.h"
+#include "app/studio/document/session.h"
 #include "core/formats/motion_file.h"
 #include "core/study/run.h"
 #include "tests/support/test_motion.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/study_session.h"
+#include "app/studio/study/study_session.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/studio/study_memory.h"
-#include "app/studio/study_status.h"
+#include "app/studio/study/study_memory.h"
+#include "app/studio/study/study_status.h"
 #include "core/base/file.h"
 #include "core/formats/motion_file.h"
 #include "core/study/row_json.h"

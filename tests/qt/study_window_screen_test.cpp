@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The study's window beside the studio's: needs an X display with OpenGL (Xvfb will do).
-#include "app/studio/study_window.h"
+#include "app/studio/study/study_window.h"
 
 #include <gtest/gtest.h>
 #include <qcustomplot.h>
@@ -13,8 +13,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/studio/main_window.h"
-#include "app/studio/screenshot.h"
+#include "app/studio/window/main_window.h"
+#include "app/studio/window/screenshot.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
 #include "widgets/models/series_style.h"

@@ -21,9 +21,9 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
-#include "app/studio/batch_window.h"
-#include "app/studio/main_window.h"
-#include "app/studio/study_window.h"
+#include "app/studio/batch/batch_window.h"
+#include "app/studio/study/study_window.h"
+#include "app/studio/window/main_window.h"
 #include "translations/languages.h"
 
 namespace mocapress {

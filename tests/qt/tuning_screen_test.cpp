@@ -12,10 +12,10 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/studio/batch_window.h"
-#include "app/studio/main_window.h"
-#include "app/studio/sample_clip.h"
-#include "app/studio/screenshot.h"
+#include "app/studio/batch/batch_window.h"
+#include "app/studio/document/sample_clip.h"
+#include "app/studio/window/main_window.h"
+#include "app/studio/window/screenshot.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/factor_control.h"
 #include "widgets/panels/importance_panel.h"

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/own_memory.h"
-#include "core/decoder/mocapress_decoder.h"
+#include "core/codec/format/own_memory.h"
+#include "core/runtime/mocapress_runtime.h"
 
 namespace mocapress::test {
 

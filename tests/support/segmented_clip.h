@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/codec/compressed_clip.h"
+#include "core/codec/format/compressed_clip.h"
 
 namespace mocapress::test {
 

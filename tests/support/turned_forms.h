@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/codec/axes_section.h"
+#include "core/codec/format/axes_section.h"
 
 namespace mocapress::test {
 

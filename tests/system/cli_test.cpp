@@ -7,8 +7,8 @@
 
 #include "core/base/file.h"
 #include "core/base/number_text.h"
-#include "core/codec/container.h"
-#include "core/codec/decoder.h"
+#include "core/codec/decode/decoder.h"
+#include "core/codec/format/container.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/distortion.h"
 #include "tests/system/command.h"

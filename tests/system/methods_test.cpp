@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "core/base/file.h"
-#include "core/compare/comparison_method.h"
-#include "core/compare/contender.h"
+#include "core/baselines/comparison_method.h"
+#include "core/baselines/compression_method.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/distortion.h"
 #include "tests/system/command.h"
@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-class CliMethods : public CommandLine, public testing::WithParamInterface<Contender> {
+class CliMethods : public CommandLine, public testing::WithParamInterface<CompressionMethod> {
  protected:
   // The shortest of the bundled clips.
   const std::string clip_ =
@@ -89,7 +89,9 @@ TEST_P(CliMethods, ATargetOutOfReachIsFourAndWritesNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, CliMethods, testing::ValuesIn(contenders().begin(), contenders().end()),
+INSTANTIATE_TEST_SUITE_P(, CliMethods,
+                         testing::ValuesIn(compression_methods().begin(),
+                                           compression_methods().end()),
                          [](const auto& of) {
                            std::string name(of.param.name);
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -4,7 +4,7 @@
 #include <QHash>
 #include <QString>
 
-#include "core/study/review.h"
+#include "core/report/review.h"
 
 namespace mocapress {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/contact/contact_spans.h"
+#include "core/feet/contact_spans.h"
 
 namespace mocapress {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/wavelet/basis.h"
+#include "core/wavelet/lifting.h"
 
 namespace mocapress {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/study/review.h"
+#include "core/report/review.h"
 
 namespace mocapress {
 

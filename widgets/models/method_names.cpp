@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <string>
 
-#include "core/compare/contender.h"
+#include "core/baselines/compression_method.h"
 
 namespace mocapress {
 namespace {

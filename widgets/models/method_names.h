@@ -7,8 +7,8 @@
 
 namespace mocapress {
 
-/// The title that contenders() give a method, in the user's language; the name itself where there
-/// is no method of that name.
+/// The title that compression_methods() give a method, in the user's language; the name itself
+/// where there is no method of that name.
 QString methodTitle(std::string_view name);
 
 /// The same of a series of a study: "Annealed wavelets + IK 16:1".

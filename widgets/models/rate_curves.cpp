@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/compare/contender.h"
+#include "core/baselines/compression_method.h"
 
 namespace mocapress {
 namespace {
 
 std::vector<Series> inOrder(std::vector<Series> series) {
   const auto place = [](const Series& s) {
-    return std::tuple(find_contender(s.method), s.ik_ratio.value_or(0));
+    return std::tuple(find_compression_method(s.method), s.ik_ratio.value_or(0));
   };
   std::sort(series.begin(), series.end(),
             [&](const Series& a, const Series& b) { return place(a) < place(b); });

@@ -24,8 +24,9 @@ struct RateCurve {
   bool mean = false;  // the line is that of many clips, and the points are not on it
 };
 
-/// One curve a series, in the order of contenders(): of the clip with this path, or, where it is
-/// empty, the mean (Results::mean_curve()) over those of `complete` with the points of all clips.
+/// One curve a series, in the order of compression_methods(): of the clip with this path, or, where
+/// it is empty, the mean (Results::mean_curve()) over those of `complete` with the points of all
+/// clips.
 std::vector<RateCurve> rateCurves(const std::vector<StudyRow>& rows, const std::string& clip,
                                   const std::set<std::string>& complete);
 

@@ -17,7 +17,7 @@ struct SeriesStyle {
 
 inline constexpr int kSeriesShapes = 5;
 
-/// By the method's place among contenders().
+/// By the method's place among compression_methods().
 SeriesStyle seriesStyle(std::string_view method, bool feet_held);
 
 }  // namespace mocapress

@@ -4,7 +4,7 @@
 #include <QAbstractTableModel>
 #include <vector>
 
-#include "core/contact/footskate.h"
+#include "core/feet/footskate.h"
 
 namespace mocapress {
 

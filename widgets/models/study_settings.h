@@ -13,7 +13,7 @@ namespace mocapress {
 struct StudySettings {
   QStringList clips;    // files
   QString skeleton;     // .asf of clips that have none beside them; empty: none
-  QStringList methods;  // names of contenders()
+  QStringList methods;  // names of compression_methods()
   std::vector<double> ratios;
   std::vector<double> errors;      // eps_x, cm
   std::optional<double> ik_ratio;  // set: annealed also with the feet held

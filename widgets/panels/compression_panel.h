@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 
 class QComboBox;
 class QToolButton;

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "core/contact/contact_spans.h"
+#include "core/feet/contact_spans.h"
 
 class QGridLayout;
 class QLabel;

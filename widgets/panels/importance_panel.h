@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <map>
 
-#include "core/codec/encoder.h"
-#include "core/codec/named_importance.h"
+#include "core/codec/encode/encoder.h"
+#include "core/codec/encode/named_importance.h"
 #include "core/motion/body_part.h"
 
 class QLabel;

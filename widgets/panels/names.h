@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "core/codec/correction_encoder.h"
+#include "core/codec/encode/correction_encoder.h"
 
 namespace mocapress {
 

@@ -10,8 +10,8 @@
 #include <QScopedValueRollback>
 #include <QVBoxLayout>
 
-#include "core/compare/comparison_method.h"
-#include "core/compare/contender.h"
+#include "core/baselines/comparison_method.h"
+#include "core/baselines/compression_method.h"
 #include "widgets/models/method_names.h"
 #include "widgets/models/preset_names.h"
 #include "widgets/panels/preset_chooser.h"
@@ -60,11 +60,12 @@ void PresetEditor::addRows() {
   value_->setKeyboardTracking(false);
   value_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   method_->setAccessibleName(tr("Method"));
-  for (const Contender& contender : contenders()) {
-    method_->addItem(methodTitle(contender.name), QString::fromUtf8(contender.name));
+  for (const CompressionMethod& compression_method : compression_methods()) {
+    method_->addItem(methodTitle(compression_method.name),
+                     QString::fromUtf8(compression_method.name));
     method_->setItemData(
         method_->count() - 1,
-        QStringLiteral("<p>%1</p>").arg(QString::fromUtf8(contender.note).toHtmlEscaped()),
+        QStringLiteral("<p>%1</p>").arg(QString::fromUtf8(compression_method.note).toHtmlEscaped()),
         Qt::ToolTipRole);
   }
   method_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/contact/slide_per_contact.h"
+#include "core/feet/footskate.h"
 #include "core/metrics/end_errors.h"
 #include "core/metrics/visibility.h"
 #include "core/motion/landmarks.h"

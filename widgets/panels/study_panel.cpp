@@ -14,7 +14,7 @@
 #include <QScopedValueRollback>
 #include <QVBoxLayout>
 
-#include "core/compare/contender.h"
+#include "core/baselines/compression_method.h"
 #include "widgets/models/method_names.h"
 #include "widgets/models/series_style.h"
 #include "widgets/panels/names.h"
@@ -87,15 +87,15 @@ void StudyPanel::fillMethods() {
   methods_->setAccessibleName(tr("Methods of the study"));
   methods_->setUniformItemSizes(true);
   methods_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  for (const Contender& contender : contenders()) {
-    auto* item = new QListWidgetItem(methodTitle(contender.name), methods_);
-    item->setData(Qt::UserRole, QString::fromUtf8(contender.name));
-    item->setToolTip(
-        QStringLiteral("<p>%1</p>").arg(QString::fromUtf8(contender.note).toHtmlEscaped()));
+  for (const CompressionMethod& compression_method : compression_methods()) {
+    auto* item = new QListWidgetItem(methodTitle(compression_method.name), methods_);
+    item->setData(Qt::UserRole, QString::fromUtf8(compression_method.name));
+    item->setToolTip(QStringLiteral("<p>%1</p>")
+                         .arg(QString::fromUtf8(compression_method.note).toHtmlEscaped()));
     item->setFlags(Qt::ItemIsUserCheckable | Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     item->setCheckState(Qt::Unchecked);
     QPixmap swatch(9, 9);
-    swatch.fill(seriesStyle(contender.name, false).colour);
+    swatch.fill(seriesStyle(compression_method.name, false).colour);
     item->setIcon(swatch);
   }
   methods_->setIconSize({9, 9});

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "core/study/curve.h"
+#include "core/report/curve.h"
 
 class QComboBox;
 class QTreeView;

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <map>
 
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 
 class QComboBox;
 class QLabel;

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 
 class QCustomPlot;
 

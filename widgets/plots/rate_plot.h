@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/codec/compressed_clip.h"
+#include "core/codec/format/compressed_clip.h"
 #include "widgets/models/rate_curves.h"
 
 class QCPGraph;

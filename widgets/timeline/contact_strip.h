@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/contact/footskate.h"
+#include "core/feet/footskate.h"
 #include "widgets/models/contact_edit.h"
 #include "widgets/timeline/time_axis.h"
 

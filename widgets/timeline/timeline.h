@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/contact/footskate.h"
+#include "core/feet/footskate.h"
 #include "widgets/timeline/time_axis.h"
 
 class QScrollBar;

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/contact/footskate.h"
+#include "core/feet/footskate.h"
 #include "widgets/viewport/figure_shape.h"
 
 namespace mocapress {

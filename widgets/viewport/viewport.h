@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/contact/footskate.h"
+#include "core/feet/footskate.h"
 #include "core/motion/skeleton.h"
 #include "widgets/models/error_colour.h"
 #include "widgets/viewport/figure_shape.h"

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/baselines/compression_method.h"
 #include "core/batch/preset_json.h"
-#include "core/codec/encoder.h"
-#include "core/compare/contender.h"
+#include "core/codec/encode/encoder.h"
 #include "core/metrics/body_figures.h"
 #include "resources/samples/generator/samples.h"
 #include "tests/support/test_motion.h"

@@ -8,9 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
+#include "core/baselines/compared_file.h"
 #include "core/batch/merge.h"
-#include "core/compare/compared_file.h"
-#include "core/study/markup.h"
+#include "core/report/markup.h"
 #include "tests/support/svg_frame.h"
 #include "tests/unit/batch/batch_clips.h"
 
@@ -237,7 +237,7 @@ TEST_F(BatchRun, PausedDoesNothingUntilItMayGoOn) {
   });
   EXPECT_TRUE(control.paused());
   EXPECT_EQ(steps, 0);
-  control.go_on();
+  control.should_continue();
   worker.join();
   EXPECT_GT(steps, 0);
   EXPECT_TRUE(outcome.complete);
@@ -292,8 +292,10 @@ TEST_F(BatchRun, PicturesSayWhatTheirCaptionsAndTheBoundSay) {
   const std::string page = read_text(out() / "report.html");
   for (const BatchRow& row : rows()) {
     EXPECT_EQ(row.worst->off_cm, row.measured->max_error_cm);
-    EXPECT_THAT(page, HasSubstr(">" + figure(row.measured->max_error_cm) + " cm</text>"));
-    EXPECT_THAT(page, HasSubstr("is " + figure(row.measured->max_error_cm) + " cm off"));
+    EXPECT_THAT(page,
+                HasSubstr(">" + format_significant(row.measured->max_error_cm) + " cm</text>"));
+    EXPECT_THAT(page,
+                HasSubstr("is " + format_significant(row.measured->max_error_cm) + " cm off"));
   }
 }
 
@@ -328,9 +330,9 @@ TEST_F(BatchRun, EveryReportHasAnglesBesideDistances) {
     const BodyFigures& body = row.measured->body;
     EXPECT_GT(body.angle_rms_degrees, 0);
     EXPECT_FALSE(body.head_degrees);  // the skeleton has none
-    EXPECT_THAT(page, HasSubstr("<td>" + figure(body.angle_rms_degrees) +
+    EXPECT_THAT(page, HasSubstr("<td>" + format_significant(body.angle_rms_degrees) +
                                 "&#176;</td><td>&#8211;</td><td>" +
-                                figure(body.hand_degrees.value()) + "&#176;</td>"));
+                                format_significant(body.hand_degrees.value()) + "&#176;</td>"));
     EXPECT_THAT(table, HasSubstr("," + shortest_text(body.angle_rms_degrees) + ","));
   }
 }

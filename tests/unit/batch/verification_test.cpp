@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/codec/container.h"
-#include "core/codec/decoder.h"
+#include "core/codec/decode/decoder.h"
+#include "core/codec/format/container.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {

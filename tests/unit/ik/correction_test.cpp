@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/ik/correction.h"
+#include "core/feet/feet.h"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,12 @@
 #include <filesystem>
 #include <regex>
 
-#include "core/study/markup.h"
+#include "core/report/markup.h"
+#include "core/report/scene_svg.h"
 #include "core/study/report_angles.h"
 #include "core/study/report_feet.h"
 #include "core/study/report_tables.h"
-#include "core/study/scene_svg.h"
+#include "core/study/take_picture.h"
 #include "tests/support/svg_frame.h"
 #include "tests/support/test_motion.h"
 #include "tests/unit/study/study_rows.h"
@@ -263,12 +264,12 @@ TEST(FigureShape, TapersAndGivesTheTrunkMoreThanALimb) {
 TEST(Markup, EscapesAndRounds) {
   EXPECT_EQ(escaped("a<b>&\"c"), "a&lt;b&gt;&amp;&quot;c");
   EXPECT_EQ(escaped("a\x1b\n\tb\xc3\xa9"), "a?\n\tb\xc3\xa9");
-  EXPECT_EQ(figure(0.0512), "0.051");
-  EXPECT_EQ(figure(3.421), "3.42");
-  EXPECT_EQ(figure(128.4), "128");
-  EXPECT_EQ(figure(1234), "1234");
-  EXPECT_EQ(plain(0.26), "0.26");
-  EXPECT_EQ(plain(30), "30");
+  EXPECT_EQ(format_significant(0.0512), "0.051");
+  EXPECT_EQ(format_significant(3.421), "3.42");
+  EXPECT_EQ(format_significant(128.4), "128");
+  EXPECT_EQ(format_significant(1234), "1234");
+  EXPECT_EQ(format_shortest(0.26), "0.26");
+  EXPECT_EQ(format_shortest(30), "30");
 }
 
 }  // namespace

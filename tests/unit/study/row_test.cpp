@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "core/base/file.h"
-#include "core/study/fingerprint.h"
+#include "core/report/loaded_clip.h"
 #include "core/study/row_json.h"
 #include "core/study/rows_file.h"
 #include "tests/support/test_motion.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/study/run.h"
+#include "core/formats/clip_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include <thread>
 
 #include "core/base/file.h"
-#include "core/compare/comparison_method.h"
+#include "core/baselines/comparison_method.h"
 #include "core/study/row_json.h"
 #include "core/study/rows_file.h"
 #include "core/study/study_folder.h"

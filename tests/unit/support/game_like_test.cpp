@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/codec/encoder.h"
+#include "core/codec/encode/encoder.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/measured_points.h"
 #include "tests/support/test_motion.h"

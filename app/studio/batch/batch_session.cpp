@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/batch/batch_session.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/studio/batch/batch_memory.h"
+#include "app/studio/document/clip_preset.h"
+#include "app/studio/document/preset_shelf.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/batch/queue_json.h"
+#include "core/batch/slurm_script.h"
+#include "core/formats/motion_file.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kRememberDelay = 300;       // ms
+constexpr const char* kNoPreset = "own";  // the name of settings that come of no preset
+
+std::filesystem::path pathOf(const QString& text) {
+  return text.toStdU16String();
+}
+
+bool namesJoints(const EncodeOptions& options) {
+  return !options.importance.joints.empty() || options.contacts ||
+         (options.correction && !options.correction->joints.empty());
+}
+
+/// Throws Error.
+Motion motionOf(const TunedClip& clip) {
+  std::optional<std::filesystem::path> skeleton;
+  if (!clip.skeleton.isEmpty()) skeleton = pathOf(clip.skeleton);
+  return read_motion(pathOf(clip.path), skeleton, clip.reading).motion;
+}
+
+/// As it waits in the queue. A clip that cannot be read is found out by the batch.
+QueuedClip queuedClip(const TunedClip& clip) {
+  QueuedClip queued{
+      .source = {clip.path.toStdString(), QFileInfo(clip.path).dir().dirName().toStdString(), {}},
+      .skeleton = clip.skeleton.toStdString(),
+      .reading = clip.reading};
+  if (!clip.settings) return queued;
+  try {
+    if (namesJoints(clip.settings->encode)) {
+      const Motion motion = motionOf(clip);
+      queued.own = ownPresetOf(fitting(*clip.settings, motion), motion.skeleton);
+    } else {
+      queued.own = ownPresetOf(*clip.settings, {});
+    }
+    if (queued.own->name.empty()) queued.own->name = kNoPreset;
+  } catch (const Error&) {
+    // The batch will say what is wrong with it.
+  }
+  return queued;
+}
+
+}  // namespace
+
+BatchSession::BatchSession(const QString& memory, PresetShelf* presets, QObject* parent)
+    : QObject(parent), memory_(memory), presets_(presets) {
+  RememberedBatch remembered = rememberedBatch(memory_);
+  settings_ = remembered.settings;
+  queue_.setCommon(remembered.common);
+  queue_.add(remembered.clips);
+  remember_later_.setSingleShot(true);
+  remember_later_.setInterval(kRememberDelay);
+  connect(&remember_later_, &QTimer::timeout, this, &BatchSession::remember);
+  connect(&queue_, &BatchQueueModel::edited, this, [this] {
+    remember_later_.start();
+    if (!running()) setState(State::Idle);
+  });
+  connect(&runner_, &BatchRunner::advanced, this, &BatchSession::advance);
+  connect(&runner_, &BatchRunner::ended, this, &BatchSession::end);
+  connect(&runner_, &BatchRunner::failed, this, [this](const QString& message) {
+    queue_.stopWorking();
+    setState(State::Failed, message);
+  });
+}
+
+BatchSession::~BatchSession() {
+  if (remember_later_.isActive()) remember();
+}
+
+void BatchSession::remember() {
+  try {
+    rememberBatch(memory_, {settings_, queue_.common(), queue_.clips()});
+  } catch (const Error& error) {
+    emit noted(tr("The queue could not be kept: %1").arg(QString::fromStdString(error.what())));
+  }
+}
+
+void BatchSession::apply(const BatchSettings& settings) {
+  const bool elsewhere = settings.folder != settings_.folder || settings.names != settings_.names ||
+                         settings.formats != settings_.formats;
+  settings_ = settings;
+  if (elsewhere) queue_.waitAgain();
+  remember_later_.start();
+  emit settingsChanged();
+  setState(State::Idle);
+}
+
+/// The queue of a batch that runs is not added to, and the user is told.
+bool BatchSession::refused() {
+  if (running()) emit noted(tr("Clips can be added when the batch has ended."));
+  return running();
+}
+
+void BatchSession::addClips(const QStringList& paths) {
+  if (refused()) return;
+  to_find_ += paths;
+  finding_.start(
+      [paths = to_find_](const Job&) {
+        std::vector<std::string> inputs;
+        for (const QString& path : paths)
+          inputs.push_back(QFileInfo(path).absoluteFilePath().toStdString());
+        return find_sources(inputs);
+      },
+      [this](const std::vector<SourceClip>& sources) {
+        to_find_.clear();
+        std::vector<QueuedClip> clips;
+        for (const SourceClip& source : sources) {
+          if (source.problem.empty())
+            clips.push_back({.source = source});
+          else
+            emit noted(QString::fromStdString(source.problem));
+        }
+        if (!refused()) add(clips);
+      },
+      [this](const QString& message) {
+        to_find_.clear();
+        emit noted(message);
+      });
+}
+
+/// Settings hold joints by their numbers, presets by their names: those are in the files.
+void BatchSession::addTuned(const std::vector<TunedClip>& clips) {
+  if (refused()) return;
+  to_name_.insert(to_name_.end(), clips.begin(), clips.end());
+  naming_.start(
+      [clips = to_name_](const Job&) {
+        std::vector<QueuedClip> queued;
+        for (const TunedClip& clip : clips) queued.push_back(queuedClip(clip));
+        return queued;
+      },
+      [this](const std::vector<QueuedClip>& queued) {
+        to_name_.clear();
+        if (!refused()) take(queued);
+      },
+      [this](const QString& message) {
+        to_name_.clear();
+        emit noted(message);
+      });
+}
+
+void BatchSession::setReviews(const ClipReviews& reviews) {
+  reviews_ = reviews;
+  if (!running()) queue_.setReviews(reviews_);
+}
+
+/// With what the library says about it.
+QueuedClip BatchSession::reviewed(QueuedClip clip) const {
+  const auto found = reviews_.find(QString::fromStdString(clip.source.path));
+  if (found == reviews_.end()) return clip;
+  clip.review = *found;
+  clip.left_out = clip.review.verdict == Verdict::Rejected;
+  return clip;
+}
+
+std::vector<int> BatchSession::includedRows() const {
+  std::vector<int> rows;
+  for (int row = 0; row < queue_.rowCount(); ++row)
+    if (!queue_.clips()[static_cast<std::size_t>(row)].left_out) rows.push_back(row);
+  return rows;
+}
+
+/// The common preset first, then those of locked clips.
+Batch BatchSession::batch() const {
+  Batch batch{.presets = {queue_.common()}, .formats = settings_.formats};
+  const std::string names = settings_.names.toStdString();
+  for (const int row : includedRows()) {
+    const QueuedClip& clip = queue_.clips()[static_cast<std::size_t>(row)];
+    std::size_t preset = 0;
+    if (clip.own) {
+      const auto found = std::find(batch.presets.begin(), batch.presets.end(), *clip.own);
+      preset = static_cast<std::size_t>(found - batch.presets.begin());
+      if (found == batch.presets.end()) batch.presets.push_back(*clip.own);
+    }
+    add_items(batch, {clip.source}, preset, names);
+    if (clip.skeleton.empty() && clip.review == ClipReview() && clip.reading == ReadOptions())
+      continue;
+    BatchItem item = batch.items[batch.items.size() - 1];
+    item.skeleton = clip.skeleton;
+    item.review = clip.review;
+    if (clip.reading != ReadOptions()) item.reading = clip.reading;
+    batch.items.replace(batch.items.size() - 1, item);
+  }
+  mark_collisions(batch);
+  return batch;
+}
+
+QString BatchSession::exampleName(bool* wrong) const {
+  *wrong = false;
+  const SourceClip source =
+      queue_.clips().empty() ? SourceClip{"walk.bvh", "clips", {}} : queue_.clips().front().source;
+  const Preset& preset = queue_.clips().empty() ? queue_.common() : queue_.presetOf(0);
+  const OutputFormat format =
+      settings_.formats.empty() ? OutputFormat::Mcpr : settings_.formats.front();
+  try {
+    const std::string output = output_name(settings_.names.toStdString(), source, preset);
+    return QString::fromStdString(output + '.' + std::string(name(format)));
+  } catch (const Error& error) {
+    *wrong = true;
+    return QString::fromStdString(error.what());
+  }
+}
+
+QString BatchSession::obstacle() const {
+  bool wrong = false;
+  const QString example = exampleName(&wrong);
+  if (queue_.clips().empty()) return tr("Add clips to begin.");
+  if (queue_.countLeftOut() == queue_.rowCount())
+    return tr("Every clip is left out. Tick those to export.");
+  if (settings_.folder.isEmpty()) return tr("Choose the folder the files go to.");
+  if (settings_.formats.empty()) return tr("Choose at least one kind of file.");
+  return wrong ? example : QString();
+}
+
+bool BatchSession::running() const {
+  return state_ == State::Running || state_ == State::Paused || state_ == State::Stopping ||
+         state_ == State::Cancelling;
+}
+
+void BatchSession::start() {
+  if (running() || !obstacle().isEmpty()) return;
+  remember();
+  running_rows_ = includedRows();
+  counts_ = {};
+  counts_.clips = running_rows_.size();
+  time_left_ = {};
+  worked_seconds_ = 0;
+  clock_.start();
+  setState(State::Running);
+  runner_.start({batch(), settings_.folder, {.overwrite = settings_.overwrite, .resumed = true}});
+}
+
+void BatchSession::pause() {
+  if (state_ != State::Running) return;
+  worked_seconds_ += static_cast<double>(clock_.elapsed()) / 1000;
+  runner_.pause();
+  setState(State::Paused);
+}
+
+void BatchSession::goOn() {
+  if (state_ != State::Paused) return;
+  clock_.restart();
+  runner_.goOn();
+  setState(State::Running);
+}
+
+void BatchSession::stopAfterCurrent() {
+  if (!running()) return;
+  if (state_ == State::Paused) clock_.restart();
+  runner_.stopAfterCurrent();
+  setState(State::Stopping);
+}
+
+void BatchSession::cancel() {
+  if (!running()) return;
+  runner_.cancel();
+  setState(State::Cancelling);
+}
+
+void BatchSession::advance(const BatchCounts& counts, const std::vector<BatchStep>& steps) {
+  counts_ = counts;
+  const double now = state_ == State::Paused ? 0 : static_cast<double>(clock_.elapsed()) / 1000;
+  time_left_.update(counts, worked_seconds_ + now);
+  for (const BatchStep& step : steps) {
+    const int row = running_rows_[step.index];
+    if (step.ended)
+      queue_.setEnded(row, step.measured, step.error, step.warnings);
+    else
+      queue_.setProgress(row, step.progress);
+  }
+  emit progressed();
+}
+
+void BatchSession::end(const BatchOutcome& outcome) {
+  counts_ = outcome.counts;
+  queue_.stopWorking();
+  for (const Warning& warning : outcome.warnings)
+    emit noted(QString::fromStdString(warning.text()));
+  setState(outcome.complete ? State::Complete : State::Stopped);
+  queue_.setReviews(reviews_);  // what was said meanwhile
+}
+
+void BatchSession::setState(State state, const QString& failure) {
+  state_ = state;
+  failure_ = failure;
+  emit progressed();
+}
+
+double BatchSession::fraction() const {
+  if (state_ == State::Complete) return 1;
+  if (counts_.bytes == 0) return 0;
+  return (static_cast<double>(counts_.bytes_done) + counts_.bytes_under_way) /
+         static_cast<double>(counts_.bytes);
+}
+
+QString BatchSession::report() const {
+  if (settings_.folder.isEmpty()) return {};
+  const QString path =
+      QDir(settings_.folder).filePath(QString::fromStdString(report_name(Shard{})));
+  return QFileInfo::exists(path) ? path : QString();
+}
+
+void BatchSession::writeSlurm(const QString& path, int tasks) {
+  try {
+    const QString queue = QDir(settings_.folder).filePath(QStringLiteral("queue.json"));
+    const QString beside =
+        QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("mocapress"));
+    SlurmJob job{
+        .program = QFileInfo::exists(beside) ? beside.toStdString() : std::string("mocapress"),
+        .arguments = {queue.toStdString()},
+        .folder = settings_.folder.toStdString(),
+        .shards = tasks};
+    if (settings_.overwrite) job.arguments.emplace_back("--overwrite");
+    const std::string script = slurm_script(job);
+    QDir().mkpath(settings_.folder);
+    write_text(pathOf(queue), queue_text(batch()));
+    write_text(pathOf(path), script);
+    emit noted(tr("Wrote %1: submit it with sbatch.").arg(QDir::toNativeSeparators(path)));
+  } catch (const Error& error) {
+    emit noted(QString::fromStdString(error.what()));
+  }
+}
+
+}  // namespace mocapress

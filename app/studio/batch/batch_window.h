@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QKeySequence>
+#include <QWidget>
+
+#include "app/studio/batch/batch_session.h"
+
+class QHBoxLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace mocapress {
+
+class BatchOutput;
+class BatchQueueView;
+class PresetEditor;
+
+/// A window beside the studio's: a queue of clips, by what they are compressed, where they go, and
+/// how far they are. Closing it lets the batch run on.
+class BatchWindow : public QWidget {
+  Q_OBJECT
+
+ public:
+  BatchWindow(BatchSession* session, QWidget* parent);
+
+  /// The one that is open, to be exported unless the user chose others.
+  void offerClip(const QString& path);
+
+  BatchSession* session() { return session_; }
+  BatchQueueView* view() { return view_; }
+  PresetEditor* editor() { return editor_; }
+  BatchOutput* output() { return output_; }
+  QPushButton* startButton() { return start_; }
+  QPushButton* stopButton() { return stop_; }
+  QPushButton* cancelButton() { return cancel_; }
+  QPushButton* reportButton() { return report_; }
+
+ signals:
+  /// The studio is asked to open a clip.
+  void openRequested(const QString& path);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QAction* makeStep(QAction* step, QKeySequence::StandardKey key, const QString& icon,
+                    QHBoxLayout* tools);
+  QWidget* makeQueue();
+  QWidget* makeSettings();
+  QWidget* makeFoot();
+  void connectSession();
+  void connectQueue();
+  void connectPresets();
+  void chooseFiles();
+  void chooseClipFolder();
+  void chooseFolder();
+  void savePreset(const Preset& preset);
+  void writeSlurm();
+  void changePreset(const Preset& preset);
+  void showSelection();
+  void showOutput();
+  void showProgress();
+
+  BatchSession* session_;
+  BatchQueueView* view_;
+  PresetEditor* editor_;
+  BatchOutput* output_;
+  QAction* undo_ = nullptr;
+  QAction* redo_ = nullptr;
+  QWidget* settings_ = nullptr;
+  QLabel* whose_;
+  QPushButton* unlock_;
+  QPushButton* start_;
+  QPushButton* stop_;
+  QPushButton* cancel_;
+  QPushButton* report_;
+  QPushButton* slurm_;
+  QProgressBar* progress_;
+  QLabel* status_;
+  QLabel* note_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/compare/clip_curve.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/jobs/settings_key.h"
+#include "app/studio/document/session.h"
+#include "core/codec/format/compressed_clip.h"
+#include "widgets/panels/names.h"
+
+namespace mocapress {
+namespace {
+
+// Standard selection takes moments; others are asked for less, the middle first.
+constexpr std::array kStandardRatios = {25.0, 10.0, 60.0, 5.0, 40.0, 15.0, 90.0, 130.0, 7.5};
+constexpr std::array kRatios = {25.0, 60.0, 10.0, 40.0, 90.0};
+
+/// The settings but for target and method.
+std::string sharedKey(EncodeOptions options) {
+  options.target = {};
+  options.method = Method::Standard;
+  return settingsKey(options);
+}
+
+}  // namespace
+
+ClipCurve::ClipCurve(Session* session, QObject* parent) : QObject(parent), session_(session) {
+  connect(&session->document(), &Document::clipChanged, this, &ClipCurve::clear);
+  connect(session, &Session::recompressing, &filler_, [this] { filler_.abandon(); });
+  connect(session, &Session::settled, this, [this] {
+    addOwn();
+    fill();
+  });
+  connect(&filler_, &CurveFiller::measured, this, [this](double asked, const CurvePoint& point) {
+    points_[task_.options.method].insert_or_assign(asked, point);
+    done_[task_.options.method].insert(asked);
+    emit changed();
+  });
+  connect(&filler_, &CurveFiller::ended, this, [this] {
+    // A ratio without a point is out of this clip's reach: it is not asked for again.
+    done_[task_.options.method].insert(task_.ratios.begin(), task_.ratios.end());
+    fill();
+  });
+}
+
+void ClipCurve::clear() {
+  filler_.abandon();
+  points_.clear();
+  done_.clear();
+  key_.clear();
+  emit changed();
+}
+
+/// What the user asked for is a point of the curve as well.
+void ClipCurve::addOwn() {
+  const Document& document = session_->document();
+  if (!document.original() || !document.decoded() || !document.decoded()->distortion) return;
+  const std::string key = sharedKey(document.options());
+  if (key != key_) clear();
+  key_ = key;
+  const DecodedClip& decoded = *document.decoded();
+  const Provenance& provenance = decoded.compressed.provenance;
+  if (!decoded.of_wavelets || !decoded.complete || !decoded.coefficient_ratio) return;
+  points_[provenance.method].insert_or_assign(
+      decoded.ratio, CurvePoint{decoded.ratio, decoded.distortion->eps(provenance.weighting)});
+  emit changed();
+}
+
+void ClipCurve::fill() {
+  const Document& document = session_->document();
+  if (!document.original() || key_.empty()) return;
+  task_ = {document.original()->encoder, document.options(), {}};
+  const auto ask = [&](Method method, const auto& wanted) {
+    task_.options.method = method;
+    for (const double ratio : wanted)
+      if (!done_[method].contains(ratio)) task_.ratios.push_back(ratio);
+    return !task_.ratios.empty();
+  };
+  if (ask(Method::Standard, kStandardRatios) || ask(document.options().method, kRatios))
+    filler_.start(task_);
+}
+
+std::vector<double> ClipCurve::ratios() const {
+  std::vector<double> all;
+  for (const auto& [method, points] : points_)
+    for (const auto& [asked, point] : points) all.push_back(point.ratio);
+  return all;
+}
+
+std::vector<RateCurve> ClipCurve::curves() const {
+  std::vector<RateCurve> curves;
+  int row = 0;
+  for (const auto& [method, points] : points_) {
+    RateCurve curve{.series = {std::string(name(method)), {}, displayName(method).toStdString()}};
+    std::vector<CurvePoint> line;
+    for (const auto& [asked, point] : points) {
+      curve.points.push_back({point.ratio, point.eps_cm, row++});
+      line.push_back(point);
+    }
+    curve.line = best_of(line);
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+}  // namespace mocapress

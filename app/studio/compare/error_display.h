@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "app/studio/compare/error_scale_choice.h"
+
+class QAction;
+
+namespace mocapress {
+
+/// How errors are shown: by which scale of distances and which of angles, whether heat map and
+/// graph tell distances or angles, and whether the heat map tells what is seen instead. Remembered
+/// from run to run.
+class ErrorDisplay : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ErrorDisplay(QObject* parent = nullptr);
+
+  /// Of heat map and graph. Strip and figure always tell distances.
+  ErrorQuantity quantity() const;
+
+  ErrorScaleChoice* scales(ErrorQuantity quantity) const {
+    return quantity == ErrorQuantity::Angle ? angles_ : distances_;
+  }
+
+  /// Of the heat map.
+  bool tellsSight() const;
+
+  /// The switches to angles and to what is seen: one at most is on.
+  QAction* inDegrees() const { return in_degrees_; }
+  QAction* asSeen() const { return as_seen_; }
+
+ signals:
+  void changed();
+
+ private:
+  ErrorScaleChoice* distances_;
+  ErrorScaleChoice* angles_;
+  QAction* in_degrees_;
+  QAction* as_seen_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/compare/figures.h"
+
+#include <QCoreApplication>
+
+#include "core/feet/footskate.h"
+#include "widgets/models/length_text.h"
+#include "widgets/models/method_names.h"
+#include "widgets/panels/names.h"
+
+namespace mocapress {
+namespace {
+
+struct Figures {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::Figures)
+};
+
+QString displayMethod(const DecodedClip& decoded) {
+  if (decoded.of_wavelets && decoded.compressed.basis == Basis::Cubic)
+    return displayName(decoded.compressed.provenance.method);
+  return methodTitle(decoded.method);
+}
+
+}  // namespace
+
+std::optional<ResultFigures> figuresOf(const Document& document) {
+  if (!document.decoded()) return {};
+  const DecodedClip& decoded = *document.decoded();
+  const Provenance& provenance = decoded.compressed.provenance;
+  ResultFigures figures;
+  figures.ratio = decoded.ratio;
+  figures.motion_bytes = decoded.compressed.motion_bytes();
+  figures.file_bytes = document.file().size();
+  figures.weighting = provenance.weighting;
+  figures.eps_cm = static_cast<double>(provenance.eps_cm);
+  figures.max_cm = static_cast<double>(provenance.max_error_cm);
+  figures.coefficient_ratio = decoded.coefficient_ratio;
+  figures.bits_per_joint_sample = decoded.bits_per_joint_sample;
+  if (decoded.footskate) {
+    figures.footskate_cm = decoded.footskate->total_cm;
+    figures.slide = slide_per_contact(*decoded.footskate, document.contacts().size());
+  }
+  if (decoded.compressed.correction)
+    figures.correction_bytes = decoded.compressed.correction_bytes();
+  if (decoded.correction) {
+    figures.correction_ratio = decoded.correction->ratio;
+    figures.fastest_knee = decoded.correction->fastest_knee;
+    figures.fastest_knee_of_original = decoded.correction->fastest_knee_of_original;
+  }
+  if (decoded.distortion) {
+    figures.eps_cm = decoded.distortion->eps(provenance.weighting);
+    figures.p95_cm = decoded.distortion->p95;
+    figures.p99_cm = decoded.distortion->p99;
+    figures.max_cm = decoded.distortion->max.cm;
+    figures.ends = decoded.distortion->ends;
+    figures.is_loop = decoded.compressed.loop != Loop::None;
+  }
+  if (decoded.visibility) {
+    const WorstSight& worst = decoded.visibility->worst();
+    figures.seen =
+        SeenFigures{decoded.visibility->sight(), worst.cue,
+                    QString::fromStdString(decoded.compressed.skeleton.joint(worst.joint).name),
+                    worst.frame / decoded.clip.sample_rate_hz, worst.times_noticed()};
+  }
+  return figures;
+}
+
+QString stateOf(const Document& document) {
+  if (!document.original() && !document.decoded()) return Figures::tr("Nothing open");
+  if (!document.decoded())
+    return document.final() ? Figures::tr("Not compressed") : Figures::tr("Compressing…");
+  const DecodedClip& decoded = *document.decoded();
+  const Method method = decoded.compressed.provenance.method;
+  if (!decoded.distortion) return Figures::tr("As recorded in the file");
+  if (!decoded.coefficient_ratio && document.savedPath().isEmpty())
+    return Figures::tr("%1, as in the study").arg(displayMethod(decoded));
+  if (!decoded.coefficient_ratio)
+    return Figures::tr("%1, from the file, measured against the original")
+        .arg(displayMethod(decoded));
+  if (!document.final()) return Figures::tr("Draft; the refined answer is on its way");
+  if (document.unanswered())
+    return decoded.effort == Effort::Draft || method != document.options().method
+               ? Figures::tr("No answer to these settings; the draft is kept")
+               : Figures::tr("No answer to these settings; the last one is kept");
+  if (!decoded.complete) return Figures::tr("Refinement cancelled; the best so far is kept");
+  if (method != document.options().method || decoded.effort == Effort::Draft)
+    return Figures::tr("Refinement cancelled; the draft is kept");
+  if (method == Method::Annealed)
+    return Figures::tr("%1, %Ln iteration(s), %L2 s", nullptr, decoded.iterations)
+        .arg(displayMethod(decoded))
+        .arg(decoded.encode_seconds, 0, 'f', 1);
+  return Figures::tr("%1, %L2 s")
+      .arg(displayMethod(decoded))
+      .arg(decoded.encode_seconds, 0, 'f', 2);
+}
+
+QString footskateSummary(const Document& document) {
+  const Footskate* footskate = document.shownFootskate();
+  if (!footskate) return Figures::tr("Footskate is measured against the original.");
+  const auto contacts = static_cast<int>(document.contacts().size());
+  if (contacts == 0) return Figures::tr("No foot stands on the ground in this clip.");
+  const SlidePerContact each =
+      slide_per_contact(*footskate, document.contacts().size()).value_or(SlidePerContact());
+  const QString slid =
+      Figures::tr("%1 of footskate in %Ln contact(s): %2 each in the mean, %3 in the worst",
+                  nullptr, contacts)
+          .arg(lengthText(footskate->total_cm), lengthText(each.mean_cm),
+               lengthText(each.worst_cm));
+  return document.uncorrected() ? Figures::tr("%1, without IK").arg(slid) : slid;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/compare/pinned_results.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/studio/document/clip_preset.h"
+#include "app/studio/document/session.h"
+#include "widgets/models/length_text.h"
+#include "widgets/models/palette.h"
+#include "widgets/models/pinned_model.h"
+#include "widgets/models/study_rows_model.h"
+#include "widgets/panels/names.h"
+#include "widgets/panels/pinned_panel.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress {
+namespace {
+
+/// Told apart from each other, from the red of the current result and from the grey original.
+constexpr std::array<QRgb, kMostPinned> kColours = {kCurveColours[0], kCurveColours[2],
+                                                    kCurveColours[4], kCurveColours[5]};
+
+}  // namespace
+
+PinnedResults::PinnedResults(Session* session, PinnedModel* model, PinnedPanel* panel,
+                             Viewport* viewport, QObject* parent)
+    : QObject(parent), session_(session), model_(model), panel_(panel), viewport_(viewport) {
+  const Document* document = &session->document();
+  connect(document, &Document::clipChanged, this, [this] {
+    pins_.clear();
+    final_ = false;
+    recall();
+    show();
+  });
+  connect(session, &Session::recompressing, this, [this] { setFinal(false); });
+  connect(session, &Session::settled, this, [this] { setFinal(true); });
+  connect(document, &Document::decodedChanged, this, &PinnedResults::showWhetherToPin);
+  connect(document, &Document::optionsChanged, this, [this] {
+    if (!pins_.empty()) show();  // the weighting may be another
+  });
+  connect(panel, &PinnedPanel::pinRequested, this, &PinnedResults::pinCurrent);
+  connect(panel, &PinnedPanel::unpinRequested, this, &PinnedResults::unpin);
+  connect(panel, &PinnedPanel::makeCurrentRequested, this, &PinnedResults::makeCurrent);
+  connect(model, &PinnedModel::nameEdited, this, &PinnedResults::rename);
+}
+
+bool PinnedResults::canPin() const {
+  const Document& document = session_->document();
+  const DecodedPtr& decoded = document.decoded();
+  return final_ && document.final() && document.original() && decoded && decoded->distortion &&
+         pins_.size() + unmade_.size() < kMostPinned &&
+         std::none_of(pins_.begin(), pins_.end(),
+                      [&](const Result& result) { return result.decoded == decoded; });
+}
+
+void PinnedResults::pinCurrent() {
+  if (!canPin()) return;
+  const DecodedPtr& decoded = session_->document().decoded();
+  const EncodeOptions& options = session_->document().options();
+  const QString name = tr("%1, %2").arg(targetText(options.target),
+                                        displayName(decoded->compressed.provenance.method));
+  pins_.push_back({{name, freeColour(), options}, decoded});
+  noteEdit();
+}
+
+void PinnedResults::unpin(int row) {
+  if (row < 0 || row >= static_cast<int>(pins_.size())) return;
+  pins_.erase(pins_.begin() + row);
+  noteEdit();
+}
+
+void PinnedResults::rename(int row, const QString& name) {
+  pins_[static_cast<std::size_t>(row)].pin.name = name;
+  noteEdit();
+}
+
+void PinnedResults::makeCurrent(int row) {
+  if (row < 0 || row >= static_cast<int>(pins_.size())) return;
+  session_->setOptions(pins_[static_cast<std::size_t>(row)].pin.options);
+}
+
+void PinnedResults::recall() {
+  making_.abandon();
+  unmade_.clear();
+  const OriginalPtr& original = session_->document().original();
+  if (!memory_ || !original) return;
+  for (Pin& pin : memory_(original->path)) {
+    pin.options = fitting({pin.options, {}, {}}, original->motion()).encode;
+    if (unmade_.size() < kMostPinned) unmade_.push_back(std::move(pin));
+  }
+  makeNext();
+}
+
+/// One after the other; one that cannot be made any more is left out.
+void PinnedResults::makeNext() {
+  if (unmade_.empty()) return;
+  const auto take = [this](const DecodedPtr& decoded) {
+    const Pin pin = std::move(unmade_.front());
+    unmade_.pop_front();
+    if (decoded) pins_.push_back({pin, decoded});
+    if (!pin.colour.isValid() && decoded) pins_.back().pin.colour = freeColour();
+    show();
+    // The runner is busy until its delivery has returned.
+    QMetaObject::invokeMethod(this, &PinnedResults::makeNext, Qt::QueuedConnection);
+  };
+  making_.start(
+      [encoder = session_->document().original()->encoder,
+       options = unmade_.front().options](const Job& job) {
+        const auto observer = [&job](const EncodeProgress&) { return !job.stopRequested(); };
+        return decodedClip(encoder->encode(options, observer), *encoder, options);
+      },
+      take, [take](const QString&) { take(nullptr); });
+}
+
+void PinnedResults::noteEdit() {
+  show();
+  if (const OriginalPtr& original = session_->document().original())
+    emit edited(original->path, all());
+}
+
+std::vector<Pin> PinnedResults::all() const {
+  std::vector<Pin> pins;
+  for (const Result& result : pins_) pins.push_back(result.pin);
+  pins.insert(pins.end(), unmade_.begin(), unmade_.end());
+  return pins;
+}
+
+void PinnedResults::setFinal(bool final) {
+  final_ = final;
+  showWhetherToPin();
+}
+
+QColor PinnedResults::freeColour() const {
+  const std::vector<Pin> taken = all();
+  const auto found = std::find_if(kColours.begin(), kColours.end(), [&](QRgb colour) {
+    return std::none_of(taken.begin(), taken.end(),
+                        [&](const Pin& pin) { return pin.colour == QColor(colour); });
+  });
+  return {*found};
+}
+
+void PinnedResults::show() {
+  const Weighting weighting = session_->document().options().weighting;
+  std::vector<PinnedEntry> entries;
+  std::vector<PinnedFigure> figures;
+  for (const auto& [pin, decoded] : pins_) {
+    const Distortion& distortion = *decoded->distortion;
+    PinnedEntry entry{
+        pin.name,          pin.colour, decoded->ratio, distortion.eps(weighting), distortion.p95,
+        distortion.max.cm, {}};
+    if (decoded->footskate) entry.footskate_cm = decoded->footskate->total_cm;
+    figures.push_back(
+        {decoded->tracks,
+         pin.colour,
+         {pin.name, tr("%L1 : 1").arg(entry.ratio, 0, 'f', 1), lengthText(entry.eps_cm)}});
+    entries.push_back(std::move(entry));
+  }
+  model_->setEntries(std::move(entries));
+  viewport_->setPinned(std::move(figures));
+  showWhetherToPin();
+}
+
+void PinnedResults::showWhetherToPin() {
+  panel_->setCanPin(canPin());
+  emit canPinChanged(canPin());
+}
+
+}  // namespace mocapress

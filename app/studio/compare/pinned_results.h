@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QObject>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "app/jobs/job_runner.h"
+#include "app/studio/compare/pin.h"
+#include "app/studio/document/document.h"
+
+namespace mocapress {
+
+class PinnedModel;
+class PinnedPanel;
+class Session;
+class Viewport;
+
+/// Results of the open clip that stay in view while other settings are tried. They go with the
+/// clip, and are there again with it, made anew in the background.
+class PinnedResults : public QObject {
+  Q_OBJECT
+
+ public:
+  PinnedResults(Session* session, PinnedModel* model, PinnedPanel* panel, Viewport* viewport,
+                QObject* parent = nullptr);
+
+  /// There is a final result to the settings, measured, that is not pinned yet, and room for it.
+  bool canPin() const;
+
+  /// What was pinned of a clip before.
+  using Memory = std::function<std::vector<Pin>(const QString& path)>;
+  void setMemory(Memory memory) { memory_ = std::move(memory); }
+
+  void pinCurrent();
+  void unpin(int row);
+  void rename(int row, const QString& name);
+
+  /// Its settings become the document's, which can be undone.
+  void makeCurrent(int row);
+
+ signals:
+  void canPinChanged(bool can);
+
+  /// By the user: all that is pinned of the clip now.
+  void edited(const QString& path, const std::vector<Pin>& pins);
+
+ private:
+  struct Result {
+    Pin pin;
+    DecodedPtr decoded;
+  };
+
+  void recall();
+  void makeNext();
+  void noteEdit();
+  std::vector<Pin> all() const;
+  QColor freeColour() const;
+  void setFinal(bool final);
+  void show();
+  void showWhetherToPin();
+
+  Session* session_;
+  PinnedModel* model_;
+  PinnedPanel* panel_;
+  Viewport* viewport_;
+  Memory memory_;
+  std::vector<Result> pins_;
+  std::deque<Pin> unmade_;  // of those kept, not made anew yet
+  JobRunner making_;
+  bool final_ = false;  // the result is that of the document's options
+};
+
+}  // namespace mocapress

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/document/clip_files.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <utility>
+
+#include "app/studio/document/import_options_dialog.h"
+#include "app/studio/document/recent_files.h"
+#include "app/studio/document/sample_clip.h"
+#include "app/studio/document/session.h"
+#include "core/baselines/comparison_method.h"
+
+namespace mocapress {
+namespace {
+
+QString fileName(const QString& path) {
+  return QFileInfo(path).fileName();
+}
+
+/// What an open clip can be written as; the first is the one it can be opened from again.
+const QStringList kExtensions = {QStringLiteral("mcpr"), QStringLiteral("bvh"),
+                                 QStringLiteral("amc"), QStringLiteral("csv")};
+
+QString filterOf(const QString& extension) {
+  if (extension == QLatin1String("mcpr")) return ClipFiles::tr("Compressed clips (*.mcpr)");
+  if (extension == QLatin1String("bvh")) return ClipFiles::tr("Biovision motion (*.bvh)");
+  if (extension == QLatin1String("amc"))
+    return ClipFiles::tr("Acclaim motion with its skeleton (*.amc)");
+  return ClipFiles::tr("Table of channels (*.csv)");
+}
+
+}  // namespace
+
+ClipFiles::ClipFiles(Session* session, QWidget* window)
+    : QObject(window), session_(session), window_(window) {
+  connect(session, &Session::opened, this, [](const OpenRequest& request) {
+    rememberRecentFile({request.path, request.skeleton});
+  });
+  connect(session, &Session::openFailed, this,
+          [this](const OpenRequest& request, const QString& message) {
+            unread_ = request;
+            emit openFailed(message,
+                            request.path.endsWith(QLatin1String(".amc"), Qt::CaseInsensitive));
+          });
+  connect(session, &Session::saved, this, &ClipFiles::noteSaved);
+  connect(session, &Session::exported, this,
+          [this](const QString& path) { emit exported(fileName(path)); });
+  connect(session, &Session::saveFailed, this, [this] { after_saving_ = nullptr; });
+}
+
+void ClipFiles::openFirst() {
+  const QList<RecentFile> recent = recentFiles();
+  const RecentFile first = recent.isEmpty() ? RecentFile{sampleClip(), {}} : recent.front();
+  if (!first.path.isEmpty()) session_->open(first.path, first.skeleton);
+}
+
+void ClipFiles::open(const QString& path, const QString& skeleton) {
+  leave([=, this] { session_->open(path, skeleton); });
+}
+
+void ClipFiles::openRow(const StudyRow& row) {
+  const QString path = QString::fromStdString(row.clip);
+  // Other settings for the clip that is open are no more than a slider does.
+  if (session_->isOpen(path) && !find_comparison_method(row.method)) return session_->openRow(row);
+  leave([=, this] { session_->openRow(row, rememberedSkeleton(path)); });
+}
+
+void ClipFiles::chooseClip() {
+  const QString path = QFileDialog::getOpenFileName(
+      window_, tr("Open"), directory(),
+      tr("Motion and compressed clips (*.bvh *.amc *.mcpr);;All files (*)"));
+  if (!path.isEmpty()) open(path);
+}
+
+void ClipFiles::chooseSkeleton() {
+  const QString skeleton =
+      QFileDialog::getOpenFileName(window_, tr("Skeleton of %1").arg(fileName(unread_.path)),
+                                   QFileInfo(unread_.path).path(), tr("Skeletons (*.asf)"));
+  if (skeleton.isEmpty()) return;
+  if (unread_.compare)
+    session_->compareWith(unread_.path, skeleton);
+  else
+    session_->open(unread_.path, skeleton);
+}
+
+void ClipFiles::chooseOriginal() {
+  const QString path = QFileDialog::getOpenFileName(window_, tr("Compare with Original"),
+                                                    directory(), tr("Motion (*.bvh *.amc)"));
+  if (!path.isEmpty()) session_->compareWith(path);
+}
+
+void ClipFiles::save() {
+  const QString& path = session_->document().savedPath();
+  if (path.isEmpty())
+    saveAs();
+  else
+    session_->save(path);
+}
+
+void ClipFiles::saveAs() {
+  // Before the clip is left, what is asked for is the file that it can be opened from again.
+  choosePlace(tr("Save Clip"), QStringLiteral("mcpr"),
+              after_saving_ ? QStringList{QStringLiteral("mcpr")} : kExtensions);
+}
+
+void ClipFiles::exportMotion() {
+  choosePlace(tr("Export Motion"), QStringLiteral("bvh"), kExtensions);
+}
+
+void ClipFiles::choosePlace(const QString& title, const QString& extension,
+                            const QStringList& extensions) {
+  auto* dialog = new QFileDialog(window_, title, suggestedPath(extension));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  QStringList filters;
+  for (const QString& each : extensions) filters << filterOf(each);
+  dialog->setNameFilters(filters);
+  dialog->selectNameFilter(filterOf(extension));
+  dialog->setDefaultSuffix(extension);
+  dialog->selectFile(fileName(suggestedPath(extension)));
+  // A name without one of them gets the chosen one, and so does a name that has another.
+  connect(dialog, &QFileDialog::filterSelected, this, [=](const QString& filter) {
+    const QString chosen = extensions.value(static_cast<int>(filters.indexOf(filter)));
+    dialog->setDefaultSuffix(chosen);
+    const QStringList names = dialog->selectedFiles();
+    const QFileInfo name(names.value(0));
+    if (extensions.contains(name.suffix().toLower()))
+      dialog->selectFile(name.completeBaseName() + QLatin1Char('.') + chosen);
+  });
+  connect(dialog, &QFileDialog::fileSelected, this, &ClipFiles::write);
+  connect(dialog, &QFileDialog::rejected, this, [this] { after_saving_ = nullptr; });
+  dialog->open();
+}
+
+void ClipFiles::write(const QString& path) {
+  const QFileInfo file(path);
+  const QString kind = file.suffix().toLower();
+  if (kind == QLatin1String("mcpr")) return session_->save(path);
+  const QString skeleton =
+      file.path() + QLatin1Char('/') + file.completeBaseName() + QLatin1String(".asf");
+  // The dialog asked about a file that is there, not about which it is, nor about the skeleton.
+  QString doubt;
+  if (session_->isOpen(path))
+    doubt = tr("%1 is the original that is open. Replace it by its compressed motion?")
+                .arg(fileName(path));
+  else if (kind == QLatin1String("amc") && QFileInfo::exists(skeleton))
+    doubt = tr("The skeleton goes into %1, which is there already. Replace it?")
+                .arg(fileName(skeleton));
+  if (doubt.isEmpty()) return session_->exportMotion(path);
+  auto* question = new QMessageBox(QMessageBox::Question, tr("Export Motion"), doubt,
+                                   QMessageBox::Yes | QMessageBox::No, window_);
+  question->setDefaultButton(QMessageBox::No);
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  connect(question, &QMessageBox::finished, this, [=, this](int button) {
+    if (button == QMessageBox::Yes) session_->exportMotion(path);
+  });
+  question->open();
+}
+
+void ClipFiles::chooseImportOptions() {
+  const OriginalPtr& original = session_->document().original();
+  if (!original) return;
+  auto* dialog = new ImportOptionsDialog(*original, window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [=, this, path = original->path] {
+    if (session_->isOpen(path))
+      leave([=, this, options = dialog->options()] { session_->readAgain(options); });
+  });
+  dialog->open();
+}
+
+void ClipFiles::leave(std::function<void()> then) {
+  const Document& document = session_->document();
+  if (!document.modified()) return then();
+  auto* question =
+      new QMessageBox(QMessageBox::Question, tr("Unsaved Changes"),
+                      tr("Save the compressed clip of %1?").arg(document.title()),
+                      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  connect(question, &QMessageBox::finished, this, [this, then = std::move(then)](int button) {
+    if (button == QMessageBox::Discard) then();
+    if (button != QMessageBox::Save) return;
+    after_saving_ = then;
+    save();
+  });
+  question->open();
+}
+
+void ClipFiles::noteSaved(const QString& path) {
+  rememberRecentFile({path, {}});
+  emit saved(fileName(path));
+  if (after_saving_) std::exchange(after_saving_, nullptr)();
+}
+
+void ClipFiles::fillRecentMenu(QMenu* menu) {
+  menu->clear();
+  for (const RecentFile& file : recentFiles()) {
+    QAction* action = menu->addAction(fileName(file.path));
+    action->setToolTip(file.path);
+    connect(action, &QAction::triggered, this, [=, this] { open(file.path, file.skeleton); });
+  }
+  menu->setToolTipsVisible(true);
+}
+
+QString ClipFiles::directory() const {
+  const QList<RecentFile> recent = recentFiles();
+  return recent.isEmpty() ? QString() : QFileInfo(recent.front().path).path();
+}
+
+QString ClipFiles::suggestedPath(const QString& extension) const {
+  const Document& document = session_->document();
+  const QString& saved = document.savedPath();
+  const QFileInfo clip(saved.isEmpty() ? document.original()->path : saved);
+  const QString stem = clip.path() + QLatin1Char('/') + clip.completeBaseName();
+  const QString path = stem + QLatin1Char('.') + extension;
+  return session_->isOpen(path) ? stem + QLatin1String("-compressed.") + extension : path;
+}
+
+}  // namespace mocapress

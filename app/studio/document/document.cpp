@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/document/document.h"
+
+#include <QFileInfo>
+
+#include "app/studio/document/clip_preset.h"
+
+namespace mocapress {
+namespace {
+
+/// What would make that clip again.
+EncodeOptions optionsOf(const DecodedClip& decoded) {
+  const CompressedClip& clip = decoded.compressed;
+  EncodeOptions options;
+  options.method = clip.provenance.method;
+  options.coding = clip.coding;
+  options.basis = clip.basis;
+  options.weighting = clip.provenance.weighting;
+  options.target = {Target::Kind::Ratio, decoded.ratio};
+  options.seed = clip.provenance.seed;
+  if (clip.correction) {
+    options.correction = CorrectionOptions{.solver = clip.correction->solver};
+    for (const Effector& effector : clip.correction->effectors)
+      options.correction->joints.push_back(effector.joint);
+  }
+  return options;
+}
+
+/// As far as another skeleton has joints of the same names.
+Importance carriedOver(const Importance& importance, const Skeleton* from, const Skeleton& to) {
+  if (!from || std::ssize(importance.joints) != from->joint_count())
+    return {.joints = {}, .contacts = importance.contacts};
+  NamedImportance names = named(importance, *from);
+  std::erase_if(names.factors, [&](const auto& factor) {
+    return !is_body_part(factor.first) && to.find(factor.first) < 0;
+  });
+  return importance_for(names, to);
+}
+
+}  // namespace
+
+Document::Document(QObject* parent) : QObject(parent) {
+  const ClipSettings usual = usualSettings();
+  options_ = usual.encode;
+  preset_ = usual.preset;
+}
+
+QString Document::title() const {
+  if (!saved_path_.isEmpty()) return QFileInfo(saved_path_).fileName();
+  return original_ ? QFileInfo(original_->path).fileName() : QString();
+}
+
+SourceFormat Document::source() const {
+  if (original_) return original_->source;
+  return decoded_ ? decoded_->source : SourceFormat();
+}
+
+bool Document::modified() const {
+  return touched_ && original_ && decoded_ != saved_;
+}
+
+const Skeleton* Document::skeleton() const {
+  if (original_) return &original_->motion().skeleton;
+  return decoded_ ? &decoded_->compressed.skeleton : nullptr;
+}
+
+int Document::frames() const {
+  if (original_) return original_->motion().clip.frames();
+  return decoded_ ? decoded_->compressed.frames : 0;
+}
+
+double Document::sampleRate() const {
+  if (original_) return original_->motion().clip.sample_rate_hz;
+  return decoded_ ? decoded_->compressed.sample_rate_hz : Clip().sample_rate_hz;
+}
+
+int Document::currentJoint() const {
+  return skeleton() ? skeleton()->find(current_joint_.toStdString()) : -1;
+}
+
+/// What a preset says of hands is of the hands of every skeleton, also after one that has none.
+Importance Document::importanceIn(const Skeleton& next) const {
+  const Preset& usual = usualPreset();
+  if (isAsPreset(settings(), usual, skeleton() ? *skeleton() : Skeleton()))
+    return importance_for(usual.importance, next);
+  return carriedOver(options_.importance, skeleton(), next);
+}
+
+void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path) {
+  if (original) options_.importance = importanceIn(original->motion().skeleton);
+  original_ = std::move(original);
+  decoded_ = std::move(decoded);
+  final_ = decoded_ != nullptr;
+  unanswered_ = false;
+  saved_path_ = saved_path;
+  saved_ = decoded_;
+  touched_ = false;
+  if (decoded_) {
+    options_ = optionsOf(*decoded_);
+    preset_.clear();
+  }
+  if (!decoded_ && options_.correction)
+    options_.correction->joints.clear();  // they were another skeleton's
+  options_.contacts = contactsBy(contact_settings_);
+  emit clipChanged();
+  emit optionsChanged();
+  emit decodedChanged();
+  emit shownChanged();
+  emit titleChanged();
+}
+
+void Document::setDecoded(DecodedPtr decoded, bool final) {
+  decoded_ = std::move(decoded);
+  final_ = final;
+  unanswered_ = false;
+  emit decodedChanged();
+  emit shownChanged();
+  emit titleChanged();
+}
+
+void Document::setUnanswered() {
+  final_ = true;
+  unanswered_ = true;
+  emit decodedChanged();
+  emit shownChanged();
+  emit titleChanged();
+}
+
+void Document::setOptions(const EncodeOptions& options) {
+  options_ = options;
+  touched_ = true;
+  emit optionsChanged();
+}
+
+void Document::loadOptions(EncodeOptions options) {
+  options.contacts = options_.contacts;
+  options_ = std::move(options);
+  preset_.clear();
+  emit optionsChanged();
+}
+
+void Document::loadSettings(const ClipSettings& settings) {
+  contact_settings_ = settings.contacts;
+  preset_ = settings.preset;
+  options_ = settings.encode;
+  emit optionsChanged();
+  emit shownChanged();
+}
+
+void Document::setSettings(const ClipSettings& settings) {
+  contact_settings_ = settings.contacts;
+  preset_ = settings.preset;
+  setOptions(settings.encode);
+}
+
+std::optional<std::vector<ContactSpan>> Document::contactsBy(
+    const ContactSettings& settings) const {
+  if (!original_ || settings == ContactSettings()) return {};
+  const Motion& motion = original_->motion();
+  return find_foot_contacts(motion.skeleton, original_->encoder->original_tracks(),
+                            motion.clip.sample_rate_hz, settings);
+}
+
+std::vector<ContactSpan> Document::contacts() const {
+  if (!original_) return {};
+  return options_.contacts ? *options_.contacts : original_->encoder->contacts();
+}
+
+void Document::setUncorrected(bool uncorrected) {
+  uncorrected_ = uncorrected;
+  emit shownChanged();
+}
+
+Tracks Document::shownTracks() const {
+  if (!decoded_) return nullptr;
+  return uncorrected() ? decoded_->uncorrected_tracks : decoded_->tracks;
+}
+
+const Footskate* Document::shownFootskate() const {
+  if (!decoded_) return nullptr;
+  const auto& shown = uncorrected() ? decoded_->uncorrected_footskate : decoded_->footskate;
+  return shown ? &*shown : nullptr;
+}
+
+void Document::setCurves(const CurveSelection& curves) {
+  if (curves == curves_) return;
+  curves_ = curves;
+  emit curvesChanged();
+}
+
+void Document::setCurrentJoint(int joint) {
+  const QString name =
+      joint >= 0 ? QString::fromStdString(skeleton()->joint(joint).name) : QString();
+  if (name == current_joint_) return;
+  current_joint_ = name;
+  emit currentJointChanged();
+}
+
+void Document::setSaved(const DecodedPtr& decoded, const QString& path) {
+  saved_ = decoded;
+  saved_path_ = path;
+  touched_ = true;
+  emit titleChanged();
+}
+
+std::vector<QString> Document::landmarkNames() const {
+  std::vector<QString> names;
+  if (!skeleton()) return names;
+  for (const Landmark& point : landmarks(*skeleton()))
+    names.push_back(QString::fromStdString(point.name));
+  return names;
+}
+
+}  // namespace mocapress

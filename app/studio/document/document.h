@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <array>
+
+#include "app/jobs/clips.h"
+#include "core/codec/format/source_section.h"
+#include "widgets/models/curve_selection.h"
+
+namespace mocapress {
+
+/// By what a clip is compressed, and by what its contacts are found.
+struct ClipSettings {
+  EncodeOptions encode;
+  ContactSettings contacts;
+  QString preset;  // they come of, with changes or without; empty: of none
+};
+
+/// Two settings of a clip to choose from.
+struct Tuning {
+  std::array<ClipSettings, 2> both;  // A and B
+  int active = 0;
+
+  const ClipSettings& now() const { return both[static_cast<std::size_t>(active)]; }
+};
+
+/// What is open: values and their changes, no work and no widgets. Curves, current joint and
+/// options outlive the clip.
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Document(QObject* parent = nullptr);
+
+  /// Either may be null: a .mcpr without its original, or a motion not compressed yet.
+  const OriginalPtr& original() const { return original_; }
+  const DecodedPtr& decoded() const { return decoded_; }
+
+  /// No better answer to these options is on its way, nor a first one.
+  bool final() const { return final_; }
+
+  /// There is none: what is shown was made by other settings, or is a draft.
+  bool unanswered() const { return unanswered_; }
+
+  /// The .mcpr that was opened or saved last; empty: none.
+  const QString& savedPath() const { return saved_path_; }
+
+  /// The .mcpr that saving writes; wants a decoded().
+  std::vector<std::byte> file() const { return with_source(decoded_->file, source()); }
+
+  /// How the file that the clip was read from puts motion into numbers.
+  SourceFormat source() const;
+
+  /// The file name for the window title.
+  QString title() const;
+
+  /// The user changed or saved something, and what is shown now is not in the file.
+  bool modified() const;
+
+  /// Null: nothing is open.
+  const Skeleton* skeleton() const;
+  std::vector<QString> landmarkNames() const;
+  int frames() const;
+  double sampleRate() const;  // Hz
+
+  const EncodeOptions& options() const { return options_; }
+  /// By which contacts are found on the original.
+  const ContactSettings& contactSettings() const { return contact_settings_; }
+
+  ClipSettings settings() const { return {options_, contact_settings_, preset_}; }
+
+  /// On the original; none without it.
+  std::vector<ContactSpan> contacts() const;
+
+  /// Those found by other settings, as EncodeOptions takes them.
+  std::optional<std::vector<ContactSpan>> contactsBy(const ContactSettings& settings) const;
+
+  /// The user looks at the motion without its IK correction, to compare.
+  bool uncorrected() const { return uncorrected_ && decoded_ && decoded_->uncorrected_tracks; }
+
+  /// What is to be seen of the compressed clip: with its correction or without. Null: nothing.
+  Tracks shownTracks() const;
+  const Footskate* shownFootskate() const;
+
+  const CurveSelection& curves() const { return curves_; }
+  int currentJoint() const;  // -1: none, or not in this skeleton
+
+  /// Another clip, or the same with its other half.
+  void setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path);
+
+  void setDecoded(DecodedPtr decoded, bool final);
+
+  /// To these options no answer will come.
+  void setUnanswered();
+
+  /// By the user.
+  void setOptions(const EncodeOptions& options);
+  void setSettings(const ClipSettings& settings);
+
+  /// From elsewhere: nothing of the user's that would be lost.
+  void loadOptions(EncodeOptions options);
+  void loadSettings(const ClipSettings& settings);
+
+  void setUncorrected(bool uncorrected);
+
+  void setCurves(const CurveSelection& curves);
+  void setCurrentJoint(int joint);
+
+  /// `decoded` is in the file `path` now.
+  void setSaved(const DecodedPtr& decoded, const QString& path);
+
+ signals:
+  void clipChanged();
+  void decodedChanged();
+
+  /// Among them that it is to be seen with or without its correction.
+  void shownChanged();
+  void optionsChanged();
+  void curvesChanged();
+  void currentJointChanged();
+  void titleChanged();
+
+ private:
+  Importance importanceIn(const Skeleton& next) const;
+
+  OriginalPtr original_;
+  DecodedPtr decoded_;
+  bool final_ = true;
+  bool unanswered_ = false;
+  QString saved_path_;
+  DecodedPtr saved_;
+  bool touched_ = false;
+  EncodeOptions options_;
+  ContactSettings contact_settings_;
+  QString preset_;
+  bool uncorrected_ = false;
+  CurveSelection curves_;
+  QString current_joint_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/document/preset_shelf.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QPointer>
+#include <QStandardPaths>
+#include <QUndoStack>
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/batch/preset_json.h"
+
+namespace mocapress {
+namespace {
+
+std::filesystem::path pathOf(const QString& text) {
+  return text.toStdU16String();
+}
+
+}  // namespace
+
+class PresetShelf::Command : public QUndoCommand {
+ public:
+  Command(PresetShelf* shelf, const QString& text, std::vector<Edit> edits)
+      : QUndoCommand(text), shelf_(shelf), edits_(std::move(edits)) {}
+
+  void undo() override {
+    if (shelf_) shelf_->apply(edits_, true);
+  }
+  void redo() override {
+    if (shelf_) shelf_->apply(edits_, false);
+  }
+
+ private:
+  QPointer<PresetShelf> shelf_;
+  std::vector<Edit> edits_;
+};
+
+PresetShelf::PresetShelf(const QString& file, QObject* parent) : QObject(parent), file_(file) {
+  if (!QFileInfo::exists(file_)) return;
+  try {
+    own_ = parse_presets(file_.toStdString(), read_text(pathOf(file_)));
+  } catch (const Error&) {
+    unreadable_ = true;  // and stays as it is, see write()
+  }
+}
+
+QString PresetShelf::usualFile() {
+  return QDir(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation))
+      .filePath(QStringLiteral("presets.json"));
+}
+
+std::vector<Preset> PresetShelf::all() const {
+  std::vector<Preset> all(built_in_presets().begin(), built_in_presets().end());
+  all.insert(all.end(), own_.begin(), own_.end());
+  return all;
+}
+
+const Preset* PresetShelf::own(const std::string& name) const {
+  const auto found =
+      std::find_if(own_.begin(), own_.end(), [&](const Preset& one) { return one.name == name; });
+  return found == own_.end() ? nullptr : &*found;
+}
+
+bool PresetShelf::isBuiltIn(const std::string& name) {
+  const auto built_in = built_in_presets();
+  return std::any_of(built_in.begin(), built_in.end(),
+                     [&](const Preset& one) { return slug(one.name) == slug(name); });
+}
+
+bool PresetShelf::isFree(const std::string& name) {
+  if (!name.empty() && !isBuiltIn(name)) return true;
+  emit noted(tr("The name of a built-in preset cannot be given to another."));
+  return false;
+}
+
+bool PresetShelf::save(const Preset& preset) {
+  if (!isFree(preset.name)) return false;
+  const Preset* before = own(preset.name);
+  change(tr("Save Preset"), {{before ? std::optional(*before) : std::nullopt, preset}});
+  return true;
+}
+
+bool PresetShelf::rename(const QString& name, const QString& to) {
+  const Preset* before = own(name.toStdString());
+  if (!before || name == to || !isFree(to.toStdString())) return false;
+  if (own(to.toStdString())) {
+    emit noted(tr("There is a preset %1 already.").arg(to));
+    return false;
+  }
+  Preset after = *before;
+  after.name = to.toStdString();
+  change(tr("Rename Preset"), {{*before, after}});
+  return true;
+}
+
+void PresetShelf::remove(const QString& name) {
+  const Preset* before = own(name.toStdString());
+  if (before) change(tr("Remove Preset"), {{*before, std::nullopt}});
+}
+
+void PresetShelf::importFrom(const QString& path) {
+  try {
+    std::vector<Edit> edits;
+    for (const Preset& preset : parse_presets(path.toStdString(), read_text(pathOf(path)))) {
+      if (!isFree(preset.name)) continue;
+      const Preset* before = own(preset.name);
+      edits.push_back({before ? std::optional(*before) : std::nullopt, preset});
+    }
+    if (!edits.empty()) change(tr("Import Presets"), edits);
+  } catch (const Error& error) {
+    emit noted(QString::fromStdString(error.what()));
+  }
+}
+
+void PresetShelf::exportTo(const QString& path, const Preset& preset) {
+  try {
+    write_text(pathOf(path), presets_text({&preset, 1}));
+    emit noted(tr("Wrote %1.").arg(QDir::toNativeSeparators(path)));
+  } catch (const Error& error) {
+    emit noted(QString::fromStdString(error.what()));
+  }
+}
+
+void PresetShelf::change(const QString& text, const std::vector<Edit>& edits) {
+  if (history_)
+    history_()->push(new Command(this, text, edits));
+  else
+    apply(edits, false);
+}
+
+/// In its place where there was one of that name. What was changed since, in the history of another
+/// clip, stays.
+void PresetShelf::apply(const std::vector<Edit>& edits, bool backwards) {
+  for (const Edit& edit : edits) {
+    const std::optional<Preset>& from = backwards ? edit.after : edit.before;
+    const std::optional<Preset>& to = backwards ? edit.before : edit.after;
+    const std::string& name = from ? from->name : to->name;
+    const auto place =
+        std::find_if(own_.begin(), own_.end(), [&](const Preset& one) { return one.name == name; });
+    const std::optional<Preset> now = place == own_.end() ? std::nullopt : std::optional(*place);
+    const bool taken = to && to->name != name && own(to->name);
+    if (now != from || taken) continue;
+    if (place == own_.end()) {
+      if (to) own_.push_back(*to);
+    } else if (to) {
+      *place = *to;
+    } else {
+      own_.erase(place);
+    }
+  }
+  write();
+  emit changed();
+}
+
+/// What could not be read is kept beside the new file. False: it could not be.
+bool PresetShelf::setAside() {
+  if (!unreadable_) return true;
+  QString kept = file_ + QStringLiteral(".unreadable");
+  for (int i = 2; QFile::exists(kept); ++i)
+    kept = QStringLiteral("%1.unreadable%2").arg(file_).arg(i);
+  QFile file(file_);
+  if (file.exists() && !file.rename(kept)) {
+    emit noted(tr("Presets could not be kept: %1").arg(file.errorString()));
+    return false;
+  }
+  unreadable_ = false;
+  emit noted(tr("The presets kept before could not be read; their file is %1 now.")
+                 .arg(QDir::toNativeSeparators(kept)));
+  return true;
+}
+
+void PresetShelf::write() {
+  if (!setAside()) return;
+  QDir().mkpath(QFileInfo(file_).absolutePath());
+  try {
+    write_text(pathOf(file_), own_.empty() ? std::string("[]\n") : presets_text(own_));
+  } catch (const Error& error) {
+    emit noted(tr("Presets could not be kept: %1").arg(QString::fromStdString(error.what())));
+  }
+}
+
+}  // namespace mocapress

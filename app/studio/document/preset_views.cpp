@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/document/preset_views.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <algorithm>
+
+#include "app/studio/document/clip_preset.h"
+#include "app/studio/document/preset_shelf.h"
+#include "app/studio/document/session.h"
+#include "widgets/panels/preset_chooser.h"
+
+namespace mocapress {
+namespace {
+
+struct Texts {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::PresetViews)
+};
+
+/// Empty: the user thought better of it.
+QString askForText(const QString& title, const QString& text, QWidget* window) {
+  bool accepted = false;
+  const QString name =
+      QInputDialog::getText(window, title, Texts::tr("Name"), QLineEdit::Normal, text, &accepted);
+  return accepted ? name.trimmed() : QString();
+}
+
+}  // namespace
+
+void connectShelf(PresetChooser* chooser, PresetShelf* shelf, QWidget* window) {
+  QObject::connect(chooser, &PresetChooser::removeRequested, shelf, &PresetShelf::remove);
+  QObject::connect(chooser, &PresetChooser::renameRequested, shelf,
+                   [shelf, window](const QString& name) {
+                     const QString to = askForText(Texts::tr("Rename Preset"), name, window);
+                     if (!to.isEmpty()) shelf->rename(name, to);
+                   });
+  QObject::connect(chooser, &PresetChooser::importRequested, shelf, [shelf, window] {
+    const QString path = QFileDialog::getOpenFileName(window, Texts::tr("Import Presets"), {},
+                                                      Texts::tr("Presets (*.json)"));
+    if (!path.isEmpty()) shelf->importFrom(path);
+  });
+  QObject::connect(chooser, &PresetChooser::exportRequested, shelf,
+                   [shelf, window](const Preset& preset) {
+                     const QString word = QString::fromStdString(slug(preset.name));
+                     const QString name = word.isEmpty() ? QStringLiteral("preset") : word;
+                     QString path = QFileDialog::getSaveFileName(window, Texts::tr("Export Preset"),
+                                                                 name + QStringLiteral(".json"),
+                                                                 Texts::tr("Presets (*.json)"));
+                     if (path.isEmpty()) return;
+                     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
+                     Preset named = preset;
+                     if (named.name.empty())
+                       named.name = QFileInfo(path).completeBaseName().toStdString();
+                     shelf->exportTo(path, named);
+                   });
+}
+
+Preset askForName(const Preset& preset, QWidget* window) {
+  Preset named = preset;
+  const std::string offered = PresetShelf::isBuiltIn(preset.name) ? std::string() : preset.name;
+  named.name = askForText(Texts::tr("Save as Preset"), QString::fromStdString(offered), window)
+                   .toStdString();
+  return named;
+}
+
+PresetViews::PresetViews(Session* session, PresetShelf* shelf, PresetChooser* chooser,
+                         QWidget* window)
+    : QObject(window), session_(session), shelf_(shelf), chooser_(chooser) {
+  connect(shelf, &PresetShelf::changed, this, &PresetViews::showPresets);
+  connect(&session->document(), &Document::optionsChanged, this, &PresetViews::showSettings);
+  connect(&session->document(), &Document::clipChanged, this, &PresetViews::showSettings);
+  connect(chooser, &PresetChooser::chosen, session, &Session::choosePreset);
+  connect(chooser, &PresetChooser::saveRequested, this, [this, window](const Preset& preset) {
+    const Preset named = askForName(preset, window);
+    if (!named.name.empty()) save(named);
+  });
+  connectShelf(chooser, shelf, window);
+  showPresets();
+}
+
+void PresetViews::save(const Preset& preset) {
+  if (!shelf_->isFree(preset.name)) return;  // before there is a step to undo
+  QUndoStack* history = session_->history();
+  history->beginMacro(tr("Save Preset"));
+  if (shelf_->save(preset)) session_->namePreset(QString::fromStdString(preset.name));
+  history->endMacro();
+}
+
+/// Only those by which a clip can be tuned: others are for comparing, in a batch.
+void PresetViews::showPresets() {
+  std::vector<Preset> presets = shelf_->all();
+  std::erase_if(presets, [](const Preset& preset) { return !isTunable(preset); });
+  chooser_->setPresets(presets);
+  showSettings();
+}
+
+void PresetViews::showSettings() {
+  const Document& document = session_->document();
+  const ClipSettings settings = document.settings();
+  const Skeleton none;
+  const Skeleton& skeleton = document.skeleton() ? *document.skeleton() : none;
+  const std::vector<Preset> presets = shelf_->all();
+  // Two presets may say the same: then the name tells which was chosen.
+  const auto is_it = [&](const Preset& one, bool by_name) {
+    return (!by_name || settings.preset.toStdString() == one.name) &&
+           isAsPreset(settings, one, skeleton);
+  };
+  for (const bool by_name : {true, false})
+    for (const Preset& one : presets)
+      if (is_it(one, by_name)) return chooser_->setPreset(one);
+  chooser_->setPreset(presetOf(settings, skeleton));
+}
+
+}  // namespace mocapress

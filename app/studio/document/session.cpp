@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/document/session.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <numeric>
+
+#include "app/jobs/clip_saving.h"
+#include "app/jobs/settings_key.h"
+#include "app/studio/document/clip_preset.h"
+#include "app/studio/document/edit_step.h"
+#include "app/studio/document/settings_change.h"
+#include "app/studio/study/study_row_request.h"
+#include "core/base/error.h"
+#include "core/formats/motion_file.h"
+#include "core/motion/landmarks.h"
+
+namespace mocapress {
+namespace {
+
+constexpr std::size_t kFirstCurves = 3;
+
+/// Indices of columns by falling mean.
+std::vector<int> worstFirst(const Eigen::MatrixXf& distances) {
+  const Eigen::RowVectorXf mean = distances.colwise().mean();
+  std::vector<int> order(static_cast<std::size_t>(mean.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return mean[a] > mean[b]; });
+  return order;
+}
+
+QString absolute(const QString& path) {
+  return QFileInfo(path).absoluteFilePath();
+}
+
+}  // namespace
+
+Session::Session(QObject* parent) : QObject(parent) {
+  past_ = &pasts_[QString()];
+  histories_.addStack(&past_->steps);
+  histories_.setActiveStack(&past_->steps);
+  connect(&compressor_, &Compressor::answered, this, &Session::answer);
+  connect(&compressor_, &Compressor::progressed, this, &Session::annealed);
+  connect(&compressor_, &Compressor::refiningChanged, this, &Session::refiningChanged);
+  connect(&compressor_, &Compressor::failed, this,
+          [this](const QString& message, bool out_of_reach) {
+            document_.setUnanswered();
+            emit compressFailed(message, out_of_reach);
+          });
+}
+
+void Session::open(const QString& path, const QString& skeleton) {
+  // Only a .mcpr still waiting for its original takes one in.
+  const bool waits = document_.decoded() && !document_.original();
+  start({absolute(path), skeleton, document_.original(), waits ? document_.decoded() : nullptr,
+         false});
+}
+
+void Session::close() {
+  opening_.abandon();
+  leave();
+  compressor_.setEncoder(nullptr);
+  document_.setClip(nullptr, nullptr, {});
+  takeUp({}, false);
+  slot_answers_ = {};
+  emit slotsChanged();
+}
+
+bool Session::isOpen(const QString& path) const {
+  return document_.original() && document_.original()->path == absolute(path);
+}
+
+void Session::compareWith(const QString& path, const QString& skeleton) {
+  start({absolute(path), skeleton, nullptr, document_.decoded(), true});
+}
+
+void Session::openRow(const StudyRow& row, const QString& skeleton) {
+  OpenRequest request = requestOf(row);
+  request.skeleton = skeleton;
+  request.original = document_.original();
+  if (!isOpen(request.path) || !request.comparison.empty()) return start(request);
+  opening_.abandon();
+  const ClipSettings before = document_.settings();
+  EncodeOptions wanted = *request.options;
+  wanted.contacts = before.encode.contacts;
+  if (settingsKey(wanted) == settingsKey(before.encode)) return apply(tuning_);  // no step
+  document_.loadOptions(wanted);
+  Tuning tuning = tuning_;
+  tuning.both[static_cast<std::size_t>(tuning.active)] = document_.settings();
+  changeTuning(tuning, before);
+}
+
+void Session::readAgain(const ReadOptions& reading) {
+  const OriginalPtr& original = document_.original();
+  if (!original || original->reading == reading) return;
+  // A step only once it is read: it may turn out that the file is gone.
+  readBy(reading, [this, reading, before = original->reading] {
+    history()->push(new EditStep(
+        tr("Import Options"), [this, reading] { readBy(reading); },
+        [this, before] { readBy(before); }));
+  });
+}
+
+void Session::readBy(const ReadOptions& reading, std::function<void()> then) {
+  const OriginalPtr& original = document_.original();
+  if (!original || (original->reading == reading && !opening_.busy())) return;
+  start({.path = original->path,
+         .skeleton = original->skeleton,
+         .original = original,
+         .reading = reading},
+        std::move(then));
+}
+
+void Session::start(OpenRequest request, std::function<void()> then) {
+  if (!request.reading && reading_memory_) request.reading = reading_memory_(request.path);
+  emit opening(request.path);
+  opening_.start([request](const Job& job) { return openClip(request, job); },
+                 [this, request, then = std::move(then)](const OpenedClip& opened) {
+                   show(opened, request);
+                   if (then) then();
+                 },
+                 [this, request](const QString& message) { emit openFailed(request, message); });
+}
+
+void Session::show(const OpenedClip& opened, const OpenRequest& request) {
+  const bool together = opened.original && opened.decoded;
+  const QString saved_path = isCompressedFile(request.path) ? request.path
+                             : together                     ? document_.savedPath()
+                                                            : QString();
+  leave();
+  compressor_.setEncoder(opened.original ? opened.original->encoder : nullptr);
+  if (request.options) document_.loadOptions(*request.options);
+  // Asked before the clip is there: from then on its settings are those of the document.
+  const std::optional<ClipSettings> remembered = rememberedOf(opened, request);
+  document_.setClip(opened.original, opened.decoded, saved_path);
+  if (remembered) document_.loadSettings(fitting(*remembered, opened.original->motion()));
+  takeUp(opened.original ? opened.original->path : request.path,
+         !opened.decoded && !request.options);
+  slot_answers_ = {};
+  chooseCurves();
+  emit slotsChanged();
+  emit this->opened(request);
+  if (opened.decoded)
+    emit settled();
+  else
+    compressor_.request(document_.options());
+}
+
+/// What was done to the clip that is open is there again when it is opened again.
+void Session::leave() {
+  if (!document_.original()) return;
+  const Motion& motion = document_.original()->motion();
+  past_->tuning = tuning_;
+  past_->tuning->both[static_cast<std::size_t>(tuning_.active)] = document_.settings();
+  past_->frames = motion.clip.frames();
+  past_->joints = motion.skeleton.joint_count();
+}
+
+/// Goes on from where a clip was left, if it comes `by_itself` and its settings are still those.
+void Session::takeUp(const QString& path, bool by_itself) {
+  past_ = &pasts_[path];
+  histories_.addStack(&past_->steps);
+  histories_.setActiveStack(&past_->steps);
+  const bool same = by_itself && past_->tuning && document_.original() &&
+                    past_->frames == document_.frames() &&
+                    past_->joints == document_.skeleton()->joint_count() &&
+                    (!memory_ || firstDifference(past_->tuning->now(), document_.settings()) ==
+                                     SettingsField::None);
+  if (same) {
+    tuning_ = *past_->tuning;
+    document_.loadSettings(tuning_.now());
+    return;
+  }
+  // Reviews may have been given to a clip that was not opened before: they stay.
+  if (past_->tuning) past_->steps.clear();
+  tuning_.both.fill(document_.settings());
+  tuning_.active = 0;
+}
+
+void Session::forgetHistories() {
+  for (auto& [path, past] : pasts_) {
+    past.steps.clear();
+    past.tuning.reset();
+  }
+}
+
+std::optional<ClipSettings> Session::rememberedOf(const OpenedClip& opened,
+                                                  const OpenRequest& request) const {
+  if (!memory_ || !opened.original || opened.decoded || request.options) return {};
+  return memory_(opened.original->path);
+}
+
+void Session::setOptions(const EncodeOptions& options) {
+  ClipSettings settings = document_.settings();
+  settings.encode = options;
+  change(settings);
+}
+
+void Session::setImportance(const Importance& importance) {
+  ClipSettings settings = document_.settings();
+  settings.encode.importance = importance;
+  change(settings);
+}
+
+void Session::choosePreset(const Preset& preset) {
+  if (!document_.skeleton()) return;
+  try {
+    change(withPreset(document_.settings(), preset, *document_.skeleton()));
+  } catch (const Error& error) {
+    emit compressFailed(QString::fromStdString(error.what()));
+    emit document_.optionsChanged();  // what stands is shown again
+  }
+}
+
+void Session::namePreset(const QString& name) {
+  ClipSettings settings = document_.settings();
+  settings.preset = name;
+  change(settings);
+}
+
+void Session::setContactSettings(const ContactSettings& settings) {
+  ClipSettings changed = document_.settings();
+  changed.encode.contacts = document_.contactsBy(settings);
+  changed.contacts = settings;
+  change(changed);
+}
+
+void Session::setContacts(const std::vector<ContactSpan>& contacts) {
+  ClipSettings settings = document_.settings();
+  settings.encode.contacts = contacts;
+  change(settings);
+}
+
+void Session::change(const ClipSettings& settings) {
+  // What stands already is no step.
+  if (firstDifference(document_.settings(), settings) == SettingsField::None) return;
+  Tuning tuning = tuning_;
+  // The document's may have been loaded without a change.
+  tuning.both[static_cast<std::size_t>(tuning.active)] = settings;
+  changeTuning(tuning);
+}
+
+void Session::changeTuning(const Tuning& tuning) {
+  changeTuning(tuning, document_.settings());
+}
+
+void Session::changeTuning(const Tuning& tuning, const ClipSettings& now) {
+  Tuning before = tuning_;
+  before.both[static_cast<std::size_t>(before.active)] = now;
+  history()->push(
+      new SettingsChange(before, tuning, [this](const Tuning& those) { apply(those); }));
+}
+
+void Session::switchSlot() {
+  Tuning tuning = tuning_;
+  tuning.both[static_cast<std::size_t>(tuning.active)] = document_.settings();
+  tuning.active = 1 - tuning.active;
+  changeTuning(tuning);
+}
+
+void Session::copyToOtherSlot() {
+  Tuning tuning = tuning_;
+  tuning.both.fill(document_.settings());
+  const ClipSettings& other = tuning_.both[static_cast<std::size_t>(1 - tuning_.active)];
+  if (firstDifference(other, document_.settings()) != SettingsField::None) changeTuning(tuning);
+}
+
+void Session::apply(const Tuning& tuning) {
+  const auto other = static_cast<std::size_t>(1 - tuning.active);
+  if (settingsKey(tuning.both[other].encode) == settingsKey(tuning.now().encode))
+    slot_answers_[other] = nullptr;  // it will be the same
+  tuning_ = tuning;
+  if (firstDifference(document_.settings(), tuning.now()) != SettingsField::None)
+    document_.setSettings(tuning.now());
+  emit slotsChanged();
+  if (!document_.original()) return;
+  emit recompressing();
+  compressor_.request(tuning.now().encode);
+}
+
+void Session::answer(const DecodedPtr& decoded, bool final) {
+  slot_answers_[static_cast<std::size_t>(tuning_.active)] = decoded;
+  document_.setDecoded(decoded, final);
+  chooseCurves();
+  emit slotsChanged();
+  if (final) emit settled();
+}
+
+/// A graph without a curve explains nothing: the worst joints, unless chosen ones are there.
+void Session::chooseCurves() {
+  const DecodedPtr& decoded = document_.decoded();
+  if (!decoded || !decoded->distortion) return;
+  const std::vector<Landmark> points = landmarks(*document_.skeleton());
+  CurveSelection curves = document_.curves();
+  const auto chosen = [&](const Landmark& point) {
+    return curves.contains(QString::fromStdString(point.name));
+  };
+  if (std::any_of(points.begin(), points.end(), chosen)) return;
+  const std::vector<int> worst = worstFirst(decoded->distortion->distances);
+  for (std::size_t i = 0; i < std::min(kFirstCurves, worst.size()); ++i)
+    curves.add(QString::fromStdString(points[static_cast<std::size_t>(worst[i])].name));
+  document_.setCurves(curves);
+}
+
+void Session::save(const QString& path) {
+  const DecodedPtr decoded = document_.decoded();
+  if (!decoded) return;
+  saving_.start(
+      [decoded, original = document_.original(), path](const Job&) {
+        saveClip(path, *decoded, original.get());
+        return path;
+      },
+      [this, decoded](const QString& saved_path) {
+        document_.setSaved(decoded, saved_path);
+        emit saved(saved_path);
+      },
+      [this](const QString& message) { emit saveFailed(message); });
+}
+
+void Session::exportMotion(const QString& path) {
+  const DecodedPtr decoded = document_.decoded();
+  if (!decoded) return;
+  exporting_.start(
+      [decoded, source = document_.source(), path](const Job&) {
+        write_motion(path.toStdU16String(), {decoded->compressed.skeleton, decoded->clip}, {},
+                     source);
+        return path;
+      },
+      [this](const QString& written) { emit exported(written); },
+      [this](const QString& message) { emit saveFailed(message); });
+}
+
+}  // namespace mocapress

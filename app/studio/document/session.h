@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QUndoGroup>
+#include <QUndoStack>
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "app/jobs/compressor.h"
+#include "app/jobs/job_runner.h"
+#include "app/jobs/open_clip.h"
+#include "app/studio/document/document.h"
+#include "core/batch/preset.h"
+#include "core/study/row.h"
+
+namespace mocapress {
+
+/// What the user wants of the document, done by jobs. No widgets.
+class Session : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Session(QObject* parent = nullptr);
+
+  Document& document() { return document_; }
+  const Document& document() const { return document_; }
+
+  /// A motion is compressed with the options of the document at once. A .mcpr is shown; with its
+  /// original, where that is open or is opened next.
+  void open(const QString& path, const QString& skeleton = {});
+
+  /// Nothing is open any more, nor on its way.
+  void close();
+
+  /// Whether this is the motion that is open.
+  bool isOpen(const QString& path) const;
+
+  /// Reads the motion that is open again, by other options. Its settings stand. Can be undone.
+  void readAgain(const ReadOptions& reading);
+
+  /// Opens the original of the .mcpr shown, and refuses another.
+  void compareWith(const QString& path, const QString& skeleton = {});
+
+  /// Opens a clip as it is compressed in a study: by its options, which then stand, or by a
+  /// comparison method. Its clip may be open already.
+  void openRow(const StudyRow& row, const QString& skeleton = {});
+
+  /// Each of these can be undone.
+  void setOptions(const EncodeOptions& options);
+  void setContactSettings(const ContactSettings& settings);
+  void setContacts(const std::vector<ContactSpan>& contacts);
+  void setImportance(const Importance& importance);
+
+  /// compressFailed() where it names a joint that the clip lacks.
+  void choosePreset(const Preset& preset);
+
+  /// The settings are those of a preset of that name from now on.
+  void namePreset(const QString& name);
+
+  /// Of the clip that is open. Each clip has one of its own, there again when it is opened again.
+  QUndoStack* history() { return histories_.activeStack(); }
+  QUndoStack* historyOf(const QString& path) { return &pasts_[path].steps; }
+  QUndoGroup* histories() { return &histories_; }
+
+  /// Of all clips, which are another project's.
+  void forgetHistories();
+
+  /// Two settings to compare, A and B: the active one is the document's. Both are of the clip.
+  const Tuning& tuning() const { return tuning_; }
+  void switchSlot();
+  void copyToOtherSlot();
+
+  /// What a slot came to; null: not known.
+  const DecodedPtr& slotAnswer(int slot) const {
+    return slot_answers_[static_cast<std::size_t>(slot)];
+  }
+
+  /// By what a clip was compressed before; what is unset is compressed as the last one was.
+  using Memory = std::function<std::optional<ClipSettings>(const QString& path)>;
+  void setMemory(Memory memory) { memory_ = std::move(memory); }
+
+  /// By which options a clip was read before.
+  using ReadingMemory = std::function<ReadOptions(const QString& path)>;
+  void setReadingMemory(ReadingMemory memory) { reading_memory_ = std::move(memory); }
+
+  void cancelAnnealing() { compressor_.stopEarly(); }
+
+  /// Saves what is shown now.
+  void save(const QString& path);
+
+  /// Writes the motion as it comes out of the compressed clip, by the extension of `path`, in the
+  /// unit and axes of its source.
+  void exportMotion(const QString& path);
+
+  /// An answer is on its way, or a better one.
+  bool busy() const { return compressor_.busy(); }
+  bool refining() const { return compressor_.refining(); }
+
+ signals:
+  /// The file is being read; opened() or openFailed() follows, unless another takes its place.
+  void opening(const QString& path);
+  void opened(const OpenRequest& request);
+  void openFailed(const OpenRequest& request, const QString& message);
+  void saved(const QString& path);
+  void exported(const QString& path);
+  void saveFailed(const QString& message);
+
+  /// The user changed the options; an answer to them follows, or compressFailed().
+  void recompressing();
+
+  /// `out_of_reach`: the method cannot meet the target with any settings.
+  void compressFailed(const QString& message, bool out_of_reach = false);
+
+  void annealed(const std::vector<EncodeProgress>& states);
+  void refiningChanged(bool refining);
+
+  void slotsChanged();
+
+  /// All that was asked for is done and in the document.
+  void settled();
+
+ private:
+  /// What was done to a clip, and where that led.
+  struct Past {
+    QUndoStack steps;
+    std::optional<Tuning> tuning;  // unset: it was not open yet
+    int frames = 0;                // of the clip they were done to
+    int joints = 0;
+  };
+
+  void readBy(const ReadOptions& reading, std::function<void()> then = {});
+
+  /// `then`: once it is open.
+  void start(OpenRequest request, std::function<void()> then = {});
+  void change(const ClipSettings& settings);
+  void changeTuning(const Tuning& tuning);
+  void changeTuning(const Tuning& tuning, const ClipSettings& now);
+  void apply(const Tuning& tuning);
+  void show(const OpenedClip& opened, const OpenRequest& request);
+  void leave();
+  void takeUp(const QString& path, bool by_itself);
+  void answer(const DecodedPtr& decoded, bool final);
+  void chooseCurves();
+  std::optional<ClipSettings> rememberedOf(const OpenedClip& opened,
+                                           const OpenRequest& request) const;
+
+  Document document_;
+  QUndoGroup histories_;
+  std::map<QString, Past> pasts_;  // by path; of no clip: ""
+  Past* past_ = nullptr;           // of the clip that is open
+  Tuning tuning_;
+  std::array<DecodedPtr, 2> slot_answers_;
+  Memory memory_;
+  ReadingMemory reading_memory_;
+  Compressor compressor_;
+  JobRunner opening_;
+  JobRunner saving_;
+  JobRunner exporting_;
+};
+
+}  // namespace mocapress

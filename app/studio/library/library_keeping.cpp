@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the library keeps its project: which file it is in, who else has it, and when it is written.
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include "app/studio/document/session.h"
+#include "app/studio/library/library.h"
+#include "core/base/error.h"
+#include "widgets/models/library_model.h"
+
+namespace mocapress {
+namespace {
+
+// A change is written at once, unless one was just before: then after this. With the write itself,
+// a crash loses less than two seconds.
+constexpr std::chrono::milliseconds kWriteInterval{500};
+constexpr std::chrono::milliseconds kRetryDelay{5000};  // after a write that failed
+constexpr std::size_t kMostFormer = 20;
+
+/// By which a project is known and locked, whatever way led to it.
+QString fileOf(const QString& path) {
+  const QFileInfo file(path);
+  return file.exists() ? file.canonicalFilePath() : file.absoluteFilePath();
+}
+
+/// What goes wrong; empty: nothing. What is worked on last is what the next start opens, whichever
+/// of two windows it is in.
+QString keep(const Project& project, const QString& path,
+             const std::optional<ProjectShelf>& shelf) {
+  try {
+    writeProject(path, project);
+    if (shelf) shelf->use(path);
+    return {};
+  } catch (const std::exception& error) {
+    return QString::fromStdString(error.what());
+  }
+}
+
+}  // namespace
+
+Library::~Library() {
+  const QSignalBlocker nobody_left_to_tell(this);
+  flush();
+}
+
+QString Library::name() const {
+  const bool unnamed = path_.isEmpty() || (shelf_ && shelf_->isUnnamed(path_));
+  return unnamed ? QString() : QFileInfo(path_).completeBaseName();
+}
+
+/// The shelf is not told before there is something in it.
+void Library::beginEmpty(const QString& folder) {
+  shelf_.emplace(folder);
+  takeOver(QDir(folder).filePath(QStringLiteral("session.mocapress")));
+  path_ = shelf_->unnamedPath();
+  lock_ = std::make_unique<ProjectLock>(path_);
+  emit projectChanged();
+}
+
+bool Library::begin(const QString& folder) {
+  beginEmpty(folder);
+  const QString last = shelf_->inUse();
+  if (last.isEmpty()) return false;
+  auto lock = std::make_unique<ProjectLock>(last);
+  if (lock->inUse()) {
+    emit noted(tr("%1 is open in another window of Mocapress. This is a new project.")
+                   .arg(shelf_->isUnnamed(last) ? tr("The last project")
+                                                : QDir::toNativeSeparators(last)));
+    return true;
+  }
+  // One that was left before there was anything in it has no file.
+  if (shelf_->isUnnamed(last) && !QFile::exists(last)) {
+    enter(last, std::move(lock), {});
+    return true;
+  }
+  const bool crashed = lock->wasLeftBehind();
+  lock.reset();
+  if (open(last) && crashed && !project_.clips.empty())
+    emit recovered(static_cast<int>(project_.clips.size()));
+  return true;
+}
+
+/// Earlier versions kept one project without a name, in this file.
+void Library::takeOver(const QString& path) const {
+  if (!shelf_->inUse().isEmpty() || !QFile::exists(path)) return;
+  try {
+    const QString own = shelf_->unnamedPath();
+    writeProject(own, readProject(path));
+    shelf_->use(own);
+    QFile::remove(path);
+  } catch (const Error&) {
+    // It stays where it is, and can be opened there.
+  }
+}
+
+bool Library::end() {
+  if (!flush()) return false;
+  try {
+    if (shelf_ && !project_.clips.empty()) shelf_->use(path_);
+  } catch (const Error& error) {
+    setTrouble(QString::fromStdString(error.what()));
+    return false;
+  }
+  path_.clear();
+  lock_.reset();
+  return true;
+}
+
+bool Library::open(const QString& path) {
+  const QString file = fileOf(path);
+  if (file == path_) return true;
+  if (!flush()) return false;
+  auto lock = std::make_unique<ProjectLock>(file);
+  if (lock->inUse()) {
+    emit inUse(file);
+    return false;
+  }
+  if (shelf_ && (!lock->held() || !QFileInfo(file).isWritable())) {
+    if (!openCopy(file)) return false;
+    emit noted(tr("%1 cannot be changed where it is. This is a copy without a name.")
+                   .arg(QDir::toNativeSeparators(file)));
+    return true;
+  }
+  try {
+    return enter(file, std::move(lock), readProject(file));
+  } catch (const Error& error) {
+    emit failed(QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+bool Library::openCopy(const QString& path) {
+  if (!flush()) return false;
+  try {
+    const QString own = shelf_->unnamedPath();
+    auto lock = std::make_unique<ProjectLock>(own);
+    const Project project = readProject(path);
+    writeProject(own, project);
+    return enter(own, std::move(lock), project);
+  } catch (const Error& error) {
+    emit failed(QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+bool Library::startNew() {
+  if (!flush()) return false;
+  if (!shelf_) return enter({}, nullptr, {});
+  const QString path = shelf_->unnamedPath();
+  return enter(path, std::make_unique<ProjectLock>(path), {});
+}
+
+/// All of the project before is in its file.
+bool Library::enter(const QString& path, std::unique_ptr<ProjectLock> lock, Project project) {
+  try {
+    if (shelf_) shelf_->use(path);
+  } catch (const Error& error) {
+    emit failed(QString::fromStdString(error.what()));
+    return false;
+  }
+  const QString before = std::exchange(path_, QString());
+  const bool was_empty = project_.clips.empty();
+  // Nothing that is under way for the one before may arrive in the other.
+  folder_search_.abandon();
+  session_->close();
+  session_->forgetHistories();
+  withdrawn_.clear();
+  if (shelf_ && was_empty && shelf_->isUnnamed(before)) QFile::remove(before);
+  changed_ = unwritten_ = false;
+  path_ = path;
+  lock_ = std::move(lock);
+  setProject(std::move(project));
+  emit projectChanged();
+  if (const int row = currentRow(); row >= 0) openClip(row);
+  return true;
+}
+
+bool Library::saveAs(const QString& path) {
+  const QString file = QFileInfo(path).absoluteFilePath();
+  if (file == path_) {
+    unwritten_ = true;
+    return flush();
+  }
+  auto lock = std::make_unique<ProjectLock>(file);
+  if (lock->inUse()) {
+    emit failed(
+        tr("%1 is open in another window of Mocapress.").arg(QDir::toNativeSeparators(file)));
+    return false;
+  }
+  // Where the file before cannot be written, which is said, the new one still has everything.
+  flush();
+  if (const QString trouble = keep(project_, file, shelf_); !trouble.isEmpty()) {
+    emit failed(trouble);
+    return false;
+  }
+  if (shelf_ && shelf_->isUnnamed(path_)) QFile::remove(path_);
+  path_ = file;
+  lock_ = std::move(lock);
+  changed_ = unwritten_ = false;
+  trouble_.clear();
+  emit projectChanged();
+  emit saved();
+  return true;
+}
+
+std::vector<FormerProject> Library::formerProjects() const {
+  std::vector<FormerProject> former;
+  if (!shelf_) return former;
+  for (const QString& path : shelf_->projects()) {
+    if (path == path_) continue;
+    if (former.size() == kMostFormer) break;
+    FormerProject one{path, !shelf_->isUnnamed(path), QFileInfo(path).lastModified(), {}};
+    try {
+      one.clips = static_cast<int>(readProject(path).clips.size());
+    } catch (const Error&) {
+      // Its file is there all the same.
+    }
+    former.push_back(one);
+  }
+  return former;
+}
+
+void Library::touch() {
+  changed_ = unwritten_ = true;
+  emit edited();
+  writeSoon();
+}
+
+void Library::writeSoon() {
+  if (path_.isEmpty() || write_later_.isActive()) return;
+  const std::chrono::milliseconds passed(since_write_.isValid() ? since_write_.elapsed()
+                                                                : kWriteInterval.count());
+  write_later_.start(std::max(kWriteInterval - passed, std::chrono::milliseconds(0)));
+}
+
+/// On a thread that does not give way, unlike a JobRunner's: it works little and is waited for.
+void Library::write() {
+  if (path_.isEmpty() || !changed_ || writing_.valid()) return;
+  changed_ = false;
+  since_write_.start();
+  writing_ =
+      std::async(std::launch::async, [this, project = project_, path = path_, shelf = shelf_] {
+        const QString trouble = keep(project, path, shelf);
+        emit written(QPrivateSignal());
+        return trouble;
+      });
+}
+
+void Library::noteWritten() {
+  if (!writing_.valid()) return;  // flush() has seen to it
+  const QString trouble = writing_.get();
+  setTrouble(trouble);
+  if (!trouble.isEmpty()) {
+    changed_ = true;
+    return write_later_.start(kRetryDelay);
+  }
+  unwritten_ = changed_;
+  if (changed_)
+    writeSoon();
+  else
+    emit saved();
+}
+
+/// Leaves nothing that waits to be written: where it goes wrong, all still waits, and that is said.
+bool Library::flush() {
+  write_later_.stop();
+  if (writing_.valid()) writing_.get();
+  if (path_.isEmpty() || !unwritten_) return true;
+  const QString trouble = keep(project_, path_, shelf_);
+  changed_ = unwritten_ = !trouble.isEmpty();
+  if (changed_) trouble_.clear();  // said again: it was asked for
+  setTrouble(trouble);
+  if (changed_)
+    write_later_.start(kRetryDelay);
+  else
+    emit saved();
+  return !changed_;
+}
+
+/// Said once, not with every try.
+void Library::setTrouble(const QString& message) {
+  if (message == std::exchange(trouble_, message)) return;
+  if (!message.isEmpty()) emit failed(tr("The project is not written: %1").arg(message));
+  emit projectChanged();
+}
+
+}  // namespace mocapress

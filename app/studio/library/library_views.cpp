@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/library/library_views.h"
+
+#include <QFileDialog>
+
+#include "app/studio/document/session.h"
+#include "app/studio/library/library.h"
+#include "widgets/models/length_text.h"
+#include "widgets/panels/library_panel.h"
+#include "widgets/panels/slot_control.h"
+
+namespace mocapress {
+
+LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* panel,
+                           SlotControl* settings, QWidget* window)
+    : QObject(window),
+      session_(session),
+      library_(library),
+      panel_(panel),
+      slots_(settings),
+      window_(window) {
+  connect(library, &Library::currentChanged, panel,
+          [=, this] { panel_->setCurrent(library_->currentRow()); });
+  connect(panel, &LibraryPanel::openRequested, library, &Library::openClip);
+  connect(panel, &LibraryPanel::removeRequested, library, &Library::remove);
+  connect(panel, &LibraryPanel::verdictChosen, library, &Library::setVerdict);
+  connect(panel, &LibraryPanel::noteEdited, library, &Library::setNote);
+  connect(panel, &LibraryPanel::addRequested, this, &LibraryViews::addClips);
+  connect(panel, &LibraryPanel::addFolderRequested, this, &LibraryViews::addFolder);
+  connect(settings, &SlotControl::switchRequested, session, &Session::switchSlot);
+  connect(settings, &SlotControl::copyRequested, session, &Session::copyToOtherSlot);
+  connect(session, &Session::slotsChanged, this, &LibraryViews::showSlots);
+  showSlots();
+}
+
+void LibraryViews::showSlots() {
+  std::array<QString, 2> summaries;
+  for (std::size_t slot = 0; slot < summaries.size(); ++slot)
+    if (const DecodedPtr& decoded = session_->slotAnswer(static_cast<int>(slot));
+        decoded && decoded->distortion)
+      summaries[slot] =
+          tr("%L1 : 1, %2")
+              .arg(decoded->ratio, 0, 'f', 1)
+              .arg(lengthText(decoded->distortion->eps(decoded->compressed.provenance.weighting)));
+  slots_->setSlots(session_->tuning().active, summaries);
+  slots_->setEnabled(session_->document().original() != nullptr);
+}
+
+void LibraryViews::addClips() {
+  library_->add(
+      QFileDialog::getOpenFileNames(window_, tr("Add Clips"), {}, tr("Motion (*.bvh *.amc)")));
+}
+
+void LibraryViews::addFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(window_, tr("Add Folder"));
+  if (!folder.isEmpty()) library_->addFolder(folder);
+}
+
+}  // namespace mocapress

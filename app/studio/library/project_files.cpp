@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/library/project_files.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <utility>
+
+#include "app/studio/library/library.h"
+
+namespace mocapress {
+namespace {
+
+QString kinds() {
+  return ProjectFiles::tr("Mocapress projects (*.mocapress)");
+}
+
+}  // namespace
+
+ProjectFiles::ProjectFiles(Library* library, QWidget* window)
+    : QObject(window), library_(library), window_(window) {
+  connect(library, &Library::inUse, this, &ProjectFiles::offerCopy);
+}
+
+QString ProjectFiles::title() const {
+  const QString name = library_->name();
+  return name.isEmpty() ? tr("Unnamed Project") : name;
+}
+
+void ProjectFiles::startNew() {
+  leave([this] { library_->startNew(); });
+}
+
+void ProjectFiles::choose() {
+  const QString path = QFileDialog::getOpenFileName(window_, tr("Open Project"), {}, kinds());
+  if (!path.isEmpty()) open(path);
+}
+
+void ProjectFiles::open(const QString& path, std::function<void()> then) {
+  leave([this, path, then = std::move(then)] {
+    after_opening_ = then;
+    if (library_->open(path)) noteOpened();
+  });
+}
+
+void ProjectFiles::noteOpened() {
+  if (const auto then = std::exchange(after_opening_, nullptr)) then();
+}
+
+bool ProjectFiles::saveAs() {
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save Project"), {}, kinds());
+  if (path.isEmpty()) return false;
+  if (!isProjectFile(path)) path += QStringLiteral(".mocapress");
+  return library_->saveAs(path);
+}
+
+/// A project with a name is in its file already.
+void ProjectFiles::leave(std::function<void()> then) {
+  if (!library_->needsName()) return then();
+  auto* question =
+      new QMessageBox(QMessageBox::Question, tr("Unnamed Project"),
+                      tr("Save the project of %Ln clip(s) under a name?", nullptr,
+                         static_cast<int>(library_->project().clips.size())),
+                      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  question->setInformativeText(
+      tr("Without a name it stays under File > Recent Projects, with its date."));
+  question->button(QMessageBox::Discard)->setText(tr("&Keep It Unnamed"));
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  connect(question, &QMessageBox::finished, this, [this, then = std::move(then)](int button) {
+    if (button == QMessageBox::Discard || (button == QMessageBox::Save && saveAs())) then();
+  });
+  question->open();
+}
+
+void ProjectFiles::askToQuit(std::function<void()> then) {
+  auto* question =
+      new QMessageBox(QMessageBox::Warning, tr("Project Not Written"),
+                      tr("The last changes of the project cannot be written. Quit without them?"),
+                      QMessageBox::Discard | QMessageBox::Cancel, window_);
+  question->setInformativeText(tr("Save Project As puts them elsewhere."));
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  connect(question, &QMessageBox::finished, this, [then = std::move(then)](int button) {
+    if (button == QMessageBox::Discard) then();
+  });
+  question->open();
+}
+
+void ProjectFiles::offerCopy(const QString& path) {
+  auto* question =
+      new QMessageBox(QMessageBox::Question, tr("Project in Use"),
+                      tr("%1 is open in another window of Mocapress. Open a copy of it?")
+                          .arg(QDir::toNativeSeparators(path)),
+                      QMessageBox::Open | QMessageBox::Cancel, window_);
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  connect(question, &QMessageBox::finished, this, [this, path](int button) {
+    if (button == QMessageBox::Open && library_->openCopy(path)) noteOpened();
+  });
+  question->open();
+}
+
+void ProjectFiles::fillRecentMenu(QMenu* menu) {
+  menu->clear();
+  for (const FormerProject& project : library_->formerProjects()) {
+    QString text = QFileInfo(project.path).completeBaseName();
+    if (!project.named)
+      text = tr("Unnamed, %1").arg(QLocale().toString(project.written, QLocale::ShortFormat));
+    if (project.clips) text = tr("%1, %Ln clip(s)", nullptr, *project.clips).arg(text);
+    // What is no shortcut is to be seen.
+    QAction* action = menu->addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")));
+    action->setToolTip(QDir::toNativeSeparators(project.path));
+    connect(action, &QAction::triggered, this, [this, path = project.path] { open(path); });
+  }
+  if (menu->isEmpty()) menu->addAction(tr("None"))->setEnabled(false);
+  menu->setToolTipsVisible(true);
+}
+
+}  // namespace mocapress

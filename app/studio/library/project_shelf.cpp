@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/library/project_shelf.h"
+
+#include <QDateTime>
+#include <QDeadlineTimer>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLockFile>
+#include <QRandomGenerator>
+#include <QThread>
+#include <chrono>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+
+namespace mocapress {
+namespace {
+
+constexpr qsizetype kMostListed = 100;
+constexpr std::chrono::seconds kPatience{10};  // with another studio that writes the list
+constexpr unsigned long kPause = 10;           // ms between two looks whether it is done
+const QString kProjects = QStringLiteral("projects");
+
+}  // namespace
+
+ProjectShelf::ProjectShelf(const QString& folder) {
+  QDir().mkpath(folder);
+  // As the files in it are known once they are opened.
+  const QString canonical = QDir(folder).canonicalPath();
+  folder_ = canonical.isEmpty() ? QDir(folder).absolutePath() : canonical;
+}
+
+QStringList ProjectShelf::listed() const {
+  QFile file(list());
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  QStringList paths;
+  const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
+  for (const auto& path : json.value(kProjects).toArray()) paths << path.toString();
+  paths.removeAll(QString());
+  return paths;
+}
+
+QString ProjectShelf::inUse() const {
+  const QStringList paths = listed();
+  return paths.isEmpty() ? projects().value(0) : paths.front();
+}
+
+void ProjectShelf::use(const QString& path) const {
+  if (listed().value(0) == path) return;
+  // Two studios may each have a project: neither takes the other's off the list.
+  QLockFile lock(list() + QStringLiteral(".lock"));
+  const QDeadlineTimer deadline(kPatience);
+  while (!lock.tryLock(0)) {
+    if (lock.error() != QLockFile::LockFailedError || deadline.hasExpired())
+      throw WriteError(list().toStdString() + ": cannot be locked");
+    QThread::msleep(kPause);
+  }
+  QStringList paths = listed();
+  paths.removeAll(path);
+  paths.removeIf([this](const QString& one) { return isUnnamed(one) && !QFile::exists(one); });
+  paths.prepend(path);
+  paths.resize(std::min(paths.size(), kMostListed));
+  const QByteArray text =
+      QJsonDocument(QJsonObject{{kProjects, QJsonArray::fromStringList(paths)}}).toJson();
+  write_text(list().toStdU16String(), {text.constData(), static_cast<std::size_t>(text.size())});
+}
+
+QStringList ProjectShelf::projects() const {
+  QStringList paths = listed();
+  paths.removeIf([](const QString& path) { return !QFile::exists(path); });
+  // Of unnamed ones also those that are on no list, as after a list that was lost.
+  const QDir own(unnamedFolder());
+  for (const QFileInfo& file :
+       own.entryInfoList({QStringLiteral("*.mocapress")}, QDir::Files, QDir::Time))
+    if (!paths.contains(file.absoluteFilePath())) paths << file.absoluteFilePath();
+  return paths;
+}
+
+QString ProjectShelf::unnamedPath() const {
+  QDir().mkpath(unnamedFolder());
+  const QString date = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmm"));
+  QString path;
+  do {
+    const QString random =
+        QString::number(QRandomGenerator::system()->generate(), 16).rightJustified(8, u'0');
+    path = QStringLiteral("%1/%2-%3.mocapress").arg(unnamedFolder(), date, random);
+  } while (QFile::exists(path));
+  return path;
+}
+
+bool ProjectShelf::isUnnamed(const QString& path) const {
+  return QFileInfo(path).absolutePath() == unnamedFolder();
+}
+
+}  // namespace mocapress

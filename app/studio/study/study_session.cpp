@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/study/study_session.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <optional>
+
+#include "core/base/file.h"
+#include "core/formats/clip_files.h"
+#include "core/study/row_json.h"
+#include "core/study/rows_file.h"
+#include "core/study/study_folder.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// By what an opened study was made, as far as pictures need to know.
+StudyPlan planOfRows(const std::vector<StudyRow>& rows) {
+  StudyPlan plan;
+  if (rows.empty()) return plan;
+  plan.weighting = rows.back().weighting;
+  plan.seed = rows.back().seed;
+  return plan;
+}
+
+/// Rows of other weightings, which the folder may keep too, have no place beside the newest.
+std::vector<StudyRow> readStudy(const fs::path& folder) {
+  if (!fs::exists(folder / kRowsSoFar)) return {};
+  std::vector<StudyRow> rows = read_rows(folder / kRowsSoFar);
+  if (rows.empty()) return rows;
+  const Weighting newest = rows.back().weighting;
+  std::erase_if(rows, [&](const StudyRow& row) { return row.weighting != newest; });
+  return rows;
+}
+
+}  // namespace
+
+StudySession::StudySession(const QString& cache, QObject* parent)
+    : QObject(parent), cache_(cache), settings_(usualStudySettings()) {
+  clock_.start();
+  connect(&runner_, &StudyRunner::advanced, this, &StudySession::advance);
+  connect(&runner_, &StudyRunner::failed, this,
+          [this](const QString& message) { setState(State::Failed, message); });
+  connect(&runner_, &StudyRunner::ended, this, [this](const StudyOutcome& outcome) {
+    rows_ = outcome.rows;
+    for (const Warning& warning : outcome.warnings)
+      emit noted(QString::fromStdString(warning.text()));
+    setState(outcome.complete ? State::Complete : State::Cancelled);
+  });
+  connect(&exporting_, &JobRunner::busyChanged, this, &StudySession::exportingChanged);
+}
+
+void StudySession::setSettings(const StudySettings& settings) {
+  if (settings == settings_) return;
+  settings_ = settings;
+  emit settingsChanged();
+}
+
+void StudySession::addClips(const QStringList& paths) {
+  to_find_ += paths;
+  findClips();
+}
+
+void StudySession::findClips() {
+  finding_.start(
+      [paths = to_find_](const Job&) {
+        std::vector<fs::path> inputs;
+        for (const QString& path : paths)
+          inputs.emplace_back(QFileInfo(path).absoluteFilePath().toStdU16String());
+        QStringList clips;
+        for (const fs::path& clip : find_clips(inputs))
+          clips << QString::fromStdU16String(clip.u16string());
+        return clips;
+      },
+      [this](const QStringList& clips) {
+        to_find_.clear();
+        StudySettings settings = settings_;
+        for (const QString& clip : clips)
+          if (!settings.clips.contains(clip)) settings.clips << clip;
+        setSettings(settings);
+      },
+      [this](const QString& message) {
+        to_find_.clear();
+        emit addFailed(message);
+      });
+}
+
+void StudySession::removeClips(const QStringList& paths) {
+  StudySettings settings = settings_;
+  settings.clips.removeIf([&](const QString& clip) { return paths.contains(clip); });
+  setSettings(settings);
+}
+
+void StudySession::setFolder(const QString& folder) {
+  folder_ = folder;
+  emit folderChanged();
+  if (folder.isEmpty()) return;
+  opening_.start([path = fs::path(folder.toStdU16String())](const Job&) { return readStudy(path); },
+                 [this](const std::vector<StudyRow>& rows) { showOpened(rows); },
+                 [this](const QString& message) { setState(State::Failed, message); });
+}
+
+void StudySession::showOpened(std::vector<StudyRow> rows) {
+  if (rows.empty() || running()) return;
+  plan_ = planOfRows(rows);
+  clear();
+  counts_ = {static_cast<int>(rows.size()), static_cast<int>(rows.size()), 0};
+  for (const StudyRow& row : rows) ++expected_[row.clip];
+  rows_ = std::move(rows);
+  emit rowsAdded(rows_);
+  setState(State::Opened);
+}
+
+int StudySession::jobs() const {
+  return static_cast<int>(jobs_of(planOf(settings_)).size());
+}
+
+void StudySession::run() {
+  const int jobs = this->jobs();
+  if (jobs == 0) return;
+  opening_.abandon();
+  plan_ = planOf(settings_);
+  for (StudyClip& clip : plan_.clips)
+    clip.review = reviews_.value(QString::fromStdU16String(clip.path.u16string()));
+  clear();
+  for (const StudyJob& job : jobs_of(plan_)) ++expected_[plan_.clips[job.clip].path.string()];
+  counts_ = {jobs, 0, 0};
+  clock_.restart();
+  setState(State::Running);
+  runner_.start({plan_, folder_.isEmpty() ? cache_ : folder_, !folder_.isEmpty()});
+}
+
+void StudySession::cancel() {
+  runner_.cancel();
+}
+
+void StudySession::clear() {
+  rows_.clear();
+  expected_.clear();
+  counts_ = {};
+  emit rowsCleared();
+}
+
+void StudySession::advance(const StudyCounts& counts, const std::vector<StudyRow>& rows) {
+  counts_ = counts;
+  rows_.insert(rows_.end(), rows.begin(), rows.end());
+  if (!rows.empty()) emit rowsAdded(rows);
+  setState(counts.done == counts.jobs && !folder_.isEmpty() ? State::Drawing : State::Running);
+}
+
+void StudySession::setState(State state, const QString& failure) {
+  state_ = state;
+  failure_ = failure;
+  emit progressed();
+}
+
+std::set<std::string> StudySession::completeClips() const {
+  std::map<std::string, int> there;
+  for (const StudyRow& row : rows_) ++there[row.clip];
+  std::set<std::string> complete;
+  for (const auto& [clip, rows] : there)
+    if (const auto found = expected_.find(clip); found != expected_.end() && found->second == rows)
+      complete.insert(clip);
+  return complete;
+}
+
+/// `make(job)` gives the text of the file, or nothing when it was told to stop.
+template <typename Make>
+void StudySession::exportMade(const QString& path, Make make) {
+  exporting_.start(
+      [path, make = std::move(make)](const Job& job) {
+        const std::optional<std::string> text = make(job);
+        if (text) write_text(path.toStdU16String(), *text);
+        return text.has_value();
+      },
+      [this, path](bool written) {
+        if (written) emit exported(path);
+      },
+      [this](const QString& message) { emit exportFailed(message); });
+}
+
+/// With what the library says now.
+std::vector<StudyRow> StudySession::reviewedRows() const {
+  std::vector<StudyRow> rows = rows_;
+  for (StudyRow& row : rows)
+    row.review = reviews_.value(QString::fromStdString(row.clip), row.review);
+  return rows;
+}
+
+void StudySession::exportRows(const QString& path) {
+  exportMade(path, [rows = reviewedRows()](const Job&) { return std::optional(rows_csv(rows)); });
+}
+
+void StudySession::exportReport(const QString& path) {
+  exportMade(path, [rows = reviewedRows(), plan = plan_](const Job& job) {
+    return study_report(plan, Results(rows),
+                        [&](const EncodeProgress&) { return !job.stopRequested(); });
+  });
+}
+
+void StudySession::exportFile(const QString& path, const QByteArray& content) {
+  if (content.isEmpty()) {
+    emit exportFailed(tr("The picture could not be made."));
+    return;
+  }
+  exportMade(path, [content](const Job&) { return std::optional(content.toStdString()); });
+}
+
+}  // namespace mocapress

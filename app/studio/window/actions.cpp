@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/window/actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QUndoGroup>
+
+#include "widgets/icons/themed_icon.h"
+
+namespace mocapress {
+namespace {
+
+struct Texts {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::Actions)
+};
+
+QAction* make(QObject* parent, const QString& text, const QKeySequence& shortcut = {},
+              const QString& icon = {}) {
+  auto* action = new QAction(text, parent);
+  action->setShortcut(shortcut);
+  if (!icon.isEmpty()) action->setIcon(themedIcon(icon));
+  return action;
+}
+
+/// One of several, the first to begin with.
+QActionGroup* makeChoices(QObject* parent, const QList<std::pair<QString, QVariant>>& choices) {
+  auto* group = new QActionGroup(parent);
+  for (const auto& [text, value] : choices) {
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setData(value);
+  }
+  group->actions().front()->setChecked(true);
+  return group;
+}
+
+void addToolBar(QMainWindow* window, const Actions& actions) {
+  QToolBar* bar = window->addToolBar(Texts::tr("Tools"));
+  bar->setObjectName(QStringLiteral("tools"));
+  bar->setMovable(false);
+  bar->setIconSize({20, 20});
+  bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  bar->addActions({actions.open, actions.save});
+  bar->addSeparator();
+  bar->addActions({actions.undo, actions.redo});
+  bar->addSeparator();
+  addInGroups(bar, actions.view);
+  bar->addSeparator();
+  bar->addActions({actions.next_worst, actions.without_ik, actions.pin});
+}
+
+}  // namespace
+
+Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window) {
+  Actions actions;
+  actions.open =
+      make(window, Texts::tr("&Open…"), QKeySequence::Open, QStringLiteral("folder-open"));
+  actions.open->setToolTip(Texts::tr("Open a motion (.bvh, .amc) or a compressed clip (.mcpr)"));
+  actions.open_sample = make(window, Texts::tr("Open Sample &Walk"));
+  actions.choose_skeleton = make(window, Texts::tr("Choose Skeleton…"));
+  actions.compare = make(window, Texts::tr("&Compare with Original…"));
+  actions.save = make(window, Texts::tr("&Save"), QKeySequence::Save, QStringLiteral("save"));
+  actions.save->setToolTip(Texts::tr("Save the compressed clip as .mcpr"));
+  actions.save_as = make(window, Texts::tr("Save &As…"), QKeySequence::SaveAs);
+  actions.save_as->setToolTip(Texts::tr("Save as .mcpr, .bvh, .amc with its .asf, or .csv"));
+  actions.export_motion =
+      make(window, Texts::tr("E&xport Motion…"), Qt::CTRL | Qt::SHIFT | Qt::Key_E);
+  actions.export_motion->setToolTip(
+      Texts::tr("Write the motion that comes of the compressed clip, as its source was"));
+  actions.import_options = make(window, Texts::tr("&Import Options…"));
+  actions.import_options->setToolTip(
+      Texts::tr("Read the open motion again with another unit, up axis, rate or root"));
+  actions.batch = make(window, Texts::tr("&Batch Export…"), Qt::CTRL | Qt::Key_E);
+  actions.batch->setToolTip(Texts::tr("Compress many clips, verify each, and report on all"));
+  actions.export_library = make(window, Texts::tr("Batch Export of the &Library…"));
+  actions.export_library->setToolTip(
+      Texts::tr("Export all clips of the library, each by its own settings"));
+  actions.add_clips = make(window, Texts::tr("A&dd Clips to Library…"));
+  actions.add_folder = make(window, Texts::tr("Add &Folder to Library…"));
+  actions.new_project = make(window, Texts::tr("&New Project"), QKeySequence::New);
+  actions.open_project = make(window, Texts::tr("Open Pro&ject…"));
+  actions.save_project = make(window, Texts::tr("Sa&ve Project As…"));
+  actions.switch_slot = make(window, Texts::tr("Switch between &A and B"), Qt::Key_A);
+  actions.copy_slot = make(window, Texts::tr("&Copy Settings to the Other"), Qt::SHIFT | Qt::Key_A);
+  actions.pin = make(window, Texts::tr("&Pin This Result"), Qt::Key_D, QStringLiteral("pin"));
+  actions.pin->setToolTip(Texts::tr("Keep this result in view beside those of other settings (D)"));
+  actions.quit = make(window, Texts::tr("&Quit"), QKeySequence::Quit);
+  actions.undo = history->createUndoAction(window, Texts::tr("&Undo"));
+  actions.undo->setShortcut(QKeySequence::Undo);
+  actions.undo->setIcon(themedIcon(QStringLiteral("undo")));
+  actions.redo = history->createRedoAction(window, Texts::tr("&Redo"));
+  actions.redo->setShortcut(QKeySequence::Redo);
+  actions.redo->setIcon(themedIcon(QStringLiteral("redo")));
+  actions.next_worst =
+      make(window, Texts::tr("Next &Worst Frame"), Qt::Key_N, QStringLiteral("worst"));
+  actions.next_worst->setToolTip(
+      Texts::tr("Go to the frame with the greatest error, again: to the next worst (N)"));
+  actions.previous_worst = make(window, Texts::tr("P&revious Worst Frame"), Qt::SHIFT | Qt::Key_N);
+  actions.hold_feet = make(window, Texts::tr("&Hold Feet"), Qt::Key_I);
+  actions.hold_feet->setToolTip(Texts::tr("Compress with or without inverse kinematics (I)"));
+  actions.without_ik =
+      make(window, Texts::tr("Without I&K"), Qt::Key_B, QStringLiteral("without-ik"));
+  actions.without_ik->setCheckable(true);
+  actions.without_ik->setToolTip(
+      Texts::tr("See the compressed figure before its feet are held (B)"));
+  actions.reset_layout = make(window, Texts::tr("Reset La&yout"));
+  actions.study = make(window, Texts::tr("&Study…"), Qt::CTRL | Qt::Key_T);
+  actions.study->setToolTip(Texts::tr("Compare methods on many clips: size against error"));
+  actions.guide = make(window, Texts::tr("&Guide"), QKeySequence::HelpContents);
+  actions.shortcuts = make(window, Texts::tr("&Keyboard Shortcuts"), Qt::Key_Question);
+  actions.themes = makeChoices(
+      window,
+      {{Texts::tr("As the &System"), 0}, {Texts::tr("&Light"), 1}, {Texts::tr("&Dark"), 2}});
+  // Languages are named in themselves: who cannot read the others must find their own.
+  actions.languages = makeChoices(window, {{Texts::tr("As the &System"), QString()},
+                                           {QStringLiteral("English"), QStringLiteral("en")},
+                                           {QStringLiteral("Français"), QStringLiteral("fr")},
+                                           {QStringLiteral("日本語"), QStringLiteral("ja")}});
+  actions.about = make(window, Texts::tr("&About Mocapress"));
+  actions.view = makeViewActions(window);
+  actions.transport = TransportBar::makeActions(playback, window);
+  return actions;
+}
+
+RecentMenus addMenus(QMainWindow* window, const Actions& actions,
+                     const QList<QDockWidget*>& docks) {
+  RecentMenus recent;
+  QMenu* file = window->menuBar()->addMenu(Texts::tr("&File"));
+  file->addAction(actions.open);
+  recent.files = file->addMenu(Texts::tr("Open &Recent"));
+  file->addActions({actions.open_sample, actions.compare, actions.import_options});
+  file->addSeparator();
+  file->addActions({actions.new_project, actions.open_project});
+  recent.projects = file->addMenu(Texts::tr("Recent Projec&ts"));
+  file->addActions({actions.save_project, actions.add_clips, actions.add_folder});
+  file->addSeparator();
+  file->addActions({actions.save, actions.save_as, actions.export_motion});
+  file->addSeparator();
+  file->addActions({actions.batch, actions.export_library});
+  file->addSeparator();
+  file->addAction(actions.quit);
+
+  QMenu* edit = window->menuBar()->addMenu(Texts::tr("&Edit"));
+  edit->addActions({actions.undo, actions.redo});
+  edit->addSeparator();
+  edit->addActions({actions.switch_slot, actions.copy_slot, actions.pin});
+
+  QMenu* play = window->menuBar()->addMenu(Texts::tr("&Play"));
+  const TransportActions& transport = actions.transport;
+  play->addActions({transport.play, transport.backwards, transport.halt, transport.forwards});
+  play->addSeparator();
+  play->addActions({transport.previous, transport.next, transport.ten_back, transport.ten_on,
+                    transport.first, transport.last});
+  play->addSeparator();
+  play->addActions({actions.next_worst, actions.previous_worst});
+  play->addSeparator();
+  play->addActions(
+      {transport.loop, transport.range_from, transport.range_to, transport.whole_clip});
+
+  QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
+  addInGroups(view, actions.view);
+  view->addActions({actions.in_degrees, actions.as_seen});
+  view->addMenu(Texts::tr("Error S&cale"))->addActions(actions.error_scales->actions());
+  view->addMenu(Texts::tr("Angle Scale"))->addActions(actions.angle_scales->actions());
+  view->addSeparator();
+  view->addActions({actions.hold_feet, actions.without_ik});
+  view->addSeparator();
+  for (const QDockWidget* dock : docks) view->addAction(dock->toggleViewAction());
+  view->addSeparator();
+  view->addAction(actions.reset_layout);
+  view->addMenu(Texts::tr("The&me"))->addActions(actions.themes->actions());
+  view->addMenu(Texts::tr("Lan&guage"))->addActions(actions.languages->actions());
+
+  window->menuBar()->addMenu(Texts::tr("&Tools"))->addAction(actions.study);
+
+  window->menuBar()
+      ->addMenu(Texts::tr("&Help"))
+      ->addActions({actions.guide, actions.shortcuts, actions.about});
+  addToolBar(window, actions);
+  return recent;
+}
+
+}  // namespace mocapress

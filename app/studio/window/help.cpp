@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/window/help.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QFile>
+#include <QLocale>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace mocapress {
+namespace {
+
+struct Texts {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::Help)
+};
+
+constexpr QSize kSize(820, 720);
+
+/// Without the mark of the key that opens it.
+QString plain(QString text) {
+  return text.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+}
+
+QString rowsOf(const QMenu& menu) {
+  QString rows;
+  for (const QAction* action : menu.actions()) {
+    if (action->menu()) rows += rowsOf(*action->menu());
+    if (action->shortcut().isEmpty()) continue;
+    rows += QStringLiteral("<tr><td>%1</td><td>&nbsp;&nbsp;<b>%2</b></td></tr>")
+                .arg(plain(action->text()).toHtmlEscaped(),
+                     action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped());
+  }
+  return rows;
+}
+
+}  // namespace
+
+QString shortcutSheet(const QMenuBar& menus) {
+  QString html;
+  for (const QAction* top : menus.actions()) {
+    const QString rows = rowsOf(*top->menu());
+    if (!rows.isEmpty())
+      html += QStringLiteral("<h3>%1</h3><table cellpadding='3'>%2</table>")
+                  .arg(plain(top->text()), rows);
+  }
+  const QStringList mouse = {
+      Texts::tr("Left drag in the 3D view: turn"),
+      Texts::tr("Right or middle drag: move"),
+      Texts::tr("Wheel: nearer or further"),
+      Texts::tr("Click on a joint: choose it"),
+      Texts::tr("Wheel over the timeline: zoom; with Shift: move along"),
+      Texts::tr("Click on the scale of the error strip: choose another"),
+      Texts::tr("Drag an end of a contact: move it; right button: add or remove"),
+      Texts::tr("Shift and drag on the error strip: choose the range that is played")};
+  html += QStringLiteral("<h3>%1</h3><ul><li>%2</li></ul>")
+              .arg(Texts::tr("Mouse"), mouse.join(QStringLiteral("</li><li>")));
+  return html;
+}
+
+QString guideHtml() {
+  const QString language = QLocale().name().left(2);
+  for (const QString& one : {language, QStringLiteral("en")}) {
+    QFile file(QStringLiteral(":/guide/guide_%1.html").arg(one));
+    if (file.open(QIODevice::ReadOnly)) return QString::fromUtf8(file.readAll());
+  }
+  return {};
+}
+
+HelpWindow::HelpWindow(const QString& title, const QString& html, QWidget* parent)
+    : QDialog(parent) {
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(title);
+  resize(kSize);
+  auto* page = new QTextBrowser(this);
+  page->setAccessibleName(title);
+  page->setOpenExternalLinks(true);
+  page->setFrameShape(QFrame::NoFrame);
+  page->document()->setDocumentMargin(20);
+  page->setHtml(html);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(page);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/window/theme.h"
+
+#include <QApplication>
+#include <QDBusConnection>
+#include <QDBusMessage>
+#include <QDBusPendingCallWatcher>
+#include <QDBusPendingReply>
+#include <QSettings>
+#include <QToolTip>
+
+namespace mocapress {
+namespace {
+
+const QString kSetting = QStringLiteral("window/theme");
+const QString kService = QStringLiteral("org.freedesktop.portal.Desktop");
+const QString kObject = QStringLiteral("/org/freedesktop/portal/desktop");
+const QString kInterface = QStringLiteral("org.freedesktop.portal.Settings");
+const QString kGroup = QStringLiteral("org.freedesktop.appearance");
+const QString kKey = QStringLiteral("color-scheme");
+constexpr uint kPrefersDark = 1;  // of the portal's answers
+
+struct Colours {
+  QRgb window, base, alternate, text, faint, button, highlight, link, tip;
+};
+
+QPalette paletteOf(const Colours& colours) {
+  QPalette palette;
+  const auto set = [&](std::initializer_list<QPalette::ColorRole> roles, QRgb colour) {
+    for (const auto role : roles) palette.setColor(role, QColor(colour));
+  };
+  set({QPalette::Window}, colours.window);
+  set({QPalette::Base}, colours.base);
+  set({QPalette::AlternateBase}, colours.alternate);
+  set({QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText},
+      colours.text);
+  set({QPalette::PlaceholderText}, colours.faint);
+  set({QPalette::Button}, colours.button);
+  set({QPalette::ToolTipBase}, colours.tip);
+  set({QPalette::Highlight}, colours.highlight);
+  set({QPalette::HighlightedText, QPalette::BrightText}, 0xffffffff);
+  set({QPalette::Link, QPalette::LinkVisited}, colours.link);
+  const QColor button(colours.button);
+  palette.setColor(QPalette::Light, button.lighter(130));
+  palette.setColor(QPalette::Midlight, button.lighter(112));
+  palette.setColor(QPalette::Mid, button.darker(125));
+  palette.setColor(QPalette::Dark, button.darker(150));
+  palette.setColor(QPalette::Shadow, button.darker(210));
+  QColor disabled(colours.text);
+  disabled.setAlphaF(0.42F);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    palette.setColor(QPalette::Disabled, role, disabled);
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(colours.faint));
+  return palette;
+}
+
+}  // namespace
+
+QPalette lightPalette() {
+  return paletteOf({.window = 0xffefefef,
+                    .base = 0xffffffff,
+                    .alternate = 0xfff6f6f6,
+                    .text = 0xff16191c,
+                    .faint = 0xff62676d,
+                    .button = 0xffefefef,
+                    .highlight = 0xff2a7ab8,
+                    .link = 0xff1f5f99,
+                    .tip = 0xffffffff});
+}
+
+QPalette darkPalette() {
+  return paletteOf({.window = 0xff2b2e32,
+                    .base = 0xff1f2124,
+                    .alternate = 0xff26292d,
+                    .text = 0xffe6e8ea,
+                    .faint = 0xff9aa0a6,
+                    .button = 0xff363a3f,
+                    .highlight = 0xff3a86c2,
+                    .link = 0xff7fb8ea,
+                    .tip = 0xff3a3e43});
+}
+
+Theme::Theme(QObject* parent)
+    : QObject(parent),
+      choice_(static_cast<ThemeChoice>(QSettings().value(kSetting, 0).toInt())),
+      system_dark_(QApplication::palette().color(QPalette::Window).lightnessF() < 0.5F) {
+  askDesktop();
+  apply();
+}
+
+void Theme::choose(ThemeChoice choice) {
+  choice_ = choice;
+  QSettings().setValue(kSetting, static_cast<int>(choice));
+  apply();
+}
+
+void Theme::setSystemDark(bool dark) {
+  system_dark_ = dark;
+  apply();
+}
+
+/// Without a portal nothing answers, and Qt's own palette has told.
+void Theme::askDesktop() {
+  QDBusConnection bus = QDBusConnection::sessionBus();
+  if (!bus.isConnected()) return;
+  bus.connect(kService, kObject, kInterface, QStringLiteral("SettingChanged"), this,
+              SLOT(desktopChanged(QString, QString, QDBusVariant)));
+  QDBusMessage question =
+      QDBusMessage::createMethodCall(kService, kObject, kInterface, QStringLiteral("Read"));
+  question << kGroup << kKey;
+  auto* waiting = new QDBusPendingCallWatcher(bus.asyncCall(question), this);
+  connect(waiting, &QDBusPendingCallWatcher::finished, this, [this, waiting] {
+    const QDBusPendingReply<QDBusVariant> reply = *waiting;
+    if (!reply.isError()) desktopChanged(kGroup, kKey, reply.value());
+    waiting->deleteLater();
+  });
+}
+
+void Theme::desktopChanged(const QString& group, const QString& key, const QDBusVariant& value) {
+  if (group != kGroup || key != kKey) return;
+  QVariant scheme = value.variant();
+  // Older portals wrap it twice.
+  if (scheme.canConvert<QDBusVariant>()) scheme = scheme.value<QDBusVariant>().variant();
+  setSystemDark(scheme.toUInt() == kPrefersDark);
+}
+
+void Theme::apply() {
+  const bool dark =
+      choice_ == ThemeChoice::Dark || (choice_ == ThemeChoice::System && system_dark_);
+  const QPalette palette = dark ? darkPalette() : lightPalette();
+  QApplication::setPalette(palette);
+  QToolTip::setPalette(palette);
+}
+
+}  // namespace mocapress

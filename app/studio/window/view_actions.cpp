@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/window/view_actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QMainWindow>
+#include <QMenu>
+#include <QToolBar>
+
+#include "widgets/icons/themed_icon.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress {
+namespace {
+
+struct Texts {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::ViewActions)
+};
+
+QAction* make(QObject* parent, const char* icon, const QString& text, const QKeySequence& shortcut,
+              const QString& explanation) {
+  auto* action = new QAction(themedIcon(QString::fromLatin1(icon)), text, parent);
+  action->setShortcut(shortcut);
+  action->setToolTip(
+      QStringLiteral("%1 (%2)").arg(explanation, shortcut.toString(QKeySequence::NativeText)));
+  return action;
+}
+
+template <typename Bar>
+void addAll(Bar* bar, const ViewActions& actions) {
+  for (QAction* action : actions.inGroups())
+    action ? bar->addAction(action) : static_cast<void>(bar->addSeparator());
+}
+
+ViewOptions chosen(const ViewActions& actions, const ViewOptions& before) {
+  ViewOptions options = before;
+  for (std::size_t mode = 0; mode < actions.mode.size(); ++mode)
+    if (actions.mode[mode]->isChecked()) options.mode = static_cast<ViewMode>(mode);
+  options.swapped = actions.swap->isChecked();
+  options.blinking = actions.blink->isChecked();
+  options.by_error = actions.by_error->isChecked();
+  options.path = actions.path->isChecked();
+  options.in_place = actions.in_place->isChecked();
+  options.trail =
+      actions.trail->isChecked() ? actions.trail_poses->checkedAction()->data().toInt() : 0;
+  return options;
+}
+
+}  // namespace
+
+QList<QAction*> ViewActions::inGroups() const {
+  return {mode[0], mode[1], mode[2], swap,   blink,    nullptr, by_error,
+          path,    trail,   nullptr, follow, in_place, floor,   reset_camera};
+}
+
+ViewActions makeViewActions(QMainWindow* window) {
+  ViewActions actions;
+  const auto make_here = [window](const char* icon, const QString& text,
+                                  const QKeySequence& shortcut, const QString& explanation) {
+    return make(window, icon, text, shortcut, explanation);
+  };
+  actions.mode = {make_here("overlay", Texts::tr("&Overlay"), Qt::Key_1,
+                            Texts::tr("The original as a ghost over the compressed figure")),
+                  make_here("side-by-side", Texts::tr("&Side by Side"), Qt::Key_2,
+                            Texts::tr("Original and compressed figure beside each other")),
+                  make_here("wipe", Texts::tr("&Wipe"), Qt::Key_3,
+                            Texts::tr("One picture with a divider to drag, also while it plays"))};
+  actions.modes = new QActionGroup(window);
+  for (QAction* mode : actions.mode) {
+    mode->setCheckable(true);
+    actions.modes->addAction(mode);
+  }
+  actions.mode[0]->setChecked(true);
+  actions.swap = make_here("swap", Texts::tr("Sw&ap"), Qt::Key_X,
+                           Texts::tr("Exchange the places of original and compressed figure"));
+  actions.blink = make_here("blink", Texts::tr("&Blink"), Qt::Key_C,
+                            Texts::tr("Original and compressed figure take turns in one place"));
+  actions.by_error =
+      make_here("by-error", Texts::tr("Colour by &Error"), Qt::Key_E,
+                Texts::tr("Colour every joint by its distance from the original, in cm"));
+  actions.path = make_here("path", Texts::tr("&Path of the Joint"), Qt::Key_P,
+                           Texts::tr("The way of the chosen joint, half a second around now"));
+  actions.trail =
+      make_here("trail", Texts::tr("Ghost &Trail"), Qt::Key_T,
+                Texts::tr("Where the compressed figure was (blue) and will be (orange), faded"));
+  actions.trail_poses = new QActionGroup(window);
+  for (const int poses : {2, 4, 8}) {
+    QAction* choice =
+        actions.trail_poses->addAction(Texts::tr("%Ln pose(s) before and after", nullptr, poses));
+    choice->setCheckable(true);
+    choice->setData(poses);
+  }
+  actions.trail_poses->actions().at(1)->setChecked(true);
+  actions.follow = make_here("follow", Texts::tr("&Follow"), Qt::Key_F,
+                             Texts::tr("The camera moves with the figure"));
+  actions.in_place = make_here("in-place", Texts::tr("I&n Place"), Qt::Key_G,
+                               Texts::tr("Play without the root's way over the ground"));
+  actions.floor = make_here("floor", Texts::tr("F&loor View"), Qt::Key_V,
+                            Texts::tr("Look straight down, as on a plan"));
+  actions.reset_camera = make_here("fit", Texts::tr("&Reset Camera"), Qt::Key_R,
+                                   Texts::tr("Look at the whole figure again"));
+  for (QAction* action : {actions.swap, actions.blink, actions.by_error, actions.path,
+                          actions.trail, actions.follow, actions.in_place})
+    action->setCheckable(true);
+  return actions;
+}
+
+void connectViewActions(const ViewActions& actions, Viewport* viewport) {
+  const auto choose = [=] { viewport->setOptions(chosen(actions, viewport->options())); };
+  QObject::connect(actions.modes, &QActionGroup::triggered, viewport, choose);
+  QObject::connect(actions.trail_poses, &QActionGroup::triggered, viewport, choose);
+  for (const QAction* action : {actions.swap, actions.blink, actions.by_error, actions.path,
+                                actions.trail, actions.in_place})
+    QObject::connect(action, &QAction::toggled, viewport, choose);
+  QObject::connect(actions.follow, &QAction::toggled, viewport, &Viewport::setFollow);
+  QObject::connect(actions.floor, &QAction::triggered, viewport, &Viewport::lookDown);
+  QObject::connect(actions.reset_camera, &QAction::triggered, viewport, &Viewport::resetCamera);
+  actions.follow->setChecked(true);
+}
+
+void addInGroups(QMenu* menu, const ViewActions& actions) {
+  addAll(menu, actions);
+  menu->addMenu(Texts::tr("Poses of the Tra&il"))->addActions(actions.trail_poses->actions());
+}
+
+void addInGroups(QToolBar* bar, const ViewActions& actions) {
+  addAll(bar, actions);
+}
+
+}  // namespace mocapress

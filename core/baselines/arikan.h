@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Based on: O. Arikan, "Compression of Motion Capture Databases", 2006. Our reading:
+// - curves of one segment begin where those before ended, so that nothing has to be smoothed;
+// - k-means, not spectral clustering, and a length of segment and a number of clusters chosen for
+//   the tolerance;
+// - roots and translations are curves of their own, and feet have no signals of their own;
+// - 16-bit steps and DEFLATE in place of Huffman codes.
+// The bytes: METHODS.md.
+#pragma once
+
+#include "core/baselines/comparison_method.h"
+
+namespace mocapress {
+
+/// Clustered PCA of short Bezier curves of virtual markers, the database being the clip alone; a
+/// detail is a tolerance.
+const ComparisonMethod& arikan_method();
+
+/// Several motions whose segments share clusters and components.
+struct ArikanDatabase {
+  std::vector<std::byte> codebook;            // what they share
+  std::vector<std::vector<std::byte>> clips;  // each motion's own
+
+  std::size_t bytes() const;
+};
+
+/// All skeletons have the same joints and channels; lengths may differ. Throws Error otherwise.
+ArikanDatabase compress_database(std::span<const Motion> motions, Weighting weighting,
+                                 double tolerance_cm);
+
+/// Throws FormatError.
+Clip decode_from_database(const Skeleton& skeleton, double sample_rate_hz, int frames,
+                          std::span<const std::byte> codebook, std::span<const std::byte> clip);
+
+}  // namespace mocapress

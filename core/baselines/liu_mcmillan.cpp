@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Based on: G. Liu and L. McMillan, "Segment-Based Human Motion Compression", 2006. Our reading:
+// - the signals are the channels, made comparable by what they move on average, not markers;
+// - segments are halves of halves, as long as that saves bytes, not grown frame by frame;
+// - feet are not coded apart.
+// The bytes: METHODS.md.
+#include "core/baselines/liu_mcmillan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/byte_cursor.h"
+#include "core/baselines/cubic_spline.h"
+#include "core/baselines/key_frames.h"
+#include "core/baselines/principal_components.h"
+#include "core/baselines/series16.h"
+#include "core/baselines/tolerance_of_detail.h"
+#include "core/codec/format/deflate.h"
+#include "core/select/error_model.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kShortestSegment = 16;   // frames
+constexpr double kStepsPerOctave = 8;  // of the scales
+
+enum Node : std::uint8_t { kLeaf = 0, kHalves = 1 };
+
+double scale_of(std::int8_t exponent) {
+  return std::exp2(exponent / kStepsPerOctave);
+}
+
+/// What a channel moves on average: cm for a radian (or a cm).
+std::vector<std::int8_t> scale_exponents(const Motion& motion, Weighting weighting) {
+  constexpr double kLeast = 1;  // cm: so that nothing is lost altogether
+  const ErrorModel model(motion.skeleton, motion.clip, weighting);
+  std::vector<std::int8_t> exponents;
+  for (const auto& curvature : model.curvature().colwise()) {
+    const double mean = curvature.size() > 0 ? curvature.mean() : 0;
+    const double scale = std::max(std::sqrt(mean), kLeast);
+    exponents.push_back(static_cast<std::int8_t>(
+        std::clamp(std::round(kStepsPerOctave * std::log2(scale)), -127.0, 127.0)));
+  }
+  return exponents;
+}
+
+Eigen::RowVectorXd scales_of(const std::vector<std::int8_t>& exponents) {
+  Eigen::RowVectorXd scales(std::ssize(exponents));
+  std::transform(exponents.begin(), exponents.end(), scales.begin(), scale_of);
+  return scales;
+}
+
+/// The principal components of a segment, and of its halves if it has any.
+struct Segment {
+  PrincipalComponents poses;
+  std::unique_ptr<Segment> first;
+  std::unique_ptr<Segment> second;
+
+  explicit Segment(const Eigen::Ref<const Eigen::MatrixXd>& rows)
+      : poses(principal_components(rows)) {
+    const Eigen::Index half = rows.rows() / 2;
+    if (half < kShortestSegment) return;
+    first = std::make_unique<Segment>(rows.topRows(half));
+    second = std::make_unique<Segment>(rows.bottomRows(rows.rows() - half));
+  }
+};
+
+/// Writes segments so that the poses stay within a tolerance (cm).
+class SegmentWriter {
+ public:
+  SegmentWriter(double tolerance, double step) : tolerance_(tolerance), step_(step) {}
+
+  std::vector<std::byte> write(const Segment& segment) const {
+    std::vector<std::byte> whole = write_leaf(segment.poses);
+    if (!segment.first) return whole;
+    ByteWriter halves;
+    halves.write(static_cast<std::uint8_t>(kHalves));
+    halves.append(write(*segment.first));
+    halves.append(write(*segment.second));
+    return halves.bytes().size() < whole.size() ? halves.release() : whole;
+  }
+
+ private:
+  // Half of the squared error for what the components leave out, half for the key frames: what
+  // a spline misses is at worst some 2.5 times its root mean square.
+  std::vector<std::byte> write_leaf(const PrincipalComponents& poses) const {
+    const int components = poses.enough_for(tolerance_ * tolerance_ / 2);
+    ByteWriter writer;
+    writer.write(static_cast<std::uint8_t>(kLeaf));
+    writer.write(static_cast<std::uint16_t>(components));
+    write_series16(writer, poses.mean);
+    write_series16(writer, poses.basis.leftCols(components).reshaped());
+    const double at_worst = 2.5 * tolerance_ / std::sqrt(2.0 * std::max(components, 1));
+    for (int c = 0; c < components; ++c) write_curve(writer, poses.projections.col(c), at_worst);
+    return writer.release();
+  }
+
+  void write_curve(ByteWriter& writer, const Eigen::VectorXd& curve, double tolerance) const {
+    const std::vector<int> keys = choose_key_frames(curve, tolerance);
+    writer.write(static_cast<std::uint32_t>(keys.size()));
+    for (std::size_t i = 1; i < keys.size(); ++i)
+      writer.write(static_cast<std::uint8_t>(keys[i] - keys[i - 1]));
+    std::int16_t previous = 0;
+    for (const int key : keys) {
+      const auto value = static_cast<std::int16_t>(std::lround(curve(key) / step_));
+      writer.write(static_cast<std::uint16_t>(value - previous));  // modulo 2^16
+      previous = value;
+    }
+  }
+
+  double tolerance_;
+  double step_;
+};
+
+class LiuMcMillanCoder : public DetailCoder {
+ public:
+  LiuMcMillanCoder(const Motion& motion, Weighting weighting)
+      : exponents_(scale_exponents(motion, weighting)),
+        scaled_(motion.clip.channels * scales_of(exponents_).asDiagonal()),
+        whole_(scaled_) {
+    const Eigen::MatrixXd centred = scaled_.rowwise() - whole_.poses.mean.transpose();
+    if (centred.size() > 0) reach_ = 2 * centred.rowwise().norm().maxCoeff();
+  }
+
+  int most_detail() const override { return kMostDetail; }
+
+  std::vector<std::byte> encode(int detail) const override {
+    const double tolerance = tolerance_of_detail(detail);
+    const auto step = static_cast<float>(std::max({tolerance / 8, reach_ / 32000, 1e-6}));
+    ByteWriter writer;
+    for (const std::int8_t exponent : exponents_) writer.write(exponent);
+    writer.write(step);
+    writer.append(SegmentWriter(tolerance, step).write(whole_));
+    return deflate_bytes(writer.bytes());
+  }
+
+ private:
+  std::vector<std::int8_t> exponents_;
+  Eigen::MatrixXd scaled_;  // frames x channels, about cm
+  Segment whole_;
+  double reach_ = 0;  // no projection is larger
+};
+
+/// Reads what SegmentWriter wrote.
+class SegmentReader {
+ public:
+  SegmentReader(ByteReader& reader, double step) : reader_(reader), step_(step) {}
+
+  void read(Eigen::Ref<Eigen::MatrixXd> rows) const {
+    const Eigen::Index half = rows.rows() / 2;
+    const auto node = reader_.read<std::uint8_t>();
+    if (node == kLeaf) return read_leaf(rows);
+    if (node != kHalves || half < kShortestSegment) reader_.fail("a segment of no known kind");
+    read(rows.topRows(half));
+    read(rows.bottomRows(rows.rows() - half));
+  }
+
+ private:
+  void read_leaf(Eigen::Ref<Eigen::MatrixXd> rows) const {
+    const int components = reader_.read<std::uint16_t>();
+    if (components > std::min(rows.rows(), rows.cols()))
+      reader_.fail("more components than there are");
+    const Eigen::VectorXd mean = read_series16(reader_, rows.cols());
+    const Eigen::VectorXd basis = read_series16(reader_, rows.cols() * components);
+    Eigen::MatrixXd projections(rows.rows(), components);
+    for (auto curve : projections.colwise()) curve = read_curve(rows.rows());
+    rows = (projections * basis.reshaped(rows.cols(), components).transpose()).rowwise() +
+           mean.transpose();
+  }
+
+  Eigen::VectorXd read_curve(Eigen::Index frames) const {
+    const auto count = reader_.read<std::uint32_t>();
+    std::vector<int> keys{0};
+    for (std::uint32_t i = 1; i < count; ++i) {
+      const int gap = reader_.read<std::uint8_t>();
+      if (gap == 0) reader_.fail("two keys at one frame");
+      keys.push_back(keys.back() + gap);
+      if (keys.back() >= frames) reader_.fail("a key after the segment's end");
+    }
+    if (count == 0 || keys.back() != frames - 1) reader_.fail("no key at the segment's end");
+    Eigen::VectorXd values(count);
+    std::uint16_t value = 0;
+    for (double& at_key : values) {
+      value = static_cast<std::uint16_t>(value + reader_.read<std::uint16_t>());
+      at_key = step_ * static_cast<std::int16_t>(value);
+    }
+    return natural_spline(keys, values);
+  }
+
+  ByteReader& reader_;
+  double step_;
+};
+
+class LiuMcMillan : public ComparisonMethod {
+ public:
+  std::string_view name() const override { return "liu-mcmillan"; }
+  std::string_view title() const override { return "Segment PCA, after Liu & McMillan"; }
+  std::string_view note() const override {
+    return "Our reading of Liu and McMillan (2006): PCA of segments, adaptive key frames with "
+           "cubic splines; on channels weighted by what they move, not on markers, and with no "
+           "special care of the feet.";
+  }
+
+  std::unique_ptr<DetailCoder> analyse(const Motion& motion, Weighting weighting) const override {
+    return std::make_unique<LiuMcMillanCoder>(motion, weighting);
+  }
+
+  Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
+              std::span<const std::byte> motion) const override {
+    const int channels = skeleton.channel_count();
+    const auto bytes = inflate_bytes(motion, most_bytes(frames, channels));
+    ByteReader reader(bytes);
+    std::vector<std::int8_t> exponents(static_cast<std::size_t>(channels));
+    for (std::int8_t& exponent : exponents) exponent = reader.read<std::int8_t>();
+    const double step = reader.read<float>();
+    if (!std::isfinite(step)) reader.fail("a step that is not finite");
+    Clip clip{sample_rate_hz, Eigen::MatrixXd(frames, channels)};
+    SegmentReader(reader, step).read(clip.channels);
+    reader.expect_end();
+    clip.channels *= scales_of(exponents).cwiseInverse().asDiagonal();
+    return clip;
+  }
+
+ private:
+  /// A component needs 2 bytes a channel and 3 a frame, and has no more of them than frames.
+  static std::size_t most_bytes(int frames, int channels) {
+    const auto n = static_cast<std::size_t>(frames);
+    const auto k = static_cast<std::size_t>(channels);
+    const std::size_t leaves = n / kShortestSegment + 1;
+    return sizeof(float) + k + 5 * n * k + leaves * (32 + 4 * k + series16_bytes(k));
+  }
+};
+
+}  // namespace
+
+const ComparisonMethod& liu_mcmillan_method() {
+  static const LiuMcMillan kMethod;
+  return kMethod;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/decode/decoder.h"
+
+#include "core/codec/decode/signal_decoder.h"
+#include "core/codec/format/signal_coder.h"
+#include "core/codec/format/wide_limits.h"
+
+namespace mocapress {
+namespace {
+
+/// Those of the runtime decoder, by what a signal moves.
+std::vector<float> wide_limits(const CompressedClip& clip) {
+  std::vector<runtime::JointModel> joints(static_cast<std::size_t>(clip.skeleton.joint_count()));
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const Joint& joint = clip.skeleton.joints()[j];
+    joints[j].parent = joint.parent;
+    for (int i = 0; i < 3; ++i) {
+      joints[j].offset[i] = joint.offset(i);
+      if (joint.end_site) joints[j].end_site[i] = static_cast<float>((*joint.end_site)(i));
+    }
+  }
+  std::vector<float> reach(joints.size());
+  runtime::find_reach(joints.data(), clip.skeleton.joint_count(), reach.data());
+  std::vector<float> limits;
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    for (const ChannelKind kind : clip.skeleton.joints()[j].channels)
+      limits.push_back(runtime::wide_limit(static_cast<std::uint8_t>(kind), reach[j]));
+  if (clip.correction)
+    limits.resize(limits.size() + static_cast<std::size_t>(clip.correction->signal_count()),
+                  runtime::kWideLength);
+  return limits;
+}
+
+std::vector<float> steps_of(const QuantisedSignals& coded) {
+  std::vector<float> steps;
+  for (int s = 0; s < coded.signal_count(); ++s) steps.push_back(static_cast<float>(coded.step(s)));
+  return steps;
+}
+
+/// frames x signals of a segment.
+Eigen::MatrixXd decode_segment(const QuantisedSignals& coded, Basis basis,
+                               const std::vector<float>& limits) {
+  return decode_signals(coded.values, steps_of(coded), basis, limits);
+}
+
+EndPoses end_poses(const CompressedClip& compressed) {
+  const auto [first, last] = steps_at_ends(compressed);
+  return {*compressed.ends, first, last};
+}
+
+void visit_adaptive(const CompressedClip& compressed, const DecodedBlock& visit) {
+  const std::vector<float> limits = wide_limits(compressed);
+  const SegmentLayout layout = compressed.segment_layout();
+  const int channels = compressed.skeleton.channel_count();
+  AdaptiveSegments segments(compressed);
+  SegmentJoin join(layout);
+  for (int k = 0; k < layout.count(); ++k) {
+    Eigen::MatrixXd samples = join.next(decode_segment(segments.next(), compressed.basis, limits));
+    Uncorrected block{.clip = {compressed.sample_rate_hz, {}}, .differences = {}};
+    if (compressed.correction) {
+      block.clip.channels = samples.leftCols(channels);
+      block.differences = samples.rightCols(samples.cols() - channels);
+    } else {
+      block.clip.channels = std::move(samples);
+    }
+    visit(layout.first(k), block);
+  }
+}
+
+void visit_words(const CompressedClip& compressed, const DecodedBlock& visit) {
+  const std::vector<std::byte> words = unpack_motion(compressed);
+  ByteReader reader(words);
+  const auto next = [&](int count) {
+    return read_signals(reader, compressed.basis, compressed.frames, count);
+  };
+  Uncorrected decoded;
+  decoded.clip = {compressed.sample_rate_hz, next(compressed.skeleton.channel_count())};
+  if (compressed.correction) decoded.differences = next(compressed.correction->signal_count());
+  reader.expect_end();
+  visit(0, decoded);
+}
+
+}  // namespace
+
+std::pair<std::vector<float>, std::vector<float>> steps_at_ends(const CompressedClip& compressed) {
+  AdaptiveSegments segments(compressed);
+  const std::vector<float> first = steps_of(segments.next());
+  const int count = compressed.segment_layout().count();
+  if (count == 1) return {first, first};
+  for (int k = 1; k < count - 1; ++k) segments.skip();
+  return {first, steps_of(segments.next())};
+}
+
+void visit_decoded(const CompressedClip& compressed, const DecodedBlock& visit) {
+  if (uses_rle(compressed.coding))
+    visit_words(compressed, visit);
+  else
+    visit_adaptive(compressed, visit);
+}
+
+void put_rows(Eigen::MatrixXd rows, int first, int all, Eigen::MatrixXd& matrix) {
+  if (rows.rows() == all) {
+    matrix = std::move(rows);
+    return;
+  }
+  matrix.resize(all, rows.cols());
+  matrix.middleRows(first, rows.rows()) = rows;
+}
+
+Clip in_source_channels(const CompressedClip& compressed, Clip coded) {
+  if (compressed.forms.empty()) return coded;
+  return with_forms(Motion{compressed.coded_skeleton(), std::move(coded)},
+                    rotation_forms(compressed.skeleton))
+      .clip;
+}
+
+Uncorrected decode_uncorrected(const CompressedClip& compressed) {
+  Uncorrected decoded{.clip = {compressed.sample_rate_hz, {}}, .differences = {}};
+  visit_decoded(compressed, [&](int first, Uncorrected& block) {
+    put_rows(std::move(block.clip.channels), first, compressed.frames, decoded.clip.channels);
+    put_rows(std::move(block.differences), first, compressed.frames, decoded.differences);
+  });
+  Finish(compressed).add_ends(0, decoded.clip.channels);
+  return decoded;
+}
+
+Finish::Finish(const CompressedClip& compressed)
+    : compressed_(compressed), coded_skeleton_(compressed.coded_skeleton()) {
+  if (compressed.ends) ends_.emplace(end_poses(compressed));
+}
+
+CorrectionReport Finish::operator()(int first_frame, Uncorrected& block) const {
+  CorrectionReport report;
+  if (compressed_.correction)
+    report = apply_correction(coded_skeleton_, compressed_.correction->effectors,
+                              compressed_.correction->solver, block.differences, block.clip);
+  add_ends(first_frame, block.clip.channels);
+  return report;
+}
+
+void Finish::add_ends(int first_frame, Eigen::MatrixXd& channels) const {
+  if (ends_) ends_->add_to(first_frame, compressed_.frames, channels);
+}
+
+Clip decode(const CompressedClip& compressed) {
+  Clip clip{compressed.sample_rate_hz, {}};
+  const Finish finish(compressed);
+  visit_decoded(compressed, [&](int first, Uncorrected& block) {
+    finish(first, block);
+    put_rows(std::move(block.clip.channels), first, compressed.frames, clip.channels);
+  });
+  return in_source_channels(compressed, std::move(clip));
+}
+
+}  // namespace mocapress

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "core/codec/format/own_memory.h"
+#include "core/motion/skeleton.h"
+#include "core/runtime/mocapress_runtime.h"
+
+namespace mocapress {
+
+/// A .mcpr file of the coding adaptive, opened as an engine opens it: by the C interface of the
+/// runtime decoder, within its default limits.
+class RuntimeClip {
+ public:
+  /// Throws FormatError with what the runtime decoder says against the file.
+  explicit RuntimeClip(std::span<const std::byte> file);
+
+  mcpr_clip_info info() const { return mcpr_clip_describe(clip_); }
+
+  /// Whether joints and channels are these, to the 32-bit floats that the file has. What turned
+  /// axes a joint has is not told.
+  bool has_joints_of(const Skeleton& skeleton) const;
+
+  /// All channels of some frames with their IK correction, a row each: cm or radians.
+  Eigen::MatrixXd frames(int first, int count) const;
+
+ private:
+  std::optional<AlignedBytes> resident_;
+  const mcpr_clip* clip_ = nullptr;
+  std::optional<AlignedBytes> scratch_;  // of frames()
+};
+
+}  // namespace mocapress

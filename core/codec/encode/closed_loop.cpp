@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/closed_loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/codec/encode/closed_loop_run.h"
+
+namespace mocapress {
+namespace {
+
+constexpr double kLeastMoved =
+    1e-4;  // of the mean curvature: what moves no landmark counts so much
+
+}  // namespace
+
+ClosedLoop::ClosedLoop(const Coefficients& transform, const Clip& original, const ErrorModel& model)
+    : transform_(transform),
+      original_(original),
+      model_(model),
+      synthesis_(transform.lifting),
+      curvature_(model.curvature()) {
+  const std::vector<double> gains = transform.lifting.gains();
+  gains_ = Eigen::Map<const Eigen::VectorXd>(gains.data(), std::ssize(gains));
+  if (curvature_.size() > 0) {
+    const double least = std::max(kLeastMoved * curvature_.mean(), 1e-12);
+    curvature_ = curvature_.cwiseMax(least).eval();
+  }
+  mean_curvature_ = curvature_.colwise().sum() / std::max(original.frames(), 1);
+  mean_curvature_ = mean_curvature_.cwiseMax(1e-12).eval();
+  coefficient_curvature_ = coefficient_curvature(curvature_);
+}
+
+Eigen::MatrixXd ClosedLoop::coefficient_curvature(const Eigen::MatrixXd& curvature) const {
+  Eigen::MatrixXd of_coefficients(curvature.rows(), curvature.cols());
+  parallel_for(Eigen::Index{0}, curvature.cols(), [&](Eigen::Index j) {
+    for (int c = 0; c < transform_.per_channel(); ++c) {
+      const SynthesisFunction function = synthesis_[c];
+      of_coefficients(c, j) = function.values.cwiseAbs2().dot(
+          curvature.col(j).segment(function.first, function.values.size()));
+    }
+  });
+  return of_coefficients;
+}
+
+double ClosedLoop::finest_scale() const {
+  double largest = 1e-6;
+  for (int j = 0; j < transform_.channels(); ++j)
+    if (original_.frames() > 0)
+      largest =
+          std::max(largest, transform_.values.col(j).cwiseProduct(gains_).cwiseAbs().maxCoeff() *
+                                std::sqrt(mean_curvature_(j)));
+  return 16 * largest / kMostSteps;
+}
+
+double likely_scale(const Target& target, std::size_t raw_bytes) {
+  // As the study clips have it, roughly.
+  const auto for_error = [](double eps_cm) { return 1.8 * std::pow(eps_cm / 0.5, 1.35); };
+  const auto for_ratio = [&](double ratio) { return for_error(0.5 * std::pow(ratio / 130, 1.25)); };
+  switch (target.kind) {
+    case Target::Kind::Error:
+      return for_error(target.value);
+    case Target::Kind::MaxError:
+      return for_error(target.value / 8);
+    case Target::Kind::Visibility:
+      return for_error(0.1 * target.value);
+    case Target::Kind::Ratio:
+      return for_ratio(target.value);
+    case Target::Kind::Size:
+      return for_ratio(static_cast<double>(raw_bytes) / std::max(target.value, 1.0));
+    case Target::Kind::CoefficientRatio:
+      return for_ratio(2 * target.value);
+  }
+  return 1;
+}
+
+ClosedLoop::Result ClosedLoop::quantise(double scale, const ClosedLoopWork& work,
+                                        const Eigen::VectorXd& frame_weights,
+                                        const Observer<ClosedLoopProgress>& observer) const {
+  return ClosedLoopRun(*this, scale, frame_weights).run(work, observer);
+}
+
+ClosedLoop::Result ClosedLoop::coarsen(QuantisedSignals coded, ErrorBound& bound,
+                                       const Observer<ClosedLoopProgress>& observer) const {
+  return ClosedLoopRun(*this, std::move(coded), {}).coarsen(bound, observer);
+}
+
+}  // namespace mocapress

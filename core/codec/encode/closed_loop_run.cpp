@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/closed_loop_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mocapress {
+namespace {
+
+constexpr double kDeadZone = 0.1;  // what is added before details are cut to whole steps
+
+/// Steps shrink with what a channel moves, squared, to half this power. One would give all channels
+/// the same share of the error; on corpus/train this takes the fewest bytes (ADAPTIVE.md).
+constexpr double kStepPower = 0.9;
+
+// Squared steps of error that a bit is worth, in the first sweep and in the last.
+constexpr double kFirstBitPrice = 0.032;
+constexpr double kLastBitPrice = 0.024;
+
+double price_of(int sweep, int sweeps) {
+  return kFirstBitPrice + (kLastBitPrice - kFirstBitPrice) * sweep / std::max(sweeps - 1, 1);
+}
+
+}  // namespace
+
+ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, const Eigen::VectorXd& frame_weights)
+    : loop_(loop),
+      bands_(loop.transform_.lifting.bands()),
+      frame_weights_(frame_weights),
+      rates_(bands_),
+      bit_price_(kFirstBitPrice) {
+  if (!weighted()) return;
+  weighted_curvature_ = frame_weights.asDiagonal() * loop.curvature_;
+  weighted_coefficient_curvature_ = loop.coefficient_curvature(weighted_curvature_);
+}
+
+ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, double scale,
+                             const Eigen::VectorXd& frame_weights)
+    : ClosedLoopRun(loop, frame_weights) {
+  coded_.scale = file_scale(scale);
+  for (int j = 0; j < channels(); ++j)
+    coded_.step_exponent.push_back(
+        std::clamp(static_cast<int>(std::lround(kStepPower * std::log2(loop.mean_curvature_(j)))),
+                   kLeastStepExponent, kMostStepExponent));
+  coded_.values.resize(loop.transform_.per_channel(), channels());
+  for (int j = 0; j < channels(); ++j)
+    coded_.values.col(j) = quantised(j, loop.transform_.values.col(j));
+  begin();
+}
+
+ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, QuantisedSignals coded,
+                             const Eigen::VectorXd& frame_weights)
+    : ClosedLoopRun(loop, frame_weights) {
+  coded_ = std::move(coded);
+  begin();
+}
+
+void ClosedLoopRun::begin() {
+  errors_ = reconstruct(coded_, loop_.transform_.lifting) - loop_.original_.channels;
+  pass([&](int j) { energy_ += errors_.col(j).dot(gradient_); });
+}
+
+ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
+                                      const Observer<ClosedLoopProgress>& observer) {
+  ClosedLoop::Result result;
+  if (work.compensate) pass([&](int j) { compensate(j); });
+  result.eps_cm = eps_cm();
+  const bool with_pairs = work.pairs && !weighted() && !loop_.model_.has_terms();
+  while (result.sweeps < work.sweeps && result.complete) {
+    // Pairs are for what single moves have left.
+    if (with_pairs && 2 * result.sweeps >= work.sweeps) sweep_pairs();
+    bit_price_ = price_of(result.sweeps, work.sweeps);
+    pass([&](int j) { sweep(j); });
+    ++result.sweeps;
+    result.eps_cm = eps_cm();
+    result.complete = should_continue(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
+  }
+  result.coded = std::move(coded_);
+  return result;
+}
+
+ClosedLoop::Result ClosedLoopRun::coarsen(ErrorBound& bound,
+                                          const Observer<ClosedLoopProgress>& observer) {
+  constexpr double kDearer = 1.5;  // what a bit may cost, from sweep to sweep
+  constexpr int kMostSweeps = 24;
+  constexpr int kLeastSweeps = 4;
+  constexpr double kNear = 0.985;
+  constexpr double kLeastGain = 0.01;
+  ClosedLoop::Result result;
+  bound_ = &bound;
+  double bits = total_bits();
+  for (bool gains = true; gains && result.sweeps < kMostSweeps && result.complete;) {
+    bit_price_ *= kDearer;
+    bound.begin(decoded());
+    pass([&](int j) { sweep(j); });
+    ++result.sweeps;
+    result.eps_cm = eps_cm();
+    const double before = std::exchange(bits, total_bits());
+    gains = result.sweeps < kLeastSweeps || bound.furthest() < kNear ||
+            bits < (1 - kLeastGain) * before;
+    result.complete = should_continue(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
+  }
+  result.coded = std::move(coded_);
+  return result;
+}
+
+void ClosedLoopRun::move(int j, const Eigen::VectorXd& delta) {
+  add_energy(j, 0, gradient_, delta);
+  errors_.col(j) += delta;
+  under_way_->add(delta);
+}
+
+void ClosedLoopRun::compensate(int j) {
+  constexpr double kDamping = 0.1;
+  const auto curve = curvature().col(j).array();
+  const double mean = curve.mean();
+  Eigen::VectorXd target =
+      loop_.original_.channels.col(j).array() -
+      (gradient_.array() - curve * errors_.col(j).array()) / (curve + kDamping * mean);
+  const std::span<double> samples(target.data(), static_cast<std::size_t>(target.size()));
+  loop_.transform_.lifting.forward(samples, samples);
+  const Eigen::VectorXi values = quantised(j, target);
+  if (values == coded_.values.col(j)) return;
+  target = values.cast<double>() * coded_.step(j);
+  target.array() /= loop_.gains_.array();
+  loop_.transform_.lifting.inverse(samples, samples);
+  const Eigen::VectorXd delta = target - loop_.original_.channels.col(j) - errors_.col(j);
+  const double saved = rates_.bits(values_of(j)) - rates_.bits(values.data());
+  if (energy_of(j, delta) >= lambda() * saved) return;
+  coded_.values.col(j) = values;
+  move(j, delta);
+}
+
+void ClosedLoopRun::sweep(int j) {
+  // A zero that needs less than half a step stays one; moves of its neighbours change that
+  // little.
+  constexpr double kPromising = 0.4;
+  Eigen::VectorXd gradient = gradient_;
+  Eigen::VectorXd delta = Eigen::VectorXd::Zero(gradient.size());
+  const int* const values = values_of(j);
+  const double channel_step = coded_.step(j);
+  Alive alive = alive_in(j);
+  if (bound_) bound_->next();
+  Eigen::VectorXd slopes(gradient.size());
+  loop_.transform_.lifting.correlate(
+      std::span(gradient.data(), static_cast<std::size_t>(gradient.size())),
+      std::span(slopes.data(), static_cast<std::size_t>(slopes.size())));
+  for (int b = 0; b < static_cast<int>(bands_.size()); ++b)
+    for (int i = 0; i < bands_[static_cast<std::size_t>(b)].size; ++i) {
+      const int c = bands_[static_cast<std::size_t>(b)].first + i;
+      if (values[c] == 0 && std::abs(slopes(c)) < kPromising * coefficient_curvature()(c, j) *
+                                                      channel_step / loop_.gains_(c))
+        continue;
+      const Place place = place_of(j, b, i, gradient);
+      const int moved = best_move(place, alive);
+      if (moved == 0) continue;
+      const auto& [first, function] = place.function;
+      const Eigen::VectorXd change = moved * place.step * function;
+      if (bound_ && !bound_->allows(first, change)) continue;
+      if (bound_) bound_->add(first, change);
+      set(place, values[c] + moved, alive);
+      delta.segment(first, change.size()) += change;
+      gradient.segment(first, change.size()) +=
+          change.cwiseProduct(curvature().col(j).segment(first, change.size()));
+    }
+  if (!delta.isZero(0)) move(j, delta);
+}
+
+double ClosedLoopRun::eps_cm() const {
+  return std::sqrt(std::max(energy_, 0.0) / std::max(loop_.original_.frames(), 1));
+}
+
+double ClosedLoopRun::total_bits() {
+  double bits = 0;
+  for (int j = 0; j < channels(); ++j) bits += rates_.bits(values_of(j));
+  return bits;
+}
+
+Eigen::VectorXi ClosedLoopRun::quantised(int j, const Eigen::VectorXd& coefficients) const {
+  const Eigen::ArrayXd steps = coefficients.cwiseProduct(loop_.gains_) / coded_.step(j);
+  Eigen::VectorXi values(steps.size());
+  for (Eigen::Index c = 0; c < steps.size(); ++c) {
+    const double limited = std::clamp<double>(steps(c), -kMostSteps, kMostSteps);
+    const auto cut = static_cast<int>(std::abs(limited) + (c < bands_[0].size ? 0.5 : kDeadZone));
+    values(c) = limited < 0 ? -cut : cut;
+  }
+  return values;
+}
+
+double ClosedLoopRun::energy_of(int j, const Eigen::VectorXd& delta) const {
+  return delta.dot(2 * gradient_ + curvature().col(j).cwiseProduct(delta));
+}
+
+void ClosedLoopRun::add_energy(int j, Eigen::Index first,
+                               const Eigen::Ref<const Eigen::VectorXd>& gradient,
+                               const Eigen::VectorXd& delta) {
+  // By the model's own curvature: that of what moves nothing was raised, so as to have a step.
+  Eigen::VectorXd curve = loop_.model_.curvature().col(j).segment(first, delta.size());
+  if (weighted()) curve.array() *= frame_weights_.segment(first, delta.size()).array();
+  energy_ += delta.dot(2 * gradient + curve.cwiseProduct(delta));
+}
+
+ClosedLoopRun::Place ClosedLoopRun::place_of(
+    int j, int band, int index, const Eigen::Ref<const Eigen::VectorXd>& gradient) const {
+  const int c = bands_[static_cast<std::size_t>(band)].first + index;
+  const SynthesisFunction function = loop_.synthesis_[c];
+  const double step = coded_.step(j) / loop_.gains_(c);
+  return {
+      .channel = j,
+      .band = band,
+      .index = index,
+      .function = function,
+      .step = step,
+      .slope = step * function.values.dot(gradient.segment(function.first, function.values.size())),
+      .curve = step * step * coefficient_curvature()(c, j)};
+}
+
+void ClosedLoopRun::set(const Place& place, int value, Alive& alive) {
+  int& mine = value_at(place);
+  alive[static_cast<std::size_t>(place.band)] += (value != 0) - (mine != 0);
+  mine = value;
+}
+
+ClosedLoopRun::Alive ClosedLoopRun::alive_in(int j) const {
+  Alive alive;
+  const int* const values = coded_.values.col(j).data();
+  for (const Band& band : bands_)
+    alive.push_back(static_cast<int>(
+        band.size - std::count(values + band.first, values + band.first + band.size, 0)));
+  return alive;
+}
+
+int ClosedLoopRun::best_move(const Place& place, const Alive& alive) {
+  const int now = value_at(place);
+  if (now == 0 && std::abs(place.slope) <= 0.5 * place.curve) return 0;
+  const double best = now - place.slope / place.curve;
+  if (!(std::abs(best) < kMostSteps)) return 0;
+  const auto nearest = static_cast<int>(std::lround(best));
+  const int smaller = nearest - (nearest > 0) + (nearest < 0);
+  const double bits_now = bits_with(place, alive, now);
+  int move = 0;
+  double least = 0;
+  for (const int value : {nearest, smaller}) {
+    if (value == now) continue;
+    const double x = value - now;
+    const double cost = x * (2 * place.slope + x * place.curve) +
+                        lambda() * (bits_with(place, alive, value) - bits_now);
+    if (cost >= least) continue;
+    least = cost;
+    move = value - now;
+  }
+  return move;
+}
+
+double ClosedLoopRun::bits_with(const Place& place, const Alive& alive, int value) {
+  const Band& band = bands_[static_cast<std::size_t>(place.band)];
+  int* const values = values_of(place.channel);
+  const int i = place.index;
+  if (place.band == 0)
+    return RateTable::coarse_bits(value - (i > 0 ? values[i - 1] : 0)) +
+           (i + 1 < band.size ? RateTable::coarse_bits(values[i + 1] - value) : 0);
+  // A band that is zero throughout takes next to nothing.
+  const bool was_something = values[band.first + i] != 0;
+  const bool others = alive[static_cast<std::size_t>(place.band)] > (was_something ? 1 : 0);
+  const double waking = others || value == 0 ? 0 : 4 + 0.05 * band.size;
+  return waking + rates_.bits_around(values, place.band, i, value);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 5.1.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/codec/encode/difference_fit.h"
+#include "core/codec/format/compressed_clip.h"
+#include "core/feet/contact_spans.h"
+#include "core/select/point_term.h"
+
+namespace mocapress {
+
+/// The frames at which effectors are brought to where the original has them.
+enum class CorrectAt {
+  EveryFrame,  // the paper's
+  Contacts,    // in contact spans, blended in and out beside them
+};
+
+/// "every-frame", "contacts".
+std::string_view name(CorrectAt at);
+
+struct CorrectionOptions {
+  std::vector<int> joints;      // to be effectors; empty: the feet
+  std::optional<double> ratio;  // r_IK: coefficients of the differences / kept ones; unset: the
+                                // encoder finds the split between motion and correction
+  IkSolver solver = IkSolver::NearestPose;
+  CorrectAt at = CorrectAt::EveryFrame;
+};
+
+/// Encodes what a reconstruction lacks at its effectors.
+class CorrectionEncoder {
+ public:
+  /// `original_tracks` as landmark_tracks() gives them; in `contacts` the
+  /// effectors are held better, or nowhere else.
+  /// Throws Error when there is nothing to correct or a joint cannot be moved.
+  CorrectionEncoder(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
+                    const CorrectionOptions& options, const std::vector<ContactSpan>& contacts,
+                    double sample_rate_hz);
+
+  /// How errors of the motion count when this correction follows: for each limb.
+  std::vector<PointResponse> responses(const Clip& original,
+                                       const Eigen::MatrixXd& original_tracks) const;
+
+  CodedCorrection correction() const { return {solver_, effectors_}; }
+
+  /// The coefficients that the differences get: total / ratio in all.
+  DifferenceFit select(const Clip& reconstructed, double ratio, Basis basis,
+                       const CodedStep& coded_step) const;
+
+ private:
+  void limit_to_contacts(const std::vector<Effector>& effectors, PointResponse& response) const;
+
+  const Skeleton& skeleton_;
+  IkSolver solver_;
+  CorrectAt at_;
+  std::vector<Effector> effectors_;
+  Eigen::MatrixXd original_;  // frames x 3 * effectors, cm
+  Eigen::MatrixXd contacts_;  // frames x effectors: 1 in contact, falling smoothly to 0 beside it
+};
+
+}  // namespace mocapress

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/encoder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "core/codec/decode/decoder.h"
+#include "core/codec/encode/clip_analysis.h"
+#include "core/codec/encode/original.h"
+#include "core/codec/encode/targeted_encode.h"
+#include "core/codec/format/room.h"
+#include "core/feet/feet.h"
+#include "core/ik/knee.h"
+
+namespace mocapress {
+namespace {
+
+/// Decodes what an encoding came to, measures it, and keeps of it what is asked for.
+class Outcome {
+ public:
+  Outcome(const ClipAnalysis& analysis, const EncodeOptions& options,
+          const CompressedClip& compressed)
+      : original_(compressed.segments ? Original(analysis.motion()) : original_of(analysis)),
+        keeps_all_(!options.figures_only),
+        compressed_(compressed),
+        finish_(compressed),
+        distortion_(compressed.skeleton, compressed.frames,
+                    keeps_all_ || !compressed.segments ? Detail::Distances : Detail::Figures),
+        footskate_(contacts_for(analysis, options), compressed.sample_rate_hz),
+        visibility_(compressed.skeleton, compressed.frames, compressed.sample_rate_hz,
+                    contacts_for(analysis, options)) {
+    if (compressed.correction)
+      knees_.emplace(compressed.skeleton, compressed.correction->effectors);
+  }
+
+  void run(const TargetedEncoding& found, Encoding& encoding) {
+    if (keeps_all_) decoded_.sample_rate_hz = compressed_.sample_rate_hz;
+    visit_decoded(compressed_, [&](int first, Uncorrected& block) { add(first, block); });
+    encoding.decoded = std::move(decoded_);
+    encoding.distortion = distortion_.distortion();
+    if (!keeps_all_) encoding.distortion.distances.resize(0, 0);
+    encoding.footskate = footskate_.footskate();
+    encoding.visibility = visibility_.visibility();
+    if (!knees_) return;
+    correction_.ratio = found.correction_ratio;
+    correction_.slide_without_cm = found.slide_without_cm;
+    correction_.bytes = compressed_.correction_bytes();
+    correction_.fastest_knee = knees_->fastest();
+    correction_.fastest_knee_of_original = fastest_knee(
+        original_.motion().skeleton, compressed_.correction->effectors, original_.motion().clip);
+    encoding.correction = std::move(correction_);
+  }
+
+ private:
+  void add(int first, Uncorrected& block) {
+    finish(first, block);
+    original_.compare(first, compressed_.skeleton, block.clip,
+                      [&](int from, const TrackRows& original, const TrackRows& decoded) {
+                        distortion_.add(from, original, decoded);
+                        footskate_.add(from, original, decoded);
+                        visibility_.add(from, original, decoded);
+                      });
+    if (keeps_all_)
+      put_rows(std::move(block.clip.channels), first, compressed_.frames, decoded_.channels);
+  }
+
+  void finish(int first, Uncorrected& block) {
+    if (knees_ && keeps_all_) {
+      Eigen::MatrixXd uncorrected = block.clip.channels;
+      finish_.add_ends(first, uncorrected);
+      put_rows(std::move(uncorrected), first, compressed_.frames, correction_.uncorrected.channels);
+    }
+    correction_.report.add(finish_(first, block));
+    if (knees_) knees_->add(block.clip);
+  }
+
+  const Original original_;
+  const bool keeps_all_;
+  const CompressedClip& compressed_;
+  const Finish finish_;
+  DistortionMeter distortion_;
+  FootskateMeter footskate_;
+  VisibilityMeter visibility_;
+  std::optional<KneeSpeed> knees_;  // none: no correction
+  CorrectionResult correction_;
+  Clip decoded_;
+};
+
+/// The clip that these options lead to.
+ClipShape shape_for(const Motion& motion, const EncodeOptions& options) {
+  const int frames = motion.clip.frames();
+  ClipShape shape{motion.skeleton, motion.clip.sample_rate_hz,
+                  options.method == Method::ClosedLoop ? even_segments(frames, options.segments)
+                                                       : SegmentLayout::whole(frames)};
+  if (options.correction)
+    shape.effectors =
+        static_cast<int>(options.correction->joints.empty() ? find_feet(motion.skeleton).size()
+                                                            : options.correction->joints.size());
+  return shape;
+}
+
+}  // namespace
+
+std::string_view name(Effort effort) {
+  switch (effort) {
+    case Effort::Draft:
+      return "draft";
+    case Effort::Default:
+      return "default";
+    case Effort::Best:
+      return "best";
+  }
+  return "unknown";
+}
+
+Coding effective_coding(const EncodeOptions& options) {
+  return options.method == Method::ClosedLoop ? Coding::Adaptive : options.coding;
+}
+
+Encoder::Encoder(Motion motion) : analysis_(std::make_unique<ClipAnalysis>(std::move(motion))) {}
+Encoder::~Encoder() = default;
+
+const Motion& Encoder::motion() const {
+  return analysis_->motion();
+}
+const Eigen::MatrixXd& Encoder::original_tracks() const {
+  return analysis_->original_tracks();
+}
+
+const Eigen::MatrixXd& Encoder::original_body() const {
+  return analysis_->original_body();
+}
+
+const std::vector<ContactSpan>& Encoder::contacts() const {
+  return analysis_->contacts();
+}
+
+Encoding Encoder::encode(const EncodeOptions& options,
+                         const Observer<EncodeProgress>& observer) const {
+  const auto start = std::chrono::steady_clock::now();
+  EncodeOptions effective = options;
+  effective.coding = effective_coding(options);
+  check_room(shape_for(motion(), effective));
+  if (!effective.loop) effective.loop = analysis_->loop();
+  // Segments are put into other forms one by one: the whole would be in memory twice.
+  const bool is_whole = even_segments(motion().clip.frames(), effective.segments).count() == 1;
+  const ClipAnalysis& analysis = effective.method == Method::ClosedLoop && is_whole
+                                     ? analysis_->in_chosen_forms()
+                                     : *analysis_;
+  TargetedEncoding found = encode_to_target(analysis, effective, observer);
+
+  found.compressed.known.reset();  // what is measured is what the bytes say
+  Encoding encoding;
+  Outcome(analysis, effective, found.compressed).run(found, encoding);
+  encoding.compressed = std::move(found.compressed);
+  encoding.compressed.loop = *effective.loop;
+  if (effective.method == Method::ClosedLoop &&
+      analysis_->chosen_forms() != rotation_forms(motion().skeleton)) {
+    encoding.compressed.forms = analysis_->chosen_forms();
+    encoding.compressed.skeleton = motion().skeleton;
+    if (!options.figures_only)
+      encoding.decoded = in_source_channels(encoding.compressed, std::move(encoding.decoded));
+  }
+  encoding.compressed.provenance = {options.method, options.weighting, options.seed,
+                                    static_cast<float>(encoding.distortion.eps(options.weighting)),
+                                    static_cast<float>(encoding.distortion.max.cm)};
+  encoding.coefficient_ratio =
+      static_cast<double>(motion().clip.channels.size()) / std::max(found.count, 1);
+  encoding.iterations = found.iterations;
+  encoding.complete = found.complete;
+  encoding.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return encoding;
+}
+
+}  // namespace mocapress

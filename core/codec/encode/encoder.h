@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", sections 4 and 5.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/base/progress.h"
+#include "core/codec/encode/correction_encoder.h"
+#include "core/codec/encode/importance.h"
+#include "core/codec/encode/segments.h"
+#include "core/codec/encode/target.h"
+#include "core/feet/footskate.h"
+#include "core/metrics/distortion.h"
+#include "core/metrics/visibility.h"
+
+namespace mocapress {
+
+class ClipAnalysis;
+
+/// How long a closed loop may look for something smaller. The others know one effort only.
+enum class Effort {
+  Draft,    // while a slider moves: about the target, which is not promised
+  Default,  // the target is met
+  Best,     // a few per cent smaller, for some ten times the time
+};
+
+/// "draft", "default", "best".
+std::string_view name(Effort effort);
+
+struct EncodeOptions {
+  Method method = Method::Annealed;
+  Coding coding = Coding::Deflate;
+  Basis basis = Basis::Cubic;
+  Weighting weighting = Weighting::BoneEnds;
+  Target target;
+  std::uint64_t seed = 1;  // of the annealing; the same seed gives the same bytes
+  Effort effort = Effort::Default;
+  Importance importance;                             // heeded by annealing and the closed loop
+  std::optional<CorrectionOptions> correction;       // its size counts in ratio and size
+  std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
+  SegmentPlan segments;                              // of a closed loop
+  Ends ends = Ends::Even;                            // of a closed loop; their bytes count
+  std::optional<Loop> loop;                          // whether it is one; unset: find_loop()
+  bool figures_only = false;                         // what the encoding is made of: Encoding
+};
+
+/// The coding that will be used: the closed loop has one of its own, whatever was asked for.
+Coding effective_coding(const EncodeOptions& options);
+
+/// The state of a running encode. A target other than the coefficient ratio takes several passes.
+struct EncodeProgress {
+  int pass = 0;        // from 0
+  int iteration = 0;   // of this pass's annealing, or sweeps of a closed loop
+  int step = 0;        // coefficients moved at a time: halves until it is 0; 0 in a closed loop
+  int first_step = 0;  // the step the pass began with
+  double eps_cm = 0;   // by the quadratic model, in the chosen weighting
+};
+
+/// What an IK correction did to a clip.
+struct CorrectionResult {
+  double ratio = 0;                        // r_IK, asked for or found
+  std::optional<double> slide_without_cm;  // where it was found: footskate without a correction
+  std::size_t bytes = 0;                   // of the motion's
+  CorrectionReport report;
+  Clip uncorrected;         // in the channels as coded; empty where only figures were asked for
+  double fastest_knee = 0;  // radians/s, with the correction
+  double fastest_knee_of_original = 0;
+};
+
+/// A finished encode, decoded again and measured. Where only figures are asked for, the decoded
+/// clip and the distances stay empty and percentiles are those of DistanceCounts: of a closed loop
+/// in segments, what encoding takes then does not grow with the clip, but for the contacts, what is
+/// seen in each tenth of a second, the coded bytes and, under a hard maximum, a weight for each
+/// frame.
+struct Encoding {
+  CompressedClip compressed;
+  Clip decoded;
+  Distortion distortion;
+  Footskate footskate;
+  Visibility visibility;
+  std::optional<CorrectionResult> correction;
+  double coefficient_ratio = 0;  // the paper's r
+  int iterations = 0;            // of the last annealing, or sweeps of the closed loop
+  double seconds = 0;
+  bool complete = true;  // false: the observer ended it early
+};
+
+/// Compresses one motion, as often and with whatever options one likes: what does not depend on
+/// them (transform, order of coefficients, original poses) is computed once, when first asked for.
+/// Const and safe to use from several threads at a time.
+class Encoder {
+ public:
+  explicit Encoder(Motion motion);
+  ~Encoder();
+
+  const Motion& motion() const;
+
+  /// landmark_tracks() and body_tracks() of the original.
+  const Eigen::MatrixXd& original_tracks() const;
+  const Eigen::MatrixXd& original_body() const;
+
+  /// Of the feet, found on the original.
+  const std::vector<ContactSpan>& contacts() const;
+
+  /// Throws TargetMissed when no number of coefficients meets the target, and Error when a
+  /// correction is asked for that the skeleton does not allow.
+  Encoding encode(const EncodeOptions& options,
+                  const Observer<EncodeProgress>& observer = {}) const;
+
+ private:
+  std::unique_ptr<const ClipAnalysis> analysis_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/end_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "core/codec/decode/decoder.h"
+#include "core/codec/format/end_poses.h"
+#include "core/metrics/distortion.h"
+#include "core/motion/body_tracks.h"
+
+namespace mocapress {
+namespace {
+
+/// How far an end may be off.
+struct Tolerance {
+  Weighting weighting;
+  double cm;
+  bool at_most;  // no point further off; else the RMS over the points
+};
+
+constexpr double kEven = 0.8;  // of the target
+constexpr double kExact = 0.1;
+
+Tolerance tolerance_of(const EncodeOptions& options, double share, double eps_cm) {
+  const bool at_most = options.target.kind == Target::Kind::MaxError;
+  const bool is_error = at_most || options.target.kind == Target::Kind::Error;
+  return {options.weighting, share * (is_error ? options.target.value : eps_cm), at_most};
+}
+
+/// Angles by the shorter way round.
+Eigen::RowVectorXd lacking(const Skeleton& skeleton, const Eigen::RowVectorXd& original,
+                           const Eigen::RowVectorXd& decoded) {
+  Eigen::RowVectorXd difference = original - decoded;
+  Eigen::Index c = 0;
+  for (const Joint& joint : skeleton.joints())
+    for (const ChannelKind kind : joint.channels) {
+      if (is_rotation(kind)) difference(c) = std::remainder(difference(c), 2 * std::numbers::pi);
+      ++c;
+    }
+  return difference;
+}
+
+/// One end of a clip beside its original, the end's own frame first. What is wanted of that frame
+/// is the original's pose but for `error`, in channels.
+class End {
+ public:
+  End(const Skeleton& skeleton, const Eigen::MatrixXd& original, Eigen::MatrixXd decoded,
+      const Tolerance& tolerance, const Eigen::RowVectorXd& error)
+      : skeleton_(skeleton),
+        tolerance_(tolerance),
+        errors_(skeleton, tolerance.weighting),
+        original_(tracks(original)),
+        wanted_(tracks(original.row(0) + error)),
+        decoded_(std::move(decoded)),
+        lacking_(lacking(skeleton, original.row(0) + error, decoded_.row(0))) {}
+
+  /// What becomes of the frames beside it where so many take part.
+  struct Reach {
+    int frames;
+    double squares;            // cm^2, the sum over all frames looked at
+    Eigen::RowVectorXd slope;  // how the errors change to the frame beside it. cm
+  };
+
+  std::vector<Reach> reaches() const {
+    std::vector<Reach> found;
+    for (int frames = 1; frames <= decoded_.rows(); frames *= 2) {
+      Eigen::MatrixXd with = decoded_;
+      for (int t = 0; t < frames; ++t)
+        with.row(t) += static_cast<double>(runtime::end_share(t, frames)) * lacking_;
+      const Eigen::MatrixXd at = tracks(with);
+      const Eigen::Index beside = std::min<Eigen::Index>(1, at.rows() - 1);
+      found.push_back({frames, (errors_.squared(original_, at) * errors_.measured().weights).sum(),
+                       at.row(beside) - original_.row(beside) - at.row(0) + original_.row(0)});
+    }
+    return found;
+  }
+
+  /// Rounded to whole steps of each channel.
+  Eigen::VectorXi rounded(const std::vector<float>& steps, int step_exponent) const {
+    Eigen::VectorXi whole(lacking_.size());
+    for (Eigen::Index c = 0; c < whole.size(); ++c) {
+      constexpr double kMost = (1 << runtime::kMostEndDigits) - 1;
+      const double step = runtime::end_value(1, steps[static_cast<std::size_t>(c)], step_exponent);
+      whole(c) = static_cast<int>(std::lround(std::clamp(lacking_(c) / step, -kMost, kMost)));
+    }
+    return whole;
+  }
+
+  bool is_exact(const Eigen::VectorXi& whole, const std::vector<float>& steps,
+                int step_exponent) const {
+    Eigen::MatrixXd pose = decoded_.topRows(1);
+    for (Eigen::Index c = 0; c < whole.size(); ++c)
+      pose(0, c) = static_cast<double>(
+          static_cast<float>(pose(0, c)) +
+          runtime::end_value(whole(c), steps[static_cast<std::size_t>(c)], step_exponent));
+    const Eigen::MatrixXd squared = errors_.squared(wanted_, tracks(pose));
+    const double square =
+        tolerance_.at_most ? squared.maxCoeff() : (squared * errors_.measured().weights).value();
+    return std::sqrt(square) <= tolerance_.cm;
+  }
+
+  /// Nothing where the pose will do as it is, else what is lacking in the coarsest steps that do.
+  std::pair<int, Eigen::VectorXi> coarsest(const std::vector<float>& steps) const {
+    constexpr int kFirst = -4;
+    Eigen::VectorXi whole = Eigen::VectorXi::Zero(lacking_.size());
+    if (is_exact(whole, steps, 0)) return {0, whole};
+    int step_exponent = kFirst;
+    for (; step_exponent < runtime::kMostEndStepExponent; ++step_exponent) {
+      whole = rounded(steps, step_exponent);
+      if (is_exact(whole, steps, step_exponent)) break;
+    }
+    return {step_exponent, whole};
+  }
+
+  /// The error that this leaves.
+  Eigen::RowVectorXd error_with(const Eigen::VectorXi& whole, const std::vector<float>& steps,
+                                int step_exponent) const {
+    Eigen::RowVectorXd error = -lacking_;
+    for (Eigen::Index c = 0; c < whole.size(); ++c)
+      error(c) += runtime::end_value(whole(c), steps[static_cast<std::size_t>(c)], step_exponent);
+    return error;
+  }
+
+ private:
+  Eigen::MatrixXd tracks(const Eigen::MatrixXd& channels) const {
+    return body_tracks(skeleton_, {1, channels});
+  }
+
+  const Skeleton& skeleton_;
+  Tolerance tolerance_;
+  PointErrors errors_;
+  Eigen::MatrixXd original_;
+  Eigen::MatrixXd wanted_;  // one row
+  Eigen::MatrixXd decoded_;
+  Eigen::RowVectorXd lacking_;
+};
+
+/// As far as the errors of neighbouring frames are alike.
+const End::Reach& best_of(const std::vector<End::Reach>& reaches) {
+  return *std::min_element(reaches.begin(), reaches.end(),
+                           [](const auto& a, const auto& b) { return a.squares < b.squares; });
+}
+
+/// Of a loop: where the velocity's error changes least from the last frame to the first, at some
+/// cost to the rest.
+std::array<int, 2> smoothest(const std::vector<End::Reach>& first,
+                             const std::vector<End::Reach>& last) {
+  constexpr double kMost = 1.5;  // times the squares of the best
+  const double most = kMost * (best_of(first).squares + best_of(last).squares);
+  std::array<int, 2> found{best_of(first).frames, best_of(last).frames};
+  double least = std::numeric_limits<double>::infinity();
+  for (const End::Reach& a : first)
+    for (const End::Reach& b : last) {
+      // Seen from the end, the last frame's slope is against time.
+      const double bend = (a.slope + b.slope).squaredNorm();
+      if (a.squares + b.squares > most || bend >= least) continue;
+      least = bend;
+      found = {a.frames, b.frames};
+    }
+  return found;
+}
+
+}  // namespace
+
+bool codes_ends(const EncodeOptions& options) {
+  if (options.method != Method::ClosedLoop || options.ends == Ends::Free) return false;
+  if (options.effort == Effort::Draft) return options.ends == Ends::Exact;
+  const bool loops = options.loop.value_or(Loop::None) != Loop::None;
+  return loops || options.ends == Ends::Exact || options.target.kind != Target::Kind::MaxError;
+}
+
+int frames_at_ends(int frames) {
+  constexpr int kMost = 32;
+  return std::min(frames, kMost);
+}
+
+void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_skeleton,
+              const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last) {
+  CompressedClip& compressed = trial.compressed;
+  compressed.ends.reset();
+  const auto rows = static_cast<int>(original_first.rows());
+  const int channels = coded_skeleton.channel_count();
+  Eigen::MatrixXd decoded_first(rows, channels);  // the first frame first
+  Eigen::MatrixXd decoded_last(rows, channels);   // the last frame first
+  const Finish finish(compressed);
+  visit_decoded(compressed, [&](int first, Uncorrected& block) {
+    finish(first, block);
+    const Eigen::MatrixXd& found = block.clip.channels;
+    for (int i = 0; i < rows; ++i) {
+      const int last = compressed.frames - 1 - i;
+      if (i >= first && i < first + found.rows()) decoded_first.row(i) = found.row(i - first);
+      if (last >= first && last < first + found.rows())
+        decoded_last.row(i) = found.row(last - first);
+    }
+  });
+  const auto tolerance = [&](double share) { return tolerance_of(options, share, trial.eps_cm); };
+  const bool is_exact = options.ends == Ends::Exact || compressed.correction;  // else feet slide
+  const double share = is_exact ? kExact : kEven;
+  const bool is_loop = options.loop.value_or(Loop::None) != Loop::None;
+  const auto [first_steps, last_steps] = steps_at_ends(compressed);
+
+  Eigen::RowVectorXd error = Eigen::RowVectorXd::Zero(channels);
+  const End first(coded_skeleton, original_first, std::move(decoded_first), tolerance(share),
+                  error);
+  const auto [first_fineness, first_whole] = first.coarsest(first_steps);
+  if (is_loop) error = first.error_with(first_whole, first_steps, first_fineness);
+  const End last(coded_skeleton, original_last.colwise().reverse(), std::move(decoded_last),
+                 tolerance(is_loop ? kExact : share), error);
+  const auto [last_fineness, last_whole] = last.coarsest(last_steps);
+  if (first_whole.isZero() && last_whole.isZero()) return;
+
+  CodedEnds ends{.step_exponent = {first_fineness, last_fineness}, .steps = {}};
+  const std::vector<End::Reach> of_first = first.reaches();
+  const std::vector<End::Reach> of_last = last.reaches();
+  // Frames that a correction holds in place are left there.
+  if (!compressed.correction)
+    ends.reach = is_loop ? smoothest(of_first, of_last)
+                         : std::array{best_of(of_first).frames, best_of(of_last).frames};
+  ends.steps.resize(channels, 2);
+  ends.steps << first_whole, last_whole;
+  compressed.ends = std::move(ends);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/error_bound.h"
+
+#include <cmath>
+
+#include "core/motion/joint_rotation.h"
+
+namespace mocapress {
+namespace {
+
+Eigen::MatrixX3d cross(const Eigen::MatrixX3d& a, const Eigen::MatrixX3d& b) {
+  Eigen::MatrixX3d product(a.rows(), 3);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    product.col(i) = a.col(j).cwiseProduct(b.col(k)) - a.col(k).cwiseProduct(b.col(j));
+  }
+  return product;
+}
+
+std::vector<Landmark> bounded_points(const Skeleton& skeleton, Weighting weighting) {
+  if (is_on_bones(weighting)) return landmarks(skeleton);
+  std::vector<Landmark> points = joint_origins(skeleton);
+  const std::vector<Landmark> measured = measured_points(skeleton, weighting).points;
+  points.insert(points.end(), measured.begin(), measured.end());
+  return points;
+}
+
+}  // namespace
+
+ErrorBound::ErrorBound(const Motion& original, Weighting weighting, double bound_cm)
+    : skeleton_(original.skeleton),
+      squared_bound_(bound_cm * bound_cm),
+      points_(bounded_points(original.skeleton, weighting)),
+      original_tracks_(point_tracks(original.skeleton, points_, original.clip)) {}
+
+void ErrorBound::begin(const Clip& decoded) {
+  channels_ = decoded.channels;
+  errors_ = point_tracks(skeleton_, points_, decoded) - original_tracks_;
+  squared_.resize(errors_.rows(), std::ssize(points_));
+  for (Eigen::Index p = 0; p < squared_.cols(); ++p)
+    squared_.col(p) = errors_.middleCols<3>(3 * p).rowwise().squaredNorm();
+  channel_ = -1;
+  joint_ = -1;
+  world_from_joint_.clear();
+}
+
+double ErrorBound::furthest() const {
+  return squared_.size() == 0 ? 0 : std::sqrt(squared_.maxCoeff() / squared_bound_);
+}
+
+void ErrorBound::next() {
+  ++channel_;
+  while (joint_ < skeleton_.channel_joint(channel_)) enter_joint(joint_ + 1);
+  // Turns of this joint that come before; the last of them was the channel before.
+  const int before = channel_ - 1;
+  if (before >= skeleton_.first_channel(joint_) && is_rotation(skeleton_.channel_kind(before)))
+    for (std::size_t t = 0; t < world_from_axes_.size(); ++t)
+      world_from_axes_[t] *= axis_rotation(axis_of(skeleton_.channel_kind(before)),
+                                           channels_(static_cast<Eigen::Index>(t), before));
+  find_moved();
+}
+
+/// Leaves the joint before, whose channels are final in this pass.
+void ErrorBound::enter_joint(int joint) {
+  const auto frames = static_cast<std::size_t>(channels_.rows());
+  if (joint > 0) {
+    const Joint& left = skeleton_.joint(joint - 1);
+    Rotations world_from_left(frames, Eigen::Matrix3d::Identity());
+    const auto count = static_cast<Eigen::Index>(left.channels.size());
+    for (std::size_t t = 0; t < frames; ++t) {
+      if (left.parent >= 0)
+        world_from_left[t] = world_from_joint_[static_cast<std::size_t>(left.parent)][t];
+      if (count > 0)
+        world_from_left[t] *=
+            skeleton_.axes(joint - 1).parent_from_axes *
+            joint_rotation(left, channels_.row(static_cast<Eigen::Index>(t))
+                                     .segment(skeleton_.first_channel(joint - 1), count)) *
+            skeleton_.axes(joint - 1).axes_from_joint;
+    }
+    world_from_joint_.push_back(std::move(world_from_left));
+  }
+  joint_ = joint;
+  const Joint& entered = skeleton_.joint(joint);
+  world_from_axes_.assign(frames, skeleton_.axes(joint).parent_from_axes);
+  if (entered.parent < 0) return;
+  const Rotations& world_from_parent = world_from_joint_[static_cast<std::size_t>(entered.parent)];
+  for (std::size_t t = 0; t < frames; ++t)
+    world_from_axes_[t] = world_from_parent[t] * skeleton_.axes(joint).parent_from_axes;
+}
+
+void ErrorBound::find_moved() {
+  const ChannelKind kind = skeleton_.channel_kind(channel_);
+  const bool rotates = is_rotation(kind);
+  const int parent = skeleton_.joint(joint_).parent;
+  Eigen::MatrixX3d axes(channels_.rows(), 3);
+  for (Eigen::Index t = 0; t < axes.rows(); ++t) {
+    const auto frame = static_cast<std::size_t>(t);
+    if (rotates)
+      axes.row(t) = world_from_axes_[frame].col(axis_of(kind));
+    else if (parent < 0)
+      axes.row(t) = Eigen::RowVector3d::Unit(axis_of(kind));
+    else
+      axes.row(t) = world_from_joint_[static_cast<std::size_t>(parent)][frame].col(axis_of(kind));
+  }
+  const auto place = [&](Eigen::Index landmark) -> Eigen::MatrixX3d {
+    return original_tracks_.middleCols<3>(3 * landmark) + errors_.middleCols<3>(3 * landmark);
+  };
+  const Eigen::MatrixX3d origin = place(joint_);
+  moved_.clear();
+  for (Eigen::Index p = 0; p < std::ssize(points_); ++p) {
+    if (!is_at_or_below(points_[static_cast<std::size_t>(p)].joint, joint_)) continue;
+    if (!rotates) {
+      moved_.push_back({p, axes, {}});
+    } else if (p != joint_) {
+      Eigen::MatrixX3d along = cross(axes, place(p) - origin);
+      moved_.push_back({p, along, cross(axes, along)});
+    }
+  }
+}
+
+bool ErrorBound::is_at_or_below(int joint, int other) const {
+  while (joint > other) joint = skeleton_.joint(joint).parent;
+  return joint == other;
+}
+
+ErrorBound::Step ErrorBound::step_of(const Eigen::VectorXd& delta) const {
+  if (!is_rotation(skeleton_.channel_kind(channel_))) return {delta, {}};
+  return {delta.array().sin(), 1 - delta.array().cos()};
+}
+
+Eigen::ArrayX3d ErrorBound::errors_after(const Moved& moved, Eigen::Index first_frame,
+                                         const Step& step) const {
+  const Eigen::Index frames = step.along.size();
+  Eigen::ArrayX3d errors =
+      errors_.block(first_frame, 3 * moved.landmark, frames, 3).array() +
+      moved.along.middleRows(first_frame, frames).array().colwise() * step.along;
+  if (step.across.size() > 0)
+    errors += moved.across.middleRows(first_frame, frames).array().colwise() * step.across;
+  return errors;
+}
+
+bool ErrorBound::allows(Eigen::Index first_frame, const Eigen::VectorXd& delta) const {
+  const Step step = step_of(delta);
+  for (const Moved& moved : moved_) {
+    const Eigen::ArrayXd then = errors_after(moved, first_frame, step).square().rowwise().sum();
+    const auto now = squared_.col(moved.landmark).segment(first_frame, delta.size()).array();
+    if ((then > squared_bound_ && then > now).any()) return false;
+  }
+  return true;
+}
+
+void ErrorBound::add(Eigen::Index first_frame, const Eigen::VectorXd& delta) {
+  const Step step = step_of(delta);
+  const Eigen::Index frames = delta.size();
+  channels_.col(channel_).segment(first_frame, frames) += delta;
+  for (Moved& moved : moved_) {
+    const Eigen::ArrayX3d errors = errors_after(moved, first_frame, step);
+    errors_.block(first_frame, 3 * moved.landmark, frames, 3) = errors.matrix();
+    squared_.col(moved.landmark).segment(first_frame, frames) =
+        errors.square().rowwise().sum().matrix();
+    if (step.across.size() == 0) continue;
+    auto along = moved.along.middleRows(first_frame, frames).array();
+    auto across = moved.across.middleRows(first_frame, frames).array();
+    const Eigen::ArrayX3d turned =
+        along.colwise() * (1 - step.across) + across.colwise() * step.along;
+    across = (across.colwise() * (1 - step.across) - along.colwise() * step.along).eval();
+    along = turned;
+  }
+}
+
+}  // namespace mocapress

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "core/codec/encode/count_search.h"
+#include "core/codec/encode/original.h"
+#include "core/codec/encode/target.h"
+#include "core/metrics/visibility.h"
+
+namespace mocapress {
+
+/// A target put to one clip: how near a coded clip comes, and whether that keeps the promise.
+/// An "excess" is the logarithm of what was reached over what was asked, signed so that it grows
+/// with the number of coefficients.
+class Goal {
+ public:
+  /// The contacts are those of the feet, which the eye looks at.
+  Goal(Original original, const Target& target, Weighting weighting,
+       std::vector<ContactSpan> contacts)
+      : original_(std::move(original)),
+        target_(target),
+        weighting_(weighting),
+        contacts_(std::move(contacts)) {}
+
+  /// The target's quantity for a coded clip, which is only decoded for the errors.
+  double achieved(const CompressedClip& compressed) const;
+  double achieved(std::size_t motion_bytes, const std::function<Clip()>& decoded) const;
+  double excess(double achieved) const;
+
+  /// Not on the forbidden side of a bound; within 2 % of a ratio.
+  bool met(double excess) const;
+
+  /// Throws TargetMissed unless met. Coding every coefficient in less space than asked for keeps
+  /// the promise too.
+  void require_met(double excess, double achieved, bool everything_kept) const;
+
+  /// What the eye sees of a coded clip.
+  Visibility seen(const CompressedClip& compressed) const;
+
+  /// Raises the weights of frames at which a clip exceeds a hard maximum or is noticed.
+  void raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const;
+
+  /// Whether `excess` is a better outcome than `other`: a kept promise first, then nearness.
+  bool better(double excess, double other) const;
+
+  /// Excesses so near to the target that a search need not go on.
+  CountSearch::Window window() const;
+
+  /// A first guess at the paper's r.
+  double likely_coefficient_ratio() const;
+
+ private:
+  /// Visits what was decoded beside the original.
+  using Comparison = std::function<void(const Original::Visit&)>;
+  double achieved(std::size_t motion_bytes, const Comparison& compare) const;
+  Visibility seen(const Comparison& compare) const;
+
+  Original original_;
+  Target target_;
+  Weighting weighting_;
+  std::vector<ContactSpan> contacts_;
+};
+
+}  // namespace mocapress

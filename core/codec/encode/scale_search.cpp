@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/scale_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/codec/encode/count_search.h"
+
+namespace mocapress {
+namespace {
+
+bool is_by_error(const Target& target) {
+  return target.kind == Target::Kind::Error || target.kind == Target::Kind::MaxError ||
+         target.kind == Target::Kind::Visibility;
+}
+
+/// Trials of one search, of which the best is kept: what is nearest to the target or, of what meets
+/// it, the cheapest.
+class ScaleSearch {
+ public:
+  ScaleSearch(const Goal& goal, const Target& target, const AttemptScale& attempt)
+      : goal_(goal), target_(target), attempt_(attempt) {}
+
+  /// Returns the excess.
+  double try_scale(double scale, const ClosedLoopWork& work) {
+    Trial trial = attempt_(scale, work, {});
+    ++tried_;
+    const double excess = trial.excess;
+    const bool complete = trial.complete;
+    if (!best_ || is_better(trial)) best_ = std::move(trial);
+    best_->complete = complete;  // a search cut short is not, whichever trial was the best
+    return excess;
+  }
+
+  void prefer_cheap() { cheapest_ = true; }
+  int tried() const { return tried_; }
+  bool may_go_on() const { return !best_ || best_->complete; }
+  bool met() const { return best_ && goal_.met(best_->excess); }
+  bool is_near(double distance) const { return met() && std::abs(best_->excess) < distance; }
+  Trial& best() { return *best_; }
+
+ private:
+  bool is_better(const Trial& trial) const {
+    if (cheapest_ && goal_.met(trial.excess) && goal_.met(best_->excess))
+      return price(trial) < price(*best_);
+    return !goal_.better(best_->excess, trial.excess);
+  }
+
+  /// Of what the target does not say.
+  double price(const Trial& trial) const {
+    return is_by_error(target_) ? static_cast<double>(trial.compressed.motion_bytes())
+                                : trial.eps_cm;
+  }
+
+  const Goal& goal_;
+  const Target& target_;
+  const AttemptScale& attempt_;
+  bool cheapest_ = false;
+  std::optional<Trial> best_;
+  int tried_ = 0;
+};
+
+ClosedLoopWork work_of(Effort effort) {
+  switch (effort) {
+    case Effort::Draft:
+      return {.sweeps = 0};
+    case Effort::Best:
+      return {.sweeps = 6, .pairs = true};
+    default:
+      return {};
+  }
+}
+
+/// With which the scale follows the target.
+double power_of_scale(const Target& target) {
+  return is_by_error(target) ? 1.35 : 1.7;
+}
+
+/// How much coarser the scale is at which `work` meets the target, by a rough trial's excess. How
+/// much more error and bytes that has than work would leave differs little from clip to clip
+/// (measured on corpus/train).
+double coarser_after_rough_trial(double excess, const Target& target, const ClosedLoopWork& work,
+                                 bool corrected) {
+  const bool by_error = is_by_error(target);
+  const bool swept = work.sweeps > 0;
+  const double more = by_error ? (swept ? -0.485 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
+  const double unmended = by_error && corrected ? 0.12 : 0;
+  return std::exp(power_of_scale(target) * std::clamp(excess - more - unmended, -3.0, 3.0));
+}
+
+/// From where a search need not go on: coarsening makes up for more.
+double near_enough(const ScaleGuess& guess, const Target& target) {
+  return guess.dear && target.kind == Target::Kind::MaxError ? 0.15 : 0.02;
+}
+
+/// Tries scales until the target is met. The scale is sought as a count that grows as it gets
+/// finer: by a power with which 1 / error and bytes grow about in proportion.
+void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double near_enough,
+          const ClosedLoopWork& work, ScaleSearch& trials) {
+  constexpr double kLength = 1e6;  // cm
+  constexpr double kPower = 0.7;
+  constexpr double kNear = 0.02;  // so near, one trial is enough
+  constexpr int kFew = 2;
+  constexpr int kMany = 4;
+  constexpr int kManyMore = 6;  // where it is met at all
+  constexpr int kMost = 12;
+  constexpr double kBeside = 0.01;
+  const auto count_of = [](double scale) {
+    return static_cast<int>(std::clamp(std::pow(kLength / scale, kPower), 1.0, 1e9));
+  };
+  // Neighbouring scales differ by chance as much as by their size: a narrow window may stay empty.
+  const auto will_do = [&] {
+    return trials.is_near(kNear) ||
+           (trials.is_near(near_enough) && trials.tried() >= (guess.dear ? kFew : kMany)) ||
+           (trials.met() && trials.tried() >= kManyMore);
+  };
+  CountSearch search(count_of(guess.finest()), count_of(first_scale), goal.window(), kMost);
+  while (!search.done() && trials.may_go_on() && !will_do()) {
+    const double scale = kLength / std::pow(std::max(search.count(), 1), 1 / kPower);
+    search.tried(trials.try_scale(scale, work));
+  }
+  // The search may have closed in on a jump: beside it chance has more to offer.
+  const double middle = trials.best().scale;
+  for (int i = 1; i <= kMost && trials.may_go_on() && !trials.met(); ++i)
+    trials.try_scale(middle * (1 + (i % 2 == 0 ? -kBeside : kBeside) * ((i + 1) / 2)), work);
+}
+
+/// A few more trials, each with more work, at scales where that should just meet the target. They
+/// differ by chance, too.
+void try_harder(const Target& target, const ClosedLoopWork& work, ScaleSearch& trials) {
+  constexpr int kTrials = 4;
+  constexpr double kAside = 0.003;  // where a scale was tried
+  trials.prefer_cheap();
+  double scale = trials.best().scale;
+  for (int i = 0; i < kTrials && trials.may_go_on(); ++i) {
+    const double excess = trials.try_scale(scale, work);
+    scale *= std::exp(power_of_scale(target) * excess - kAside);
+  }
+}
+
+/// Larger scales may do where the frames weigh more that exceed the bound. Replaces `best` where
+/// something smaller is found.
+void hold_worst_frames(const Goal& goal, int frames, const ClosedLoopWork& work,
+                       const AttemptScale& attempt, Trial& best) {
+  constexpr int kRounds = 5;
+  constexpr double kLeastStep = 1.04;
+  for (double step = 1.3; step > kLeastStep;) {
+    const double scale = step * best.scale;
+    Eigen::VectorXd weights = Eigen::VectorXd::Ones(frames);
+    bool held = false;
+    for (int round = 0; round < kRounds && !held; ++round) {
+      Trial trial = attempt(scale, work, weights);
+      best.complete = trial.complete;
+      if (!trial.complete) return;
+      if (!goal.met(trial.excess)) {
+        goal.raise_where_exceeded(trial.compressed, weights);
+        continue;
+      }
+      held = trial.compressed.motion_bytes() < best.compressed.motion_bytes();
+      if (!held) break;
+      best = std::move(trial);
+    }
+    if (!held) step = std::sqrt(step);
+  }
+}
+
+/// Saves what room is left up to the bound. What is coarsened is the motion without its
+/// correction, which makes more or less of the same errors.
+void approach_bound(const Goal& goal, const Target& target, const CoarsenTrial& coarsen,
+                    Trial& best) {
+  constexpr int kMost = 8;
+  constexpr double kNear = 0.02;
+  constexpr double kRounding = 1e-4;  // between what is coarsened and what is decoded
+  const Trial fine = best;
+  double bound_cm = (1 - kRounding) * target.value;
+  double met_cm = 0;  // the largest bound with which the target was met, and the smallest without
+  double missed_cm = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMost && (i == 0 || best.excess > kNear); ++i) {
+    Trial coarser = coarsen(fine, bound_cm);
+    best.complete = coarser.complete;
+    if (!coarser.complete) return;
+    const bool met = goal.met(coarser.excess);
+    (met ? met_cm : missed_cm) = bound_cm;
+    bound_cm *= std::exp(coarser.excess - kNear / 2);
+    if (bound_cm <= met_cm || bound_cm >= missed_cm) bound_cm = (met_cm + missed_cm) / 2;
+    if (met && coarser.compressed.motion_bytes() < best.compressed.motion_bytes())
+      best = std::move(coarser);
+  }
+}
+
+}  // namespace
+
+Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
+                   int frames, const ScaleTrials& trials) {
+  const ClosedLoopWork work = work_of(effort);
+  Trial rough = trials.attempt(guess.likely, {.compensate = false, .sweeps = 0}, {});
+  if (!rough.complete) return rough;
+  const double first_scale =
+      guess.likely * coarser_after_rough_trial(rough.excess, target, work, guess.corrected);
+  if (effort == Effort::Draft) return trials.attempt(first_scale, work, {});
+  ScaleSearch search(goal, target, trials.attempt);
+  seek(guess, goal, first_scale, near_enough(guess, target), work_of(Effort::Default), search);
+  if (effort == Effort::Best && search.met()) try_harder(target, work, search);
+  if (is_by_worst(target) && search.may_go_on()) {
+    if (!guess.dear) hold_worst_frames(goal, frames, work, trials.attempt, search.best());
+    if (target.kind == Target::Kind::MaxError && search.may_go_on())
+      approach_bound(goal, target, trials.coarsen, search.best());
+  }
+  return std::move(search.best());
+}
+
+}  // namespace mocapress

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/segmented_encode.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/codec/encode/end_fit.h"
+#include "core/codec/encode/goal.h"
+#include "core/codec/encode/scale_search.h"
+#include "core/metrics/rate.h"
+
+namespace mocapress {
+namespace {
+
+class SegmentedEncode {
+ public:
+  SegmentedEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
+                  const SegmentLayout& layout, const Observer<EncodeProgress>& observer)
+      : motion_(analysis.motion()),
+        forms_(analysis.chosen_forms()),
+        first_angles_(angles_at(motion_, forms_, first_frames(layout))),
+        contacts_(contacts_for(analysis, options)),
+        options_(options),
+        layout_(layout),
+        observer_(observer),
+        goal_(Original(motion_), options.target, options.weighting, contacts_) {
+    if (options_.target.kind == Target::Kind::Size)
+      share_of_size_ = static_cast<double>(layout.length) / std::max(layout.frames, 1);
+    if (options_.correction && !options_.correction->ratio)
+      options_.correction->ratio = find_split();
+  }
+
+  TargetedEncoding run() {
+    const ScaleTrials trials{
+        .attempt =
+            [this](double scale, const ClosedLoopWork& work, const Eigen::VectorXd& weights) {
+              return attempt_scale(scale, work, weights);
+            },
+        .coarsen = [this](const Trial& trial,
+                          double bound_cm) { return coarsen(trial, bound_cm); }};
+    const ScaleGuess guess{.likely = likely_scale(options_.target, raw_bytes(motion_.clip)),
+                           .finest = [this] { return finest_scale_; },
+                           .dear = true};
+    Trial best =
+        search_scale(guess, options_.target, goal_, options_.effort, layout_.frames, trials);
+    if (best.complete && options_.effort != Effort::Draft)
+      goal_.require_met(best.excess, best.achieved,
+                        best.count == layout_.coded_frames() * motion_.clip.channels.cols());
+    return {std::move(best.compressed),
+            best.count,
+            options_.correction ? *options_.correction->ratio : 0,
+            {},
+            best.iterations,
+            best.complete};
+  }
+
+ private:
+  static std::vector<int> first_frames(const SegmentLayout& layout) {
+    std::vector<int> frames;
+    for (int k = 0; k < layout.count(); ++k) frames.push_back(layout.first(k));
+    return frames;
+  }
+
+  /// The segment where feet stand most stands for all.
+  double find_split() const {
+    const int segment = most_contacts();
+    const ClipAnalysis analysis(motion_of(segment));
+    return find_correction_split(analysis, options_for(segment));
+  }
+
+  int most_contacts() const {
+    int most = 0;
+    int found = layout_.count() / 2;
+    for (int k = 0; k < layout_.count(); ++k) {
+      int frames = 0;
+      for (const ContactSpan& span : contacts_of(k)) frames += span.frames();
+      if (frames <= most) continue;
+      most = frames;
+      found = k;
+    }
+    return found;
+  }
+
+  std::vector<ContactSpan> contacts_of(int segment) const {
+    return frames_of(contacts_, layout_.first(segment), layout_.frames_of(segment));
+  }
+
+  /// In the forms that are coded, the angles those of one conversion of the whole.
+  Motion motion_of(int segment) const {
+    return with_forms(frames_of(motion_, layout_.first(segment), layout_.frames_of(segment)),
+                      forms_, first_angles_[static_cast<std::size_t>(segment)]);
+  }
+
+  EncodeOptions options_for(int segment) const {
+    EncodeOptions options = options_;
+    options.target.value *= share_of_size_;
+    options.contacts = contacts_of(segment);
+    return options;
+  }
+
+  Trial attempt_scale(double scale, const ClosedLoopWork& work,
+                      const Eigen::VectorXd& frame_weights) {
+    Trial trial = encode_all(scale, [&](const Part& part, const EncodeOptions& options,
+                                        const Observer<EncodeProgress>& observer) {
+      const ClosedLoopWork cancelled{.compensate = false, .sweeps = 0};
+      const Eigen::VectorXd weights = frame_weights.size() > 0
+                                          ? frame_weights.segment(part.first, part.frames).eval()
+                                          : frame_weights;
+      ScaleTrial coded =
+          encode_at_scale(part.analysis, options, scale, part.should_continue ? work : cancelled,
+                          weights, observer);
+      finest_scale_ = std::max(finest_scale_, coded.finest_scale);
+      // Without sweeps nobody was asked yet.
+      if (work.sweeps == 0 && part.should_continue)
+        coded.trial.complete = observer(EncodeProgress{.iteration = part.index + 1});
+      return std::move(coded.trial);
+    });
+    if (trial.complete && work.compensate) finish_ends(trial);
+    weigh(work, trial);
+    return trial;
+  }
+
+  void finish_ends(Trial& trial) const {
+    if (!codes_ends(options_)) return;
+    const int rows = frames_at_ends(layout_.frames);
+    const Motion first = motion_of(0);
+    const Motion last = motion_of(layout_.count() - 1);
+    fit_ends(options_, trial, first.skeleton, first.clip.channels.topRows(rows),
+             last.clip.channels.bottomRows(rows));
+  }
+
+  /// Each segment by itself: where two are blended, the error is no larger than both of theirs, but
+  /// for what is not linear.
+  Trial coarsen(const Trial& trial, double bound_cm) {
+    AdaptiveSegments coded(trial.compressed);
+    Trial coarser = encode_all(trial.scale, [&](const Part& part, const EncodeOptions& options,
+                                                const Observer<EncodeProgress>& observer) {
+      if (!part.should_continue) return Trial{.complete = false};
+      return coarsen_to_bound(part.analysis, options, coded.next(), bound_cm, observer);
+    });
+    if (!coarser.complete) return coarser;
+    finish_ends(coarser);
+    weigh({}, coarser);
+    return coarser;
+  }
+
+  /// A segment to be coded.
+  struct Part {
+    int index;
+    const ClipAnalysis& analysis;
+    int first;  // frame
+    int frames;
+    bool should_continue;  // false: the observer ended it
+  };
+
+  /// Not weighed yet.
+  template <typename EncodePart>
+  Trial encode_all(double scale, const EncodePart& encode) {
+    Trial trial{.compressed = {.skeleton = with_forms(motion_.skeleton, forms_),
+                               .sample_rate_hz = motion_.clip.sample_rate_hz,
+                               .frames = layout_.frames,
+                               .basis = options_.basis,
+                               .coding = options_.coding,
+                               .segments = CodedSegments{layout_.length, layout_.overlap, {}}},
+                .scale = scale};
+    double squares = 0;
+    for (int k = 0; k < layout_.count(); ++k) {
+      const ClipAnalysis analysis(motion_of(k));  // gone before the next
+      const Part part{k, analysis, layout_.first(k), layout_.frames_of(k), trial.complete};
+      const Trial coded = encode(part, options_for(k), [&](const EncodeProgress& of_segment) {
+        EncodeProgress progress = of_segment;
+        progress.pass = pass_;
+        progress.iteration += trial.iterations;
+        return should_continue(observer_, progress);
+      });
+      add(coded, trial);
+      squares += part.frames * coded.eps_cm * coded.eps_cm;
+    }
+    ++pass_;
+    trial.eps_cm = std::sqrt(squares / static_cast<double>(layout_.coded_frames()));
+    return trial;
+  }
+
+  static void add(const Trial& segment, Trial& whole) {
+    const CompressedClip& coded = segment.compressed;
+    CompressedClip& to = whole.compressed;
+    to.motion.insert(to.motion.end(), coded.motion.begin(), coded.motion.end());
+    to.segments->bytes.push_back(static_cast<std::uint32_t>(coded.motion.size()));
+    to.correction = coded.correction;
+    whole.count += segment.count;
+    whole.iterations += segment.iterations;
+    whole.complete = whole.complete && segment.complete;
+  }
+
+  void weigh(const ClosedLoopWork& work, Trial& trial) const {
+    const bool is_guess = options_.effort == Effort::Draft || !work.compensate;
+    const bool by_model = is_guess && options_.target.kind == Target::Kind::Error &&
+                          !options_.correction && options_.importance.is_even();
+    if (by_model)
+      trial.achieved = trial.eps_cm;  // near enough, and there already
+    else if (options_.target.kind == Target::Kind::CoefficientRatio)
+      trial.achieved = static_cast<double>(motion_.clip.channels.size()) / std::max(trial.count, 1);
+    else
+      trial.achieved = goal_.achieved(trial.compressed);
+    trial.excess = goal_.excess(trial.achieved);
+  }
+
+  const Motion& motion_;
+  const RotationForms& forms_;
+  const std::vector<Eigen::Matrix3Xd> first_angles_;  // of each segment
+  const std::vector<ContactSpan> contacts_;
+  EncodeOptions options_;
+  const SegmentLayout layout_;
+  const Observer<EncodeProgress>& observer_;
+  const Goal goal_;
+  double share_of_size_ = 1;
+  double finest_scale_ = 0;  // of the segments so far
+  int pass_ = 0;
+};
+
+}  // namespace
+
+TargetedEncoding encode_in_segments(const ClipAnalysis& analysis, const EncodeOptions& options,
+                                    const SegmentLayout& layout,
+                                    const Observer<EncodeProgress>& observer) {
+  return SegmentedEncode(analysis, options, layout, observer).run();
+}
+
+}  // namespace mocapress

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Long clips fall into segments that overlap, each encoded by itself: FORMAT.md, SEGS.
+#pragma once
+
+#include <vector>
+
+#include "core/codec/format/segment_layout.h"
+#include "core/feet/contact_spans.h"
+#include "core/motion/clip.h"
+
+namespace mocapress {
+
+using runtime::SegmentLayout;
+
+/// How long clips are cut. Encoding a segment takes some 150 bytes for each channel and frame.
+struct SegmentPlan {
+  int longest = 12288;  // frames, 256 at least; a longer clip falls into several
+  int overlap = 48;     // frames that neighbours share, 1 at least
+};
+
+/// As few segments as the plan allows, of as even a length as can be. One where the clip is short.
+SegmentLayout even_segments(int frames, const SegmentPlan& plan);
+
+/// Some frames of a motion, and the contacts in them, counted from their first.
+Motion frames_of(const Motion& motion, int first, int count);
+std::vector<ContactSpan> frames_of(const std::vector<ContactSpan>& contacts, int first, int count);
+
+/// Joins the samples of segments (frames x signals, as decode_signals() gives them), one after the
+/// other, blended where two overlap. Of those before only what is shared is kept.
+class SegmentJoin {
+ public:
+  explicit SegmentJoin(const SegmentLayout& layout) : layout_(layout) {}
+
+  /// Those of the next segment: gives the frames from its first on that no later one shares.
+  Eigen::MatrixXd next(Eigen::MatrixXd samples);
+
+ private:
+  SegmentLayout layout_;
+  int segment_ = 0;
+  Eigen::MatrixXd shared_;  // the last frames of the segment before
+};
+
+}  // namespace mocapress

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace mocapress {
+
+/// What the user asks for: one number of one kind.
+struct Target {
+  enum class Kind {
+    Ratio,             // raw bytes / motion bytes, met within 2 %
+    CoefficientRatio,  // the paper's r: all coefficients / kept coefficients
+    Size,              // motion bytes, not exceeded
+    Error,             // eps_x in cm in the chosen weighting, not exceeded
+    MaxError,          // cm, by no landmark at any frame exceeded
+    Visibility,        // times of what is noticed: by nothing at any time exceeded; 1: not visible
+  };
+  Kind kind = Kind::Ratio;
+  double value = 25;
+};
+
+/// Whether errors at single frames decide.
+constexpr bool is_by_worst(const Target& target) {
+  return target.kind == Target::Kind::MaxError || target.kind == Target::Kind::Visibility;
+}
+
+/// Whether a clip that came to `achieved`, the target's quantity, is as was asked. Figures that
+/// went through a text and back are forgiven their rounding; a coefficient ratio is met by
+/// construction.
+bool reached(const Target& target, double achieved);
+
+/// "ratio", "coefficient-ratio", "size", "error", "max-error", "not-visible".
+std::string_view name(Target::Kind kind);
+
+/// The inverse; unset when it is none of them.
+std::optional<Target::Kind> target_kind(std::string_view name);
+
+inline bool operator==(const Target& a, const Target& b) {
+  return a.kind == b.kind && a.value == b.value;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/codec/encode/clip_analysis.h"
+#include "core/codec/encode/encoder.h"
+#include "core/codec/encode/original.h"
+#include "core/codec/encode/trial.h"
+
+namespace mocapress {
+
+/// What a search for a target came to.
+struct TargetedEncoding {
+  CompressedClip compressed;               // without its provenance
+  int count = 0;                           // of the coefficients kept
+  double correction_ratio = 0;             // r_IK, asked for or found
+  std::optional<double> slide_without_cm;  // where it was found: of the encode without correction
+  int iterations = 0;                      // of the last annealing or closed loop
+  bool complete = true;                    // false: the observer ended it early
+};
+
+/// Searches the number of coefficients, or of a closed loop the scale of its steps, that meets the
+/// target, and the split between motion and correction where that is left open. Throws TargetMissed
+/// when the target is out of reach, and Error for a correction that cannot be.
+TargetedEncoding encode_to_target(const ClipAnalysis& analysis, const EncodeOptions& options,
+                                  const Observer<EncodeProgress>& observer);
+
+/// A trial that was not weighed against a target, and the finest scale there is.
+struct ScaleTrial {
+  Trial trial;
+  double finest_scale = 0;
+};
+
+/// A closed loop at one scale, whatever the target. A correction must have its ratio.
+ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& options, double scale,
+                           const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
+                           const Observer<EncodeProgress>& observer);
+
+/// ClosedLoop::coarsen() of what was coded before, not weighed.
+Trial coarsen_to_bound(const ClipAnalysis& analysis, const EncodeOptions& options,
+                       QuantisedSignals coded, double bound_cm,
+                       const Observer<EncodeProgress>& observer);
+
+/// The r_IK that serves the target best, of options that leave it open.
+double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& options);
+
+/// The contacts that count: edited ones, or those found on the original.
+const std::vector<ContactSpan>& contacts_for(const ClipAnalysis& analysis,
+                                             const EncodeOptions& options);
+
+/// With its tracks whole, kept by the analysis.
+Original original_of(const ClipAnalysis& analysis);
+
+}  // namespace mocapress

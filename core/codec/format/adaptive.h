@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The coding "adaptive" of FORMAT.md: quantised coefficients, each bit predicted from what was
+// coded before it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/codec/format/coefficient_coder.h"
+#include "core/codec/format/own_memory.h"
+#include "core/codec/format/quantised_signals.h"
+#include "core/codec/format/signal_neighbours.h"
+#include "core/motion/skeleton.h"
+
+namespace mocapress {
+
+using runtime::SignalNeighbours;
+
+/// Which channels resemble one another, found from the tree alone.
+std::vector<SignalNeighbours> channel_neighbours(const Skeleton& skeleton);
+
+/// The same for the differences of an IK correction, which follow the channels.
+void append_correction_neighbours(int count, std::vector<SignalNeighbours>& neighbours);
+
+/// Walks through signals as runtime::CoefficientCoder does, with a model and memory of its own.
+template <typename Bits>
+void code_coefficients(Bits& bits, const std::vector<SignalNeighbours>& neighbours,
+                       runtime::CoefficientModel& model, QuantisedSignals& coded,
+                       runtime::ContextCount* tally = nullptr) {
+  const auto length = static_cast<int>(coded.values.rows());
+  const auto signal_count = static_cast<int>(neighbours.size());
+  const runtime::Bands bands(length);
+  const runtime::QuantisedView view{length, signal_count, coded.step_exponent.data(),
+                                    coded.values.data()};
+  const OwnMemory<runtime::CoderNotes> notes(bands, signal_count);
+  runtime::CoefficientCoder(bits, neighbours.data(), bands, model, view, *notes, tally).run();
+}
+
+/// The coded bytes.
+std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
+                                       const std::vector<SignalNeighbours>& neighbours);
+
+/// The inverse. Throws FormatError, with an offset counted from `base_offset`, unless the bytes are
+/// those of signals of that length.
+QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
+                                 const std::vector<SignalNeighbours>& neighbours, int length,
+                                 std::size_t base_offset = 0);
+
+}  // namespace mocapress

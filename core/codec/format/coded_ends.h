@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The first and the last pose of a clip, coded once more: FORMAT.md, ENDS.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace mocapress {
+
+/// What is promised of the first and the last pose, where few coefficients share in an error and
+/// games blend and loop.
+enum class Ends {
+  Free,   // nothing
+  Even,   // they are no further off than the target or, where that is no error, the clip
+  Exact,  // a tenth of that
+};
+
+/// "free", "even", "exact".
+std::string_view name(Ends ends);
+
+/// What the first and the last frame of a clip lack, in steps of their segment's channels times
+/// 2^(-step_exponent / 2). The frames beside them take part in it.
+struct CodedEnds {
+  std::array<int, 2> reach{1, 1};               // frames at either end, themselves counted
+  std::array<int, 2> step_exponent{};           // first, last
+  Eigen::Matrix<int, Eigen::Dynamic, 2> steps;  // channels x (first, last)
+
+  std::size_t section_bytes() const { return write().size(); }
+
+  /// The payload of ENDS.
+  std::vector<std::byte> write() const;
+};
+
+/// The inverse. Throws FormatError, with offsets counted from `base_offset`.
+CodedEnds read_ends(std::span<const std::byte> payload, std::size_t base_offset, int frames,
+                    int channels);
+
+/// The same in centimetres and radians, ready to be added.
+class EndPoses {
+ public:
+  /// Steps of each channel in the first and in the last segment.
+  EndPoses(const CodedEnds& coded, const std::vector<float>& first_steps,
+           const std::vector<float>& last_steps);
+
+  /// Adds them to frames (rows) of a clip of so many, from first_frame on.
+  void add_to(int first_frame, int frames_of_clip, Eigen::MatrixXd& channels) const;
+
+ private:
+  std::array<int, 2> reach_;
+  Eigen::Matrix<float, Eigen::Dynamic, 2> values_;
+};
+
+}  // namespace mocapress

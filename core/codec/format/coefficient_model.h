@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// The contexts of the adaptive coding: FORMAT.md, "Adaptive coding".
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <string_view>
+
+#include "core/codec/format/mixed_bit.h"
+
+namespace mocapress::runtime {
+
+/// A block of contexts with up to three indices.
+struct ContextTable {
+  int first = 0;
+  int second_size = 1;
+  int third_size = 1;
+
+  constexpr int at(int i, int j = 0, int k = 0) const {
+    return first + (i * second_size + j) * third_size + k;
+  }
+};
+
+inline constexpr int kLevels = 8;         // 0: the finest band
+inline constexpr int kSizes = 8;          // size_of()
+inline constexpr int kDegrees = 10;       // degree_of()
+inline constexpr int kExpectations = 32;  // half_octave_of()
+inline constexpr int kClasses = 8;        // binary digits of a magnitude: 1 ... 8 or more
+inline constexpr int kNumberKinds = 6;
+inline constexpr int kNumberRelations = 16;
+inline constexpr int kSigns = 3;
+
+/// Where each context is. Those before `shared` begin with what other clips taught; the others are
+/// each signal's own.
+struct ContextLayout {
+  ContextTable zero_near, zero_crowd, zero_expected;
+  ContextTable class_recent, class_expected;
+  ContextTable top_expected, top_recent, next_digit;
+  ContextTable sign_near, sign_above;
+  ContextTable alive_level, alive_kin, alive_length;
+  ContextTable number_plain, number_first, number_second, number_third, number_top;
+  int shared = 0;
+  ContextTable zero_own, class_own, sign_kin, sign_before;
+  int end = 0;
+
+  explicit constexpr ContextLayout(int signal_count) {
+    const auto table = [this](int i, int j = 1, int k = 1) {
+      const ContextTable made{end, j, k};
+      end += i * j * k;
+      return made;
+    };
+    zero_near = table(kLevels, kSizes, kSizes);
+    zero_crowd = table(kDegrees, kSizes, kSizes);
+    zero_expected = table(kLevels, kExpectations);
+    class_recent = table(kClasses, kDegrees, kDegrees);
+    class_expected = table(kClasses, kExpectations);
+    top_expected = table(kClasses, kExpectations);
+    top_recent = table(kClasses, kDegrees, kSizes);
+    next_digit = table(kClasses, 2, 8);
+    sign_near = table(kLevels, kSigns * kSigns, kSigns);
+    sign_above = table(kSigns * kSigns, kSigns, 2);
+    alive_level = table(kLevels, kDegrees);
+    alive_kin = table(3, 3, kDegrees);
+    alive_length = table(kLevels, 8, kDegrees);
+    number_plain = table(kNumberKinds, 32);
+    number_first = table(kNumberKinds, kNumberRelations, 16);
+    number_second = table(kNumberKinds, kNumberRelations, 16);
+    number_third = table(kNumberKinds, kNumberRelations, 16);
+    number_top = table(kNumberKinds, 32);
+    shared = end;
+    zero_own = table(signal_count, kLevels);
+    class_own = table(signal_count, kClasses);
+    sign_kin = table(signal_count, kSigns, kSigns);
+    sign_before = table(signal_count, kSigns, kSigns);
+  }
+};
+
+/// The sets of mixing weights, by what is coded.
+struct MixingSets {
+  static constexpr int kAlive = 0;
+  static constexpr int kZero = 1;                 // by level
+  static constexpr int kClass = kZero + kLevels;  // by class
+  static constexpr int kTop = kClass + kClasses;
+  static constexpr int kSign = kTop + 1;
+  static constexpr int kNumber = kSign + 1;  // by kind
+  static constexpr int kNext = kNumber + kNumberKinds;
+  static constexpr int kLower = kNext + 1;
+  static constexpr int kCount = kLower + 1;
+};
+
+/// All that the coding has learned so far. `contexts` are layout.end, in memory of whoever made it.
+struct CoefficientModel {
+  CoefficientModel(int signal_count, AdaptiveBit* memory)
+      : layout(signal_count), contexts(memory) {}
+
+  /// What it knows before the first bit: coefficient_priors.cpp.
+  void begin();
+
+  /// The same without those: for fitting them.
+  void begin_untaught();
+
+  /// Takes up priors, as context_priors() gives them.
+  void teach(std::string_view priors);
+
+  ContextLayout layout;
+  AdaptiveBit* contexts;
+  std::array<MixingWeights, MixingSets::kCount> weights;
+};
+
+/// Binary digits of v >= 0.
+inline int digits_of(int v) {
+  return static_cast<int>(std::bit_width(static_cast<unsigned>(v)));
+}
+
+/// A sum of neighbouring magnitudes as 0 ... 7.
+inline int size_of(int sum) {
+  constexpr std::array<std::uint8_t, 16> kSmall = {0, 1, 2, 3, 3, 4, 4, 4, 5, 5, 5, 5, 5, 5, 6, 6};
+  return sum < 16 ? kSmall[static_cast<std::size_t>(sum)] : sum < 40 ? 6 : 7;
+}
+
+/// The binary digits of v >= 0, but 9 at most.
+inline int degree_of(int v) {
+  return std::min(digits_of(v), kDegrees - 1);
+}
+
+/// v >= 0 on a scale of two steps an octave, 31 at most.
+inline int half_octave_of(int v) {
+  const int digits = digits_of(v);
+  return v < 2 ? v : std::min(2 * digits - 2 + (v >> (digits - 2) & 1), kExpectations - 1);
+}
+
+/// 0 1 2 for zero, minus, plus.
+inline int sign_of(int v) {
+  return v > 0 ? 2 : v < 0 ? 1 : 0;
+}
+
+}  // namespace mocapress::runtime

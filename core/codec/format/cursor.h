@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace mocapress::runtime {
+
+static_assert(std::endian::native == std::endian::little, "files are little-endian");
+
+/// Reads little-endian values from untrusted bytes. The first read past the end makes it fail, for
+/// good; what is read then is zero.
+class Cursor {
+ public:
+  Cursor(const std::uint8_t* bytes, std::size_t size, std::size_t base_offset = 0)
+      : bytes_(bytes), size_(size), base_offset_(base_offset) {}
+
+  template <typename T>
+  T read() {
+    T value{};
+    if (const std::uint8_t* const from = take(sizeof(T))) std::memcpy(&value, from, sizeof(T));
+    return value;
+  }
+
+  /// The next bytes, not copied; null when there are not as many.
+  const std::uint8_t* take(std::size_t size) {
+    if (failed_ || size > size_ - at_) {
+      failed_ = true;
+      return nullptr;
+    }
+    const std::uint8_t* const taken = bytes_ + at_;
+    at_ += size;
+    return taken;
+  }
+
+  bool failed() const { return failed_; }
+  bool at_end() const { return at_ == size_; }
+  std::size_t left() const { return size_ - at_; }
+  std::size_t offset() const { return base_offset_ + at_; }  // in the file
+
+ private:
+  const std::uint8_t* bytes_;
+  std::size_t size_;
+  std::size_t base_offset_;
+  std::size_t at_ = 0;
+  bool failed_ = false;
+};
+
+}  // namespace mocapress::runtime

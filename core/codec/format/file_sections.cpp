@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/format/file_sections.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "core/codec/format/cursor.h"
+#include "core/codec/format/end_poses.h"
+#include "core/codec/format/format_limits.h"
+
+namespace mocapress::runtime {
+namespace {
+
+constexpr std::array<std::uint32_t, 256> crc_table() {
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    table[i] = i;
+    for (int bit = 0; bit < 8; ++bit)
+      table[i] = table[i] >> 1 ^ ((table[i] & 1) != 0 ? 0xEDB88320U : 0);
+  }
+  return table;
+}
+
+constexpr std::array<std::uint32_t, 256> kCrcTable = crc_table();
+
+/// CRC-32 as zlib has it, of what came before and these bytes; not yet inverted at the end.
+std::uint32_t crc_of(std::uint32_t crc, const std::uint8_t* bytes, std::size_t size) {
+  for (std::size_t i = 0; i < size; ++i) crc = crc >> 8 ^ kCrcTable[(crc ^ bytes[i]) & 0xFF];
+  return crc;
+}
+
+struct Section {
+  char tag[4] = {};
+  std::size_t start = 0;
+  Bytes payload;
+
+  bool is(const char* name) const { return std::memcmp(tag, name, 4) == 0; }
+  bool is_optional() const { return tag[0] >= 'a' && tag[0] <= 'z'; }
+};
+
+mcpr_result read_section(Cursor& file, Section& section) {
+  section.start = file.offset();
+  const std::uint8_t* const head = file.take(8);
+  const auto crc = file.read<std::uint32_t>();
+  if (file.failed()) return failure(MCPR_DAMAGED, section.start, "the file ends within a section");
+  std::uint32_t size = 0;
+  std::memcpy(section.tag, head, 4);
+  std::memcpy(&size, head + 4, 4);
+  section.payload.offset = file.offset();
+  section.payload.size = size;
+  section.payload.data = file.take(size);
+  if (file.failed()) return failure(MCPR_DAMAGED, section.start, "the file ends within a section");
+  if (~crc_of(crc_of(~0U, head, 8), section.payload.data, size) != crc)
+    return failure(MCPR_DAMAGED, section.start, "a section's checksum differs");
+  return kOk;
+}
+
+class SectionsReader {
+ public:
+  SectionsReader(const mcpr_limits& limits, FileSections& sections)
+      : limits_(limits), sections_(sections) {}
+
+  mcpr_result read(Cursor file) {
+    file_bytes_ = file.left();
+    const std::uint8_t* const magic = file.take(4);
+    if (magic == nullptr || std::memcmp(magic, "MCPR", 4) != 0)
+      return failure(MCPR_NOT_A_CLIP, 0, "not a Mocapress file");
+    if (file.read<std::uint16_t>() != 1)
+      return failure(MCPR_VERSION, 4, "of a version that is not known here");
+    const auto count = file.read<std::uint16_t>();
+    if (file.failed()) return failure(MCPR_DAMAGED, 4, "the file ends within its head");
+    for (int left = count; left > 0; --left) {
+      Section section;
+      mcpr_result result = read_section(file, section);
+      if (!failed(result)) result = take(section);
+      if (failed(result)) return result;
+    }
+    if (next_ < Expected::Correction)
+      return failure(MCPR_INVALID, file.offset(), "a section is missing");
+    if (!file.at_end()) return failure(MCPR_INVALID, file.offset(), "bytes after the last section");
+    return check_room();
+  }
+
+ private:
+  enum class Expected { Joints, Clip, Segments, Motion, Correction, Ends, Axes, Nothing };
+
+  /// Sections stand in a fixed order; optional ones anywhere.
+  mcpr_result take(const Section& section) {
+    if (next_ == Expected::Joints && section.is("JNTS")) {
+      next_ = Expected::Clip;
+      return read_joints(section.payload);
+    }
+    if (next_ == Expected::Clip && section.is("CLIP")) {
+      next_ = Expected::Segments;
+      return read_clip(section.payload);
+    }
+    if (next_ == Expected::Segments && section.is("SEGS")) {
+      next_ = Expected::Motion;
+      return read_segments(section.payload);
+    }
+    if ((next_ == Expected::Segments || next_ == Expected::Motion) && section.is("MOTN")) {
+      next_ = Expected::Correction;
+      sections_.motion = section.payload;
+      return check_segment_sizes();
+    }
+    if (next_ == Expected::Correction && section.is("IKCO")) {
+      next_ = Expected::Ends;
+      return read_correction(section.payload);
+    }
+    if ((next_ == Expected::Correction || next_ == Expected::Ends) && section.is("ENDS")) {
+      next_ = Expected::Axes;
+      return read_ends(section.payload);
+    }
+    if (next_ >= Expected::Correction && next_ <= Expected::Axes && section.is("AXES")) {
+      next_ = Expected::Nothing;
+      sections_.axes = section.payload;
+      return kOk;
+    }
+    if (section.is("loop")) return read_loop(section.payload);
+    if (section.is_optional()) return kOk;
+    if (section.is("SKEL") || section.is("COMP"))
+      return failure(MCPR_UNSUPPORTED, section.start, "not of the coding adaptive");
+    return failure(MCPR_INVALID, section.start, "a section that is not expected here");
+  }
+
+  mcpr_result read_joints(const Bytes& payload) {
+    Cursor cursor(payload.data, payload.size, payload.offset);
+    sections_.joint_bytes = cursor.read<std::uint32_t>();
+    sections_.joints = cursor.read<std::uint16_t>();
+    sections_.channels = cursor.read<std::uint16_t>();
+    if (cursor.failed()) return failure(MCPR_INVALID, cursor.offset(), "JNTS is too short");
+    if (sections_.joints == 0 || sections_.joints > kMostJoints ||
+        sections_.joint_bytes > kMostBytesOfJoint * sections_.joints ||
+        sections_.channels > kMostChannelsOfJoint * sections_.joints)
+      return failure(MCPR_INVALID, payload.offset, "a skeleton of impossible size");
+    if (sections_.joints > limits_.joints || sections_.channels > limits_.channels)
+      return failure(MCPR_LIMIT, payload.offset, "more joints or channels than the limits allow");
+    const std::size_t size = cursor.left();
+    sections_.coded_joints = {cursor.take(size), size, payload.offset + 8};
+    return kOk;
+  }
+
+  mcpr_result read_clip(const Bytes& payload) {
+    constexpr std::size_t kSize = 8 + 4 + 4 + 8 + 4 + 4;
+    if (payload.size != kSize) return failure(MCPR_INVALID, payload.offset, "CLIP of another size");
+    Cursor cursor(payload.data, payload.size, payload.offset);
+    sections_.sample_rate = cursor.read<double>();
+    if (!std::isfinite(sections_.sample_rate) || sections_.sample_rate <= 0)
+      return failure(MCPR_INVALID, payload.offset, "the sample rate is no positive number");
+    sections_.frames = cursor.read<std::uint32_t>();
+    const std::size_t at = cursor.offset();
+    const auto basis = cursor.read<std::uint8_t>();
+    const auto coding = cursor.read<std::uint8_t>();
+    const auto method = cursor.read<std::uint8_t>();
+    const auto weighting = cursor.read<std::uint8_t>();
+    if (sections_.frames > kMostFrames)
+      return failure(MCPR_INVALID, at - 4, "more than 2^22 frames");
+    if (basis > 2) return failure(MCPR_INVALID, at, "unknown basis");
+    if (coding > 3) return failure(MCPR_INVALID, at + 1, "unknown coding");
+    if (coding != 3) return failure(MCPR_UNSUPPORTED, at + 1, "not of the coding adaptive");
+    if (method < 1 || method > 4) return failure(MCPR_INVALID, at + 2, "unknown method");
+    if (weighting > 3) return failure(MCPR_INVALID, at + 3, "unknown weighting");
+    if (sections_.frames > limits_.frames)
+      return failure(MCPR_LIMIT, at - 4, "more frames than the limits allow");
+    sections_.wavelet = static_cast<Wavelet>(basis);
+    sections_.segments = SegmentLayout::whole(static_cast<int>(sections_.frames));
+    return check_values(at - 4);
+  }
+
+  mcpr_result read_segments(const Bytes& payload) {
+    Cursor cursor(payload.data, payload.size, payload.offset);
+    const auto length = cursor.read<std::uint32_t>();
+    const auto overlap = cursor.read<std::uint32_t>();
+    const auto count = cursor.read<std::uint32_t>();
+    if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "SEGS is too short");
+    if (!may_be_segments(sections_.frames, length, overlap))
+      return failure(MCPR_INVALID, payload.offset, "segments of impossible length");
+    sections_.segments.length = static_cast<int>(length);
+    sections_.segments.overlap = static_cast<int>(overlap);
+    if (count != static_cast<std::uint32_t>(sections_.segments.count()))
+      return failure(MCPR_INVALID, payload.offset + 8, "not as many segments as frames need");
+    const std::size_t offset = cursor.offset();
+    if (cursor.left() != 4 * std::size_t{count})
+      return failure(MCPR_INVALID, offset, "SEGS of another size");
+    sections_.segment_sizes = {cursor.take(cursor.left()), 4 * std::size_t{count}, offset};
+    sections_.segments_bytes = payload.size;
+    return check_values(payload.offset);
+  }
+
+  mcpr_result check_segment_sizes() const {
+    if (sections_.segments_bytes == 0) return kOk;
+    std::uint64_t sum = 0;
+    for (int k = 0; k < sections_.segments.count(); ++k) sum += sections_.segment_size(k);
+    if (sum != sections_.motion.size)
+      return failure(MCPR_INVALID, sections_.segment_sizes.offset,
+                     "the segments are not as large as MOTN");
+    return kOk;
+  }
+
+  /// What is decoded, and the time that takes, grows with the file: FORMAT.md, Limits.
+  mcpr_result check_room() const {
+    const auto samples = static_cast<std::uint64_t>(sections_.segments.coded_frames()) *
+                         std::max(sections_.signal_count(), 1U);
+    if (samples > most_values_of(file_bytes_))
+      return failure(MCPR_INVALID, sections_.motion.offset,
+                     "more samples than so few bytes may stand for");
+    return kOk;
+  }
+
+  mcpr_result check_values(std::size_t offset) const {
+    if (sections_.value_count() > kMostValues)
+      return failure(MCPR_INVALID, offset, "more than 2^26 values");
+    if (sections_.value_count() > limits_.values)
+      return failure(MCPR_LIMIT, offset, "more values than the limits allow");
+    return kOk;
+  }
+
+  mcpr_result read_correction(const Bytes& payload) {
+    Cursor cursor(payload.data, payload.size, payload.offset);
+    const auto solver = cursor.read<std::uint8_t>();
+    const auto effectors = cursor.read<std::uint8_t>();
+    if (solver < 1 || solver > 2) return failure(MCPR_INVALID, payload.offset, "unknown solver");
+    if (effectors < 1 || effectors > kMostEffectors || payload.size != 2U + 4U * effectors)
+      return failure(MCPR_INVALID, payload.offset + 1, "IKCO of another size");
+    sections_.solver = static_cast<Solver>(solver);
+    sections_.effectors = effectors;
+    sections_.correction_bytes = payload.size;
+    sections_.effector_offset = cursor.offset();
+    for (int e = 0; e < effectors; ++e) {
+      const auto joint = cursor.read<std::uint16_t>();
+      sections_.effector[e] = {joint, cursor.read<std::uint16_t>()};
+      if (sections_.effector[e].joint >= sections_.joints ||
+          sections_.effector[e].top >= sections_.joints)
+        return failure(MCPR_INVALID, cursor.offset() - 4, "an effector is no joint");
+    }
+    return check_values(payload.offset + 1);
+  }
+
+  mcpr_result read_loop(const Bytes& payload) {
+    if (sections_.loop != LoopKind::None)
+      return failure(MCPR_INVALID, payload.offset, "a second section loop");
+    if (payload.size != 1 || payload.data[0] < 1 || payload.data[0] > 2)
+      return failure(MCPR_INVALID, payload.offset, "unknown kind of loop");
+    sections_.loop = static_cast<LoopKind>(payload.data[0]);
+    return kOk;
+  }
+
+  mcpr_result read_ends(const Bytes& payload) {
+    Cursor cursor(payload.data, payload.size, payload.offset);
+    for (std::uint8_t& reach : sections_.end_reach) reach = cursor.read<std::uint8_t>();
+    for (std::int8_t& step_exponent : sections_.end_fineness)
+      step_exponent = cursor.read<std::int8_t>();
+    if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "ENDS is too short");
+    for (const std::uint8_t reach : sections_.end_reach)
+      if (reach < 1 || reach > sections_.frames)
+        return failure(MCPR_INVALID, payload.offset, "ends of impossible length");
+    for (const std::int8_t step_exponent : sections_.end_fineness)
+      if (step_exponent < kLeastEndStepExponent || step_exponent > kMostEndStepExponent)
+        return failure(MCPR_INVALID, payload.offset + 2, "ends in impossible steps");
+    sections_.ends_bytes = payload.size;
+    const std::size_t size = cursor.left();
+    const std::size_t offset = cursor.offset();
+    sections_.coded_ends = {cursor.take(size), size, offset};
+    return kOk;
+  }
+
+  const mcpr_limits& limits_;
+  FileSections& sections_;
+  std::size_t file_bytes_ = 0;
+  Expected next_ = Expected::Joints;
+};
+
+}  // namespace
+
+std::uint32_t FileSections::segment_size(int segment) const {
+  if (segments_bytes == 0) return static_cast<std::uint32_t>(motion.size);
+  std::uint32_t size = 0;
+  std::memcpy(&size, segment_sizes.data + std::size_t{4} * static_cast<std::size_t>(segment), 4);
+  return size;
+}
+
+mcpr_result read_sections(const void* file, std::size_t size, const mcpr_limits& limits,
+                          FileSections& sections) {
+  return SectionsReader(limits, sections)
+      .read(Cursor(static_cast<const std::uint8_t*>(file), size));
+}
+
+}  // namespace mocapress::runtime

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace mocapress::runtime {
+
+inline constexpr std::size_t kAlignment = 32;  // MCPR_ALIGNMENT
+
+/// Hands out the caller's memory piece by piece. A measuring one has none and only counts, so that
+/// one function both says how much is needed and lays it out.
+class Memory {
+ public:
+  Memory() = default;  // measures
+  Memory(void* memory, std::size_t size) : base_(static_cast<std::byte*>(memory)), size_(size) {}
+
+  /// Not initialised; null when measuring, and where it does not fit.
+  template <typename T>
+  T* take(std::uint64_t count) {
+    const std::uint64_t bytes = (count * sizeof(T) + kAlignment - 1) / kAlignment * kAlignment;
+    const std::uint64_t at = used_;
+    used_ += bytes;
+    if (base_ == nullptr || used_ > size_) return nullptr;
+    return reinterpret_cast<T*>(base_ + at);
+  }
+
+  std::uint64_t used() const { return used_; }
+
+  /// Whether all that was taken so far is there and aligned.
+  bool holds() const {
+    return base_ != nullptr && used_ <= size_ &&
+           reinterpret_cast<std::uintptr_t>(base_) % kAlignment == 0;
+  }
+
+ private:
+  std::byte* base_ = nullptr;
+  std::size_t size_ = 0;
+  std::uint64_t used_ = 0;
+};
+
+}  // namespace mocapress::runtime

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/codec/format/coefficient_coder.h"
+#include "core/select/ranking.h"
+#include "core/wavelet/lifting.h"
+
+namespace mocapress {
+
+/// Wavelet coefficients of some signals in whole steps. In every band a signal's step is divided by
+/// Lifting::gains(), so that it weighs alike in all.
+struct QuantisedSignals {
+  float scale = 1;                 // as file_scale() gives it
+  std::vector<int> step_exponent;  // of each signal: its step is scale * 2^(-step_exponent / 2)
+  Eigen::MatrixXi values;          // coefficients x signals, coarse to fine
+
+  double step(int signal) const;
+  int signal_count() const { return static_cast<int>(values.cols()); }
+};
+
+using runtime::kLeastStepExponent;
+using runtime::kMostStepExponent;
+using runtime::kMostSteps;
+
+/// The nearest scale that a file can hold: 8 binary digits.
+float file_scale(double scale);
+
+/// scale * 2^(-step_exponent / 2).
+double step_of(int step_exponent, float scale);
+
+/// The step_exponent of the largest step that is not above `step`.
+int fineness_for(double step, float scale);
+
+/// Chosen coefficients, rounded to steps about as large as the largest coefficient their signal
+/// drops. `scales` make signals comparable, as for StandardOrder.
+QuantisedSignals quantise_kept(const RankedCoefficients& ranked, const std::vector<double>& scales,
+                               const Kept& kept, float scale);
+
+/// Adds signals of the same scale and length.
+void append(const QuantisedSignals& more, QuantisedSignals& to);
+
+/// The signals themselves: samples x signals.
+Eigen::MatrixXd reconstruct(const QuantisedSignals& coded, const Lifting& lifting);
+
+}  // namespace mocapress

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/format/range_coder.h"
+
+#include <cassert>
+
+namespace mocapress {
+
+bool RangeEncoder::code(bool bit, Probability probability_of_one) {
+  assert(probability_of_one > 0 && probability_of_one < 65536);
+  const std::uint32_t middle = runtime::range_split(low_, high_, probability_of_one);
+  if (bit)
+    high_ = middle;
+  else
+    low_ = middle + 1;
+  while (runtime::leading_byte_is_settled(low_, high_)) {
+    bytes_.push_back(static_cast<std::byte>(high_ >> 24));
+    low_ <<= 8;
+    high_ = (high_ << 8) | 0xFF;
+  }
+  return bit;
+}
+
+std::vector<std::byte> RangeEncoder::finish() {
+  // The shortest number in [low, high]; the decoder reads zeros after it.
+  for (int shift = 24; low_ != 0; shift -= 8) {
+    const std::uint32_t mask = (shift == 32 ? 0 : (std::uint32_t{1} << shift)) - 1;
+    const std::uint32_t rounded = (low_ + mask) & ~mask;
+    if (rounded < low_ || rounded > high_) continue;
+    for (int at = 24; at >= shift; at -= 8)
+      bytes_.push_back(static_cast<std::byte>(rounded >> at & 0xFF));
+    break;
+  }
+  return std::move(bytes_);
+}
+
+}  // namespace mocapress

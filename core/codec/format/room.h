@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/codec/encode/segments.h"
+#include "core/motion/skeleton.h"
+
+namespace mocapress {
+
+/// What decides whether a clip fits into a .mcpr file.
+struct ClipShape {
+  const Skeleton& skeleton;
+  double sample_rate_hz;
+  SegmentLayout segments;  // and with them the frames
+  int effectors = 0;       // of an IK correction
+};
+
+/// Throws Error, which says what is too large and what the limit is, where no .mcpr file can hold a
+/// clip: core/codec/format/format_limits.h. Known before it is encoded.
+void check_room(const ClipShape& clip);
+
+}  // namespace mocapress

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Rotations that stay, before and after the angles of a joint: FORMAT.md, AXES.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/codec/format/joint_model.h"
+
+namespace mocapress::runtime {
+
+inline constexpr int kTurnBits = 5;     // of each of six numbers
+inline constexpr int kFixedTurns = 16;  // in half a turn
+inline constexpr std::uint32_t kTurnedAxesBytes = 4;
+
+/// A joint whose axes may be turned: it has a parent, and three rotation channels about three
+/// different axes.
+inline bool may_turn_axes(const JointModel& joint) {
+  int axes = 0;
+  int turns = 0;
+  for (int c = 0; c < joint.channels; ++c)
+    if (is_rotation(joint.kinds[c])) {
+      axes |= 1 << axis_of(joint.kinds[c]);
+      ++turns;
+    }
+  return joint.parent >= 0 && turns == 3 && axes == 7;
+}
+
+/// As they are coded: two rotations, each its axis times its angle, x y z in units of pi / 16.
+struct TurnedAxes {
+  std::int8_t before[3] = {};
+  std::int8_t after[3] = {};
+
+  std::uint32_t code() const {
+    std::uint32_t word = 0;
+    for (int i = 0; i < 3; ++i) {
+      word |= (static_cast<std::uint32_t>(before[i]) & 31U) << (kTurnBits * i);
+      word |= (static_cast<std::uint32_t>(after[i]) & 31U) << (kTurnBits * (3 + i));
+    }
+    return word;
+  }
+
+  /// False: the word stands for nothing.
+  bool set(std::uint32_t word) {
+    if (word >> (6 * kTurnBits) != 0) return false;
+    for (int i = 0; i < 3; ++i) {
+      before[i] = number(word >> (kTurnBits * i));
+      after[i] = number(word >> (kTurnBits * (3 + i)));
+    }
+    return true;
+  }
+
+ private:
+  /// Of the lowest bits.
+  static std::int8_t number(std::uint32_t word) {
+    const auto bits = static_cast<int>(word & 31U);
+    return static_cast<std::int8_t>(bits < 16 ? bits : bits - 32);
+  }
+};
+
+inline Matrix3 rotation_of(const std::int8_t (&turn)[3]) {
+  const Vector3 steps{
+      {static_cast<double>(turn[0]), static_cast<double>(turn[1]), static_cast<double>(turn[2])}};
+  const double count = norm(steps);
+  if (count == 0) return {};
+  constexpr double kPi = 3.14159265358979323846;
+  const double half = count * kPi / (2 * kFixedTurns);
+  const double sine = std::sin(half) / count;
+  return rotation_of(std::cos(half), sine * steps[0], sine * steps[1], sine * steps[2]);
+}
+
+inline void turn_axes(const TurnedAxes& turned, JointModel& joint) {
+  joint.has_axes = true;
+  joint.parent_from_axes = joint.parent_from_axes * rotation_of(turned.before);
+  joint.axes_from_joint = rotation_of(turned.after) * joint.axes_from_joint;
+}
+
+}  // namespace mocapress::runtime

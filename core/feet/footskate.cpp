@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "core/feet/footskate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mocapress {
+namespace {
+
+/// Horizontal way (cm) of a landmark from one row of tracks to another.
+template <typename Row, typename Next>
+double way(const Row& row, const Next& next, int landmark) {
+  return std::hypot(next(3 * landmark) - row(3 * landmark),
+                    next(3 * landmark + 2) - row(3 * landmark + 2));
+}
+
+/// The same to row t of some, from the one before or, at the first, from `last`.
+double step(const Eigen::RowVectorXd& last, const TrackRows& tracks, int t, int landmark) {
+  return t == 0 ? way(last, tracks.row(0), landmark)
+                : way(tracks.row(t - 1), tracks.row(t), landmark);
+}
+
+}  // namespace
+
+FootskateMeter::FootskateMeter(const std::vector<ContactSpan>& contacts, double sample_rate_hz)
+    : sample_rate_hz_(sample_rate_hz) {
+  for (const ContactSpan& span : contacts) findings_.push_back({span, 0, 0, span.first_frame});
+}
+
+void FootskateMeter::add(int first_frame, const TrackRows& original, const TrackRows& decoded) {
+  const auto end = first_frame + static_cast<int>(decoded.rows());
+  if (end == first_frame) return;
+  for (SlideFinding& finding : findings_) {
+    const ContactSpan& span = finding.span;
+    for (int t = std::max(span.first_frame + 1, first_frame);
+         t < std::min(span.last_frame + 1, end); ++t) {
+      const double slid = step(last_decoded_, decoded, t - first_frame, span.landmark);
+      finding.slid_cm += slid - step(last_original_, original, t - first_frame, span.landmark);
+      if (slid * sample_rate_hz_ <= finding.worst_speed_cm_s) continue;
+      finding.worst_speed_cm_s = slid * sample_rate_hz_;
+      finding.worst_frame = t;
+    }
+  }
+  last_original_ = original.bottomRows<1>();
+  last_decoded_ = decoded.bottomRows<1>();
+}
+
+Footskate FootskateMeter::footskate() const {
+  Footskate footskate;
+  for (const SlideFinding& finding : findings_) {
+    if (finding.slid_cm <= 0) continue;
+    footskate.total_cm += finding.slid_cm;
+    footskate.findings.push_back(finding);
+  }
+  std::stable_sort(
+      footskate.findings.begin(), footskate.findings.end(),
+      [](const SlideFinding& a, const SlideFinding& b) { return a.slid_cm > b.slid_cm; });
+  return footskate;
+}
+
+Footskate measure_footskate(const std::vector<ContactSpan>& contacts,
+                            const Eigen::MatrixXd& original_tracks,
+                            const Eigen::MatrixXd& decoded_tracks, double sample_rate_hz) {
+  FootskateMeter meter(contacts, sample_rate_hz);
+  meter.add(0, original_tracks, decoded_tracks);
+  return meter.footskate();
+}
+
+std::optional<SlidePerContact> slide_per_contact(const Footskate& footskate, std::size_t contacts) {
+  if (contacts == 0) return std::nullopt;
+  return SlidePerContact{
+      .mean_cm = footskate.total_cm / static_cast<double>(contacts),
+      .worst_cm = footskate.findings.empty() ? 0 : footskate.findings.front().slid_cm};
+}
+
+}  // namespace mocapress

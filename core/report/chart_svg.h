@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/report/curve.h"
+
+namespace mocapress {
+
+struct ChartSeries {
+  std::string title;
+  int style = 0;  // colour and marker: 0 to kChartStyles - 1
+  Curve line;
+  Curve markers;       // measured points
+  bool paper = false;  // published figures: hollow markers, no line
+};
+
+inline constexpr int kChartStyles = 12;
+
+/// A rate-distortion chart: compression ratio across, eps_x upwards, both logarithmic.
+struct Chart {
+  std::string label;   // for those who cannot see it
+  double width = 720;  // px
+  double height = 430;
+  bool direct_labels = false;  // at the ends of the lines
+  std::vector<ChartSeries> series;
+};
+
+/// An inline <svg>, coloured by the classes of report_style.h.
+std::string draw(const Chart& chart);
+
+/// The sign of a series in a legend.
+std::string legend_mark(int style);
+
+}  // namespace mocapress

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/report/picture.h"
+
+namespace mocapress {
+
+/// A camera that looks at a point, a little from above and from beside where the figure faces, and
+/// the sheet it draws on.
+struct SceneView {
+  Eigen::Vector3d centre;  // cm, in the world
+  Eigen::Vector3d facing;  // horizontal
+  double height_cm = 215;  // of what is seen at the centre
+  double width = 520;      // px
+  double height = 470;
+};
+
+/// A pose over its original, drawn as tapered bones on a grid on the floor.
+class SceneSvg {
+ public:
+  SceneSvg(const Picture& picture, const SceneView& view);
+
+  /// Lines half a metre apart around the centre, fading out.
+  void add_floor();
+
+  void add_shadow(const PosePoints& points);
+
+  /// In the colours of a class: "ghost" or "figure".
+  void add_figure(const PosePoints& points, std::string_view css);
+
+  /// A way over the floor, a dot at its end.
+  void add_trail(const std::vector<Eigen::Vector3d>& points, std::string_view css);
+
+  /// A line between where a point should be and where it is, ringed, with a text beside it.
+  void add_gap(const Eigen::Vector3d& wanted, const Eigen::Vector3d& found,
+               const std::string& text);
+
+  /// The <svg>, named for those who cannot see it.
+  std::string finish(std::string_view label) const;
+
+ private:
+  struct OnSheet {
+    double x, y;   // px
+    double scale;  // px a cm at this depth
+  };
+
+  OnSheet project(const Eigen::Vector3d& point) const;
+  std::string capsule(const DrawnBone& bone, const PosePoints& points) const;
+
+  const Picture& picture_;
+  SceneView view_;
+  Eigen::Vector3d right_, up_, toward_;  // of the camera
+  double distance_;                      // cm from the camera to the centre
+  std::string content_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+// The C interface: checks what the caller hands in, and passes on.
+#include "core/runtime/mocapress_runtime.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <new>
+
+#include "core/codec/format/format_limits.h"
+#include "core/runtime/file_loader.h"
+#include "core/runtime/frame_decoder.h"
+
+using namespace mocapress::runtime;
+
+static_assert(MCPR_ALIGNMENT == kAlignment);
+
+namespace {
+
+constexpr mcpr_result argument(const char* message) {
+  return failure(MCPR_ARGUMENT, 0, message);
+}
+
+bool is_aligned(const void* memory) {
+  return reinterpret_cast<std::uintptr_t>(memory) % kAlignment == 0;
+}
+
+/// The scratch memory of reading: the FileLoader itself, then what it takes.
+std::uint64_t opening_bytes(const FileSections& sections) {
+  Memory memory;
+  memory.take<FileLoader>(1);
+  const FileLoader measured(memory, sections);
+  return memory.used();
+}
+
+mcpr_result check_file(const void* file, std::size_t size, const mcpr_limits* limits,
+                       FileSections& sections, std::uint64_t& bytes) {
+  if (file == nullptr && size > 0) return argument("no file");
+  const mcpr_limits applied = limits != nullptr ? *limits : mcpr_default_limits();
+  const mcpr_result result = read_sections(file, size, applied, sections);
+  if (failed(result)) return result;
+  bytes = opening_bytes(sections);
+  if (bytes > applied.scratch_bytes)
+    return failure(MCPR_LIMIT, 0, "reading takes more scratch memory than the limits allow");
+  return kOk;
+}
+
+bool is_clip(const mcpr_clip* clip) {
+  return clip != nullptr && clip->block.mark == ClipBlock::kMark;
+}
+
+mcpr_result check_request(const mcpr_clip* clip, const mcpr_request* request) {
+  if (!is_clip(clip)) return argument("no clip");
+  if (request == nullptr || !is_possible(clip->block, *request))
+    return argument("the clip cannot be decoded so");
+  return kOk;
+}
+
+mcpr_result check_scratch(const mcpr_clip* clip, const mcpr_request* request, const void* scratch,
+                          std::size_t size) {
+  if (scratch == nullptr || !is_aligned(scratch) || size < mcpr_scratch_bytes(clip, request))
+    return failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
+  return kOk;
+}
+
+}  // namespace
+
+const char* mcpr_status_message(mcpr_status status) {
+  switch (status) {
+    case MCPR_OK:
+      return "done";
+    case MCPR_NOT_A_CLIP:
+      return "not a Mocapress file";
+    case MCPR_VERSION:
+      return "unknown version";
+    case MCPR_DAMAGED:
+      return "damaged file";
+    case MCPR_INVALID:
+      return "invalid file";
+    case MCPR_UNSUPPORTED:
+      return "not of the coding adaptive";
+    case MCPR_LIMIT:
+      return "beyond the limits";
+    case MCPR_MEMORY:
+      return "too little memory";
+    case MCPR_ARGUMENT:
+      return "impossible request";
+  }
+  return "unknown status";
+}
+
+mcpr_limits mcpr_default_limits(void) {
+  return {.frames = kMostFrames,
+          .joints = kMostJoints,
+          .channels = kMostChannels,
+          .values = kMostValues,
+          .scratch_bytes = kMostScratchBytes,
+          .resident_bytes = kMostResidentBytes,
+          .solver_iterations = kMostSweeps};
+}
+
+mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits,
+                         mcpr_info* info) {
+  if (info == nullptr) return argument("nowhere to tell what the file holds");
+  FileSections sections;
+  std::uint64_t bytes = 0;
+  const mcpr_result result = check_file(file, size, limits, sections, bytes);
+  if (failed(result)) return result;
+  *info = {.sample_rate = sections.sample_rate,
+           .frames = sections.frames,
+           .joints = sections.joints,
+           .channels = sections.channels,
+           .effectors = sections.effectors,
+           .motion_bytes = sections.motion_bytes(),
+           .read_bytes = static_cast<std::size_t>(bytes)};
+  return kOk;
+}
+
+mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, void* scratch,
+                      size_t scratch_size, size_t* resident_bytes) {
+  if (resident_bytes == nullptr) return argument("nowhere to tell the size of the clip");
+  FileSections sections;
+  std::uint64_t bytes = 0;
+  mcpr_result result = check_file(file, size, limits, sections, bytes);
+  if (failed(result)) return result;
+  if (scratch == nullptr || !is_aligned(scratch) || scratch_size < bytes)
+    return failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
+  const mcpr_limits applied = limits != nullptr ? *limits : mcpr_default_limits();
+  Memory memory(scratch, scratch_size);
+  auto* const opening = new (memory.take<FileLoader>(1)) FileLoader(memory, sections);
+  opening->solver_iterations = applied.solver_iterations;
+  result = opening->read();
+  if (failed(result)) return result;
+  const std::uint64_t resident = opening->resident_size();
+  if (resident > applied.resident_bytes || resident > std::numeric_limits<std::uint32_t>::max())
+    return failure(MCPR_LIMIT, 0, "the resident form takes more memory than the limits allow");
+  *resident_bytes = static_cast<std::size_t>(resident);
+  return kOk;
+}
+
+mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident, size_t resident_size,
+                       const mcpr_clip** clip) {
+  if (clip == nullptr) return argument("nowhere to put the clip");
+  if (scratch == nullptr || !is_aligned(scratch) || scratch_size < sizeof(FileLoader))
+    return argument("not the scratch memory of mcpr_read");
+  auto* const opening = std::launder(static_cast<FileLoader*>(scratch));
+  if (opening->mark != FileLoader::kMark) return argument("mcpr_read did not succeed");
+  const std::uint64_t bytes = opening->resident_size();
+  if (resident == nullptr || !is_aligned(resident) || resident_size < bytes)
+    return failure(MCPR_MEMORY, 0, "too little memory for the clip, or not aligned");
+  std::memset(resident, 0, static_cast<std::size_t>(bytes));
+  *clip = opening->build(static_cast<std::byte*>(resident));
+  return kOk;
+}
+
+mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip) {
+  if (!is_clip(clip)) return {};
+  const ClipBlock& block = clip->block;
+  return {.sample_rate = block.sample_rate,
+          .frames = static_cast<std::uint32_t>(block.segments.frames),
+          .joints = block.joint_count,
+          .channels = block.channel_count,
+          .effectors = block.effector_count,
+          .bands = static_cast<std::uint32_t>(block.motion(0).band_count() - 1),
+          .resident_bytes = static_cast<std::size_t>(block.total_bytes),
+          .skeleton_bytes = static_cast<std::size_t>(block.skeleton_bytes),
+          .loop_frames = static_cast<std::uint32_t>(block.turn_frames())};
+}
+
+mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out) {
+  if (!is_clip(clip) || out == nullptr || joint >= clip->block.joint_count)
+    return argument("no such joint");
+  const JointModel& model = clip->block.joint_models()[joint];
+  *out = {};
+  out->name = clip->block.at<char>(clip->block.names) + model.name;
+  out->parent = model.parent;
+  out->first_channel = model.first_channel;
+  out->channels = model.channels;
+  out->has_end_site = model.has_end_site ? 1 : 0;
+  for (int i = 0; i < 3; ++i) {
+    out->offset[i] = static_cast<float>(model.offset[i]);
+    out->end_site[i] = model.end_site[i];
+  }
+  std::memcpy(out->kinds, model.kinds, sizeof out->kinds);
+  return kOk;
+}
+
+int mcpr_path_exists(mcpr_path path) {
+  switch (path) {
+    case MCPR_PATH_BEST:
+    case MCPR_PATH_PLAIN:
+      return 1;
+    case MCPR_PATH_SSE2:
+      return sse2_rows() != nullptr ? 1 : 0;
+    case MCPR_PATH_AVX2:
+      return avx2_rows() != nullptr ? 1 : 0;
+  }
+  return 0;
+}
+
+size_t mcpr_frame_values(const mcpr_clip* clip, const mcpr_request* request) {
+  return failed(check_request(clip, request)) ? 0 : values_of_frame(clip->block, *request);
+}
+
+size_t mcpr_scratch_bytes(const mcpr_clip* clip, const mcpr_request* request) {
+  if (failed(check_request(clip, request))) return 0;
+  Memory memory;
+  const FrameDecoder measured(memory, clip->block, *request);
+  return static_cast<std::size_t>(memory.used());
+}
+
+mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request, uint32_t first,
+                               uint32_t count, float* out, void* scratch, size_t scratch_size) {
+  mcpr_result result = check_request(clip, request);
+  if (failed(result)) return result;
+  const auto frames = static_cast<std::uint32_t>(clip->block.segments.frames);
+  if (first > frames || count > frames - first || (out == nullptr && count > 0))
+    return argument("frames that the clip does not have");
+  if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
+  Memory memory(scratch, scratch_size);
+  FrameDecoder(memory, clip->block, *request)
+      .decode(static_cast<int>(first), static_cast<int>(count), out);
+  return kOk;
+}
+
+mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request, double frame,
+                               float* out, void* scratch, size_t scratch_size) {
+  mcpr_result result = check_request(clip, request);
+  if (failed(result)) return result;
+  if (!(frame >= 0 && frame <= clip->block.segments.frames - 1) || out == nullptr)
+    return argument("an instant outside the clip");
+  if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
+  Memory memory(scratch, scratch_size);
+  FrameDecoder(memory, clip->block, *request).sample_at(frame, out);
+  return kOk;
+}
+
+mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request, double frame,
+                               float* out, void* scratch, size_t scratch_size) {
+  mcpr_result result = check_request(clip, request);
+  if (failed(result)) return result;
+  const int turn = clip->block.turn_frames();
+  if (turn < 1) return argument("the clip is no loop");
+  if (!std::isfinite(frame) || out == nullptr) return argument("an instant that is none");
+  if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
+  double within = std::fmod(frame, turn);
+  if (within < 0) within += turn;
+  if (within >= turn) within = 0;  // rounded up from just below zero
+  Memory memory(scratch, scratch_size);
+  FrameDecoder decoder(memory, clip->block, *request);
+  if (within <= clip->block.segments.frames - 1)
+    decoder.sample_at(within, out);
+  else
+    decoder.decode_across(static_cast<float>(within - (turn - 1)), out);
+  return kOk;
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/format/coded_ends.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kChannelsOfClip = 20;
+constexpr int kFramesOfClip = 100;
+
+CodedEnds some_ends() {
+  Random random(3);
+  CodedEnds ends{.reach = {8, 1}, .step_exponent = {-3, 12}, .steps = {}};
+  ends.steps.resize(kChannelsOfClip, 2);
+  for (int& steps : ends.steps.reshaped()) steps = static_cast<int>(random.below(41)) - 20;
+  ends.steps(4, 0) = (1 << 24) - 1;
+  ends.steps(5, 1) = -((1 << 24) - 1);
+  return ends;
+}
+
+TEST(CodedEnds, ReadBackAsWritten) {
+  const CodedEnds ends = some_ends();
+  const CodedEnds read = read_ends(ends.write(), 0, kFramesOfClip, kChannelsOfClip);
+  EXPECT_EQ(read.reach, ends.reach);
+  EXPECT_EQ(read.step_exponent, ends.step_exponent);
+  EXPECT_EQ(read.steps, ends.steps);
+}
+
+TEST(CodedEnds, BytesAfterThemAreRefused) {
+  std::vector<std::byte> bytes = some_ends().write();
+  bytes.resize(bytes.size() + 4);
+  EXPECT_THROW(read_ends(bytes, 0, kFramesOfClip, kChannelsOfClip), FormatError);
+}
+
+TEST(CodedEnds, EndsOfMoreFramesThanTheClipAreRefused) {
+  const std::vector<std::byte> bytes = some_ends().write();
+  EXPECT_NO_THROW(read_ends(bytes, 0, 8, kChannelsOfClip));
+  EXPECT_THROW(read_ends(bytes, 0, 7, kChannelsOfClip), FormatError);
+}
+
+TEST(CodedEnds, ImpossibleStepsAndReachesAreRefused) {
+  for (const std::size_t byte : {0u, 1u}) {
+    std::vector<std::byte> bytes = some_ends().write();
+    bytes[byte] = std::byte{0};
+    EXPECT_THROW(read_ends(bytes, 0, kFramesOfClip, kChannelsOfClip), FormatError);
+  }
+  for (const std::size_t byte : {2u, 3u})
+    for (const int step_exponent : {-17, 49}) {
+      std::vector<std::byte> bytes = some_ends().write();
+      bytes[byte] = static_cast<std::byte>(step_exponent);
+      EXPECT_THROW(read_ends(bytes, 0, kFramesOfClip, kChannelsOfClip), FormatError);
+    }
+}
+
+TEST(EndPoses, TakeEffectWithinTheirReachAndWholeAtTheEnds) {
+  const CodedEnds ends = some_ends();
+  const std::vector<float> steps(kChannelsOfClip, 0.25F);
+  Eigen::MatrixXd channels = Eigen::MatrixXd::Zero(kFramesOfClip, kChannelsOfClip);
+  EndPoses(ends, steps, steps).add_to(0, kFramesOfClip, channels);
+  EXPECT_EQ(channels(kFramesOfClip - 1, 0), 0.25 * std::exp2(-6) * ends.steps(0, 1));
+  for (int t = 0; t < 8; ++t) {
+    const double left = (8.0 - t) / 8;
+    EXPECT_NEAR(channels(t, 0), left * left * channels(0, 0), 1e-6);
+  }
+  EXPECT_TRUE(channels.middleRows(8, kFramesOfClip - 9).isZero(0));
+}
+
+TEST(EndPoses, AreTheSameInBlocks) {
+  const CodedEnds ends = some_ends();
+  const std::vector<float> steps(kChannelsOfClip, 0.25F);
+  const EndPoses poses(ends, steps, steps);
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Ones(kFramesOfClip, kChannelsOfClip);
+  poses.add_to(0, kFramesOfClip, whole);
+  for (const int first : {0, 3, 97, 99}) {
+    Eigen::MatrixXd block =
+        Eigen::MatrixXd::Ones(std::min(5, kFramesOfClip - first), kChannelsOfClip);
+    poses.add_to(first, kFramesOfClip, block);
+    EXPECT_EQ(block, whole.middleRows(first, block.rows()));
+  }
+}
+
+}  // namespace
+}  // namespace mocapress
