@@ -4,6 +4,7 @@
 #include "core/baselines/quaternion.h"
 
 #include "core/baselines/quaternion_signals.h"
+#include "core/codec/decode/signal_decoder.h"
 #include "core/codec/encode/clip_analysis.h"
 #include "core/codec/format/rle16.h"
 #include "core/codec/format/signal_coder.h"

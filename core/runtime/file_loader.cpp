@@ -2,12 +2,10 @@
 #include "core/runtime/file_loader.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstring>
 #include <new>
 
-#include "core/codec/format/format_limits.h"
+#include "core/codec/format/coded_motion.h"
 #include "core/codec/format/joint_records.h"
 #include "core/codec/format/turned_axes.h"
 #include "core/codec/format/wide_limits.h"
@@ -16,11 +14,6 @@ namespace mocapress::runtime {
 namespace {
 
 constexpr std::uint64_t kBudget = 20;  // tenths of the motion in the file, for its resident form
-
-float step_of(float scale, int step_exponent) {
-  const double whole = std::ldexp(static_cast<double>(scale), -(step_exponent >> 1));
-  return static_cast<float>(step_exponent % 2 == 0 ? whole : whole * 0x1.6a09e667f3bcdp-1);
-}
 
 }  // namespace
 
@@ -84,66 +77,24 @@ mcpr_result FileLoader::read() {
 }
 
 mcpr_result FileLoader::read_joints() {
-  const Bytes& coded = sections_.coded_joints;
-  RangeDecoder bits(coded.data, coded.size);
-  joint_coder_.run(bits, joint_bytes_, sections_.joint_bytes);
-  if (bits.failed() || !bits.is_at_end())
-    return failure(MCPR_INVALID, coded.offset + bits.position(), "the coded skeleton is damaged");
-  return read_joint_records();
-}
-
-mcpr_result FileLoader::read_joint_records() {
-  const std::size_t offset = sections_.coded_joints.offset;
-  Cursor cursor(joint_bytes_, sections_.joint_bytes);
-  std::uint32_t channels = 0;
+  const mcpr_result result = decode_joint_bytes(sections_, joint_coder_, joint_bytes_);
+  if (failed(result)) return result;
   name_bytes_ = 0;
-  for (int j = 0; j < static_cast<int>(sections_.joints); ++j) {
-    JointRecord record;
-    const mcpr_result result = read_joint(cursor, j, record);
-    if (failed(result)) return failure(result.status, offset, result.message);
-    const int parent = record.model.parent;
-    depths_[j] = static_cast<std::uint16_t>(parent < 0 ? 1 : depths_[parent] + 1);
-    if (depths_[j] > kMostDepth)
-      return failure(MCPR_INVALID, offset, "joints are nested deeper than 1000");
-    record.model.first_channel = static_cast<std::uint16_t>(channels);
-    record.model.name = name_bytes_;
-    joints_[j] = record.model;
-    parents_[j] = static_cast<std::int16_t>(record.model.parent);
-    channel_counts_[j] = record.model.channels;
-    channels += record.model.channels;
-    name_bytes_ += record.name_length + 1U;
-  }
-  if (!cursor.at_end()) return failure(MCPR_INVALID, offset, "bytes after the last joint");
-  if (channels != sections_.channels)
-    return failure(MCPR_INVALID, offset, "not as many channels as JNTS promises");
-  return kOk;
+  return runtime::read_joints(sections_, joint_bytes_, depths_,
+                              [&](int j, const JointRecord& record) {
+                                joints_[j] = record.model;
+                                joints_[j].name = name_bytes_;
+                                parents_[j] = static_cast<std::int16_t>(record.model.parent);
+                                channel_counts_[j] = record.model.channels;
+                                name_bytes_ += record.name_length + 1U;
+                              });
 }
 
 mcpr_result FileLoader::turn_axes_of_joints() {
-  const Bytes& axes = sections_.axes;
-  if (axes.data == nullptr) return kOk;
-  std::size_t candidates = 0;
-  for (int j = 0; j < static_cast<int>(sections_.joints); ++j)
-    candidates += may_turn_axes(joints_[j]) ? 1 : 0;
-  Cursor cursor(axes.data, axes.size, axes.offset);
-  const std::uint8_t* const flags = cursor.take((candidates + 7) / 8);
-  if (cursor.failed()) return failure(MCPR_INVALID, axes.offset, "AXES is too short");
-  if (candidates % 8 != 0 && flags[candidates / 8] >> (candidates % 8) != 0)
-    return failure(MCPR_INVALID, axes.offset, "axes turned that are none");
-  std::size_t i = 0;
-  for (int j = 0; j < static_cast<int>(sections_.joints); ++j) {
-    if (!may_turn_axes(joints_[j])) continue;
-    const bool turned = (flags[i / 8] >> (i % 8) & 1) != 0;
-    ++i;
-    if (!turned) continue;
-    const std::size_t offset = cursor.offset();
-    TurnedAxes coded;
-    if (!coded.set(cursor.read<std::uint32_t>()) || cursor.failed())
-      return failure(MCPR_INVALID, offset, "axes turned that are none");
-    turn_axes(coded, joints_[j]);
-  }
-  if (!cursor.at_end()) return failure(MCPR_INVALID, cursor.offset(), "AXES of another size");
-  return kOk;
+  return read_turned_axes(
+      sections_.axes, static_cast<int>(sections_.joints),
+      [&](int j) { return may_turn_axes(joints_[j]); },
+      [&](int j, const TurnedAxes& turned) { turn_axes(turned, joints_[j]); });
 }
 
 mcpr_result FileLoader::plan_limbs() {
@@ -163,21 +114,18 @@ mcpr_result FileLoader::read_motion() {
   set_correction_neighbours(channels, signal_count - channels, neighbours_ + channels);
   find_wide_limits();
   std::size_t first_byte = 0;
-  const Bytes& coded_ends = sections_.coded_ends;
-  RangeDecoder end_bits(coded_ends.data, coded_ends.size);
-  EndCoder end_coder;
+  EndReader ends(sections_.coded_ends);
   for (int k = 0; k < sections_.segments.count(); ++k) {
     segments_[k] = {first_byte, sections_.segment_size(k), 0};
     const mcpr_result result = read_segment(k);
     if (failed(result)) return result;
-    if (k == 0) read_end(end_coder, end_bits, 0);
-    if (k == sections_.segments.count() - 1) read_end(end_coder, end_bits, 1);
+    if (k == 0) read_end(ends, 0);
+    if (k == sections_.segments.count() - 1) read_end(ends, 1);
     segments_[k].resident_bytes = ResidentSignals::size(source(k));
     first_byte += segments_[k].bytes;
   }
-  if (sections_.ends_bytes > 0 && (end_bits.failed() || !end_bits.is_at_end()))
-    return failure(MCPR_INVALID, coded_ends.offset + end_bits.position(),
-                   "the coded ends are damaged");
+  if (sections_.ends_bytes > 0)
+    if (const mcpr_result result = ends.finish(); failed(result)) return result;
   // The file is done with.
   if (sections_.segments.count() > 1)
     std::copy_n(sections_.motion.data, sections_.motion.size, coded_motion_);
@@ -186,13 +134,13 @@ mcpr_result FileLoader::read_motion() {
 }
 
 /// In steps of the segment that was decoded last.
-void FileLoader::read_end(EndCoder& coder, RangeDecoder& bits, int end) {
+void FileLoader::read_end(EndReader& ends, int end) {
   if (sections_.ends_bytes == 0) return;
   const std::uint32_t channels = sections_.channels;
-  const int step_exponent = sections_.end_fineness[end];
+  const int step_exponent = sections_.end_step_exponent[end];
   for (std::uint32_t c = 0; c < channels; ++c)
     ends_[static_cast<std::uint32_t>(end) * channels + c] =
-        end_value(coder.code(bits, 0), steps_[c], step_exponent);
+        end_value(ends.next(), steps_[c], step_exponent);
 }
 
 /// Unless it is the one that was decoded last.
@@ -205,25 +153,17 @@ mcpr_result FileLoader::read_segment(int segment) {
 }
 
 mcpr_result FileLoader::decode_segment(int segment, const Bytes& coded) {
-  Cursor head(coded.data, coded.size, coded.offset);
-  const auto scale = std::bit_cast<float>(std::uint32_t{head.read<std::uint16_t>()} << 16);
-  if (head.failed() || !std::isfinite(scale) || scale <= 0)
-    return failure(MCPR_INVALID, coded.offset, "the scale of steps is no positive number");
   const int frames = sections_.segments.frames_of(segment);
   const auto signal_count = static_cast<int>(sections_.signal_count());
-  std::fill_n(step_exponents_, signal_count, 0);
-  std::fill_n(values_, std::int64_t{frames} * signal_count, 0);
-  RangeDecoder bits(coded.data + 2, coded.size - 2);
-  CoefficientModel model(signal_count, contexts_);
-  model.begin();
   const Bands bands(frames);
   const QuantisedView view{frames, signal_count, step_exponents_, values_};
-  CoefficientCoder(bits, neighbours_, bands, model, view, coder_notes_).run();
-  const std::size_t offset = coded.offset + 2 + bits.position();
-  if (bits.exhausted()) return failure(MCPR_INVALID, offset, "the coded motion ends early");
-  if (bits.refused()) return failure(MCPR_INVALID, offset, "a number of the motion out of bounds");
-  if (!bits.is_at_end()) return failure(MCPR_INVALID, offset, "bytes after the coded motion");
-  for (int s = 0; s < signal_count; ++s) steps_[s] = step_of(scale, step_exponents_[s]);
+  CoefficientModel model(signal_count, contexts_);
+  float scale = 0;
+  const mcpr_result result =
+      decode_coefficients(coded, neighbours_, bands, model, view, coder_notes_, scale);
+  if (failed(result)) return result;
+  for (int s = 0; s < signal_count; ++s)
+    steps_[s] = static_cast<float>(step_of(step_exponents_[s], scale));
   return kOk;
 }
 

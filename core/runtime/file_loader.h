@@ -37,7 +37,6 @@ class FileLoader {
 
  private:
   mcpr_result read_joints();
-  mcpr_result read_joint_records();
   mcpr_result turn_axes_of_joints();
   mcpr_result plan_limbs();
   mcpr_result read_motion();
@@ -47,7 +46,7 @@ class FileLoader {
   mcpr_result read_segment(int segment);
   mcpr_result decode_segment(int segment, const Bytes& coded);
   void find_wide_limits();
-  void read_end(EndCoder& coder, RangeDecoder& bits, int end);
+  void read_end(EndReader& ends, int end);
   QuantisedSource source(int segment) const;
 
   FileSections sections_;

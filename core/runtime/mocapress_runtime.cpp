@@ -39,6 +39,8 @@ mcpr_result check_file(const void* file, std::size_t size, const mcpr_limits* li
   const mcpr_limits applied = limits != nullptr ? *limits : mcpr_default_limits();
   const mcpr_result result = read_sections(file, size, applied, sections);
   if (failed(result)) return result;
+  if (!sections.is_adaptive())
+    return failure(MCPR_UNSUPPORTED, sections.motion.offset, "not of the coding adaptive");
   bytes = opening_bytes(sections);
   if (bytes > applied.scratch_bytes)
     return failure(MCPR_LIMIT, 0, "reading takes more scratch memory than the limits allow");

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/codec/encode/clip_analysis.h"
-#include "core/codec/encode/coefficient_model.h"
 #include "core/codec/format/adaptive.h"
 #include "core/codec/format/coefficient_priors.h"
 #include "core/formats/motion_file.h"

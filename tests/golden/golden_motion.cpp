@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/codec/encode/segments.h"
 #include "core/codec/format/deflate.h"
 #include "core/codec/format/rle16.h"
 #include "core/select/truncation.h"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/codec/encode/segments.h"
 #include "core/select/truncation.h"
 
 namespace mocapress::test {

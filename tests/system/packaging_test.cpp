@@ -46,7 +46,8 @@ TEST(Packaging, TheManPageHasNoMistakes) {
 }
 
 TEST(Packaging, TheManPageHasEveryOption) {
-  std::ifstream file(std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "app/studio/launch_options.cpp");
+  std::ifstream file(std::filesystem::path(MOCAPRESS_SOURCE_DIR) /
+                     "app/studio/window/launch_options.cpp");
   const std::string source(std::istreambuf_iterator<char>(file), {});
   const std::string page = text("mocapress-studio.1");
   const std::regex option("QCommandLineOption \\w+\\(\\s*QStringLiteral\\(\"([a-z-]+)\"\\)");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/decode/decoder.h"
 
+#include "core/codec/decode/segment_join.h"
 #include "core/codec/decode/signal_decoder.h"
 #include "core/codec/format/signal_coder.h"
 #include "core/codec/format/wide_limits.h"

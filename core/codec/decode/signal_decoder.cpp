@@ -2,11 +2,13 @@
 #include "core/codec/decode/signal_decoder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <numeric>
 
 #include "core/codec/format/own_memory.h"
+#include "core/codec/format/rle16.h"
 #include "core/runtime/signal_decoder.h"
 
 namespace mocapress {
@@ -59,6 +61,13 @@ Eigen::MatrixXd decode_signals(const Eigen::MatrixXi& values, const std::vector<
     samples.middleRows(first, frames) = window.leftCols(frames).transpose().cast<double>();
   }
   return samples;
+}
+
+Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int count) {
+  const Rle16Values read = rle16_read(words, samples, count);
+  std::vector<float> steps;
+  for (const int exponent : read.exponents) steps.push_back(std::ldexp(1.0F, exponent));
+  return decode_signals(read.values, steps, basis);
 }
 
 }  // namespace mocapress

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/base/byte_cursor.h"
 #include "core/wavelet/lifting.h"
 
 namespace mocapress {
@@ -14,5 +15,9 @@ namespace mocapress {
 /// are decoded in double precision on the way.
 Eigen::MatrixXd decode_signals(const Eigen::MatrixXi& values, const std::vector<float>& steps,
                                Basis basis, const std::vector<float>& wide_limits = {});
+
+/// The next signals of words (FORMAT.md, MOTN), samples x count. Throws FormatError when the words
+/// are not valid.
+Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int count);
 
 }  // namespace mocapress

@@ -2,6 +2,7 @@
 #include "core/codec/encode/original.h"
 
 #include "core/codec/decode/decoder.h"
+#include "core/codec/encode/segments.h"
 
 namespace mocapress {
 

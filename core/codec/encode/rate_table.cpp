@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/codec/encode/coefficient_model.h"
+#include "core/codec/format/adaptive.h"
 
 namespace mocapress {
 namespace {

@@ -25,19 +25,4 @@ SegmentLayout even_segments(int frames, const SegmentPlan& plan);
 Motion frames_of(const Motion& motion, int first, int count);
 std::vector<ContactSpan> frames_of(const std::vector<ContactSpan>& contacts, int first, int count);
 
-/// Joins the samples of segments (frames x signals, as decode_signals() gives them), one after the
-/// other, blended where two overlap. Of those before only what is shared is kept.
-class SegmentJoin {
- public:
-  explicit SegmentJoin(const SegmentLayout& layout) : layout_(layout) {}
-
-  /// Those of the next segment: gives the frames from its first on that no later one shares.
-  Eigen::MatrixXd next(Eigen::MatrixXd samples);
-
- private:
-  SegmentLayout layout_;
-  int segment_ = 0;
-  Eigen::MatrixXd shared_;  // the last frames of the segment before
-};
-
 }  // namespace mocapress

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "core/codec/decode/decoder.h"
+#include "core/codec/decode/signal_decoder.h"
 #include "core/codec/encode/count_search.h"
 #include "core/codec/encode/end_fit.h"
 #include "core/codec/encode/goal.h"
@@ -276,10 +277,10 @@ class TargetedEncode {
                                reconstruct(coded, coefficients_.lifting)};
       DifferenceFit lacking = correction_->select(
           reconstructed, correction_ratio_, options_.basis,
-          [&](double step) { return step_of(fineness_for(step, coded.scale), coded.scale); });
+          [&](double step) { return step_of(step_exponent_for(step, coded.scale), coded.scale); });
       QuantisedSignals differences{coded.scale, {}, std::move(lacking.values)};
       for (const double step : lacking.steps)
-        differences.step_exponent.push_back(fineness_for(step, coded.scale));
+        differences.step_exponent.push_back(step_exponent_for(step, coded.scale));
       append(differences, coded);
       compressed.correction = correction_->correction();
     }

@@ -2,14 +2,25 @@
 #include "core/codec/format/adaptive.h"
 
 #include <bit>
-#include <cmath>
 
-#include "core/base/byte_cursor.h"
-#include "core/base/error.h"
-#include "core/codec/encode/coefficient_model.h"
+#include "core/codec/format/format_error.h"
 #include "core/codec/format/range_coder.h"
 
 namespace mocapress {
+
+CoefficientModel::CoefficientModel(int signal_count, Untaught)
+    : contexts_(static_cast<std::size_t>(runtime::ContextLayout(signal_count).end)),
+      model_(signal_count, contexts_.data()) {
+  model_.begin_untaught();
+}
+
+CoefficientModel CoefficientModel::untaught(int signal_count) {
+  return {signal_count, Untaught()};
+}
+
+CoefficientModel::CoefficientModel(int signal_count) : CoefficientModel(signal_count, Untaught()) {
+  model_.begin();
+}
 
 std::vector<SignalNeighbours> channel_neighbours(const Skeleton& skeleton) {
   const int joints = skeleton.joint_count();
@@ -47,23 +58,18 @@ std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
 QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
                                  const std::vector<SignalNeighbours>& neighbours, int length,
                                  std::size_t base_offset) {
-  ByteReader reader(bytes, base_offset);
-  const std::uint32_t scale = reader.read<std::uint16_t>();
-  QuantisedSignals coded{
-      .scale = std::bit_cast<float>(scale << 16), .step_exponent = {}, .values = {}};
-  if (!std::isfinite(coded.scale) || coded.scale <= 0)
-    throw FormatError(base_offset, "the scale of steps is no positive number");
-  const std::span<const std::byte> coded_bits = bytes.last(reader.remaining());
-  runtime::RangeDecoder bits(reinterpret_cast<const std::uint8_t*>(coded_bits.data()),
-                             coded_bits.size());
+  const auto signal_count = static_cast<int>(neighbours.size());
+  QuantisedSignals coded;
   coded.step_exponent.resize(neighbours.size());
-  coded.values.setZero(length, std::ssize(neighbours));
-  CoefficientModel model(static_cast<int>(neighbours.size()));
-  code_coefficients(bits, neighbours, *model, coded);
-  const std::size_t offset = reader.offset() + bits.position();
-  if (bits.exhausted()) throw FormatError(offset, "the coded bits end early");
-  if (bits.refused()) throw FormatError(offset, "a number out of bounds");
-  if (!bits.is_at_end()) throw FormatError(offset, "bytes after the coded bits");
+  coded.values.resize(length, signal_count);
+  CoefficientModel model(signal_count);
+  const runtime::Bands bands(length);
+  const OwnMemory<runtime::CoderNotes> notes(bands, signal_count);
+  require(runtime::decode_coefficients(
+      {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), base_offset},
+      neighbours.data(), bands, *model,
+      {length, signal_count, coded.step_exponent.data(), coded.values.data()}, *notes,
+      coded.scale));
   return coded;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/byte_cursor.h"
-#include "core/base/error.h"
+#include "core/codec/format/format_error.h"
 #include "core/codec/format/turned_axes.h"
 
 namespace mocapress {
@@ -57,22 +57,14 @@ std::vector<std::byte> write_axes(const Skeleton& skeleton, const RotationForms&
   return writer.release();
 }
 
-void read_axes(std::span<const std::byte> payload, std::size_t base_offset,
-               const Skeleton& skeleton, RotationForms& forms) {
-  const std::vector<std::size_t> joints = joints_that_may(skeleton);
-  ByteReader reader(payload, base_offset);
-  const auto flags = reader.take(flag_bytes(joints.size()));
-  for (std::size_t i = 0; i < 8 * flags.size(); ++i) {
-    if ((flags[i / 8] >> (i % 8) & std::byte{1}) == std::byte{0}) continue;
-    const std::size_t offset = reader.offset();
-    runtime::TurnedAxes turned;
-    if (i >= joints.size() || !turned.set(reader.read<std::uint32_t>()))
-      throw FormatError(offset, "axes turned that are none");
-    RotationForm& form = forms[joints[i]];
-    std::copy_n(turned.before, 3, form.before.begin());
-    std::copy_n(turned.after, 3, form.after.begin());
-  }
-  reader.expect_end();
+void read_axes(const runtime::Bytes& axes, const Skeleton& skeleton, RotationForms& forms) {
+  require(runtime::read_turned_axes(
+      axes, skeleton.joint_count(), [&](int j) { return may_turn_axes(skeleton.joint(j)); },
+      [&](int j, const runtime::TurnedAxes& turned) {
+        RotationForm& form = forms[static_cast<std::size_t>(j)];
+        std::copy_n(turned.before, 3, form.before.begin());
+        std::copy_n(turned.after, 3, form.after.begin());
+      }));
 }
 
 }  // namespace mocapress

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string_view>
 #include <vector>
 
+#include "core/codec/format/section.h"
 #include "core/motion/rotation_form.h"
 
 namespace mocapress {
@@ -22,8 +22,7 @@ std::size_t axes_section_bytes(const Skeleton& coded);
 /// The payload of AXES.
 std::vector<std::byte> write_axes(const Skeleton& skeleton, const RotationForms& forms);
 
-/// Sets the fixed turns of the forms. Throws FormatError, with offsets counted from `base_offset`.
-void read_axes(std::span<const std::byte> payload, std::size_t base_offset,
-               const Skeleton& skeleton, RotationForms& forms);
+/// Sets the fixed turns of the forms. Throws FormatError.
+void read_axes(const runtime::Bytes& axes, const Skeleton& skeleton, RotationForms& forms);
 
 }  // namespace mocapress

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/format/coded_ends.h"
 
+#include <algorithm>
+
 #include "core/base/byte_cursor.h"
-#include "core/base/error.h"
 #include "core/codec/format/end_poses.h"
+#include "core/codec/format/format_error.h"
 #include "core/codec/format/range_coder.h"
 
 namespace mocapress {
@@ -31,25 +33,14 @@ std::vector<std::byte> CodedEnds::write() const {
   return writer.release();
 }
 
-CodedEnds read_ends(std::span<const std::byte> payload, std::size_t base_offset, int frames,
-                    int channels) {
-  ByteReader reader(payload, base_offset);
+CodedEnds read_ends(const runtime::FileSections& sections) {
   CodedEnds ends;
-  for (int& of_end : ends.reach) of_end = reader.read<std::uint8_t>();
-  for (int& of_end : ends.step_exponent) of_end = reader.read<std::int8_t>();
-  for (const int of_end : ends.reach)
-    if (of_end < 1 || of_end > frames) throw FormatError(base_offset, "ends of impossible length");
-  for (const int of_end : ends.step_exponent)
-    if (of_end < runtime::kLeastEndStepExponent || of_end > runtime::kMostEndStepExponent)
-      throw FormatError(base_offset + 2, "ends in impossible steps");
-  const std::span<const std::byte> coded = payload.last(reader.remaining());
-  runtime::RangeDecoder bits(reinterpret_cast<const std::uint8_t*>(coded.data()), coded.size());
-  runtime::EndCoder coder;
-  ends.steps.resize(channels, 2);
-  for (int& value : ends.steps.reshaped()) value = coder.code(bits, 0);
-  const std::size_t offset = reader.offset() + bits.position();
-  if (bits.exhausted()) throw FormatError(offset, "the coded ends end early");
-  if (!bits.is_at_end()) throw FormatError(offset, "bytes after the coded ends");
+  std::copy_n(sections.end_reach, 2, ends.reach.begin());
+  std::copy_n(sections.end_step_exponent, 2, ends.step_exponent.begin());
+  runtime::EndReader reader(sections.coded_ends);
+  ends.steps.resize(sections.channels, 2);
+  for (int& value : ends.steps.reshaped()) value = reader.next();
+  require(reader.finish());
   return ends;
 }
 

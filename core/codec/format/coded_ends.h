@@ -5,9 +5,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <span>
 #include <string_view>
 #include <vector>
+
+#include "core/codec/format/file_sections.h"
 
 namespace mocapress {
 
@@ -35,9 +36,8 @@ struct CodedEnds {
   std::vector<std::byte> write() const;
 };
 
-/// The inverse. Throws FormatError, with offsets counted from `base_offset`.
-CodedEnds read_ends(std::span<const std::byte> payload, std::size_t base_offset, int frames,
-                    int channels);
+/// The ends of a file that has them. Throws FormatError.
+CodedEnds read_ends(const runtime::FileSections& sections);
 
 /// The same in centimetres and radians, ready to be added.
 class EndPoses {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/codec/encode/segments.h"
 #include "core/codec/format/adaptive.h"
 #include "core/codec/format/coded_ends.h"
+#include "core/codec/format/segment_layout.h"
 #include "core/codec/format/signal_coder.h"
 #include "core/ik/correction.h"
 #include "core/motion/clip.h"
@@ -21,6 +21,8 @@
 #include "core/wavelet/lifting.h"
 
 namespace mocapress {
+
+using runtime::SegmentLayout;
 
 /// How coefficients were chosen. The decoder does not care; the values are part of the file format.
 enum class Method : std::uint8_t {

@@ -24,6 +24,9 @@ struct Container {
 };
 
 std::vector<std::byte> write_container(const Container& container);
+/// The sections of a file, checked against the format's limits. Throws FormatError.
+runtime::FileSections sections_of(std::span<const std::byte> bytes);
+
 Container read_any_container(std::span<const std::byte> bytes);
 
 /// Wavelets from and to a file. Loading throws InputError, which names file and byte offset; saving

@@ -10,6 +10,8 @@
 #include <cstdlib>
 
 #include "core/codec/format/mixed_bit.h"
+#include "core/codec/format/range_decoder.h"
+#include "core/codec/format/section.h"
 
 namespace mocapress::runtime {
 
@@ -56,6 +58,25 @@ class EndCoder {
   }
 
   AdaptiveBit has_more_[kMostEndDigits];
+};
+
+/// Reads the coded numbers of ENDS: those of the first frame, channel by channel, then the last.
+class EndReader {
+ public:
+  explicit EndReader(const Bytes& coded) : coded_(coded), bits_(coded.data, coded.size) {}
+
+  std::int32_t next() { return coder_.code(bits_, 0); }
+
+  /// Whether all of them were there and nothing else.
+  mcpr_result finish() const {
+    if (!bits_.failed() && bits_.is_at_end()) return kOk;
+    return failure(MCPR_INVALID, coded_.offset + bits_.position(), "the coded ends are damaged");
+  }
+
+ private:
+  Bytes coded_;
+  RangeDecoder bits_;
+  EndCoder coder_;
 };
 
 }  // namespace mocapress::runtime

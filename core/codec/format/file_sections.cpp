@@ -2,7 +2,6 @@
 #include "core/codec/format/file_sections.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -13,50 +12,6 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr std::array<std::uint32_t, 256> crc_table() {
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t i = 0; i < 256; ++i) {
-    table[i] = i;
-    for (int bit = 0; bit < 8; ++bit)
-      table[i] = table[i] >> 1 ^ ((table[i] & 1) != 0 ? 0xEDB88320U : 0);
-  }
-  return table;
-}
-
-constexpr std::array<std::uint32_t, 256> kCrcTable = crc_table();
-
-/// CRC-32 as zlib has it, of what came before and these bytes; not yet inverted at the end.
-std::uint32_t crc_of(std::uint32_t crc, const std::uint8_t* bytes, std::size_t size) {
-  for (std::size_t i = 0; i < size; ++i) crc = crc >> 8 ^ kCrcTable[(crc ^ bytes[i]) & 0xFF];
-  return crc;
-}
-
-struct Section {
-  char tag[4] = {};
-  std::size_t start = 0;
-  Bytes payload;
-
-  bool is(const char* name) const { return std::memcmp(tag, name, 4) == 0; }
-  bool is_optional() const { return tag[0] >= 'a' && tag[0] <= 'z'; }
-};
-
-mcpr_result read_section(Cursor& file, Section& section) {
-  section.start = file.offset();
-  const std::uint8_t* const head = file.take(8);
-  const auto crc = file.read<std::uint32_t>();
-  if (file.failed()) return failure(MCPR_DAMAGED, section.start, "the file ends within a section");
-  std::uint32_t size = 0;
-  std::memcpy(section.tag, head, 4);
-  std::memcpy(&size, head + 4, 4);
-  section.payload.offset = file.offset();
-  section.payload.size = size;
-  section.payload.data = file.take(size);
-  if (file.failed()) return failure(MCPR_DAMAGED, section.start, "the file ends within a section");
-  if (~crc_of(crc_of(~0U, head, 8), section.payload.data, size) != crc)
-    return failure(MCPR_DAMAGED, section.start, "a section's checksum differs");
-  return kOk;
-}
-
 class SectionsReader {
  public:
   SectionsReader(const mcpr_limits& limits, FileSections& sections)
@@ -64,13 +19,8 @@ class SectionsReader {
 
   mcpr_result read(Cursor file) {
     file_bytes_ = file.left();
-    const std::uint8_t* const magic = file.take(4);
-    if (magic == nullptr || std::memcmp(magic, "MCPR", 4) != 0)
-      return failure(MCPR_NOT_A_CLIP, 0, "not a Mocapress file");
-    if (file.read<std::uint16_t>() != 1)
-      return failure(MCPR_VERSION, 4, "of a version that is not known here");
-    const auto count = file.read<std::uint16_t>();
-    if (file.failed()) return failure(MCPR_DAMAGED, 4, "the file ends within its head");
+    std::uint16_t count = 0;
+    if (const mcpr_result result = read_head(file, count); failed(result)) return result;
     for (int left = count; left > 0; --left) {
       Section section;
       mcpr_result result = read_section(file, section);
@@ -96,33 +46,45 @@ class SectionsReader {
       next_ = Expected::Segments;
       return read_clip(section.payload);
     }
-    if (next_ == Expected::Segments && section.is("SEGS")) {
+    const bool adaptive = sections_.is_adaptive();
+    if (next_ == Expected::Segments && adaptive && section.is("SEGS")) {
       next_ = Expected::Motion;
       return read_segments(section.payload);
     }
-    if ((next_ == Expected::Segments || next_ == Expected::Motion) && section.is("MOTN")) {
+    const bool wavelets = sections_.coding != kComparison;
+    if ((next_ == Expected::Segments || next_ == Expected::Motion) &&
+        section.is(wavelets ? "MOTN" : "COMP")) {
       next_ = Expected::Correction;
       sections_.motion = section.payload;
       return check_segment_sizes();
     }
-    if (next_ == Expected::Correction && section.is("IKCO")) {
+    if (next_ == Expected::Correction && wavelets && section.is("IKCO")) {
       next_ = Expected::Ends;
       return read_correction(section.payload);
     }
-    if ((next_ == Expected::Correction || next_ == Expected::Ends) && section.is("ENDS")) {
+    if ((next_ == Expected::Correction || next_ == Expected::Ends) && adaptive &&
+        section.is("ENDS")) {
       next_ = Expected::Axes;
-      return read_ends(section.payload);
+      return runtime::read_ends(section.payload, sections_);
     }
-    if (next_ >= Expected::Correction && next_ <= Expected::Axes && section.is("AXES")) {
+    if (next_ >= Expected::Correction && next_ <= Expected::Axes && adaptive &&
+        section.is("AXES")) {
       next_ = Expected::Nothing;
       sections_.axes = section.payload;
       return kOk;
     }
     if (section.is("loop")) return read_loop(section.payload);
+    if (section.is("ordr")) return keep(section.payload, sections_.orders);
+    if (section.is("srce")) return keep(section.payload, sections_.source);
     if (section.is_optional()) return kOk;
-    if (section.is("SKEL") || section.is("COMP"))
-      return failure(MCPR_UNSUPPORTED, section.start, "not of the coding adaptive");
     return failure(MCPR_INVALID, section.start, "a section that is not expected here");
+  }
+
+  static mcpr_result keep(const Bytes& payload, Bytes& place) {
+    if (place.data != nullptr)
+      return failure(MCPR_INVALID, payload.offset, "an optional section for the second time");
+    place = payload;
+    return kOk;
   }
 
   mcpr_result read_joints(const Bytes& payload) {
@@ -158,13 +120,21 @@ class SectionsReader {
     if (sections_.frames > kMostFrames)
       return failure(MCPR_INVALID, at - 4, "more than 2^22 frames");
     if (basis > 2) return failure(MCPR_INVALID, at, "unknown basis");
-    if (coding > 3) return failure(MCPR_INVALID, at + 1, "unknown coding");
-    if (coding != 3) return failure(MCPR_UNSUPPORTED, at + 1, "not of the coding adaptive");
-    if (method < 1 || method > 4) return failure(MCPR_INVALID, at + 2, "unknown method");
+    if (coding > kAdaptive) return failure(MCPR_INVALID, at + 1, "unknown coding");
+    if (coding == kComparison && basis != static_cast<std::uint8_t>(Wavelet::Haar))
+      return failure(MCPR_INVALID, at, "a basis without wavelets");
+    if ((method == 0) != (coding == kComparison) || method > 4)
+      return failure(MCPR_INVALID, at + 2, "unknown method");
     if (weighting > 3) return failure(MCPR_INVALID, at + 3, "unknown weighting");
     if (sections_.frames > limits_.frames)
       return failure(MCPR_LIMIT, at - 4, "more frames than the limits allow");
     sections_.wavelet = static_cast<Wavelet>(basis);
+    sections_.coding = coding;
+    sections_.method = method;
+    sections_.weighting = weighting;
+    sections_.seed = cursor.read<std::uint64_t>();
+    sections_.eps_cm = cursor.read<float>();
+    sections_.max_error_cm = cursor.read<float>();
     sections_.segments = SegmentLayout::whole(static_cast<int>(sections_.frames));
     return check_values(at - 4);
   }
@@ -247,25 +217,6 @@ class SectionsReader {
     return kOk;
   }
 
-  mcpr_result read_ends(const Bytes& payload) {
-    Cursor cursor(payload.data, payload.size, payload.offset);
-    for (std::uint8_t& reach : sections_.end_reach) reach = cursor.read<std::uint8_t>();
-    for (std::int8_t& step_exponent : sections_.end_fineness)
-      step_exponent = cursor.read<std::int8_t>();
-    if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "ENDS is too short");
-    for (const std::uint8_t reach : sections_.end_reach)
-      if (reach < 1 || reach > sections_.frames)
-        return failure(MCPR_INVALID, payload.offset, "ends of impossible length");
-    for (const std::int8_t step_exponent : sections_.end_fineness)
-      if (step_exponent < kLeastEndStepExponent || step_exponent > kMostEndStepExponent)
-        return failure(MCPR_INVALID, payload.offset + 2, "ends in impossible steps");
-    sections_.ends_bytes = payload.size;
-    const std::size_t size = cursor.left();
-    const std::size_t offset = cursor.offset();
-    sections_.coded_ends = {cursor.take(size), size, offset};
-    return kOk;
-  }
-
   const mcpr_limits& limits_;
   FileSections& sections_;
   std::size_t file_bytes_ = 0;
@@ -279,6 +230,25 @@ std::uint32_t FileSections::segment_size(int segment) const {
   std::uint32_t size = 0;
   std::memcpy(&size, segment_sizes.data + std::size_t{4} * static_cast<std::size_t>(segment), 4);
   return size;
+}
+
+mcpr_result read_ends(const Bytes& payload, FileSections& sections) {
+  Cursor cursor(payload.data, payload.size, payload.offset);
+  for (std::uint8_t& reach : sections.end_reach) reach = cursor.read<std::uint8_t>();
+  for (std::int8_t& step_exponent : sections.end_step_exponent)
+    step_exponent = cursor.read<std::int8_t>();
+  if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "ENDS is too short");
+  for (const std::uint8_t reach : sections.end_reach)
+    if (reach < 1 || reach > sections.frames)
+      return failure(MCPR_INVALID, payload.offset, "ends of impossible length");
+  for (const std::int8_t step_exponent : sections.end_step_exponent)
+    if (step_exponent < kLeastEndStepExponent || step_exponent > kMostEndStepExponent)
+      return failure(MCPR_INVALID, payload.offset + 2, "ends in impossible steps");
+  sections.ends_bytes = payload.size;
+  const std::size_t size = cursor.left();
+  const std::size_t offset = cursor.offset();
+  sections.coded_ends = {cursor.take(size), size, offset};
+  return kOk;
 }
 
 mcpr_result read_sections(const void* file, std::size_t size, const mcpr_limits& limits,

@@ -1,40 +1,40 @@
 // SPDX-License-Identifier: MIT
-// The container of a .mcpr file, version 1: FORMAT.md.
+// The container of a .mcpr file, version 1: FORMAT.md. Every reader of one begins here.
 #pragma once
 
 #include <cstdint>
 
 #include "core/codec/format/kinds.h"
 #include "core/codec/format/result.h"
+#include "core/codec/format/section.h"
 #include "core/codec/format/segment_layout.h"
 
 namespace mocapress::runtime {
-
-/// A part of the file.
-struct Bytes {
-  const std::uint8_t* data = nullptr;
-  std::size_t size = 0;
-  std::size_t offset = 0;  // in the file
-};
 
 /// What the sections say before anything is decoded, all of it checked against the limits.
 struct FileSections {
   double sample_rate = 0;  // Hz
   std::uint32_t frames = 0;
   Wavelet wavelet = Wavelet::Cubic;
+  std::uint8_t coding = 0;  // of CLIP: kComparison ... kAdaptive
+  std::uint8_t method = 0;  // of CLIP, as are the next four
+  std::uint8_t weighting = 0;
+  std::uint64_t seed = 0;
+  float eps_cm = 0;
+  float max_error_cm = 0;
   std::uint32_t joints = 0;        // as JNTS promises
   std::uint32_t channels = 0;      // as JNTS promises
   std::uint32_t joint_bytes = 0;   // of the skeleton, decoded
   Bytes coded_joints;              // what a range coder made of them
-  Bytes motion;                    // MOTN
+  Bytes motion;                    // MOTN, or COMP
   SegmentLayout segments;          // SEGS, or one
   Bytes segment_sizes;             // u32 of each in MOTN; none where there is no SEGS
   std::size_t segments_bytes = 0;  // of SEGS
   std::size_t correction_bytes = 0;
   std::size_t ends_bytes = 0;  // of ENDS; 0: none
   LoopKind loop = LoopKind::None;
-  std::uint8_t end_reach[2] = {};    // frames
-  std::int8_t end_fineness[2] = {};  // first, last
+  std::uint8_t end_reach[2] = {};         // frames
+  std::int8_t end_step_exponent[2] = {};  // first, last
   Bytes coded_ends;
   Solver solver = Solver::NearestPose;
   std::uint32_t effectors = 0;
@@ -44,6 +44,10 @@ struct FileSections {
   } effector[kMostEffectors] = {};
   std::size_t effector_offset = 0;  // of the first
   Bytes axes;                       // AXES
+  Bytes orders;                     // ordr
+  Bytes source;                     // srce
+
+  bool is_adaptive() const { return coding == kAdaptive; }
 
   std::uint32_t signal_count() const { return channels + 3 * effectors; }
 
@@ -60,6 +64,9 @@ struct FileSections {
   /// Of a segment in MOTN.
   std::uint32_t segment_size(int segment) const;
 };
+
+/// Reads and checks the payload of ENDS of a clip whose frames are known, but for what is coded.
+mcpr_result read_ends(const Bytes& payload, FileSections& sections);
 
 /// Reads and checks all sections.
 mcpr_result read_sections(const void* file, std::size_t size, const mcpr_limits& limits,

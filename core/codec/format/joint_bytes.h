@@ -37,7 +37,7 @@ class JointFields {
     ++index_;
     if (field_ == NameLength) return enter(Name, byte);
     if (field_ == ChannelCount) return enter(Channel, byte);
-    if (--left_ == 0) should_continue();
+    if (--left_ == 0) next_field();
   }
 
  private:
@@ -49,10 +49,10 @@ class JointFields {
     field_ = field;
     left_ = size;
     index_ = 0;
-    if (size == 0) should_continue();
+    if (size == 0) next_field();
   }
 
-  void should_continue() {
+  void next_field() {
     switch (field_) {
       case Name:
         return enter(Parent, 2);

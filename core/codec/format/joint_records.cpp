@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/codec/format/range_decoder.h"
+
 namespace mocapress::runtime {
 namespace {
 
@@ -56,6 +58,16 @@ mcpr_result read_joint(Cursor& cursor, int index, JointRecord& record) {
     if (joint.kinds[c] > 5) return refuse("unknown kind of channel");
   }
   if (cursor.failed()) return refuse("the skeleton ends early");
+  return kOk;
+}
+
+mcpr_result decode_joint_bytes(const FileSections& sections, JointByteCoder& coder,
+                               std::uint8_t* bytes) {
+  const Bytes& coded = sections.coded_joints;
+  RangeDecoder bits(coded.data, coded.size);
+  coder.run(bits, bytes, sections.joint_bytes);
+  if (bits.failed() || !bits.is_at_end())
+    return failure(MCPR_INVALID, coded.offset + bits.position(), "the coded skeleton is damaged");
   return kOk;
 }
 

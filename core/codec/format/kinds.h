@@ -16,6 +16,10 @@ enum class LoopKind : std::uint8_t {
   Follows = 2,  // the first frame follows upon the last
 };
 
+/// Codings of the motion that mean something to a reader.
+inline constexpr std::uint8_t kComparison = 0;  // of a comparison method: no wavelets
+inline constexpr std::uint8_t kAdaptive = 3;
+
 /// Who solves for the effectors of a correction.
 enum class Solver : std::uint8_t {
   CyclicDescent = 1,  // the paper's: one joint after the other, over and over

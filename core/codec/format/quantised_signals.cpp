@@ -16,17 +16,12 @@ double QuantisedSignals::step(int signal) const {
   return step_of(step_exponent[static_cast<std::size_t>(signal)], scale);
 }
 
-double step_of(int step_exponent, float scale) {
-  const double whole = std::ldexp(static_cast<double>(scale), -(step_exponent >> 1));
-  return step_exponent % 2 == 0 ? whole : whole * 0x1.6a09e667f3bcdp-1;  // the root of 1/2
-}
-
 float file_scale(double scale) {
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(scale));
   return std::bit_cast<float>((bits + 0x8000) & 0xFFFF0000);
 }
 
-int fineness_for(double step, float scale) {
+int step_exponent_for(double step, float scale) {
   const double halves = std::ceil(2 * std::log2(scale / step) - 1e-9);
   return static_cast<int>(std::clamp<double>(halves, kLeastStepExponent, kMostStepExponent));
 }
@@ -41,7 +36,7 @@ QuantisedSignals quantise_kept(const RankedCoefficients& ranked, const std::vect
                          .step_exponent = {},
                          .values = Eigen::MatrixXi(coefficients.rows(), coefficients.cols())};
   for (int s = 0; s < ranked.channels(); ++s) {
-    coded.step_exponent.push_back(fineness_for(std::max(dropped(s), kFinest), scale));
+    coded.step_exponent.push_back(step_exponent_for(std::max(dropped(s), kFinest), scale));
     const double step = coded.step(s);
     for (Eigen::Index c = 0; c < coefficients.rows(); ++c) {
       const double steps = coefficients(c, s) * gains[static_cast<std::size_t>(c)] / step;

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/codec/format/coefficient_coder.h"
+#include "core/codec/format/coded_motion.h"
 #include "core/select/ranking.h"
 #include "core/wavelet/lifting.h"
 
@@ -24,15 +24,13 @@ struct QuantisedSignals {
 using runtime::kLeastStepExponent;
 using runtime::kMostStepExponent;
 using runtime::kMostSteps;
+using runtime::step_of;
 
 /// The nearest scale that a file can hold: 8 binary digits.
 float file_scale(double scale);
 
-/// scale * 2^(-step_exponent / 2).
-double step_of(int step_exponent, float scale);
-
 /// The step_exponent of the largest step that is not above `step`.
-int fineness_for(double step, float scale);
+int step_exponent_for(double step, float scale);
 
 /// Chosen coefficients, rounded to steps about as large as the largest coefficient their signal
 /// drops. `scales` make signals comparable, as for StandardOrder.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/codec/encode/segments.h"
+#include "core/codec/format/segment_layout.h"
 #include "core/motion/skeleton.h"
 
 namespace mocapress {
+
+using runtime::SegmentLayout;
 
 /// What decides whether a clip fits into a .mcpr file.
 struct ClipShape {

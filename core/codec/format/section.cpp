@@ -1,47 +1,63 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/format/section.h"
 
-#include <zlib.h>
+#include <array>
 
-#include "core/base/error.h"
-
-namespace mocapress {
+namespace mocapress::runtime {
 namespace {
 
-std::uint32_t checksum(std::span<const std::byte> head, std::span<const std::byte> payload) {
-  const auto update = [](uLong crc, std::span<const std::byte> bytes) {
-    if (bytes.empty()) return crc;  // zlib would begin anew where there is no memory at all
-    return crc32(crc, reinterpret_cast<const Bytef*>(bytes.data()),
-                 static_cast<uInt>(bytes.size()));
-  };
-  return static_cast<std::uint32_t>(update(update(0, head), payload));
+constexpr std::array<std::uint32_t, 256> crc_table() {
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    table[i] = i;
+    for (int bit = 0; bit < 8; ++bit)
+      table[i] = table[i] >> 1 ^ ((table[i] & 1) != 0 ? 0xEDB88320U : 0);
+  }
+  return table;
+}
+
+constexpr std::array<std::uint32_t, 256> kCrcTable = crc_table();
+
+/// Of what came before and these bytes; not yet inverted at the end.
+std::uint32_t crc_of(std::uint32_t crc, const std::uint8_t* bytes, std::size_t size) {
+  for (std::size_t i = 0; i < size; ++i) crc = crc >> 8 ^ kCrcTable[(crc ^ bytes[i]) & 0xFF];
+  return crc;
 }
 
 }  // namespace
 
-Section read_section(ByteReader& file) {
-  const std::size_t start = file.offset();
-  const auto tag = file.take(4);
-  const auto size = file.read<std::uint32_t>();
-  const auto crc = file.read<std::uint32_t>();
-  const std::size_t payload_offset = file.offset();
-  const auto payload = file.take(size);
-  Section section{{reinterpret_cast<const char*>(tag.data()), tag.size()}, payload, payload_offset};
-  ByteWriter head;
-  head.append(tag);
-  head.write(size);
-  if (checksum(head.bytes(), payload) != crc)
-    throw FormatError(start, "section " + section.tag + " is damaged: its checksum differs");
-  return section;
+std::uint32_t section_checksum(const std::uint8_t (&tag_and_size)[8], const std::uint8_t* payload,
+                               std::size_t size) {
+  return ~crc_of(crc_of(~0U, tag_and_size, sizeof tag_and_size), payload, size);
 }
 
-void write_section(ByteWriter& file, std::string_view tag, std::span<const std::byte> payload) {
-  ByteWriter head;
-  head.append(std::as_bytes(std::span(tag)));
-  head.write(static_cast<std::uint32_t>(payload.size()));
-  file.append(head.bytes());
-  file.write(checksum(head.bytes(), payload));
-  file.append(payload);
+mcpr_result read_head(Cursor& file, std::uint16_t& sections) {
+  const std::uint8_t* const magic = file.take(sizeof kMagic);
+  if (magic == nullptr || std::memcmp(magic, kMagic, sizeof kMagic) != 0)
+    return failure(MCPR_NOT_A_CLIP, 0, "not a Mocapress file");
+  const auto version = file.read<std::uint16_t>();
+  sections = file.read<std::uint16_t>();
+  if (file.failed()) return failure(MCPR_DAMAGED, 4, "the file ends within its head");
+  if (version != kVersion)
+    return failure(MCPR_VERSION, 4, "a version that is not known: a newer Mocapress is needed");
+  return kOk;
 }
 
-}  // namespace mocapress
+mcpr_result read_section(Cursor& file, Section& section) {
+  section.start = file.offset();
+  std::uint8_t head[8] = {};
+  if (const std::uint8_t* const bytes = file.take(sizeof head))
+    std::memcpy(head, bytes, sizeof head);
+  const auto checksum = file.read<std::uint32_t>();
+  std::uint32_t size = 0;
+  std::memcpy(section.tag, head, 4);
+  std::memcpy(&size, head + 4, 4);
+  section.payload = {nullptr, size, file.offset()};
+  section.payload.data = file.take(size);
+  if (file.failed()) return failure(MCPR_DAMAGED, section.start, "the file ends within a section");
+  if (section_checksum(head, section.payload.data, size) != checksum)
+    return failure(MCPR_DAMAGED, section.start, "a section is damaged: its checksum differs");
+  return kOk;
+}
+
+}  // namespace mocapress::runtime

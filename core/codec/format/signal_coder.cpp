@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/codec/decode/signal_decoder.h"
 #include "core/codec/format/deflate.h"
 #include "core/codec/format/rle16.h"
 
@@ -66,13 +65,6 @@ double word_step(double step) {
 std::vector<std::byte> code_steps(const Eigen::MatrixXi& values, const Eigen::VectorXd& steps) {
   // Words are as fine as half of what is dropped.
   return rle16_encode(values.cast<double>() * steps.asDiagonal(), 2 * steps);
-}
-
-Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int count) {
-  const Rle16Values read = rle16_read(words, samples, count);
-  std::vector<float> steps;
-  for (const int exponent : read.exponents) steps.push_back(std::ldexp(1.0F, exponent));
-  return decode_signals(read.values, steps, basis);
 }
 
 std::vector<std::byte> pack(const std::vector<std::byte>& words, Coding coding) {

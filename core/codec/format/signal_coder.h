@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/byte_cursor.h"
 #include "core/select/ranking.h"
 
 namespace mocapress {
@@ -43,9 +42,6 @@ std::vector<std::byte> code_steps(const Eigen::MatrixXi& values, const Eigen::Ve
 /// quarter of the least of the others.
 Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const std::vector<double>& scales,
                                 const Kept& kept);
-
-/// The next signals, samples x count. Throws FormatError when the words are not valid.
-Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int count);
 
 /// Words as bytes of a file, and back. Require uses_rle(coding). unpack() throws FormatError for
 /// more than `most_bytes`.

@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The sections SKEL and JNTS of a .mcpr file: FORMAT.md.
+// The section JNTS of a .mcpr file: FORMAT.md.
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
+#include "core/codec/format/file_sections.h"
 #include "core/motion/skeleton.h"
 
 namespace mocapress {
 
-/// Lengths and axes are kept as 32-bit floats.
-std::vector<std::byte> encode_skeleton(const Skeleton& skeleton);
+/// The joints as bytes, before they are coded. Lengths and axes are kept as 32-bit floats.
+std::vector<std::byte> joint_bytes(const Skeleton& skeleton);
+
+/// The payload of JNTS.
+std::vector<std::byte> write_joints(const Skeleton& skeleton);
 
 /// Throws FormatError.
-Skeleton decode_skeleton(std::span<const std::byte> payload);
-
-/// The same as the section JNTS, which the runtime decoder reads.
-std::vector<std::byte> encode_joints(const Skeleton& skeleton);
-
-/// Throws FormatError. `offset`: of the payload in its file.
-Skeleton decode_joints(std::span<const std::byte> payload, std::size_t offset);
+Skeleton read_joints(const runtime::FileSections& sections);
 
 }  // namespace mocapress

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/format/source_section.h"
 
-#include <cmath>
-
-#include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/codec/format/section.h"
+#include "core/codec/format/container.h"
+#include "core/codec/format/format_error.h"
+#include "core/codec/format/section_writer.h"
 
 namespace mocapress {
 namespace {
 
-constexpr std::string_view kTag = "srce";
-constexpr std::size_t kHead = 6;        // magic and version
+constexpr const char* kTag = "srce";
 constexpr double kSmallestUnit = 1e-9;  // cm
 constexpr double kLargestUnit = 1e9;
 constexpr std::uint8_t kNoConvention = 2;
@@ -29,55 +27,54 @@ std::vector<std::byte> payload_of(const SourceFormat& source) {
   return writer.release();
 }
 
-SourceFormat read_payload(const Section& section) {
-  ByteReader reader(section.payload, section.payload_offset);
-  const auto value = [&](std::uint8_t first, std::uint8_t last, const char* what) {
-    const auto read = reader.read<std::uint8_t>();
-    if (read < first || read > last) reader.fail("unknown " + std::string(what));
-    return read;
-  };
-  SourceFormat source;
-  source.kind = static_cast<SourceFormat::Kind>(value(1, 2, "kind of source"));
-  source.up = static_cast<UpAxis>(value(0, 1, "axis"));
-  if (const std::uint8_t root = value(0, kNoConvention, "convention"); root != kNoConvention)
-    source.root = static_cast<TranslationConvention>(root);
-  source.cm_per_unit = reader.read<double>();
-  if (!is_possible_unit(source.cm_per_unit)) reader.fail("an impossible unit of length");
-  reader.expect_end();
+SourceFormat read_payload(const runtime::Bytes& payload) {
+  runtime::Cursor cursor = payload.cursor();
+  const auto kind = cursor.read<std::uint8_t>();
+  const auto up = cursor.read<std::uint8_t>();
+  const auto root = cursor.read<std::uint8_t>();
+  const auto cm_per_unit = cursor.read<double>();
+  const auto refuse = [&](const char* what) { throw FormatError(payload.offset, what); };
+  if (cursor.failed() || !cursor.at_end()) refuse("srce of another size");
+  if (kind < 1 || kind > 2) refuse("unknown kind of source");
+  if (up > 1) refuse("unknown axis");
+  if (root > kNoConvention) refuse("unknown convention");
+  if (!is_possible_unit(cm_per_unit)) refuse("an impossible unit of length");
+  SourceFormat source{static_cast<SourceFormat::Kind>(kind)};
+  source.up = static_cast<UpAxis>(up);
+  if (root != kNoConvention) source.root = static_cast<TranslationConvention>(root);
+  source.cm_per_unit = cm_per_unit;
   return source;
-}
-
-/// After the file's head.
-std::vector<Section> sections_of(ByteReader& file) {
-  std::vector<Section> sections;
-  for (int left = file.read<std::uint16_t>(); left > 0; --left)
-    sections.push_back(read_section(file));
-  file.expect_end();
-  return sections;
 }
 
 }  // namespace
 
 std::vector<std::byte> with_source(std::span<const std::byte> mcpr, const SourceFormat& source) {
-  ByteReader reader(mcpr);
-  ByteWriter file;
-  file.append(reader.take(kHead));
-  std::vector<Section> sections = sections_of(reader);
-  std::erase_if(sections, [](const Section& section) { return section.tag == kTag; });
-  const bool named =
-      source.kind != SourceFormat::Kind::None && is_possible_unit(source.cm_per_unit);
-  file.write(static_cast<std::uint16_t>(sections.size() + (named ? 1 : 0)));
-  for (const Section& section : sections) write_section(file, section.tag, section.payload);
-  if (named) write_section(file, kTag, payload_of(source));
-  return file.release();
+  runtime::Cursor file(reinterpret_cast<const std::uint8_t*>(mcpr.data()), mcpr.size());
+  std::uint16_t count = 0;
+  require(runtime::read_head(file, count));
+  std::uint16_t kept = 0;
+  ByteWriter sections;
+  for (int left = count; left > 0; --left) {
+    runtime::Section section;
+    require(runtime::read_section(file, section));
+    if (section.is(kTag)) continue;
+    sections.append(mcpr.subspan(section.start, file.offset() - section.start));
+    ++kept;
+  }
+  if (!file.at_end()) throw FormatError(file.offset(), "bytes after the last section");
+  if (source.kind != SourceFormat::Kind::None && is_possible_unit(source.cm_per_unit)) {
+    write_section(sections, kTag, payload_of(source));
+    ++kept;
+  }
+  ByteWriter whole;
+  write_head(whole, kept);
+  whole.append(sections.bytes());
+  return whole.release();
 }
 
 SourceFormat source_of(std::span<const std::byte> mcpr) {
-  ByteReader file(mcpr);
-  file.take(kHead);
-  for (const Section& section : sections_of(file))
-    if (section.tag == kTag) return read_payload(section);
-  return {};
+  const runtime::FileSections sections = sections_of(mcpr);
+  return sections.source.data != nullptr ? read_payload(sections.source) : SourceFormat{};
 }
 
 SourceFormat load_source(const std::filesystem::path& mcpr) {

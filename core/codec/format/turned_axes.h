@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/codec/format/joint_model.h"
+#include "core/codec/format/section.h"
 
 namespace mocapress::runtime {
 
@@ -57,6 +58,35 @@ struct TurnedAxes {
     return static_cast<std::int8_t>(bits < 16 ? bits : bits - 32);
   }
 };
+
+/// Reads AXES, if it is there: calls set(joint, TurnedAxes) for each joint that has turned ones.
+template <typename MayTurn, typename Set>
+mcpr_result read_turned_axes(const Bytes& axes, int joints, const MayTurn& may_turn,
+                             const Set& set) {
+  if (axes.data == nullptr) return kOk;
+  constexpr const char* kNone = "axes turned that are none";
+  std::size_t candidates = 0;
+  for (int j = 0; j < joints; ++j) candidates += may_turn(j) ? 1 : 0;
+  Cursor cursor = axes.cursor();
+  const std::uint8_t* const flags = cursor.take((candidates + 7) / 8);
+  if (cursor.failed()) return failure(MCPR_INVALID, axes.offset, "AXES is too short");
+  if (candidates % 8 != 0 && flags[candidates / 8] >> (candidates % 8) != 0)
+    return failure(MCPR_INVALID, axes.offset, kNone);
+  std::size_t i = 0;
+  for (int j = 0; j < joints; ++j) {
+    if (!may_turn(j)) continue;
+    const bool turned = (flags[i / 8] >> (i % 8) & 1) != 0;
+    ++i;
+    if (!turned) continue;
+    const std::size_t offset = cursor.offset();
+    TurnedAxes coded;
+    if (!coded.set(cursor.read<std::uint32_t>()) || cursor.failed())
+      return failure(MCPR_INVALID, offset, kNone);
+    set(j, coded);
+  }
+  if (!cursor.at_end()) return failure(MCPR_INVALID, cursor.offset(), "AXES of another size");
+  return kOk;
+}
 
 inline Matrix3 rotation_of(const std::int8_t (&turn)[3]) {
   const Vector3 steps{

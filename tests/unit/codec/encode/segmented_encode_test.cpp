@@ -61,7 +61,9 @@ TEST(SegmentedEncode, HoldsAHardMaximum) {
     if (corrected) asked.correction.emplace().ratio = 16;
     const double max_cm = walk().encode(asked).distortion.max.cm;
     EXPECT_LE(max_cm, 2);
-    EXPECT_GT(max_cm, 0.97 * 2);  // the cheapest found, which need not be the nearest
+    // The cheapest found, which need not be the nearest: what a solver makes of a coarser motion
+    // jumps.
+    EXPECT_GT(max_cm, (corrected ? 0.9 : 0.97) * 2);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/codec/format/format_error.h"
 
 namespace mocapress {
 namespace {
@@ -22,9 +23,17 @@ CodedEnds some_ends() {
   return ends;
 }
 
+/// As a reader of a clip of so many frames does.
+CodedEnds read_back(const std::vector<std::byte>& payload, std::uint32_t frames) {
+  runtime::FileSections sections{.frames = frames, .channels = kChannelsOfClip};
+  require(runtime::read_ends(
+      {reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size(), 0}, sections));
+  return read_ends(sections);
+}
+
 TEST(CodedEnds, ReadBackAsWritten) {
   const CodedEnds ends = some_ends();
-  const CodedEnds read = read_ends(ends.write(), 0, kFramesOfClip, kChannelsOfClip);
+  const CodedEnds read = read_back(ends.write(), kFramesOfClip);
   EXPECT_EQ(read.reach, ends.reach);
   EXPECT_EQ(read.step_exponent, ends.step_exponent);
   EXPECT_EQ(read.steps, ends.steps);
@@ -33,26 +42,26 @@ TEST(CodedEnds, ReadBackAsWritten) {
 TEST(CodedEnds, BytesAfterThemAreRefused) {
   std::vector<std::byte> bytes = some_ends().write();
   bytes.resize(bytes.size() + 4);
-  EXPECT_THROW(read_ends(bytes, 0, kFramesOfClip, kChannelsOfClip), FormatError);
+  EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
 }
 
 TEST(CodedEnds, EndsOfMoreFramesThanTheClipAreRefused) {
   const std::vector<std::byte> bytes = some_ends().write();
-  EXPECT_NO_THROW(read_ends(bytes, 0, 8, kChannelsOfClip));
-  EXPECT_THROW(read_ends(bytes, 0, 7, kChannelsOfClip), FormatError);
+  EXPECT_NO_THROW(read_back(bytes, 8));
+  EXPECT_THROW(read_back(bytes, 7), FormatError);
 }
 
 TEST(CodedEnds, ImpossibleStepsAndReachesAreRefused) {
   for (const std::size_t byte : {0u, 1u}) {
     std::vector<std::byte> bytes = some_ends().write();
     bytes[byte] = std::byte{0};
-    EXPECT_THROW(read_ends(bytes, 0, kFramesOfClip, kChannelsOfClip), FormatError);
+    EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
   }
   for (const std::size_t byte : {2u, 3u})
     for (const int step_exponent : {-17, 49}) {
       std::vector<std::byte> bytes = some_ends().write();
       bytes[byte] = static_cast<std::byte>(step_exponent);
-      EXPECT_THROW(read_ends(bytes, 0, kFramesOfClip, kChannelsOfClip), FormatError);
+      EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
     }
 }
 

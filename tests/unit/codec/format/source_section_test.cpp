@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/codec/format/container.h"
-#include "core/codec/format/section.h"
+#include "core/codec/format/section_writer.h"
 #include "tests/support/opened_clip.h"
 #include "tests/support/segmented_clip.h"
 #include "tests/support/test_motion.h"
