@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(StudyClips, Acceptance,
                                          Promise{"09_01.amc", "15", 0.42, 20}),
                          [](const auto& promise) { return std::string(promise.param.clip, 5); });
 
-/// The README's figures, as they were when they were written down: a better codec brings new ones.
+/// Ratios as they were when they were written down: a better codec brings new ones.
 class ClosedLoopRatios : public CommandLine {};
 
 TEST_F(ClosedLoopRatios, OfTheBundledClipsAreWhatTheyWere) {
