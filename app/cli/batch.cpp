@@ -72,7 +72,7 @@ struct BatchCommand {
     if (is_queue) {
       for (const CLI::Option* option : of_queue)
         if (option->count() > 0)
-          throw CLI::ValidationError(option->get_name(), "is settled by the queue file");
+          throw CLI::ValidationError(option->get_name(), "is set by the queue file");
       return parse_queue(inputs.front(), read_text(inputs.front()));
     }
     Batch batch{
@@ -84,7 +84,7 @@ struct BatchCommand {
     const std::vector<SourceClip> sources = find_sources(inputs);
     if (std::all_of(sources.begin(), sources.end(),
                     [](const SourceClip& clip) { return !clip.problem.empty(); }))
-      throw InputError(inputs.front(), 0, 0, "there is no clip: " + sources.front().problem);
+      throw InputError(inputs.front(), 0, 0, "no clip was found: " + sources.front().problem);
     try {
       add_items(batch, sources, 0, names);
     } catch (const Error& error) {
@@ -118,7 +118,7 @@ struct BatchCommand {
         });
     reporter.end(outcome, fs::path(folder) / report_name(options.shard));
     if (stop_signal != 0 && !outcome.complete) {
-      std::fprintf(stderr, "Stopped. The same command with --resume goes on from there.\n");
+      std::fprintf(stderr, "Stopped. To continue, run the same command with --resume.\n");
       throw EndedWith{128 + stop_signal};
     }
     if (outcome.counts.failed > 0 || !outcome.complete) throw EndedWith{kSomeFailed};
@@ -175,12 +175,12 @@ void add_batch(CLI::App& app) {
       ->type_name("INPUT...");
   command->add_option("-o,--output", call->folder, "Where files and reports go")->type_name("DIR");
   call->preset.add_options(*command);
-  command->add_option("--format", call->formats, "Of the files, separated by commas (mcpr)")
+  command->add_option("--format", call->formats, "Output formats, comma-separated [mcpr]")
       ->delimiter(',')
       ->check(CLI::IsMember({"mcpr", "bvh", "amc", "csv"}));
   command
       ->add_option("--name", call->names,
-                   "Of the files: {folder}, {stem}, {type}, {preset}, {method} ({folder}/{stem})")
+                   "Output names: {folder}, {stem}, {type}, {preset}, {method} [{folder}/{stem}]")
       ->type_name("PATTERN");
   call->source.add_options(*command);
   call->exporting.add_options(*command);
@@ -188,23 +188,23 @@ void add_batch(CLI::App& app) {
     if (const std::string name = option->get_name();
         name != "input" && name != "--output" && name != "--help")
       call->of_queue.push_back(option);
-  command->add_option("--jobs", call->jobs, "Clips at a time (as many as processors)")
+  command->add_option("--jobs", call->jobs, "Clips at a time [as many as processors]")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
-  command->add_option("--shard", call->shard, "Only the i-th of n parts")
+  command->add_option("--shard", call->shard, "Do only the i-th of n parts")
       ->type_name("i/n")
       ->check(parsed_by(&parse_shard));
   command->add_flag("--resume", call->resume, "Continue DIR's batch; redo what failed or changed");
   command->add_flag("--overwrite", call->overwrite, "Replace files that are there");
   command->add_flag("--keep-going,!--stop-at-failure", call->keep_going,
-                    "Whether other clips go on when one fails (they do)");
+                    "Continue after a failure (default)");
   command->add_flag("--json-progress", call->json_progress, "Print progress as lines of JSON");
   command->add_flag("--merge", call->merge, "Merge the reports of the shards in INPUT...");
   command
       ->add_option("--write-slurm", call->slurm_file,
                    "Write a script for sbatch instead, and DIR/queue.json for it")
       ->type_name("FILE");
-  command->add_option("--slurm-tasks", call->slurm_tasks, "Shards of that script (8)")
+  command->add_option("--slurm-tasks", call->slurm_tasks, "Shards of that script [8]")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
   command->callback([call] { call->run(); });

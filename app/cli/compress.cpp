@@ -34,15 +34,15 @@ struct Compress {
     const bool is_closed_loop = method == name(Method::ClosedLoop);
     const bool of_wavelets = find_comparison_method(method) == nullptr;
     if (options.target.kind == Target::Kind::CoefficientRatio && !of_wavelets)
-      throw CLI::ValidationError("--coefficient-ratio", "is a target for wavelets only");
+      throw CLI::ValidationError("--coefficient-ratio", "is a target of wavelet methods only");
     if (is_closed_loop && coding.value_or(Coding::Adaptive) != Coding::Adaptive)
-      throw CLI::ValidationError("--coding", "the closed loop is coded adaptively");
+      throw CLI::ValidationError("--coding", "the closed loop has only the coding adaptive");
     options.coding = is_closed_loop ? Coding::Adaptive : coding.value_or(options.coding);
     MotionFile file = source.read_file(input);
     const MethodEncoder encoder(std::move(file.motion));
     options.correction = correction.options(encoder.wavelets().motion().skeleton);
     if (options.correction && !of_wavelets)
-      throw CLI::ValidationError("--ik", "corrects wavelets only");
+      throw CLI::ValidationError("--ik", "can correct wavelet methods only");
     options.importance = importance.importance(encoder.wavelets().motion().skeleton);
     options.contacts = contacts.spans(encoder.wavelets().motion());
     options.figures_only = true;
@@ -90,19 +90,18 @@ void add_compress(CLI::App& app) {
   const auto call = std::make_shared<Compress>();
   command->add_option("input", call->input, "A .bvh or .amc file")->required()->type_name("INPUT");
   call->source.add_options(*command);
-  command->add_option("-o,--output", call->output, "Where to write; measures only without it")
+  command->add_option("-o,--output", call->output, "Where to write; without it, only measure")
       ->type_name("OUT.mcpr");
-  command->add_option("--method", call->method, "Wavelets, or what they are compared with")
+  command->add_option("--method", call->method, "Wavelets, or a method they are compared with")
       ->transform(one_of_the_methods())
       ->capture_default_str();
   command
       ->add_option("--coding", call->coding,
-                   "How they are coded (closed-loop: adaptive, others: deflate)")
+                   "Coding of the coefficients [closed-loop: adaptive, others: deflate]")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
-  command
-      ->add_option("--weighting", call->options.weighting, "What errors are measured on (surface)")
+  command->add_option("--weighting", call->options.weighting, "Error weighting [surface]")
       ->transform(one_of(kWeightings));
-  CLI::Option_group* target = command->add_option_group("target", "One of (default: --ratio 25)");
+  CLI::Option_group* target = command->add_option_group("target", "At most one [--ratio 25]");
   target->require_option(0, 1);
   const auto add = [&](const char* flag, Target::Kind kind, const char* unit, const char* help) {
     target
@@ -115,32 +114,32 @@ void add_compress(CLI::App& app) {
         ->type_name(unit)
         ->check(CLI::PositiveNumber);
   };
-  add("--ratio", Target::Kind::Ratio, "R", "float32 bytes / motion bytes, met within 2 %");
-  add("--coefficient-ratio", Target::Kind::CoefficientRatio, "r", "The paper's r: all / kept");
-  add("--target-error", Target::Kind::Error, "CM", "eps_x not above this");
-  add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes not above this");
+  add("--ratio", Target::Kind::Ratio, "R", "Float32 bytes over motion bytes, met within 2 %");
+  add("--coefficient-ratio", Target::Kind::CoefficientRatio, "r",
+      "The paper's r: all coefficients over those kept");
+  add("--target-error", Target::Kind::Error, "CM", "eps_x at most this");
+  add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes at most this");
   add("--max-error", Target::Kind::MaxError, "CM",
-      "No point of the weighting further off at any frame");
+      "No point of the weighting further off, at any frame");
   target
       ->add_option_function<Sight>(
           "--target",
           [call](const Sight&) {
             call->options.target = {Target::Kind::Visibility, 1};
           },
-          "As small as it gets with nothing to see")
+          "The smallest file with nothing off that people notice")
       ->transform(one_of({Sight::NotVisible}));
   call->correction.add_options(*command);
   call->contacts.add_options(*command);
   call->importance.add_options(*command);
-  command->add_option("--effort", call->options.effort, "Of the closed loop (default)")
-      ->transform(one_of({Effort::Draft, Effort::Default, Effort::Best}));
-  command->add_option("--ends", call->options.ends, "First and last pose of a closed loop (even)")
-      ->transform(one_of({Ends::Free, Ends::Even, Ends::Exact}));
   command
-      ->add_option("--loop", call->options.loop,
-                   "Whether it is one: none, repeats, follows (found)")
+      ->add_option("--effort", call->options.effort, "Search effort of the closed loop [default]")
+      ->transform(one_of({Effort::Draft, Effort::Default, Effort::Best}));
+  command->add_option("--ends", call->options.ends, "First and last pose of the closed loop [even]")
+      ->transform(one_of({Ends::Free, Ends::Even, Ends::Exact}));
+  command->add_option("--loop", call->options.loop, "Whether the clip is a loop [found]")
       ->transform(one_of({Loop::None, Loop::Repeats, Loop::Follows}));
-  command->add_option("--seed", call->options.seed, "Of the annealing; same seed, same bytes");
+  command->add_option("--seed", call->options.seed, "Seed of the annealing: same seed, same bytes");
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });
 }

@@ -59,10 +59,11 @@ void ContactInput::add_options(CLI::App& command) {
         ->check(CLI::PositiveNumber)
         ->type_name(unit);
   };
-  CLI::Option* of_height = add("--contact-height", height, "BEGIN,END",
-                               "A foot stands below, until above, cm over its lowest (2.5,4)");
-  CLI::Option* of_speed =
-      add("--contact-speed", speed, "BEGIN,END", "A foot stands below, until above, cm/s (30,50)");
+  CLI::Option* of_height =
+      add("--contact-height", height, "BEGIN,END",
+          "A contact begins below BEGIN and ends above END, cm over the foot's lowest [2.5,4]");
+  CLI::Option* of_speed = add("--contact-speed", speed, "BEGIN,END",
+                              "A contact begins below BEGIN and ends above END, cm/s [30,50]");
   command.add_option("--contacts", file, "Take contacts from this file, as `contacts` writes it")
       ->type_name("FILE.json")
       ->excludes(of_height)

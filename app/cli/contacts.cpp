@@ -38,7 +38,7 @@ struct Contacts {
     const Clip decoded = open_mcpr(*compressed).decoded;
     if (decoded.frames() != motion.clip.frames() ||
         decoded.channels.cols() != motion.clip.channels.cols())
-      throw InputError(*compressed, 0, 0, "is not a compression of " + clip);
+      throw InputError(*compressed, 0, 0, "is not a compressed form of " + clip);
     const Footskate footskate = measure_footskate(
         spans, tracks, landmark_tracks(motion.skeleton, decoded), decoded.sample_rate_hz);
     for (Json& one : all) one["slid_cm"] = 0;
@@ -70,13 +70,15 @@ struct Contacts {
 
 void add_contacts(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "contacts", "Say when the feet of a clip stand, and how far those of a .mcpr slide then");
+      "contacts", "Say when the feet of a clip stand, and how far they slide in its .mcpr");
   const auto call = std::make_shared<Contacts>();
   command->add_option("clip", call->clip, "A .bvh or .amc file")->required()->type_name("CLIP");
-  command->add_option("compressed", call->compressed, "A .mcpr of it")->type_name("COMPRESSED");
+  command->add_option("compressed", call->compressed, "Its .mcpr")->type_name("COMPRESSED");
   call->source.add_options(*command);
   call->contacts.add_options(*command);
-  command->add_option("-o,--output", call->output, "Write them, to be edited: --contacts takes it")
+  command
+      ->add_option("-o,--output", call->output,
+                   "Write the contacts to a file, to be edited for --contacts")
       ->type_name("OUT.json");
   command->add_flag("--json", call->json, "Print one JSON array");
   command->callback([call] { call->run(); });

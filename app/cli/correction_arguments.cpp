@@ -20,18 +20,18 @@ std::string check_ratio(const std::string& text) {
 void CorrectionArguments::add_options(CLI::App& command) {
   CLI::Option* ik = command
                         .add_option("--ik", ratio,
-                                    "Hold the feet by inverse kinematics: coefficients of the "
-                                    "correction / kept ones, or auto")
+                                    "Hold the feet by inverse kinematics: all coefficients of "
+                                    "the correction over those kept, or auto")
                         ->type_name("R_IK|auto")
                         ->check(check_ratio);
-  command.add_option("--effectors", effectors, "Joints to hold (the feet)")
+  command.add_option("--effectors", effectors, "Joints to hold [the feet]")
       ->type_name("NAME,...")
       ->delimiter(',')
       ->needs(ik);
-  command.add_option("--ik-solver", solver, "How joints are turned (nearest-pose)")
+  command.add_option("--ik-solver", solver, "How joints are turned [nearest-pose]")
       ->transform(one_of({IkSolver::CyclicDescent, IkSolver::NearestPose}))
       ->needs(ik);
-  command.add_option("--ik-at", at, "Where they are held (every-frame)")
+  command.add_option("--ik-at", at, "When they are held [every-frame]")
       ->transform(one_of({CorrectAt::EveryFrame, CorrectAt::Contacts}))
       ->needs(ik);
 }

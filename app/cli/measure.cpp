@@ -25,7 +25,7 @@ struct Measure {
     if (decoded.channels.rows() != motion.clip.channels.rows() ||
         decoded.channels.cols() != motion.clip.channels.cols())
       throw InputError(compressed, 0, 0,
-                       "is not a compression of " + original + ": it has " +
+                       "is not a compressed form of " + original + ": it has " +
                            std::to_string(decoded.frames()) + " frames of " +
                            std::to_string(decoded.channels.cols()) + " channels, the original " +
                            std::to_string(motion.clip.frames()) + " of " +

@@ -34,14 +34,14 @@ void add_format_options(CLI::App& command, const std::string& prefix, const std:
       ->transform(one_of({UpAxis::Y, UpAxis::Z}));
   command
       .add_option(flag("bvh-root"), options.bvh_root,
-                  "Whether positions of a BVH root add to its OFFSET or replace it" + of_file)
+                  "Whether a BVH root's positions add to its OFFSET or replace it" + of_file)
       ->transform(one_of({TranslationConvention::Adds, TranslationConvention::Replaces}));
 }
 
 }  // namespace
 
 void MotionInput::add_options(CLI::App& command) {
-  command.add_option("--skeleton", skeleton, "The .asf of an .amc that has none beside it")
+  command.add_option("--skeleton", skeleton, "Skeleton for an .amc without an .asf beside it")
       ->type_name("S.asf");
   add_format_options(command, "", ", whatever the file says", options);
 }

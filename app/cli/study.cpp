@@ -114,8 +114,8 @@ struct Study {
     print_warnings(outcome.warnings);
     if (!outcome.complete) {
       std::fprintf(stderr,
-                   "Stopped after %zu of %d. What is done is kept in %s: the same command goes on "
-                   "from there.\n",
+                   "Stopped after %zu of %d. What is done is kept in %s: to continue, run the same "
+                   "command.\n",
                    outcome.rows.size(), last.jobs, folder.c_str());
       throw EndedWith{128 + stop_signal};
     }
@@ -151,7 +151,7 @@ void add_study(CLI::App& app) {
   command->add_option("-o,--output", call->folder, "Where report.html, rows.csv, rows.json go")
       ->required()
       ->type_name("DIR");
-  command->add_option("--methods", call->methods, "Which, separated by commas (all there are)")
+  command->add_option("--methods", call->methods, "Methods, comma-separated [all]")
       ->delimiter(',')
       ->transform(one_of_the_methods())
       ->type_name("a,b,...");
@@ -162,26 +162,27 @@ void add_study(CLI::App& app) {
         ->check(CLI::PositiveNumber)
         ->type_name(unit);
   };
-  add_targets("--ratios", call->ratios, "r,r,...", "float32 bytes / motion bytes");
-  add_targets("--errors", call->errors, "CM,CM,...", "eps_x not above these");
+  add_targets("--ratios", call->ratios, "r,r,...", "Float32 bytes over motion bytes");
+  add_targets("--errors", call->errors, "CM,CM,...", "eps_x at most these");
   command
       ->add_option("--ik", call->ik_ratios,
-                   "IK ratios at which annealed also holds the feet (16 unless targets are named)")
+                   "IK ratios at which annealed also holds the feet [16, unless targets are named]")
       ->delimiter(',')
       ->check(CLI::PositiveNumber)
       ->type_name("r,r,...");
   command->add_flag("--paper", call->paper,
-                    "The paper's evaluation: its weighting, ratios and errors, its figures beside");
+                    "The paper's evaluation: its weighting, ratios and errors, with its figures");
   command
-      ->add_option("--weighting", call->weighting, "Of eps_x (surface; the paper's: joint-origins)")
+      ->add_option("--weighting", call->weighting,
+                   "Error weighting [surface; with --paper joint-origins]")
       ->transform(one_of(kWeightings));
-  command->add_option("--coding", call->coding, "How wavelets are coded (deflate)")
+  command->add_option("--coding", call->coding, "Coding of the coefficients [deflate]")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
-  command->add_option("--seed", call->seed, "Of the annealing; same seed, same figures");
-  command->add_option("--jobs", call->jobs, "Compressions at a time (as many as processors)")
+  command->add_option("--seed", call->seed, "Seed of the annealing: same seed, same figures");
+  command->add_option("--jobs", call->jobs, "Compressions at a time [as many as processors]")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--again", call->again, "Measure anew what DIR already holds");
+  command->add_flag("--again", call->again, "Measure again what DIR already holds");
   command->add_flag("--json-progress", call->json_progress,
                     "Print each finished row as a line of JSON");
   call->source.add_options(*command);

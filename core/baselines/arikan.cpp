@@ -45,15 +45,15 @@ struct Codebook {
     const double step = read_finite(reader);
     for (Cluster& cluster : clusters) {
       const int components = reader.read<std::uint16_t>();
-      if (components > 3 * coordinates) reader.fail("more components than there are");
+      if (components > 3 * coordinates) reader.fail("more components than possible");
       cluster.mean = read_steps(reader, 3 * coordinates, step);
       const std::size_t needed = static_cast<std::size_t>(components) *
                                  (sizeof(float) + 6 * static_cast<std::size_t>(coordinates));
-      if (reader.remaining() < needed) reader.fail("fewer components than were said");
+      if (reader.remaining() < needed) reader.fail("fewer components than stated");
       cluster.basis.resize(3 * coordinates, components);
       for (auto component : cluster.basis.colwise()) {
         const double reach = read_finite(reader);
-        if (reach <= 0) reader.fail("a component that reaches nowhere");
+        if (reach <= 0) reader.fail("a component whose reach is not above 0");
         component = read_steps(reader, 3 * coordinates, step) / reach;
       }
     }
@@ -123,7 +123,7 @@ class ClipDecoder {
 
   Eigen::MatrixXd read_controls(ByteReader& reader, ByteReader& clusters, double step) const {
     const std::size_t index = clusters.read<std::uint8_t>();
-    if (index >= codebook_.clusters.size()) clusters.fail("a cluster that is not there");
+    if (index >= codebook_.clusters.size()) clusters.fail("an unknown cluster");
     const Codebook::Cluster& cluster = codebook_.clusters[index];
     const Eigen::VectorXd controls =
         cluster.mean + cluster.basis * read_steps(reader, cluster.basis.cols(), step);

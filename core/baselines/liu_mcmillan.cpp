@@ -150,7 +150,7 @@ class SegmentReader {
     const Eigen::Index half = rows.rows() / 2;
     const auto node = reader_.read<std::uint8_t>();
     if (node == kLeaf) return read_leaf(rows);
-    if (node != kHalves || half < kShortestSegment) reader_.fail("a segment of no known kind");
+    if (node != kHalves || half < kShortestSegment) reader_.fail("a segment of an unknown kind");
     read(rows.topRows(half));
     read(rows.bottomRows(rows.rows() - half));
   }
@@ -159,7 +159,7 @@ class SegmentReader {
   void read_leaf(Eigen::Ref<Eigen::MatrixXd> rows) const {
     const int components = reader_.read<std::uint16_t>();
     if (components > std::min(rows.rows(), rows.cols()))
-      reader_.fail("more components than there are");
+      reader_.fail("more components than possible");
     const Eigen::VectorXd mean = read_series16(reader_, rows.cols());
     const Eigen::VectorXd basis = read_series16(reader_, rows.cols() * components);
     Eigen::MatrixXd projections(rows.rows(), components);

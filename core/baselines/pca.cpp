@@ -71,7 +71,7 @@ class Pca : public ComparisonMethod {
     const auto bytes = inflate_bytes(motion, most_bytes(split, frames));
     ByteReader reader(bytes);
     const int components = reader.read<std::uint16_t>();
-    if (components > split.most_components(frames)) reader.fail("more components than there are");
+    if (components > split.most_components(frames)) reader.fail("more components than possible");
     const auto angles = static_cast<Eigen::Index>(split.angles.size());
     const Eigen::VectorXd mean = read_series16(reader, angles);
     const Eigen::VectorXd basis = read_series16(reader, angles * components);

@@ -111,14 +111,15 @@ std::string output_name(std::string_view pattern, const SourceClip& source, cons
     text.append(kept.substr(at, open - at));
     if (open == kept.npos) break;
     const std::size_t close = kept.find('}', open);
-    if (close == kept.npos) throw Error("a name has a { without its }: " + std::string(pattern));
+    if (close == kept.npos)
+      throw Error("the name pattern has a { without its }: " + std::string(pattern));
     text += value_of(kept.substr(open + 1, close - open - 1), source, preset);
     at = close + 1;
   }
   const fs::path path = fs::path(text).lexically_normal();
   const bool leaves = path.is_absolute() || (!path.empty() && *path.begin() == "..");
   if (leaves || !path.has_filename() || path == ".")
-    throw Error("is no name of a file below the batch's folder: " + text);
+    throw Error("is not a file name below the batch's folder: " + text);
   return path.generic_string();
 }
 

@@ -128,13 +128,13 @@ class Export {
         if (!fs::exists(place, error)) continue;
         for (const std::string& source : {item_.input, item_.skeleton})
           if (!source.empty() && fs::equivalent(place, source, error))
-            throw Error(place.string() + " is what it would be made from");
+            throw Error(place.string() + " is the file it would be made from");
         if (!rights_.resumed && !may_replace(name)) refuse(place);
       }
   }
 
   [[noreturn]] static void refuse(const fs::path& place) {
-    throw Error(place.string() + " is there already, and not of this batch: not overwritten");
+    throw Error(place.string() + " exists and is not this batch's: not overwritten");
   }
 
   bool may_replace(const std::string& name) const {

@@ -18,7 +18,7 @@ std::optional<Enum> word_at(const Json& json, const std::string& key,
   if (!word) return std::nullopt;
   for (const Enum value : values)
     if (*word == name(value)) return value;
-  throw Error("has a " + key + " that is not known: " + *word);
+  throw Error("has an unknown " + key + ": " + *word);
 }
 
 }  // namespace

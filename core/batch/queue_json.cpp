@@ -19,7 +19,7 @@ BatchItem item_from(const Json& json, std::size_t presets) {
   item.skeleton = text_at(json, "skeleton");
   json.at("output").get_to(item.output);
   json.at("preset").get_to(item.preset);
-  if (item.preset >= presets) throw Error(item.input + " has a preset that is not there");
+  if (item.preset >= presets) throw Error(item.input + " has an unknown preset");
   item.review = {verdict_named(text_at(json, "verdict")), text_at(json, "note")};
   if (const auto reading = json.find("reading"); reading != json.end() && !reading->is_null())
     item.reading = format_options(*reading);
@@ -63,7 +63,7 @@ Batch parse_queue(const std::string& file, const std::string& text) {
     batch.formats.clear();
     for (const Json& format : json.at("formats")) {
       const auto known = output_format(format.get<std::string>());
-      if (!known) throw Error("has a format that is not known: " + format.get<std::string>());
+      if (!known) throw Error("has an unknown format: " + format.get<std::string>());
       batch.formats.push_back(*known);
     }
     batch.reading = format_options(json);

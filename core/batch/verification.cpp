@@ -101,7 +101,7 @@ class Verifier {
 
  private:
   [[noreturn]] static void refuse() {
-    throw Error("verification: what was written has another shape");
+    throw Error("verification: the written file has another shape");
   }
 
   /// In the channels that are coded. By whom.
@@ -139,7 +139,7 @@ Verification verify(std::span<const std::byte> file, const Encoder& original,
   try {
     return Verifier(file, original, request).run();
   } catch (const FormatError& error) {
-    throw Error(std::string("verification: what was written cannot be read: ") + error.what());
+    throw Error(std::string("verification: the written file cannot be read: ") + error.what());
   }
 }
 

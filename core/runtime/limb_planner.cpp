@@ -39,14 +39,14 @@ const char* LimbPlanner::mark(int effector) {
   for (int other = 0; other < effector; ++other)
     if (effectors_[other].joint == ends.joint) return "a joint is an effector twice";
   if (ends.top >= ends.joint || !joints_[ends.top].turns())
-    return "an effector's chain does not begin above it with a joint that turns";
+    return "an effector's chain must begin at a joint above it that turns";
   bool in_chain = true;
   for (int j = ends.joint; j >= 0; j = joints_[j].parent) {
     path_[j] |= bit;
     if (j != ends.joint && in_chain && joints_[j].turns()) chain_[j] |= bit;
     if (j == ends.top) in_chain = false;
   }
-  return in_chain ? "an effector's chain does not begin above it with a joint that turns" : nullptr;
+  return in_chain ? "an effector's chain must begin at a joint above it that turns" : nullptr;
 }
 
 /// Effector after effector joins the groups it shares a joint with; the order of solving follows.

@@ -37,22 +37,23 @@ mcpr_result read_joint(Cursor& cursor, int index, JointRecord& record) {
   record.name_length = cursor.read<std::uint8_t>();
   record.name = cursor.take(record.name_length);
   joint.parent = cursor.read<std::int16_t>();
-  if (joint.parent < -1 || joint.parent >= index) return refuse("a parent after its child");
+  if (joint.parent < -1 || joint.parent >= index) return refuse("a joint stands before its parent");
   float offset[3];
   if (!read_finite(cursor, 3, offset)) return refuse("a number of the skeleton is not finite");
   joint.offset = {{offset[0], offset[1], offset[2]}};
   const auto flags = cursor.read<std::uint8_t>();
-  if ((flags & ~3) != 0) return refuse("unknown flags of a joint");
+  if ((flags & ~3) != 0) return refuse("a joint has unknown flags");
   joint.has_axes = (flags & 1) != 0;
   joint.has_end_site = (flags & 2) != 0;
   if (joint.has_axes) {
-    if (!read_axes(cursor, joint.parent_from_axes)) return refuse("axes are no unit quaternion");
+    if (!read_axes(cursor, joint.parent_from_axes))
+      return refuse("the axes are not a unit quaternion");
     joint.axes_from_joint = transposed(joint.parent_from_axes);
   }
   if (joint.has_end_site && !read_finite(cursor, 3, joint.end_site))
     return refuse("a number of the skeleton is not finite");
   joint.channels = cursor.read<std::uint8_t>();
-  if (joint.channels > kMostChannelsOfJoint) return refuse("a joint of more than 6 channels");
+  if (joint.channels > kMostChannelsOfJoint) return refuse("a joint has more than 6 channels");
   for (int c = 0; c < joint.channels; ++c) {
     joint.kinds[c] = cursor.read<std::uint8_t>();
     if (joint.kinds[c] > 5) return refuse("unknown kind of channel");

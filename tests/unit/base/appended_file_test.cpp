@@ -87,9 +87,9 @@ TEST_F(AppendedFileTest, IsOpenOnceAtATime) {
     AppendedFile file(path_);
     file.append("one");
     EXPECT_THAT(failure([&] { AppendedFile other(path_); }),
-                HasSubstr("rows.jsonl: another run is at work on it"));
+                HasSubstr("rows.jsonl: another run is using it"));
     file.replace([](StagedFile& contents) { contents.write("1\n"); });
-    EXPECT_THAT(failure([&] { AppendedFile other(path_); }), HasSubstr("at work")) << "still";
+    EXPECT_THAT(failure([&] { AppendedFile other(path_); }), HasSubstr("using it")) << "still";
     file.append("two");
   }
   EXPECT_EQ(AppendedFile(path_).size(), 6u);

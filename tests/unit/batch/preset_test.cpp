@@ -92,7 +92,7 @@ TEST(Preset, AFileThatIsWrongIsRefusedWithThePlaceOrTheKey) {
   EXPECT_THAT(complaint("[]"), HasSubstr("no preset"));
   EXPECT_THAT(complaint("7"), HasSubstr("not a JSON object"));
   EXPECT_THAT(complaint(R"({"method": "annealed"})"), HasSubstr("no \"name\""));
-  EXPECT_THAT(complaint(R"({"name": "a", "taget": 1})"), HasSubstr("\"taget\" is not known"));
+  EXPECT_THAT(complaint(R"({"name": "a", "taget": 1})"), HasSubstr("\"taget\" is unknown"));
   EXPECT_THAT(complaint(R"({"name": "a", "method": 3})"), HasSubstr("\"method\" is not a text"));
   EXPECT_THAT(complaint(R"({"name": "a", "method": "magic"})"), HasSubstr("magic"));
   EXPECT_THAT(complaint(R"({"name": "a", "weighting": "even"})"), HasSubstr("bone-ends"));
@@ -100,7 +100,8 @@ TEST(Preset, AFileThatIsWrongIsRefusedWithThePlaceOrTheKey) {
               HasSubstr("not above 0"));
   EXPECT_THAT(complaint(R"({"name": "a", "target": {"kind": "size", "value": "big"}})"),
               HasSubstr("\"value\" is not a number"));
-  EXPECT_THAT(complaint(R"({"name": "a", "method": "pca", "ik": {}})"), HasSubstr("wavelets only"));
+  EXPECT_THAT(complaint(R"({"name": "a", "method": "pca", "ik": {}})"),
+              HasSubstr("wavelet methods only"));
   EXPECT_THAT(complaint(R"({"name": "a", "coding": "deflate"})"), HasSubstr("closed loop"));
   EXPECT_THAT(complaint(R"({"name": "a", "ik": {"ratio": "some"}})"), HasSubstr("auto"));
   EXPECT_THROW(find_preset("no-such-preset"), InputError);

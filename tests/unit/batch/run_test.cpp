@@ -97,7 +97,7 @@ TEST_F(BatchRun, NeverOverwritesWhatItDidNotWriteUnlessTold) {
   write_text(out() / "in/one.mcpr", "somebody's");
   EXPECT_EQ(run(batch()).counts.failed, 1u);
   EXPECT_EQ(read_text(out() / "in/one.mcpr"), "somebody's");
-  EXPECT_THAT(rows()[1].error, HasSubstr("there already"));
+  EXPECT_THAT(rows()[1].error, HasSubstr("not overwritten"));
   EXPECT_EQ(run(batch(), {.resumed = true}).counts.failed, 1u);
   EXPECT_EQ(read_text(out() / "in/one.mcpr"), "somebody's");
   EXPECT_EQ(run(batch(), {.overwrite = true}).counts.failed, 0u);
