@@ -80,7 +80,7 @@
         <translation>Pire image &amp;suivante</translation>
     </message>
     <message>
-        <source>Go to the frame with the greatest error, again: to the next worst (N)</source>
+        <source>Go to the frame with the greatest error; again for the next worst (N)</source>
         <translation>Aller à l&apos;image de plus grande erreur, encore : à la suivante (N)</translation>
     </message>
     <message>
@@ -220,7 +220,7 @@
         <translation>E&amp;xporter le mouvement…</translation>
     </message>
     <message>
-        <source>Write the motion that comes of the compressed clip, as its source was</source>
+        <source>Write the decompressed motion, by the conventions of its source</source>
         <translation>Écrire le mouvement issu du clip compressé, sous la forme de sa source</translation>
     </message>
     <message>
@@ -278,7 +278,7 @@
         <translation>Modèle des noms</translation>
     </message>
     <message>
-        <source>Otherwise a clip whose file is there, and not of this batch, fails and says so. Either way a file is only replaced after the new one was read back and measured.</source>
+        <source>Otherwise a clip fails, and says so, if its file exists and is not this batch&apos;s. Either way a file is only replaced after the new one was read back and measured.</source>
         <translation>Sinon, un clip dont le fichier existe déjà sans être de ce lot échoue et le dit. Dans tous les cas, un fichier n&apos;est remplacé qu&apos;après relecture et mesure du nouveau.</translation>
     </message>
     <message>
@@ -334,7 +334,7 @@
         <translation>Dossier du lot : %1</translation>
     </message>
     <message>
-        <source>Where files and report go. A folder that holds a batch goes on where it was.</source>
+        <source>Where files and report go. A batch that the folder holds is resumed.</source>
         <translation>Où vont les fichiers et le rapport. Un dossier qui contient un lot reprend là où il en était.</translation>
     </message>
     <message>
@@ -622,7 +622,7 @@
         <translation>En pause à %1</translation>
     </message>
     <message>
-        <source>Stopping after the clips it is at: %1</source>
+        <source>Stopping after the current clips: %1</source>
         <translation>Arrêt après les clips en cours : %1</translation>
     </message>
     <message>
@@ -630,7 +630,7 @@
         <translation>Annulation…</translation>
     </message>
     <message>
-        <source>Stopped at %1; it goes on from there</source>
+        <source>Stopped at %1; the next start continues from there</source>
         <translation>Arrêté à %1 ; reprendra de là</translation>
     </message>
     <message>
@@ -773,7 +773,7 @@
         </translation>
     </message>
     <message>
-        <source>A change while clips are selected is theirs alone, and locks them.</source>
+        <source>A change while clips are selected applies to them alone, and locks them.</source>
         <translation>Un changement fait pendant une sélection ne vaut que pour ces clips, et les verrouille.</translation>
     </message>
     <message>
@@ -804,7 +804,7 @@
         <translation>Canal au cours du temps</translation>
     </message>
     <message>
-        <source>The channel as recorded and as compressed, and below what is between them. Click to seek.</source>
+        <source>The channel as recorded and as compressed; below, the difference. Click to seek.</source>
         <translation>Le canal enregistré et le canal compressé, et dessous ce qui les sépare. Cliquer pour s&apos;y rendre.</translation>
     </message>
     <message>
@@ -946,8 +946,8 @@
         <translation>Le meilleur cherche plus longtemps plus petit : quelques pour cent, pour une dizaine de fois le temps.</translation>
     </message>
     <message>
-        <source>Only the closed loop can try harder: the paper&apos;s methods end where they end.</source>
-        <translation>Seule la boucle fermée peut s&apos;efforcer davantage : les méthodes de l&apos;article s&apos;arrêtent où elles s&apos;arrêtent.</translation>
+        <source>Only the closed loop can try harder; the paper&apos;s methods have one result.</source>
+        <translation>Seule la boucle fermée peut s&apos;efforcer davantage : les méthodes de l&apos;article n&apos;ont qu&apos;un résultat.</translation>
     </message>
     <message>
         <source>The closed loop weighs the bytes of its own adaptive coding and has no other.</source>
@@ -974,8 +974,8 @@
         <translation>Plus</translation>
     </message>
     <message>
-        <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
-        <translation>Cette méthode prend les coefficients comme ils viennent, sans égard à l&apos;importance : choisissez %1 ou %2.</translation>
+        <source>This method ignores importance: choose %1 or %2.</source>
+        <translation>Cette méthode ignore l&apos;importance : choisissez %1 ou %2.</translation>
     </message>
     <message>
         <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
@@ -1047,8 +1047,8 @@
         <translation>Enregistre où sont les pieds dans l&apos;original et les y ramène par cinématique inverse, pour que les pieds posés ne glissent pas. Ce que cela prend compte dans le taux de compression.</translation>
     </message>
     <message>
-        <source>Let the encoder find how much to spend on the feet: the least sliding for at most a fifth more error.</source>
-        <translation>Laisser l&apos;encodeur trouver combien dépenser pour les pieds : le moins de glissement pour au plus un cinquième d&apos;erreur en plus.</translation>
+        <source>Let the encoder find how much to spend on the feet: at least nine tenths of the sliding gone, for the fewest bytes.</source>
+        <translation>Laisser l&apos;encodeur trouver combien dépenser pour les pieds : au moins neuf dixièmes du glissement en moins, pour le moins d&apos;octets.</translation>
     </message>
     <message>
         <source>IK ratio</source>
@@ -1190,7 +1190,7 @@
         <translation>Erreur</translation>
     </message>
     <message>
-        <source>Errors of this size and more are as high and as light as it gets. Click to choose another scale.</source>
+        <source>Errors of this size and more are drawn at full height and lightest. Click to choose another scale.</source>
         <translation>Les erreurs de cette taille et plus sont les plus hautes et les plus claires. Cliquez pour choisir une autre échelle.</translation>
     </message>
     <message>
@@ -1663,8 +1663,8 @@
         <translation>Ce dont l&apos;encodeur prend plus soin, aux dépens du reste.</translation>
     </message>
     <message>
-        <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
-        <translation>Cette méthode prend les coefficients comme ils viennent, sans égard à l&apos;importance : choisissez %1 ou %2.</translation>
+        <source>This method ignores importance: choose %1 or %2.</source>
+        <translation>Cette méthode ignore l&apos;importance : choisissez %1 ou %2.</translation>
     </message>
 </context>
 <context>
@@ -1720,7 +1720,7 @@
         <translation>Vu</translation>
     </message>
     <message>
-        <source>The worst of the joint, in times of what people notice: up to 1 is not visible, up to 2 borderline.</source>
+        <source>The joint&apos;s worst, as a multiple of what people notice: up to 1 is not visible, up to 2 borderline.</source>
         <translation>Le pire de l&apos;articulation, en multiples de ce que l&apos;on remarque : jusqu&apos;à 1 invisible, jusqu&apos;à 2 limite.</translation>
     </message>
 </context>
@@ -1804,7 +1804,7 @@
         <translation>%1 est ouvert dans une autre fenêtre de Mocapress.</translation>
     </message>
     <message>
-        <source>The project is not written: %1</source>
+        <source>The project was not saved: %1</source>
         <translation>Le projet n&apos;est pas enregistré : %1</translation>
     </message>
 </context>
@@ -2044,7 +2044,7 @@
         <translation>Ouverture de %1…</translation>
     </message>
     <message>
-        <source>Left out, for the library takes motions: %1</source>
+        <source>Left out; the library takes only motions: %1</source>
         <translation>Laissés de côté, la bibliothèque prend des mouvements : %1</translation>
     </message>
     <message>
@@ -2052,7 +2052,7 @@
         <translation>%1 exporté.</translation>
     </message>
     <message>
-        <source>Left out, for one project is open at a time: %1</source>
+        <source>Left out; only one project is open at a time: %1</source>
         <translation>Laissés de côté, un seul projet est ouvert à la fois : %1</translation>
     </message>
 </context>
@@ -2210,7 +2210,7 @@
         <translation>Distance quadratique moyenne pondérée à l’original.</translation>
     </message>
     <message>
-        <source>95 % of all points and frames are within.</source>
+        <source>95 % of all points at all frames are within this.</source>
         <translation>95 % de tous les points et de toutes les images sont en deçà.</translation>
     </message>
     <message>
@@ -2261,7 +2261,7 @@
         <translation>Garder en vue le résultat actuel, figure de sa propre couleur, pendant que d&apos;autres réglages sont essayés.</translation>
     </message>
     <message>
-        <source>Go on from the settings of the chosen result. Can be undone.</source>
+        <source>Continue with the settings of the chosen result. Can be undone.</source>
         <translation>Continuer à partir des réglages du résultat choisi. Peut être annulé.</translation>
     </message>
     <message>
@@ -2373,7 +2373,7 @@
         <translation>Méthode</translation>
     </message>
     <message>
-        <source>Feet stay where they stand in the original, at some more bytes.</source>
+        <source>Feet stay where they stand in the original, for some more bytes.</source>
         <translation>Les pieds restent où ils sont dans l&apos;original, pour quelques octets de plus.</translation>
     </message>
     <message>
@@ -2397,8 +2397,8 @@
         <translation>Ce que l&apos;œil remarque</translation>
     </message>
     <message>
-        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. What the eye notices: nothing exceeds that so many times; at 1, nothing is visible. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
-        <translation>eps_x : l&apos;erreur quadratique moyenne pondérée, que certaines images peuvent dépasser. Maximum absolu : aucun point du corps n&apos;est plus loin à aucune image. Ce que l&apos;œil remarque : rien ne le dépasse tant de fois ; à 1, rien n&apos;est visible. Les cibles de qualité conviennent à tous les clips ; le rapport et les octets ignorent la difficulté d&apos;un clip.</translation>
+        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. What the eye notices: nothing is off by more than so many times what people notice; at 1, nothing is visible. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
+        <translation>eps_x : l&apos;erreur quadratique moyenne pondérée, que certaines images peuvent dépasser. Maximum absolu : aucun point du corps n&apos;est plus loin à aucune image. Ce que l&apos;œil remarque : aucun écart ne dépasse tant de fois ce que l&apos;on remarque ; à 1, rien n&apos;est visible. Les cibles de qualité conviennent à tous les clips ; le rapport et les octets ignorent la difficulté d&apos;un clip.</translation>
     </message>
     <message>
         <source> times</source>
@@ -2736,7 +2736,7 @@
         <translation>Glissement</translation>
     </message>
     <message>
-        <source>Way of the feet over the ground while they stand, beyond the original&apos;s own, summed over the clip.</source>
+        <source>Distance of the feet over the ground while they stand, beyond the original&apos;s own, summed over the clip.</source>
         <translation>Chemin des pieds sur le sol pendant qu&apos;ils sont posés, au-delà de celui de l&apos;original, sur tout le clip.</translation>
     </message>
     <message>
@@ -2768,7 +2768,7 @@
         <translation>Signaux IK</translation>
     </message>
     <message>
-        <source>What holding the feet takes of the motion bytes, and its ratio r_IK.</source>
+        <source>The part of the motion bytes that holds the feet, and its ratio r_IK.</source>
         <translation>Ce que tenir les pieds prend des octets du mouvement, et son taux r_IK.</translation>
     </message>
     <message>
@@ -3017,7 +3017,7 @@
         <translation>Pendant que l&apos;original est posé au sol.</translation>
     </message>
     <message>
-        <source>Way over the ground beyond that of the original.</source>
+        <source>Distance over the ground beyond the original&apos;s.</source>
         <translation>Chemin sur le sol au-delà de celui de l&apos;original.</translation>
     </message>
     <message>
@@ -3182,7 +3182,7 @@
         <translation>Dossier de l&apos;étude : %1</translation>
     </message>
     <message>
-        <source>Where measurements are kept, so that a study that was stopped goes on where it was. Click to choose a folder, or one that holds a study, to see it.
+        <source>Where measurements are kept, so that a stopped study can continue. Click to choose a folder; a study that it holds is shown.
 %1</source>
         <translation>Où les mesures sont gardées, pour qu&apos;une étude arrêtée reprenne où elle était. Cliquer pour choisir un dossier, ou un dossier qui contient une étude, pour la voir.
 %1</translation>
@@ -3196,7 +3196,7 @@
         <translation>Lancer l&apos;étude</translation>
     </message>
     <message>
-        <source>A curve more: annealed wavelets whose feet inverse kinematics hold in place, at the ratios asked for.</source>
+        <source>One more curve: annealed wavelets with feet held by inverse kinematics, at the ratios asked for.</source>
         <translation>Une courbe de plus : les ondelettes par recuit dont la cinématique inverse tient les pieds en place, aux taux demandés.</translation>
     </message>
     <message>
@@ -3334,7 +3334,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Secondes</translation>
     </message>
     <message>
-        <source>Time to compress, the search for the target and all.</source>
+        <source>Time to compress, including the search for the target.</source>
         <translation>Durée de la compression, recherche de la cible comprise.</translation>
     </message>
     <message>
@@ -3396,7 +3396,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Tracé du rapport…</translation>
     </message>
     <message>
-        <source>Cancelled after %L1 of %L2; the next run goes on from there</source>
+        <source>Cancelled after %L1 of %L2; the next run continues from there</source>
         <translation>Annulé après %L1 sur %L2 ; la prochaine fois reprend de là</translation>
     </message>
     <message>
@@ -3558,8 +3558,8 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Ce que l&apos;œil remarque</translation>
     </message>
     <message>
-        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; a distance that no joint exceeds at any frame; or how many times what people notice nothing exceeds: at 1, nothing is visible).</source>
-        <translation>Demander une taille (taux de compression : octets des canaux en flottants de 32 bits sur les octets du mouvement compressé ; ou ces octets mêmes) ou une qualité (erreur moyenne pondérée eps_x ; une distance qu&apos;aucune articulation ne dépasse à aucune image ; ou combien de fois ce que l&apos;on remarque rien ne dépasse : à 1, rien n&apos;est visible).</translation>
+        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; a distance that no joint exceeds at any frame; or the most that anything may be off, as a multiple of what people notice: at 1, nothing is visible).</source>
+        <translation>Demander une taille (taux de compression : octets des canaux en flottants de 32 bits sur les octets du mouvement compressé ; ou ces octets mêmes) ou une qualité (erreur moyenne pondérée eps_x ; une distance qu&apos;aucune articulation ne dépasse à aucune image ; ou l&apos;écart maximal, en multiple de ce que l&apos;on remarque : à 1, rien n&apos;est visible).</translation>
     </message>
 </context>
 <context>
@@ -3719,7 +3719,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>&amp;Trajet de l&apos;articulation</translation>
     </message>
     <message>
-        <source>The way of the chosen joint, half a second around now</source>
+        <source>The path of the chosen joint, half a second around now</source>
         <translation>Le chemin de l&apos;articulation choisie, une demi-seconde de part et d&apos;autre</translation>
     </message>
     <message>

@@ -80,7 +80,7 @@
         <translation>次に悪いフレーム(&amp;W)</translation>
     </message>
     <message>
-        <source>Go to the frame with the greatest error, again: to the next worst (N)</source>
+        <source>Go to the frame with the greatest error; again for the next worst (N)</source>
         <translation>誤差が最大のフレームへ、もう一度で次に悪いフレームへ (N)</translation>
     </message>
     <message>
@@ -220,7 +220,7 @@
         <translation>モーションを書き出す(&amp;X)…</translation>
     </message>
     <message>
-        <source>Write the motion that comes of the compressed clip, as its source was</source>
+        <source>Write the decompressed motion, by the conventions of its source</source>
         <translation>圧縮クリップから得られるモーションを、元ファイルと同じ形式の取り決めで書き出します</translation>
     </message>
     <message>
@@ -278,7 +278,7 @@
         <translation>名前の型</translation>
     </message>
     <message>
-        <source>Otherwise a clip whose file is there, and not of this batch, fails and says so. Either way a file is only replaced after the new one was read back and measured.</source>
+        <source>Otherwise a clip fails, and says so, if its file exists and is not this batch&apos;s. Either way a file is only replaced after the new one was read back and measured.</source>
         <translation>そうでなければ、この一括処理のものではないファイルが既にあるクリップは失敗し、その旨を示します。いずれの場合も、新しいファイルを読み戻して測定した後にだけ置き換えます。</translation>
     </message>
     <message>
@@ -334,7 +334,7 @@
         <translation>一括処理のフォルダー: %1</translation>
     </message>
     <message>
-        <source>Where files and report go. A folder that holds a batch goes on where it was.</source>
+        <source>Where files and report go. A batch that the folder holds is resumed.</source>
         <translation>ファイルと報告の書き出し先。一括処理の残るフォルダーでは続きから始めます。</translation>
     </message>
     <message>
@@ -618,7 +618,7 @@
         <translation>%1 で一時停止中</translation>
     </message>
     <message>
-        <source>Stopping after the clips it is at: %1</source>
+        <source>Stopping after the current clips: %1</source>
         <translation>処理中のクリップの後で停止します: %1</translation>
     </message>
     <message>
@@ -626,7 +626,7 @@
         <translation>中止しています…</translation>
     </message>
     <message>
-        <source>Stopped at %1; it goes on from there</source>
+        <source>Stopped at %1; the next start continues from there</source>
         <translation>%1 で停止。続きから再開します</translation>
     </message>
     <message>
@@ -765,7 +765,7 @@
         </translation>
     </message>
     <message>
-        <source>A change while clips are selected is theirs alone, and locks them.</source>
+        <source>A change while clips are selected applies to them alone, and locks them.</source>
         <translation>クリップを選択中の変更はそれらだけのもので、ロックします。</translation>
     </message>
     <message>
@@ -796,7 +796,7 @@
         <translation>チャンネルの時間変化</translation>
     </message>
     <message>
-        <source>The channel as recorded and as compressed, and below what is between them. Click to seek.</source>
+        <source>The channel as recorded and as compressed; below, the difference. Click to seek.</source>
         <translation>記録時と圧縮後のチャンネル、下はその差。クリックで移動。</translation>
     </message>
     <message>
@@ -938,8 +938,8 @@
         <translation>「最良」はより小さくなるものを長く探します。10 倍ほどの時間で数パーセント小さくなります。</translation>
     </message>
     <message>
-        <source>Only the closed loop can try harder: the paper&apos;s methods end where they end.</source>
-        <translation>労力を選べるのは閉ループだけです。論文の手法は終わるところで終わります。</translation>
+        <source>Only the closed loop can try harder; the paper&apos;s methods have one result.</source>
+        <translation>労力を選べるのは閉ループだけです。論文の手法の結果は一つです。</translation>
     </message>
     <message>
         <source>The closed loop weighs the bytes of its own adaptive coding and has no other.</source>
@@ -966,8 +966,8 @@
         <translation>詳細</translation>
     </message>
     <message>
-        <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
-        <translation>この手法は係数をそのまま選び、重要度を考慮しません。%1か%2を選んでください。</translation>
+        <source>This method ignores importance: choose %1 or %2.</source>
+        <translation>この手法は重要度を考慮しません。%1か%2を選んでください。</translation>
     </message>
     <message>
         <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
@@ -1039,8 +1039,8 @@
         <translation>元の足の位置を記録し、逆運動学でそこへ戻すので、接地した足が滑りません。その分も圧縮率に含まれます。</translation>
     </message>
     <message>
-        <source>Let the encoder find how much to spend on the feet: the least sliding for at most a fifth more error.</source>
-        <translation>足にどれだけ使うかをエンコーダに任せます：誤差の増加を2割までに抑え、滑りを最小にします。</translation>
+        <source>Let the encoder find how much to spend on the feet: at least nine tenths of the sliding gone, for the fewest bytes.</source>
+        <translation>足にどれだけ使うかをエンコーダに任せます：最も少ないバイト数で、滑りの9割以上をなくします。</translation>
     </message>
     <message>
         <source>IK ratio</source>
@@ -1181,7 +1181,7 @@
         <translation>誤差</translation>
     </message>
     <message>
-        <source>Errors of this size and more are as high and as light as it gets. Click to choose another scale.</source>
+        <source>Errors of this size and more are drawn at full height and lightest. Click to choose another scale.</source>
         <translation>この大きさ以上の誤差は最も高く明るく示されます。クリックで別の尺度を選べます。</translation>
     </message>
     <message>
@@ -1652,8 +1652,8 @@
         <translation>ほかより丁寧に扱うところ。その分、残りの誤差が増えます。</translation>
     </message>
     <message>
-        <source>This method takes coefficients as they come and heeds no importance: choose %1 or %2.</source>
-        <translation>この手法は係数をそのまま選び、重要度を考慮しません。%1か%2を選んでください。</translation>
+        <source>This method ignores importance: choose %1 or %2.</source>
+        <translation>この手法は重要度を考慮しません。%1か%2を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -1709,7 +1709,7 @@
         <translation>見え方</translation>
     </message>
     <message>
-        <source>The worst of the joint, in times of what people notice: up to 1 is not visible, up to 2 borderline.</source>
+        <source>The joint&apos;s worst, as a multiple of what people notice: up to 1 is not visible, up to 2 borderline.</source>
         <translation>関節の最悪値。人が気付く大きさの何倍かで示します。1 までは見えず、2 までは境界です。</translation>
     </message>
 </context>
@@ -1793,7 +1793,7 @@
         <translation>%1は別のMocapressのウィンドウで開かれています。</translation>
     </message>
     <message>
-        <source>The project is not written: %1</source>
+        <source>The project was not saved: %1</source>
         <translation>プロジェクトが書き込まれていません: %1</translation>
     </message>
 </context>
@@ -2030,7 +2030,7 @@
         <translation>%1 を開いています…</translation>
     </message>
     <message>
-        <source>Left out, for the library takes motions: %1</source>
+        <source>Left out; the library takes only motions: %1</source>
         <translation>ライブラリはモーションだけを扱うため除きました：%1</translation>
     </message>
     <message>
@@ -2038,7 +2038,7 @@
         <translation>%1 を書き出しました。</translation>
     </message>
     <message>
-        <source>Left out, for one project is open at a time: %1</source>
+        <source>Left out; only one project is open at a time: %1</source>
         <translation>一度に開けるプロジェクトは一つのため除きました：%1</translation>
     </message>
 </context>
@@ -2196,7 +2196,7 @@
         <translation>オリジナルからの重み付き二乗平均平方根距離。</translation>
     </message>
     <message>
-        <source>95 % of all points and frames are within.</source>
+        <source>95 % of all points at all frames are within this.</source>
         <translation>すべての点とフレームの 95 % がこの範囲に入ります。</translation>
     </message>
     <message>
@@ -2247,7 +2247,7 @@
         <translation>ほかの設定を試す間、現在の結果を独自の色の人形として表示し続けます。</translation>
     </message>
     <message>
-        <source>Go on from the settings of the chosen result. Can be undone.</source>
+        <source>Continue with the settings of the chosen result. Can be undone.</source>
         <translation>選んだ結果の設定から続けます。元に戻せます。</translation>
     </message>
     <message>
@@ -2359,7 +2359,7 @@
         <translation>手法</translation>
     </message>
     <message>
-        <source>Feet stay where they stand in the original, at some more bytes.</source>
+        <source>Feet stay where they stand in the original, for some more bytes.</source>
         <translation>足は元の位置に留まります。バイト数は少し増えます。</translation>
     </message>
     <message>
@@ -2383,8 +2383,8 @@
         <translation>目で気づく差</translation>
     </message>
     <message>
-        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. What the eye notices: nothing exceeds that so many times; at 1, nothing is visible. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
-        <translation>eps_x: 重み付き二乗平均平方根誤差。個々のフレームでは超えることがあります。絶対的な上限: どのフレームでも体のどの点もこれ以上離れません。目で気づく差: 何もその倍数を超えません。1 なら何も見えません。品質の目標はどんなクリップにも向きます。圧縮率とバイト数はクリップの難しさを知りません。</translation>
+        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. What the eye notices: nothing is off by more than so many times what people notice; at 1, nothing is visible. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
+        <translation>eps_x: 重み付き二乗平均平方根誤差。個々のフレームでは超えることがあります。絶対的な上限: どのフレームでも体のどの点もこれ以上離れません。目で気づく差: どのずれも、人が気づく差のこの倍数を超えません。1 なら何も見えません。品質の目標はどんなクリップにも向きます。圧縮率とバイト数はクリップの難しさを知りません。</translation>
     </message>
     <message>
         <source> times</source>
@@ -2719,7 +2719,7 @@
         <translation>足滑り</translation>
     </message>
     <message>
-        <source>Way of the feet over the ground while they stand, beyond the original&apos;s own, summed over the clip.</source>
+        <source>Distance of the feet over the ground while they stand, beyond the original&apos;s own, summed over the clip.</source>
         <translation>接地中の足が元より余分に地面を動いた距離、クリップ全体の合計。</translation>
     </message>
     <message>
@@ -2751,7 +2751,7 @@
         <translation>IK信号</translation>
     </message>
     <message>
-        <source>What holding the feet takes of the motion bytes, and its ratio r_IK.</source>
+        <source>The part of the motion bytes that holds the feet, and its ratio r_IK.</source>
         <translation>足の固定が動きのバイト数に占める分と、その比 r_IK。</translation>
     </message>
     <message>
@@ -3000,7 +3000,7 @@
         <translation>元が接地している間。</translation>
     </message>
     <message>
-        <source>Way over the ground beyond that of the original.</source>
+        <source>Distance over the ground beyond the original&apos;s.</source>
         <translation>元を超えて地面を動いた距離。</translation>
     </message>
     <message>
@@ -3165,7 +3165,7 @@
         <translation>比較研究のフォルダー：%1</translation>
     </message>
     <message>
-        <source>Where measurements are kept, so that a study that was stopped goes on where it was. Click to choose a folder, or one that holds a study, to see it.
+        <source>Where measurements are kept, so that a stopped study can continue. Click to choose a folder; a study that it holds is shown.
 %1</source>
         <translation>計測結果の保存先。中断した比較研究は続きから再開します。クリックしてフォルダーを選ぶか、既存の比較研究を開きます。
 %1</translation>
@@ -3179,7 +3179,7 @@
         <translation>比較研究を実行</translation>
     </message>
     <message>
-        <source>A curve more: annealed wavelets whose feet inverse kinematics hold in place, at the ratios asked for.</source>
+        <source>One more curve: annealed wavelets with feet held by inverse kinematics, at the ratios asked for.</source>
         <translation>曲線を一つ追加します：焼きなましのウェーブレットで足を逆運動学により固定したものを、指定した比で。</translation>
     </message>
     <message>
@@ -3315,7 +3315,7 @@ Click to load it into the studio.</source>
         <translation>秒</translation>
     </message>
     <message>
-        <source>Time to compress, the search for the target and all.</source>
+        <source>Time to compress, including the search for the target.</source>
         <translation>目標の探索を含む圧縮時間。</translation>
     </message>
     <message>
@@ -3373,7 +3373,7 @@ Click to load it into the studio.</source>
         <translation>レポートを作成中…</translation>
     </message>
     <message>
-        <source>Cancelled after %L1 of %L2; the next run goes on from there</source>
+        <source>Cancelled after %L1 of %L2; the next run continues from there</source>
         <translation>%L2 件中 %L1 件で中止。次回は続きから</translation>
     </message>
     <message>
@@ -3535,7 +3535,7 @@ Click to load it into the studio.</source>
         <translation>目で気づく差</translation>
     </message>
     <message>
-        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; a distance that no joint exceeds at any frame; or how many times what people notice nothing exceeds: at 1, nothing is visible).</source>
+        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; a distance that no joint exceeds at any frame; or the most that anything may be off, as a multiple of what people notice: at 1, nothing is visible).</source>
         <translation>大きさ(圧縮率：32ビット浮動小数点のチャンネルと圧縮後の動きのバイト数の比、またはバイト数そのもの)か、品質(重み付き平均誤差 eps_x、またはどの関節もどのフレームでも超えない距離、またはどのずれも超えない「人が気づく差」の倍数: 1 なら何も見えません)を指定します。</translation>
     </message>
 </context>
@@ -3696,7 +3696,7 @@ Click to load it into the studio.</source>
         <translation>関節の軌跡(&amp;P)</translation>
     </message>
     <message>
-        <source>The way of the chosen joint, half a second around now</source>
+        <source>The path of the chosen joint, half a second around now</source>
         <translation>選んだ関節の前後0.5秒の軌跡</translation>
     </message>
     <message>

@@ -107,7 +107,7 @@ std::pair<QString, QString> JointErrorModel::headerTexts(int column) {
     case Max:
       return {tr("Max"), tr("Greatest distance in the world from the original, at any frame.")};
     case Seen:
-      return {tr("Seen"), tr("The worst of the joint, in times of what people notice: up to 1 is "
+      return {tr("Seen"), tr("The joint's worst, as a multiple of what people notice: up to 1 is "
                              "not visible, up to 2 borderline.")};
     default:
       return {tr("Angle"), tr("Angle in the world between the joint's rotation and the original's, "

@@ -92,7 +92,7 @@ QVariant PinnedModel::headerData(int section, Qt::Orientation orientation, int r
     case Eps:
       return shown ? tr("eps_x") : tr("Weighted root mean square distance from the original.");
     case P95:
-      return shown ? tr("p95") : tr("95 % of all points and frames are within.");
+      return shown ? tr("p95") : tr("95 % of all points at all frames are within this.");
     case Max:
       return shown ? tr("Max") : tr("Greatest distance of any point at any frame.");
     case Footskate:

@@ -57,7 +57,7 @@ QVariant SlideModel::headerData(int section, Qt::Orientation orientation, int ro
     case Slid:
       return role == Qt::DisplayRole ? QVariant(tr("Slid"))
              : role == Qt::ToolTipRole
-                 ? QVariant(tr("Way over the ground beyond that of the original."))
+                 ? QVariant(tr("Distance over the ground beyond the original's."))
                  : QVariant();
     case Speed:
       return role == Qt::DisplayRole   ? QVariant(tr("cm/s"))

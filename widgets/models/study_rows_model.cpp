@@ -172,7 +172,7 @@ QVariant StudyRowsModel::headerData(int section, Qt::Orientation orientation, in
       case Footskate:
         return {tr("Slide cm"), tr("How far feet slide while they stand in the original.")};
       default:
-        return {tr("Seconds"), tr("Time to compress, the search for the target and all.")};
+        return {tr("Seconds"), tr("Time to compress, including the search for the target.")};
     }
   }();
   if (role == Qt::DisplayRole) return texts.name;

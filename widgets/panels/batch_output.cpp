@@ -26,7 +26,7 @@ BatchOutput::BatchOutput(QWidget* parent)
   example_->setWordWrap(true);
   example_->setTextFormat(Qt::PlainText);
   overwrite_->setToolTip(
-      tr("Otherwise a clip whose file is there, and not of this batch, fails and says so. Either "
+      tr("Otherwise a clip fails, and says so, if its file exists and is not this batch's. Either "
          "way a file is only replaced after the new one was read back and measured."));
   struct Format {
     OutputFormat format;
@@ -68,10 +68,10 @@ void BatchOutput::setSettings(const BatchSettings& settings) {
   settings_ = settings;
   folder_->setText(settings.folder.isEmpty() ? tr("Choose…") : QDir(settings.folder).dirName());
   folder_->setAccessibleName(tr("Folder of the batch: %1").arg(folder_->text()));
-  folder_->setToolTip(settings.folder.isEmpty()
-                          ? tr("Where files and report go. A folder that holds a batch goes on "
-                               "where it was.")
-                          : QDir::toNativeSeparators(settings.folder));
+  folder_->setToolTip(
+      settings.folder.isEmpty()
+          ? tr("Where files and report go. A batch that the folder holds is resumed.")
+          : QDir::toNativeSeparators(settings.folder));
   if (names_->text() != settings.names) names_->setText(settings.names);
   for (const auto& [format, box] : formats_)
     box->setChecked(std::find(settings.formats.begin(), settings.formats.end(), format) !=

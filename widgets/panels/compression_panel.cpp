@@ -154,7 +154,7 @@ void CompressionPanel::showWhatApplies() {
   effort_->setToolTip(
       closed ? tr("Best looks longer for something smaller: a few per cent, for some ten times the "
                   "time.")
-             : tr("Only the closed loop can try harder: the paper's methods end where they end."));
+             : tr("Only the closed loop can try harder; the paper's methods have one result."));
   ends_->setEnabled(closed);
   ends_->setToolTip(
       closed
@@ -181,8 +181,7 @@ void CompressionPanel::showWhatApplies() {
       heeded ? QStringLiteral("<p>%1</p><p>%2</p>")
                    .arg(importance,
                         tr("Take more care of feet, hands, the head, contacts or any joint."))
-             : tr("This method takes coefficients as they come and heeds no importance: choose %1 "
-                  "or %2.")
+             : tr("This method ignores importance: choose %1 or %2.")
                    .arg(displayName(Method::ClosedLoop), displayName(Method::Annealed)));
   importance_->setEnabled(heeded);
 }

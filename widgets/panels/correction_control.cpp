@@ -38,8 +38,8 @@ CorrectionControl::CorrectionControl(QWidget* parent)
       tr("Stores where the feet are in the original and brings them there by inverse kinematics, "
          "so that planted feet do not slide. What this takes counts in the compression ratio."));
   found_->setToolTip(
-      tr("Let the encoder find how much to spend on the feet: the least sliding for at most a "
-         "fifth more error."));
+      tr("Let the encoder find how much to spend on the feet: at least nine tenths of the sliding "
+         "gone, for the fewest bytes."));
   value_->setAccessibleName(tr("IK ratio"));
   value_->setToolTip(
       tr("The paper's r_IK: coefficients of the correction over kept ones. Lower "

@@ -148,8 +148,7 @@ void ImportancePanel::setImportance(const Importance& importance) {
 void ImportancePanel::setMethod(Method method) {
   const bool heeded = heeds(method);
   note_->setText(heeded ? tr("What the encoder takes more care of, at the cost of the rest.")
-                        : tr("This method takes coefficients as they come and heeds no importance: "
-                             "choose %1 or %2.")
+                        : tr("This method ignores importance: choose %1 or %2.")
                               .arg(displayName(Method::ClosedLoop), displayName(Method::Annealed)));
   for (const auto& [part, control] : parts_)
     control->setEnabled(heeded && !joints_of(skeleton_, part).empty());

@@ -43,7 +43,7 @@ PinnedPanel::PinnedPanel(PinnedModel* model, QWidget* parent)
   pin_->setToolTip(
       tr("Keep the current result in view, as a figure of its own colour, while "
          "other settings are tried."));
-  make_current_->setToolTip(tr("Go on from the settings of the chosen result. Can be undone."));
+  make_current_->setToolTip(tr("Continue with the settings of the chosen result. Can be undone."));
   unpin_->setToolTip(tr("Take the chosen result out of the view."));
 
   auto* buttons = new QHBoxLayout;

@@ -54,8 +54,8 @@ void PresetEditor::addRows() {
   kind_->setToolTip(
       tr("eps_x: the weighted root mean square error, which single frames may exceed. Hard "
          "maximum: no point of the body is further off at any frame. What the eye notices: nothing "
-         "exceeds that so many times; at 1, nothing is visible. Quality targets suit clips of all "
-         "kinds; ratio and bytes do not know how hard a clip is."));
+         "is off by more than so many times what people notice; at 1, nothing is visible. Quality "
+         "targets suit clips of all kinds; ratio and bytes do not know how hard a clip is."));
   value_->setAccessibleName(tr("How much of it"));
   value_->setKeyboardTracking(false);
   value_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -70,7 +70,7 @@ void PresetEditor::addRows() {
   }
   method_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   method_->setMinimumContentsLength(12);
-  hold_feet_->setToolTip(tr("Feet stay where they stand in the original, at some more bytes."));
+  hold_feet_->setToolTip(tr("Feet stay where they stand in the original, for some more bytes."));
 
   auto* target = new QHBoxLayout;
   target->addWidget(kind_);

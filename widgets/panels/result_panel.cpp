@@ -80,9 +80,8 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
                 tr("99th percentile of the distance over all joints and frames, unweighted."));
   max_ = addRow(tr("Worst point"), tr("Greatest distance of any joint at any frame."));
   seen_ = addRow(tr("To the eye"), seenExplanation());
-  footskate_ = addRow(tr("Footskate"),
-                      tr("Way of the feet over the ground while they stand, beyond the original's "
-                         "own, summed over the clip."));
+  footskate_ = addRow(tr("Footskate"), tr("Distance of the feet over the ground while they stand, "
+                                          "beyond the original's own, summed over the clip."));
   slide_ = addRow(tr("A contact: mean / worst"),
                   tr("Footskate of one contact: it compares clips of any length."));
   ends_ = addRow({}, {});
@@ -98,7 +97,7 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   bits_ = addRow(tr("Bits per joint-sample"),
                  tr("Motion bits for one joint at one frame: does not depend on a baseline."));
   correction_ = addRow(tr("IK signals"),
-                       tr("What holding the feet takes of the motion bytes, and its ratio r_IK."));
+                       tr("The part of the motion bytes that holds the feet, and its ratio r_IK."));
   knee_ = addRow(tr("Fastest knee"),
                  tr("The greatest speed of a held leg's knee, and that of the original's: a "
                     "correction must not make knees snap."));

@@ -106,8 +106,8 @@ void StudyPanel::fillMethods() {
 
 QWidget* StudyPanel::makeFeet() {
   hold_feet_->setToolTip(
-      tr("A curve more: annealed wavelets whose feet inverse kinematics hold in place, at the "
-         "ratios asked for."));
+      tr("One more curve: annealed wavelets with feet held by inverse kinematics, at the ratios "
+         "asked for."));
   ik_ratio_->setAccessibleName(tr("IK ratio of the study"));
   ik_ratio_->setToolTip(tr("How much the correction signals are compressed (r_IK)."));
   ik_ratio_->setRange(1, 200);
@@ -188,9 +188,8 @@ void StudyPanel::change() {
 void StudyPanel::setFolder(const QString& folder) {
   folder_->setText(folder.isEmpty() ? tr("This computer's cache") : QDir(folder).dirName());
   folder_->setAccessibleName(tr("Folder of the study: %1").arg(folder_->text()));
-  folder_->setToolTip(tr("Where measurements are kept, so that a study that was stopped goes on "
-                         "where it was. Click "
-                         "to choose a folder, or one that holds a study, to see it.\n%1")
+  folder_->setToolTip(tr("Where measurements are kept, so that a stopped study can continue. Click "
+                         "to choose a folder; a study that it holds is shown.\n%1")
                           .arg(QDir::toNativeSeparators(folder)));
 }
 

@@ -64,11 +64,11 @@ TargetControl::TargetControl(QWidget* parent)
   kind_->addItem(tr("Error (eps_x)"), static_cast<int>(Target::Kind::Error));
   kind_->addItem(tr("Hard maximum"), static_cast<int>(Target::Kind::MaxError));
   kind_->addItem(tr("What the eye notices"), static_cast<int>(Target::Kind::Visibility));
-  kind_->setToolTip(tr(
-      "Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the "
-      "compressed motion bytes; or these bytes themselves) or for a quality (weighted mean "
-      "error eps_x; a distance that no joint exceeds at any frame; or how many times what people "
-      "notice nothing exceeds: at 1, nothing is visible)."));
+  kind_->setToolTip(
+      tr("Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the "
+         "compressed motion bytes; or these bytes themselves) or for a quality (weighted mean "
+         "error eps_x; a distance that no joint exceeds at any frame; or the most that anything "
+         "may be off, as a multiple of what people notice: at 1, nothing is visible)."));
   slider_->setAccessibleName(tr("Target on a slider"));
   slider_->setRange(0, LogScale().steps);
   slider_->setPageStep(50);

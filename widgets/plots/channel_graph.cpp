@@ -45,8 +45,7 @@ ChannelGraph::ChannelGraph(QWidget* parent)
   channels_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   curves_plot_->setAccessibleName(tr("Channel over time"));
   curves_plot_->setToolTip(
-      tr("The channel as recorded and as compressed, and below what is between them. Click to "
-         "seek."));
+      tr("The channel as recorded and as compressed; below, the difference. Click to seek."));
   bands_plot_->setAccessibleName(tr("Kept coefficients by scale"));
   bands_plot_->setToolTip(
       tr("Wavelet coefficients of this channel that are kept, of all there are, from the coarsest "

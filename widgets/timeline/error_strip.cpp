@@ -211,8 +211,8 @@ bool ErrorStrip::event(QEvent* event) {
   const auto* help = static_cast<QHelpEvent*>(event);
   QString text =
       help->pos().x() < axis().left
-          ? tr("Errors of this size and more are as high and as light as it gets. Click to choose "
-               "another scale.")
+          ? tr("Errors of this size and more are drawn at full height and lightest. Click to "
+               "choose another scale.")
           : tr("Greatest error at every frame as a column, the mean as a line. The wheel zooms, "
                "with Shift it moves along; Shift and drag chooses the range that is played.");
   for (const Glitch& glitch : glitches_)

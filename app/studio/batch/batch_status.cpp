@@ -80,11 +80,12 @@ QString statusOf(const BatchSession& session) {
     case State::Paused:
       return Status::tr("Paused at %1").arg(soFar(session.counts()));
     case State::Stopping:
-      return Status::tr("Stopping after the clips it is at: %1").arg(soFar(session.counts()));
+      return Status::tr("Stopping after the current clips: %1").arg(soFar(session.counts()));
     case State::Cancelling:
       return Status::tr("Cancelling…");
     case State::Stopped:
-      return Status::tr("Stopped at %1; it goes on from there").arg(soFar(session.counts()));
+      return Status::tr("Stopped at %1; the next start continues from there")
+          .arg(soFar(session.counts()));
     case State::Complete:
       return complete(session);
     case State::Failed:

@@ -295,7 +295,8 @@ void BatchWindow::showSelection() {
   whose_->setText(rows.empty() ? tr("Settings of all clips")
                                : tr("Settings of %Ln selected clip(s)", nullptr,
                                     static_cast<int>(rows.size())));
-  whose_->setToolTip(tr("A change while clips are selected is theirs alone, and locks them."));
+  whose_->setToolTip(
+      tr("A change while clips are selected applies to them alone, and locks them."));
   unlock_->setVisible(locked);
   editor_->setPreset(rows.empty() ? queue.common() : queue.presetOf(rows.front()));
 }

@@ -286,7 +286,7 @@ bool Library::flush() {
 /// Said once, not with every try.
 void Library::setTrouble(const QString& message) {
   if (message == std::exchange(trouble_, message)) return;
-  if (!message.isEmpty()) emit failed(tr("The project is not written: %1").arg(message));
+  if (!message.isEmpty()) emit failed(tr("The project was not saved: %1").arg(message));
   emit projectChanged();
 }
 

@@ -72,7 +72,7 @@ QString statusOf(const StudySession& session) {
     case StudySession::State::Opened:
       return complete(session);
     case StudySession::State::Cancelled:
-      return Status::tr("Cancelled after %L1 of %L2; the next run goes on from there")
+      return Status::tr("Cancelled after %L1 of %L2; the next run continues from there")
           .arg(session.counts().done)
           .arg(session.counts().jobs);
     case StudySession::State::Failed:

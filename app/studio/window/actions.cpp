@@ -72,7 +72,7 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.export_motion =
       make(window, Texts::tr("E&xport Motion…"), Qt::CTRL | Qt::SHIFT | Qt::Key_E);
   actions.export_motion->setToolTip(
-      Texts::tr("Write the motion that comes of the compressed clip, as its source was"));
+      Texts::tr("Write the decompressed motion, by the conventions of its source"));
   actions.import_options = make(window, Texts::tr("&Import Options…"));
   actions.import_options->setToolTip(
       Texts::tr("Read the open motion again with another unit, up axis, rate or root"));
@@ -100,7 +100,7 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.next_worst =
       make(window, Texts::tr("Next &Worst Frame"), Qt::Key_N, QStringLiteral("worst"));
   actions.next_worst->setToolTip(
-      Texts::tr("Go to the frame with the greatest error, again: to the next worst (N)"));
+      Texts::tr("Go to the frame with the greatest error; again for the next worst (N)"));
   actions.previous_worst = make(window, Texts::tr("P&revious Worst Frame"), Qt::SHIFT | Qt::Key_N);
   actions.hold_feet = make(window, Texts::tr("&Hold Feet"), Qt::Key_I);
   actions.hold_feet->setToolTip(Texts::tr("Compress with or without inverse kinematics (I)"));

@@ -434,7 +434,7 @@ void MainWindow::open(const QStringList& paths, const QString& skeleton) {
     if (projects.isEmpty()) return;
     QStringList names;
     for (const QString& path : projects) names << QFileInfo(path).fileName();
-    keepNote(tr("Left out, for one project is open at a time: %1")
+    keepNote(tr("Left out; only one project is open at a time: %1")
                  .arg(names.join(QStringLiteral(", "))));
   });
 }
@@ -455,7 +455,7 @@ void MainWindow::openClips(const QStringList& paths, const QString& skeleton, bo
   }
   if (!others.isEmpty())
     messages_->showNote(
-        tr("Left out, for the library takes motions: %1").arg(others.join(QStringLiteral(", "))));
+        tr("Left out; the library takes only motions: %1").arg(others.join(QStringLiteral(", "))));
   if (clips.size() == 1 && folders.isEmpty())  // with its skeleton, it may be
     return files_->open(clips[0], skeletons.size() == 1 && clips[0].endsWith(QLatin1String(".amc"),
                                                                              Qt::CaseInsensitive)

@@ -80,7 +80,7 @@ ViewActions makeViewActions(QMainWindow* window) {
       make_here("by-error", Texts::tr("Colour by &Error"), Qt::Key_E,
                 Texts::tr("Colour every joint by its distance from the original, in cm"));
   actions.path = make_here("path", Texts::tr("&Path of the Joint"), Qt::Key_P,
-                           Texts::tr("The way of the chosen joint, half a second around now"));
+                           Texts::tr("The path of the chosen joint, half a second around now"));
   actions.trail =
       make_here("trail", Texts::tr("Ghost &Trail"), Qt::Key_T,
                 Texts::tr("Where the compressed figure was (blue) and will be (orange), faded"));
