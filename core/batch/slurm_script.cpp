@@ -50,7 +50,7 @@ std::string slurm_script(const SlurmJob& job) {
   const std::string folder = quoted(job.folder);
   return "#!/bin/bash\n"
          "# Submit with: sbatch THIS_FILE. Logs and reports go to the batch's folder.\n"
-         "# A task that was killed or requeued goes on where it was; so does sbatch, run again.\n"
+         "# A task that was killed or requeued resumes; so does sbatch, run again.\n"
          "#SBATCH --job-name=mocapress\n"
          "#SBATCH --array=1-" +
          std::to_string(job.shards) +

@@ -163,7 +163,7 @@ std::string picture_section(const Picture& picture) {
   if (picture.foot)
     content += element("h3", "", "The foot that slides most") +
                element("p", attribute("class", "muted"),
-                       "The way of the foot over the floor during one contact: grey as captured, "
+                       "The path of the foot over the floor during one contact: grey as captured, "
                        "dark as compressed.") +
                element("div", attribute("class", "pair"), feet);
   return element("section", "", content);

@@ -309,7 +309,7 @@ std::string footskate_table(const Results& results) {
       tables += footskate_at(results, *target);
   return tables.empty() ? ""
                         : element("p", attribute("class", "muted"),
-                                  "Horizontal way of the feet while planted, beyond the "
+                                  "Horizontal distance of the feet while planted, beyond the "
                                   "original&#8217;s own; in brackets the mean of a contact and the "
                                   "worst contact. Contacts are found on the original; clips "
                                   "without any are left out.") +
