@@ -218,11 +218,10 @@ Compression MethodEncoder::compress(const CompressionMethod& compression_method,
   if (EncodeOptions chosen = options; choose_wavelets(compression_method, chosen))
     return compress_wavelets(parts_->wavelets, chosen, observer);
   const ComparisonMethod* method = find_comparison_method(compression_method.name);
-  if (method == nullptr)
-    throw Error("there is no method of compression called " + std::string(compression_method.name));
+  if (method == nullptr) throw Error("unknown method: " + std::string(compression_method.name));
   if (options.target.kind == Target::Kind::CoefficientRatio)
-    throw Error("the coefficient ratio is a target for wavelets only");
-  if (options.correction) throw Error("inverse kinematics correct wavelets only");
+    throw Error("the coefficient ratio is a target of wavelet methods only");
+  if (options.correction) throw Error("inverse kinematics can correct wavelet methods only");
 
   const auto start = std::chrono::steady_clock::now();
   const Motion& motion = parts_->wavelets.motion();

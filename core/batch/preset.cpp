@@ -87,24 +87,24 @@ void check(const Preset& preset) {
   const auto refuse = [&](const std::string& why) {
     throw Error("the preset \"" + preset.name + "\" " + why);
   };
-  if (!find_compression_method(preset.method))
-    refuse("has no method that is known: " + preset.method);
+  if (!find_compression_method(preset.method)) refuse("has an unknown method: " + preset.method);
   const bool of_wavelets = find_comparison_method(preset.method) == nullptr;
   if (is_closed_loop(preset) && preset.coding.value_or(Coding::Adaptive) != Coding::Adaptive)
-    refuse("wants a coding that the closed loop, which is coded adaptively, does not have");
+    refuse("has a coding other than adaptive, the only one of the closed loop");
   if (!std::isfinite(preset.target.value) || preset.target.value <= 0)
     refuse("has a target that is not above 0");
   if (!of_wavelets && preset.target.kind == Target::Kind::CoefficientRatio)
-    refuse("has a coefficient ratio, which is a target for wavelets only");
-  if (preset.effort == Effort::Draft) refuse("has the effort of a draft, which keeps no promise");
+    refuse("has a coefficient ratio, a target of wavelet methods only");
+  if (preset.effort == Effort::Draft)
+    refuse("has the effort draft, which does not promise its target");
   const auto check_factor = [&](double factor, const std::string& of) {
     if (!std::isfinite(factor) || factor < 0)
-      refuse("has an importance of " + of + " that is no number of 0 or more");
+      refuse("has an importance of " + of + " that is not a number of 0 or more");
   };
   check_factor(preset.importance.contacts, "contacts");
   for (const auto& [name, factor] : preset.importance.factors) check_factor(factor, name);
   if (!preset.correction) return;
-  if (!of_wavelets) refuse("has an IK correction, which corrects wavelets only");
+  if (!of_wavelets) refuse("has an IK correction, which can correct wavelet methods only");
   const double ratio = preset.correction->ratio.value_or(1);
   if (!std::isfinite(ratio) || ratio <= 0) refuse("has an IK ratio that is not above 0");
 }

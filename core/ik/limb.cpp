@@ -65,7 +65,7 @@ class Planned {
 Limb::Limb(const Skeleton& skeleton, const std::vector<Effector>& effectors)
     : joints_(models_of(skeleton)), frame_(Eigen::RowVectorXd::Zero(skeleton.channel_count())) {
   Planned planned(joints_, effectors);
-  if (planned->limb_count() != 1) throw Error("these effectors are no one limb");
+  if (planned->limb_count() != 1) throw Error("these effectors are not one limb");
   const runtime::LimbPlan size = planned->size(0);
   effector_numbers_.resize(effectors.size());
   effector_links_.resize(effectors.size());

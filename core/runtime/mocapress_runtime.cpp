@@ -40,7 +40,7 @@ mcpr_result check_file(const void* file, std::size_t size, const mcpr_limits* li
   const mcpr_result result = read_sections(file, size, applied, sections);
   if (failed(result)) return result;
   if (!sections.is_adaptive())
-    return failure(MCPR_UNSUPPORTED, sections.motion.offset, "not of the coding adaptive");
+    return failure(MCPR_UNSUPPORTED, sections.motion.offset, "the coding is not adaptive");
   bytes = opening_bytes(sections);
   if (bytes > applied.scratch_bytes)
     return failure(MCPR_LIMIT, 0, "reading takes more scratch memory than the limits allow");
@@ -54,7 +54,7 @@ bool is_clip(const mcpr_clip* clip) {
 mcpr_result check_request(const mcpr_clip* clip, const mcpr_request* request) {
   if (!is_clip(clip)) return argument("no clip");
   if (request == nullptr || !is_possible(clip->block, *request))
-    return argument("the clip cannot be decoded so");
+    return argument("unsupported output, path or channel list");
   return kOk;
 }
 
@@ -80,7 +80,7 @@ const char* mcpr_status_message(mcpr_status status) {
     case MCPR_INVALID:
       return "invalid file";
     case MCPR_UNSUPPORTED:
-      return "not of the coding adaptive";
+      return "the coding is not adaptive";
     case MCPR_LIMIT:
       return "beyond the limits";
     case MCPR_MEMORY:
@@ -103,7 +103,7 @@ mcpr_limits mcpr_default_limits(void) {
 
 mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits,
                          mcpr_info* info) {
-  if (info == nullptr) return argument("nowhere to tell what the file holds");
+  if (info == nullptr) return argument("no place was given for what the file holds");
   FileSections sections;
   std::uint64_t bytes = 0;
   const mcpr_result result = check_file(file, size, limits, sections, bytes);
@@ -120,7 +120,7 @@ mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limit
 
 mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, void* scratch,
                       size_t scratch_size, size_t* resident_bytes) {
-  if (resident_bytes == nullptr) return argument("nowhere to tell the size of the clip");
+  if (resident_bytes == nullptr) return argument("no place was given for the size of the clip");
   FileSections sections;
   std::uint64_t bytes = 0;
   mcpr_result result = check_file(file, size, limits, sections, bytes);
@@ -142,7 +142,7 @@ mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, 
 
 mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident, size_t resident_size,
                        const mcpr_clip** clip) {
-  if (clip == nullptr) return argument("nowhere to put the clip");
+  if (clip == nullptr) return argument("no place was given for the clip");
   if (scratch == nullptr || !is_aligned(scratch) || scratch_size < sizeof(FileLoader))
     return argument("not the scratch memory of mcpr_read");
   auto* const opening = std::launder(static_cast<FileLoader*>(scratch));
@@ -217,7 +217,7 @@ mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* reques
   if (failed(result)) return result;
   const auto frames = static_cast<std::uint32_t>(clip->block.segments.frames);
   if (first > frames || count > frames - first || (out == nullptr && count > 0))
-    return argument("frames that the clip does not have");
+    return argument("frames outside the clip, or no output");
   if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
   Memory memory(scratch, scratch_size);
   FrameDecoder(memory, clip->block, *request)
@@ -230,7 +230,7 @@ mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* reques
   mcpr_result result = check_request(clip, request);
   if (failed(result)) return result;
   if (!(frame >= 0 && frame <= clip->block.segments.frames - 1) || out == nullptr)
-    return argument("an instant outside the clip");
+    return argument("an instant outside the clip, or no output");
   if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
   Memory memory(scratch, scratch_size);
   FrameDecoder(memory, clip->block, *request).sample_at(frame, out);
@@ -242,8 +242,8 @@ mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* reques
   mcpr_result result = check_request(clip, request);
   if (failed(result)) return result;
   const int turn = clip->block.turn_frames();
-  if (turn < 1) return argument("the clip is no loop");
-  if (!std::isfinite(frame) || out == nullptr) return argument("an instant that is none");
+  if (turn < 1) return argument("the clip is not a loop");
+  if (!std::isfinite(frame) || out == nullptr) return argument("no finite instant, or no output");
   if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
   double within = std::fmod(frame, turn);
   if (within < 0) within += turn;

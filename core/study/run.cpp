@@ -133,7 +133,7 @@ class Run {
     bool told_to_stop = false;
     try {
       const CompressionMethod* compression_method = find_compression_method(row.method);
-      if (!compression_method) throw Error("there is no method \"" + row.method + "\"");
+      if (!compression_method) throw Error("unknown method \"" + row.method + "\"");
       EncodeOptions options{.coding = plan_.coding,
                             .weighting = row.weighting,
                             .target = row.target,

@@ -90,7 +90,7 @@ std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem
   int worst = 0;
   for (const std::string& name : methods) {
     const CompressionMethod* method = find_compression_method(name);
-    if (!method) throw Error("there is no method \"" + name + "\"");
+    if (!method) throw Error("unknown method \"" + name + "\"");
     const Compression made = clip.encoder().compress(*method,
                                                      {.coding = plan.coding,
                                                       .weighting = plan.weighting,

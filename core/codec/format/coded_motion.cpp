@@ -20,7 +20,7 @@ mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neig
   Cursor head = coded.cursor();
   scale = std::bit_cast<float>(std::uint32_t{head.read<std::uint16_t>()} << 16);
   if (head.failed() || !std::isfinite(scale) || scale <= 0)
-    return failure(MCPR_INVALID, coded.offset, "the scale of steps is no positive number");
+    return failure(MCPR_INVALID, coded.offset, "the scale of steps is not a positive number");
   std::fill_n(view.step_exponent, view.signal_count, 0);
   std::fill_n(view.values, std::int64_t{view.length} * view.signal_count, 0);
   RangeDecoder bits(coded.data + 2, coded.size - 2);
@@ -28,7 +28,8 @@ mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neig
   CoefficientCoder(bits, neighbours, bands, model, view, notes).run();
   const std::size_t offset = coded.offset + 2 + bits.position();
   if (bits.exhausted()) return failure(MCPR_INVALID, offset, "the coded motion ends early");
-  if (bits.refused()) return failure(MCPR_INVALID, offset, "a number of the motion out of bounds");
+  if (bits.refused())
+    return failure(MCPR_INVALID, offset, "a number of the motion is out of bounds");
   if (!bits.is_at_end()) return failure(MCPR_INVALID, offset, "bytes after the coded motion");
   return kOk;
 }

@@ -123,7 +123,7 @@ RotationForms read_orders(const runtime::Bytes& payload, const Skeleton& coded) 
     orders[static_cast<std::size_t>(j)].order = *last;
   }
   if (cursor.failed() || !cursor.at_end())
-    throw FormatError(payload.offset, "ordr of another size");
+    throw FormatError(payload.offset, "ordr has the wrong size");
   return orders;
 }
 
@@ -230,7 +230,7 @@ CompressedClip read_container(std::span<const std::byte> bytes) {
   Container container = read_any_container(bytes);
   if (container.of_comparison)
     throw FormatError(sections_of(bytes).motion.offset,
-                      "not a wavelet clip: it was made by a comparison method");
+                      "not a wavelet clip: it was made by a comparison method (section COMP)");
   return std::move(container.clip);
 }
 

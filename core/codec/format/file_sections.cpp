@@ -96,7 +96,7 @@ class SectionsReader {
     if (sections_.joints == 0 || sections_.joints > kMostJoints ||
         sections_.joint_bytes > kMostBytesOfJoint * sections_.joints ||
         sections_.channels > kMostChannelsOfJoint * sections_.joints)
-      return failure(MCPR_INVALID, payload.offset, "a skeleton of impossible size");
+      return failure(MCPR_INVALID, payload.offset, "the skeleton has an impossible size");
     if (sections_.joints > limits_.joints || sections_.channels > limits_.channels)
       return failure(MCPR_LIMIT, payload.offset, "more joints or channels than the limits allow");
     const std::size_t size = cursor.left();
@@ -106,11 +106,12 @@ class SectionsReader {
 
   mcpr_result read_clip(const Bytes& payload) {
     constexpr std::size_t kSize = 8 + 4 + 4 + 8 + 4 + 4;
-    if (payload.size != kSize) return failure(MCPR_INVALID, payload.offset, "CLIP of another size");
+    if (payload.size != kSize)
+      return failure(MCPR_INVALID, payload.offset, "CLIP has the wrong size");
     Cursor cursor(payload.data, payload.size, payload.offset);
     sections_.sample_rate = cursor.read<double>();
     if (!std::isfinite(sections_.sample_rate) || sections_.sample_rate <= 0)
-      return failure(MCPR_INVALID, payload.offset, "the sample rate is no positive number");
+      return failure(MCPR_INVALID, payload.offset, "the sample rate is not a positive number");
     sections_.frames = cursor.read<std::uint32_t>();
     const std::size_t at = cursor.offset();
     const auto basis = cursor.read<std::uint8_t>();
@@ -122,7 +123,7 @@ class SectionsReader {
     if (basis > 2) return failure(MCPR_INVALID, at, "unknown basis");
     if (coding > kAdaptive) return failure(MCPR_INVALID, at + 1, "unknown coding");
     if (coding == kComparison && basis != static_cast<std::uint8_t>(Wavelet::Haar))
-      return failure(MCPR_INVALID, at, "a basis without wavelets");
+      return failure(MCPR_INVALID, at, "a basis where there are no wavelets");
     if ((method == 0) != (coding == kComparison) || method > 4)
       return failure(MCPR_INVALID, at + 2, "unknown method");
     if (weighting > 3) return failure(MCPR_INVALID, at + 3, "unknown weighting");
@@ -146,14 +147,15 @@ class SectionsReader {
     const auto count = cursor.read<std::uint32_t>();
     if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "SEGS is too short");
     if (!may_be_segments(sections_.frames, length, overlap))
-      return failure(MCPR_INVALID, payload.offset, "segments of impossible length");
+      return failure(MCPR_INVALID, payload.offset, "the segments have an impossible length");
     sections_.segments.length = static_cast<int>(length);
     sections_.segments.overlap = static_cast<int>(overlap);
     if (count != static_cast<std::uint32_t>(sections_.segments.count()))
-      return failure(MCPR_INVALID, payload.offset + 8, "not as many segments as frames need");
+      return failure(MCPR_INVALID, payload.offset + 8,
+                     "the number of segments does not fit the frames");
     const std::size_t offset = cursor.offset();
     if (cursor.left() != 4 * std::size_t{count})
-      return failure(MCPR_INVALID, offset, "SEGS of another size");
+      return failure(MCPR_INVALID, offset, "SEGS has the wrong size");
     sections_.segment_sizes = {cursor.take(cursor.left()), 4 * std::size_t{count}, offset};
     sections_.segments_bytes = payload.size;
     return check_values(payload.offset);
@@ -165,7 +167,7 @@ class SectionsReader {
     for (int k = 0; k < sections_.segments.count(); ++k) sum += sections_.segment_size(k);
     if (sum != sections_.motion.size)
       return failure(MCPR_INVALID, sections_.segment_sizes.offset,
-                     "the segments are not as large as MOTN");
+                     "the sizes of the segments do not add up to MOTN");
     return kOk;
   }
 
@@ -175,7 +177,7 @@ class SectionsReader {
                          std::max(sections_.signal_count(), 1U);
     if (samples > most_values_of(file_bytes_))
       return failure(MCPR_INVALID, sections_.motion.offset,
-                     "more samples than so few bytes may stand for");
+                     "too many samples for so few coded bytes");
     return kOk;
   }
 
@@ -193,7 +195,7 @@ class SectionsReader {
     const auto effectors = cursor.read<std::uint8_t>();
     if (solver < 1 || solver > 2) return failure(MCPR_INVALID, payload.offset, "unknown solver");
     if (effectors < 1 || effectors > kMostEffectors || payload.size != 2U + 4U * effectors)
-      return failure(MCPR_INVALID, payload.offset + 1, "IKCO of another size");
+      return failure(MCPR_INVALID, payload.offset + 1, "IKCO has the wrong size");
     sections_.solver = static_cast<Solver>(solver);
     sections_.effectors = effectors;
     sections_.correction_bytes = payload.size;
@@ -203,7 +205,7 @@ class SectionsReader {
       sections_.effector[e] = {joint, cursor.read<std::uint16_t>()};
       if (sections_.effector[e].joint >= sections_.joints ||
           sections_.effector[e].top >= sections_.joints)
-        return failure(MCPR_INVALID, cursor.offset() - 4, "an effector is no joint");
+        return failure(MCPR_INVALID, cursor.offset() - 4, "an effector is not a joint");
     }
     return check_values(payload.offset + 1);
   }
@@ -240,10 +242,10 @@ mcpr_result read_ends(const Bytes& payload, FileSections& sections) {
   if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "ENDS is too short");
   for (const std::uint8_t reach : sections.end_reach)
     if (reach < 1 || reach > sections.frames)
-      return failure(MCPR_INVALID, payload.offset, "ends of impossible length");
+      return failure(MCPR_INVALID, payload.offset, "ENDS has an impossible reach");
   for (const std::int8_t step_exponent : sections.end_step_exponent)
     if (step_exponent < kLeastEndStepExponent || step_exponent > kMostEndStepExponent)
-      return failure(MCPR_INVALID, payload.offset + 2, "ends in impossible steps");
+      return failure(MCPR_INVALID, payload.offset + 2, "ENDS has impossible steps");
   sections.ends_bytes = payload.size;
   const std::size_t size = cursor.left();
   const std::size_t offset = cursor.offset();

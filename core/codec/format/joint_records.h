@@ -46,7 +46,7 @@ mcpr_result read_joints(const FileSections& sections, const std::uint8_t* bytes,
     visit(j, record);
   }
   if (!cursor.at_end()) return refuse("bytes after the last joint");
-  if (channels != sections.channels) return refuse("not as many channels as JNTS promises");
+  if (channels != sections.channels) return refuse("not as many channels as JNTS states");
   return kOk;
 }
 

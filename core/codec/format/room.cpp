@@ -55,7 +55,7 @@ void check_room(const ClipShape& clip) {
   for (const Joint& joint : skeleton.joints()) check_joint(joint);
   check_depth(skeleton);
   if (!std::isfinite(clip.sample_rate_hz) || clip.sample_rate_hz <= 0)
-    refuse("its sample rate is no positive number");
+    refuse("its sample rate is not a positive number");
   if (static_cast<std::uint32_t>(clip.segments.frames) > runtime::kMostFrames)
     refuse(clip.segments.frames, "frames", runtime::kMostFrames);
   if (clip.effectors > runtime::kMostEffectors)

@@ -37,9 +37,9 @@ mcpr_result read_head(Cursor& file, std::uint16_t& sections) {
     return failure(MCPR_NOT_A_CLIP, 0, "not a Mocapress file");
   const auto version = file.read<std::uint16_t>();
   sections = file.read<std::uint16_t>();
-  if (file.failed()) return failure(MCPR_DAMAGED, 4, "the file ends within its head");
+  if (file.failed()) return failure(MCPR_DAMAGED, 4, "the file ends within its header");
   if (version != kVersion)
-    return failure(MCPR_VERSION, 4, "a version that is not known: a newer Mocapress is needed");
+    return failure(MCPR_VERSION, 4, "the version is unknown: a newer Mocapress is needed");
   return kOk;
 }
 

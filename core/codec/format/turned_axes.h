@@ -64,7 +64,7 @@ template <typename MayTurn, typename Set>
 mcpr_result read_turned_axes(const Bytes& axes, int joints, const MayTurn& may_turn,
                              const Set& set) {
   if (axes.data == nullptr) return kOk;
-  constexpr const char* kNone = "axes turned that are none";
+  constexpr const char* kNone = "AXES sets bits that must be zero, or ends early";
   std::size_t candidates = 0;
   for (int j = 0; j < joints; ++j) candidates += may_turn(j) ? 1 : 0;
   Cursor cursor = axes.cursor();
@@ -84,7 +84,7 @@ mcpr_result read_turned_axes(const Bytes& axes, int joints, const MayTurn& may_t
       return failure(MCPR_INVALID, offset, kNone);
     set(j, coded);
   }
-  if (!cursor.at_end()) return failure(MCPR_INVALID, cursor.offset(), "AXES of another size");
+  if (!cursor.at_end()) return failure(MCPR_INVALID, cursor.offset(), "AXES has the wrong size");
   return kOk;
 }
 

@@ -195,7 +195,7 @@ TEST(Container, RefusesAnotherVersionByName) {
     read_container(file);
     FAIL();
   } catch (const FormatError& error) {
-    EXPECT_NE(std::string(error.what()).find("version that is not known"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("version is unknown"), std::string::npos);
   }
 }
 

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "core/base/file.h"
-#include "core/decoder/coefficient_priors.h"
-#include "core/decoder/mixed_bit.h"
-#include "core/decoder/value_prediction.h"
+#include "core/codec/format/coefficient_priors.h"
+#include "core/codec/format/mixed_bit.h"
+#include "core/codec/format/value_prediction.h"
 
 namespace mocapress::test {
 namespace {
 
-constexpr const char* kFormatPage = MOCAPRESS_SOURCE_DIR "/core/codec/FORMAT.md";
+constexpr const char* kFormatPage = MOCAPRESS_SOURCE_DIR "/core/codec/format/FORMAT.md";
 
 struct AppendixTable {
   std::string heading;
@@ -44,11 +44,11 @@ std::string quoted_lines(const std::string& letters) {
 
 std::vector<AppendixTable> appendix_of_the_program() {
   std::vector<int> scale_weights;
-  for (const auto& level : decoder::kScaleWeights)
+  for (const auto& level : runtime::kScaleWeights)
     for (const auto weight : level) scale_weights.push_back(weight);
-  return {{"### A.1", rows_of_numbers(scale_weights, decoder::kScaleFeatures)},
-          {"### A.2", quoted_lines(std::string(decoder::context_priors()))},
-          {"### A.3", rows_of_numbers(decoder::weight_priors(), decoder::MixingWeights::kMost)}};
+  return {{"### A.1", rows_of_numbers(scale_weights, runtime::kScaleFeatures)},
+          {"### A.2", quoted_lines(std::string(runtime::context_priors()))},
+          {"### A.3", rows_of_numbers(runtime::weight_priors(), runtime::MixingWeights::kMost)}};
 }
 
 struct TextRange {
