@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kMostChannels = kMostChannelsOfJoint * kMostJoint
 /// A name's length is a byte.
 inline constexpr std::size_t kMostNameBytes = 255;
 
-/// Of a joint in SKEL or JNTS: its name, parent, offset, flags, axes, end site and channels.
+/// Of a joint in JNTS, before it is coded: its name, parent, offset, flags, axes, end site and channels.
 inline constexpr std::size_t kMostBytesOfJoint =
     (1 + kMostNameBytes) + 2 + 3 * 4 + 1 + 4 * 4 + 3 * 4 + (1 + kMostChannelsOfJoint);
 
