@@ -73,7 +73,7 @@ const char* mcpr_status_message(mcpr_status status) {
       return "done";
     case MCPR_NOT_A_CLIP:
       return "not a Mocapress file";
-    case MCPR_VERSION:
+    case MCPR_UNKNOWN_VERSION:
       return "unknown version";
     case MCPR_DAMAGED:
       return "damaged file";
@@ -185,6 +185,15 @@ mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* o
   }
   std::memcpy(out->kinds, model.kinds, sizeof out->kinds);
   return kOk;
+}
+
+int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name) {
+  if (!is_clip(clip) || name == nullptr) return -1;
+  const char* const names = clip->block.at<char>(clip->block.names);
+  for (std::uint32_t j = 0; j < clip->block.joint_count; ++j)
+    if (std::strcmp(names + clip->block.joint_models()[j].name, name) == 0)
+      return static_cast<std::int32_t>(j);
+  return -1;
 }
 
 int mcpr_path_exists(mcpr_path path) {

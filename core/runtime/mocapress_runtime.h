@@ -8,11 +8,23 @@
  * memory is the caller's, a clip is read-only once it was built, and any number of threads may
  * decode from it, each with scratch memory of its own.
  *
- * Units: centimetres, radians, seconds, frames. Memory handed in must be aligned to MCPR_ALIGNMENT.
- * Every function that can fail says where and why; what it writes is then unspecified.
+ * Units: lengths are centimetres, angles radians, rates frames a second. Instants are counted in
+ * frames from the first: seconds * sample_rate.
+ *
+ * Space: right-handed, y up, the ground is x and z. Where a character stands and faces is the
+ * clip's own. A positive angle turns as a right-handed screw along its axis: about y from z to x.
+ * An engine with z up takes x y z as x -z y, and a quaternion's vector part likewise; a left-handed
+ * one also negates one axis, and of a quaternion the two other components of the vector part.
+ *
+ * Rotations: unit quaternions w x y z that turn columns, v' = q v q*; q and -q are the same
+ * rotation, and which of both comes is not promised. A joint's transform maps its own frame to its
+ * parent's; a pose in the world is parent * child, from the roots on.
+ *
+ * Memory handed in must be aligned to MCPR_ALIGNMENT. Every function that can fail says where and
+ * why; what it writes is then unspecified.
  */
-#ifndef MOCAPRESS_DECODER_H
-#define MOCAPRESS_DECODER_H
+#ifndef MOCAPRESS_RUNTIME_H
+#define MOCAPRESS_RUNTIME_H
 
 #include <stddef.h>
 #include <stdint.h>
@@ -21,18 +33,24 @@
 extern "C" {
 #endif
 
+/* The version of the decoder. Until 1.0 the C interface may change with the minor one. */
+#define MCPR_VERSION_MAJOR 0
+#define MCPR_VERSION_MINOR 1
+#define MCPR_VERSION_PATCH 0
+#define MCPR_VERSION (MCPR_VERSION_MAJOR * 10000 + MCPR_VERSION_MINOR * 100 + MCPR_VERSION_PATCH)
+
 #define MCPR_ALIGNMENT 32
 
 typedef enum mcpr_status {
   MCPR_OK = 0,
-  MCPR_NOT_A_CLIP = 1,  /* the bytes are no .mcpr file */
-  MCPR_VERSION = 2,     /* of a version that is not known here */
-  MCPR_DAMAGED = 3,     /* cut short, or a checksum differs */
-  MCPR_INVALID = 4,     /* not what FORMAT.md allows */
-  MCPR_UNSUPPORTED = 5, /* allowed, but not adaptive: the library mocapress reads it */
-  MCPR_LIMIT = 6,       /* larger than the limits given */
-  MCPR_MEMORY = 7,      /* too little memory given, or not aligned */
-  MCPR_ARGUMENT = 8     /* asked for what the clip does not have */
+  MCPR_NOT_A_CLIP = 1,      /* the bytes are no .mcpr file */
+  MCPR_UNKNOWN_VERSION = 2, /* of a version that is not known here */
+  MCPR_DAMAGED = 3,         /* cut short, or a checksum differs */
+  MCPR_INVALID = 4,         /* not what FORMAT.md allows */
+  MCPR_UNSUPPORTED = 5,     /* allowed, but not adaptive: the library mocapress reads it */
+  MCPR_LIMIT = 6,           /* larger than the limits given */
+  MCPR_MEMORY = 7,          /* too little memory given, or not aligned */
+  MCPR_ARGUMENT = 8         /* asked for what the clip does not have */
 } mcpr_status;
 
 typedef struct mcpr_result {
@@ -130,6 +148,10 @@ typedef struct mcpr_joint {
 } mcpr_joint;
 
 mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out);
+
+/* The joint of that name, byte for byte; the first where several have it. -1: there is none, or
+ * clip or name is null. Looks at one joint after the other: ask once, not at every frame. */
+int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name);
 
 /* ---------------------------------------------------------------- decoding */
 

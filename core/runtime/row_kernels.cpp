@@ -2,7 +2,10 @@
 #include "core/runtime/row_kernels.h"
 
 #include "core/codec/format/bits.h"
-#include "core/runtime/row_kernels_of.h"
+
+#define MOCAPRESS_ROWS base_rows
+#define MOCAPRESS_ROWS_TARGET
+#include "core/runtime/row_kernels_of.inc"
 
 #if defined(__SSE2__) || defined(_M_X64)
 #include <emmintrin.h>
@@ -33,12 +36,12 @@ inline Sse2Vector operator*(Sse2Vector a, Sse2Vector b) {
 }
 #endif
 
-void unpack_rows(const PackedRows& rows) {
+void unpack_all_plainly(const PackedRows& rows) {
   unpack_plainly(rows, 0, rows.groups, rows.packed);
 }
 
 #if defined(__SSE2__) || defined(_M_X64)
-constexpr RowKernels kSse2Rows = {lifting_of<Sse2Vector>(), unpack_rows};
+constexpr RowKernels kSse2Rows = {base_rows::lifting_of<Sse2Vector>(), unpack_all_plainly};
 #endif
 
 }  // namespace
@@ -64,8 +67,9 @@ const std::byte* unpack_plainly(const PackedRows& rows, int first_group, int end
   return packed;
 }
 
-const RowKernels kPlainRows = {lifting_of<PlainVectorOf<float>>(), unpack_rows};
-const LiftingKernels<double> kWideRows = lifting_of<PlainVectorOf<double>>();
+const RowKernels kPlainRows = {base_rows::lifting_of<base_rows::PlainVectorOf<float>>(),
+                               unpack_all_plainly};
+const LiftingKernels<double> kWideRows = base_rows::lifting_of<base_rows::PlainVectorOf<double>>();
 
 const RowKernels* sse2_rows() {
 #if defined(__SSE2__) || defined(_M_X64)

@@ -6,13 +6,12 @@
 #ifdef MOCAPRESS_DECODER_AVX2
 #include <immintrin.h>
 
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
-#else
-#pragma GCC target("avx2")  // to the end of the file, where GCC makes the templates' code
-#endif
-
-#include "core/runtime/row_kernels_of.h"
+// On each function and no pragma: GCC makes the code of templates at the end of the file, where the
+// pragma would count for those of others too.
+#define MOCAPRESS_AVX2 __attribute__((target("avx2")))
+#define MOCAPRESS_ROWS avx2_rows_of
+#define MOCAPRESS_ROWS_TARGET MOCAPRESS_AVX2
+#include "core/runtime/row_kernels_of.inc"
 
 namespace mocapress::runtime {
 namespace {
@@ -22,19 +21,18 @@ struct Avx2Vector {
   static constexpr std::ptrdiff_t kSize = 8;
   __m256 values;
 
-  static Avx2Vector load(const float* from) { return {_mm256_loadu_ps(from)}; }
-  static Avx2Vector all(float value) { return {_mm256_set1_ps(value)}; }
-  void store(float* to) const { _mm256_storeu_ps(to, values); }
+  MOCAPRESS_AVX2 static Avx2Vector load(const float* from) { return {_mm256_loadu_ps(from)}; }
+  MOCAPRESS_AVX2 static Avx2Vector all(float value) { return {_mm256_set1_ps(value)}; }
+  MOCAPRESS_AVX2 void store(float* to) const { _mm256_storeu_ps(to, values); }
 };
 
-// Not friends in the class: GCC 12 would compile those without AVX2.
-Avx2Vector operator+(Avx2Vector a, Avx2Vector b) {
+MOCAPRESS_AVX2 Avx2Vector operator+(Avx2Vector a, Avx2Vector b) {
   return {_mm256_add_ps(a.values, b.values)};
 }
-Avx2Vector operator-(Avx2Vector a, Avx2Vector b) {
+MOCAPRESS_AVX2 Avx2Vector operator-(Avx2Vector a, Avx2Vector b) {
   return {_mm256_sub_ps(a.values, b.values)};
 }
-Avx2Vector operator*(Avx2Vector a, Avx2Vector b) {
+MOCAPRESS_AVX2 Avx2Vector operator*(Avx2Vector a, Avx2Vector b) {
   return {_mm256_mul_ps(a.values, b.values)};
 }
 
@@ -53,7 +51,7 @@ struct PackedLanes {
   bool fits;
 };
 
-PackedLanes lanes_of(const std::uint8_t* widths) {
+MOCAPRESS_AVX2 PackedLanes lanes_of(const std::uint8_t* widths) {
   const __m256i one = _mm256_set1_epi32(1);
   const __m256i width =
       _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(widths)));
@@ -79,7 +77,7 @@ PackedLanes lanes_of(const std::uint8_t* widths) {
           .fits = _mm256_testz_si256(wide, wide) != 0};
 }
 
-void unpack_rows(const PackedRows& rows) {
+MOCAPRESS_AVX2 void unpack_with_avx2(const PackedRows& rows) {
   const std::byte* packed = rows.packed;
   for (int g = 0; g < rows.groups; ++g) {
     const PackedLanes lanes = lanes_of(rows.widths + 8 * g);
@@ -106,12 +104,8 @@ void unpack_rows(const PackedRows& rows) {
 
 }  // namespace
 
-const RowKernels kAvx2Rows = {lifting_of<Avx2Vector>(), unpack_rows};
+const RowKernels kAvx2Rows = {avx2_rows_of::lifting_of<Avx2Vector>(), unpack_with_avx2};
 
 }  // namespace mocapress::runtime
-
-#if defined(__clang__)
-#pragma clang attribute pop
-#endif
 
 #endif

@@ -39,7 +39,7 @@ mcpr_result read_head(Cursor& file, std::uint16_t& sections) {
   sections = file.read<std::uint16_t>();
   if (file.failed()) return failure(MCPR_DAMAGED, 4, "the file ends within its header");
   if (version != kVersion)
-    return failure(MCPR_VERSION, 4, "the version is unknown: a newer Mocapress is needed");
+    return failure(MCPR_UNKNOWN_VERSION, 4, "the version is unknown: a newer Mocapress is needed");
   return kOk;
 }
 

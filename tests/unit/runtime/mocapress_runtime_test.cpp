@@ -86,6 +86,41 @@ TEST(Decoder, TellsWhatTheFileHolds) {
   }
 }
 
+TEST(Decoder, FindsAJointByName) {
+  const mcpr_clip* const clip = opened().clip;
+  const auto joints = static_cast<std::int32_t>(mcpr_clip_describe(clip).joints);
+  for (std::int32_t j = 0; j < joints; ++j) {
+    mcpr_joint joint;
+    ASSERT_EQ(mcpr_clip_joint(clip, static_cast<std::uint32_t>(j), &joint).status, MCPR_OK);
+    EXPECT_EQ(mcpr_find_joint(clip, joint.name), j) << joint.name;
+    EXPECT_EQ(mcpr_find_joint(clip, (std::string(joint.name) + "x").c_str()), -1);
+  }
+  EXPECT_EQ(mcpr_find_joint(clip, ""), -1);
+  EXPECT_EQ(mcpr_find_joint(clip, nullptr), -1);
+  EXPECT_EQ(mcpr_find_joint(nullptr, "root"), -1);
+}
+
+/// The header says which way angles turn: about y from z to x, and quaternions turn columns.
+TEST(Decoder, TurnsAsARightHandedScrew) {
+  Motion motion;
+  motion.skeleton.add({.name = "root", .channels = {ChannelKind::RotationY}});
+  motion.skeleton.add({.name = "nose", .parent = 0, .offset = {0, 0, 10}, .channels = {}});
+  motion.clip.channels = Eigen::MatrixXd::Constant(16, 1, 1.5707963267948966);
+  const OpenedClip clip(write_container(Encoder(motion)
+                                            .encode({.method = Method::Standard,
+                                                     .coding = Coding::Adaptive,
+                                                     .target = {Target::Kind::Error, 1e-3}})
+                                            .compressed));
+  ASSERT_NE(clip.clip, nullptr) << clip.result.message;
+  const std::vector<float> places = clip.frames({.output = MCPR_POSITIONS}, 0, 1);
+  ASSERT_EQ(places.size(), 6u);
+  EXPECT_NEAR(places[3], 10, 1e-2) << "what lay along z is along x";
+  EXPECT_NEAR(places[5], 0, 1e-2);
+  const std::vector<float> local = clip.frames({.output = MCPR_LOCAL}, 0, 1);
+  const Eigen::Quaternionf turned(local[0], local[1], local[2], local[3]);
+  EXPECT_LT((turned * Eigen::Vector3f::UnitZ() - Eigen::Vector3f::UnitX()).norm(), 1e-3);
+}
+
 TEST(Decoder, AnyStretchOfFramesIsThatPartOfTheWhole) {
   Random random(1);
   for (const mcpr_request& request :

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+# Joins sources with all that they include of ours: cmake -DSOURCES=a.cpp;b.cpp -DROOT=DIR -DVERSION=x.y.z
+# -DFOLDER=DIR -P join.cmake. Headers go where they are first included, once; a file without #pragma once
+# wherever it is. System headers stay, the first time that they are named. Sources must not have two helpers
+# of the same name in unnamed namespaces, which here are one.
+#
+# Texts go through variables in quotes and never through lists: they hold brackets and semicolons.
+cmake_minimum_required(VERSION 3.25)
+
+# Appends a file, without its licence line, to `joined`.
+function(append_file path)
+  file(READ "${path}" text)
+  if(text MATCHES "#pragma once\n")
+    get_property(seen GLOBAL PROPERTY "seen_${path}")
+    if(seen)
+      return()
+    endif()
+    set_property(GLOBAL PROPERTY "seen_${path}" TRUE)
+    string(REPLACE "#pragma once\n" "" text "${text}")
+  endif()
+  string(REGEX REPLACE "^// SPDX[^\n]*\n" "" text "${text}")
+  file(RELATIVE_PATH name "${ROOT}" "${path}")
+  string(APPEND joined "\n// ---- ${name}\n")
+  while(TRUE)
+    string(FIND "${text}" "#include " at)
+    if(at LESS 0)
+      break()
+    endif()
+    string(SUBSTRING "${text}" 0 ${at} before)
+    string(SUBSTRING "${text}" ${at} -1 text)
+    string(FIND "${text}" "\n" end)
+    string(SUBSTRING "${text}" 0 ${end} line)
+    math(EXPR end "${end} + 1")
+    string(SUBSTRING "${text}" ${end} -1 text)
+    string(APPEND joined "${before}")
+    if(line MATCHES "^#include \"(.*)\"" AND CMAKE_MATCH_1 STREQUAL "core/runtime/mocapress_runtime.h")
+      append_once("#include \"mocapress_runtime.h\"")
+    elseif(line MATCHES "^#include \"(.*)\"")
+      append_file("${ROOT}/${CMAKE_MATCH_1}")
+    else()
+      append_once("${line}")
+    endif()
+  endwhile()
+  string(APPEND joined "${text}")
+  set(joined "${joined}" PARENT_SCOPE)
+endfunction()
+
+# Appends a line unless it is there.
+function(append_once line)
+  get_property(seen GLOBAL PROPERTY "seen_${line}")
+  if(NOT seen)
+    set_property(GLOBAL PROPERTY "seen_${line}" TRUE)
+    set(joined "${joined}${line}\n" PARENT_SCOPE)
+  endif()
+endfunction()
+
+file(READ "${ROOT}/LICENSE" LICENSE)
+string(REGEX REPLACE "^.*\nMIT License\n" "\nMIT License\n" LICENSE "${LICENSE}")
+string(REGEX REPLACE "\n+$" "" LICENSE "${LICENSE}")
+string(REPLACE "\n" "\n// " LICENSE "${LICENSE}")
+string(REPLACE "// \n" "//\n" LICENSE "${LICENSE}")
+file(READ "${CMAKE_CURRENT_LIST_DIR}/joined_head.txt" joined)
+string(CONFIGURE "${joined}" joined @ONLY)
+foreach(source IN LISTS SOURCES)
+  cmake_path(NORMAL_PATH source)
+  append_file("${source}")
+endforeach()
+# Blank lines where includes stood.
+string(REGEX REPLACE "\n\n\n+" "\n\n" joined "${joined}")
+file(WRITE "${FOLDER}/mocapress_runtime.cpp" "${joined}")
+file(COPY_FILE "${ROOT}/core/runtime/mocapress_runtime.h" "${FOLDER}/mocapress_runtime.h")

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The runtime decoder as two files: what somebody gets who copies them into a game.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/base/file.h"
+#include "tests/system/command.h"
+
+namespace mocapress::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class JoinedRuntime : public CommandLine {
+ protected:
+  void SetUp() override {
+    run("cmake --install " MOCAPRESS_BINARY_DIR " --component runtime --prefix " + prefix());
+    fs::create_directory(file("game"));
+    for (const char* name : {"mocapress_runtime.h", "mocapress_runtime.cpp"})
+      fs::copy_file(file("prefix/share/mocapress-runtime") / name, file("game") / name);
+    example_ = file("prefix/share/mocapress-runtime/example");
+  }
+
+  std::string prefix() const { return file("prefix").string(); }
+
+  /// Runs shell words in the folder with the two files, expects success and returns standard
+  /// output.
+  std::string run(const std::string& words) const {
+    const std::string folder = fs::exists(file("game")) ? file("game").string() : ".";
+    const Outcome outcome = run_program({"sh", "-c", "cd " + folder + " && " + words});
+    EXPECT_EQ(outcome.exit_code, 0) << words << ": " << outcome.out << outcome.err;
+    return outcome.out;
+  }
+
+  /// What the example shows, with the decoder compiled like this.
+  std::string played_by(const std::string& compiler, const std::string& options) const {
+    run(compiler + " -std=c++20 -Wall -Wextra -Wpedantic -Werror -fno-exceptions -fno-rtti " +
+        options + " -c mocapress_runtime.cpp");
+    run("cc -std=c11 -Wall -Wextra -Werror -I. " + (example_ / "play.c").string() +
+        " mocapress_runtime.o -lm -o play");
+    return run("./play " + (example_ / "walk.mcpr").string());
+  }
+
+  /// What it shows with the installed library.
+  std::string played_by_the_library() const {
+    run("PKG_CONFIG_PATH=$(dirname $(find " + prefix() +
+        " -name mocapress-runtime.pc)) && export PKG_CONFIG_PATH && cc -std=c11 " +
+        (example_ / "play.c").string() +
+        " $(pkg-config --cflags --libs mocapress-runtime) -o play-with-library");
+    return run("./play-with-library " + (example_ / "walk.mcpr").string());
+  }
+
+  fs::path example_;
+};
+
+TEST_F(JoinedRuntime, CompilesAloneAndPlaysAsTheLibraryDoes) {
+  const std::string expected = played_by_the_library();
+  EXPECT_NE(expected.find('#'), std::string::npos) << "nobody is to be seen";
+  EXPECT_EQ(played_by("g++", "-O1"), expected);
+  if (std::system("command -v clang++ > /dev/null") == 0) {
+    EXPECT_EQ(played_by("clang++", "-O1"), expected);
+  }
+}
+
+/// All that was compiled is in one file: no other symbol is missing than those of C.
+TEST_F(JoinedRuntime, NeedsNothingOfCxxWhenItIsLinked) {
+  run("g++ -std=c++20 -O1 -fno-exceptions -fno-rtti -c mocapress_runtime.cpp");
+  const std::string missing = run("nm -C --undefined-only mocapress_runtime.o");
+  EXPECT_EQ(missing.find("std::"), std::string::npos) << missing;
+  EXPECT_EQ(missing.find("operator new"), std::string::npos) << missing;
+  EXPECT_EQ(missing.find("mocapress"), std::string::npos) << missing;
+}
+
+TEST_F(JoinedRuntime, RefusesOptionsThatWouldChangeItsBits) {
+  const Outcome outcome = run_program({"g++", "-std=c++20", "-ffast-math", "-E", "-o", "/dev/null",
+                                       (file("game") / "mocapress_runtime.cpp").string()});
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("fast-math"), std::string::npos) << outcome.err;
+}
+
+TEST_F(JoinedRuntime, IsOfTheVersionThatThePackageHas) {
+  std::string version = run("PKG_CONFIG_PATH=$(dirname $(find " + prefix() +
+                            " -name mocapress-runtime.pc)) pkg-config --modversion "
+                            "mocapress-runtime");
+  while (!version.empty() && version.back() == '\n') version.pop_back();
+  write("game/version.c",
+        "#include <mocapress_runtime.h>\n#include <stdio.h>\n"
+        "int main(void) { return printf(\"%d.%d.%d %d\", MCPR_VERSION_MAJOR, MCPR_VERSION_MINOR, "
+        "MCPR_VERSION_PATCH, MCPR_VERSION) < 0; }\n");
+  run("cc -I. version.c -o version");
+  int major = 0, minor = 0, patch = 0;
+  ASSERT_EQ(std::sscanf(version.c_str(), "%d.%d.%d", &major, &minor, &patch), 3) << version;
+  EXPECT_EQ(run("./version"), version + " " + std::to_string(10000 * major + 100 * minor + patch));
+}
+
+}  // namespace
+}  // namespace mocapress::test
