@@ -140,7 +140,7 @@ std::optional<double> bench_correction(const Encoder& encoder, IkSolver solver) 
        .correction = CorrectionOptions{.ratio = kCorrectionRatio, .solver = solver}});
   OpenClip clip(write_container(encoding.compressed));
   const auto seconds = [&](int corrected) {
-    return best_seconds_of([&] { clip.decode({.corrected = corrected}, 0, clip.frames()); });
+    return best_seconds_of([&] { clip.decode({.apply_ik = corrected}, 0, clip.frames()); });
   };
   return 1e6 * (seconds(1) - seconds(0)) / clip.frames();
 }

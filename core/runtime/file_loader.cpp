@@ -6,9 +6,9 @@
 #include <new>
 
 #include "core/codec/format/coded_motion.h"
+#include "core/codec/format/double_precision_limits.h"
 #include "core/codec/format/joint_records.h"
 #include "core/codec/format/turned_axes.h"
-#include "core/codec/format/wide_limits.h"
 
 namespace mocapress::runtime {
 namespace {
@@ -56,7 +56,7 @@ FileLoader::FileLoader(Memory& memory, const FileSections& sections)
       values_(memory.take<std::int32_t>(static_cast<std::uint64_t>(sections.segments.length) *
                                         sections.signal_count())),
       steps_(memory.take<float>(sections.signal_count())),
-      wide_limits_(memory.take<float>(sections.signal_count())),
+      double_precision_limits_(memory.take<float>(sections.signal_count())),
       reach_(memory.take<float>(sections.joints)),
       ends_(memory.take<float>(sections.ends_bytes > 0 ? 2 * std::uint64_t{sections.channels} : 0)),
       notes_(memory.take<std::uint8_t>(sections.signal_count())),
@@ -112,7 +112,7 @@ mcpr_result FileLoader::read_motion() {
   neighbour_finder_.find({static_cast<int>(sections_.joints), parents_, channel_counts_},
                          neighbours_);
   set_correction_neighbours(channels, signal_count - channels, neighbours_ + channels);
-  find_wide_limits();
+  find_double_precision_limits();
   std::size_t first_byte = 0;
   EndReader ends(sections_.coded_ends);
   for (int k = 0; k < sections_.segments.count(); ++k) {
@@ -167,12 +167,13 @@ mcpr_result FileLoader::decode_segment(int segment, const Bytes& coded) {
   return kOk;
 }
 
-void FileLoader::find_wide_limits() {
-  std::fill_n(wide_limits_, sections_.signal_count(), kWideLength);
+void FileLoader::find_double_precision_limits() {
+  std::fill_n(double_precision_limits_, sections_.signal_count(), kDoublePrecisionLength);
   find_reach(joints_, static_cast<int>(sections_.joints), reach_);
   for (std::uint32_t j = 0; j < sections_.joints; ++j)
     for (int c = 0; c < joints_[j].channels; ++c)
-      wide_limits_[joints_[j].first_channel + c] = wide_limit(joints_[j].kinds[c], reach_[j]);
+      double_precision_limits_[joints_[j].first_channel + c] =
+          double_precision_limit(joints_[j].kinds[c], reach_[j]);
 }
 
 /// Of the segment that is decoded.
@@ -183,7 +184,7 @@ QuantisedSource FileLoader::source(int segment) const {
           .signal_count = static_cast<int>(sections_.signal_count()),
           .wavelet = sections_.wavelet,
           .steps = steps_,
-          .wide_limits = wide_limits_,
+          .double_precision_limits = double_precision_limits_,
           .values = values_,
           .notes = notes_,
           .budget_bytes = kBudget * bytes / 10};
@@ -268,7 +269,8 @@ void FileLoader::lay_out_motion(Block& block, ClipBlock& head, std::byte* memory
     read_segment(k);  // as before, when it was found to be valid
     block.at<std::uint32_t>(head.motions)[k] = offset;
     const auto* const motion = ResidentSignals::build(source(k), memory + offset);
-    head.largest.wide_count = std::max(head.largest.wide_count, motion->shape().wide_count);
+    head.largest.double_precision_count =
+        std::max(head.largest.double_precision_count, motion->shape().double_precision_count);
   }
 }
 

@@ -45,7 +45,7 @@ class FileLoader {
   void lay_out_motion(Block& block, ClipBlock& head, std::byte* memory);
   mcpr_result read_segment(int segment);
   mcpr_result decode_segment(int segment, const Bytes& coded);
-  void find_wide_limits();
+  void find_double_precision_limits();
   void read_end(EndReader& ends, int end);
   QuantisedSource source(int segment) const;
 
@@ -69,7 +69,7 @@ class FileLoader {
   std::int32_t* step_exponents_;
   std::int32_t* values_;
   float* steps_;
-  float* wide_limits_;
+  float* double_precision_limits_;
   float* reach_;  // of each joint
   float* ends_;   // what the first frame lacks in each channel, then the last; null: nothing
   std::uint8_t* notes_;

@@ -85,7 +85,7 @@ std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request) 
 FrameDecoder::FrameDecoder(Memory& memory, const ClipBlock& clip, const mcpr_request& request)
     : clip_(clip),
       request_(request),
-      solves_(request.corrected != 0 && clip.effector_count > 0 && turns_any(clip, request)),
+      solves_(request.apply_ik != 0 && clip.effector_count > 0 && turns_any(clip, request)),
       picks_(solves_ && request.channels != nullptr),
       signals_(memory, clip, signal_request(memory)),
       limb_(memory, solves_ ? clip.most_links : 0),
@@ -117,11 +117,11 @@ void FrameDecoder::decode(int first, int count, float* out) {
   while (count > 0) {
     const int frames = std::min(count, kWindow);
     if (is_plain()) {
-      signals_.make(first, frames, out, static_cast<std::ptrdiff_t>(values));
+      signals_.decode_window(first, frames, out, static_cast<std::ptrdiff_t>(values));
       for (int t = 0; t < frames; ++t)
         add_ends(shares_at(first + t), out + values * static_cast<std::size_t>(t));
     } else {
-      signals_.make(first, frames, rows_, row_step_);
+      signals_.decode_window(first, frames, rows_, row_step_);
       for (int t = 0; t < frames; ++t)
         put_out(rows_ + t * row_step_, shares_at(first + t),
                 out + values * static_cast<std::size_t>(t));
@@ -135,7 +135,7 @@ void FrameDecoder::decode(int first, int count, float* out) {
 void FrameDecoder::sample_at(double frame, float* out) {
   const int before = static_cast<int>(frame);
   const auto share = static_cast<float>(frame - before);
-  signals_.make(before, share > 0 ? 2 : 1, rows_, row_step_);
+  signals_.decode_window(before, share > 0 ? 2 : 1, rows_, row_step_);
   const float* const after = rows_ + row_step_;
   if (share > 0)
     for (std::ptrdiff_t k = 0; k < row_step_; ++k) rows_[k] += share * (after[k] - rows_[k]);
@@ -146,11 +146,11 @@ void FrameDecoder::decode_across(float share, float* out) {
   constexpr float kTurn = 6.28318531F;  // radians
   const int last = clip_.segments.frames - 1;
   if (last == 0) return sample_at(0, out);
-  signals_.make(last - 1, 2, rows_, row_step_);
+  signals_.decode_window(last - 1, 2, rows_, row_step_);
   const float* const before = rows_;
   float* const row = rows_ + row_step_;
   float* const first = row + row_step_;
-  signals_.make(0, 1, first, row_step_);
+  signals_.decode_window(0, 1, first, row_step_);
   const auto go = [&](std::int32_t signal, const auto& way) {
     if (const std::int32_t k = columns_[signal]; k != ResidentSignals::Columns::kNone)
       row[k] += share * way(k);

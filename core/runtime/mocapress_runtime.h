@@ -176,7 +176,7 @@ int mcpr_path_exists(mcpr_path path);
 /* What to decode. All zero: every channel, in full detail, without IK correction. */
 typedef struct mcpr_request {
   mcpr_output output;
-  int corrected;            /* 1: with the clip's IK correction, if it has one */
+  int apply_ik;             /* 1: with the clip's IK correction, if it has one */
   uint32_t bands_left_out;  /* of the finest; each halves the rate of what is left of the motion */
   const uint16_t* channels; /* MCPR_CHANNELS only: which, in any order, none twice; null: all */
   uint32_t channel_count;   /* of `channels`; 0 where that is null */

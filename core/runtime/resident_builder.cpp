@@ -58,7 +58,7 @@ class ResidentBuilder {
     if (memory_ != nullptr && source_.signal_count > 0)
       std::memcpy(memory_ + head.steps_, source_.steps,
                   sizeof(float) * static_cast<std::size_t>(source_.signal_count));
-    add_wide(head);
+    add_double_precision(head);
     head.entries_ = reserve(sizeof(Entry) * static_cast<std::uint64_t>(bands_.count), 4);
     for (int b = 0; b < bands_.count; ++b) {
       const Entry entry = add_band(b);
@@ -72,18 +72,19 @@ class ResidentBuilder {
   }
 
   /// Lists the signals that have coefficients, and so samples, beyond their limit.
-  void add_wide(ResidentSignals& head) {
+  void add_double_precision(ResidentSignals& head) {
     for (int s = 0; s < source_.signal_count; ++s) {
-      if (!is_wide(s)) continue;
+      if (!is_double_precision(s)) continue;
       const std::uint32_t at = reserve(sizeof(std::uint16_t), 2);
-      if (head.wide_count_++ == 0) head.wide_ = at;
+      if (head.double_precision_count_++ == 0) head.wide_ = at;
       const auto number = static_cast<std::uint16_t>(s);
       if (memory_ != nullptr) std::memcpy(memory_ + at, &number, sizeof number);
     }
   }
 
-  bool is_wide(int signal) const {
-    const double limit = source_.wide_limits[signal] / static_cast<double>(source_.steps[signal]);
+  bool is_double_precision(int signal) const {
+    const double limit =
+        source_.double_precision_limits[signal] / static_cast<double>(source_.steps[signal]);
     for (int b = 0; b < bands_.count; ++b) {
       const std::int32_t* const first = values(signal, bands_[b]);
       const double most = limit * std::exp2(0.5 * bands_.depth(b));

@@ -17,18 +17,19 @@ struct QuantisedSource {
   int length;  // coefficients of each signal, coarse to fine
   int signal_count;
   Wavelet wavelet;
-  const float* steps;          // of each signal, before they are divided by bands
-  const float* wide_limits;    // of each signal: larger samples are decoded in double precision
-  const std::int32_t* values;  // signal after signal
-  std::uint8_t* notes;         // a byte for each signal, to work in
-  std::uint64_t budget_bytes;  // for the bands; beyond, each takes its smaller kind
+  const float* steps;  // of each signal, before they are divided by bands
+  const float*
+      double_precision_limits;  // of each signal: larger samples are decoded in double precision
+  const std::int32_t* values;   // signal after signal
+  std::uint8_t* notes;          // a byte for each signal, to work in
+  std::uint64_t budget_bytes;   // for the bands; beyond, each takes its smaller kind
 };
 
 /// What the work of decoding signals depends on.
 struct SignalsShape {
   int length = 0;
   int signal_count = 0;
-  int wide_count = 0;  // of the signals that are decoded in double precision
+  int double_precision_count = 0;  // of the signals that are decoded in double precision
 };
 
 /// The resident form. It has no pointers; everything is found by offsets in bytes from `this`.
@@ -49,11 +50,11 @@ class ResidentSignals {
   int signal_count() const { return signals_; }
   Wavelet wavelet() const { return wavelet_; }
   int band_count() const { return band_count_; }
-  SignalsShape shape() const { return {length_, signals_, wide_count_}; }
+  SignalsShape shape() const { return {length_, signals_, double_precision_count_}; }
 
   /// Signals that are to be decoded in double precision.
-  int wide_count() const { return wide_count_; }
-  const std::uint16_t* wide_signals() const { return at<std::uint16_t>(wide_); }
+  int double_precision_count() const { return double_precision_count_; }
+  const std::uint16_t* double_precision_signals() const { return at<std::uint16_t>(wide_); }
 
   bool is_empty(int band) const { return entries()[band].kind == Kind::Empty; }
 
@@ -111,7 +112,7 @@ class ResidentSignals {
   std::int32_t signals_ = 0;
   Wavelet wavelet_ = Wavelet::Cubic;
   std::uint8_t band_count_ = 1;
-  std::uint16_t wide_count_ = 0;
+  std::uint16_t double_precision_count_ = 0;
   std::uint32_t wide_ = 0;  // offsets from this
   std::uint32_t steps_ = 0;
   std::uint32_t entries_ = 0;

@@ -37,10 +37,10 @@ void SegmentDecoder::make_of(int segment, int first, int count, float* out,
     slot.decoder.emplace(memory, clip_.motion(segment), request_);
     slot.segment = segment;
   }
-  slot.decoder->make(first - clip_.segments.first(segment), count, out, out_step);
+  slot.decoder->decode_window(first - clip_.segments.first(segment), count, out, out_step);
 }
 
-void SegmentDecoder::make(int first, int count, float* out, std::ptrdiff_t out_step) {
+void SegmentDecoder::decode_window(int first, int count, float* out, std::ptrdiff_t out_step) {
   while (count > 0) {
     const SegmentLayout::Stretch stretch = clip_.segments.stretch_at(first);
     const int frames = std::min(count, stretch.frames);

@@ -17,7 +17,7 @@ class SegmentDecoder {
 
   /// Rows of frames first ... first + count - 1, out_step apart. 0 < count <= kWindow, and all
   /// frames exist.
-  void make(int first, int count, float* out, std::ptrdiff_t out_step);
+  void decode_window(int first, int count, float* out, std::ptrdiff_t out_step);
 
  private:
   /// One segment being decoded, for as long as it is in use. Where there is but one, its memory is

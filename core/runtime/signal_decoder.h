@@ -27,7 +27,7 @@ class SignalDecoder {
 
   /// Rows of frames first ... first + count - 1, out_step apart. 0 < count <= kWindow, and all
   /// frames exist.
-  void make(int first, int count, float* out, std::ptrdiff_t out_step);
+  void decode_window(int first, int count, float* out, std::ptrdiff_t out_step);
 
  private:
   SignalDecoder(Memory& memory, const SignalsShape& shape, const ResidentSignals* motion,

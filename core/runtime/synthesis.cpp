@@ -3,21 +3,12 @@
 
 #include <algorithm>
 
+#include "core/codec/format/interpolation.h"
+
 namespace mocapress::runtime {
 namespace {
 
 constexpr int kBorderRows = 8;  // that samples may need beyond themselves, at any band
-
-/// The Lagrange polynomial through `count` samples at 0, 1, ... at `position`, as weights.
-template <typename Real>
-void lagrange_weights(int count, Real position, Real* weights) {
-  for (int i = 0; i < count; ++i) {
-    Real weight = 1;
-    for (int j = 0; j < count; ++j)
-      if (j != i) weight *= (position - static_cast<Real>(j)) / static_cast<Real>(i - j);
-    weights[i] = weight;
-  }
-}
 
 }  // namespace
 
@@ -105,7 +96,7 @@ void Synthesis<Real>::find_needs(int first, int count) {
 }
 
 template <typename Real>
-void Synthesis<Real>::make(int first, int count, Real* out, std::ptrdiff_t out_step) {
+void Synthesis<Real>::decode_window(int first, int count, Real* out, std::ptrdiff_t out_step) {
   find_needs(first, count);
   put_coarse(out, out_step);
   for (int b = 1; b < bands_.count; ++b) {
@@ -228,7 +219,7 @@ void Synthesis<Real>::put_odds(int band, int first, int end, Real* out, std::ptr
   };
   if (signals_->wavelet() != Wavelet::Haar) {
     put_borders(std::min(end, 1));
-    const bool cubic = signals_->wavelet() == Wavelet::Cubic;
+    const InnerWeights inner = inner_weights(signals_->wavelet());
     if (i < inner_end) {
       plan_.kernels->predict({.out = out,
                               .even = even_row(band, i - 1),
@@ -238,8 +229,8 @@ void Synthesis<Real>::put_odds(int band, int first, int end, Real* out, std::ptr
                               .detail_step = has_details(band) ? stride_ : 0,
                               .width = width,
                               .rows = inner_end - i,
-                              .near = cubic ? Real{9.0 / 16} : Real{0.5},
-                              .far = cubic ? Real{-1.0 / 16} : Real{0}});
+                              .near = static_cast<Real>(inner.near),
+                              .far = static_cast<Real>(inner.far)});
       out += (inner_end - i) * out_step;
       i = inner_end;
     }
@@ -249,20 +240,15 @@ void Synthesis<Real>::put_odds(int band, int first, int end, Real* out, std::ptr
 
 template <typename Real>
 void Synthesis<Real>::put_odd_at_border(int band, int odd, Real* out, std::ptrdiff_t width) {
-  const int available = bands_[band].first;
-  const bool haar = signals_->wavelet() == Wavelet::Haar;
-  // One after the last even sample goes on from two.
-  const bool within = signals_->wavelet() == Wavelet::Cubic && odd + 1 < available;
-  const int wanted = haar ? 1 : within ? 4 : 2;
-  const int count = std::min(wanted, available);
-  const int first = haar ? odd : std::clamp(odd + 1 - count / 2, 0, available - count);
+  const Wavelet wavelet = signals_->wavelet();
+  const Neighbours neighbours = neighbours_of(wavelet, odd, bands_[band].first);
   BorderRow<Real> row{.out = out,
                       .even = {zeros_, zeros_, zeros_, zeros_},
                       .weight = {},
                       .detail = detail_row(band, odd),
                       .width = width};
-  lagrange_weights(count, haar ? Real{0} : static_cast<Real>(odd - first) + Real{0.5}, row.weight);
-  for (int i = 0; i < count; ++i) row.even[i] = even_row(band, first + i);
+  weights_of(wavelet, odd, neighbours, row.weight);
+  for (int i = 0; i < neighbours.count; ++i) row.even[i] = even_row(band, neighbours.first + i);
   plan_.kernels->predict_at_border(row);
 }
 

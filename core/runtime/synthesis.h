@@ -33,7 +33,7 @@ class Synthesis {
 
   /// Makes the samples of frames first ... first + count - 1: rows of plan.count reals, out_step
   /// apart. 0 < count <= kWindow, and all frames exist.
-  void make(int first, int count, Real* out, std::ptrdiff_t out_step);
+  void decode_window(int first, int count, Real* out, std::ptrdiff_t out_step);
 
  private:
   struct Range {

@@ -2,9 +2,10 @@
 #include "core/wavelet/lifting.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
+
+#include "core/codec/format/interpolation.h"
 
 namespace mocapress {
 
@@ -19,6 +20,7 @@ std::string_view name(Basis basis) {
   }
   return "unknown";
 }
+
 namespace {
 
 constexpr int kCoarsest = 4;  // a signal shorter than this is not split further
@@ -30,35 +32,14 @@ int odds_in(int length) {
   return length / 2;
 }
 
-/// The Lagrange polynomial through samples[0..count) at 0, 1, ... evaluated at `position`.
-double interpolate(const double* samples, int count, double position) {
-  double sum = 0;
-  for (int i = 0; i < count; ++i) {
-    double weight = 1;
-    for (int j = 0; j < count; ++j)
-      if (j != i) weight *= (position - j) / (i - j);
-    sum += weight * samples[i];
-  }
-  return sum;
-}
-
-/// The even samples that predict an odd one.
-struct Neighbours {
-  int first;
-  int count;
-};
-
-/// Of odd sample `i`, which lies between even samples i and i + 1, near a border. One after the
-/// last even sample goes on from two: a cubic through four would make 3.4 times their errors of it.
-Neighbours at_border(int i, int evens, int neighbours) {
-  constexpr int kBeyond = 2;
-  const int count = std::min(i + 1 < evens ? neighbours : kBeyond, evens);
-  return {std::clamp(i + 1 - count / 2, 0, evens - count), count};
-}
-
-double predict_at_border(const double* even, int evens, int neighbours, int i) {
-  const auto [first, count] = at_border(i, evens, neighbours);
-  return interpolate(even + first, count, i + 0.5 - first);
+/// Calls visit(even sample, weight) for those that predict odd sample `i`.
+template <typename Visit>
+void visit_neighbours(Basis basis, int i, int evens, const Visit& visit) {
+  const auto wavelet = static_cast<runtime::Wavelet>(basis);
+  const runtime::Neighbours neighbours = runtime::neighbours_of(wavelet, i, evens);
+  double weights[runtime::kMostNeighbours];
+  runtime::weights_of(wavelet, i, neighbours, weights);
+  for (int k = 0; k < neighbours.count; ++k) visit(neighbours.first + k, weights[k]);
 }
 
 /// odd[i] += sign * prediction from the even samples.
@@ -67,21 +48,24 @@ void predict(Basis basis, const double* even, int evens, double* odd, int odds, 
     for (int i = 0; i < odds; ++i) odd[i] += sign * even[i];
     return;
   }
-  const int neighbours = basis == Basis::Cubic ? 4 : 2;
-  const int reach = neighbours / 2;  // even neighbours on either side
+  const int reach = basis == Basis::Cubic ? 2 : 1;  // even neighbours on either side
   const int inner_first = std::min(reach - 1, odds);
   const int inner_last = std::clamp(evens - reach, inner_first, odds);
   const auto border = [&](int i) {
-    odd[i] += sign * predict_at_border(even, evens, neighbours, i);
+    double prediction = 0;
+    visit_neighbours(basis, i, evens,
+                     [&](int k, double weight) { prediction += weight * even[k]; });
+    odd[i] += sign * prediction;
   };
   for (int i = 0; i < inner_first; ++i) border(i);
+  const runtime::InnerWeights inner = runtime::inner_weights(static_cast<runtime::Wavelet>(basis));
+  const double near = sign * inner.near;
+  const double far = sign * inner.far;
   if (basis == Basis::Cubic) {
-    const double near = sign * 9.0 / 16.0;
-    const double far = sign * -1.0 / 16.0;
     for (int i = inner_first; i < inner_last; ++i)
       odd[i] += near * (even[i] + even[i + 1]) + far * (even[i - 1] + even[i + 2]);
   } else {
-    for (int i = inner_first; i < inner_last; ++i) odd[i] += sign * 0.5 * (even[i] + even[i + 1]);
+    for (int i = inner_first; i < inner_last; ++i) odd[i] += near * (even[i] + even[i + 1]);
   }
   for (int i = inner_last; i < odds; ++i) border(i);
 }
@@ -106,29 +90,20 @@ void predict_transposed(Basis basis, const double* odd, int odds, double* even, 
     for (int i = 0; i < odds; ++i) even[i] += odd[i];
     return;
   }
-  const int neighbours = basis == Basis::Cubic ? 4 : 2;
-  const int reach = neighbours / 2;
+  const int reach = basis == Basis::Cubic ? 2 : 1;
   const int inner_first = std::min(reach - 1, odds);
   const int inner_last = std::clamp(evens - reach, inner_first, odds);
   const auto border = [&](int i) {
-    const auto [first, count] = at_border(i, evens, neighbours);
-    for (int k = 0; k < count; ++k) {
-      std::array<double, 4> unit{};
-      unit[static_cast<std::size_t>(k)] = 1;
-      even[first + k] += odd[i] * interpolate(unit.data(), count, i + 0.5 - first);
-    }
+    visit_neighbours(basis, i, evens, [&](int k, double weight) { even[k] += weight * odd[i]; });
   };
   for (int i = 0; i < inner_first; ++i) border(i);
+  const auto [near, far] = runtime::inner_weights(static_cast<runtime::Wavelet>(basis));
   for (int i = inner_first; i < inner_last; ++i) {
-    if (basis == Basis::Linear) {
-      even[i] += 0.5 * odd[i];
-      even[i + 1] += 0.5 * odd[i];
-      continue;
-    }
-    even[i - 1] -= odd[i] / 16.0;
-    even[i] += 9.0 / 16.0 * odd[i];
-    even[i + 1] += 9.0 / 16.0 * odd[i];
-    even[i + 2] -= odd[i] / 16.0;
+    even[i] += near * odd[i];
+    even[i + 1] += near * odd[i];
+    if (basis == Basis::Linear) continue;
+    even[i - 1] += far * odd[i];
+    even[i + 2] += far * odd[i];
   }
   for (int i = inner_last; i < odds; ++i) border(i);
 }

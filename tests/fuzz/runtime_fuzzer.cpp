@@ -23,12 +23,12 @@ void play(const mocapress::test::OpenedClip& clip) {
   const std::uint16_t channels[] = {0, static_cast<std::uint16_t>(info.channels - 1)};
   for (const mcpr_output output : {MCPR_CHANNELS, MCPR_LOCAL, MCPR_POSITIONS})
     for (const int corrected : {0, 1}) {
-      const mcpr_request request{.output = output, .corrected = corrected};
+      const mcpr_request request{.output = output, .apply_ik = corrected};
       clip.frames(request, info.frames - count, count);
       clip.moment(request, 0.5 * (info.frames - 1));
     }
   if (info.channels > 1)
-    clip.frames({.corrected = 1, .bands_left_out = 1, .channels = channels, .channel_count = 2}, 0,
+    clip.frames({.apply_ik = 1, .bands_left_out = 1, .channels = channels, .channel_count = 2}, 0,
                 count);
 }
 

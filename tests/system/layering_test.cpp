@@ -29,7 +29,7 @@ const std::map<std::string, RoomRules> kRooms = {
     {"core/motion", {{"core/base"}}},
     {"core/formats", {{"core/base", "core/motion", "core/codec/format"}}},
     {"core/runtime", {{"core/codec/format"}, false, true}},
-    {"core/wavelet", {{"core/base"}}},
+    {"core/wavelet", {{"core/base", "core/codec/format"}}},
     {"core/ik", {{"core/base", "core/motion", "core/codec/format", "core/runtime"}}},
     {"core/feet", {{"core/base", "core/motion", "core/ik"}}},
     {"core/metrics", {{"core/base", "core/motion", "core/feet"}}},

@@ -3,14 +3,14 @@
 
 #include "core/codec/decode/segment_join.h"
 #include "core/codec/decode/signal_decoder.h"
+#include "core/codec/format/double_precision_limits.h"
 #include "core/codec/format/signal_coder.h"
-#include "core/codec/format/wide_limits.h"
 
 namespace mocapress {
 namespace {
 
 /// Those of the runtime decoder, by what a signal moves.
-std::vector<float> wide_limits(const CompressedClip& clip) {
+std::vector<float> double_precision_limits(const CompressedClip& clip) {
   std::vector<runtime::JointModel> joints(static_cast<std::size_t>(clip.skeleton.joint_count()));
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const Joint& joint = clip.skeleton.joints()[j];
@@ -25,10 +25,10 @@ std::vector<float> wide_limits(const CompressedClip& clip) {
   std::vector<float> limits;
   for (std::size_t j = 0; j < joints.size(); ++j)
     for (const ChannelKind kind : clip.skeleton.joints()[j].channels)
-      limits.push_back(runtime::wide_limit(static_cast<std::uint8_t>(kind), reach[j]));
+      limits.push_back(runtime::double_precision_limit(static_cast<std::uint8_t>(kind), reach[j]));
   if (clip.correction)
     limits.resize(limits.size() + static_cast<std::size_t>(clip.correction->signal_count()),
-                  runtime::kWideLength);
+                  runtime::kDoublePrecisionLength);
   return limits;
 }
 
@@ -50,7 +50,7 @@ EndPoses end_poses(const CompressedClip& compressed) {
 }
 
 void visit_adaptive(const CompressedClip& compressed, const DecodedBlock& visit) {
-  const std::vector<float> limits = wide_limits(compressed);
+  const std::vector<float> limits = double_precision_limits(compressed);
   const SegmentLayout layout = compressed.segment_layout();
   const int channels = compressed.skeleton.channel_count();
   AdaptiveSegments segments(compressed);

@@ -10,7 +10,7 @@
 namespace mocapress {
 namespace {
 
-constexpr mcpr_request kCorrected{.output = MCPR_CHANNELS, .corrected = 1};
+constexpr mcpr_request kCorrected{.output = MCPR_CHANNELS, .apply_ik = 1};
 
 void require(const mcpr_result& result) {
   if (result.status != MCPR_OK) throw FormatError(result.offset, result.message);

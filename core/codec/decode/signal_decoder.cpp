@@ -34,10 +34,10 @@ class OwnResidentSignals {
 }  // namespace
 
 Eigen::MatrixXd decode_signals(const Eigen::MatrixXi& values, const std::vector<float>& steps,
-                               Basis basis, const std::vector<float>& wide_limits) {
+                               Basis basis, const std::vector<float>& double_precision_limits) {
   const auto length = static_cast<int>(values.rows());
   const auto count = static_cast<int>(values.cols());
-  std::vector<float> limits = wide_limits;
+  std::vector<float> limits = double_precision_limits;
   limits.resize(steps.size(), kUnknown);
   std::vector<std::uint8_t> notes(steps.size());
   const OwnResidentSignals resident(
@@ -45,7 +45,7 @@ Eigen::MatrixXd decode_signals(const Eigen::MatrixXi& values, const std::vector<
                                .signal_count = count,
                                .wavelet = static_cast<runtime::Wavelet>(basis),
                                .steps = steps.data(),
-                               .wide_limits = limits.data(),
+                               .double_precision_limits = limits.data(),
                                .values = values.data(),
                                .notes = notes.data(),
                                .budget_bytes = std::numeric_limits<std::uint64_t>::max()});
@@ -57,7 +57,7 @@ Eigen::MatrixXd decode_signals(const Eigen::MatrixXi& values, const std::vector<
   Eigen::MatrixXf window(count, runtime::kWindow);  // a column is a frame
   for (int first = 0; first < length; first += runtime::kWindow) {
     const int frames = std::min(runtime::kWindow, length - first);
-    signal_decoder->make(first, frames, window.data(), count);
+    signal_decoder->decode_window(first, frames, window.data(), count);
     samples.middleRows(first, frames) = window.leftCols(frames).transpose().cast<double>();
   }
   return samples;

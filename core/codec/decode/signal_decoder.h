@@ -14,7 +14,7 @@ namespace mocapress {
 /// Lifting::gains() divide. Signals with samples beyond their limit, or 8 where none is given,
 /// are decoded in double precision on the way.
 Eigen::MatrixXd decode_signals(const Eigen::MatrixXi& values, const std::vector<float>& steps,
-                               Basis basis, const std::vector<float>& wide_limits = {});
+                               Basis basis, const std::vector<float>& double_precision_limits = {});
 
 /// The next signals of words (FORMAT.md, MOTN), samples x count. Throws FormatError when the words
 /// are not valid.

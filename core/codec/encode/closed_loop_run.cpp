@@ -139,7 +139,7 @@ void ClosedLoopRun::sweep(int j) {
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(gradient.size());
   const int* const values = values_of(j);
   const double channel_step = coded_.step(j);
-  Alive alive = alive_in(j);
+  Significant significant = significant_in(j);
   if (bound_) bound_->next();
   Eigen::VectorXd slopes(gradient.size());
   loop_.transform_.lifting.correlate(
@@ -152,13 +152,13 @@ void ClosedLoopRun::sweep(int j) {
                                                       channel_step / loop_.gains_(c))
         continue;
       const Place place = place_of(j, b, i, gradient);
-      const int moved = best_move(place, alive);
+      const int moved = best_move(place, significant);
       if (moved == 0) continue;
       const auto& [first, function] = place.function;
       const Eigen::VectorXd change = moved * place.step * function;
       if (bound_ && !bound_->allows(first, change)) continue;
       if (bound_) bound_->add(first, change);
-      set(place, values[c] + moved, alive);
+      set(place, values[c] + moved, significant);
       delta.segment(first, change.size()) += change;
       gradient.segment(first, change.size()) +=
           change.cwiseProduct(curvature().col(j).segment(first, change.size()));
@@ -215,36 +215,36 @@ ClosedLoopRun::Place ClosedLoopRun::place_of(
       .curve = step * step * coefficient_curvature()(c, j)};
 }
 
-void ClosedLoopRun::set(const Place& place, int value, Alive& alive) {
+void ClosedLoopRun::set(const Place& place, int value, Significant& significant) {
   int& mine = value_at(place);
-  alive[static_cast<std::size_t>(place.band)] += (value != 0) - (mine != 0);
+  significant[static_cast<std::size_t>(place.band)] += (value != 0) - (mine != 0);
   mine = value;
 }
 
-ClosedLoopRun::Alive ClosedLoopRun::alive_in(int j) const {
-  Alive alive;
+ClosedLoopRun::Significant ClosedLoopRun::significant_in(int j) const {
+  Significant significant;
   const int* const values = coded_.values.col(j).data();
   for (const Band& band : bands_)
-    alive.push_back(static_cast<int>(
+    significant.push_back(static_cast<int>(
         band.size - std::count(values + band.first, values + band.first + band.size, 0)));
-  return alive;
+  return significant;
 }
 
-int ClosedLoopRun::best_move(const Place& place, const Alive& alive) {
+int ClosedLoopRun::best_move(const Place& place, const Significant& significant) {
   const int now = value_at(place);
   if (now == 0 && std::abs(place.slope) <= 0.5 * place.curve) return 0;
   const double best = now - place.slope / place.curve;
   if (!(std::abs(best) < kMostSteps)) return 0;
   const auto nearest = static_cast<int>(std::lround(best));
   const int smaller = nearest - (nearest > 0) + (nearest < 0);
-  const double bits_now = bits_with(place, alive, now);
+  const double bits_now = bits_with(place, significant, now);
   int move = 0;
   double least = 0;
   for (const int value : {nearest, smaller}) {
     if (value == now) continue;
     const double x = value - now;
     const double cost = x * (2 * place.slope + x * place.curve) +
-                        lambda() * (bits_with(place, alive, value) - bits_now);
+                        lambda() * (bits_with(place, significant, value) - bits_now);
     if (cost >= least) continue;
     least = cost;
     move = value - now;
@@ -252,7 +252,7 @@ int ClosedLoopRun::best_move(const Place& place, const Alive& alive) {
   return move;
 }
 
-double ClosedLoopRun::bits_with(const Place& place, const Alive& alive, int value) {
+double ClosedLoopRun::bits_with(const Place& place, const Significant& significant, int value) {
   const Band& band = bands_[static_cast<std::size_t>(place.band)];
   int* const values = values_of(place.channel);
   const int i = place.index;
@@ -261,7 +261,7 @@ double ClosedLoopRun::bits_with(const Place& place, const Alive& alive, int valu
            (i + 1 < band.size ? RateTable::coarse_bits(values[i + 1] - value) : 0);
   // A band that is zero throughout takes next to nothing.
   const bool was_something = values[band.first + i] != 0;
-  const bool others = alive[static_cast<std::size_t>(place.band)] > (was_something ? 1 : 0);
+  const bool others = significant[static_cast<std::size_t>(place.band)] > (was_something ? 1 : 0);
   const double waking = others || value == 0 ? 0 : 4 + 0.05 * band.size;
   return waking + rates_.bits_around(values, place.band, i, value);
 }

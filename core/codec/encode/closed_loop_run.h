@@ -26,7 +26,7 @@ class ClosedLoopRun {
 
  private:
   /// How many coefficients of each band of a channel are not zero.
-  using Alive = std::vector<int>;
+  using Significant = std::vector<int>;
 
   /// A coefficient of one channel, and what moving it by whole steps does to the error: by x steps,
   /// 2 slope x + curve x^2 with all others as they are.
@@ -75,9 +75,9 @@ class ClosedLoopRun {
 
   /// Whether any move of both could pay, whatever it saves.
   bool may_pay(const Place& a, const Place& b, double cross) const;
-  std::pair<int, int> best_moves(const Place& a, const Alive& alive_in_a, const Place& b,
-                                 const Alive& alive_in_b, double cross);
-  void move_of_pair(const Place& place, int steps, int first_channel, Alive& alive,
+  std::pair<int, int> best_moves(const Place& a, const Significant& significant_in_a,
+                                 const Place& b, const Significant& significant_in_b, double cross);
+  void move_of_pair(const Place& place, int steps, int first_channel, Significant& significant,
                     Eigen::MatrixXd& gradient);
 
   int channels() const { return loop_.transform_.channels(); }
@@ -110,12 +110,12 @@ class ClosedLoopRun {
                  const Eigen::Ref<const Eigen::VectorXd>& gradient) const;
 
   /// By how many steps to move a coefficient.
-  int best_move(const Place& place, const Alive& alive);
+  int best_move(const Place& place, const Significant& significant);
 
   /// The bits that depend on a coefficient, were it `value`.
-  double bits_with(const Place& place, const Alive& alive, int value);
-  Alive alive_in(int j) const;
-  void set(const Place& place, int value, Alive& alive);
+  double bits_with(const Place& place, const Significant& significant, int value);
+  Significant significant_in(int j) const;
+  void set(const Place& place, int value, Significant& significant);
   int* values_of(int j) { return coded_.values.col(j).data(); }
   int& value_at(const Place& place) {
     return values_of(

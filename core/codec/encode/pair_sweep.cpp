@@ -17,8 +17,8 @@ void ClosedLoopRun::sweep_pairs() {
 
 void ClosedLoopRun::sweep_pair(int a, int b, Eigen::MatrixXd& gradient) {
   const Eigen::VectorXd entry = loop_.model_.entry(a, b);
-  Alive alive_in_a = alive_in(a);
-  Alive alive_in_b = alive_in(b);
+  Significant significant_in_a = significant_in(a);
+  Significant significant_in_b = significant_in(b);
   for (int band = 1; band < static_cast<int>(bands_.size()); ++band)
     for (int i = 0; i < bands_[static_cast<std::size_t>(band)].size; ++i) {
       const int c = bands_[static_cast<std::size_t>(band)].first + i;
@@ -29,9 +29,9 @@ void ClosedLoopRun::sweep_pair(int a, int b, Eigen::MatrixXd& gradient) {
       const double cross =
           in_a.step * in_b.step * function.cwiseAbs2().dot(entry.segment(first, function.size()));
       if (!may_pay(in_a, in_b, cross)) continue;
-      const auto [by_a, by_b] = best_moves(in_a, alive_in_a, in_b, alive_in_b, cross);
-      move_of_pair(in_a, by_a, a, alive_in_a, gradient);
-      move_of_pair(in_b, by_b, a, alive_in_b, gradient);
+      const auto [by_a, by_b] = best_moves(in_a, significant_in_a, in_b, significant_in_b, cross);
+      move_of_pair(in_a, by_a, a, significant_in_a, gradient);
+      move_of_pair(in_b, by_b, a, significant_in_b, gradient);
     }
 }
 
@@ -49,14 +49,14 @@ bool ClosedLoopRun::may_pay(const Place& a, const Place& b, double cross) const 
   return false;
 }
 
-std::pair<int, int> ClosedLoopRun::best_moves(const Place& a, const Alive& alive_in_a,
-                                              const Place& b, const Alive& alive_in_b,
+std::pair<int, int> ClosedLoopRun::best_moves(const Place& a, const Significant& significant_in_a,
+                                              const Place& b, const Significant& significant_in_b,
                                               double cross) {
   std::array<double, 3> bits_of_a;
   std::array<double, 3> bits_of_b;
   for (int by = -1; by <= 1; ++by) {
-    bits_of_a[static_cast<std::size_t>(by + 1)] = bits_with(a, alive_in_a, value_at(a) + by);
-    bits_of_b[static_cast<std::size_t>(by + 1)] = bits_with(b, alive_in_b, value_at(b) + by);
+    bits_of_a[static_cast<std::size_t>(by + 1)] = bits_with(a, significant_in_a, value_at(a) + by);
+    bits_of_b[static_cast<std::size_t>(by + 1)] = bits_with(b, significant_in_b, value_at(b) + by);
   }
   const double bits_now = bits_of_a[1] + bits_of_b[1];
   std::pair<int, int> best{0, 0};
@@ -73,8 +73,8 @@ std::pair<int, int> ClosedLoopRun::best_moves(const Place& a, const Alive& alive
   return best;
 }
 
-void ClosedLoopRun::move_of_pair(const Place& place, int steps, int first_channel, Alive& alive,
-                                 Eigen::MatrixXd& gradient) {
+void ClosedLoopRun::move_of_pair(const Place& place, int steps, int first_channel,
+                                 Significant& significant, Eigen::MatrixXd& gradient) {
   if (steps == 0 || std::abs(value_at(place) + steps) > kMostSteps) return;
   const int j = place.channel;
   const auto& [first, function] = place.function;
@@ -82,7 +82,7 @@ void ClosedLoopRun::move_of_pair(const Place& place, int steps, int first_channe
   add_energy(j, first, gradient.col(j).segment(first, delta.size()), delta);
   errors_.col(j).segment(first, delta.size()) += delta;
   loop_.model_.add_to_gradient(j, first, delta, first_channel, gradient);
-  set(place, value_at(place) + steps, alive);
+  set(place, value_at(place) + steps, significant);
 }
 
 }  // namespace mocapress

@@ -175,7 +175,7 @@ class CoefficientCoder {
 
   void code_fineness();
   void code_coarse(int s);
-  bool code_alive(int b, int s, int density);
+  bool code_significance(int b, int s, int density);
   int density_of(int b, int s) const;
   void code_band(int b, int s);
   int code_magnitude(int magnitude, int s, const Surroundings& around,
@@ -233,20 +233,22 @@ void CoefficientCoder<Bits>::code_coarse(int s) {
 
 /// Whether a signal has anything but zeros in a band.
 template <typename Bits>
-bool CoefficientCoder<Bits>::code_alive(int b, int s, int density) {
+bool CoefficientCoder<Bits>::code_significance(int b, int s, int density) {
   const Band& band = bands_[b];
   const SignalNeighbours& neighbours = neighbours_[s];
   const int level = std::min(bands_.count - 1 - b, kLevels - 1);
   const auto state = [&](int signal) { return signal < 0 ? 2 : notes_.sums[signal] > 0 ? 1 : 0; };
   const std::int32_t* const first = coded_.signal(s) + band.first;
-  bool alive = false;
+  bool significant = false;
   if constexpr (Bits::kWrites)
-    alive = std::any_of(first, first + band.size, [](std::int32_t value) { return value != 0; });
-  return code(alive,
-              {at_.alive_level.at(level, density),
-               at_.alive_kin.at(state(neighbours.sibling), state(neighbours.mirror), density),
-               at_.alive_length.at(level, std::min(digits_of(band.size), 7), density)},
-              MixingSets::kAlive);
+    significant =
+        std::any_of(first, first + band.size, [](std::int32_t value) { return value != 0; });
+  return code(
+      significant,
+      {at_.significant_level.at(level, density),
+       at_.significant_neighbours.at(state(neighbours.sibling), state(neighbours.mirror), density),
+       at_.significant_length.at(level, std::min(digits_of(band.size), 7), density)},
+      MixingSets::kSignificant);
 }
 
 /// How much there is in the band above, as a degree.
@@ -261,7 +263,7 @@ int CoefficientCoder<Bits>::density_of(int b, int s) const {
 template <typename Bits>
 void CoefficientCoder<Bits>::code_band(int b, int s) {
   const int density = density_of(b, s);
-  if (!code_alive(b, s, density)) return;
+  if (!code_significance(b, s, density)) return;
   const Band& band = bands_[b];
   const Band& upper = bands_[b - 1];
   const bool has_parents = b > 1;
@@ -390,7 +392,7 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
           code(value < 0,
                {at_.sign_near.at(around.level, own1_sign * kSigns + own2_sign, above1_sign),
                 at_.sign_above.at(above1_sign * kSigns + above2_sign, own1_sign, i % 2),
-                at_.sign_kin.at(s, sibling_sign, sign_of(at(mirror, i, band.size))),
+                at_.sign_neighbours.at(s, sibling_sign, sign_of(at(mirror, i, band.size))),
                 at_.sign_before.at(s, sibling_sign, sign_of(at(before, i, band.size)))},
                MixingSets::kSign, ExpectedValue::opinions(less, something));
       expected.fold(minus);

@@ -39,10 +39,10 @@ struct ContextLayout {
   ContextTable class_recent, class_expected;
   ContextTable top_expected, top_recent, next_digit;
   ContextTable sign_near, sign_above;
-  ContextTable alive_level, alive_kin, alive_length;
+  ContextTable significant_level, significant_neighbours, significant_length;
   ContextTable number_plain, number_first, number_second, number_third, number_top;
   int shared = 0;
-  ContextTable zero_own, class_own, sign_kin, sign_before;
+  ContextTable zero_own, class_own, sign_neighbours, sign_before;
   int end = 0;
 
   explicit constexpr ContextLayout(int signal_count) {
@@ -61,9 +61,9 @@ struct ContextLayout {
     next_digit = table(kClasses, 2, 8);
     sign_near = table(kLevels, kSigns * kSigns, kSigns);
     sign_above = table(kSigns * kSigns, kSigns, 2);
-    alive_level = table(kLevels, kDegrees);
-    alive_kin = table(3, 3, kDegrees);
-    alive_length = table(kLevels, 8, kDegrees);
+    significant_level = table(kLevels, kDegrees);
+    significant_neighbours = table(3, 3, kDegrees);
+    significant_length = table(kLevels, 8, kDegrees);
     number_plain = table(kNumberKinds, 32);
     number_first = table(kNumberKinds, kNumberRelations, 16);
     number_second = table(kNumberKinds, kNumberRelations, 16);
@@ -72,14 +72,14 @@ struct ContextLayout {
     shared = end;
     zero_own = table(signal_count, kLevels);
     class_own = table(signal_count, kClasses);
-    sign_kin = table(signal_count, kSigns, kSigns);
+    sign_neighbours = table(signal_count, kSigns, kSigns);
     sign_before = table(signal_count, kSigns, kSigns);
   }
 };
 
 /// The sets of mixing weights, by what is coded.
 struct MixingSets {
-  static constexpr int kAlive = 0;
+  static constexpr int kSignificant = 0;
   static constexpr int kZero = 1;                 // by level
   static constexpr int kClass = kZero + kLevels;  // by class
   static constexpr int kTop = kClass + kClasses;

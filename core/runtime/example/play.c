@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return fprintf(stderr, "Usage: play CLIP.mcpr\n"), 2;
   const mcpr_clip* clip = open_clip(argv[1]);
   const mcpr_clip_info info = mcpr_clip_describe(clip);
-  const mcpr_request request = {.output = MCPR_POSITIONS, .corrected = 1};
+  const mcpr_request request = {.output = MCPR_POSITIONS, .apply_ik = 1};
   const size_t scratch_bytes = mcpr_scratch_bytes(clip, &request);
   void* scratch = memory_of(scratch_bytes);
   float* positions = malloc(mcpr_frame_values(clip, &request) * sizeof(float));

@@ -44,7 +44,7 @@ bool survives(const std::vector<std::byte>& file) {
     return false;
   }
   const std::uint32_t frames = mcpr_clip_describe(clip.clip).frames;
-  EXPECT_FALSE(frames > 0 && clip.frames({.output = MCPR_POSITIONS, .corrected = 1}, 0, 1).empty());
+  EXPECT_FALSE(frames > 0 && clip.frames({.output = MCPR_POSITIONS, .apply_ik = 1}, 0, 1).empty());
   return true;
 }
 

@@ -61,7 +61,7 @@ TEST(Decoder, GivesTheBitsThatCoreDecodes) {
   ASSERT_NE(opened().clip, nullptr) << opened().result.message;
   const CompressedClip compressed = read_container(corrected_file());
   EXPECT_EQ(all_frames({}), decode_uncorrected(compressed).clip.channels.cast<float>());
-  EXPECT_EQ(all_frames({.corrected = 1}), decode(compressed).channels.cast<float>());
+  EXPECT_EQ(all_frames({.apply_ik = 1}), decode(compressed).channels.cast<float>());
 }
 
 TEST(Decoder, TellsWhatTheFileHolds) {
@@ -124,8 +124,8 @@ TEST(Decoder, TurnsAsARightHandedScrew) {
 TEST(Decoder, AnyStretchOfFramesIsThatPartOfTheWhole) {
   Random random(1);
   for (const mcpr_request& request :
-       {mcpr_request{}, mcpr_request{.corrected = 1},
-        mcpr_request{.output = MCPR_POSITIONS, .corrected = 1}, mcpr_request{.output = MCPR_LOCAL},
+       {mcpr_request{}, mcpr_request{.apply_ik = 1},
+        mcpr_request{.output = MCPR_POSITIONS, .apply_ik = 1}, mcpr_request{.output = MCPR_LOCAL},
         mcpr_request{.bands_left_out = 2}}) {
     const Eigen::MatrixXf whole = all_frames(request);
     for (int round = 0; round < 20; ++round) {
@@ -142,8 +142,8 @@ TEST(Decoder, EveryPathGivesTheSameBits) {
   for (const mcpr_output output : {MCPR_CHANNELS, MCPR_POSITIONS})
     for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_SSE2, MCPR_PATH_AVX2}) {
       if (mcpr_path_exists(path) == 0) continue;  // this machine has none
-      EXPECT_EQ(all_frames({.output = output, .corrected = 1, .path = path}),
-                all_frames({.output = output, .corrected = 1}));
+      EXPECT_EQ(all_frames({.output = output, .apply_ik = 1, .path = path}),
+                all_frames({.output = output, .apply_ik = 1}));
     }
 }
 
@@ -161,9 +161,9 @@ TEST(Decoder, BetweenFramesChannelsAreLinear) {
 TEST(Decoder, ASubsetOfChannelsIsTheSameBits) {
   const std::vector<std::uint16_t> some = {9, 3, 14};
   for (const int corrected : {0, 1}) {
-    const Eigen::MatrixXf whole = all_frames({.corrected = corrected});
+    const Eigen::MatrixXf whole = all_frames({.apply_ik = corrected});
     const Eigen::MatrixXf chosen =
-        all_frames({.corrected = corrected, .channels = some.data(), .channel_count = 3});
+        all_frames({.apply_ik = corrected, .channels = some.data(), .channel_count = 3});
     ASSERT_EQ(chosen.cols(), 3);
     for (Eigen::Index i = 0; i < 3; ++i)
       EXPECT_EQ(chosen.col(i), whole.col(some[static_cast<std::size_t>(i)])) << corrected;
@@ -172,7 +172,7 @@ TEST(Decoder, ASubsetOfChannelsIsTheSameBits) {
 
 TEST(Decoder, PositionsAreThoseOfForwardKinematics) {
   const CompressedClip compressed = read_container(corrected_file());
-  const Eigen::MatrixXf positions = all_frames({.output = MCPR_POSITIONS, .corrected = 1});
+  const Eigen::MatrixXf positions = all_frames({.output = MCPR_POSITIONS, .apply_ik = 1});
   const Eigen::MatrixXd expected = landmark_tracks(compressed.skeleton, decode(compressed))
                                        .leftCols(positions.cols());  // joints before end sites
   EXPECT_LT((positions.cast<double>() - expected).cwiseAbs().maxCoeff(), 1e-4);
@@ -186,7 +186,7 @@ TEST(Decoder, TurnedAxesAreThoseOfCore) {
   EXPECT_EQ(turned.info.motion_bytes, compressed.motion_bytes());
   const Eigen::MatrixXd expected = landmark_tracks(compressed.skeleton, decode(compressed));
   for (const int corrected : {0, 1}) {
-    const mcpr_request request{.output = MCPR_POSITIONS, .corrected = corrected};
+    const mcpr_request request{.output = MCPR_POSITIONS, .apply_ik = corrected};
     const auto columns = static_cast<Eigen::Index>(mcpr_frame_values(turned.clip, &request));
     const Eigen::MatrixXf positions = matrix(turned.frames(request, 0, kFrames), columns);
     EXPECT_EQ((positions.cast<double>() - expected.leftCols(columns)).cwiseAbs().maxCoeff() < 1e-4,
@@ -237,7 +237,7 @@ TEST(Decoder, LocalTransformsComposeToPositions) {
 TEST(Decoder, AClipMayBeMovedAsBytes) {
   const AlignedBytes moved(opened().resident->size());
   std::memcpy(moved.data(), opened().resident->data(), moved.size());
-  const mcpr_request request{.output = MCPR_POSITIONS, .corrected = 1};
+  const mcpr_request request{.output = MCPR_POSITIONS, .apply_ik = 1};
   OpenedClip copy({});
   copy.clip = reinterpret_cast<const mcpr_clip*>(moved.data());
   EXPECT_EQ(copy.frames(request, 0, kFrames), opened().frames(request, 0, kFrames));
@@ -275,7 +275,7 @@ TEST(Decoder, RefusesAChannelThatIsAskedForTwice) {
   const std::uint16_t twice[] = {5, 5};
   for (const int corrected : {0, 1})
     EXPECT_TRUE(opened()
-                    .frames({.corrected = corrected, .channels = twice, .channel_count = 2}, 0, 1)
+                    .frames({.apply_ik = corrected, .channels = twice, .channel_count = 2}, 0, 1)
                     .empty());
 }
 

@@ -60,8 +60,8 @@ TEST(SegmentDecoder, GivesTheBitsThatCoreDecodesForEveryLayout) {
     ASSERT_NE(clip.opened.clip, nullptr) << clip.opened.result.message;
     const CompressedClip read = read_container(write_container(clip.compressed));
     EXPECT_EQ(clip.whole({}), decode_uncorrected(read).clip.channels.cast<float>());
-    EXPECT_EQ(clip.whole({.corrected = 1}), decode(read).channels.cast<float>());
-    EXPECT_NE(clip.whole({}), clip.whole({.corrected = 1}));
+    EXPECT_EQ(clip.whole({.apply_ik = 1}), decode(read).channels.cast<float>());
+    EXPECT_NE(clip.whole({}), clip.whole({.apply_ik = 1}));
   }
 }
 
@@ -75,8 +75,8 @@ TEST(SegmentDecoder, AnyWindowIsThatPartOfTheWhole) {
     const int frames = clip.compressed.frames;
     const SegmentLayout layout = clip.compressed.segment_layout();
     for (const mcpr_request& request :
-         {mcpr_request{}, mcpr_request{.output = MCPR_POSITIONS, .corrected = 1},
-          mcpr_request{.corrected = 1, .channels = some, .channel_count = 3},
+         {mcpr_request{}, mcpr_request{.output = MCPR_POSITIONS, .apply_ik = 1},
+          mcpr_request{.apply_ik = 1, .channels = some, .channel_count = 3},
           mcpr_request{.bands_left_out = 2}, mcpr_request{.bands_left_out = 40}}) {
       const Eigen::MatrixXf whole = clip.whole(request);
       for (int round = 0; round < 30; ++round) {
@@ -128,8 +128,8 @@ TEST(SegmentDecoder, EveryPathGivesTheSameBits) {
   for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_SSE2, MCPR_PATH_AVX2}) {
     if (mcpr_path_exists(path) == 0) continue;  // this machine has none
     for (const std::uint32_t left_out : {0U, 3U})
-      EXPECT_EQ(clip.whole({.corrected = 1, .bands_left_out = left_out, .path = path}),
-                clip.whole({.corrected = 1, .bands_left_out = left_out}));
+      EXPECT_EQ(clip.whole({.apply_ik = 1, .bands_left_out = left_out, .path = path}),
+                clip.whole({.apply_ik = 1, .bands_left_out = left_out}));
   }
 }
 
@@ -149,9 +149,9 @@ TEST(SegmentDecoder, SubsetsAreTheSameBits) {
   const Case& clip = three_segments();
   const std::uint16_t some[] = {9, 3, 14};
   for (const int corrected : {0, 1}) {
-    const Eigen::MatrixXf whole = clip.whole({.corrected = corrected});
+    const Eigen::MatrixXf whole = clip.whole({.apply_ik = corrected});
     const Eigen::MatrixXf chosen =
-        clip.whole({.corrected = corrected, .channels = some, .channel_count = 3});
+        clip.whole({.apply_ik = corrected, .channels = some, .channel_count = 3});
     for (Eigen::Index i = 0; i < 3; ++i) EXPECT_EQ(chosen.col(i), whole.col(some[i]));
   }
 }
@@ -183,7 +183,7 @@ TEST(SegmentDecoder, AClipInSegmentsMayBeMovedAsBytes) {
   const Case& clip = three_segments();
   const AlignedBytes moved(clip.opened.resident->size());
   std::memcpy(moved.data(), clip.opened.resident->data(), moved.size());
-  const mcpr_request request{.output = MCPR_POSITIONS, .corrected = 1};
+  const mcpr_request request{.output = MCPR_POSITIONS, .apply_ik = 1};
   const AlignedBytes scratch(mcpr_scratch_bytes(clip.opened.clip, &request));
   const auto* const there = reinterpret_cast<const mcpr_clip*>(moved.data());
   std::vector<float> out(700 * mcpr_frame_values(there, &request));
@@ -230,7 +230,7 @@ TEST(SegmentDecoder, TheFileIsDoneWithOnceItWasRead) {
     ASSERT_EQ(mcpr_build(scratch.data(), scratch.size(), resident.data(), size, &clip).status,
               MCPR_OK);
     for (const mcpr_request& request :
-         {mcpr_request{}, mcpr_request{.output = MCPR_POSITIONS, .corrected = 1}}) {
+         {mcpr_request{}, mcpr_request{.output = MCPR_POSITIONS, .apply_ik = 1}}) {
       const AlignedBytes frame_scratch(mcpr_scratch_bytes(clip, &request));
       std::vector<float> out(700 * mcpr_frame_values(clip, &request));
       ASSERT_EQ(mcpr_decode_frames(clip, &request, 0, 700, out.data(), frame_scratch.data(),

@@ -41,16 +41,16 @@ Eigen::MatrixXi motion_like(int length, int signal_count, std::uint64_t seed = 1
 
 struct Resident {
   Resident(const Eigen::MatrixXi& values, Basis basis, std::uint64_t budget = 0,
-           float wide_limit = std::numeric_limits<float>::infinity())
+           float double_precision_limit = std::numeric_limits<float>::infinity())
       : steps(static_cast<std::size_t>(values.cols())),
-        wide_limits(steps.size(), wide_limit),
+        double_precision_limits(steps.size(), double_precision_limit),
         notes(steps.size()) {
     for (std::size_t s = 0; s < steps.size(); ++s) steps[s] = 0.01F * static_cast<float>(s % 7 + 1);
     const runtime::QuantisedSource source{static_cast<int>(values.rows()),
                                           static_cast<int>(values.cols()),
                                           static_cast<runtime::Wavelet>(basis),
                                           steps.data(),
-                                          wide_limits.data(),
+                                          double_precision_limits.data(),
                                           values.data(),
                                           notes.data(),
                                           budget};
@@ -79,7 +79,7 @@ struct Resident {
   }
 
   std::vector<float> steps;
-  std::vector<float> wide_limits;
+  std::vector<float> double_precision_limits;
   std::vector<std::uint8_t> notes;
   std::optional<AlignedBytes> bytes;
   const runtime::ResidentSignals* form;
@@ -96,7 +96,7 @@ std::vector<std::int32_t> all_columns(int count) {
 /// Frames first ... first + count - 1 by themselves, frames x columns.
 Eigen::MatrixXf window_of(runtime::SignalDecoder& synthesis, int columns, int first, int count) {
   Eigen::MatrixXf rows(columns, count);
-  synthesis.make(first, count, rows.data(), columns);
+  synthesis.decode_window(first, count, rows.data(), columns);
   return rows.transpose();
 }
 
@@ -221,7 +221,7 @@ TEST(SignalDecoder, WideSignalsHaveNoErrorButThatOfTheirFloats) {
   values.row(0).setConstant(1 << 22);
   const Resident resident(values, Basis::Cubic, 0, 8);
   const Eigen::MatrixXd expected = resident.expected(values, Basis::Cubic);
-  EXPECT_EQ(resident.form->wide_count(), 12);
+  EXPECT_EQ(resident.form->double_precision_count(), 12);
   const auto columns = all_columns(12);
   OwnMemory<runtime::SignalDecoder> decoder(
       *resident.form, runtime::SignalRequest{columns.data(), true, 12, 0, &runtime::best_rows()});

@@ -11,7 +11,7 @@
 
 namespace mocapress::runtime {
 
-inline constexpr float kWideLength = 1000;  // cm
+inline constexpr float kDoublePrecisionLength = 1000;  // cm
 
 /// How far from each joint the furthest joint or end site below it can be. cm
 inline void find_reach(const JointModel* joints, int count, float* reach) {
@@ -27,9 +27,10 @@ inline void find_reach(const JointModel* joints, int count, float* reach) {
 
 /// Samples beyond this are decoded in double precision: so many cm, or an angle that moves the
 /// joint's reach as far.
-inline float wide_limit(std::uint8_t kind, float reach) {
+inline float double_precision_limit(std::uint8_t kind, float reach) {
   constexpr float kLeastReach = 0.01F;  // cm
-  return is_rotation(kind) ? kWideLength / std::max(reach, kLeastReach) : kWideLength;
+  return is_rotation(kind) ? kDoublePrecisionLength / std::max(reach, kLeastReach)
+                           : kDoublePrecisionLength;
 }
 
 }  // namespace mocapress::runtime
