@@ -1780,6 +1780,14 @@
 <context>
     <name>mocapress::Library</name>
     <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
         <source>Add Clips</source>
         <translation>Ajouter des clips</translation>
     </message>
@@ -2852,17 +2860,6 @@
     </message>
 </context>
 <context>
-    <name>mocapress::ReviewChange</name>
-    <message>
-        <source>Note</source>
-        <translation>Note</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Verdict</translation>
-    </message>
-</context>
-<context>
     <name>mocapress::Session</name>
     <message>
         <source>Import Options</source>
@@ -2870,7 +2867,7 @@
     </message>
 </context>
 <context>
-    <name>mocapress::SettingsChange</name>
+    <name>mocapress::SettingsField</name>
     <message>
         <source>Target</source>
         <translation>Cible</translation>

@@ -1769,6 +1769,14 @@
 <context>
     <name>mocapress::Library</name>
     <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
         <source>Add Clips</source>
         <translation>クリップを追加</translation>
     </message>
@@ -2835,17 +2843,6 @@
     </message>
 </context>
 <context>
-    <name>mocapress::ReviewChange</name>
-    <message>
-        <source>Note</source>
-        <translation>メモ</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>判定</translation>
-    </message>
-</context>
-<context>
     <name>mocapress::Session</name>
     <message>
         <source>Import Options</source>
@@ -2853,7 +2850,7 @@
     </message>
 </context>
 <context>
-    <name>mocapress::SettingsChange</name>
+    <name>mocapress::SettingsField</name>
     <message>
         <source>Target</source>
         <translation>目標</translation>

@@ -358,26 +358,56 @@ TEST_F(InALibrary, AVerdictIsThereAgainWithTheOutcomeItWasAbout) {
   EXPECT_EQ(run.library.project().clips[0].verdict, Verdict::Approved);
 }
 
-TEST_F(InALibrary, VerdictsAndNotesAreUndoneInTheHistoryOfTheirClip) {
+TEST_F(InALibrary, VerdictsAndNotesAreUndoneInItsOwnHistory) {
   Run run;
   settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
   settleAfter(run, [&] { run.session.open(clip("jump.bvh", 2)); });
   run.library.setVerdict(0, Verdict::Rejected);
   for (const char* typed : {"k", "kn", "knee"}) run.library.setNote(1, QString::fromLatin1(typed));
   run.library.setVerdict(1, Verdict::Approved);
+  EXPECT_FALSE(run.session.history()->canUndo());
+  QUndoStack& history = *run.library.history();
+  EXPECT_EQ(history.count(), 3) << "a note typed in one go is one step";
+  EXPECT_EQ(history.undoText().toStdString(), "Verdict");
   const auto& clips = run.library.project().clips;
-  run.session.history()->undo();
+  history.undo();
   EXPECT_EQ(clips[1].verdict, Verdict::None);
   EXPECT_EQ(clips[1].note, QStringLiteral("knee"));
-  run.session.history()->undo();
-  EXPECT_EQ(clips[1].note, QString()) << "typed in one go";
-  EXPECT_FALSE(run.session.history()->canUndo());
+  EXPECT_EQ(history.undoText().toStdString(), "Note");
+  history.undo();
+  EXPECT_EQ(clips[1].note, QString());
   EXPECT_EQ(run.model.entry(0).verdict, Verdict::Rejected);
-  settleAfter(run, [&] { run.library.openClip(0); });
-  run.session.history()->undo();
+  history.undo();
   EXPECT_EQ(run.model.entry(0).verdict, Verdict::None);
-  run.session.history()->redo();
+  EXPECT_FALSE(history.canUndo());
+  history.redo();
   EXPECT_EQ(run.model.entry(0).verdict, Verdict::Rejected);
+}
+
+TEST_F(InALibrary, NotesOfTwoClipsAreTwoStepsHoweverQuicklyTheyAreTyped) {
+  Run run;
+  run.library.add({clip("walk.bvh", 1), clip("jump.bvh", 2)});
+  run.library.setNote(0, QStringLiteral("knee"));
+  run.library.setNote(1, QStringLiteral("wrist"));
+  run.library.history()->undo();
+  EXPECT_EQ(run.library.project().clips[0].note, QStringLiteral("knee"));
+  EXPECT_EQ(run.library.project().clips[1].note, QString());
+}
+
+TEST_F(InALibrary, ARemovalIsUndoneWhileAnotherClipIsOpenAndItsSettingsStay) {
+  Run run;
+  const QString walk = clip("walk.bvh", 1);
+  settleAfter(run, [&] { run.session.open(walk); });
+  settleAfter(run, [&] { run.session.open(clip("jump.bvh", 2)); });
+  run.library.remove({0});
+  settleAfter(run, [&] { run.session.setOptions(standard(40)); });
+  run.library.history()->undo();
+  ASSERT_EQ(run.model.rowCount(), 2);
+  EXPECT_EQ(run.library.project().clips[0].path, walk);
+  EXPECT_EQ(run.session.document().options().target.value, 40);
+  settleAfter(run, [&] { run.session.history()->undo(); });
+  EXPECT_EQ(run.session.document().options().target.value, 10);
+  EXPECT_EQ(run.model.rowCount(), 2) << "a slider does not touch the library";
 }
 
 TEST_F(InALibrary, AClipThatWasRemovedComesBackAsItWas) {
@@ -389,8 +419,8 @@ TEST_F(InALibrary, AClipThatWasRemovedComesBackAsItWas) {
   settleAfter(run, [&] { run.session.open(clip("jump.bvh", 2)); });
   run.library.remove({0});
   ASSERT_EQ(run.model.rowCount(), 1);
-  EXPECT_EQ(run.session.history()->undoText().toStdString(), "Remove Clip");
-  run.session.history()->undo();
+  EXPECT_EQ(run.library.history()->undoText().toStdString(), "Remove Clip");
+  run.library.history()->undo();
   ASSERT_EQ(run.model.rowCount(), 2);
   const ProjectClip& back = run.library.project().clips[0];
   EXPECT_EQ(back.path, walk);
@@ -405,18 +435,19 @@ TEST_F(InALibrary, ClipsThatWereAddedAreTakenOutAgainAndComeBackAsTheyWere) {
   const QString jump = clip("jump.bvh", 2);
   settleAfter(run, [&] { run.session.open(walk); });
   run.library.add({walk});
-  EXPECT_FALSE(run.session.history()->canUndo()) << "it was there";
+  EXPECT_FALSE(run.library.history()->canUndo()) << "it was there";
   run.library.add({walk, jump});
   ASSERT_EQ(run.model.rowCount(), 2);
-  EXPECT_EQ(run.session.history()->undoText().toStdString(), "Add Clips");
-  run.library.setNote(1, QStringLiteral("good"));
-  run.session.history()->undo();
+  EXPECT_EQ(run.library.history()->undoText().toStdString(), "Add Clips");
+  settleAfter(run, [&] { run.session.open(jump); });
+  settleAfter(run, [&] { run.session.setOptions(standard(30)); });
+  run.library.history()->undo();
   EXPECT_EQ(run.model.rowCount(), 1);
   EXPECT_EQ(run.library.project().clips.size(), 1u);
-  run.session.history()->redo();
+  run.library.history()->redo();
   ASSERT_EQ(run.model.rowCount(), 2);
   EXPECT_EQ(run.model.entry(1).path, jump);
-  EXPECT_EQ(run.model.entry(1).note, QStringLiteral("good"));
+  EXPECT_EQ(run.library.project().clips[1].settings->encode.target.value, 30);
 }
 
 TEST_F(InALibrary, AChangeOfFileLosesNothingOfTheOneBefore) {
@@ -440,8 +471,10 @@ TEST_F(InALibrary, AnotherProjectHasNothingToUndo) {
   run.library.begin(data());
   settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
   settleAfter(run, [&] { run.session.setOptions(standard(20)); });
+  run.library.setVerdict(0, Verdict::Approved);
   run.library.startNew();
   EXPECT_FALSE(run.session.history()->canUndo());
+  EXPECT_FALSE(run.library.history()->canUndo());
 }
 
 TEST_F(InALibrary, GivesClipsToABatchWithTheSettingsTheyWereTunedBy) {
@@ -498,7 +531,7 @@ TEST_F(InALibrary, SlotsAreSwitchedCopiedAndUndone) {
   const auto target = [&] { return session.document().options().target.value; };
   settleAfter(run, [&] { session.switchSlot(); });
   settleAfter(run, [&] { session.setOptions(standard(40)); });
-  EXPECT_EQ(session.tuning().active, 1);
+  EXPECT_EQ(session.document().tuning().active, 1);
   settleAfter(run, [&] { session.switchSlot(); });
   EXPECT_DOUBLE_EQ(target(), 10);
   ASSERT_TRUE(session.slotAnswer(0) && session.slotAnswer(1));
@@ -551,7 +584,7 @@ TEST_F(InALibrary, SeveralClipsGoAndComeBackInOneChangeOfTheList) {
   EXPECT_EQ(reset.count(), 1);
   ASSERT_EQ(run.model.rowCount(), 1);
   EXPECT_TRUE(run.library.project().clips[0].path.endsWith(QStringLiteral("b.bvh")));
-  run.session.history()->undo();
+  run.library.history()->undo();
   EXPECT_EQ(reset.count(), 2);
   ASSERT_EQ(run.model.rowCount(), 4);
   for (int row = 0; row < 4; ++row) {

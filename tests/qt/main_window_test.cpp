@@ -23,6 +23,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeView>
 
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
@@ -140,6 +141,49 @@ TEST_F(StudioWithoutAScreen, ShortcutsWinInANumberFieldAndTypedTextInATextField)
   EXPECT_EQ(document_.options().target.value, before);
   QTest::keyClick(text, Qt::Key_E, Qt::ControlModifier);
   EXPECT_EQ(batch.count(), 2);
+}
+
+TEST_F(StudioWithoutAScreen, UndoActsOnWhatIsWorkedIn) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh", 70)); });
+  settleAfter([&] { window_.files().open(clip("run.bvh")); });
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  const double before = document_.options().target.value;
+  EncodeOptions options = document_.options();
+  options.target.value = before / 2;
+  settleAfter([&] { window_.session().setOptions(options); });
+  const auto clips = [this] { return window_.library().project().clips.size(); };
+  QAction* undo = window_.actions().undo;
+
+  // Where a step was done last.
+  window_.library().remove({0});
+  EXPECT_TRUE(undo->text().contains(QStringLiteral("Remove Clip"))) << qPrintable(undo->text());
+  undo->trigger();
+  EXPECT_EQ(clips(), 2u);
+  EXPECT_DOUBLE_EQ(document_.options().target.value, before / 2);
+
+  // Where the focus went last.
+  window_.libraryPanel().view()->setFocus();
+  window_.views().viewport->setFocus();
+  settleAfter([&] { undo->trigger(); });
+  EXPECT_DOUBLE_EQ(document_.options().target.value, before);
+  EXPECT_EQ(clips(), 2u);
+  window_.libraryPanel().view()->setFocus();
+  window_.actions().redo->trigger();
+  EXPECT_EQ(clips(), 1u);
+  EXPECT_DOUBLE_EQ(document_.options().target.value, before);
+
+  // Whoever opens another clip in the library is still there.
+  settleAfter([&] { window_.library().openClip(0); });
+  undo->trigger();
+  EXPECT_EQ(clips(), 2u);
+  // A key that changes the clip.
+  options = document_.options();
+  options.target.value = before / 4;
+  settleAfter([&] { window_.session().setOptions(options); });
+  settleAfter([&] { undo->trigger(); });
+  EXPECT_NE(document_.options().target.value, before / 4);
+  EXPECT_EQ(clips(), 2u);
 }
 
 TEST_F(StudioWithoutAScreen, SeveralFilesComeIntoTheLibraryAndTheFirstIsOpened) {

@@ -9,7 +9,7 @@
 #include "app/jobs/settings_key.h"
 #include "app/studio/compare/clip_curve.h"
 #include "app/studio/document/session.h"
-#include "app/studio/document/settings_change.h"
+#include "app/studio/document/settings_field.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
 
@@ -62,7 +62,7 @@ TEST(ResultCache, ForgetsWhatWasNotAskedForLongestWhenItIsFull) {
   EXPECT_EQ(cache.size(), 3u);
 }
 
-TEST(SettingsChange, NamesWhatChanged) {
+TEST(SettingsField, NamesWhatChanged) {
   const ClipSettings plain;
   const auto fieldOf = [&](auto edit) {
     ClipSettings edited = plain;
@@ -160,11 +160,11 @@ TEST_F(History, IsThereAgainWithItsClipAndMixesWithNoOther) {
   EXPECT_EQ(session_.history()->count(), 1);
   settleAfter([&] { session_.open(first); });
   EXPECT_DOUBLE_EQ(target(), 30);
-  EXPECT_EQ(session_.tuning().active, 1);
+  EXPECT_EQ(session_.document().tuning().active, 1);
   EXPECT_EQ(session_.history()->count(), 3);
   settleAfter([&] { session_.history()->undo(); });
   settleAfter([&] { session_.history()->undo(); });
-  EXPECT_EQ(session_.tuning().active, 0);
+  EXPECT_EQ(session_.document().tuning().active, 0);
   EXPECT_DOUBLE_EQ(target(), 20);
   settleAfter([&] { session_.history()->redo(); });
   settleAfter([&] { session_.open(second); });

@@ -210,7 +210,7 @@ TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
     studio.settleAfter([&] { studio->actions().switch_slot->trigger(); });
     studio.settleAfter([&] { slider->setValue(400); });
     const QImage other = studio.picture(QStringLiteral("session-5-b"));
-    EXPECT_EQ(studio->session().tuning().active, 1);
+    EXPECT_EQ(studio->session().document().tuning().active, 1);
     studio.settleAfter([&] { studio->actions().switch_slot->trigger(); });
     EXPECT_GT(document.decoded()->ratio, 50);
     EXPECT_GT(differing(other, studio.picture(QStringLiteral("session-5-a"))), 1000);

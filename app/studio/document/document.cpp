@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "app/studio/document/clip_preset.h"
+#include "app/studio/document/settings_field.h"
 
 namespace mocapress {
 namespace {
@@ -40,9 +41,7 @@ Importance carriedOver(const Importance& importance, const Skeleton* from, const
 }  // namespace
 
 Document::Document(QObject* parent) : QObject(parent) {
-  const ClipSettings usual = usualSettings();
-  options_ = usual.encode;
-  preset_ = usual.preset;
+  tuning_.both.fill(usualSettings());
 }
 
 QString Document::title() const {
@@ -83,11 +82,12 @@ Importance Document::importanceIn(const Skeleton& next) const {
   const Preset& usual = usualPreset();
   if (isAsPreset(settings(), usual, skeleton() ? *skeleton() : Skeleton()))
     return importance_for(usual.importance, next);
-  return carriedOver(options_.importance, skeleton(), next);
+  return carriedOver(options().importance, skeleton(), next);
 }
 
 void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path) {
-  if (original) options_.importance = importanceIn(original->motion().skeleton);
+  ClipSettings& now = tuning_.now();
+  if (original) now.encode.importance = importanceIn(original->motion().skeleton);
   original_ = std::move(original);
   decoded_ = std::move(decoded);
   final_ = decoded_ != nullptr;
@@ -96,12 +96,12 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
   saved_ = decoded_;
   touched_ = false;
   if (decoded_) {
-    options_ = optionsOf(*decoded_);
-    preset_.clear();
+    now.encode = optionsOf(*decoded_);
+    now.preset.clear();
   }
-  if (!decoded_ && options_.correction)
-    options_.correction->joints.clear();  // they were another skeleton's
-  options_.contacts = contactsBy(contact_settings_);
+  if (!decoded_ && now.encode.correction)
+    now.encode.correction->joints.clear();  // they were another skeleton's
+  now.encode.contacts = contactsBy(now.contacts);
   emit clipChanged();
   emit optionsChanged();
   emit decodedChanged();
@@ -127,30 +127,42 @@ void Document::setUnanswered() {
 }
 
 void Document::setOptions(const EncodeOptions& options) {
-  options_ = options;
+  tuning_.now().encode = options;
+  touched_ = true;
+  emit optionsChanged();
+}
+
+void Document::setTuning(const Tuning& tuning) {
+  const bool same = firstDifference(settings(), tuning.now()) == SettingsField::None;
+  tuning_ = tuning;
+  if (same) return;
   touched_ = true;
   emit optionsChanged();
 }
 
 void Document::loadOptions(EncodeOptions options) {
-  options.contacts = options_.contacts;
-  options_ = std::move(options);
-  preset_.clear();
+  ClipSettings& now = tuning_.now();
+  options.contacts = now.encode.contacts;
+  now.encode = std::move(options);
+  now.preset.clear();
   emit optionsChanged();
 }
 
 void Document::loadSettings(const ClipSettings& settings) {
-  contact_settings_ = settings.contacts;
-  preset_ = settings.preset;
-  options_ = settings.encode;
+  tuning_.now() = settings;
   emit optionsChanged();
   emit shownChanged();
 }
 
-void Document::setSettings(const ClipSettings& settings) {
-  contact_settings_ = settings.contacts;
-  preset_ = settings.preset;
-  setOptions(settings.encode);
+void Document::loadTuning(const Tuning& tuning) {
+  tuning_ = tuning;
+  emit optionsChanged();
+  emit shownChanged();
+}
+
+void Document::beginSlots() {
+  tuning_.both.fill(ClipSettings(settings()));
+  tuning_.active = 0;
 }
 
 std::optional<std::vector<ContactSpan>> Document::contactsBy(
@@ -163,7 +175,7 @@ std::optional<std::vector<ContactSpan>> Document::contactsBy(
 
 std::vector<ContactSpan> Document::contacts() const {
   if (!original_) return {};
-  return options_.contacts ? *options_.contacts : original_->encoder->contacts();
+  return options().contacts ? *options().contacts : original_->encoder->contacts();
 }
 
 void Document::setUncorrected(bool uncorrected) {

@@ -24,6 +24,8 @@ struct Tuning {
   int active = 0;
 
   const ClipSettings& now() const { return both[static_cast<std::size_t>(active)]; }
+  ClipSettings& now() { return both[static_cast<std::size_t>(active)]; }
+  const ClipSettings& other() const { return both[static_cast<std::size_t>(1 - active)]; }
 };
 
 /// What is open: values and their changes, no work and no widgets. Curves, current joint and
@@ -65,11 +67,12 @@ class Document : public QObject {
   int frames() const;
   double sampleRate() const;  // Hz
 
-  const EncodeOptions& options() const { return options_; }
+  /// Two settings to compare, A and B; what follows is of the active one. Kept nowhere else.
+  const Tuning& tuning() const { return tuning_; }
+  const ClipSettings& settings() const { return tuning_.now(); }
+  const EncodeOptions& options() const { return settings().encode; }
   /// By which contacts are found on the original.
-  const ContactSettings& contactSettings() const { return contact_settings_; }
-
-  ClipSettings settings() const { return {options_, contact_settings_, preset_}; }
+  const ContactSettings& contactSettings() const { return settings().contacts; }
 
   /// On the original; none without it.
   std::vector<ContactSpan> contacts() const;
@@ -97,11 +100,15 @@ class Document : public QObject {
 
   /// By the user.
   void setOptions(const EncodeOptions& options);
-  void setSettings(const ClipSettings& settings);
+  void setTuning(const Tuning& tuning);
 
   /// From elsewhere: nothing of the user's that would be lost.
   void loadOptions(EncodeOptions options);
   void loadSettings(const ClipSettings& settings);
+  void loadTuning(const Tuning& tuning);
+
+  /// Both slots begin with the settings that stand.
+  void beginSlots();
 
   void setUncorrected(bool uncorrected);
 
@@ -132,9 +139,7 @@ class Document : public QObject {
   QString saved_path_;
   DecodedPtr saved_;
   bool touched_ = false;
-  EncodeOptions options_;
-  ContactSettings contact_settings_;
-  QString preset_;
+  Tuning tuning_;
   bool uncorrected_ = false;
   CurveSelection curves_;
   QString current_joint_;

@@ -9,15 +9,18 @@
 namespace mocapress {
 
 inline constexpr int kOneStepMs = 1000;  // between changes that are one step
+inline constexpr int kOneNoteMs = 1500;  // between keys that are one text
 
-/// A step that is undone and redone by two functions; redo() is called once when it is pushed.
+/// The one kind of step there is in every undo history: two functions. redo() is called once when
+/// the step is pushed.
 class EditStep : public QUndoCommand {
  public:
-  /// Steps of the same `kind` that follow each other quickly are one; empty: it is always its own.
+  /// Steps of the same `kind` that follow each other within `pause_ms`, as while a slider is
+  /// dragged or a text is typed, are one. An empty kind: the step is always its own.
   EditStep(const QString& text, std::function<void()> redo, std::function<void()> undo,
-           QString kind = {});
+           QString kind = {}, int pause_ms = kOneStepMs);
 
-  int id() const override { return 2000; }  // settings and reviews have smaller ones
+  int id() const override { return 1; }  // all may ask each other; the kind decides
   bool mergeWith(const QUndoCommand* newer) override;
   void undo() override { undo_(); }
   void redo() override { redo_(); }
@@ -25,6 +28,7 @@ class EditStep : public QUndoCommand {
  private:
   std::function<void()> redo_, undo_;
   QString kind_;
+  int pause_ms_;
   QElapsedTimer made_;
 };
 

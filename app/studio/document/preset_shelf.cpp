@@ -8,6 +8,7 @@
 #include <QUndoStack>
 #include <algorithm>
 
+#include "app/studio/document/edit_step.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/batch/preset_json.h"
@@ -20,23 +21,6 @@ std::filesystem::path pathOf(const QString& text) {
 }
 
 }  // namespace
-
-class PresetShelf::Command : public QUndoCommand {
- public:
-  Command(PresetShelf* shelf, const QString& text, std::vector<Edit> edits)
-      : QUndoCommand(text), shelf_(shelf), edits_(std::move(edits)) {}
-
-  void undo() override {
-    if (shelf_) shelf_->apply(edits_, true);
-  }
-  void redo() override {
-    if (shelf_) shelf_->apply(edits_, false);
-  }
-
- private:
-  QPointer<PresetShelf> shelf_;
-  std::vector<Edit> edits_;
-};
 
 PresetShelf::PresetShelf(const QString& file, QObject* parent) : QObject(parent), file_(file) {
   if (!QFileInfo::exists(file_)) return;
@@ -125,10 +109,14 @@ void PresetShelf::exportTo(const QString& path, const Preset& preset) {
 }
 
 void PresetShelf::change(const QString& text, const std::vector<Edit>& edits) {
-  if (history_)
-    history_()->push(new Command(this, text, edits));
-  else
-    apply(edits, false);
+  if (!history_) return apply(edits, false);
+  const QPointer<PresetShelf> shelf(this);  // a history may outlive it
+  const auto applied = [shelf, edits](bool backwards) {
+    return [shelf, edits, backwards] {
+      if (shelf) shelf->apply(edits, backwards);
+    };
+  };
+  history_()->push(new EditStep(text, applied(false), applied(true)));
 }
 
 /// In its place where there was one of that name. What was changed since, in the history of another

@@ -52,7 +52,6 @@ class PresetShelf : public QObject {
   struct Edit {
     std::optional<Preset> before, after;
   };
-  class Command;
 
   const Preset* own(const std::string& name) const;
   void change(const QString& text, const std::vector<Edit>& edits);

@@ -9,7 +9,7 @@
 #include "app/jobs/settings_key.h"
 #include "app/studio/document/clip_preset.h"
 #include "app/studio/document/edit_step.h"
-#include "app/studio/document/settings_change.h"
+#include "app/studio/document/settings_field.h"
 #include "app/studio/study/study_row_request.h"
 #include "core/base/error.h"
 #include "core/formats/motion_file.h"
@@ -37,8 +37,6 @@ QString absolute(const QString& path) {
 
 Session::Session(QObject* parent) : QObject(parent) {
   past_ = &pasts_[QString()];
-  histories_.addStack(&past_->steps);
-  histories_.setActiveStack(&past_->steps);
   connect(&compressor_, &Compressor::answered, this, &Session::answer);
   connect(&compressor_, &Compressor::progressed, this, &Session::annealed);
   connect(&compressor_, &Compressor::refiningChanged, this, &Session::refiningChanged);
@@ -80,14 +78,12 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
   request.original = document_.original();
   if (!isOpen(request.path) || !request.comparison.empty()) return start(request);
   opening_.abandon();
-  const ClipSettings before = document_.settings();
+  const Tuning before = document_.tuning();
   EncodeOptions wanted = *request.options;
-  wanted.contacts = before.encode.contacts;
-  if (settingsKey(wanted) == settingsKey(before.encode)) return apply(tuning_);  // no step
+  wanted.contacts = before.now().encode.contacts;
+  if (settingsKey(wanted) == settingsKey(before.now().encode)) return apply(before);  // no step
   document_.loadOptions(wanted);
-  Tuning tuning = tuning_;
-  tuning.both[static_cast<std::size_t>(tuning.active)] = document_.settings();
-  changeTuning(tuning, before);
+  changeTuning(before, document_.tuning());
 }
 
 void Session::readAgain(const ReadOptions& reading) {
@@ -150,8 +146,7 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
 void Session::leave() {
   if (!document_.original()) return;
   const Motion& motion = document_.original()->motion();
-  past_->tuning = tuning_;
-  past_->tuning->both[static_cast<std::size_t>(tuning_.active)] = document_.settings();
+  past_->tuning = document_.tuning();
   past_->frames = motion.clip.frames();
   past_->joints = motion.skeleton.joint_count();
 }
@@ -159,22 +154,15 @@ void Session::leave() {
 /// Goes on from where a clip was left, if it comes `by_itself` and its settings are still those.
 void Session::takeUp(const QString& path, bool by_itself) {
   past_ = &pasts_[path];
-  histories_.addStack(&past_->steps);
-  histories_.setActiveStack(&past_->steps);
+  emit historyChanged();
   const bool same = by_itself && past_->tuning && document_.original() &&
                     past_->frames == document_.frames() &&
                     past_->joints == document_.skeleton()->joint_count() &&
                     (!memory_ || firstDifference(past_->tuning->now(), document_.settings()) ==
                                      SettingsField::None);
-  if (same) {
-    tuning_ = *past_->tuning;
-    document_.loadSettings(tuning_.now());
-    return;
-  }
-  // Reviews may have been given to a clip that was not opened before: they stay.
-  if (past_->tuning) past_->steps.clear();
-  tuning_.both.fill(document_.settings());
-  tuning_.active = 0;
+  if (same) return document_.loadTuning(*past_->tuning);
+  past_->steps.clear();
+  document_.beginSlots();
 }
 
 void Session::forgetHistories() {
@@ -234,52 +222,45 @@ void Session::setContacts(const std::vector<ContactSpan>& contacts) {
 void Session::change(const ClipSettings& settings) {
   // What stands already is no step.
   if (firstDifference(document_.settings(), settings) == SettingsField::None) return;
-  Tuning tuning = tuning_;
-  // The document's may have been loaded without a change.
-  tuning.both[static_cast<std::size_t>(tuning.active)] = settings;
-  changeTuning(tuning);
+  Tuning tuning = document_.tuning();
+  tuning.now() = settings;
+  changeTuning(document_.tuning(), tuning);
 }
 
-void Session::changeTuning(const Tuning& tuning) {
-  changeTuning(tuning, document_.settings());
-}
-
-void Session::changeTuning(const Tuning& tuning, const ClipSettings& now) {
-  Tuning before = tuning_;
-  before.both[static_cast<std::size_t>(before.active)] = now;
-  history()->push(
-      new SettingsChange(before, tuning, [this](const Tuning& those) { apply(those); }));
+void Session::changeTuning(const Tuning& before, const Tuning& after) {
+  const bool same_slot = before.active == after.active;
+  const SettingsField field =
+      same_slot ? firstDifference(before.now(), after.now()) : SettingsField::Slot;
+  history()->push(new EditStep(
+      nameOf(field), [this, after] { apply(after); }, [this, before] { apply(before); },
+      same_slot ? dragOf(before.now(), after.now()) : QString()));
 }
 
 void Session::switchSlot() {
-  Tuning tuning = tuning_;
-  tuning.both[static_cast<std::size_t>(tuning.active)] = document_.settings();
+  Tuning tuning = document_.tuning();
   tuning.active = 1 - tuning.active;
-  changeTuning(tuning);
+  changeTuning(document_.tuning(), tuning);
 }
 
 void Session::copyToOtherSlot() {
-  Tuning tuning = tuning_;
+  Tuning tuning = document_.tuning();
+  if (firstDifference(tuning.other(), tuning.now()) == SettingsField::None) return;
   tuning.both.fill(document_.settings());
-  const ClipSettings& other = tuning_.both[static_cast<std::size_t>(1 - tuning_.active)];
-  if (firstDifference(other, document_.settings()) != SettingsField::None) changeTuning(tuning);
+  changeTuning(document_.tuning(), tuning);
 }
 
 void Session::apply(const Tuning& tuning) {
-  const auto other = static_cast<std::size_t>(1 - tuning.active);
-  if (settingsKey(tuning.both[other].encode) == settingsKey(tuning.now().encode))
-    slot_answers_[other] = nullptr;  // it will be the same
-  tuning_ = tuning;
-  if (firstDifference(document_.settings(), tuning.now()) != SettingsField::None)
-    document_.setSettings(tuning.now());
+  if (settingsKey(tuning.other().encode) == settingsKey(tuning.now().encode))
+    slot_answers_[static_cast<std::size_t>(1 - tuning.active)] = nullptr;  // it will be the same
+  document_.setTuning(tuning);
   emit slotsChanged();
   if (!document_.original()) return;
   emit recompressing();
-  compressor_.request(tuning.now().encode);
+  compressor_.request(document_.options());
 }
 
 void Session::answer(const DecodedPtr& decoded, bool final) {
-  slot_answers_[static_cast<std::size_t>(tuning_.active)] = decoded;
+  slot_answers_[static_cast<std::size_t>(document_.tuning().active)] = decoded;
   document_.setDecoded(decoded, final);
   chooseCurves();
   emit slotsChanged();

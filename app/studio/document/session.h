@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QObject>
-#include <QUndoGroup>
 #include <QUndoStack>
 #include <array>
 #include <functional>
@@ -62,15 +61,12 @@ class Session : public QObject {
   void namePreset(const QString& name);
 
   /// Of the clip that is open. Each clip has one of its own, there again when it is opened again.
-  QUndoStack* history() { return histories_.activeStack(); }
-  QUndoStack* historyOf(const QString& path) { return &pasts_[path].steps; }
-  QUndoGroup* histories() { return &histories_; }
+  QUndoStack* history() { return &past_->steps; }
 
   /// Of all clips, which are another project's.
   void forgetHistories();
 
-  /// Two settings to compare, A and B: the active one is the document's. Both are of the clip.
-  const Tuning& tuning() const { return tuning_; }
+  /// Between the two settings of the document, A and B.
   void switchSlot();
   void copyToOtherSlot();
 
@@ -120,14 +116,17 @@ class Session : public QObject {
 
   void slotsChanged();
 
+  /// It is another clip's.
+  void historyChanged();
+
   /// All that was asked for is done and in the document.
   void settled();
 
  private:
-  /// What was done to a clip, and where that led.
+  /// What was done to a clip, and where that led when it was left.
   struct Past {
     QUndoStack steps;
-    std::optional<Tuning> tuning;  // unset: it was not open yet
+    std::optional<Tuning> tuning;  // unset: it was never left
     int frames = 0;                // of the clip they were done to
     int joints = 0;
   };
@@ -137,8 +136,7 @@ class Session : public QObject {
   /// `then`: once it is open.
   void start(OpenRequest request, std::function<void()> then = {});
   void change(const ClipSettings& settings);
-  void changeTuning(const Tuning& tuning);
-  void changeTuning(const Tuning& tuning, const ClipSettings& now);
+  void changeTuning(const Tuning& before, const Tuning& after);
   void apply(const Tuning& tuning);
   void show(const OpenedClip& opened, const OpenRequest& request);
   void leave();
@@ -149,10 +147,8 @@ class Session : public QObject {
                                            const OpenRequest& request) const;
 
   Document document_;
-  QUndoGroup histories_;
   std::map<QString, Past> pasts_;  // by path; of no clip: ""
   Past* past_ = nullptr;           // of the clip that is open
-  Tuning tuning_;
   std::array<DecodedPtr, 2> slot_answers_;
   Memory memory_;
   ReadingMemory reading_memory_;

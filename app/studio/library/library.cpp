@@ -74,7 +74,7 @@ void Library::add(const QStringList& paths) {
   }
   if (fresh.isEmpty()) return;
   const int first = clips->begin()->first;
-  session_->history()->push(new EditStep(
+  history_.push(new EditStep(
       tr("Add Clips"), [this, clips] { putBack(*clips); },
       [this, clips, fresh] { *clips = takeOut(fresh); }));
   emit added(first);
@@ -89,7 +89,7 @@ void Library::remove(const QList<int>& rows) {
   QSet<QString> paths;
   for (const int row : rows) paths.insert(project_.clips[static_cast<std::size_t>(row)].path);
   auto clips = std::make_shared<ClipsByRow>();
-  session_->history()->push(new EditStep(
+  history_.push(new EditStep(
       tr("Remove Clip"), [this, clips, paths] { *clips = takeOut(paths); },
       [this, clips] { putBack(*clips); }));
 }
@@ -146,28 +146,32 @@ int Library::currentRow() const {
 void Library::setVerdict(int row, Verdict verdict) {
   if (row < 0) return;
   const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-  change(clip.path, {verdict, clip.note});
+  change(clip.path, {verdict, clip.note.toStdString()});
 }
 
 void Library::setNote(int row, const QString& note) {
   if (row < 0) return;
   const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-  change(clip.path, {clip.verdict, note});
+  change(clip.path, {clip.verdict, note.toStdString()});
 }
 
-/// A step of the clip's own history.
-void Library::change(const QString& path, const Review& review) {
+void Library::change(const QString& path, const ClipReview& review) {
   const ProjectClip* clip = project_.find(path);
-  const Review before{clip->verdict, clip->note};
+  const ClipReview before{clip->verdict, clip->note.toStdString()};
   if (before == review) return;
-  session_->historyOf(path)->push(new ReviewChange(before, review, [this, path](const Review& now) {
-    ProjectClip* reviewed = project_.find(path);
-    if (!reviewed) return;
-    reviewed->verdict = now.verdict;
-    reviewed->note = now.note;
-    show(*reviewed);
-    emit currentChanged();
-  }));
+  const auto say = [this, path](const ClipReview& now) {
+    return [this, path, now] {
+      ProjectClip* reviewed = project_.find(path);
+      if (!reviewed) return;
+      reviewed->verdict = now.verdict;
+      reviewed->note = QString::fromStdString(now.note);
+      show(*reviewed);
+      emit currentChanged();
+    };
+  };
+  const bool is_typed = before.verdict == review.verdict;
+  history_.push(new EditStep(is_typed ? tr("Note") : tr("Verdict"), say(review), say(before),
+                             is_typed ? QStringLiteral("note ") + path : QString(), kOneNoteMs));
 }
 
 std::vector<Pin> Library::pinsOf(const QString& path) {

@@ -7,6 +7,7 @@
 #include <QSet>
 #include <QStringList>
 #include <QTimer>
+#include <QUndoStack>
 #include <deque>
 #include <future>
 #include <map>
@@ -20,7 +21,6 @@
 #include "app/studio/library/project.h"
 #include "app/studio/library/project_lock.h"
 #include "app/studio/library/project_shelf.h"
-#include "app/studio/library/review_change.h"
 
 namespace mocapress {
 
@@ -86,7 +86,11 @@ class Library : public QObject {
   /// Without the one in use, used last first.
   std::vector<FormerProject> formerProjects() const;
 
-  /// Those that are not there yet. Adding and removing are steps of the open clip's history.
+  /// What was done to the list and said about its clips; what was done to a clip is in the history
+  /// of its document.
+  QUndoStack* history() { return &history_; }
+
+  /// Those that are not there yet. Adding, removing, verdicts and notes are steps of history().
   void add(const QStringList& paths);
 
   /// All clips below it, found in the background.
@@ -132,7 +136,7 @@ class Library : public QObject {
   void written(QPrivateSignal);
 
  private:
-  void change(const QString& path, const Review& review);
+  void change(const QString& path, const ClipReview& review);
   std::vector<LibraryEntry> entries() const;
   using ClipsByRow = std::map<int, ProjectClip>;
 
@@ -158,6 +162,7 @@ class Library : public QObject {
   Session* session_;
   LibraryModel* model_;
   Project project_;
+  QUndoStack history_;
   QString path_;
   std::optional<ProjectShelf> shelf_;  // none: no project is remembered
   std::unique_ptr<ProjectLock> lock_;  // of path_

@@ -170,6 +170,7 @@ bool Library::enter(const QString& path, std::unique_ptr<ProjectLock> lock, Proj
   folder_search_.abandon();
   session_->close();
   session_->forgetHistories();
+  history_.clear();
   withdrawn_.clear();
   if (shelf_ && was_empty && shelf_->isUnnamed(before)) QFile::remove(before);
   changed_ = unwritten_ = false;

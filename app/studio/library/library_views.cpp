@@ -42,7 +42,7 @@ void LibraryViews::showSlots() {
           tr("%L1 : 1, %2")
               .arg(decoded->ratio, 0, 'f', 1)
               .arg(lengthText(decoded->distortion->eps(decoded->compressed.provenance.weighting)));
-  slots_->setSlots(session_->tuning().active, summaries);
+  slots_->setSlots(session_->document().tuning().active, summaries);
   slots_->setEnabled(session_->document().original() != nullptr);
 }
 

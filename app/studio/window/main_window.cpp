@@ -76,7 +76,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setAcceptDrops(true);
   qApp->installEventFilter(new ShortcutsFirst(this));
   resize(kFirstSize);
-  actions_ = makeActions(playback_, session_->histories(), this);
+  actions_ = makeActions(playback_, undo_->histories(), this);
   actions_.error_scales = error_display_->scales(ErrorQuantity::Distance);
   actions_.angle_scales = error_display_->scales(ErrorQuantity::Angle);
   actions_.in_degrees = error_display_->inDegrees();
@@ -149,6 +149,7 @@ void MainWindow::addDocks() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   library_panel_ = new LibraryPanel(clips_, this);
+  undo_->setLibraryPanel(library_panel_);
   QDockWidget* library = layout_.addLeft(library_panel_, QStringLiteral("library"), tr("Library"));
   QDockWidget* sidebar =
       layout_.addRight(makeSidebar(), QStringLiteral("compression"), tr("Compression"));

@@ -17,6 +17,7 @@
 #include "app/studio/study/study_session.h"
 #include "app/studio/window/actions.h"
 #include "app/studio/window/theme.h"
+#include "app/studio/window/undo_target.h"
 #include "app/studio/window/window_layout.h"
 #include "widgets/models/library_model.h"
 #include "widgets/models/pinned_model.h"
@@ -91,6 +92,7 @@ class MainWindow : public QMainWindow {
   Models models_{new JointErrorModel(this), new SlideModel(this)};
   LibraryModel* clips_ = new LibraryModel(this);
   Library* library_ = new Library(session_, clips_, this);
+  UndoTarget* undo_ = new UndoTarget(session_, library_, this);
   PresetShelf* presets_ = new PresetShelf(PresetShelf::usualFile(), this);
   ClipFiles* files_ = new ClipFiles(session_, this);
   ProjectFiles* projects_ = new ProjectFiles(library_, this);

@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/document/settings_change.h"
+#include "app/studio/document/settings_field.h"
 
 #include <QCoreApplication>
 
 #include "app/jobs/settings_key.h"
-#include "app/studio/document/edit_step.h"
 
 namespace mocapress {
 namespace {
 
 struct Texts {
-  Q_DECLARE_TR_FUNCTIONS(mocapress::SettingsChange)
+  Q_DECLARE_TR_FUNCTIONS(mocapress::SettingsField)
 };
+
+/// Whether one is the other but for what `copy` takes over.
+template <typename Copy>
+bool differIn(const EncodeOptions& a, EncodeOptions b, const Copy& copy) {
+  if (settingsKey(a) == settingsKey(b)) return false;
+  copy(b);
+  return settingsKey(a) == settingsKey(b);
+}
+
+}  // namespace
 
 QString nameOf(SettingsField field) {
   switch (field) {
@@ -44,16 +53,6 @@ QString nameOf(SettingsField field) {
   return Texts::tr("Settings");
 }
 
-/// Whether one is the other but for what `copy` takes over.
-template <typename Copy>
-bool differIn(const EncodeOptions& a, EncodeOptions b, const Copy& copy) {
-  if (settingsKey(a) == settingsKey(b)) return false;
-  copy(b);
-  return settingsKey(a) == settingsKey(b);
-}
-
-}  // namespace
-
 SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
   const EncodeOptions& one = a.encode;
   const EncodeOptions& other = b.encode;
@@ -74,26 +73,13 @@ SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
   return SettingsField::Other;
 }
 
-SettingsChange::SettingsChange(Tuning before, Tuning after, Apply apply)
-    : before_(std::move(before)),
-      after_(std::move(after)),
-      field_(before_.active == after_.active ? firstDifference(before_.now(), after_.now())
-                                             : SettingsField::Slot),
-      apply_(std::move(apply)) {
-  setText(nameOf(field_));
-  made_.start();
-}
-
-bool SettingsChange::mergeWith(const QUndoCommand* newer) {
-  const auto* change = static_cast<const SettingsChange*>(newer);
-  // Edits of contacts are steps of their own however quickly they are made.
-  const bool dragged = field_ == SettingsField::Target || field_ == SettingsField::Correction ||
-                       field_ == SettingsField::Importance;
-  if (!dragged || change->field_ != field_ || made_.elapsed() > kOneStepMs) return false;
-  if (before_.now().encode.target.kind != change->after_.now().encode.target.kind) return false;
-  after_ = change->after_;
-  made_.restart();
-  return true;
+QString dragOf(const ClipSettings& before, const ClipSettings& after) {
+  const SettingsField field = firstDifference(before, after);
+  const bool is_a_number = field == SettingsField::Target || field == SettingsField::Correction ||
+                           field == SettingsField::Importance;
+  const Target::Kind kind = before.encode.target.kind;
+  if (!is_a_number || after.encode.target.kind != kind) return {};
+  return QStringLiteral("%1 %2").arg(static_cast<int>(field)).arg(static_cast<int>(kind));
 }
 
 }  // namespace mocapress

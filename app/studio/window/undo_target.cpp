@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/window/undo_target.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QToolBar>
+
+#include "app/studio/document/session.h"
+#include "app/studio/library/library.h"
+
+namespace mocapress {
+namespace {
+
+/// Whoever goes there comes back to where they worked.
+bool isPassedThrough(const QWidget* widget) {
+  return qobject_cast<const QMenuBar*>(widget) ||
+         qobject_cast<const QToolBar*>(widget->parentWidget());
+}
+
+}  // namespace
+
+UndoTarget::UndoTarget(Session* session, Library* library, QWidget* window)
+    : QObject(window), session_(session), library_(library), window_(window) {
+  histories_.addStack(library->history());
+  followSteps(library->history());
+  takeClip();
+  histories_.setActiveStack(session->history());
+  connect(session, &Session::historyChanged, this, &UndoTarget::takeClip);
+  connect(qApp, &QApplication::focusChanged, this,
+          [this](const QWidget*, const QWidget* now) { follow(now); });
+}
+
+/// Another clip does not take the user out of the library.
+void UndoTarget::takeClip() {
+  QUndoStack* history = session_->history();
+  if (!histories_.stacks().contains(history)) {
+    histories_.addStack(history);
+    followSteps(history);
+  }
+  if (histories_.activeStack() != library_->history()) histories_.setActiveStack(history);
+}
+
+/// A key may change a clip while the focus is in the library.
+void UndoTarget::followSteps(QUndoStack* history) {
+  connect(history, &QUndoStack::indexChanged, this, [this, history](int index) {
+    const bool is_current = history == library_->history() || history == session_->history();
+    if (index > 0 && is_current) histories_.setActiveStack(history);
+  });
+}
+
+void UndoTarget::follow(const QWidget* focus) {
+  if (!focus || !panel_ || isPassedThrough(focus)) return;
+  if (focus == panel_ || panel_->isAncestorOf(focus))
+    histories_.setActiveStack(library_->history());
+  else if (focus->window() == window_ || qobject_cast<QDockWidget*>(focus->window()))
+    histories_.setActiveStack(session_->history());
+}
+
+}  // namespace mocapress
