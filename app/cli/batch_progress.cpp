@@ -6,7 +6,7 @@
 
 #include "app/cli/motion_input.h"
 #include "core/base/number_text.h"
-#include "core/batch/preset_json.h"
+#include "core/mocapress/settings_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
 #include <memory>
 
 #include "app/cli/commands.h"
@@ -13,47 +14,61 @@
 #include "core/baselines/compression_method.h"
 #include "core/batch/verification.h"
 #include "core/codec/format/source_section.h"
+#include "core/mocapress/encode_options.h"
 
 namespace mocapress::cli {
 namespace {
+
+/// What Settings refuse is a mistake in the call.
+void or_usage_error(const std::function<void()>& check) {
+  try {
+    check();
+  } catch (const Error& error) {
+    throw CLI::ValidationError(error.what());
+  }
+}
 
 struct Compress {
   std::string input;
   MotionInput source;
   std::string output;
-  std::string method{name(Method::ClosedLoop)};
-  EncodeOptions options{.weighting = Weighting::Surface};
+  Settings settings{.weighting = Weighting::Surface, .target = {}};
+  Effort effort = Effort::Default;
   CorrectionArguments correction;
   ContactInput contacts;
   ImportanceArguments importance;
-  std::optional<Coding> coding;
   bool json = false;
 
+  /// What was asked for, as far as it does not depend on the clip.
+  Settings asked() const {
+    Settings asked = settings;
+    if (!correction.ratio.empty()) asked.correction = correction.settings();
+    asked.importance = importance.named();
+    if (effort != Effort::Draft) asked.effort = effort;
+    return asked;
+  }
+
   void run() {
-    const CompressionMethod& compression_method = *find_compression_method(method);
-    const bool is_closed_loop = method == name(Method::ClosedLoop);
-    const bool of_wavelets = find_comparison_method(method) == nullptr;
-    if (options.target.kind == Target::Kind::CoefficientRatio && !of_wavelets)
-      throw CLI::ValidationError("--coefficient-ratio", "is a target of wavelet methods only");
-    if (is_closed_loop && coding.value_or(Coding::Adaptive) != Coding::Adaptive)
-      throw CLI::ValidationError("--coding", "the closed loop has only the coding adaptive");
-    options.coding = is_closed_loop ? Coding::Adaptive : coding.value_or(options.coding);
+    const Settings asked = this->asked();
+    or_usage_error([&] { check(asked); });
+    const bool of_wavelets = find_comparison_method(asked.method) == nullptr;
     MotionFile file = source.read_file(input);
     const MethodEncoder encoder(std::move(file.motion));
-    options.correction = correction.options(encoder.wavelets().motion().skeleton);
-    if (options.correction && !of_wavelets)
-      throw CLI::ValidationError("--ik", "can correct wavelet methods only");
-    options.importance = importance.importance(encoder.wavelets().motion().skeleton);
+    const Skeleton& skeleton = encoder.wavelets().motion().skeleton;
+    importance.require_names_of(skeleton);
+    EncodeOptions options;
+    or_usage_error([&] { options = encode_options(asked, skeleton); });
+    options.effort = effort;
     options.contacts = contacts.spans(encoder.wavelets().motion());
     options.figures_only = true;
-    Compression made = encoder.compress(compression_method, options);
+    Compression made = encoder.compress(*find_compression_method(asked.method), options);
     made.file = with_source(made.file, file.source);
-    Verification found = write(made.file, encoder.wavelets());
+    Verification found = write(made.file, encoder.wavelets(), *options.contacts);
     const Report report{
         .input = input,
         .original = &encoder.wavelets().motion(),
         .loop = options.loop.value_or(find_loop(encoder.wavelets().motion())),
-        .method = method,
+        .method = asked.method,
         .weighting = options.weighting,
         .coding = of_wavelets ? std::optional(options.coding) : std::nullopt,
         .motion_bytes = made.motion_bytes,
@@ -72,8 +87,9 @@ struct Compress {
   }
 
   /// Measures what the disk gives back, before that takes the place of anything.
-  Verification write(const std::vector<std::byte>& file, const Encoder& original) const {
-    const VerificationRequest request{.contacts = *options.contacts};
+  Verification write(const std::vector<std::byte>& file, const Encoder& original,
+                     const std::vector<ContactSpan>& spans) const {
+    const VerificationRequest request{.contacts = spans};
     if (output.empty()) return verify(file, original, request);
     StagedFile staged(output);
     staged.write(file);
@@ -92,14 +108,14 @@ void add_compress(CLI::App& app) {
   call->source.add_options(*command);
   command->add_option("-o,--output", call->output, "Where to write; without it, only measure")
       ->type_name("OUT.mcpr");
-  command->add_option("--method", call->method, "Wavelets, or a method they are compared with")
+  command->add_option("--method", call->settings.method, "Wavelets, or a method they are compared with")
       ->transform(one_of_the_methods())
       ->capture_default_str();
   command
-      ->add_option("--coding", call->coding,
+      ->add_option("--coding", call->settings.coding,
                    "Coding of the coefficients [closed-loop: adaptive, others: deflate]")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
-  command->add_option("--weighting", call->options.weighting, "Error weighting [surface]")
+  command->add_option("--weighting", call->settings.weighting, "Error weighting [surface]")
       ->transform(one_of(kWeightings));
   CLI::Option_group* target = command->add_option_group("target", "At most one [--ratio 25]");
   target->require_option(0, 1);
@@ -108,7 +124,7 @@ void add_compress(CLI::App& app) {
         ->add_option_function<double>(
             flag,
             [call, kind](const double& value) {
-              call->options.target = {kind, value};
+              call->settings.target = {kind, value};
             },
             help)
         ->type_name(unit)
@@ -125,7 +141,7 @@ void add_compress(CLI::App& app) {
       ->add_option_function<Sight>(
           "--target",
           [call](const Sight&) {
-            call->options.target = {Target::Kind::Visibility, 1};
+            call->settings.target = {Target::Kind::Visibility, 1};
           },
           "The smallest file with nothing off that people notice")
       ->transform(one_of({Sight::NotVisible}));
@@ -133,13 +149,13 @@ void add_compress(CLI::App& app) {
   call->contacts.add_options(*command);
   call->importance.add_options(*command);
   command
-      ->add_option("--effort", call->options.effort, "Search effort of the closed loop [default]")
+      ->add_option("--effort", call->effort, "Search effort of the closed loop [default]")
       ->transform(one_of({Effort::Draft, Effort::Default, Effort::Best}));
-  command->add_option("--ends", call->options.ends, "First and last pose of the closed loop [even]")
+  command->add_option("--ends", call->settings.ends, "First and last pose of the closed loop [even]")
       ->transform(one_of({Ends::Free, Ends::Even, Ends::Exact}));
-  command->add_option("--loop", call->options.loop, "Whether the clip is a loop [found]")
+  command->add_option("--loop", call->settings.loop, "Whether the clip is a loop [found]")
       ->transform(one_of({Loop::None, Loop::Repeats, Loop::Follows}));
-  command->add_option("--seed", call->options.seed, "Seed of the annealing: same seed, same bytes");
+  command->add_option("--seed", call->settings.seed, "Seed of the annealing: same seed, same bytes");
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });
 }

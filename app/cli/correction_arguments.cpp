@@ -36,20 +36,8 @@ void CorrectionArguments::add_options(CLI::App& command) {
       ->needs(ik);
 }
 
-std::optional<CorrectionOptions> CorrectionArguments::options(const Skeleton& skeleton) const {
-  if (ratio.empty()) return std::nullopt;
-  CorrectionOptions options{.solver = solver, .at = at};
-  options.ratio = number_in(ratio);  // unset: to be found
-  for (const std::string& effector : effectors) {
-    options.joints.push_back(skeleton.find(effector));
-    if (options.joints.back() < 0)
-      throw CLI::ValidationError("--effectors", "the skeleton has no joint named " + effector);
-  }
-  return options;
-}
-
-PresetCorrection CorrectionArguments::of_preset() const {
-  PresetCorrection correction{.effectors = effectors, .solver = solver, .at = at};
+CorrectionSettings CorrectionArguments::settings() const {
+  CorrectionSettings correction{.effectors = effectors, .solver = solver, .at = at};
   correction.ratio = number_in(ratio);  // unset: to be found
   return correction;
 }

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/batch/preset.h"
-#include "core/codec/encode/correction_encoder.h"
+#include "core/mocapress/settings.h"
 
 namespace mocapress::cli {
 
@@ -20,11 +18,8 @@ struct CorrectionArguments {
 
   void add_options(CLI::App& command);
 
-  /// Unset without --ik. Throws CLI::ValidationError when an effector is no joint of the skeleton.
-  std::optional<CorrectionOptions> options(const Skeleton& skeleton) const;
-
-  /// The same before there is a skeleton; wants --ik.
-  PresetCorrection of_preset() const;
+  /// Wants --ik.
+  CorrectionSettings settings() const;
 };
 
 }  // namespace mocapress::cli

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/importance_arguments.h"
 
+#include "core/motion/skeleton.h"
+
 namespace mocapress::cli {
 namespace {
 
@@ -45,12 +47,11 @@ NamedImportance ImportanceArguments::named() const {
   return named;
 }
 
-Importance ImportanceArguments::importance(const Skeleton& skeleton) const {
+void ImportanceArguments::require_names_of(const Skeleton& skeleton) const {
   const NamedImportance wishes = named();
   for (const auto& [name, factor] : wishes.factors)
     if (joints_named(skeleton, name).empty())
       throw CLI::ValidationError(kOption, "the skeleton has no part or joint named " + name);
-  return importance_for(wishes, skeleton);
 }
 
 }  // namespace mocapress::cli

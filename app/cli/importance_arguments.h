@@ -19,7 +19,7 @@ struct ImportanceArguments {
   NamedImportance named() const;
 
   /// Throws as named(), and when a name is neither part, joint nor "contacts".
-  Importance importance(const Skeleton& skeleton) const;
+  void require_names_of(const Skeleton& skeleton) const;
 };
 
 }  // namespace mocapress::cli

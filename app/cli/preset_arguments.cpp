@@ -3,13 +3,13 @@
 
 #include "app/cli/option_words.h"
 #include "core/base/error.h"
-#include "core/batch/preset_json.h"
+#include "core/mocapress/settings_json.h"
 
 namespace mocapress::cli {
 
 void PresetArguments::add_options(CLI::App& command) {
   std::string known;
-  for (const Preset& one : built_in_presets())
+  for (const Settings& one : built_in_presets())
     known += (known.empty() ? "" : ", ") + slug(one.name);
   command.add_option("--preset", preset, known + ", or a file [gameplay]")->type_name("P|FILE");
   command.add_option("--method", method, "Method, instead of the preset's")
@@ -57,8 +57,8 @@ void PresetArguments::add_options(CLI::App& command) {
   command.add_option("--seed", seed, "Seed of the annealing: same seed, same bytes");
 }
 
-Preset PresetArguments::read() const {
-  Preset read = find_preset(preset);
+Settings PresetArguments::read() const {
+  Settings read = find_preset(preset);
   if (!method.empty()) {
     read.method = method;
     read.coding.reset();
@@ -67,7 +67,7 @@ Preset PresetArguments::read() const {
   if (weighting) read.weighting = *weighting;
   if (target) read.target = *target;
   if (seed) read.seed = *seed;
-  if (!correction.ratio.empty()) read.correction = correction.of_preset();
+  if (!correction.ratio.empty()) read.correction = correction.settings();
   if (!importance.words.empty()) read.importance = importance.named();
   if (effort) read.effort = *effort;
   if (ends) read.ends = *ends;

@@ -8,7 +8,7 @@
 
 #include "app/cli/correction_arguments.h"
 #include "app/cli/importance_arguments.h"
-#include "core/batch/preset.h"
+#include "core/mocapress/settings.h"
 
 namespace mocapress::cli {
 
@@ -30,7 +30,7 @@ struct PresetArguments {
 
   /// Throws InputError where the preset cannot be read, CLI::ValidationError on what does not go
   /// together.
-  Preset read() const;
+  Settings read() const;
 };
 
 }  // namespace mocapress::cli

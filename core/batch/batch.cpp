@@ -61,7 +61,7 @@ std::vector<SourceClip> sources_of(const std::string& input) {
   }
 }
 
-std::string value_of(std::string_view word, const SourceClip& source, const Preset& preset) {
+std::string value_of(std::string_view word, const SourceClip& source, const Settings& preset) {
   if (word == "stem") return fs::path(source.path).stem().string();
   if (word == "folder") return source.folder.empty() ? "." : source.folder;
   if (word == "type") {
@@ -103,7 +103,8 @@ std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs) {
   return sources;
 }
 
-std::string output_name(std::string_view pattern, const SourceClip& source, const Preset& preset) {
+std::string output_name(std::string_view pattern, const SourceClip& source,
+                        const Settings& preset) {
   const std::string_view kept = without_format(pattern);
   std::string text;
   for (std::size_t at = 0; at < kept.size();) {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/batch/item_list.h"
-#include "core/batch/preset.h"
 #include "core/formats/motion_file.h"
+#include "core/mocapress/settings.h"
 
 namespace mocapress {
 
@@ -41,7 +41,7 @@ std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs);
 
 /// Everything that is asked for, but where it goes.
 struct Batch {
-  std::vector<Preset> presets;
+  std::vector<Settings> presets;
   std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
   ReadOptions reading;
   WriteOptions writing;  // of formats other than .mcpr
@@ -58,7 +58,7 @@ inline constexpr const char* kUsualNames = "{folder}/{stem}";
 /// and {method}. An extension of
 /// one of the formats at its end is left out: each file gets its own. Throws Error on any other
 /// {word}, an empty name and one that leaves the folder.
-std::string output_name(std::string_view pattern, const SourceClip& source, const Preset& preset);
+std::string output_name(std::string_view pattern, const SourceClip& source, const Settings& preset);
 
 /// An item of each, with the preset of that index.
 void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t preset,

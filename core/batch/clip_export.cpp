@@ -14,6 +14,7 @@
 #include "core/formats/asf.h"
 #include "core/formats/bvh.h"
 #include "core/formats/csv.h"
+#include "core/mocapress/encode_options.h"
 #include "core/report/loaded_clip.h"
 
 namespace mocapress {
@@ -288,7 +289,7 @@ class Export {
 
   const Batch& batch_;
   const BatchItem item_;
-  const Preset& preset_;
+  const Settings& preset_;
   const fs::path& folder_;
   const ExportRights& rights_;
   const Observer<ClipProgress>& observer_;

@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/fnv1a.h"
-#include "core/batch/preset_json.h"
+#include "core/mocapress/settings_json.h"
 
 namespace mocapress {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/batch/format_options_json.h"
-#include "core/batch/preset_json.h"
+#include "core/mocapress/settings_json.h"
 
 namespace mocapress {
 namespace {
@@ -37,7 +37,7 @@ std::string queue_text(const Batch& batch) {
                {"clips", Json::array()}};
   put(json, batch.reading);
   put(json, batch.writing, "out_");
-  for (const Preset& preset : batch.presets) json["presets"].push_back(to_json(preset));
+  for (const Settings& preset : batch.presets) json["presets"].push_back(to_json(preset));
   for (const OutputFormat format : batch.formats) json["formats"].push_back(name(format));
   for (const BatchItem item : batch.items) {
     Json reading;

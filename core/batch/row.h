@@ -29,7 +29,7 @@ struct BatchRow {
   std::string input;
   std::string output;
   ClipReview review = {};
-  Preset preset;
+  Settings preset;
   std::vector<OutputFormat> formats;
   ReadOptions reading;
   WriteOptions writing;
@@ -47,7 +47,7 @@ struct BatchRow {
 };
 
 /// Whether a measurement keeps what a preset promises: a ratio within 2 %, a bound not exceeded.
-bool keeps_promise(const Preset& preset, const Measurement& measured);
+bool keeps_promise(const Settings& preset, const Measurement& measured);
 
 /// One line of JSON without its end, with everything.
 std::string to_journal_line(const BatchRow& row);

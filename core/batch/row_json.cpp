@@ -3,8 +3,8 @@
 
 #include "core/base/error.h"
 #include "core/batch/format_options_json.h"
-#include "core/batch/preset_json.h"
 #include "core/batch/row.h"
+#include "core/mocapress/settings_json.h"
 #include "core/report/body_json.h"
 
 namespace mocapress {
@@ -80,7 +80,7 @@ Measurement measurement_from(const Json& json) {
 }
 
 Json report_json(const BatchRow& row) {
-  const Preset& preset = row.preset;
+  const Settings& preset = row.preset;
   Json json = {{"input", row.input},
                {"output", row.output},
                {"done", row.done()},
@@ -216,7 +216,7 @@ std::string csv_field(const Json& value) {
 
 }  // namespace
 
-bool keeps_promise(const Preset& preset, const Measurement& measured) {
+bool keeps_promise(const Settings& preset, const Measurement& measured) {
   return reached(preset.target, measured.quantity(preset.target.kind, preset.weighting));
 }
 

@@ -2,23 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <span>
-#include <string_view>
 
+#include "core/ik/ik_solver.h"
 #include "core/ik/limb.h"
 #include "core/runtime/solve.h"
 
 namespace mocapress {
-
-/// The values are part of the file format.
-enum class IkSolver : std::uint8_t {
-  CyclicDescent = 1,  // the paper's: one joint after the other, over and over
-  NearestPose = 2,    // what moves the limb least: two bones in closed form, else damped steps
-};
-
-/// "cyclic-descent", "nearest-pose".
-std::string_view name(IkSolver solver);
 
 struct IkOutcome {
   double miss_cm = 0;  // the largest distance left between an effector and its target

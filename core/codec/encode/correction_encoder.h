@@ -5,21 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "core/codec/encode/correct_at.h"
 #include "core/codec/encode/difference_fit.h"
 #include "core/codec/format/compressed_clip.h"
 #include "core/feet/contact_spans.h"
 #include "core/select/point_term.h"
 
 namespace mocapress {
-
-/// The frames at which effectors are brought to where the original has them.
-enum class CorrectAt {
-  EveryFrame,  // the paper's
-  Contacts,    // in contact spans, blended in and out beside them
-};
-
-/// "every-frame", "contacts".
-std::string_view name(CorrectAt at);
 
 struct CorrectionOptions {
   std::vector<int> joints;      // to be effectors; empty: the feet

@@ -8,6 +8,8 @@
 
 #include "core/base/progress.h"
 #include "core/codec/encode/correction_encoder.h"
+#include "core/codec/encode/effort.h"
+#include "core/codec/encode/encode_progress.h"
 #include "core/codec/encode/importance.h"
 #include "core/codec/encode/segments.h"
 #include "core/codec/encode/target.h"
@@ -18,16 +20,6 @@
 namespace mocapress {
 
 class ClipAnalysis;
-
-/// How long a closed loop may look for something smaller. The others know one effort only.
-enum class Effort {
-  Draft,    // while a slider moves: about the target, which is not promised
-  Default,  // the target is met
-  Best,     // a few per cent smaller, for some ten times the time
-};
-
-/// "draft", "default", "best".
-std::string_view name(Effort effort);
 
 struct EncodeOptions {
   Method method = Method::Annealed;
@@ -48,15 +40,6 @@ struct EncodeOptions {
 
 /// The coding that will be used: the closed loop has one of its own, whatever was asked for.
 Coding effective_coding(const EncodeOptions& options);
-
-/// The state of a running encode. A target other than the coefficient ratio takes several passes.
-struct EncodeProgress {
-  int pass = 0;        // from 0
-  int iteration = 0;   // of this pass's annealing, or sweeps of a closed loop
-  int step = 0;        // coefficients moved at a time: halves until it is 0; 0 in a closed loop
-  int first_step = 0;  // the step the pass began with
-  double eps_cm = 0;   // by the quadratic model, in the chosen weighting
-};
 
 /// What an IK correction did to a clip.
 struct CorrectionResult {

@@ -6,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/codec/encode/importance.h"
-
 namespace mocapress {
+
+class Skeleton;
+struct Importance;
 
 /// Importance before the skeleton is known: by the names of body parts and joints.
 struct NamedImportance {

@@ -3,29 +3,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
+#include "core/codec/format/coding.h"
 #include "core/select/ranking.h"
 
 namespace mocapress {
-
-/// How chosen coefficients become bytes. The values are part of the file format.
-enum class Coding : std::uint8_t {
-  Rle16 = 1,     // 16-bit words with runs of zeros
-  Deflate = 2,   // the same words, DEFLATE over all of them
-  Adaptive = 3,  // range coded, each bit predicted from what was coded before: adaptive.h
-};
-
-/// "rle16", "deflate", "adaptive".
-std::string_view name(Coding coding);
-
-/// Words, as opposed to Coding::Adaptive.
-constexpr bool uses_rle(Coding coding) {
-  return coding != Coding::Adaptive;
-}
 
 /// The kept coefficients as words: MOTN in FORMAT.md. A signal's digits need not be finer than what
 /// it drops. `scales` make signals comparable, as for StandardOrder.

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "core/batch/preset.h"
+#include "core/mocapress/settings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
 #include "core/baselines/compression_method.h"
-#include "core/batch/preset_json.h"
 #include "core/codec/encode/encoder.h"
 #include "core/metrics/body_figures.h"
+#include "core/mocapress/encode_options.h"
+#include "core/mocapress/settings_json.h"
 #include "resources/samples/generator/samples.h"
 #include "tests/support/test_motion.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Preset unusual_preset() {
+Settings unusual_preset() {
   return {.name = "Böss, \"held\"",
           .method = "annealed",
           .coding = Coding::Rle16,
@@ -26,11 +27,11 @@ Preset unusual_preset() {
           .seed = 0xffffffffffffffff,
           .effort = Effort::Best,
           .importance = {.factors = {{"feet", 4}, {"lhand", 0.5}}, .contacts = 20},
-          .correction = PresetCorrection{.ratio = 12.5,
-                                         .effectors = {"lhand", "rhand"},
-                                         .solver = IkSolver::CyclicDescent,
-                                         .at = CorrectAt::Contacts},
-          .contacts = std::vector<PresetContact>{{"lhand", 3, 9}, {"rhand end", 0, 1}}};
+          .correction = CorrectionSettings{.ratio = 12.5,
+                                           .effectors = {"lhand", "rhand"},
+                                           .solver = IkSolver::CyclicDescent,
+                                           .at = CorrectAt::Contacts},
+          .contacts = std::vector<ContactSetting>{{"lhand", 3, 9}, {"rhand end", 0, 1}}};
 }
 
 std::string complaint(const std::string& text) {
@@ -42,15 +43,15 @@ std::string complaint(const std::string& text) {
   return "";
 }
 
-TEST(Preset, ComesBackFromItsFileAsItWas) {
-  std::vector<Preset> presets(built_in_presets().begin(), built_in_presets().end());
+TEST(Settings, ComesBackFromItsFileAsItWas) {
+  std::vector<Settings> presets(built_in_presets().begin(), built_in_presets().end());
   presets.push_back(unusual_preset());
   EXPECT_EQ(parse_presets("", presets_text(presets)), presets);
   EXPECT_EQ(parse_presets("", presets_text({&presets.back(), 1})).front(), presets.back());
 }
 
 /// In degrees, RMS over a clip. On the corpus: mocapress batch CORPUS -o DIR --preset gameplay.
-TEST(Preset, BuiltInOnesKeepHeadsAndHandsWithinWhatTheyPromise) {
+TEST(Settings, BuiltInOnesKeepHeadsAndHandsWithinWhatTheyPromise) {
   const std::map<std::string, std::pair<double, double>> promises = {
       {"Hero close-up", {2.5 / 3, 4.0 / 3}}, {"Gameplay", {2.5, 4}}, {"Crowd", {7.5, 12}}};
   for (const Motion& motion : {samples::walk_clip(), samples::run_clip(), samples::jump_clip()}) {
@@ -64,8 +65,8 @@ TEST(Preset, BuiltInOnesKeepHeadsAndHandsWithinWhatTheyPromise) {
   }
 }
 
-TEST(Preset, AsksForNothingToSeeWithoutANumber) {
-  const Preset preset =
+TEST(Settings, AsksForNothingToSeeWithoutANumber) {
+  const Settings preset =
       parse_presets("", R"({"name": "a", "target": {"kind": "not-visible"}})").front();
   EXPECT_EQ(preset.target.kind, Target::Kind::Visibility);
   EXPECT_EQ(preset.target.value, 1);
@@ -73,13 +74,13 @@ TEST(Preset, AsksForNothingToSeeWithoutANumber) {
   EXPECT_EQ(target_text(preset.target), "not visible");
 }
 
-TEST(Preset, WhatAFileLeavesOutIsAsUsual) {
-  EXPECT_EQ(parse_presets("", R"({"name": "mine"})").front(), Preset{.name = "mine"});
+TEST(Settings, WhatAFileLeavesOutIsAsUsual) {
+  EXPECT_EQ(parse_presets("", R"({"name": "mine"})").front(), Settings{.name = "mine"});
 }
 
-TEST(Preset, EveryBuiltInOneIsValidAndFoundByNameAndSlug) {
+TEST(Settings, EveryBuiltInOneIsValidAndFoundByNameAndSlug) {
   ASSERT_EQ(built_in_presets().size(), 5u);
-  for (const Preset& preset : built_in_presets()) {
+  for (const Settings& preset : built_in_presets()) {
     EXPECT_NO_THROW(check(preset));
     EXPECT_EQ(find_preset(preset.name), preset);
     EXPECT_EQ(find_preset(slug(preset.name)), preset);
@@ -87,7 +88,30 @@ TEST(Preset, EveryBuiltInOneIsValidAndFoundByNameAndSlug) {
   EXPECT_EQ(slug("Hero close-up"), "hero-close-up");
 }
 
-TEST(Preset, AFileThatIsWrongIsRefusedWithThePlaceOrTheKey) {
+TEST(Settings, NeedNoNameAsJson) {
+  EXPECT_EQ(settings_from_json("{}"), Settings{});
+  EXPECT_EQ(settings_from_json(settings_to_json(unusual_preset())), unusual_preset());
+  Settings nameless = unusual_preset();
+  nameless.name.clear();
+  EXPECT_EQ(settings_from_json(settings_to_json(nameless)), nameless);
+}
+
+TEST(Settings, AsJsonThatIsWrongSayWhere) {
+  const auto complaint_of = [](const std::string& text) -> std::string {
+    try {
+      settings_from_json(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(complaint_of("{\n oops}"), HasSubstr("settings:2:2: "));
+  EXPECT_THAT(complaint_of(R"({"target": {"kind": "ratio", "value": 0}})"),
+              HasSubstr("target that is not above 0"));
+  EXPECT_THAT(complaint_of(R"({"speed": 3})"), HasSubstr("\"speed\" is not known"));
+}
+
+TEST(Settings, AFileThatIsWrongIsRefusedWithThePlaceOrTheKey) {
   EXPECT_THAT(complaint("{\n \"name\": \"a\",\n  oops}"), HasSubstr("mine.json:3:3: "));
   EXPECT_THAT(complaint("[]"), HasSubstr("no preset"));
   EXPECT_THAT(complaint("7"), HasSubstr("not a JSON object"));
@@ -107,7 +131,7 @@ TEST(Preset, AFileThatIsWrongIsRefusedWithThePlaceOrTheKey) {
   EXPECT_THROW(find_preset("no-such-preset"), InputError);
 }
 
-TEST(Preset, BecomesOptionsForASkeleton) {
+TEST(Settings, BecomesOptionsForASkeleton) {
   const Skeleton skeleton = test::small_skeleton();
   const EncodeOptions options = encode_options(unusual_preset(), skeleton);
   EXPECT_EQ(options.method, Method::Annealed);
@@ -117,7 +141,7 @@ TEST(Preset, BecomesOptionsForASkeleton) {
             (std::vector{skeleton.find("lhand"), skeleton.find("rhand")}));
   EXPECT_EQ(options.correction->ratio, 12.5);
   EXPECT_EQ(encode_options({}, skeleton).coding, Coding::Adaptive);
-  Preset other = unusual_preset();
+  Settings other = unusual_preset();
   other.correction->effectors = {"tail"};
   EXPECT_THROW(encode_options(other, skeleton), Error);
 }

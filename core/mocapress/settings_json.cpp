@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/batch/preset_json.h"
+#include "core/mocapress/settings_json.h"
 
 #include <algorithm>
 #include <climits>
@@ -81,16 +81,16 @@ class Keys {
   std::vector<std::string> taken_;
 };
 
-Json to_json(const PresetCorrection& correction) {
+Json to_json(const CorrectionSettings& correction) {
   return {{"ratio", correction.ratio ? Json(*correction.ratio) : Json(kFound)},
           {"effectors", correction.effectors},
           {"solver", name(correction.solver)},
           {"at", name(correction.at)}};
 }
 
-PresetCorrection correction_from(const Json& json, const std::string& of) {
+CorrectionSettings correction_from(const Json& json, const std::string& of) {
   Keys keys(json, of + ": \"ik\"");
-  PresetCorrection correction;
+  CorrectionSettings correction;
   const Json* ratio = keys.take("ratio");
   if (ratio && ratio->is_number())
     correction.ratio = ratio->get<double>();
@@ -141,23 +141,23 @@ NamedImportance importance_from(const Json& json, const Keys& keys) {
   return importance;
 }
 
-Json to_json(const std::vector<PresetContact>& contacts) {
+Json to_json(const std::vector<ContactSetting>& contacts) {
   Json json = Json::array();
-  for (const PresetContact& contact : contacts)
+  for (const ContactSetting& contact : contacts)
     json.push_back({{"joint", contact.point},
                     {"first_frame", contact.first_frame},
                     {"last_frame", contact.last_frame}});
   return json;
 }
 
-std::vector<PresetContact> contacts_from(const Json& json, const Keys& keys,
-                                         const std::string& of) {
-  std::vector<PresetContact> contacts;
+std::vector<ContactSetting> contacts_from(const Json& json, const Keys& keys,
+                                          const std::string& of) {
+  std::vector<ContactSetting> contacts;
   if (!json.is_array()) keys.refuse(kContacts, "is not a list of contacts");
   for (const Json& one : json) {
     Keys contact(one, of + ": a contact");
-    PresetContact read{contact.text("joint", ""), contact.frame("first_frame"),
-                       contact.frame("last_frame")};
+    ContactSetting read{contact.text("joint", ""), contact.frame("first_frame"),
+                        contact.frame("last_frame")};
     contact.end();
     if (read.point.empty() || read.first_frame < 0 || read.last_frame < read.first_frame)
       keys.refuse(kContacts, "is not a list of joints with a first and a last frame");
@@ -173,64 +173,83 @@ std::uint64_t seed_from(const Json& json, const Keys& keys) {
 
 }  // namespace
 
-Json to_json(const Preset& preset) {
-  Json json = {{"name", preset.name},
-               {"method", preset.method},
-               {"coding", preset.coding ? Json(name(*preset.coding)) : Json()},
-               {"weighting", name(preset.weighting)},
-               {"target", {{"kind", name(preset.target.kind)}, {"value", preset.target.value}}},
-               {"seed", preset.seed},
-               {"ik", preset.correction ? to_json(*preset.correction) : Json()}};
-  if (preset.effort != Effort::Default) json["effort"] = name(preset.effort);
-  if (!preset.importance.is_even()) json["importance"] = to_json(preset.importance);
-  if (preset.ends != Ends::Even) json["ends"] = name(preset.ends);
-  if (preset.loop) json["loop"] = name(*preset.loop);
-  if (preset.contacts) json[kContacts] = to_json(*preset.contacts);
+Json to_json(const Settings& settings) {
+  Json json = {{"name", settings.name},
+               {"method", settings.method},
+               {"coding", settings.coding ? Json(name(*settings.coding)) : Json()},
+               {"weighting", name(settings.weighting)},
+               {"target", {{"kind", name(settings.target.kind)}, {"value", settings.target.value}}},
+               {"seed", settings.seed},
+               {"ik", settings.correction ? to_json(*settings.correction) : Json()}};
+  if (settings.effort != Effort::Default) json["effort"] = name(settings.effort);
+  if (!settings.importance.is_even()) json["importance"] = to_json(settings.importance);
+  if (settings.ends != Ends::Even) json["ends"] = name(settings.ends);
+  if (settings.loop) json["loop"] = name(*settings.loop);
+  if (settings.contacts) json[kContacts] = to_json(*settings.contacts);
   return json;
 }
 
-Preset preset_from(const Json& json) {
-  Preset preset;
-  preset.name = Keys(json, "a preset").text("name", "");
-  if (preset.name.empty()) throw Error("a preset has no \"name\"");
-  const std::string of = "the preset \"" + preset.name + "\"";
+Settings settings_from(const Json& json) {
+  Settings settings;
+  settings.name = Keys(json, "what should be settings").text("name", "");
+  const std::string of =
+      settings.name.empty() ? "settings" : "the preset \"" + settings.name + "\"";
   Keys keys(json, of);
   keys.take("name");
-  preset.method = keys.text("method", preset.method);
+  settings.method = keys.text("method", settings.method);
   const Json* coding = keys.take("coding");
   if (coding && !coding->is_null())
-    preset.coding =
+    settings.coding =
         keys.word("coding", Coding::Deflate, {Coding::Rle16, Coding::Deflate, Coding::Adaptive});
-  preset.weighting = keys.word("weighting", preset.weighting, kWeightings);
-  if (const Json* target = keys.take("target")) preset.target = target_from(*target, of);
-  if (const Json* seed = keys.take("seed")) preset.seed = seed_from(*seed, keys);
+  settings.weighting = keys.word("weighting", settings.weighting, kWeightings);
+  if (const Json* target = keys.take("target")) settings.target = target_from(*target, of);
+  if (const Json* seed = keys.take("seed")) settings.seed = seed_from(*seed, keys);
   const Json* correction = keys.take("ik");
-  if (correction && !correction->is_null()) preset.correction = correction_from(*correction, of);
-  preset.effort =
-      keys.word("effort", preset.effort, {Effort::Draft, Effort::Default, Effort::Best});
-  preset.ends = keys.word("ends", preset.ends, {Ends::Free, Ends::Even, Ends::Exact});
+  if (correction && !correction->is_null()) settings.correction = correction_from(*correction, of);
+  settings.effort =
+      keys.word("effort", settings.effort, {Effort::Draft, Effort::Default, Effort::Best});
+  settings.ends = keys.word("ends", settings.ends, {Ends::Free, Ends::Even, Ends::Exact});
   if (const Json* loop = keys.take("loop"); loop && !loop->is_null())
-    preset.loop = keys.word("loop", Loop::None, {Loop::None, Loop::Repeats, Loop::Follows});
+    settings.loop = keys.word("loop", Loop::None, {Loop::None, Loop::Repeats, Loop::Follows});
   if (const Json* importance = keys.take("importance"))
-    preset.importance = importance_from(*importance, keys);
+    settings.importance = importance_from(*importance, keys);
   if (const Json* contacts = keys.take(kContacts))
-    preset.contacts = contacts_from(*contacts, keys, of);
+    settings.contacts = contacts_from(*contacts, keys, of);
   keys.end();
-  check(preset);
+  check(settings);
+  return settings;
+}
+
+Settings preset_from(const Json& json) {
+  Settings preset = settings_from(json);
+  if (preset.name.empty()) throw Error("a preset has no \"name\"");
   return preset;
 }
 
-std::string presets_text(std::span<const Preset> presets) {
+std::string settings_to_json(const Settings& settings) {
+  return dumped(to_json(settings));
+}
+
+Settings settings_from_json(const std::string& text) {
+  const Json json = parse_json("settings", text);
+  try {
+    return settings_from(json);
+  } catch (const Error& error) {
+    throw InputError("settings", 0, 0, error.what());
+  }
+}
+
+std::string presets_text(std::span<const Settings> presets) {
   Json all = Json::array();
-  for (const Preset& preset : presets) all.push_back(to_json(preset));
+  for (const Settings& preset : presets) all.push_back(to_json(preset));
   return dumped(presets.size() == 1 ? all.front() : all, 2) + '\n';
 }
 
-std::vector<Preset> parse_presets(const std::string& file, const std::string& text) {
+std::vector<Settings> parse_presets(const std::string& file, const std::string& text) {
   const Json json = parse_json(file, text);
   try {
     if (!json.is_array()) return {preset_from(json)};
-    std::vector<Preset> presets;
+    std::vector<Settings> presets;
     for (const Json& one : json) presets.push_back(preset_from(one));
     if (presets.empty()) throw Error("holds no preset");
     return presets;
@@ -241,9 +260,9 @@ std::vector<Preset> parse_presets(const std::string& file, const std::string& te
   }
 }
 
-Preset find_preset(const std::string& name_or_file) {
+Settings find_preset(const std::string& name_or_file) {
   std::string known;
-  for (const Preset& preset : built_in_presets()) {
+  for (const Settings& preset : built_in_presets()) {
     if (slug(preset.name) == slug(name_or_file)) return preset;
     known += ", " + slug(preset.name);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/batch/preset.h"
+#include "core/mocapress/settings.h"
 
 #include <algorithm>
 #include <cctype>
@@ -8,32 +8,19 @@
 #include "core/base/error.h"
 #include "core/baselines/comparison_method.h"
 #include "core/baselines/compression_method.h"
+#include "core/codec/encode/encoder.h"
 #include "core/report/markup.h"
 
 namespace mocapress {
 namespace {
 
-bool is_closed_loop(const Preset& preset) {
-  return preset.method == name(Method::ClosedLoop);
-}
-
-std::vector<ContactSpan> contacts_for(const std::vector<PresetContact>& contacts,
-                                      const Skeleton& skeleton) {
-  const std::vector<Landmark> points = landmarks(skeleton);
-  std::vector<ContactSpan> spans;
-  for (const PresetContact& contact : contacts) {
-    const auto point = std::find_if(points.begin(), points.end(),
-                                    [&](const Landmark& one) { return one.name == contact.point; });
-    if (point == points.end()) throw Error("the skeleton has no joint named " + contact.point);
-    spans.push_back(
-        {static_cast<int>(point - points.begin()), contact.first_frame, contact.last_frame});
-  }
-  return spans;
+bool is_closed_loop(const Settings& settings) {
+  return settings.method == name(Method::ClosedLoop);
 }
 
 }  // namespace
 
-std::span<const Preset> built_in_presets() {
+std::span<const Settings> built_in_presets() {
   // Heads and hands are looked at more than they have skin, and feet stand. With these factors no
   // head of the corpus is turned by more than 2.5 degrees at gameplay, no hand by more than 4 (RMS
   // over a clip), close up by a third, in a crowd by three times of that.
@@ -42,7 +29,7 @@ std::span<const Preset> built_in_presets() {
   NamedImportance planted = looks;
   planted.contacts = 20;
   constexpr Weighting kSkin = Weighting::Surface;
-  static const std::vector<Preset> presets = {
+  static const std::vector<Settings> presets = {
       {.name = "Hero close-up",
        .weighting = kSkin,
        .target = {Target::Kind::Error, 0.065},
@@ -78,59 +65,37 @@ std::string slug(std::string_view name) {
   return word;
 }
 
-std::optional<Coding> coding_of(const Preset& preset) {
-  if (find_comparison_method(preset.method)) return std::nullopt;
-  return is_closed_loop(preset) ? Coding::Adaptive : preset.coding.value_or(Coding::Deflate);
+std::optional<Coding> coding_of(const Settings& settings) {
+  if (find_comparison_method(settings.method)) return std::nullopt;
+  return is_closed_loop(settings) ? Coding::Adaptive : settings.coding.value_or(Coding::Deflate);
 }
 
-void check(const Preset& preset) {
+void check(const Settings& settings) {
   const auto refuse = [&](const std::string& why) {
-    throw Error("the preset \"" + preset.name + "\" " + why);
+    throw Error(
+        (settings.name.empty() ? "the compression " : "the preset \"" + settings.name + "\" ") +
+        why);
   };
-  if (!find_compression_method(preset.method)) refuse("has an unknown method: " + preset.method);
-  const bool of_wavelets = find_comparison_method(preset.method) == nullptr;
-  if (is_closed_loop(preset) && preset.coding.value_or(Coding::Adaptive) != Coding::Adaptive)
+  if (!find_compression_method(settings.method)) refuse("has an unknown method: " + settings.method);
+  const bool of_wavelets = find_comparison_method(settings.method) == nullptr;
+  if (is_closed_loop(settings) && settings.coding.value_or(Coding::Adaptive) != Coding::Adaptive)
     refuse("has a coding other than adaptive, the only one of the closed loop");
-  if (!std::isfinite(preset.target.value) || preset.target.value <= 0)
+  if (!std::isfinite(settings.target.value) || settings.target.value <= 0)
     refuse("has a target that is not above 0");
-  if (!of_wavelets && preset.target.kind == Target::Kind::CoefficientRatio)
+  if (!of_wavelets && settings.target.kind == Target::Kind::CoefficientRatio)
     refuse("has a coefficient ratio, a target of wavelet methods only");
-  if (preset.effort == Effort::Draft)
+  if (settings.effort == Effort::Draft)
     refuse("has the effort draft, which does not promise its target");
   const auto check_factor = [&](double factor, const std::string& of) {
     if (!std::isfinite(factor) || factor < 0)
       refuse("has an importance of " + of + " that is not a number of 0 or more");
   };
-  check_factor(preset.importance.contacts, "contacts");
-  for (const auto& [name, factor] : preset.importance.factors) check_factor(factor, name);
-  if (!preset.correction) return;
+  check_factor(settings.importance.contacts, "contacts");
+  for (const auto& [name, factor] : settings.importance.factors) check_factor(factor, name);
+  if (!settings.correction) return;
   if (!of_wavelets) refuse("has an IK correction, which can correct wavelet methods only");
-  const double ratio = preset.correction->ratio.value_or(1);
+  const double ratio = settings.correction->ratio.value_or(1);
   if (!std::isfinite(ratio) || ratio <= 0) refuse("has an IK ratio that is not above 0");
-}
-
-EncodeOptions encode_options(const Preset& preset, const Skeleton& skeleton) {
-  EncodeOptions options{.coding = coding_of(preset).value_or(Coding::Deflate),
-                        .weighting = preset.weighting,
-                        .target = preset.target,
-                        .seed = preset.seed,
-                        .effort = preset.effort,
-                        .importance = importance_for(preset.importance, skeleton),
-                        .ends = preset.ends,
-                        .loop = preset.loop};
-  if (const CompressionMethod* compression_method = find_compression_method(preset.method))
-    choose_wavelets(*compression_method, options);
-  if (preset.contacts) options.contacts = contacts_for(*preset.contacts, skeleton);
-  if (!preset.correction) return options;
-  const PresetCorrection& wanted = *preset.correction;
-  options.correction =
-      CorrectionOptions{.ratio = wanted.ratio, .solver = wanted.solver, .at = wanted.at};
-  for (const std::string& effector : wanted.effectors) {
-    const int joint = skeleton.find(effector);
-    if (joint < 0) throw Error("the skeleton has no joint named " + effector);
-    options.correction->joints.push_back(joint);
-  }
-  return options;
 }
 
 std::string target_text(const Target& target) {

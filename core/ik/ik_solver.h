@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace mocapress {
+
+/// Who turns the joints of a limb. The values are part of the file format.
+enum class IkSolver : std::uint8_t {
+  CyclicDescent = 1,  // the paper's: one joint after the other, over and over
+  NearestPose = 2,    // what moves the limb least: two bones in closed form, else damped steps
+};
+
+/// "cyclic-descent", "nearest-pose".
+std::string_view name(IkSolver solver);
+
+}  // namespace mocapress

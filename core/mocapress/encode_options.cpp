@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "core/mocapress/encode_options.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/baselines/compression_method.h"
+
+namespace mocapress {
+namespace {
+
+std::vector<ContactSpan> contacts_for(const std::vector<ContactSetting>& contacts,
+                                      const Skeleton& skeleton) {
+  const std::vector<Landmark> points = landmarks(skeleton);
+  std::vector<ContactSpan> spans;
+  for (const ContactSetting& contact : contacts) {
+    const auto point = std::find_if(points.begin(), points.end(),
+                                    [&](const Landmark& one) { return one.name == contact.point; });
+    if (point == points.end()) throw Error("the skeleton has no joint named " + contact.point);
+    spans.push_back(
+        {static_cast<int>(point - points.begin()), contact.first_frame, contact.last_frame});
+  }
+  return spans;
+}
+
+}  // namespace
+
+EncodeOptions encode_options(const Settings& settings, const Skeleton& skeleton) {
+  EncodeOptions options{.coding = coding_of(settings).value_or(Coding::Deflate),
+                        .weighting = settings.weighting,
+                        .target = settings.target,
+                        .seed = settings.seed,
+                        .effort = settings.effort,
+                        .importance = importance_for(settings.importance, skeleton),
+                        .ends = settings.ends,
+                        .loop = settings.loop};
+  if (const CompressionMethod* compression_method = find_compression_method(settings.method))
+    choose_wavelets(*compression_method, options);
+  if (settings.contacts) options.contacts = contacts_for(*settings.contacts, skeleton);
+  if (!settings.correction) return options;
+  const CorrectionSettings& wanted = *settings.correction;
+  options.correction =
+      CorrectionOptions{.ratio = wanted.ratio, .solver = wanted.solver, .at = wanted.at};
+  for (const std::string& effector : wanted.effectors) {
+    const int joint = skeleton.find(effector);
+    if (joint < 0) throw Error("the skeleton has no joint named " + effector);
+    options.correction->joints.push_back(joint);
+  }
+  return options;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// What to compress clips by. The same struct, JSON form and checks serve the library, the command
+// line, presets and projects of the studio, and batches.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/codec/encode/correct_at.h"
+#include "core/codec/encode/effort.h"
+#include "core/codec/encode/named_importance.h"
+#include "core/codec/encode/target.h"
+#include "core/codec/format/coded_ends.h"
+#include "core/codec/format/coding.h"
+#include "core/ik/ik_solver.h"
+#include "core/motion/landmarks.h"
+#include "core/motion/loop.h"
+
+namespace mocapress {
+
+/// Feet (or other joints) held in place by inverse kinematics when the clip is played.
+struct CorrectionSettings {
+  std::optional<double> ratio;         // r_IK: coefficients of the correction / kept ones, above 0;
+                                       // unset: the encoder finds it
+  std::vector<std::string> effectors;  // joints by name; empty: the feet
+  IkSolver solver = IkSolver::NearestPose;
+  CorrectAt at = CorrectAt::EveryFrame;
+
+  bool operator==(const CorrectionSettings&) const = default;
+};
+
+/// A foot on the ground in one clip, as somebody edited it.
+struct ContactSetting {
+  std::string point;  // a landmark's name: a joint's, or "<joint> end"
+  int first_frame = 0;
+  int last_frame = 0;  // included
+
+  bool operator==(const ContactSetting&) const = default;
+};
+
+/// By what to compress any clip; joints go by their names, for no skeleton is known yet. With a
+/// name it is a preset.
+struct Settings {
+  std::string name;                    // of a preset; empty: none
+  std::string method = "closed-loop";  // of compression_methods(): what `mocapress compress` has
+  std::optional<Coding> coding;        // unset: the method's usual one
+  Weighting weighting = Weighting::BoneEnds;  // what errors are measured on
+  Target target{Target::Kind::Error, 0.5};    // cm
+  std::uint64_t seed = 1;           // of the annealing; the same seed gives the same bytes
+  Effort effort = Effort::Default;  // not Draft, which promises nothing
+  NamedImportance importance;       // what more care is taken of
+  Ends ends = Ends::Even;           // what is promised of the first and the last pose
+  std::optional<Loop> loop;         // unset: the encoder finds whether the clip is one
+  std::optional<CorrectionSettings> correction;         // unset: without IK correction
+  std::optional<std::vector<ContactSetting>> contacts;  // edited ones, of the one clip they are
+                                                        // for; unset: found
+
+  bool operator==(const Settings&) const = default;
+};
+
+/// Throws Error for what no clip can be compressed by: an unknown method, a coding, target or
+/// correction that the method does not have, a target that is not above 0.
+void check(const Settings& settings);
+
+/// One JSON object on one line, which settings_from_json() reads:
+///   {"name": "Mine", "method": "closed-loop", "coding": null, "weighting": "bone-ends",
+///    "target": {"kind": "error", "value": 0.5}, "seed": 1,
+///    "ik": {"ratio": "auto", "effectors": [], "solver": "nearest-pose", "at": "every-frame"},
+///    "effort": "best", "importance": {"feet": 4, "lwrist": 2, "contacts": 20}, "ends": "even",
+///    "loop": "none", "contacts": [{"joint": "lfoot", "first_frame": 10, "last_frame": 25}]}
+std::string settings_to_json(const Settings& settings);
+
+/// The inverse; what is left out is as in Settings{}, and "ik": null is none. Throws InputError
+/// with line and column for what is no JSON; for an unknown key, a value of another kind, or what
+/// check() refuses, it says which.
+Settings settings_from_json(const std::string& text);
+
+/// "Hero close-up", "Gameplay", "Planted feet", "Crowd", "Archive".
+std::span<const Settings> built_in_presets();
+
+/// A built-in preset by its name or slug(), else the first of a file. Throws InputError.
+Settings find_preset(const std::string& name_or_file);
+
+/// A name as a word: "hero-close-up".
+std::string slug(std::string_view name);
+
+/// The coding it will be; unset for comparison methods.
+std::optional<Coding> coding_of(const Settings& settings);
+
+/// "eps_x 0.5 cm", "max 0.5 cm", "not visible", "20:1", "40000 bytes", "r = 30".
+std::string target_text(const Target& target);
+
+}  // namespace mocapress

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Settings as JSON values: the form is that of settings_to_json(). A file of presets has one such
+// object, or an array of them.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/mocapress/settings.h"
+
+namespace mocapress {
+
+nlohmann::ordered_json to_json(const Settings& settings);
+
+/// Throws Error, which says what is wrong with which key.
+Settings settings_from(const nlohmann::ordered_json& json);
+
+/// The same of what must have a name.
+Settings preset_from(const nlohmann::ordered_json& json);
+
+/// A file's text.
+std::string presets_text(std::span<const Settings> presets);
+
+/// Its presets. Throws InputError, with line and column where it is no JSON.
+std::vector<Settings> parse_presets(const std::string& file, const std::string& text);
+
+/// The text as JSON. Throws InputError with line and column.
+nlohmann::ordered_json parse_json(const std::string& file, const std::string& text);
+
+/// On one line; bytes that are not UTF-8, as file names may have, are replaced.
+std::string dumped(const nlohmann::ordered_json& json, int indent = -1);
+
+}  // namespace mocapress
