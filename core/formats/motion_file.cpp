@@ -18,6 +18,28 @@ bool has_extension(const path& file, std::string_view extension) {
   return equals_ignoring_case(file.extension().string(), extension);
 }
 
+/// Throws InputError unless the extension is one of a motion.
+void require_motion(const path& file) {
+  if (has_extension(file, ".asf"))
+    throw InputError(file.string(), 0, 0,
+                     "is a skeleton without motion: open one of its .amc files");
+  if (!has_extension(file, ".bvh") && !has_extension(file, ".amc"))
+    throw InputError(file.string(), 0, 0, "is neither .bvh nor .amc");
+}
+
+struct SkeletonText {
+  path file;
+  std::string text;
+};
+
+MotionFile parse(const path& file, std::string_view text, const SkeletonText& asf,
+                 const ReadOptions& options) {
+  require_motion(file);
+  if (has_extension(file, ".bvh")) return read_bvh(file.string(), text, options);
+  const AsfSkeleton skeleton = read_asf(asf.file.string(), asf.text, options.cm_per_unit);
+  return read_amc(file.string(), text, skeleton, options);
+}
+
 }  // namespace
 
 path find_skeleton(const path& amc) {
@@ -34,18 +56,19 @@ path find_skeleton(const path& amc) {
       "needs its skeleton, but neither " + stem + ".asf nor " + subject + ".asf is beside it");
 }
 
+MotionFile parse_motion(const path& file, std::string_view text, std::string_view skeleton_text,
+                        const ReadOptions& options) {
+  return parse(file, text, {path(file).replace_extension(".asf"), std::string(skeleton_text)},
+               options);
+}
+
 MotionFile read_motion(const path& file, const std::optional<path>& skeleton_path,
                        const ReadOptions& options) {
-  if (has_extension(file, ".bvh")) return read_bvh(file.string(), read_text(file), options);
-  if (has_extension(file, ".asf"))
-    throw InputError(file.string(), 0, 0,
-                     "is a skeleton without motion: open one of its .amc files");
-  if (!has_extension(file, ".amc"))
-    throw InputError(file.string(), 0, 0, "is neither .bvh nor .amc");
-  const std::string motion_text = read_text(file);
+  require_motion(file);
+  const std::string text = read_text(file);
+  if (!has_extension(file, ".amc")) return parse(file, text, {}, options);
   const path asf = skeleton_path ? *skeleton_path : find_skeleton(file);
-  const AsfSkeleton skeleton = read_asf(asf.string(), read_text(asf), options.cm_per_unit);
-  return read_amc(file.string(), motion_text, skeleton, options);
+  return parse(file, text, {asf, read_text(asf)}, options);
 }
 
 Motion exported_motion(const Motion& motion, const SourceFormat& source,

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/motion/clip.h"
@@ -36,6 +37,11 @@ struct MotionFile {
 /// The .asf beside an .amc, of the same name or of the part before '_' (09_01.amc: 09_01.asf,
 /// 09.asf), whatever the case of the extension. Throws InputError when there is none.
 std::filesystem::path find_skeleton(const std::filesystem::path& amc);
+
+/// Reads the text of a .bvh or, with the text of its .asf, of an .amc. `file` names it in messages,
+/// and its extension says which of both it is. Throws InputError.
+MotionFile parse_motion(const std::filesystem::path& file, std::string_view text,
+                        std::string_view skeleton_text = {}, const ReadOptions& options = {});
 
 /// Reads .bvh or .amc by its extension. An .amc needs its skeleton: `skeleton_path`, or else what
 /// find_skeleton() finds. Throws InputError.

@@ -21,6 +21,9 @@ class RuntimeClip {
 
   mcpr_clip_info info() const { return mcpr_clip_describe(clip_); }
 
+  /// For the C interface; lives as long as this.
+  const mcpr_clip* get() const { return clip_; }
+
   /// Whether joints and channels are these, to the 32-bit floats that the file has. What turned
   /// axes a joint has is not told.
   bool has_joints_of(const Skeleton& skeleton) const;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "core/mocapress/encode.h"
+
+#include "core/codec/format/source_section.h"
+#include "core/mocapress/encode_options.h"
+#include "core/report/loaded_clip.h"
+
+namespace mocapress {
+
+ClipEncoder::ClipEncoder(MotionFile source)
+    : clip_(std::make_unique<const LoadedClip>(std::move(source))) {}
+
+ClipEncoder::~ClipEncoder() = default;
+
+const Motion& ClipEncoder::motion() const {
+  return clip_->motion();
+}
+
+Encoded ClipEncoder::encode(const Settings& settings, const Observer<EncodeProgress>& observer,
+                            const std::stop_token& stop) const {
+  check(settings);
+  EncodeOptions options = encode_options(settings, motion().skeleton);
+  options.figures_only = true;
+  Compression made = clip_->encoder().compress(
+      *find_compression_method(settings.method), options, [&](const EncodeProgress& progress) {
+        return !stop.stop_requested() && should_continue(observer, progress);
+      });
+  made.file = with_source(made.file, clip_->source());
+  std::optional<std::size_t> edited;
+  if (options.contacts) edited = options.contacts->size();
+  const Measurement measurement = clip_->measure(made, edited);
+  return {std::move(made.file), measurement, made.complete};
+}
+
+Encoded encode(const MotionFile& source, const Settings& settings,
+               const Observer<EncodeProgress>& observer, const std::stop_token& stop) {
+  return ClipEncoder(source).encode(settings, observer, stop);
+}
+
+}  // namespace mocapress

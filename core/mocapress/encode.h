@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/codec/encode/encode_progress.h"
+#include "core/mocapress/motion.h"
+#include "core/mocapress/settings.h"
+#include "core/report/measurement.h"
+
+namespace mocapress {
+
+class LoadedClip;
+
+/// A compressed motion.
+struct Encoded {
+  std::vector<std::byte> file;  // all of a .mcpr
+  Measurement measurement;      // what it decodes to, against its original
+  bool complete = true;         // false: stopped early; the file is the best there was till then,
+                                // and need not meet its target
+};
+
+/// Compresses one motion, as often and by whatever settings one likes: what does not depend on them
+/// is computed once, when first needed. Const and safe to use from several threads at a time.
+class ClipEncoder {
+ public:
+  /// `source.motion` is all that counts; what else is there is kept in the file, so that a motion
+  /// written from it can be as its source was.
+  explicit ClipEncoder(MotionFile source);
+  ~ClipEncoder();
+
+  const Motion& motion() const;
+
+  /// `observer` is called on the calling thread, some ten times a second or oftener, and answers
+  /// whether to continue; so does `stop`. Work is spread over all processors.
+  ///
+  /// Throws Error for settings that check() refuses or that name a joint the skeleton lacks, and
+  /// TargetMissed when nothing meets the target; its what() gives the best there is.
+  Encoded encode(const Settings& settings, const Observer<EncodeProgress>& observer = {},
+                 const std::stop_token& stop = {}) const;
+
+ private:
+  std::unique_ptr<const LoadedClip> clip_;
+};
+
+/// The same, once.
+Encoded encode(const MotionFile& source, const Settings& settings,
+               const Observer<EncodeProgress>& observer = {}, const std::stop_token& stop = {});
+
+}  // namespace mocapress

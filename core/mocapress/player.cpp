@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "core/mocapress/player.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/baselines/compared_file.h"
+#include "core/codec/decode/runtime_clip.h"
+#include "core/codec/format/source_section.h"
+
+namespace mocapress {
+
+struct Player::Parts {
+  RuntimeClip clip;
+  mcpr_clip_info info;
+  Skeleton skeleton;
+
+  /// One instant, into as many floats as the output has.
+  void decode(mcpr_output output, double seconds, AtEnds at_ends, float* out) const {
+    const mcpr_request request{.output = output, .corrected = 1};
+    const AlignedBytes scratch(mcpr_scratch_bytes(clip.get(), &request));
+    if (!std::isfinite(seconds)) throw Error("an instant that is not finite");
+    const double frame = seconds * info.sample_rate;
+    const mcpr_result result =
+        at_ends == AtEnds::Loop
+            ? mcpr_decode_looped(clip.get(), &request, frame, out, scratch.data(), scratch.size())
+            : mcpr_decode_moment(clip.get(), &request,
+                                 std::clamp(frame, 0.0, static_cast<double>(info.frames) - 1), out,
+                                 scratch.data(), scratch.size());
+    if (result.status != MCPR_OK) throw Error(result.message);
+  }
+};
+
+Eigen::Quaternionf LocalPose::rotation(int joint) const {
+  const auto column = joints.col(joint);
+  return {column[0], column[1], column[2], column[3]};
+}
+
+Player::Player(std::span<const std::byte> file) {
+  RuntimeClip clip(file);
+  const mcpr_clip_info info = clip.info();
+  if (info.frames == 0) throw Error("the clip has no frames");
+  parts_ = std::make_unique<const Parts>(
+      Parts{std::move(clip), info, read_coded_mcpr(file).compressed.skeleton});
+}
+
+Player::~Player() = default;
+
+const Skeleton& Player::skeleton() const {
+  return parts_->skeleton;
+}
+
+int Player::frames() const {
+  return static_cast<int>(parts_->info.frames);
+}
+
+double Player::sample_rate_hz() const {
+  return parts_->info.sample_rate;
+}
+
+double Player::seconds() const {
+  const int steps = is_loop() ? static_cast<int>(parts_->info.loop_frames) : frames() - 1;
+  return steps / sample_rate_hz();
+}
+
+bool Player::is_loop() const {
+  return parts_->info.loop_frames > 0;
+}
+
+LocalPose Player::sample(double seconds, AtEnds at_ends) const {
+  LocalPose pose;
+  pose.joints.resize(7, skeleton().joint_count());
+  parts_->decode(MCPR_LOCAL, seconds, at_ends, pose.joints.data());
+  return pose;
+}
+
+Eigen::Matrix3Xf Player::positions(double seconds, AtEnds at_ends) const {
+  Eigen::Matrix3Xf places(3, skeleton().joint_count());
+  parts_->decode(MCPR_POSITIONS, seconds, at_ends, places.data());
+  return places;
+}
+
+MotionFile decompress(std::span<const std::byte> file) {
+  OpenedMcpr opened = read_mcpr(file);
+  return {.motion = {std::move(opened.compressed.skeleton), std::move(opened.decoded)},
+          .source = source_of(file)};
+}
+
+}  // namespace mocapress
