@@ -108,7 +108,9 @@ void add_compress(CLI::App& app) {
   call->source.add_options(*command);
   command->add_option("-o,--output", call->output, "Where to write; without it, only measure")
       ->type_name("OUT.mcpr");
-  command->add_option("--method", call->settings.method, "Wavelets, or a method they are compared with")
+  command
+      ->add_option("--method", call->settings.method,
+                   "Wavelets, or a method they are compared with")
       ->transform(one_of_the_methods())
       ->capture_default_str();
   command
@@ -148,14 +150,15 @@ void add_compress(CLI::App& app) {
   call->correction.add_options(*command);
   call->contacts.add_options(*command);
   call->importance.add_options(*command);
-  command
-      ->add_option("--effort", call->effort, "Search effort of the closed loop [default]")
+  command->add_option("--effort", call->effort, "Search effort of the closed loop [default]")
       ->transform(one_of({Effort::Draft, Effort::Default, Effort::Best}));
-  command->add_option("--ends", call->settings.ends, "First and last pose of the closed loop [even]")
+  command
+      ->add_option("--ends", call->settings.ends, "First and last pose of the closed loop [even]")
       ->transform(one_of({Ends::Free, Ends::Even, Ends::Exact}));
   command->add_option("--loop", call->settings.loop, "Whether the clip is a loop [found]")
       ->transform(one_of({Loop::None, Loop::Repeats, Loop::Follows}));
-  command->add_option("--seed", call->settings.seed, "Seed of the annealing: same seed, same bytes");
+  command->add_option("--seed", call->settings.seed,
+                      "Seed of the annealing: same seed, same bytes");
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });
 }

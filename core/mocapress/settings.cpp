@@ -76,7 +76,8 @@ void check(const Settings& settings) {
         (settings.name.empty() ? "the compression " : "the preset \"" + settings.name + "\" ") +
         why);
   };
-  if (!find_compression_method(settings.method)) refuse("has an unknown method: " + settings.method);
+  if (!find_compression_method(settings.method))
+    refuse("has an unknown method: " + settings.method);
   const bool of_wavelets = find_comparison_method(settings.method) == nullptr;
   if (is_closed_loop(settings) && settings.coding.value_or(Coding::Adaptive) != Coding::Adaptive)
     refuse("has a coding other than adaptive, the only one of the closed loop");

@@ -17,8 +17,8 @@ struct Neighbours {
   int count;
 };
 
-/// Of odd sample `odd`, which lies between even samples `odd` and `odd + 1`. One after the last even
-/// sample goes on from two: a cubic through four would make 3.4 times their errors of it.
+/// Of odd sample `odd`, which lies between even samples `odd` and `odd + 1`. One after the last
+/// even sample goes on from two: a cubic through four would make 3.4 times their errors of it.
 constexpr Neighbours neighbours_of(Wavelet wavelet, int odd, int evens) {
   if (wavelet == Wavelet::Haar) return {odd, 1};
   const bool within = wavelet == Wavelet::Cubic && odd + 1 < evens;

@@ -88,9 +88,9 @@ TEST(Library, PlaysWhatItDecompresses) {
       Eigen::Isometry3f& own = world[static_cast<std::size_t>(j)];
       own = Eigen::Translation3f(pose.translation(j)) * pose.rotation(j);
       if (parent >= 0) own = world[static_cast<std::size_t>(parent)] * own;
-      EXPECT_LT((places.col(j).cast<double>() - tracks.row(frame).segment<3>(3 * j).transpose())
-                    .norm(),
-                2e-3);
+      EXPECT_LT(
+          (places.col(j).cast<double>() - tracks.row(frame).segment<3>(3 * j).transpose()).norm(),
+          2e-3);
       EXPECT_LT((own.translation() - places.col(j)).norm(), 2e-3);
     }
   }
