@@ -1,27 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/studio/document/settings_json.h"
+#include "app/studio/document/named_settings.h"
+#include "tests/support/test_motion.h"
 
 namespace mocapress::test {
 
-/// Every setting of a clip is another than at first.
+/// Every setting of a clip of smooth_motion() is another than at first, so far as they go together.
 inline ClipSettings elaborate() {
   ClipSettings settings;
-  settings.encode = {.method = Method::ClosedLoop,
+  settings.encode = {.method = Method::Standard,
                      .coding = Coding::Rle16,
                      .basis = Basis::Linear,
                      .weighting = Weighting::JointOrigins,
                      .target = {Target::Kind::MaxError, 1.25},
                      .seed = 0xffff'ffff'ffff'fff1,
                      .effort = Effort::Best,
-                     .importance = {.joints = {1, 0.5, 4}, .contacts = 20}};
+                     .importance = {.joints = {1, 0.5, 4, 1, 7, 1, 0, 1}, .contacts = 20},
+                     .ends = Ends::Exact,
+                     .loop = Loop::Follows};
   settings.preset = QStringLiteral("Mine");
-  settings.encode.correction =
-      CorrectionOptions{.joints = {4, 7}, .ratio = 12.5, .at = CorrectAt::Contacts};
+  settings.encode.correction = CorrectionOptions{.joints = {4, 7},
+                                                 .ratio = 12.5,
+                                                 .solver = IkSolver::CyclicDescent,
+                                                 .at = CorrectAt::Contacts};
   settings.encode.contacts = std::vector<ContactSpan>{{4, 10, 20}, {7, 0, 3}};
   settings.contacts.begin_speed = 12;
   return settings;
+}
+
+inline NamedSettings elaborateByName() {
+  return namedSettings(elaborate(), small_skeleton());
 }
 
 }  // namespace mocapress::test

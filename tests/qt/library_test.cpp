@@ -12,6 +12,7 @@
 
 #include "app/studio/document/session.h"
 #include "core/formats/motion_file.h"
+#include "core/motion/landmarks.h"
 #include "tests/support/test_motion.h"
 #include "widgets/models/library_model.h"
 
@@ -327,19 +328,6 @@ TEST_F(InALibrary, AProjectThatIsGoneOrUnreadableIsSaidAndANewOneBegins) {
   }
 }
 
-TEST_F(InALibrary, TakesOverTheProjectThatEarlierVersionsKept) {
-  const QString walk = clip("walk.bvh", 1);
-  Project project;
-  project.clips = {{.path = walk, .note = QStringLiteral("old")}};
-  writeProject(data() + QStringLiteral("/session.mocapress"), project);
-  Run run;
-  EXPECT_TRUE(run.library.begin(data()));
-  ASSERT_EQ(run.library.project().clips.size(), 1u);
-  EXPECT_EQ(run.library.project().clips[0].path, walk);
-  EXPECT_EQ(run.library.project().clips[0].note, QStringLiteral("old"));
-  EXPECT_FALSE(QFile::exists(data() + QStringLiteral("/session.mocapress")));
-}
-
 TEST_F(InALibrary, AnotherOutcomeTakesTheVerdictBack) {
   Run run;
   settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
@@ -425,7 +413,7 @@ TEST_F(InALibrary, AClipThatWasRemovedComesBackAsItWas) {
   const ProjectClip& back = run.library.project().clips[0];
   EXPECT_EQ(back.path, walk);
   EXPECT_EQ(back.note, QStringLiteral("knee"));
-  EXPECT_EQ(back.settings->encode.target.value, 20);
+  EXPECT_EQ(back.settings->preset.target.value, 20);
   EXPECT_EQ(run.model.entry(0).path, walk);
 }
 
@@ -447,7 +435,7 @@ TEST_F(InALibrary, ClipsThatWereAddedAreTakenOutAgainAndComeBackAsTheyWere) {
   run.library.history()->redo();
   ASSERT_EQ(run.model.rowCount(), 2);
   EXPECT_EQ(run.model.entry(1).path, jump);
-  EXPECT_EQ(run.library.project().clips[1].settings->encode.target.value, 30);
+  EXPECT_EQ(run.library.project().clips[1].settings->preset.target.value, 30);
 }
 
 TEST_F(InALibrary, AChangeOfFileLosesNothingOfTheOneBefore) {
@@ -486,7 +474,7 @@ TEST_F(InALibrary, GivesClipsToABatchWithTheSettingsTheyWereTunedBy) {
   const std::vector<TunedClip> all = run.library.tuned({});
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].path, walk);
-  EXPECT_EQ(all[0].settings->encode.target.value, 20);
+  EXPECT_EQ(all[0].settings->preset.target.value, 20);
   EXPECT_FALSE(all[1].settings);
   ASSERT_EQ(run.library.tuned({1}).size(), 1u);
   EXPECT_EQ(run.library.tuned({1})[0].path, all[1].path);
@@ -550,9 +538,10 @@ TEST_F(InALibrary, SlotsAreSwitchedCopiedAndUndone) {
 
 TEST_F(InALibrary, SettingsThatDoNotFitTheClipAreLeftOut) {
   const QString walk = clip("walk.bvh", 1);
-  ClipSettings settings;
-  settings.encode = standard(15);
-  settings.encode.contacts = std::vector<ContactSpan>{{99, 0, 3}, {4, 10, 5000}, {4, 10, 20}};
+  const Skeleton skeleton = test::small_skeleton();
+  NamedSettings settings = namedSettings({standard(15), {}, {}}, skeleton);
+  const std::string point = landmarks(skeleton)[4].name;
+  settings.preset.contacts = {{"tail_3", 0, 3}, {point, 10, 5000}, {point, 10, 20}};
   Project project;
   project.current = walk;
   project.clips = {{.path = walk, .settings = settings}};
@@ -569,7 +558,7 @@ TEST_F(InALibrary, AClipThatWasOpenedKeepsTheSettingsItsOutcomeIsBy) {
   settleAfter(run, [&] { run.library.openClip(0); });
   const std::vector<TunedClip> tuned = run.library.tuned({0});
   ASSERT_TRUE(tuned[0].settings);
-  EXPECT_EQ(tuned[0].settings->encode.target.value, 10);
+  EXPECT_EQ(tuned[0].settings->preset.target.value, 10);
   settleAfter(run, [&] { run.library.openClip(1); });
   settleAfter(run, [&] { run.session.setOptions(standard(40)); });
   settleAfter(run, [&] { run.library.openClip(0); });

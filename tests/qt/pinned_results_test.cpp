@@ -153,9 +153,12 @@ TEST_F(Pinning, AreThereAgainWithTheirClipMadeAnew) {
 }
 
 TEST_F(Pinning, OneThatCannotBeMadeAnewIsLeftOut) {
-  Pin impossible{QStringLiteral("no"), {}, standard(10)};
-  impossible.options.target = {Target::Kind::Size, 1};
-  const Pin fine{QStringLiteral("yes"), {}, standard(20)};
+  const auto pinOf = [](const char* name, const EncodeOptions& options) {
+    return Pin{QString::fromLatin1(name), {}, namedSettings({options, {}, {}}, {})};
+  };
+  Pin impossible = pinOf("no", standard(10));
+  impossible.settings.preset.target = {Target::Kind::Size, 1};
+  const Pin fine = pinOf("yes", standard(20));
   results_.setMemory([&](const QString&) { return std::vector{impossible, fine}; });
   open("jump.bvh", 2);
   ASSERT_TRUE(QTest::qWaitFor([this] { return model_.rowCount() == 1; }, kPatience));

@@ -10,8 +10,10 @@
 
 #include "app/jobs/settings_key.h"
 #include "app/studio/document/clip_preset.h"
+#include "app/studio/document/named_settings.h"
 #include "app/studio/document/preset_shelf.h"
 #include "app/studio/document/session.h"
+#include "core/motion/landmarks.h"
 #include "resources/samples/generator/samples.h"
 #include "widgets/panels/preset_chooser.h"
 
@@ -175,16 +177,19 @@ TEST_F(PresetsOfAClip, ChoosingTheOneThatStandsIsNoStep) {
   EXPECT_FALSE(session_.history()->canUndo());
 }
 
-TEST(ClipPreset, FittingLeavesOutWhatTheClipOfNowDoesNotHave) {
+TEST(NamedSettings, LeaveOutWhatTheClipOfNowDoesNotHave) {
   const Motion walk{samples::walk_clip()};
-  ClipSettings settings = usualSettings();
-  settings.encode.correction = CorrectionOptions{.joints = {-1, 2, 5000}};
-  settings.encode.contacts = std::vector<ContactSpan>{{3, 10, 20}, {5000, 1, 2}, {3, 5, 1 << 20}};
-  settings.encode.importance.joints = {1, 2};
-  const ClipSettings fit = fitting(settings, walk);
+  const std::string joint = walk.skeleton.joint(2).name;
+  const std::string point = landmarks(walk.skeleton)[3].name;
+  NamedSettings settings = namedSettings(usualSettings(), {});
+  settings.preset.correction = PresetCorrection{.effectors = {"tail_3", joint}};
+  settings.preset.contacts = {{point, 10, 20}, {"tail_3", 1, 2}, {point, 5, 1 << 20}};
+  settings.preset.importance.factors = {{"feet", 4}, {"tail_3", 2}};
+  const ClipSettings fit = settingsFor(settings, walk);
   EXPECT_EQ(fit.encode.correction->joints, std::vector<int>{2});
   EXPECT_EQ(fit.encode.contacts, (std::vector<ContactSpan>{{3, 10, 20}}));
-  EXPECT_TRUE(fit.encode.importance.joints.empty());
+  const NamedImportance importance = named(fit.encode.importance, walk.skeleton);
+  EXPECT_EQ(importance.factors, (decltype(importance.factors){{"feet", 4}}));
 }
 
 }  // namespace

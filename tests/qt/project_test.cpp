@@ -3,24 +3,23 @@
 
 #include <gtest/gtest.h>
 
-#include "app/jobs/settings_key.h"
 #include "core/base/error.h"
 #include "tests/qt/elaborate_settings.h"
 
 namespace mocapress {
 namespace {
 
-using test::elaborate;
+using test::elaborateByName;
 
 TEST(ProjectFile, BringsClipsBackRelativeToItsFolder) {
   Project project;
   project.current = QStringLiteral("/motions/walk.bvh");
   project.clips = {{.path = QStringLiteral("/motions/walk.bvh"),
-                    .settings = elaborate(),
+                    .settings = elaborateByName(),
                     .outcome = Outcome{25, 0.5, 2, 1000, false},
                     .verdict = Verdict::Rejected,
                     .note = QStringLiteral("knee pops — frame 12"),
-                    .pins = {{QStringLiteral("hero"), QColor(1, 2, 3), elaborate().encode}}},
+                    .pins = {{QStringLiteral("hero"), QColor(1, 2, 3), elaborateByName()}}},
                    {.path = QStringLiteral("/motions/cmu/09_01.amc"),
                     .skeleton = QStringLiteral("/motions/cmu/09.asf")}};
   const QByteArray text = projectText(project, QDir(QStringLiteral("/motions")));
@@ -31,12 +30,13 @@ TEST(ProjectFile, BringsClipsBackRelativeToItsFolder) {
   EXPECT_EQ(moved.clips[0].verdict, Verdict::Rejected);
   EXPECT_EQ(moved.clips[0].note, project.clips[0].note);
   EXPECT_EQ(moved.clips[0].outcome, project.clips[0].outcome);
-  EXPECT_EQ(settingsKey(moved.clips[0].settings->encode), settingsKey(elaborate().encode));
+  EXPECT_EQ(moved.clips[0].settings->preset, elaborateByName().preset);
+  EXPECT_EQ(moved.clips[0].settings->contacts, elaborateByName().contacts);
   ASSERT_EQ(moved.clips[0].pins.size(), 1u);
   const Pin& pin = moved.clips[0].pins[0];
   EXPECT_EQ(pin.name, QStringLiteral("hero"));
   EXPECT_EQ(pin.colour, QColor(1, 2, 3));
-  EXPECT_EQ(settingsKey(pin.options), settingsKey(elaborate().encode));
+  EXPECT_EQ(pin.settings.preset, elaborateByName().preset);
   EXPECT_TRUE(moved.clips[1].pins.empty());
   EXPECT_EQ(moved.clips[1].skeleton, QStringLiteral("/elsewhere/cmu/09.asf"));
   EXPECT_FALSE(moved.clips[1].settings);
@@ -63,6 +63,22 @@ TEST(ProjectFile, OfBeforeThereWerePinsStillOpens) {
       QDir(QStringLiteral("/motions")));
   ASSERT_EQ(project.clips.size(), 1u);
   EXPECT_TRUE(project.clips[0].pins.empty());
+}
+
+TEST(ProjectFile, LeavesOutSettingsThatItWouldNotReadAgain) {
+  NamedSettings impossible;
+  impossible.preset.correction = PresetCorrection{.ratio = 0};
+  Project project;
+  project.clips = {{.path = QStringLiteral("/motions/walk.bvh"),
+                    .settings = impossible,
+                    .note = QStringLiteral("knee"),
+                    .pins = {{QStringLiteral("hero"), QColor(1, 2, 3), impossible}}}};
+  const QDir folder(QStringLiteral("/motions"));
+  const Project back = parseProject(projectText(project, folder), folder);
+  ASSERT_EQ(back.clips.size(), 1u);
+  EXPECT_FALSE(back.clips[0].settings);
+  EXPECT_EQ(back.clips[0].note, QStringLiteral("knee"));
+  EXPECT_TRUE(back.clips[0].pins.empty());
 }
 
 TEST(ProjectFile, RefusesWhatIsNoneAndWhatIsNewer) {

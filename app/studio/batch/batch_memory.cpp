@@ -2,11 +2,7 @@
 #include "app/studio/batch/batch_memory.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QStandardPaths>
 
 #include "core/base/error.h"
@@ -17,114 +13,81 @@
 namespace mocapress {
 namespace {
 
-QJsonValue toJson(const Preset& preset) {
-  return QJsonDocument::fromJson(QByteArray::fromStdString(presets_text({&preset, 1}))).object();
-}
-
-/// Throws Error.
-Preset presetFrom(const QJsonValue& json) {
-  const QByteArray text = QJsonDocument(json.toObject()).toJson();
-  return parse_presets("", text.toStdString()).front();
-}
-
-QJsonValue toJson(const ReadOptions& reading) {
+Json toJson(const ReadOptions& reading) {
   Json json = Json::object();
   put(json, reading);
-  return QJsonDocument::fromJson(QByteArray::fromStdString(json.dump())).object();
+  return json;
 }
 
-/// Throws Error.
-ReadOptions readingFrom(const QJsonValue& json) {
-  const QByteArray text = QJsonDocument(json.toObject()).toJson();
-  return format_options(parse_json("", text.toStdString()));
+Json toJson(const QueuedClip& clip) {
+  return {{"path", clip.source.path},
+          {"folder", clip.source.folder},
+          {"skeleton", clip.skeleton},
+          {"reading", toJson(clip.reading)},
+          {"verdict", name(clip.review.verdict)},
+          {"note", clip.review.note},
+          {"left_out", clip.left_out},
+          {"preset", clip.own ? to_json(*clip.own) : Json()}};
 }
 
-QueuedClip clipFrom(const QJsonObject& json) {
+QueuedClip clipFrom(const Json& json) {
   QueuedClip clip;
-  clip.source.path = json[QStringLiteral("path")].toString().toStdString();
-  clip.source.folder = json[QStringLiteral("folder")].toString().toStdString();
-  clip.skeleton = json[QStringLiteral("skeleton")].toString().toStdString();
-  clip.reading = readingFrom(json[QStringLiteral("reading")]);
-  clip.review = {verdict_named(json[QStringLiteral("verdict")].toString().toStdString()),
-                 json[QStringLiteral("note")].toString().toStdString()};
-  clip.left_out = json[QStringLiteral("left_out")].toBool();
-  if (json[QStringLiteral("preset")].isObject())
-    clip.own = presetFrom(json[QStringLiteral("preset")]);
+  clip.source.path = json.at("path").get<std::string>();
+  clip.source.folder = json.at("folder").get<std::string>();
+  clip.skeleton = json.at("skeleton").get<std::string>();
+  clip.reading = format_options(json.at("reading"));
+  clip.review = {verdict_named(json.at("verdict").get<std::string>()),
+                 json.at("note").get<std::string>()};
+  clip.left_out = json.at("left_out").get<bool>();
+  if (const Json& own = json.at("preset"); !own.is_null()) clip.own = preset_from(own);
   return clip;
 }
 
-BatchSettings settingsFrom(const QJsonObject& json) {
+BatchSettings settingsFrom(const Json& json) {
   BatchSettings settings;
-  settings.folder = json[QStringLiteral("folder")].toString();
-  settings.names = json[QStringLiteral("names")].toString(settings.names);
-  settings.overwrite = json[QStringLiteral("overwrite")].toBool();
+  settings.folder = QString::fromStdString(json.at("folder").get<std::string>());
+  settings.names = QString::fromStdString(json.at("names").get<std::string>());
+  settings.overwrite = json.at("overwrite").get<bool>();
   settings.formats.clear();
-  for (const QJsonValue& format : json[QStringLiteral("formats")].toArray())
-    if (const auto known = output_format(format.toString().toStdString()))
+  for (const Json& format : json.at("formats"))
+    if (const auto known = output_format(format.get<std::string>()))
       settings.formats.push_back(*known);
   return settings;
-}
-
-/// What cannot be taken over now stays for another time.
-void takeOver(const QString& old, const QString& file) {
-  try {
-    QDir().mkpath(QFileInfo(file).absolutePath());
-    write_text(file.toStdU16String(), read_text(old.toStdU16String()));
-    QFile::remove(old);
-  } catch (const Error&) {
-  }
 }
 
 }  // namespace
 
 RememberedBatch rememberedBatch(const QString& file) {
-  QFile stored(file);
-  if (!stored.open(QIODevice::ReadOnly)) return {};
-  const QJsonObject json = QJsonDocument::fromJson(stored.readAll()).object();
-  if (json.isEmpty()) return {};
+  if (!QFileInfo::exists(file)) return {};
   try {
-    RememberedBatch batch{settingsFrom(json), presetFrom(json[QStringLiteral("common")]), {}};
-    for (const QJsonValue& clip : json[QStringLiteral("clips")].toArray())
-      batch.clips.push_back(clipFrom(clip.toObject()));
+    const Json json = parse_json(file.toStdString(), read_text(file.toStdU16String()));
+    RememberedBatch batch{settingsFrom(json), preset_from(json.at("common")), {}};
+    for (const Json& clip : json.at("clips")) batch.clips.push_back(clipFrom(clip));
     return batch;
   } catch (const Error&) {
-    return {};
+  } catch (const Json::exception&) {
   }
+  return {};
 }
 
 void rememberBatch(const QString& file, const RememberedBatch& batch) {
-  QJsonArray clips;
-  for (const QueuedClip& clip : batch.clips)
-    clips.append(QJsonObject{
-        {QStringLiteral("path"), QString::fromStdString(clip.source.path)},
-        {QStringLiteral("folder"), QString::fromStdString(clip.source.folder)},
-        {QStringLiteral("skeleton"), QString::fromStdString(clip.skeleton)},
-        {QStringLiteral("reading"), toJson(clip.reading)},
-        {QStringLiteral("verdict"), QString::fromStdString(std::string(name(clip.review.verdict)))},
-        {QStringLiteral("note"), QString::fromStdString(clip.review.note)},
-        {QStringLiteral("left_out"), clip.left_out},
-        {QStringLiteral("preset"), clip.own ? toJson(*clip.own) : QJsonValue()}});
-  QJsonArray formats;
-  for (const OutputFormat format : batch.settings.formats)
-    formats.append(QString::fromStdString(std::string(name(format))));
-  const QJsonObject json{{QStringLiteral("folder"), batch.settings.folder},
-                         {QStringLiteral("names"), batch.settings.names},
-                         {QStringLiteral("overwrite"), batch.settings.overwrite},
-                         {QStringLiteral("formats"), formats},
-                         {QStringLiteral("common"), toJson(batch.common)},
-                         {QStringLiteral("clips"), clips}};
+  Json formats = Json::array();
+  for (const OutputFormat format : batch.settings.formats) formats.push_back(name(format));
+  Json clips = Json::array();
+  for (const QueuedClip& clip : batch.clips) clips.push_back(toJson(clip));
+  const Json json{{"folder", batch.settings.folder.toStdString()},
+                  {"names", batch.settings.names.toStdString()},
+                  {"overwrite", batch.settings.overwrite},
+                  {"formats", formats},
+                  {"common", to_json(batch.common)},
+                  {"clips", clips}};
   QDir().mkpath(QFileInfo(file).absolutePath());
-  write_text(file.toStdU16String(), QJsonDocument(json).toJson().toStdString());
+  write_text(file.toStdU16String(), dumped(json, 2) + '\n');
 }
 
 QString batchMemory() {
-  const auto file_in = [](QStandardPaths::StandardLocation location) {
-    return QDir(QStandardPaths::writableLocation(location)).filePath(QStringLiteral("batch.json"));
-  };
-  const QString file = file_in(QStandardPaths::AppDataLocation);
-  const QString once = file_in(QStandardPaths::CacheLocation);  // until November 2026
-  if (QFile::exists(once) && !QFile::exists(file)) takeOver(once, file);
-  return file;
+  return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
+      .filePath(QStringLiteral("batch.json"));
 }
 
 }  // namespace mocapress

@@ -23,8 +23,7 @@ RememberedBatch rememberedBatch(const QString& file);
 /// Throws WriteError.
 void rememberBatch(const QString& file, const RememberedBatch& batch);
 
-/// Where the queue is remembered unless told otherwise: with the user's data. A queue that is still
-/// in the cache, where it was before, is moved there.
+/// Where the queue is remembered unless told otherwise: with the user's data.
 QString batchMemory();
 
 }  // namespace mocapress

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "app/studio/batch/batch_memory.h"
-#include "app/studio/document/clip_preset.h"
 #include "app/studio/document/preset_shelf.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -25,9 +24,9 @@ std::filesystem::path pathOf(const QString& text) {
   return text.toStdU16String();
 }
 
-bool namesJoints(const EncodeOptions& options) {
-  return !options.importance.joints.empty() || options.contacts ||
-         (options.correction && !options.correction->joints.empty());
+bool namesJoints(const Preset& preset) {
+  return !preset.importance.factors.empty() || preset.contacts ||
+         (preset.correction && !preset.correction->effectors.empty());
 }
 
 /// Throws Error.
@@ -44,14 +43,13 @@ QueuedClip queuedClip(const TunedClip& clip) {
       .skeleton = clip.skeleton.toStdString(),
       .reading = clip.reading};
   if (!clip.settings) return queued;
+  queued.own = clip.settings->preset;
+  if (queued.own->name.empty()) queued.own->name = kNoPreset;
+  if (!namesJoints(*queued.own)) return queued;
   try {
-    if (namesJoints(clip.settings->encode)) {
-      const Motion motion = motionOf(clip);
-      queued.own = ownPresetOf(fitting(*clip.settings, motion), motion.skeleton);
-    } else {
-      queued.own = ownPresetOf(*clip.settings, {});
-    }
-    if (queued.own->name.empty()) queued.own->name = kNoPreset;
+    const std::string name = queued.own->name;
+    queued.own = fitting(*clip.settings, motionOf(clip)).preset;
+    queued.own->name = name;
   } catch (const Error&) {
     // The batch will say what is wrong with it.
   }
@@ -136,22 +134,22 @@ void BatchSession::addClips(const QStringList& paths) {
       });
 }
 
-/// Settings hold joints by their numbers, presets by their names: those are in the files.
+/// What settings name may not be in the files any more.
 void BatchSession::addTuned(const std::vector<TunedClip>& clips) {
   if (refused()) return;
-  to_name_.insert(to_name_.end(), clips.begin(), clips.end());
-  naming_.start(
-      [clips = to_name_](const Job&) {
+  to_fit_.insert(to_fit_.end(), clips.begin(), clips.end());
+  fitting_.start(
+      [clips = to_fit_](const Job&) {
         std::vector<QueuedClip> queued;
         for (const TunedClip& clip : clips) queued.push_back(queuedClip(clip));
         return queued;
       },
       [this](const std::vector<QueuedClip>& queued) {
-        to_name_.clear();
+        to_fit_.clear();
         if (!refused()) take(queued);
       },
       [this](const QString& message) {
-        to_name_.clear();
+        to_fit_.clear();
         emit noted(message);
       });
 }

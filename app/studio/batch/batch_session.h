@@ -11,7 +11,7 @@
 
 #include "app/jobs/batch_runner.h"
 #include "app/jobs/job_runner.h"
-#include "app/studio/document/document.h"
+#include "app/studio/document/named_settings.h"
 #include "core/batch/time_left.h"
 #include "widgets/models/batch_queue_model.h"
 #include "widgets/models/batch_settings.h"
@@ -23,9 +23,9 @@ class PresetShelf;
 /// A clip of the library, and what was decided about it.
 struct TunedClip {
   QString path;
-  QString skeleton;                      // for an .amc; empty: the one beside it
-  std::optional<ClipSettings> settings;  // unset: never tuned
-  ReadOptions reading = {};              // of its import options
+  QString skeleton;                       // for an .amc; empty: the one beside it
+  std::optional<NamedSettings> settings;  // unset: never tuned
+  ReadOptions reading = {};               // of its import options
 };
 
 /// The queue of a batch export, its settings and its run. No widgets.
@@ -139,8 +139,8 @@ class BatchSession : public QObject {
   QTimer remember_later_;
   QStringList to_find_;
   JobRunner finding_;
-  std::vector<TunedClip> to_name_;
-  JobRunner naming_;
+  std::vector<TunedClip> to_fit_;
+  JobRunner fitting_;
   BatchRunner runner_;
 };
 

@@ -4,7 +4,7 @@
 #include <QColor>
 #include <QString>
 
-#include "core/codec/encode/encoder.h"
+#include "app/studio/document/named_settings.h"
 
 namespace mocapress {
 
@@ -12,7 +12,7 @@ namespace mocapress {
 struct Pin {
   QString name;
   QColor colour;
-  EncodeOptions options;
+  NamedSettings settings;
 };
 
 }  // namespace mocapress

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "app/studio/document/clip_preset.h"
 #include "app/studio/document/session.h"
 #include "widgets/models/length_text.h"
 #include "widgets/models/palette.h"
@@ -60,7 +59,8 @@ void PinnedResults::pinCurrent() {
   const EncodeOptions& options = session_->document().options();
   const QString name = tr("%1, %2").arg(targetText(options.target),
                                         displayName(decoded->compressed.provenance.method));
-  pins_.push_back({{name, freeColour(), options}, decoded});
+  const NamedSettings settings = namedSettings({options, {}, {}}, *session_->document().skeleton());
+  pins_.push_back({{name, freeColour(), settings}, decoded});
   noteEdit();
 }
 
@@ -77,7 +77,8 @@ void PinnedResults::rename(int row, const QString& name) {
 
 void PinnedResults::makeCurrent(int row) {
   if (row < 0 || row >= static_cast<int>(pins_.size())) return;
-  session_->setOptions(pins_[static_cast<std::size_t>(row)].pin.options);
+  const NamedSettings& settings = pins_[static_cast<std::size_t>(row)].pin.settings;
+  session_->setOptions(settingsFor(settings, session_->document().original()->motion()).encode);
 }
 
 void PinnedResults::recall() {
@@ -85,10 +86,8 @@ void PinnedResults::recall() {
   unmade_.clear();
   const OriginalPtr& original = session_->document().original();
   if (!memory_ || !original) return;
-  for (Pin& pin : memory_(original->path)) {
-    pin.options = fitting({pin.options, {}, {}}, original->motion()).encode;
+  for (Pin& pin : memory_(original->path))
     if (unmade_.size() < kMostPinned) unmade_.push_back(std::move(pin));
-  }
   makeNext();
 }
 
@@ -104,9 +103,10 @@ void PinnedResults::makeNext() {
     // The runner is busy until its delivery has returned.
     QMetaObject::invokeMethod(this, &PinnedResults::makeNext, Qt::QueuedConnection);
   };
+  const auto encoder = session_->document().original()->encoder;
   making_.start(
-      [encoder = session_->document().original()->encoder,
-       options = unmade_.front().options](const Job& job) {
+      [encoder,
+       options = settingsFor(unmade_.front().settings, encoder->motion()).encode](const Job& job) {
         const auto observer = [&job](const EncodeProgress&) { return !job.stopRequested(); };
         return decodedClip(encoder->encode(options, observer), *encoder, options);
       },

@@ -38,22 +38,6 @@ ClipSettings usualSettings(const Skeleton& skeleton) {
   return {encode_options(usual, skeleton), {}, QString::fromStdString(usual.name)};
 }
 
-ClipSettings fitting(ClipSettings settings, const Motion& motion) {
-  const auto points = static_cast<int>(landmarks(motion.skeleton).size());
-  if (auto& correction = settings.encode.correction)
-    std::erase_if(correction->joints,
-                  [&](int joint) { return joint < 0 || joint >= motion.skeleton.joint_count(); });
-  if (auto& contacts = settings.encode.contacts)
-    std::erase_if(*contacts, [&](const ContactSpan& span) {
-      return span.landmark < 0 || span.landmark >= points || span.first_frame < 0 ||
-             span.last_frame < span.first_frame || span.last_frame >= motion.clip.frames();
-    });
-  auto& factors = settings.encode.importance.joints;
-  if (std::ssize(factors) != motion.skeleton.joint_count()) factors.clear();
-  if (settings.encode.target.kind == Target::Kind::CoefficientRatio) settings.encode.target = {};
-  return settings;
-}
-
 Preset presetOf(const ClipSettings& settings, const Skeleton& skeleton) {
   const EncodeOptions& options = settings.encode;
   Preset preset{.name = settings.preset.toStdString(),

@@ -10,9 +10,6 @@ namespace mocapress {
 const Preset& usualPreset();
 ClipSettings usualSettings(const Skeleton& skeleton = {});
 
-/// Without what a clip does not have: its file may be another than when the settings were kept.
-ClipSettings fitting(ClipSettings settings, const Motion& motion);
-
 /// The settings by names, so that other clips can take them. Edited contacts are left out.
 Preset presetOf(const ClipSettings& settings, const Skeleton& skeleton);
 

@@ -127,9 +127,9 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   compressor_.setEncoder(opened.original ? opened.original->encoder : nullptr);
   if (request.options) document_.loadOptions(*request.options);
   // Asked before the clip is there: from then on its settings are those of the document.
-  const std::optional<ClipSettings> remembered = rememberedOf(opened, request);
+  const std::optional<NamedSettings> remembered = rememberedOf(opened, request);
   document_.setClip(opened.original, opened.decoded, saved_path);
-  if (remembered) document_.loadSettings(fitting(*remembered, opened.original->motion()));
+  if (remembered) document_.loadSettings(settingsFor(*remembered, opened.original->motion()));
   takeUp(opened.original ? opened.original->path : request.path,
          !opened.decoded && !request.options);
   slot_answers_ = {};
@@ -172,8 +172,8 @@ void Session::forgetHistories() {
   }
 }
 
-std::optional<ClipSettings> Session::rememberedOf(const OpenedClip& opened,
-                                                  const OpenRequest& request) const {
+std::optional<NamedSettings> Session::rememberedOf(const OpenedClip& opened,
+                                                   const OpenRequest& request) const {
   if (!memory_ || !opened.original || opened.decoded || request.options) return {};
   return memory_(opened.original->path);
 }

@@ -13,6 +13,7 @@
 #include "app/jobs/job_runner.h"
 #include "app/jobs/open_clip.h"
 #include "app/studio/document/document.h"
+#include "app/studio/document/named_settings.h"
 #include "core/batch/preset.h"
 #include "core/study/row.h"
 
@@ -76,7 +77,7 @@ class Session : public QObject {
   }
 
   /// By what a clip was compressed before; what is unset is compressed as the last one was.
-  using Memory = std::function<std::optional<ClipSettings>(const QString& path)>;
+  using Memory = std::function<std::optional<NamedSettings>(const QString& path)>;
   void setMemory(Memory memory) { memory_ = std::move(memory); }
 
   /// By which options a clip was read before.
@@ -143,8 +144,8 @@ class Session : public QObject {
   void takeUp(const QString& path, bool by_itself);
   void answer(const DecodedPtr& decoded, bool final);
   void chooseCurves();
-  std::optional<ClipSettings> rememberedOf(const OpenedClip& opened,
-                                           const OpenRequest& request) const;
+  std::optional<NamedSettings> rememberedOf(const OpenedClip& opened,
+                                            const OpenRequest& request) const;
 
   Document document_;
   std::map<QString, Past> pasts_;  // by path; of no clip: ""

@@ -217,7 +217,7 @@ void Library::noteOpened(const QString& path, const QString& skeleton) {
   if (original && !project_.find(original->path)) {
     ProjectClip clip{.path = original->path};
     if (path == original->path) clip.skeleton = skeleton;
-    clip.settings = session_->document().settings();
+    clip.settings = settingsNow();
     project_.clips.push_back(clip);
     showAsRead(clip, *original);
   }
@@ -244,10 +244,16 @@ ProjectClip* Library::openNow() {
   return original && original->path == project_.current ? project_.find(original->path) : nullptr;
 }
 
+/// Of the clip that is open.
+NamedSettings Library::settingsNow() const {
+  const Document& document = session_->document();
+  return namedSettings(document.settings(), *document.skeleton());
+}
+
 void Library::noteSettings() {
   ProjectClip* clip = openNow();
   if (!clip) return;
-  clip->settings = session_->document().settings();
+  clip->settings = settingsNow();
   touch();
 }
 
@@ -256,7 +262,7 @@ void Library::noteOutcome() {
   const DecodedPtr& decoded = session_->document().decoded();
   if (!clip || !decoded || !decoded->distortion) return;
   if (!clip->settings) {  // opened as it came: what it came to is by these from now on
-    clip->settings = session_->document().settings();
+    clip->settings = settingsNow();
     touch();
   }
   const Outcome outcome = outcomeOf(*decoded, session_->document().options());

@@ -154,10 +154,10 @@ class Library : public QObject {
   void noteWritten();
   bool flush();
   void setTrouble(const QString& message);
-  void takeOver(const QString& path) const;
   bool enter(const QString& path, std::unique_ptr<ProjectLock> lock, Project project);
   void setProject(Project project);
   ProjectClip* openNow();
+  NamedSettings settingsNow() const;
 
   Session* session_;
   LibraryModel* model_;

@@ -57,7 +57,6 @@ QString Library::name() const {
 /// The shelf is not told before there is something in it.
 void Library::beginEmpty(const QString& folder) {
   shelf_.emplace(folder);
-  takeOver(QDir(folder).filePath(QStringLiteral("session.mocapress")));
   path_ = shelf_->unnamedPath();
   lock_ = std::make_unique<ProjectLock>(path_);
   emit projectChanged();
@@ -84,19 +83,6 @@ bool Library::begin(const QString& folder) {
   if (open(last) && crashed && !project_.clips.empty())
     emit recovered(static_cast<int>(project_.clips.size()));
   return true;
-}
-
-/// Earlier versions kept one project without a name, in this file.
-void Library::takeOver(const QString& path) const {
-  if (!shelf_->inUse().isEmpty() || !QFile::exists(path)) return;
-  try {
-    const QString own = shelf_->unnamedPath();
-    writeProject(own, readProject(path));
-    shelf_->use(own);
-    QFile::remove(path);
-  } catch (const Error&) {
-    // It stays where it is, and can be opened there.
-  }
 }
 
 bool Library::end() {

@@ -2,122 +2,109 @@
 #include "app/studio/library/project.h"
 
 #include <QFileInfo>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <algorithm>
-#include <array>
 
-#include "app/studio/document/settings_json.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/batch/format_options_json.h"
+#include "core/batch/preset_json.h"
+#include "core/report/review.h"
 
 namespace mocapress {
 namespace {
 
-const QString kFormat = QStringLiteral("mocapress-project");
+constexpr const char* kFormat = "mocapress-project";
 constexpr int kVersion = 1;
-constexpr std::array kVerdicts = {"", "approved", "rejected"};  // by Verdict
 
-QJsonObject toJson(const Outcome& outcome) {
-  return {{QStringLiteral("ratio"), outcome.ratio},
-          {QStringLiteral("eps-cm"), outcome.eps_cm},
-          {QStringLiteral("max-cm"), outcome.max_cm},
-          {QStringLiteral("bytes"), static_cast<double>(outcome.motion_bytes)},
-          {QStringLiteral("met"), outcome.met}};
+/// May be left out. Throws what the JSON library does where it is of another type.
+template <typename Value>
+Value valueAt(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found == json.end() || found->is_null() ? Value() : found->get<Value>();
 }
 
-Outcome outcomeFrom(const QJsonObject& json) {
-  return {json.value(QStringLiteral("ratio")).toDouble(),
-          json.value(QStringLiteral("eps-cm")).toDouble(),
-          json.value(QStringLiteral("max-cm")).toDouble(),
-          static_cast<std::size_t>(json.value(QStringLiteral("bytes")).toDouble()),
-          json.value(QStringLiteral("met")).toBool()};
+QString textAt(const Json& json, const char* key) {
+  return QString::fromStdString(valueAt<std::string>(json, key));
 }
 
-QJsonArray toJson(const std::vector<Pin>& pins) {
-  QJsonArray json;
-  for (const Pin& pin : pins)
-    json << QJsonObject{{QStringLiteral("name"), pin.name},
-                        {QStringLiteral("colour"), pin.colour.name()},
-                        {QStringLiteral("settings"), toJson(ClipSettings{pin.options, {}, {}})}};
+Json toJson(const Outcome& outcome) {
+  return {{"ratio", outcome.ratio},
+          {"eps_cm", outcome.eps_cm},
+          {"max_cm", outcome.max_cm},
+          {"bytes", outcome.motion_bytes},
+          {"met", outcome.met}};
+}
+
+Outcome outcomeFrom(const Json& json) {
+  return {valueAt<double>(json, "ratio"), valueAt<double>(json, "eps_cm"),
+          valueAt<double>(json, "max_cm"), valueAt<std::size_t>(json, "bytes"),
+          valueAt<bool>(json, "met")};
+}
+
+/// Settings that no clip can be compressed by, as an impossible target, would not be read again.
+void put(Json& json, const NamedSettings& settings) {
+  try {
+    check(settings.preset);
+    json["settings"] = toJson(settings);
+  } catch (const Error&) {
+  }
+}
+
+Json toJson(const Pin& pin) {
+  Json json{{"name", pin.name.toStdString()}, {"colour", pin.colour.name().toStdString()}};
+  put(json, pin.settings);
   return json;
 }
 
-Pin pinFrom(const QJsonObject& json) {
-  return {json.value(QStringLiteral("name")).toString(),
-          QColor(json.value(QStringLiteral("colour")).toString()),
-          settingsFrom(json.value(QStringLiteral("settings")).toObject()).encode};
+Pin pinFrom(const Json& json) {
+  return {textAt(json, "name"), QColor(textAt(json, "colour")),
+          namedSettingsFrom(json.at("settings"))};
 }
 
-template <typename Enum>
-QString wordOf(Enum value) {
-  return QString::fromLatin1(name(value).data(), static_cast<qsizetype>(name(value).size()));
-}
-
-/// Only what is set.
-QJsonObject toJson(const ReadOptions& reading) {
-  QJsonObject json;
-  if (reading.sample_rate_hz) json.insert(QStringLiteral("rate-hz"), *reading.sample_rate_hz);
-  if (reading.cm_per_unit) json.insert(QStringLiteral("cm-per-unit"), *reading.cm_per_unit);
-  if (reading.up) json.insert(QStringLiteral("up"), wordOf(*reading.up));
-  if (reading.bvh_root) json.insert(QStringLiteral("bvh-root"), wordOf(*reading.bvh_root));
-  return json;
-}
-
-/// What no reader could use is as if it were not there.
-ReadOptions readingFrom(const QJsonObject& json) {
-  const auto positive = [&](const QString& key) {
-    const double value = json.value(key).toDouble();
-    return value > 0 ? std::optional(value) : std::nullopt;
+Json toJson(const ProjectClip& clip, const QDir& folder) {
+  const auto relative = [&](const QString& path) {
+    return folder.relativeFilePath(path).toStdString();
   };
-  ReadOptions reading{.sample_rate_hz = positive(QStringLiteral("rate-hz")),
-                      .cm_per_unit = positive(QStringLiteral("cm-per-unit"))};
-  for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
-    if (json.value(QStringLiteral("up")).toString() == wordOf(up)) reading.up = up;
-  for (const auto convention : {TranslationConvention::Adds, TranslationConvention::Replaces})
-    if (json.value(QStringLiteral("bvh-root")).toString() == wordOf(convention))
-      reading.bvh_root = convention;
-  return reading;
-}
-
-QJsonObject toJson(const ProjectClip& clip, const QDir& folder) {
-  QJsonObject json{{QStringLiteral("path"), folder.relativeFilePath(clip.path)}};
-  if (!clip.skeleton.isEmpty())
-    json.insert(QStringLiteral("skeleton"), folder.relativeFilePath(clip.skeleton));
-  if (clip.reading != ReadOptions()) json.insert(QStringLiteral("reading"), toJson(clip.reading));
-  if (clip.settings) json.insert(QStringLiteral("settings"), toJson(*clip.settings));
-  if (clip.outcome) json.insert(QStringLiteral("outcome"), toJson(*clip.outcome));
-  if (clip.verdict != Verdict::None)
-    json.insert(QStringLiteral("verdict"),
-                QLatin1String(kVerdicts[static_cast<std::size_t>(clip.verdict)]));
-  if (!clip.note.isEmpty()) json.insert(QStringLiteral("note"), clip.note);
-  if (!clip.pins.empty()) json.insert(QStringLiteral("pins"), toJson(clip.pins));
+  Json json{{"path", relative(clip.path)}};
+  if (!clip.skeleton.isEmpty()) json["skeleton"] = relative(clip.skeleton);
+  if (clip.reading != ReadOptions()) put(json["reading"] = Json::object(), clip.reading);
+  if (clip.settings) put(json, *clip.settings);
+  if (clip.outcome) json["outcome"] = toJson(*clip.outcome);
+  if (clip.verdict != Verdict::None) json["verdict"] = name(clip.verdict);
+  if (!clip.note.isEmpty()) json["note"] = clip.note.toStdString();
+  for (const Pin& pin : clip.pins) json["pins"].push_back(toJson(pin));
   return json;
 }
 
-QString absolute(const QJsonValue& path, const QDir& folder) {
-  return path.toString().isEmpty() ? QString()
-                                   : QDir::cleanPath(folder.absoluteFilePath(path.toString()));
+QString absoluteAt(const Json& json, const char* key, const QDir& folder) {
+  const QString path = textAt(json, key);
+  return path.isEmpty() ? QString() : QDir::cleanPath(folder.absoluteFilePath(path));
 }
 
-ProjectClip clipFrom(const QJsonObject& json, const QDir& folder) {
+ProjectClip clipFrom(const Json& json, const QDir& folder) {
   ProjectClip clip;
-  clip.path = absolute(json.value(QStringLiteral("path")), folder);
+  clip.path = absoluteAt(json, "path", folder);
   if (clip.path.isEmpty()) throw Error("a clip without a path");
-  clip.skeleton = absolute(json.value(QStringLiteral("skeleton")), folder);
-  clip.reading = readingFrom(json.value(QStringLiteral("reading")).toObject());
-  if (json.contains(QStringLiteral("settings")))
-    clip.settings = settingsFrom(json.value(QStringLiteral("settings")).toObject());
-  if (json.contains(QStringLiteral("outcome")))
-    clip.outcome = outcomeFrom(json.value(QStringLiteral("outcome")).toObject());
-  const QString verdict = json.value(QStringLiteral("verdict")).toString();
-  for (std::size_t i = 0; i < kVerdicts.size(); ++i)
-    if (verdict == QLatin1String(kVerdicts[i])) clip.verdict = static_cast<Verdict>(i);
-  clip.note = json.value(QStringLiteral("note")).toString();
-  for (const auto& pin : json.value(QStringLiteral("pins")).toArray())
-    clip.pins.push_back(pinFrom(pin.toObject()));
+  clip.skeleton = absoluteAt(json, "skeleton", folder);
+  if (json.contains("reading")) clip.reading = format_options(json["reading"]);
+  if (json.contains("settings")) clip.settings = namedSettingsFrom(json["settings"]);
+  if (json.contains("outcome")) clip.outcome = outcomeFrom(json["outcome"]);
+  clip.verdict = verdict_named(valueAt<std::string>(json, "verdict"));
+  clip.note = textAt(json, "note");
+  for (const Json& pin : valueAt<Json>(json, "pins"))
+    if (pin.contains("settings")) clip.pins.push_back(pinFrom(pin));
   return clip;
+}
+
+Project projectFrom(const Json& json, const QDir& folder) {
+  if (valueAt<std::string>(json, "format") != kFormat) throw Error("no project file");
+  if (valueAt<int>(json, "version") > kVersion)
+    throw Error("the project was saved by a newer version of Mocapress");
+  Project project;
+  project.current = absoluteAt(json, "current", folder);
+  for (const Json& clip : valueAt<Json>(json, "clips"))
+    project.clips.push_back(clipFrom(clip, folder));
+  return project;
 }
 
 }  // namespace
@@ -133,30 +120,19 @@ bool isProjectFile(const QString& path) {
 }
 
 QByteArray projectText(const Project& project, const QDir& folder) {
-  QJsonArray clips;
-  for (const ProjectClip& clip : project.clips) clips << toJson(clip, folder);
-  QJsonObject json{{QStringLiteral("format"), kFormat},
-                   {QStringLiteral("version"), kVersion},
-                   {QStringLiteral("clips"), clips}};
+  Json json{{"format", kFormat}, {"version", kVersion}, {"clips", Json::array()}};
   if (!project.current.isEmpty())
-    json.insert(QStringLiteral("current"), folder.relativeFilePath(project.current));
-  return QJsonDocument(json).toJson();
+    json["current"] = folder.relativeFilePath(project.current).toStdString();
+  for (const ProjectClip& clip : project.clips) json["clips"].push_back(toJson(clip, folder));
+  return QByteArray::fromStdString(dumped(json, 2) + '\n');
 }
 
 Project parseProject(const QByteArray& text, const QDir& folder) {
-  QJsonParseError error;
-  const QJsonObject json = QJsonDocument::fromJson(text, &error).object();
-  if (error.error != QJsonParseError::NoError)
-    throw Error("no project: " + error.errorString().toStdString() + " at byte " +
-                std::to_string(error.offset));
-  if (json.value(QStringLiteral("format")).toString() != kFormat) throw Error("no project file");
-  if (json.value(QStringLiteral("version")).toInt() > kVersion)
-    throw Error("the project was saved by a newer version of Mocapress");
-  Project project;
-  project.current = absolute(json.value(QStringLiteral("current")), folder);
-  for (const auto& clip : json.value(QStringLiteral("clips")).toArray())
-    project.clips.push_back(clipFrom(clip.toObject(), folder));
-  return project;
+  try {
+    return projectFrom(parse_json("project", text.toStdString()), folder);
+  } catch (const Json::exception& error) {
+    throw Error(std::string("no project: ") + error.what());
+  }
 }
 
 Project readProject(const QString& path) {

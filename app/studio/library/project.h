@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "app/studio/compare/pin.h"
-#include "app/studio/document/document.h"
+#include "app/studio/document/named_settings.h"
 #include "widgets/models/library_entry.h"
 
 namespace mocapress {
 
 /// A clip of a project, and all that was decided about it.
 struct ProjectClip {
-  QString path;                          // absolute
-  QString skeleton;                      // for an .amc; empty: the one beside it
-  ReadOptions reading;                   // what the user said of the file
-  std::optional<ClipSettings> settings;  // unset: never tuned
+  QString path;                           // absolute
+  QString skeleton;                       // for an .amc; empty: the one beside it
+  ReadOptions reading;                    // what the user said of the file
+  std::optional<NamedSettings> settings;  // unset: never tuned
   std::optional<Outcome> outcome;
   Verdict verdict = Verdict::None;
   QString note;

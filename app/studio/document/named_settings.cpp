@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/document/named_settings.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/studio/document/clip_preset.h"
+#include "core/base/error.h"
+#include "core/batch/preset_json.h"
+#include "core/motion/landmarks.h"
+#include "core/report/json_value.h"
+
+namespace mocapress {
+namespace {
+
+constexpr const char* kName = "name";
+constexpr const char* kContactSettings = "contact_settings";
+constexpr const char* kNone = "none";  // a preset file asks for a name
+
+struct ContactKey {
+  const char* key;
+  double ContactSettings::*value;
+};
+
+constexpr std::array kContactKeys = {ContactKey{"begin_height_cm", &ContactSettings::begin_height},
+                                     ContactKey{"end_height_cm", &ContactSettings::end_height},
+                                     ContactKey{"begin_speed_cm_s", &ContactSettings::begin_speed},
+                                     ContactKey{"end_speed_cm_s", &ContactSettings::end_speed},
+                                     ContactKey{"least_seconds", &ContactSettings::least_seconds}};
+
+ContactSettings contactSettingsFrom(const Json& json) {
+  ContactSettings settings;
+  if (!json.is_object()) throw Error("\"contact_settings\" is not a JSON object");
+  for (const auto& [key, member] : kContactKeys) {
+    const auto found = json.find(key);
+    if (found == json.end()) continue;
+    if (!found->is_number()) throw Error(std::string("\"") + key + "\" is not a number");
+    settings.*member = found->get<double>();
+  }
+  return settings;
+}
+
+}  // namespace
+
+NamedSettings namedSettings(const ClipSettings& settings, const Skeleton& skeleton) {
+  return {ownPresetOf(settings, skeleton), settings.contacts};
+}
+
+NamedSettings fitting(NamedSettings settings, const Motion& motion) {
+  const Skeleton& skeleton = motion.skeleton;
+  Preset& preset = settings.preset;
+  const auto has_joint = [&](const std::string& joint) { return skeleton.find(joint) >= 0; };
+  if (preset.correction)
+    std::erase_if(preset.correction->effectors,
+                  [&](const std::string& effector) { return !has_joint(effector); });
+  std::erase_if(preset.importance.factors, [&](const auto& factor) {
+    return !is_body_part(factor.first) && !has_joint(factor.first);
+  });
+  if (preset.contacts) {
+    const std::vector<Landmark> points = landmarks(skeleton);
+    std::erase_if(*preset.contacts, [&](const PresetContact& contact) {
+      return contact.first_frame < 0 || contact.last_frame < contact.first_frame ||
+             contact.last_frame >= motion.clip.frames() ||
+             std::none_of(points.begin(), points.end(),
+                          [&](const Landmark& point) { return point.name == contact.point; });
+    });
+  }
+  if (preset.target.kind == Target::Kind::CoefficientRatio) preset.target = {};
+  return settings;
+}
+
+ClipSettings settingsFor(const NamedSettings& settings, const Motion& motion) {
+  const NamedSettings fit = fitting(settings, motion);
+  return {encode_options(fit.preset, motion.skeleton), fit.contacts,
+          QString::fromStdString(fit.preset.name)};
+}
+
+Json toJson(const NamedSettings& settings) {
+  Json json = to_json(settings.preset);
+  if (settings.preset.name.empty()) json.erase(kName);
+  if (settings.contacts != ContactSettings())
+    for (const auto& [key, member] : kContactKeys)
+      json[kContactSettings][key] = settings.contacts.*member;
+  return json;
+}
+
+NamedSettings namedSettingsFrom(Json json) {
+  if (!json.is_object()) throw Error("settings are not a JSON object");
+  NamedSettings settings;
+  if (json.contains(kContactSettings))
+    settings.contacts = contactSettingsFrom(json[kContactSettings]);
+  json.erase(kContactSettings);
+  const bool has_name = json.contains(kName);
+  if (!has_name) json[kName] = kNone;
+  settings.preset = preset_from(json);
+  if (!has_name) settings.preset.name.clear();
+  return settings;
+}
+
+}  // namespace mocapress
