@@ -54,7 +54,7 @@ class BatchRunner : public QObject {
 
  private:
   std::shared_ptr<BatchControl> control_;
-  JobRunner runner_;
+  JobRunner runner_{Workers::LongRunning};
 };
 
 }  // namespace mocapress

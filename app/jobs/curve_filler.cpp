@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/curve_filler.h"
 
-#include "app/jobs/lower_priority.h"
 #include "core/base/error.h"
 #include "core/base/one_thread.h"
 #include "core/metrics/rate.h"
@@ -12,7 +11,6 @@ CurveFiller::CurveFiller(QObject* parent) : QObject(parent) {}
 
 void CurveFiller::start(const CurveTask& task) {
   const auto work = [this, task](const Job& job) {
-    lowerPriority(LowerPriority::ToEverything);
     for (const double ratio : task.ratios) {
       if (job.stopRequested()) break;
       EncodeOptions options = task.options;

@@ -36,7 +36,7 @@ class CurveFiller : public QObject {
   void ended();
 
  private:
-  JobRunner runner_;
+  JobRunner runner_{Workers::Idle};
 };
 
 }  // namespace mocapress

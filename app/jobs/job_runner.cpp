@@ -2,8 +2,7 @@
 #include "app/jobs/job_runner.h"
 
 #include <exception>
-
-#include "app/jobs/lower_priority.h"
+#include <utility>
 
 namespace mocapress {
 
@@ -11,15 +10,15 @@ void Job::post(std::function<void()> report) const {
   runner_->post(id_, std::move(report));
 }
 
-JobRunner::JobRunner(QObject* parent)
-    : QObject(parent), thread_([this](const std::stop_token& quit) { serve(quit); }) {
+JobRunner::JobRunner(Workers workers, QObject* parent) : QObject(parent), workers_(workers) {
   connect(this, &JobRunner::posted, this, &JobRunner::deliverNext, Qt::QueuedConnection);
 }
 
 JobRunner::~JobRunner() {
   stop_.request_stop();
-  const std::scoped_lock lock(mutex_);
-  waiting_.reset();
+  std::unique_lock lock(queue_->mutex);
+  queue_->waiting.reset();
+  queue_->idle.wait(lock, [this] { return !queue_->running; });
 }
 
 void JobRunner::stopEarly() {
@@ -30,15 +29,15 @@ void JobRunner::abandon() {
   stop_.request_stop();
   ++current_id_;
   {
-    const std::scoped_lock lock(mutex_);
-    waiting_.reset();
+    const std::scoped_lock lock(queue_->mutex);
+    queue_->waiting.reset();
   }
   setBusy(false);
 }
 
 void JobRunner::finish() {
-  std::unique_lock lock(mutex_);
-  idle_.wait(lock, [this] { return !waiting_ && !running_; });
+  std::unique_lock lock(queue_->mutex);
+  queue_->idle.wait(lock, [this] { return !queue_->waiting && !queue_->running; });
 }
 
 void JobRunner::launch(Work work, Failed failed) {
@@ -48,43 +47,49 @@ void JobRunner::launch(Work work, Failed failed) {
   job.runner_ = this;
   job.id_ = ++current_id_;
   job.stop_ = stop_.get_token();
+  bool looked_after = false;
   {
-    const std::scoped_lock lock(mutex_);
-    waiting_ = Waiting{job, std::move(work), std::move(failed)};
+    const std::scoped_lock lock(queue_->mutex);
+    queue_->waiting = Waiting{job, std::move(work), std::move(failed)};
+    looked_after = std::exchange(queue_->looked_after, true);
   }
-  wake_.notify_one();
+  if (!looked_after) WorkerPool::of(workers_).run([queue = queue_] { lookAfter(queue); });
   setBusy(true);
 }
 
-void JobRunner::serve(const std::stop_token& quit) {
-  lowerPriority(LowerPriority::ToTheWindow);
-  while (true) {
-    std::unique_lock lock(mutex_);
-    if (!wake_.wait(lock, quit, [this] { return waiting_.has_value(); })) return;
-    const Waiting next = std::move(*waiting_);
-    waiting_.reset();
-    running_ = true;
+/// On a thread of the pool.
+void JobRunner::lookAfter(const std::shared_ptr<Queue>& queue) {
+  std::unique_lock lock(queue->mutex);
+  while (queue->waiting) {
+    std::optional<Waiting> next = std::move(queue->waiting);
+    queue->waiting.reset();
+    queue->running = true;
     lock.unlock();
-
-    Delivery delivery;
-    const auto failure = [&next](const QString& message) {
-      return [failed = next.failed, message] { failed(message); };
-    };
-    try {
-      delivery = next.work(next.job);
-    } catch (const std::exception& error) {
-      delivery = failure(QString::fromStdString(error.what()));
-    } catch (...) {
-      delivery = failure(tr("Something unknown went wrong."));
-    }
-    next.job.post([this, delivery = std::move(delivery)] {
-      setBusy(false);
-      delivery();
-    });
+    run(*next);
+    next.reset();  // with what the job used
     lock.lock();
-    running_ = false;
-    idle_.notify_all();
+    queue->running = false;
+    queue->idle.notify_all();
   }
+  queue->looked_after = false;
+}
+
+void JobRunner::run(const Waiting& next) {
+  Delivery delivery;
+  const auto failure = [&next](const QString& message) {
+    return [failed = next.failed, message] { failed(message); };
+  };
+  try {
+    delivery = next.work(next.job);
+  } catch (const std::exception& error) {
+    delivery = failure(QString::fromStdString(error.what()));
+  } catch (...) {
+    delivery = failure(tr("Something unknown went wrong."));
+  }
+  next.job.post([runner = next.job.runner_, delivery = std::move(delivery)] {
+    runner->setBusy(false);
+    delivery();
+  });
 }
 
 void JobRunner::post(std::uint64_t id, Delivery delivery) {

@@ -11,9 +11,10 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <thread>
 #include <type_traits>
 #include <utility>
+
+#include "app/jobs/worker_pool.h"
 
 namespace mocapress {
 
@@ -37,16 +38,17 @@ class Job {
   std::stop_token stop_;
 };
 
-/// Runs jobs of one purpose, one at a time, on its own thread, and delivers what they return or
+/// Runs jobs of one purpose, one at a time, on a thread of a pool, and delivers what they return or
 /// throw on the thread it lives in. A newer job asks the running one to stop and makes it void:
-/// nothing of a void job is delivered any more. Destruction asks for a stop and waits.
+/// nothing of a void job is delivered any more. Destruction asks for a stop and waits, so that no
+/// job outlives what it uses.
 class JobRunner : public QObject {
   Q_OBJECT
 
  public:
   using Failed = std::function<void(const QString& message)>;
 
-  explicit JobRunner(QObject* parent = nullptr);
+  explicit JobRunner(Workers workers = Workers::WaitedFor, QObject* parent = nullptr);
   ~JobRunner() override;
 
   /// `work(const Job&)` runs off this thread; then either `done(its result)` or `failed(message)`
@@ -90,24 +92,31 @@ class JobRunner : public QObject {
     Failed failed;
   };
 
+  /// What the threads of the pool see: one of them may look here after the runner is gone.
+  struct Queue {
+    std::mutex mutex;  // guards the rest
+    std::condition_variable idle;
+    std::optional<Waiting> waiting;
+    bool looked_after = false;  // a thread of the pool will look for what waits, or does
+    bool running = false;
+  };
+
   void launch(Work work, Failed failed);
-  void serve(const std::stop_token& quit);
+  static void lookAfter(const std::shared_ptr<Queue>& queue);
+  static void run(const Waiting& next);
   void post(std::uint64_t id, Delivery delivery);
   void deliverNext();
   void setBusy(bool busy);
 
+  Workers workers_;
   std::uint64_t current_id_ = 0;  // jobs with another id are void
   bool busy_ = false;
   std::stop_source stop_;  // of the newest job
+  std::shared_ptr<Queue> queue_ = std::make_shared<Queue>();
 
-  std::mutex mutex_;  // guards waiting_, running_ and posted_
-  std::condition_variable_any wake_;
-  std::condition_variable idle_;
-  std::optional<Waiting> waiting_;
-  bool running_ = false;
   // Qt's events only say that there is something here: a thread sanitizer does not see into Qt.
+  std::mutex mutex_;  // guards posted_
   std::deque<std::pair<std::uint64_t, Delivery>> posted_;
-  std::jthread thread_;  // last: it uses all of the above
 };
 
 }  // namespace mocapress

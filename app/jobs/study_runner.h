@@ -51,7 +51,7 @@ class StudyRunner : public QObject {
   void failed(const QString& message);
 
  private:
-  JobRunner runner_;
+  JobRunner runner_{Workers::LongRunning};
 };
 
 }  // namespace mocapress

@@ -9,7 +9,11 @@
 #include <QThread>
 #include <atomic>
 #include <chrono>
+#include <memory>
+#include <mutex>
+#include <set>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace mocapress {
@@ -166,6 +170,60 @@ TEST(JobRunner, DestructionStopsTheRunningJobAndWaits) {
   }
   EXPECT_TRUE(ended);
   QCoreApplication::processEvents();
+}
+
+TEST(JobRunner, WhatIsWaitedForDoesNotWaitBehindLongJobs) {
+  std::vector<std::unique_ptr<JobRunner>> paused;
+  for (int i = 0; i < 20; ++i) {
+    paused.push_back(std::make_unique<JobRunner>(Workers::LongRunning));
+    paused.back()->start(
+        untilStopped, [](int) {}, kNoFailure);
+  }
+  JobRunner slider;
+  bool answered = false;
+  slider.start([](const Job&) { return 1; }, [&](int) { answered = true; }, kNoFailure);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return answered; }, kPatience));
+}
+
+TEST(JobRunner, OneThatWaitsForAThreadIsGivenUpWithoutWaiting) {
+  std::vector<std::unique_ptr<JobRunner>> busy;
+  for (int i = 0; i < 20; ++i) {
+    busy.push_back(std::make_unique<JobRunner>(Workers::Idle));
+    busy.back()->start(
+        untilStopped, [](int) {}, kNoFailure);
+  }
+  bool ran = false;
+  {
+    JobRunner late(Workers::Idle);
+    late.start([&](const Job&) { return ran = true; }, [](bool) {}, kNoFailure);
+  }
+  busy.clear();
+  JobRunner next(Workers::Idle);
+  next.start([](const Job&) { return 1; }, [](int) {}, kNoFailure);
+  next.finish();
+  EXPECT_FALSE(ran);
+}
+
+TEST(WorkerPool, DoesAllOfItOnNoMoreThreadsThanItMayHaveAndWaitsForWhatHasBegun) {
+  std::mutex mutex;
+  std::set<std::thread::id> threads;
+  int done = 0;
+  {
+    WorkerPool pool(3, LowerPriority::ToTheWindow);
+    for (int i = 0; i < 100; ++i)
+      pool.run([&] {
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+        const std::scoped_lock lock(mutex);
+        threads.insert(std::this_thread::get_id());
+        ++done;
+      });
+    const auto all_done = [&] {
+      const std::scoped_lock lock(mutex);
+      return done == 100;
+    };
+    EXPECT_TRUE(QTest::qWaitFor(all_done, kPatience));
+  }
+  EXPECT_LE(threads.size(), 3u);
 }
 
 }  // namespace

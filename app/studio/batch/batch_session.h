@@ -138,9 +138,9 @@ class BatchSession : public QObject {
   double worked_seconds_ = 0;  // before the last pause
   QTimer remember_later_;
   QStringList to_find_;
-  JobRunner finding_;
+  JobRunner finding_{Workers::LongRunning};
   std::vector<TunedClip> to_fit_;
-  JobRunner fitting_;
+  JobRunner fitting_{Workers::LongRunning};
   BatchRunner runner_;
 };
 

@@ -69,7 +69,7 @@ class PinnedResults : public QObject {
   Memory memory_;
   std::vector<Result> pins_;
   std::deque<Pin> unmade_;  // of those kept, not made anew yet
-  JobRunner making_;
+  JobRunner making_{Workers::LongRunning};
   bool final_ = false;  // the result is that of the document's options
 };
 

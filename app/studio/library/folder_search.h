@@ -29,7 +29,7 @@ class FolderSearch : public QObject {
   void searchNext();
 
   QStringList folders_;  // to be searched
-  JobRunner finding_;
+  JobRunner finding_{Workers::LongRunning};
 };
 
 }  // namespace mocapress

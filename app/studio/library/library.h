@@ -172,7 +172,7 @@ class Library : public QObject {
   bool changed_ = false;          // since the last write began
   bool unwritten_ = false;        // since the last write that is known to have succeeded
   QString trouble_;               // of the last write; empty: none
-  JobRunner outlines_;
+  JobRunner outlines_{Workers::LongRunning};
   FolderSearch folder_search_;
   std::deque<QString> unread_;  // paths whose outline is not known yet
 

@@ -115,7 +115,7 @@ class StudySession : public QObject {
   QStringList to_find_;
   StudyRunner runner_;
   JobRunner opening_;
-  JobRunner finding_;
+  JobRunner finding_{Workers::LongRunning};
   JobRunner exporting_;
 };
 
