@@ -114,7 +114,7 @@
     </message>
 </context>
 <context>
-    <name>mocapress::MainWindow</name>
+    <name>mocapress::Notices</name>
     <message numerus="yes">
         <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
         <translation>

@@ -1449,6 +1449,22 @@
 <context>
     <name>mocapress::Help</name>
     <message>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>About Mocapress</source>
+        <translation>À propos de Mocapress</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresses human motion capture clips with wavelets, after Philippe Beaudoin, Pierre Poulin and Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;The studio is free software under the GNU General Public License, version 3 or later; the compression library is under the MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresse des captures de mouvement humain par ondelettes, d&apos;après Philippe Beaudoin, Pierre Poulin et Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;Le studio est un logiciel libre sous licence publique générale GNU, version 3 ou ultérieure ; la bibliothèque de compression est sous licence MIT.&lt;/p&gt;</translation>
+    </message>
+    <message>
         <source>Left drag in the 3D view: turn</source>
         <translation>Glisser à gauche dans la vue 3D : tourner</translation>
     </message>
@@ -1665,6 +1681,17 @@
     <message>
         <source>This method ignores importance: choose %1 or %2.</source>
         <translation>Cette méthode ignore l&apos;importance : choisissez %1 ou %2.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::IncomingFiles</name>
+    <message>
+        <source>Left out; the library takes only motions: %1</source>
+        <translation>Laissés de côté, la bibliothèque prend des mouvements : %1</translation>
+    </message>
+    <message>
+        <source>Left out; only one project is open at a time: %1</source>
+        <translation>Laissés de côté, un seul projet est ouvert à la fois : %1</translation>
     </message>
 </context>
 <context>
@@ -1973,95 +2000,12 @@
 <context>
     <name>mocapress::MainWindow</name>
     <message>
-        <source>Library</source>
-        <translation>Bibliothèque</translation>
-    </message>
-    <message>
-        <source>Compression</source>
-        <translation>Compression</translation>
-    </message>
-    <message>
-        <source>Joints</source>
-        <translation>Articulations</translation>
-    </message>
-    <message>
-        <source>Footskate</source>
-        <translation>Glissement</translation>
-    </message>
-    <message>
-        <source>Error over time</source>
-        <translation>Erreur au cours du temps</translation>
-    </message>
-    <message>
-        <source>Heat map</source>
-        <translation>Carte de chaleur</translation>
-    </message>
-    <message>
-        <source>Channel</source>
-        <translation>Canal</translation>
-    </message>
-    <message>
-        <source>Rate-distortion</source>
-        <translation>Débit-distorsion</translation>
-    </message>
-    <message>
-        <source>Guide</source>
-        <translation>Guide</translation>
-    </message>
-    <message>
-        <source>Keyboard Shortcuts</source>
-        <translation>Raccourcis clavier</translation>
-    </message>
-    <message>
         <source>The language changes when Mocapress is started again.</source>
         <translation>La langue change au prochain démarrage de Mocapress.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
-        <translation>
-            <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln clip.</numerusform>
-            <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln clips.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 enregistré.</translation>
     </message>
     <message>
         <source>%1[*] – %2</source>
         <translation>%1[*] – %2</translation>
-    </message>
-    <message>
-        <source>About Mocapress</source>
-        <translation>À propos de Mocapress</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresses human motion capture clips with wavelets, after Philippe Beaudoin, Pierre Poulin and Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;The studio is free software under the GNU General Public License, version 3 or later; the compression library is under the MIT licence.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresse des captures de mouvement humain par ondelettes, d&apos;après Philippe Beaudoin, Pierre Poulin et Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;Le studio est un logiciel libre sous licence publique générale GNU, version 3 ou ultérieure ; la bibliothèque de compression est sous licence MIT.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Importance</source>
-        <translation>Importance</translation>
-    </message>
-    <message>
-        <source>Pinned</source>
-        <translation>Épinglés</translation>
-    </message>
-    <message>
-        <source>Opening %1…</source>
-        <translation>Ouverture de %1…</translation>
-    </message>
-    <message>
-        <source>Left out; the library takes only motions: %1</source>
-        <translation>Laissés de côté, la bibliothèque prend des mouvements : %1</translation>
-    </message>
-    <message>
-        <source>Exported %1.</source>
-        <translation>%1 exporté.</translation>
-    </message>
-    <message>
-        <source>Left out; only one project is open at a time: %1</source>
-        <translation>Laissés de côté, un seul projet est ouvert à la fois : %1</translation>
     </message>
 </context>
 <context>
@@ -2178,6 +2122,28 @@
     </message>
 </context>
 <context>
+    <name>mocapress::Notices</name>
+    <message numerus="yes">
+        <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
+        <translation>
+            <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln clip.</numerusform>
+            <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln clips.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 enregistré.</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Ouverture de %1…</translation>
+    </message>
+    <message>
+        <source>Exported %1.</source>
+        <translation>%1 exporté.</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::OpenClip</name>
     <message>
         <source>%1 is not the original of the compressed clip: joints, frames or sample rate differ.</source>
@@ -2193,6 +2159,49 @@
     <message>
         <source>Compressed</source>
         <translation>Compressé</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Panels</name>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothèque</translation>
+    </message>
+    <message>
+        <source>Compression</source>
+        <translation>Compression</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
+    <message>
+        <source>Footskate</source>
+        <translation>Glissement</translation>
+    </message>
+    <message>
+        <source>Error over time</source>
+        <translation>Erreur au cours du temps</translation>
+    </message>
+    <message>
+        <source>Heat map</source>
+        <translation>Carte de chaleur</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Canal</translation>
+    </message>
+    <message>
+        <source>Rate-distortion</source>
+        <translation>Débit-distorsion</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>Importance</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <translation>Épinglés</translation>
     </message>
 </context>
 <context>

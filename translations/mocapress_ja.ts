@@ -1438,6 +1438,22 @@
 <context>
     <name>mocapress::Help</name>
     <message>
+        <source>Guide</source>
+        <translation>ガイド</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>キーボードショートカット</translation>
+    </message>
+    <message>
+        <source>About Mocapress</source>
+        <translation>Mocapressについて</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresses human motion capture clips with wavelets, after Philippe Beaudoin, Pierre Poulin and Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;The studio is free software under the GNU General Public License, version 3 or later; the compression library is under the MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;人のモーションキャプチャをウェーブレットで圧縮します。Philippe Beaudoin、Pierre Poulin、Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007 に基づきます。&lt;/p&gt;&lt;p&gt;スタジオはGNU一般公衆利用許諾書バージョン3以降の自由ソフトウェア、圧縮ライブラリはMITライセンスです。&lt;/p&gt;</translation>
+    </message>
+    <message>
         <source>Left drag in the 3D view: turn</source>
         <translation>3Dビューで左ドラッグ：回転</translation>
     </message>
@@ -1654,6 +1670,17 @@
     <message>
         <source>This method ignores importance: choose %1 or %2.</source>
         <translation>この手法は重要度を考慮しません。%1か%2を選んでください。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::IncomingFiles</name>
+    <message>
+        <source>Left out; the library takes only motions: %1</source>
+        <translation>ライブラリはモーションだけを扱うため除きました：%1</translation>
+    </message>
+    <message>
+        <source>Left out; only one project is open at a time: %1</source>
+        <translation>一度に開けるプロジェクトは一つのため除きました：%1</translation>
     </message>
 </context>
 <context>
@@ -1960,94 +1987,12 @@
 <context>
     <name>mocapress::MainWindow</name>
     <message>
-        <source>Library</source>
-        <translation>ライブラリ</translation>
-    </message>
-    <message>
-        <source>Compression</source>
-        <translation>圧縮</translation>
-    </message>
-    <message>
-        <source>Joints</source>
-        <translation>関節</translation>
-    </message>
-    <message>
-        <source>Footskate</source>
-        <translation>足滑り</translation>
-    </message>
-    <message>
-        <source>Error over time</source>
-        <translation>誤差の時間変化</translation>
-    </message>
-    <message>
-        <source>Heat map</source>
-        <translation>ヒートマップ</translation>
-    </message>
-    <message>
-        <source>Channel</source>
-        <translation>チャンネル</translation>
-    </message>
-    <message>
-        <source>Rate-distortion</source>
-        <translation>レート歪み</translation>
-    </message>
-    <message>
-        <source>Guide</source>
-        <translation>ガイド</translation>
-    </message>
-    <message>
-        <source>Keyboard Shortcuts</source>
-        <translation>キーボードショートカット</translation>
-    </message>
-    <message>
         <source>The language changes when Mocapress is started again.</source>
         <translation>言語はMocapressの次回起動時に変わります。</translation>
-    </message>
-    <message numerus="yes">
-        <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
-        <translation>
-            <numerusform>前回は予期せず終了しました。プロジェクトを復元しました：%Ln クリップ。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 を保存しました。</translation>
     </message>
     <message>
         <source>%1[*] – %2</source>
         <translation>%1[*] – %2</translation>
-    </message>
-    <message>
-        <source>About Mocapress</source>
-        <translation>Mocapressについて</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresses human motion capture clips with wavelets, after Philippe Beaudoin, Pierre Poulin and Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;The studio is free software under the GNU General Public License, version 3 or later; the compression library is under the MIT licence.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;人のモーションキャプチャをウェーブレットで圧縮します。Philippe Beaudoin、Pierre Poulin、Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007 に基づきます。&lt;/p&gt;&lt;p&gt;スタジオはGNU一般公衆利用許諾書バージョン3以降の自由ソフトウェア、圧縮ライブラリはMITライセンスです。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Importance</source>
-        <translation>重要度</translation>
-    </message>
-    <message>
-        <source>Pinned</source>
-        <translation>ピン留め</translation>
-    </message>
-    <message>
-        <source>Opening %1…</source>
-        <translation>%1 を開いています…</translation>
-    </message>
-    <message>
-        <source>Left out; the library takes only motions: %1</source>
-        <translation>ライブラリはモーションだけを扱うため除きました：%1</translation>
-    </message>
-    <message>
-        <source>Exported %1.</source>
-        <translation>%1 を書き出しました。</translation>
-    </message>
-    <message>
-        <source>Left out; only one project is open at a time: %1</source>
-        <translation>一度に開けるプロジェクトは一つのため除きました：%1</translation>
     </message>
 </context>
 <context>
@@ -2164,6 +2109,27 @@
     </message>
 </context>
 <context>
+    <name>mocapress::Notices</name>
+    <message numerus="yes">
+        <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
+        <translation>
+            <numerusform>前回は予期せず終了しました。プロジェクトを復元しました：%Ln クリップ。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 を開いています…</translation>
+    </message>
+    <message>
+        <source>Exported %1.</source>
+        <translation>%1 を書き出しました。</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::OpenClip</name>
     <message>
         <source>%1 is not the original of the compressed clip: joints, frames or sample rate differ.</source>
@@ -2179,6 +2145,49 @@
     <message>
         <source>Compressed</source>
         <translation>圧縮後</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Panels</name>
+    <message>
+        <source>Library</source>
+        <translation>ライブラリ</translation>
+    </message>
+    <message>
+        <source>Compression</source>
+        <translation>圧縮</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Footskate</source>
+        <translation>足滑り</translation>
+    </message>
+    <message>
+        <source>Error over time</source>
+        <translation>誤差の時間変化</translation>
+    </message>
+    <message>
+        <source>Heat map</source>
+        <translation>ヒートマップ</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>チャンネル</translation>
+    </message>
+    <message>
+        <source>Rate-distortion</source>
+        <translation>レート歪み</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>重要度</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <translation>ピン留め</translation>
     </message>
 </context>
 <context>

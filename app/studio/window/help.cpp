@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -83,6 +84,29 @@ HelpWindow::HelpWindow(const QString& title, const QString& html, QWidget* paren
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(page);
+}
+
+void showGuide(QWidget* window) {
+  (new HelpWindow(Texts::tr("Guide"), guideHtml(), window))->show();
+}
+
+void showShortcuts(const QMenuBar& menus, QWidget* window) {
+  (new HelpWindow(Texts::tr("Keyboard Shortcuts"), shortcutSheet(menus), window))->show();
+}
+
+void showAbout(QWidget* window) {
+  QMessageBox::about(
+      window, Texts::tr("About Mocapress"),
+      Texts::tr(
+          "<h3>Mocapress %1</h3>"
+          "<p>Compresses human motion capture clips with wavelets, after Philippe Beaudoin, Pierre "
+          "Poulin and Michiel van de Panne, <i>Adapting Wavelet Compression to Human Motion "
+          "Capture "
+          "Clips</i>, Graphics Interface 2007.</p>"
+          "<p>The studio is free software under the GNU General Public License, version 3 or "
+          "later; "
+          "the compression library is under the MIT licence.</p>")
+          .arg(QCoreApplication::applicationVersion()));
 }
 
 }  // namespace mocapress

@@ -22,4 +22,8 @@ class HelpWindow : public QDialog {
 /// The guide in the language of the program, else in English.
 QString guideHtml();
 
+void showGuide(QWidget* window);
+void showShortcuts(const QMenuBar& menus, QWidget* window);
+void showAbout(QWidget* window);
+
 }  // namespace mocapress

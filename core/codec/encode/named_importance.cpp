@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/codec/encode/importance.h"
 #include "core/motion/body_part.h"
 
 namespace mocapress {

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/window/panels.h"
+
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStatusBar>
+#include <QVBoxLayout>
+#include <tuple>
+
+#include "app/studio/window/window_layout.h"
+#include "widgets/panels/annealing_panel.h"
+#include "widgets/panels/compression_panel.h"
+#include "widgets/panels/figures_bar.h"
+#include "widgets/panels/footskate_panel.h"
+#include "widgets/panels/importance_panel.h"
+#include "widgets/panels/joints_panel.h"
+#include "widgets/panels/library_panel.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/pinned_panel.h"
+#include "widgets/panels/result_panel.h"
+#include "widgets/panels/slot_control.h"
+#include "widgets/panels/warnings_panel.h"
+#include "widgets/plots/channel_graph.h"
+#include "widgets/plots/error_graph.h"
+#include "widgets/plots/heat_map.h"
+#include "widgets/plots/rate_plot.h"
+#include "widgets/timeline/timeline.h"
+#include "widgets/timeline/transport_bar.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kSidebarWidth = 320;
+constexpr int kLibraryWidth = 240;
+constexpr int kJointsWidth = 400;
+constexpr int kBelowHeight = 240;
+
+struct DockTitles {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::Panels)
+};
+
+QFrame* makeRule(QWidget* parent) {
+  auto* rule = new QFrame(parent);
+  rule->setFrameShape(QFrame::HLine);
+  rule->setFrameShadow(QFrame::Sunken);
+  return rule;
+}
+
+QWidget* makeCentre(Panels& panels, Playback* playback, const TransportActions& transport,
+                    QWidget* window) {
+  auto* centre = new QWidget(window);
+  panels.messages = new MessageBar(centre);
+  panels.views.warnings = new WarningsPanel(centre);
+  panels.views.viewport = new Viewport(centre);
+  panels.inspection.timeline = new Timeline(centre);
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(panels.messages);
+  column->addWidget(panels.views.warnings);
+  column->addWidget(panels.views.viewport, 1);
+  column->addWidget(panels.inspection.timeline);
+  column->addWidget(new TransportBar(playback, transport, centre));
+  return centre;
+}
+
+QWidget* makeSidebar(Panels& panels, QWidget* window) {
+  auto* sidebar = new QWidget(window);
+  panels.slot_control = new SlotControl(sidebar);
+  panels.views.compression = new CompressionPanel(sidebar);
+  panels.views.result = new ResultPanel(sidebar);
+  panels.views.annealing = new AnnealingPanel(sidebar);
+  auto* column = new QVBoxLayout(sidebar);
+  column->setContentsMargins(10, 2, 10, 10);
+  column->setSpacing(12);
+  column->addWidget(panels.slot_control);
+  column->addWidget(panels.views.compression);
+  column->addWidget(makeRule(sidebar));
+  column->addWidget(panels.views.result);
+  column->addWidget(makeRule(sidebar));
+  column->addWidget(panels.views.annealing, 1);
+  auto* scroll = new QScrollArea(window);  // where the screen is low
+  scroll->setWidget(sidebar);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(sidebar->minimumSizeHint().width() +
+                          scroll->verticalScrollBar()->sizeHint().width());
+  return scroll;
+}
+
+/// The settings, with the importance of joints as a tab beside them.
+QDockWidget* addRight(Panels& panels, WindowLayout* layout, QMainWindow* window) {
+  QDockWidget* sidebar = layout->addRight(
+      makeSidebar(panels, window), QStringLiteral("compression"), DockTitles::tr("Compression"));
+  panels.views.importance = new ImportancePanel(window);
+  QDockWidget* importance = layout->addRight(panels.views.importance, QStringLiteral("importance"),
+                                             DockTitles::tr("Importance"));
+  window->tabifyDockWidget(sidebar, importance);
+  sidebar->raise();
+  QObject::connect(panels.views.compression, &CompressionPanel::importanceRequested, importance,
+                   [importance] {
+                     importance->show();
+                     importance->raise();
+                   });
+  return sidebar;
+}
+
+/// Of the first of several that are tabs in one place, which is in front.
+QDockWidget* addTabs(const std::vector<std::tuple<QWidget*, const char*, QString>>& panels,
+                     WindowLayout* layout, QMainWindow* window) {
+  QDockWidget* first = nullptr;
+  QDockWidget* before = nullptr;
+  for (const auto& [panel, id, title] : panels) {
+    QDockWidget* dock = layout->addBelow(panel, QString::fromLatin1(id), title);
+    if (before) window->tabifyDockWidget(before, dock);
+    before = dock;
+    if (!first) first = dock;
+  }
+  first->raise();
+  return first;
+}
+
+}  // namespace
+
+Panels makePanels(QMainWindow* window, WindowLayout* layout, const PanelModels& models,
+                  Playback* playback, const TransportActions& transport) {
+  Panels panels;
+  window->setCentralWidget(makeCentre(panels, playback, transport, window));
+  window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  panels.library = new LibraryPanel(models.library, window);
+  QDockWidget* library =
+      layout->addLeft(panels.library, QStringLiteral("library"), DockTitles::tr("Library"));
+  QDockWidget* sidebar = addRight(panels, layout, window);
+  Views& views = panels.views;
+  views.joints = new JointsPanel(models.clip.joints, window);
+  views.footskate = new FootskatePanel(models.clip.slides, window);
+  panels.pinned = new PinnedPanel(models.pinned, window);
+  QDockWidget* joints = addTabs({{views.joints, "joints", DockTitles::tr("Joints")},
+                                 {views.footskate, "footskate", DockTitles::tr("Footskate")},
+                                 {panels.pinned, "pinned", DockTitles::tr("Pinned")}},
+                                layout, window);
+  InspectionViews& inspection = panels.inspection;
+  views.graph = new ErrorGraph(window);
+  inspection.heat_map = new HeatMap(window);
+  inspection.channel = new ChannelGraph(window);
+  inspection.curve = new RatePlot(window);
+  QDockWidget* graph =
+      addTabs({{views.graph, "error-over-time", DockTitles::tr("Error over time")},
+               {inspection.heat_map, "heat-map", DockTitles::tr("Heat map")},
+               {inspection.channel, "channel", DockTitles::tr("Channel")},
+               {inspection.curve, "rate-distortion", DockTitles::tr("Rate-distortion")}},
+              layout, window);
+  inspection.figures = new FiguresBar(window);
+  window->statusBar()->addWidget(inspection.figures, 1);
+  window->statusBar()->setSizeGripEnabled(false);
+  window->resizeDocks({library, sidebar}, {kLibraryWidth, kSidebarWidth}, Qt::Horizontal);
+  const int rest = window->width() - kLibraryWidth - kSidebarWidth - kJointsWidth;
+  window->resizeDocks({joints, graph}, {kJointsWidth, rest}, Qt::Horizontal);
+  window->resizeDocks({joints, graph}, {kBelowHeight, kBelowHeight}, Qt::Vertical);
+  return panels;
+}
+
+}  // namespace mocapress

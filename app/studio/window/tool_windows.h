@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+class QWidget;
+
+namespace mocapress {
+
+class BatchWindow;
+class ClipFiles;
+class Library;
+class PresetShelf;
+class Session;
+class StudySession;
+class StudyWindow;
+
+/// The windows beside the main one, for a study and for a batch: made when they are asked for, and
+/// kept then. They live as long as the main window.
+class ToolWindows : public QObject {
+  Q_OBJECT
+
+ public:
+  ToolWindows(Session* session, Library* library, ClipFiles* files, PresetShelf* presets,
+              QWidget* window);
+
+  /// Opens it, or brings it to the front.
+  StudyWindow* showStudy();
+
+  /// With the clip that is open.
+  void showBatch();
+
+  /// Clips of the library by their own settings; no rows: all of them.
+  void exportClips(const std::vector<int>& rows);
+
+  void close();
+
+ private:
+  void makeStudy();
+  void makeBatch();
+  void showHere();
+
+  Session* session_;
+  Library* library_;
+  ClipFiles* files_;
+  PresetShelf* presets_;
+  QWidget* window_;
+  StudySession* study_session_ = nullptr;
+  StudyWindow* study_ = nullptr;
+  BatchWindow* batch_ = nullptr;
+};
+
+}  // namespace mocapress
