@@ -6,9 +6,13 @@
 #include "core/mocapress/settings.h"
 
 namespace mocapress {
+// In a namespace of their own, for one of the studio's enums has an enumerator of the same name,
+// which GCC would say shadows this.
+inline namespace names_of_presets {
 
 using Preset = Settings;
 using PresetCorrection = CorrectionSettings;
 using PresetContact = ContactSetting;
 
+}  // namespace names_of_presets
 }  // namespace mocapress

@@ -12,7 +12,8 @@
 #include <unordered_map>
 
 #include "core/base/parallel.h"
-#include "core/baselines/comparison_method.h"
+#include "core/baselines/compression_method.h"
+#include "core/mocapress/encode_options.h"
 #include "core/report/loaded_clip.h"
 
 namespace mocapress {
@@ -90,14 +91,15 @@ class Run {
  private:
   void do_job(std::size_t index) {
     const StudyJob& job = jobs_[index];
+    const Settings settings = settings_of(job);
     SharedClip& shared = *clips_[job.clip];
     StudyRow row{.clip = plan_.clips[job.clip].path.string(),
                  .review = plan_.clips[job.clip].review,
-                 .method = plan_.methods[job.method],
-                 .target = job.target,
-                 .weighting = plan_.weighting,
-                 .coding = coding_of(job),
-                 .seed = plan_.seed,
+                 .method = settings.method,
+                 .target = settings.target,
+                 .weighting = settings.weighting,
+                 .coding = coding_of(settings),
+                 .seed = settings.seed,
                  .ik_ratio = job.ik_ratio,
                  .jobs = workers_};
     bool kept = false;
@@ -105,7 +107,7 @@ class Run {
     if (const LoadedClip* clip = shared.get(plan_, plan_.clips[job.clip].path)) {
       row.fingerprint = clip->fingerprint();
       kept = keep_earlier(row);
-      if (!kept) complete = compress(*clip, row);
+      if (!kept) complete = compress(*clip, settings, row);
     } else {
       row.error = shared.error();
     }
@@ -113,9 +115,14 @@ class Run {
     if (complete) finish(index, std::move(row), kept);
   }
 
-  std::optional<Coding> coding_of(const StudyJob& job) const {
-    if (find_comparison_method(plan_.methods[job.method])) return std::nullopt;
-    return plan_.methods[job.method] == name(Method::ClosedLoop) ? Coding::Adaptive : plan_.coding;
+  Settings settings_of(const StudyJob& job) const {
+    Settings settings{.method = plan_.methods[job.method],
+                      .weighting = plan_.weighting,
+                      .target = job.target,
+                      .seed = plan_.seed};
+    if (settings.method != name(Method::ClosedLoop)) settings.coding = plan_.coding;
+    if (job.ik_ratio) settings.correction = CorrectionSettings{.ratio = job.ik_ratio};
+    return settings;
   }
 
   bool keep_earlier(StudyRow& row) const {
@@ -129,18 +136,13 @@ class Run {
   }
 
   /// False when the observer ended it.
-  bool compress(const LoadedClip& clip, StudyRow& row) {
+  bool compress(const LoadedClip& clip, const Settings& settings, StudyRow& row) {
     bool told_to_stop = false;
     try {
-      const CompressionMethod* compression_method = find_compression_method(row.method);
-      if (!compression_method) throw Error("unknown method \"" + row.method + "\"");
-      EncodeOptions options{.coding = plan_.coding,
-                            .weighting = row.weighting,
-                            .target = row.target,
-                            .seed = row.seed};
-      if (row.ik_ratio) options.correction = CorrectionOptions{.ratio = row.ik_ratio};
+      check(settings);
       const Compression compression =
-          clip.encoder().compress(*compression_method, options,
+          clip.encoder().compress(*find_compression_method(settings.method),
+                                  encode_options(settings, clip.motion().skeleton),
                                   [&](const EncodeProgress&) { return !(told_to_stop = !ask()); });
       if (!compression.complete) return false;
       row.measured = clip.measure(compression);
