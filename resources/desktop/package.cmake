@@ -6,6 +6,10 @@ set(CPACK_PACKAGE_NAME mocapress)
 set(CPACK_PACKAGE_CONTACT "The Mocapress developers <developers@mocapress.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+# Not the component library: who compiles against it has this tree, and it would bring the headers of Eigen,
+# TBB and zlib to everybody who wants the studio.
+set(CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};mocapress;Unspecified;/"
+                                 "${PROJECT_BINARY_DIR};mocapress;runtime;/")
 # The synopsis and what stands below it.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "studio and command line that compress motion capture clips")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION

@@ -49,6 +49,8 @@ TEST_F(Package, PassesLintianWithoutErrors) {
        {"/usr/share/doc/mocapress/copyright", "/usr/share/doc/mocapress/changelog.Debian.gz",
         "/usr/share/man/man1/mocapress.1.gz"})
     EXPECT_NE(files.find(name), std::string::npos) << name;
+  EXPECT_NE(files.find("/mocapress_runtime.h"), std::string::npos) << "what an engine takes";
+  EXPECT_EQ(files.find("/libmocapress.a"), std::string::npos) << "what a developer builds";
 }
 
 }  // namespace
