@@ -32,7 +32,7 @@ struct Compress {
   std::string input;
   MotionInput source;
   std::string output;
-  Settings settings{.weighting = Weighting::Surface, .target = {}};
+  Settings settings{.target = {}};
   Effort effort = Effort::Default;
   CorrectionArguments correction;
   ContactInput contacts;

@@ -17,7 +17,7 @@ struct Player::Parts {
 
   /// One instant, into as many floats as the output has.
   void decode(mcpr_output output, double seconds, AtEnds at_ends, float* out) const {
-    const mcpr_request request{.output = output, .corrected = 1};
+    const mcpr_request request{.output = output, .apply_ik = 1};
     const AlignedBytes scratch(mcpr_scratch_bytes(clip.get(), &request));
     if (!std::isfinite(seconds)) throw Error("an instant that is not finite");
     const double frame = seconds * info.sample_rate;

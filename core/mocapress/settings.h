@@ -48,13 +48,13 @@ struct Settings {
   std::string name;                    // of a preset; empty: none
   std::string method = "closed-loop";  // of compression_methods(): what `mocapress compress` has
   std::optional<Coding> coding;        // unset: the method's usual one
-  Weighting weighting = Weighting::BoneEnds;  // what errors are measured on
-  Target target{Target::Kind::Error, 0.5};    // cm
-  std::uint64_t seed = 1;           // of the annealing; the same seed gives the same bytes
-  Effort effort = Effort::Default;  // not Draft, which promises nothing
-  NamedImportance importance;       // what more care is taken of
-  Ends ends = Ends::Even;           // what is promised of the first and the last pose
-  std::optional<Loop> loop;         // unset: the encoder finds whether the clip is one
+  Weighting weighting = Weighting::Surface;  // what errors are measured on
+  Target target{Target::Kind::Error, 0.5};   // cm
+  std::uint64_t seed = 1;                    // of the annealing; the same seed gives the same bytes
+  Effort effort = Effort::Default;           // not Draft, which promises nothing
+  NamedImportance importance;                // what more care is taken of
+  Ends ends = Ends::Even;                    // what is promised of the first and the last pose
+  std::optional<Loop> loop;                  // unset: the encoder finds whether the clip is one
   std::optional<CorrectionSettings> correction;         // unset: without IK correction
   std::optional<std::vector<ContactSetting>> contacts;  // edited ones, of the one clip they are
                                                         // for; unset: found
@@ -67,7 +67,7 @@ struct Settings {
 void check(const Settings& settings);
 
 /// One JSON object on one line, which settings_from_json() reads:
-///   {"name": "Mine", "method": "closed-loop", "coding": null, "weighting": "bone-ends",
+///   {"name": "Mine", "method": "closed-loop", "coding": null, "weighting": "surface",
 ///    "target": {"kind": "error", "value": 0.5}, "seed": 1,
 ///    "ik": {"ratio": "auto", "effectors": [], "solver": "nearest-pose", "at": "every-frame"},
 ///    "effort": "best", "importance": {"feet": 4, "lwrist": 2, "contacts": 20}, "ends": "even",

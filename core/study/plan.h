@@ -27,7 +27,7 @@ struct StudyPlan {
   std::vector<std::string> methods;               // names of compression_methods()
   std::optional<std::filesystem::path> skeleton;  // of clips that have none beside them
   ReadOptions reading;
-  Weighting weighting = Weighting::BoneEnds;
+  Weighting weighting = Weighting::Surface;
   Coding coding = Coding::Deflate;
   std::uint64_t seed = 1;
   std::vector<double> ik_ratios;  // r_IK of "annealed" with the feet held, besides without

@@ -17,7 +17,7 @@ struct StudySettings {
   std::vector<double> ratios;
   std::vector<double> errors;      // eps_x, cm
   std::optional<double> ik_ratio;  // set: annealed also with the feet held
-  Weighting weighting = Weighting::BoneEnds;
+  Weighting weighting = Weighting::Surface;
 
   bool operator==(const StudySettings&) const = default;
 };
