@@ -32,9 +32,9 @@ Encoded ClipEncoder::encode(const Settings& settings, const Observer<EncodeProgr
   return {std::move(made.file), measurement, made.complete};
 }
 
-Encoded encode(const MotionFile& source, const Settings& settings,
+Encoded encode(MotionFile source, const Settings& settings,
                const Observer<EncodeProgress>& observer, const std::stop_token& stop) {
-  return ClipEncoder(source).encode(settings, observer, stop);
+  return ClipEncoder(std::move(source)).encode(settings, observer, stop);
 }
 
 }  // namespace mocapress

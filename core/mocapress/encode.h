@@ -35,8 +35,8 @@ class ClipEncoder {
 
   const Motion& motion() const;
 
-  /// `observer` is called on the calling thread, some ten times a second or oftener, and answers
-  /// whether to continue; so does `stop`. Work is spread over all processors.
+  /// `observer` is called every so often on the thread that does the work, and answers whether to
+  /// continue; so does `stop`. Work is spread over all processors.
   ///
   /// Throws Error for settings that check() refuses or that name a joint the skeleton lacks, and
   /// TargetMissed when nothing meets the target; its what() gives the best there is.
@@ -48,7 +48,7 @@ class ClipEncoder {
 };
 
 /// The same, once.
-Encoded encode(const MotionFile& source, const Settings& settings,
+Encoded encode(MotionFile source, const Settings& settings,
                const Observer<EncodeProgress>& observer = {}, const std::stop_token& stop = {});
 
 }  // namespace mocapress

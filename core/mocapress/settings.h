@@ -45,9 +45,11 @@ struct ContactSetting {
 /// By what to compress any clip; joints go by their names, for no skeleton is known yet. With a
 /// name it is a preset.
 struct Settings {
-  std::string name;                    // of a preset; empty: none
-  std::string method = "closed-loop";  // of compression_methods(): what `mocapress compress` has
-  std::optional<Coding> coding;        // unset: the method's usual one
+  std::string name;  // of a preset; empty: none
+  // "closed-loop", the best there is; "annealed", "standard", "per-channel", "haar", "linear"; or
+  // what they are compared with, which no engine plays: see `mocapress compress --help`.
+  std::string method = "closed-loop";
+  std::optional<Coding> coding;              // unset: the method's usual one
   Weighting weighting = Weighting::Surface;  // what errors are measured on
   Target target{Target::Kind::Error, 0.5};   // cm
   std::uint64_t seed = 1;                    // of the annealing; the same seed gives the same bytes

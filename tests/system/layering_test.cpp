@@ -137,7 +137,7 @@ std::vector<fs::path> sources_below(const fs::path& folder) {
   std::vector<fs::path> sources;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path& path = entry.path();
-    if (path.extension() == ".h" || path.extension() == ".cpp" ||
+    if (path.extension() == ".h" || path.extension() == ".cpp" || path.extension() == ".inc" ||
         path.filename() == "CMakeLists.txt")
       sources.push_back(path);
   }
