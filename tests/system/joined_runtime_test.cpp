@@ -2,7 +2,9 @@
 // The runtime decoder as two files: what somebody gets who copies them into a game.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
+#include <sstream>
 
 #include "core/base/file.h"
 #include "tests/system/command.h"
@@ -70,6 +72,19 @@ TEST_F(JoinedRuntime, NeedsNothingOfCxxWhenItIsLinked) {
   EXPECT_EQ(missing.find("std::"), std::string::npos) << missing;
   EXPECT_EQ(missing.find("operator new"), std::string::npos) << missing;
   EXPECT_EQ(missing.find("mocapress"), std::string::npos) << missing;
+}
+
+/// In one source a pragma for AVX2 would count for all templates: the rest must run without it.
+TEST_F(JoinedRuntime, HasAvx2InTheFunctionsThatAskForItAlone) {
+  run("g++ -std=c++20 -O2 -c mocapress_runtime.cpp");
+  std::istringstream lines(run("objdump -dC --no-show-raw-insn mocapress_runtime.o"));
+  std::string function;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with(">:")) function = line;
+    if (line.find("%ymm") != std::string::npos && function.find("avx2") == std::string::npos)
+      FAIL() << function << line;
+  }
+  EXPECT_FALSE(function.empty());
 }
 
 TEST_F(JoinedRuntime, RefusesOptionsThatWouldChangeItsBits) {
