@@ -18,6 +18,11 @@ bool isPassedThrough(const QWidget* widget) {
          qobject_cast<const QToolBar*>(widget->parentWidget());
 }
 
+/// A panel that was torn off.
+bool isDockOf(const QWidget* window, const QWidget* top) {
+  return qobject_cast<const QDockWidget*>(top) && top->parentWidget() == window;
+}
+
 }  // namespace
 
 UndoTarget::UndoTarget(Session* session, Library* library, QWidget* window)
@@ -53,7 +58,7 @@ void UndoTarget::follow(const QWidget* focus) {
   if (!focus || !panel_ || isPassedThrough(focus)) return;
   if (focus == panel_ || panel_->isAncestorOf(focus))
     histories_.setActiveStack(library_->history());
-  else if (focus->window() == window_ || qobject_cast<QDockWidget*>(focus->window()))
+  else if (focus->window() == window_ || isDockOf(window_, focus->window()))
     histories_.setActiveStack(session_->history());
 }
 
