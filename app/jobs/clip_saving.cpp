@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "app/jobs/clips.h"
 #include "core/base/staged_file.h"
 #include "core/batch/verification.h"
 #include "core/codec/format/source_section.h"

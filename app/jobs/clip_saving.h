@@ -3,9 +3,10 @@
 
 #include <QString>
 
-#include "app/jobs/clips.h"
-
 namespace mocapress {
+
+struct DecodedClip;
+struct OriginalClip;
 
 /// Writes a compressed clip. What the disk gives back is verified before it takes its place:
 /// against its original where it was encoded here, else by being read. Throws Error.

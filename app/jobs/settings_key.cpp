@@ -5,6 +5,8 @@
 #include <locale>
 #include <sstream>
 
+#include "core/codec/encode/encoder.h"
+
 namespace mocapress {
 
 std::string settingsKey(const EncodeOptions& options) {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "core/codec/encode/encoder.h"
-
 namespace mocapress {
+
+struct EncodeOptions;
 
 /// Equal for settings that give the same bytes and measures of the same clip.
 std::string settingsKey(const EncodeOptions& options);

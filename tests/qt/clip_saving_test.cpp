@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include "app/jobs/clips.h"
 #include "core/base/file.h"
 #include "tests/support/test_motion.h"
 

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "app/jobs/clips.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/codec/encode/encoder.h"
 #include "widgets/plots/convergence_plot.h"
 
 namespace mocapress {

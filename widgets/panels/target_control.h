@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <map>
 
-#include "core/codec/encode/encoder.h"
+#include "core/codec/encode/target.h"
 
 class QComboBox;
 class QLabel;

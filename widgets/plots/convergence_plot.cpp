@@ -5,6 +5,7 @@
 
 #include <QVBoxLayout>
 
+#include "core/codec/encode/encoder.h"
 #include "widgets/plots/plot_style.h"
 
 namespace mocapress {

@@ -4,11 +4,11 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/codec/encode/encoder.h"
-
 class QCustomPlot;
 
 namespace mocapress {
+
+struct EncodeProgress;
 
 /// eps_x (cm) over the iterations of an annealing while it runs; earlier passes stay, faint.
 class ConvergencePlot : public QWidget {

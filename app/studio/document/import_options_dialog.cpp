@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <cmath>
 
+#include "app/jobs/clips.h"
 #include "core/formats/amc.h"
 
 namespace mocapress {

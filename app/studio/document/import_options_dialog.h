@@ -3,12 +3,13 @@
 
 #include <QDialog>
 
-#include "app/jobs/clips.h"
-
 class QComboBox;
 class QDoubleSpinBox;
 
 namespace mocapress {
+
+struct OriginalClip;
+struct ReadOptions;
 
 /// What to read a motion as where its file says it wrongly or not at all: unit, up axis, rate, and
 /// how a BVH root goes with its OFFSET. Each is as the file says, or as the reader guesses, unless
