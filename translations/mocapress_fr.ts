@@ -1805,23 +1805,7 @@
     </message>
 </context>
 <context>
-    <name>mocapress::Library</name>
-    <message>
-        <source>Note</source>
-        <translation>Note</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Verdict</translation>
-    </message>
-    <message>
-        <source>Add Clips</source>
-        <translation>Ajouter des clips</translation>
-    </message>
-    <message>
-        <source>Remove Clip</source>
-        <translation>Retirer le clip</translation>
-    </message>
+    <name>mocapress::KeptProject</name>
     <message>
         <source>%1 is open in another window of Mocapress. This is a new project.</source>
         <translation>%1 est ouvert dans une autre fenêtre de Mocapress. Voici un nouveau projet.</translation>
@@ -1841,6 +1825,25 @@
     <message>
         <source>The project was not saved: %1</source>
         <translation>Le projet n&apos;est pas enregistré : %1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Library</name>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Add Clips</source>
+        <translation>Ajouter des clips</translation>
+    </message>
+    <message>
+        <source>Remove Clip</source>
+        <translation>Retirer le clip</translation>
     </message>
 </context>
 <context>

@@ -1794,23 +1794,7 @@
     </message>
 </context>
 <context>
-    <name>mocapress::Library</name>
-    <message>
-        <source>Note</source>
-        <translation>メモ</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>判定</translation>
-    </message>
-    <message>
-        <source>Add Clips</source>
-        <translation>クリップを追加</translation>
-    </message>
-    <message>
-        <source>Remove Clip</source>
-        <translation>クリップを外す</translation>
-    </message>
+    <name>mocapress::KeptProject</name>
     <message>
         <source>%1 is open in another window of Mocapress. This is a new project.</source>
         <translation>%1は別のMocapressのウィンドウで開かれています。これは新しいプロジェクトです。</translation>
@@ -1830,6 +1814,25 @@
     <message>
         <source>The project was not saved: %1</source>
         <translation>プロジェクトが書き込まれていません: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Library</name>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Add Clips</source>
+        <translation>クリップを追加</translation>
+    </message>
+    <message>
+        <source>Remove Clip</source>
+        <translation>クリップを外す</translation>
     </message>
 </context>
 <context>

@@ -2,12 +2,14 @@
 #include "app/jobs/open_clip.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <filesystem>
 #include <optional>
 
 #include "core/baselines/compression_method.h"
 #include "core/codec/format/source_section.h"
 #include "core/formats/motion_file.h"
+#include "core/study/row.h"
 
 namespace mocapress {
 namespace {
@@ -73,10 +75,29 @@ OpenedClip openCompared(const OpenRequest& request, const Job& job) {
   return {original, decodedClip(read_mcpr(made.file), original.get())};
 }
 
+/// The studio does not ask for coefficient ratios: they become the ratio they came to.
+Target targetOf(const StudyRow& row) {
+  if (row.target.kind != Target::Kind::CoefficientRatio || !row.measured) return row.target;
+  return {Target::Kind::Ratio, row.measured->ratio};
+}
+
 }  // namespace
 
 bool isCompressedFile(const QString& path) {
   return path.endsWith(QStringLiteral(".mcpr"), Qt::CaseInsensitive);
+}
+
+OpenRequest requestOf(const StudyRow& row) {
+  OpenRequest request;
+  request.path = QFileInfo(QString::fromStdString(row.clip)).absoluteFilePath();
+  EncodeOptions options{.weighting = row.weighting, .target = targetOf(row), .seed = row.seed};
+  if (row.coding) options.coding = *row.coding;
+  if (row.ik_ratio) options.correction = CorrectionOptions{.ratio = row.ik_ratio};
+  const CompressionMethod* compression_method = find_compression_method(row.method);
+  if (!compression_method || !choose_wavelets(*compression_method, options))
+    request.comparison = row.method;
+  request.options = options;
+  return request;
 }
 
 OpenedClip openClip(const OpenRequest& request, const Job& job) {

@@ -10,6 +10,8 @@
 
 namespace mocapress {
 
+struct StudyRow;
+
 /// What to open, with what is open now: a .mcpr and its original are shown together, in whichever
 /// order they are opened.
 struct OpenRequest {
@@ -30,6 +32,9 @@ struct OpenedClip {
   OriginalPtr original;
   DecodedPtr decoded;
 };
+
+/// What opens the clip of a row of a study as it is compressed there.
+OpenRequest requestOf(const StudyRow& row);
 
 bool isCompressedFile(const QString& path);
 

@@ -1,12 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/worker_pool.h"
 
+#include <QtGlobal>
 #include <utility>
+
+#ifdef Q_OS_LINUX
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
 namespace mocapress {
 namespace {
 
 constexpr std::size_t kMostThreads = 8;  // as many jobs of a kind as the studio has at a time
+
+/// Of the calling thread.
+void lowerPriority([[maybe_unused]] LowerPriority how) {
+#ifdef Q_OS_LINUX
+  // On Linux a thread has a niceness of its own, and threads take over that of their maker.
+  constexpr int kNice = 10;
+  constexpr int kNicest = 19;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()),
+              how == LowerPriority::ToTheWindow ? kNice : kNicest);
+#endif
+}
 
 }  // namespace
 

@@ -10,9 +10,11 @@
 #include <thread>
 #include <vector>
 
-#include "app/jobs/lower_priority.h"
-
 namespace mocapress {
+
+/// How much the threads of a pool, and those that they start, give way to others: the window comes
+/// before all work, and work that is waited for before what is not. No effect but on Linux.
+enum class LowerPriority { ToTheWindow, ToEverything };
 
 /// What a job is for, which decides what threads it is done by.
 enum class Workers {

@@ -17,7 +17,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "app/studio/document/sample_clip.h"
+#include "app/studio/document/clip_files.h"
 #include "app/studio/window/screenshot.h"
 #include "app/studio/window/trace.h"
 #include "core/formats/motion_file.h"

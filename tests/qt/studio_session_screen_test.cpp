@@ -23,7 +23,7 @@
 
 #include "app/studio/batch/batch_memory.h"
 #include "app/studio/batch/batch_window.h"
-#include "app/studio/document/sample_clip.h"
+#include "app/studio/document/clip_files.h"
 #include "app/studio/window/screenshot.h"
 #include "core/formats/motion_file.h"
 #include "tests/qt/studio_at_work.h"

@@ -18,7 +18,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/studio/document/sample_clip.h"
+#include "app/studio/document/clip_files.h"
 #include "app/studio/window/help.h"
 #include "app/studio/window/screenshot.h"
 #include "tests/qt/studio_at_work.h"

@@ -13,7 +13,7 @@
 #include <QToolButton>
 
 #include "app/studio/batch/batch_window.h"
-#include "app/studio/document/sample_clip.h"
+#include "app/studio/document/clip_files.h"
 #include "app/studio/window/main_window.h"
 #include "app/studio/window/screenshot.h"
 #include "widgets/panels/compression_panel.h"

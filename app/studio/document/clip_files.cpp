@@ -2,6 +2,7 @@
 #include "app/studio/document/clip_files.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -10,7 +11,6 @@
 
 #include "app/studio/document/import_options_dialog.h"
 #include "app/studio/document/recent_files.h"
-#include "app/studio/document/sample_clip.h"
 #include "app/studio/document/session.h"
 #include "core/baselines/comparison_method.h"
 
@@ -34,6 +34,16 @@ QString filterOf(const QString& extension) {
 }
 
 }  // namespace
+
+QString sampleClip() {
+  const QString installed =
+      QCoreApplication::applicationDirPath() + QStringLiteral("/../share/mocapress/samples");
+  for (const QString& directory : {installed, QStringLiteral(MOCAPRESS_SAMPLES)}) {
+    const QFileInfo clip(directory + QStringLiteral("/human_walk.amc"));
+    if (clip.exists()) return clip.canonicalFilePath();
+  }
+  return {};
+}
 
 ClipFiles::ClipFiles(Session* session, QWidget* window)
     : QObject(window), session_(session), window_(window) {

@@ -14,6 +14,10 @@ namespace mocapress {
 
 class Session;
 
+/// The bundled walk: from the installed share directory, or from the source tree where the program
+/// runs out of its build directory. Empty: neither is there.
+QString sampleClip();
+
 /// Opening and saving as the user meets them: dialogs, recent files, and the one question that is
 /// asked, about unsaved work.
 class ClipFiles : public QObject {

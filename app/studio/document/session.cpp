@@ -10,7 +10,6 @@
 #include "app/studio/document/clip_preset.h"
 #include "app/studio/document/edit_step.h"
 #include "app/studio/document/settings_field.h"
-#include "app/studio/study/study_row_request.h"
 #include "core/base/error.h"
 #include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"

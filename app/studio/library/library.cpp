@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "app/studio/document/clip_outcome.h"
 #include "app/studio/document/edit_step.h"
 #include "app/studio/document/session.h"
 #include "widgets/models/library_model.h"
@@ -23,13 +22,37 @@ LibraryEntry entryOf(const ProjectClip& clip, const LibraryEntry& read) {
   return entry;
 }
 
+/// What a compression came to, of the kind its target is of.
+double quantityOf(const DecodedClip& decoded, const EncodeOptions& options) {
+  switch (options.target.kind) {
+    case Target::Kind::Ratio:
+      return decoded.ratio;
+    case Target::Kind::Size:
+      return static_cast<double>(decoded.compressed.motion_bytes());
+    case Target::Kind::Error:
+      return decoded.distortion->eps(options.weighting);
+    case Target::Kind::MaxError:
+      return decoded.distortion->worst(options.weighting).cm;
+    case Target::Kind::Visibility:
+      return decoded.visibility->worst().times_noticed();
+    case Target::Kind::CoefficientRatio:
+      break;
+  }
+  return options.target.value;
+}
+
+/// And whether it met its target. Requires a distortion.
+Outcome outcomeOf(const DecodedClip& decoded, const EncodeOptions& options) {
+  return {decoded.ratio, decoded.distortion->eps(options.weighting), decoded.distortion->max.cm,
+          decoded.compressed.motion_bytes(), reached(options.target, quantityOf(decoded, options))};
+}
+
 }  // namespace
 
 Library::Library(Session* session, LibraryModel* model, QObject* parent)
-    : QObject(parent), session_(session), model_(model) {
-  write_later_.setSingleShot(true);
-  connect(&write_later_, &QTimer::timeout, this, &Library::write);
-  connect(this, &Library::written, this, &Library::noteWritten, Qt::QueuedConnection);
+    : KeptProject(parent), session_(session), model_(model) {
+  connect(this, &Library::leaving, this, &Library::leave);
+  connect(this, &Library::entered, this, &Library::enter);
   session->setMemory([this](const QString& path) {
     const ProjectClip* clip = project_.find(path);
     return clip ? clip->settings : std::nullopt;
@@ -46,8 +69,15 @@ Library::Library(Session* session, LibraryModel* model, QObject* parent)
   connect(&folder_search_, &FolderSearch::failed, this, &Library::failed);
 }
 
-void Library::setProject(Project project) {
-  project_ = std::move(project);
+void Library::leave() {
+  folder_search_.abandon();
+  session_->close();
+  session_->forgetHistories();
+  history_.clear();
+  withdrawn_.clear();
+}
+
+void Library::enter() {
   std::vector<LibraryEntry> entries;
   unread_.clear();
   for (const ProjectClip& clip : project_.clips) {
@@ -57,6 +87,7 @@ void Library::setProject(Project project) {
   model_->setEntries(std::move(entries));
   readNextOutline();
   emit currentChanged();
+  if (const int row = currentRow(); row >= 0) openClip(row);
 }
 
 void Library::add(const QStringList& paths) {

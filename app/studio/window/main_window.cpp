@@ -9,7 +9,6 @@
 #include <QMenu>
 
 #include "app/studio/compare/pinned_results.h"
-#include "app/studio/document/sample_clip.h"
 #include "app/studio/window/help.h"
 #include "app/studio/window/incoming_files.h"
 #include "app/studio/window/language.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the library keeps its project: which file it is in, who else has it, and when it is written.
+#include "app/studio/library/kept_project.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -9,10 +10,7 @@
 #include <exception>
 #include <utility>
 
-#include "app/studio/document/session.h"
-#include "app/studio/library/library.h"
 #include "core/base/error.h"
-#include "widgets/models/library_model.h"
 
 namespace mocapress {
 namespace {
@@ -44,25 +42,31 @@ QString keep(const Project& project, const QString& path,
 
 }  // namespace
 
-Library::~Library() {
+KeptProject::KeptProject(QObject* parent) : QObject(parent) {
+  write_later_.setSingleShot(true);
+  connect(&write_later_, &QTimer::timeout, this, &KeptProject::write);
+  connect(this, &KeptProject::written, this, &KeptProject::noteWritten, Qt::QueuedConnection);
+}
+
+KeptProject::~KeptProject() {
   const QSignalBlocker nobody_left_to_tell(this);
   flush();
 }
 
-QString Library::name() const {
+QString KeptProject::name() const {
   const bool unnamed = path_.isEmpty() || (shelf_ && shelf_->isUnnamed(path_));
   return unnamed ? QString() : QFileInfo(path_).completeBaseName();
 }
 
 /// The shelf is not told before there is something in it.
-void Library::beginEmpty(const QString& folder) {
+void KeptProject::beginEmpty(const QString& folder) {
   shelf_.emplace(folder);
   path_ = shelf_->unnamedPath();
   lock_ = std::make_unique<ProjectLock>(path_);
   emit projectChanged();
 }
 
-bool Library::begin(const QString& folder) {
+bool KeptProject::begin(const QString& folder) {
   beginEmpty(folder);
   const QString last = shelf_->inUse();
   if (last.isEmpty()) return false;
@@ -85,7 +89,7 @@ bool Library::begin(const QString& folder) {
   return true;
 }
 
-bool Library::end() {
+bool KeptProject::end() {
   if (!flush()) return false;
   try {
     if (shelf_ && !project_.clips.empty()) shelf_->use(path_);
@@ -98,7 +102,7 @@ bool Library::end() {
   return true;
 }
 
-bool Library::open(const QString& path) {
+bool KeptProject::open(const QString& path) {
   const QString file = fileOf(path);
   if (file == path_) return true;
   if (!flush()) return false;
@@ -121,7 +125,7 @@ bool Library::open(const QString& path) {
   }
 }
 
-bool Library::openCopy(const QString& path) {
+bool KeptProject::openCopy(const QString& path) {
   if (!flush()) return false;
   try {
     const QString own = shelf_->unnamedPath();
@@ -135,7 +139,7 @@ bool Library::openCopy(const QString& path) {
   }
 }
 
-bool Library::startNew() {
+bool KeptProject::startNew() {
   if (!flush()) return false;
   if (!shelf_) return enter({}, nullptr, {});
   const QString path = shelf_->unnamedPath();
@@ -143,7 +147,7 @@ bool Library::startNew() {
 }
 
 /// All of the project before is in its file.
-bool Library::enter(const QString& path, std::unique_ptr<ProjectLock> lock, Project project) {
+bool KeptProject::enter(const QString& path, std::unique_ptr<ProjectLock> lock, Project project) {
   try {
     if (shelf_) shelf_->use(path);
   } catch (const Error& error) {
@@ -152,23 +156,18 @@ bool Library::enter(const QString& path, std::unique_ptr<ProjectLock> lock, Proj
   }
   const QString before = std::exchange(path_, QString());
   const bool was_empty = project_.clips.empty();
-  // Nothing that is under way for the one before may arrive in the other.
-  folder_search_.abandon();
-  session_->close();
-  session_->forgetHistories();
-  history_.clear();
-  withdrawn_.clear();
+  emit leaving();
   if (shelf_ && was_empty && shelf_->isUnnamed(before)) QFile::remove(before);
   changed_ = unwritten_ = false;
   path_ = path;
   lock_ = std::move(lock);
-  setProject(std::move(project));
+  project_ = std::move(project);
+  emit entered();
   emit projectChanged();
-  if (const int row = currentRow(); row >= 0) openClip(row);
   return true;
 }
 
-bool Library::saveAs(const QString& path) {
+bool KeptProject::saveAs(const QString& path) {
   const QString file = QFileInfo(path).absoluteFilePath();
   if (file == path_) {
     unwritten_ = true;
@@ -196,7 +195,7 @@ bool Library::saveAs(const QString& path) {
   return true;
 }
 
-std::vector<FormerProject> Library::formerProjects() const {
+std::vector<FormerProject> KeptProject::formerProjects() const {
   std::vector<FormerProject> former;
   if (!shelf_) return former;
   for (const QString& path : shelf_->projects()) {
@@ -213,13 +212,13 @@ std::vector<FormerProject> Library::formerProjects() const {
   return former;
 }
 
-void Library::touch() {
+void KeptProject::touch() {
   changed_ = unwritten_ = true;
   emit edited();
   writeSoon();
 }
 
-void Library::writeSoon() {
+void KeptProject::writeSoon() {
   if (path_.isEmpty() || write_later_.isActive()) return;
   const std::chrono::milliseconds passed(since_write_.isValid() ? since_write_.elapsed()
                                                                 : kWriteInterval.count());
@@ -227,7 +226,7 @@ void Library::writeSoon() {
 }
 
 /// On a thread that does not give way, unlike a JobRunner's: it works little and is waited for.
-void Library::write() {
+void KeptProject::write() {
   if (path_.isEmpty() || !changed_ || writing_.valid()) return;
   changed_ = false;
   since_write_.start();
@@ -239,7 +238,7 @@ void Library::write() {
       });
 }
 
-void Library::noteWritten() {
+void KeptProject::noteWritten() {
   if (!writing_.valid()) return;  // flush() has seen to it
   const QString trouble = writing_.get();
   setTrouble(trouble);
@@ -255,7 +254,7 @@ void Library::noteWritten() {
 }
 
 /// Leaves nothing that waits to be written: where it goes wrong, all still waits, and that is said.
-bool Library::flush() {
+bool KeptProject::flush() {
   write_later_.stop();
   if (writing_.valid()) writing_.get();
   if (path_.isEmpty() || !unwritten_) return true;
@@ -271,7 +270,7 @@ bool Library::flush() {
 }
 
 /// Said once, not with every try.
-void Library::setTrouble(const QString& message) {
+void KeptProject::setTrouble(const QString& message) {
   if (message == std::exchange(trouble_, message)) return;
   if (!message.isEmpty()) emit failed(tr("The project was not saved: %1").arg(message));
   emit projectChanged();
