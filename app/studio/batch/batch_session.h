@@ -11,7 +11,7 @@
 
 #include "app/jobs/batch_runner.h"
 #include "app/jobs/job_runner.h"
-#include "app/studio/document/named_settings.h"
+#include "app/studio/batch/tuned_clip.h"
 #include "core/batch/time_left.h"
 #include "widgets/models/batch_queue_model.h"
 #include "widgets/models/batch_settings.h"
@@ -19,14 +19,6 @@
 namespace mocapress {
 
 class PresetShelf;
-
-/// A clip of the library, and what was decided about it.
-struct TunedClip {
-  QString path;
-  QString skeleton;                       // for an .amc; empty: the one beside it
-  std::optional<NamedSettings> settings;  // unset: never tuned
-  ReadOptions reading = {};               // of its import options
-};
 
 /// The queue of a batch export, its settings and its run. No widgets.
 class BatchSession : public QObject {

@@ -11,9 +11,10 @@
 
 #include "app/jobs/clip_outline.h"
 #include "app/jobs/job_runner.h"
-#include "app/studio/batch/batch_session.h"
+#include "app/studio/batch/tuned_clip.h"
 #include "app/studio/library/folder_search.h"
 #include "app/studio/library/kept_project.h"
+#include "widgets/models/clip_reviews.h"
 
 namespace mocapress {
 
