@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
@@ -53,9 +54,10 @@ class OfProjectFiles : public testing::Test {
     QObject::connect(look, &QTimer::timeout, look, [look, file] {
       auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
       if (!dialog) return;
-      dialog->selectFile(file);
+      // Typed, as a user does: what selectFile() chose is lost when the folder is listed later.
+      dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(file);
       static_cast<QDialog*>(dialog)->accept();
-      if (!dialog->isVisible()) look->deleteLater();  // it does not take a name at once
+      if (!dialog->isVisible()) look->deleteLater();
     });
     look->start(10);
   }

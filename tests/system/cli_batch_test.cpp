@@ -232,7 +232,7 @@ TEST_F(CliBatch, OwnPresetsAreReadAndWrongOnesRefused) {
       write("mine.json", R"({"name": "Mine", "target": {"kind": "max-error", "value": 1.5}})");
   ASSERT_EQ(mocapress(batch("out", {"--preset", preset})).exit_code, 0);
   EXPECT_EQ(report("out")[0]["preset"], "Mine");
-  EXPECT_LE(report("out")[0]["max_error_cm"], 1.5);
+  EXPECT_LE(report("out")[0]["surface_max_cm"], 1.5);
   const std::string wrong = write("wrong.json", R"({"name": "Mine", "tarket": 3})");
   const Outcome refused = mocapress(batch("other", {"--preset", wrong}));
   EXPECT_EQ(refused.exit_code, 3);

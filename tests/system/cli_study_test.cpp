@@ -70,7 +70,7 @@ TEST_F(CliStudy, StoppedByASignalGoesOnWithTheSameCommand) {
                        ")\" -lt 2 ]; do :; done; kill -INT $pid; wait $pid"});
   if (stopped.exit_code == 0) GTEST_SKIP() << "the study was over before the signal came";
   EXPECT_EQ(stopped.exit_code, 128 + 2) << stopped.err;
-  EXPECT_THAT(stopped.err, HasSubstr("the same command goes on"));
+  EXPECT_THAT(stopped.err, HasSubstr("to continue, run the same command"));
   EXPECT_FALSE(std::filesystem::exists(file("out") / "report.html"));
   const Outcome outcome = mocapress(study());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -108,7 +108,7 @@ TEST(Settings, AsJsonThatIsWrongSayWhere) {
   EXPECT_THAT(complaint_of("{\n oops}"), HasSubstr("settings:2:2: "));
   EXPECT_THAT(complaint_of(R"({"target": {"kind": "ratio", "value": 0}})"),
               HasSubstr("target that is not above 0"));
-  EXPECT_THAT(complaint_of(R"({"speed": 3})"), HasSubstr("\"speed\" is not known"));
+  EXPECT_THAT(complaint_of(R"({"speed": 3})"), HasSubstr("\"speed\" is unknown"));
 }
 
 TEST(Settings, AFileThatIsWrongIsRefusedWithThePlaceOrTheKey) {
