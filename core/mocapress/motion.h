@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Motions: what is compressed, and what comes back.
 //
-//   MotionFile     what read_motion() and parse_motion() give: a Motion, warnings, its source
-//   format Motion         a Skeleton and a Clip Clip           frames x channels, centimetres and
-//   radians ContactSpan    what find_foot_contacts(motion) gives: a foot on the ground for some
-//   frames
+// - MotionFile: what read_motion() and parse_motion() give: a Motion, warnings, its source format.
+// - Motion: a Skeleton and a Clip.
+// - Clip: frames x channels, in centimetres and radians.
+// - ContactSpan: what find_foot_contacts(motion) gives: a foot on the ground for some frames.
 //
 // Everything in memory is in centimetres, radians and seconds, right-handed, y up, whatever the
 // file had. Every failure is an Error: InputError for a text that cannot be read (file, line,
