@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "core/base/error.h"
@@ -45,15 +46,15 @@ std::vector<std::byte> inflate_bytes(std::span<const std::byte> bytes, std::size
   stream.next_in = input(bytes.data());
   stream.avail_in = static_cast<uInt>(bytes.size());
   std::vector<std::byte> unpacked;
+  std::array<std::byte, 16384> part;
   int status = Z_OK;
   // One byte more than allowed is room to notice that there are more.
   while (status == Z_OK && unpacked.size() <= most) {
-    const std::size_t filled = unpacked.size();
-    unpacked.resize(std::min(std::max<std::size_t>(2 * filled, 4096), most + 1));
-    stream.next_out = writable(unpacked.data() + filled);
-    stream.avail_out = static_cast<uInt>(unpacked.size() - filled);
+    const std::size_t room = std::min(part.size(), most + 1 - unpacked.size());
+    stream.next_out = writable(part.data());
+    stream.avail_out = static_cast<uInt>(room);
     status = inflate(&stream, Z_NO_FLUSH);
-    unpacked.resize(unpacked.size() - stream.avail_out);
+    unpacked.insert(unpacked.end(), part.data(), part.data() + (room - stream.avail_out));
   }
   const std::size_t consumed = bytes.size() - stream.avail_in;
   inflateEnd(&stream);
