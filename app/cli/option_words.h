@@ -24,7 +24,7 @@ CLI::CheckedTransformer one_of(std::initializer_list<Enum> values) {
   return transformer;
 }
 
-/// The name of a compression_method.
+/// The name of a method.
 inline CLI::IsMember one_of_the_methods() {
   std::vector<std::string> names;
   for (const CompressionMethod& compression_method : compression_methods())

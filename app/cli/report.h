@@ -16,7 +16,7 @@ struct Report {
   std::string input;
   const Motion* original = nullptr;
   Loop loop = Loop::None;
-  std::string method;  // a compression_method's name
+  std::string method;  // a method's name
   Weighting weighting = Weighting::BoneEnds;
   std::optional<Coding> coding;  // unset: of a comparison method
   std::size_t motion_bytes = 0;

@@ -38,7 +38,7 @@ struct OriginalClip {
 
 /// A compressed clip, decoded for showing.
 struct DecodedClip {
-  std::string method;       // a compression_method's name
+  std::string method;       // a method's name
   bool of_wavelets = true;  // else `compressed` is as OpenedMcpr has it
   CompressedClip compressed;
   std::vector<std::byte> file;  // the .mcpr

@@ -18,7 +18,7 @@ std::vector<std::byte> write_compared(const ComparisonMethod& method, const Comp
 
 /// A .mcpr file of any method, read and decoded.
 struct OpenedMcpr {
-  std::string method;         // a compression_method's name: "annealed", "haar", "pca" ...
+  std::string method;         // a method's name: "annealed", "haar", "pca" ...
   bool of_wavelets = true;    // else basis, coding, provenance.method and seed say nothing
   CompressedClip compressed;  // its `motion` is what the ratio counts
   Clip decoded;
@@ -38,7 +38,7 @@ Clip decode(const OpenedMcpr& opened);
 /// The same from a file. Throws InputError, which names file and byte offset.
 OpenedMcpr open_mcpr(const std::filesystem::path& path);
 
-/// The compression_method whose wavelets these are: "haar" for standard selection in that basis.
+/// The method whose wavelets these are: "haar" for standard selection in that basis.
 std::string_view contender_name(const CompressedClip& wavelets);
 
 }  // namespace mocapress

@@ -20,7 +20,7 @@
 namespace mocapress {
 namespace {
 
-/// A compression_method that is a selection of wavelet coefficients.
+/// A method that is a selection of wavelet coefficients.
 struct WaveletContender {
   CompressionMethod compression_method;
   Method method;

@@ -25,14 +25,14 @@ std::span<const CompressionMethod> compression_methods();
 /// nullptr when there is none of that name.
 const CompressionMethod* find_compression_method(std::string_view name);
 
-/// The title of the compression_method of that name; the name itself where there is none.
+/// The title of the method of that name; the name itself where there is none.
 std::string_view method_title(std::string_view name);
 
-/// Sets method and basis to those of a compression_method that is wavelets. False: it is a
+/// Sets method and basis to those of a method that is wavelets. False: it is a
 /// comparison method, and nothing was set.
 bool choose_wavelets(const CompressionMethod& compression_method, EncodeOptions& options);
 
-/// A motion compressed by a compression_method, decoded again and measured.
+/// A motion compressed by a method, decoded again and measured.
 /// EncodeOptions::figures_only is heeded by wavelets.
 struct Compression {
   std::vector<std::byte> file;   // the .mcpr
@@ -48,7 +48,7 @@ struct Compression {
   bool complete = true;  // false: the observer ended it early
 };
 
-/// Compresses one motion by any compression_method, with any options; what does not depend on them
+/// Compresses one motion by any method, with any options; what does not depend on them
 /// is computed once, when first asked for. Const and safe to use from several threads at a time.
 class MethodEncoder {
  public:
@@ -58,7 +58,7 @@ class MethodEncoder {
   const Encoder& wavelets() const;
 
   /// Throws Error when a correction is asked of a comparison method.
-  /// `options.method` and `.basis` are those of the compression_method, whatever they were. Throws
+  /// `options.method` and `.basis` are those of the method, whatever they were. Throws
   /// TargetMissed when no amount of detail meets the target; comparison methods, whose detail comes
   /// in coarse steps, take the nearest step to a ratio instead, and have no coefficient ratio
   /// target (Error).

@@ -6,6 +6,7 @@
 #include "core/motion/body_part.h"
 
 namespace mocapress {
+
 BodyFigures body_figures(const Skeleton& skeleton, const Distortion& distortion) {
   const auto degrees = [&](const std::vector<int>& joints) -> std::optional<double> {
     if (joints.empty()) return std::nullopt;

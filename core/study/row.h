@@ -18,7 +18,7 @@ struct StudyRow {
   std::string clip;         // the path as given
   ClipReview review = {};   // where a library has one
   std::string fingerprint;  // of the motion that was read; empty: it could not be
-  std::string method;       // name of a compression_method
+  std::string method;       // name of a method
   Target target;
   Weighting weighting = Weighting::BoneEnds;
   std::optional<Coding> coding = Coding::Deflate;  // of wavelets

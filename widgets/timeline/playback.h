@@ -37,7 +37,7 @@ class Playback : public QObject {
   /// From the start again when it stands at the end.
   void play();
 
-  /// As the keys J and L of an editing slot: plays that way (1 or -1), twice as fast each time it
+  /// As the keys J and L of an editing desk: plays that way (1 or -1), twice as fast each time it
   /// is asked for again.
   void shuttle(int direction);
   void pause();

@@ -20,7 +20,7 @@ struct TransportActions {
   QAction* next = nullptr;
   QAction* last = nullptr;
   QAction* loop = nullptr;
-  QAction* backwards = nullptr;  // J, K and L of an editing slot
+  QAction* backwards = nullptr;  // J, K and L of an editing desk
   QAction* halt = nullptr;
   QAction* forwards = nullptr;
   QAction* ten_back = nullptr;

@@ -9,7 +9,7 @@
 namespace mocapress {
 namespace {
 
-/// The compression_method that is that method in that basis.
+/// The method of compression_methods() that is that one in that basis.
 std::string contenderOf(const EncodeOptions& options) {
   for (const CompressionMethod& compression_method : compression_methods()) {
     EncodeOptions chosen;

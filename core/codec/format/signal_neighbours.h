@@ -13,14 +13,14 @@ struct SignalNeighbours {
   int mirror = -1;   // on the other side of the body
 };
 
-/// What the neighbours of channels follows from.
+/// What the neighbours of channels follow from.
 struct JointTree {
   int joints;
   const std::int16_t* parents;  // -1: a root; otherwise before the joint
   const std::uint8_t* channel_counts;
 };
 
-/// Finds the neighbours of channels from a skeleton's tree alone: FORMAT.md, "Order". Works in
+/// Finds the neighbours of channels from a skeleton's tree alone: FORMAT.md, 6.4. Works in
 /// memory of its own, in time in proportion to joints^2 at worst.
 class NeighbourFinder {
  public:
