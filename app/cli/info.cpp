@@ -12,6 +12,7 @@
 #include "app/cli/report.h"
 #include "core/baselines/compared_file.h"
 #include "core/codec/format/source_section.h"
+#include "core/formats/bvh.h"
 #include "core/metrics/rate.h"
 
 namespace mocapress::cli {
@@ -31,6 +32,16 @@ Json describe(const SourceFormat& source) {
           {"cm_per_unit", source.cm_per_unit},
           {"up", name(source.up)},
           {"bvh_root", source.root ? Json(name(*source.root)) : Json()}};
+}
+
+/// The joints that a BVH has to name otherwise, by the word it has for them.
+Json describe_bvh_names(const Skeleton& skeleton) {
+  const std::vector<std::string> words = bvh_names(skeleton);
+  Json renamed = Json::object();
+  for (int j = 0; j < skeleton.joint_count(); ++j)
+    if (const std::string& word = words[static_cast<std::size_t>(j)]; word != skeleton.joint(j).name)
+      renamed[word] = skeleton.joint(j).name;
+  return renamed;
 }
 
 Json describe_motion(const std::string& path, const MotionFile& file) {
@@ -74,13 +85,14 @@ Json describe_compressed(const std::string& path) {
           {"seed", of_wavelets(clip.provenance.seed)},
           {"eps_x_cm", clip.provenance.eps_cm},
           {"max_error_cm", clip.provenance.max_error_cm},
-          {"source", describe(load_source(path))}};
+          {"source", describe(load_source(path))},
+          {"bvh_names", describe_bvh_names(clip.skeleton)}};
 }
 
 void print_lines(const Json& description) {
   std::fprintf(stderr, "%s\n", description["input"].get<std::string>().c_str());
   for (const auto& [key, value] : description.items()) {
-    if (key == "input" || key == "warnings") continue;
+    if (key == "input" || key == "warnings" || key == "bvh_names") continue;
     std::fprintf(stderr, "  %-16s %s\n", key.c_str(),
                  value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
   }

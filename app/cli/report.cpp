@@ -169,7 +169,8 @@ void print(const Report& report) {
 }
 
 void print(const Json& json) {
-  std::cout << json.dump(2) << '\n';
+  // A joint's or a file's name may be no UTF-8.
+  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
 }  // namespace mocapress::cli

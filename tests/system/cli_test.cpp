@@ -448,6 +448,17 @@ TEST_F(Cli, InfoDescribesEveryKindOfFile) {
   EXPECT_TRUE(all[0]["warnings"].is_array());
 }
 
+TEST_F(Cli, InfoSaysWhichJointsABvhNamesOtherwise) {
+  const std::string odd = write("odd.bvh",
+                                "HIERARCHY\nROOT L Thigh\n{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\n"
+                                "JOINT not \xff UTF-8\n{\nOFFSET 0 90 0\nCHANNELS 1 Xrotation\n}\n"
+                                "JOINT plain\n{\nOFFSET 0 90 0\nCHANNELS 1 Xrotation\n}\n}\n"
+                                "MOTION\nFrames: 2\nFrame Time: 0.01\n0 1 2\n3 4 5\n");
+  ASSERT_EQ(mocapress({"compress", odd, "-o", file("odd.mcpr"), "--max-error", "1"}).exit_code, 0);
+  const json names = json_of({"info", file("odd.mcpr"), "--json"})[0]["bvh_names"];
+  EXPECT_EQ(names, json({{"L_Thigh", "L Thigh"}, {"not___UTF-8", "not \uFFFD UTF-8"}}));
+}
+
 TEST_F(Cli, BenchReportsExactlyTheDocumentedKeys) {
   const json figures = json_of({"bench", clip_, "--json"});
   const std::set<std::string> measured = {"decode_us_per_frame",
