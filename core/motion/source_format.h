@@ -29,7 +29,7 @@ constexpr std::string_view name(TranslationConvention convention) {
 
 struct SourceFormat {
   /// The values are part of the file format.
-  enum class Kind : std::uint8_t { None = 0, Bvh = 1, Acclaim = 2 };
+  enum class Kind : std::uint8_t { None = 0, Bvh = 1, Acclaim = 2, Fbx = 3, Gltf = 4 };
 
   Kind kind = Kind::None;
   double cm_per_unit = 1;  // of files of that kind; of other kinds there is no saying

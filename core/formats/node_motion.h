@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The step that FBX and glTF share: from a tree of nodes that move, turn and scale to a skeleton of
+// joints that turn, and of which few move.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/formats/motion_file.h"
+
+namespace mocapress {
+
+/// x_in_parent = translation + rotation * scale * x_in_node, in the file's unit.
+struct LocalTransform {
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  // of any length but 0
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+};
+
+struct AnimatedNode {
+  std::string name;
+  int parent = -1;     // comes before its children; -1: hangs from nothing
+  bool joint = false;  // the file says that it is a bone of a skin; else it may be anything
+  LocalTransform rest;
+  std::vector<LocalTransform> frames;  // one a frame; empty: it stays at rest
+};
+
+/// One animation of a file.
+struct NodeTake {
+  std::string name;
+  std::vector<AnimatedNode> nodes;  // parents first; leaves that draw or light need not be in it
+  int frames = 1;
+  double sample_rate_hz = 30;
+  double cm_per_unit = 1;
+  UpAxis up = UpAxis::Y;
+};
+
+/// Throws InputError where a clip may not hold so many frames of so many moving nodes. To be asked
+/// before NodeTake is filled, as `frames` comes from a file.
+void check_take_size(const std::string& file, std::size_t moving_nodes, double frames);
+
+/// The motion of a take. `options` may say another unit or axis than the take does.
+///
+/// Joints are the nodes marked as such, what moves above or below these, and what lies between. In
+/// a file that marks none they are what moves, what hangs from that, and what joins it. Nodes above
+/// that stand still become part of the root; FBX's helper nodes become part of their joint; a still
+/// leaf that is no joint becomes the end of its parent's bone.
+///
+/// A joint has no scale: the places of joints are kept exactly, by offsets and, where they change
+/// against the parent, by translation channels. A warning says what scaling is lost for a skin.
+/// Throws InputError.
+MotionFile motion_of(const std::string& file, const NodeTake& take, const ReadOptions& options,
+                     SourceFormat::Kind kind);
+
+}  // namespace mocapress
