@@ -46,8 +46,8 @@ void check_take_size(const std::string& file, std::size_t moving_nodes, double f
 ///
 /// Joints are the nodes marked as such, what moves above or below these, and what lies between. In
 /// a file that marks none they are what moves, what hangs from that, and what joins it. Nodes above
-/// that stand still become part of the root; FBX's helper nodes become part of their joint; a still
-/// leaf that is no joint becomes the end of its parent's bone.
+/// that stand still become part of the root; FBX's helper nodes become part of their joint; where
+/// joints are marked, a still leaf below one, alone there, is the end of its bone.
 ///
 /// A joint has no scale: the places of joints are kept exactly, by offsets and, where they change
 /// against the parent, by translation channels. A warning says what scaling is lost for a skin.

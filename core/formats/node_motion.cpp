@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: MIT
+#include "core/formats/node_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <string_view>
+#include <unordered_set>
+
+#include "core/codec/format/format_limits.h"
+#include "core/formats/text_writer.h"
+#include "core/motion/joint_rotation.h"
+#include "core/motion/rotation_form.h"
+
+namespace mocapress {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+// Files hold floats: what differs by less than this is rounding.
+constexpr double kSameShare = 1e-5;  // of translations and scales; radians
+constexpr double kSamePlace = 1e-3;  // cm
+constexpr double kFarthest = 1e9;    // cm, or units
+constexpr double kUnevenScale = 1e-4;
+constexpr std::string_view kFbxHelper = "_$AssimpFbx$_";
+
+bool same_place(const Vector3d& a, const Vector3d& b) {
+  return (a - b).norm() <= kSameShare * (1 + a.norm());
+}
+
+bool same_transform(const LocalTransform& a, const LocalTransform& b) {
+  return same_place(a.translation, b.translation) && same_place(a.scale, b.scale) &&
+         a.rotation.angularDistance(b.rotation) <= kSameShare;
+}
+
+bool is_possible(const LocalTransform& local) {
+  const auto fits = [](const Vector3d& v) {
+    return v.allFinite() && v.cwiseAbs().maxCoeff() <= kFarthest;
+  };
+  const double length = local.rotation.norm();
+  return fits(local.translation) && fits(local.scale) && std::isfinite(length) && length > 1e-6;
+}
+
+/// What becomes of a node.
+enum class Role {
+  None,    // it is left out
+  Part,    // it only moves the joints below it
+  Joint,   //
+  BoneEnd  // it is where its parent's bone ends
+};
+
+/// The nodes of a take, sorted by what becomes of them.
+class NodeTree {
+ public:
+  NodeTree(const std::string& file, const std::vector<AnimatedNode>& nodes);
+
+  Role role(std::size_t node) const { return roles_[node]; }
+  const LocalTransform& local(std::size_t node, int frame) const;
+  bool changes_scale(std::size_t node) const;
+  /// The nearest joint above, as a node; -1: none.
+  int joint_above(std::size_t node) const;
+
+ private:
+  void find_movement();
+  void find_joints();
+  void fold_from_top();
+  void find_bone_ends();
+  int joint_children(std::size_t node) const;
+  bool is_helper(std::size_t node) const {
+    return nodes_[node].name.find(kFbxHelper) != std::string::npos;
+  }
+
+  const std::vector<AnimatedNode>& nodes_;
+  std::vector<std::vector<std::size_t>> children_;
+  std::vector<bool> moves_;
+  std::vector<Role> roles_;
+  bool are_marked_ = false;
+};
+
+NodeTree::NodeTree(const std::string& file, const std::vector<AnimatedNode>& nodes)
+    : nodes_(nodes), children_(nodes.size()), roles_(nodes.size(), Role::None) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    assert(nodes[i].parent < static_cast<int>(i));
+    if (nodes[i].parent >= 0) children_[static_cast<std::size_t>(nodes[i].parent)].push_back(i);
+    are_marked_ = are_marked_ || nodes[i].joint;
+  }
+  find_movement();
+  find_joints();
+  if (std::find(roles_.begin(), roles_.end(), Role::Joint) == roles_.end())
+    throw InputError(file, 0, 0, "has neither bones nor anything else that moves");
+  fold_from_top();
+  find_bone_ends();
+}
+
+void NodeTree::find_movement() {
+  for (const AnimatedNode& node : nodes_)
+    moves_.push_back(std::any_of(node.frames.begin(), node.frames.end(), [&](const auto& local) {
+      return !same_transform(local, node.frames.front());
+    }));
+}
+
+/// Joints and what lies between or above them.
+void NodeTree::find_joints() {
+  const std::size_t count = nodes_.size();
+  std::vector<bool> above(count);  // a joint, or what moves in a file that marks none
+  std::vector<bool> below(count);
+  const auto begins = [&](std::size_t i) { return are_marked_ ? nodes_[i].joint : moves_[i]; };
+  for (std::size_t i = 0; i < count; ++i)
+    if (const int parent = nodes_[i].parent; parent >= 0) {
+      const auto p = static_cast<std::size_t>(parent);
+      above[i] = above[p] || begins(p);
+    }
+  for (std::size_t i = count; i-- > 0;)
+    for (const std::size_t child : children_[i])
+      below[i] = below[i] || below[child] || begins(child);
+  for (std::size_t i = count; i-- > 0;) {
+    const bool hangs = above[i] && (moves_[i] || !are_marked_);
+    const bool carries = std::any_of(children_[i].begin(), children_[i].end(),
+                                     [&](std::size_t c) { return roles_[c] == Role::Joint; });
+    if (begins(i) || hangs || below[i] || carries) roles_[i] = Role::Joint;
+  }
+}
+
+int NodeTree::joint_children(std::size_t node) const {
+  return static_cast<int>(
+      std::count_if(children_[node].begin(), children_[node].end(),
+                    [&](std::size_t child) { return roles_[child] == Role::Joint; }));
+}
+
+/// Armatures and scene roots that stand still, from the top as long as that splits no skeleton; and
+/// helpers, which have their joint below them.
+void NodeTree::fold_from_top() {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (roles_[i] != Role::Joint) continue;
+    const int parent = nodes_[i].parent;
+    const bool on_top = parent < 0 || roles_[static_cast<std::size_t>(parent)] == Role::Part;
+    const int children = joint_children(i);
+    const bool is_plain = same_transform(local(i, 0), {});
+    const bool is_stand = on_top && !nodes_[i].joint && !moves_[i] && children > 0 &&
+                          (children == 1 || (is_plain && parent < 0));
+    if (is_stand || (is_helper(i) && children > 0)) roles_[i] = Role::Part;
+  }
+}
+
+void NodeTree::find_bone_ends() {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (roles_[i] != Role::Joint || children_[i].size() != 1) continue;
+    const std::size_t child = children_[i].front();
+    if (children_[child].empty() && roles_[child] == Role::None && !moves_[child])
+      roles_[child] = Role::BoneEnd;
+  }
+}
+
+const LocalTransform& NodeTree::local(std::size_t node, int frame) const {
+  const AnimatedNode& of = nodes_[node];
+  return of.frames.empty() ? of.rest : of.frames[static_cast<std::size_t>(frame)];
+}
+
+bool NodeTree::changes_scale(std::size_t node) const {
+  const auto& frames = nodes_[node].frames;
+  return std::any_of(frames.begin(), frames.end(), [&](const LocalTransform& local) {
+    return (local.scale - frames.front().scale).norm() > kUnevenScale;
+  });
+}
+
+int NodeTree::joint_above(std::size_t node) const {
+  int above = nodes_[node].parent;
+  while (above >= 0 && roles_[static_cast<std::size_t>(above)] != Role::Joint)
+    above = nodes_[static_cast<std::size_t>(above)].parent;
+  return above;
+}
+
+/// Where a node is in the world, in cm with Y up. `rotation` leaves out what its scale and those
+/// above it do.
+struct Placement {
+  Matrix3d world_from_node;  // with scale
+  Vector3d origin;
+  Quaterniond rotation;
+};
+
+Placement below(const Placement& parent, const LocalTransform& local) {
+  const Quaterniond turn = local.rotation.normalized();
+  return {parent.world_from_node * turn.toRotationMatrix() * local.scale.asDiagonal(),
+          parent.origin + parent.world_from_node * local.translation, parent.rotation * turn};
+}
+
+/// How a joint moves against the joint above it.
+struct Track {
+  std::vector<Vector3d> translation;  // cm
+  std::vector<Quaterniond> rotation;
+};
+
+/// The order in which the middle angle stays farthest from a right one: its sine is one element of
+/// the matrix.
+RotationOrder calmest_order(const Track& track) {
+  Matrix3d largest = Matrix3d::Zero();
+  for (const Quaterniond& rotation : track.rotation)
+    largest = largest.cwiseMax(rotation.toRotationMatrix().cwiseAbs());
+  RotationOrder calmest = RotationOrder::Xyz;
+  const auto sine = [&](RotationOrder order) {
+    const std::array<int, 3> axes = axes_of(order);
+    return largest(axes[0], axes[2]);
+  };
+  for (int o = 1; o < kRotationOrders; ++o)
+    if (const auto order = static_cast<RotationOrder>(o); sine(order) < sine(calmest))
+      calmest = order;
+  return calmest;
+}
+
+/// Makes the motion of a take, joint by joint.
+class MotionBuilder {
+ public:
+  MotionBuilder(const std::string& file, const NodeTake& take, const ReadOptions& options,
+                SourceFormat::Kind kind)
+      : file_(file), take_(take), tree_(file, take.nodes) {
+    source_.kind = kind;
+    source_.cm_per_unit = options.cm_per_unit.value_or(take.cm_per_unit);
+    source_.up = options.up.value_or(take.up);
+  }
+
+  MotionFile build();
+
+ private:
+  void check();
+  void number_joints();
+  void place_nodes();
+  void place_frame(int frame, std::vector<Placement>& placements);
+  void name_joints();
+  void strip_namespace();
+  void add_joint(std::size_t joint);
+  void warn_of_scale();
+  void warn(std::string message) { warnings_.push_back({file_, 0, std::move(message)}); }
+
+  const std::string& file_;
+  const NodeTake& take_;
+  NodeTree tree_;
+  SourceFormat source_;
+  Warnings warnings_;
+  std::vector<Joint> joints_;
+  std::vector<std::size_t> node_of_joint_;
+  std::vector<int> joint_of_node_;  // -1: none
+  std::vector<Track> tracks_;       // of joints
+  Skeleton skeleton_;
+  std::vector<Eigen::VectorXd> channels_;
+};
+
+MotionFile MotionBuilder::build() {
+  number_joints();
+  check();
+  place_nodes();
+  name_joints();
+  for (std::size_t j = 0; j < joints_.size(); ++j) add_joint(j);
+  if (channels_.empty()) throw InputError(file_, 0, 0, "no joint moves or is turned");
+  warn_of_scale();
+  Motion motion{std::move(skeleton_), {take_.sample_rate_hz, {}}};
+  motion.clip.channels.resize(take_.frames, static_cast<Eigen::Index>(channels_.size()));
+  for (std::size_t c = 0; c < channels_.size(); ++c)
+    motion.clip.channels.col(static_cast<Eigen::Index>(c)) = channels_[c];
+  return {std::move(motion), std::move(warnings_), source_};
+}
+
+void MotionBuilder::number_joints() {
+  joint_of_node_.assign(take_.nodes.size(), -1);
+  for (std::size_t i = 0; i < take_.nodes.size(); ++i) {
+    if (tree_.role(i) != Role::Joint) continue;
+    joint_of_node_[i] = static_cast<int>(joints_.size());
+    const int above = tree_.joint_above(i);
+    node_of_joint_.push_back(i);
+    joints_.push_back({.name = take_.nodes[i].name,
+                       .parent = above < 0 ? -1 : joint_of_node_[static_cast<std::size_t>(above)]});
+  }
+}
+
+void MotionBuilder::check() {
+  const auto refuse = [&](const std::string& what) { throw InputError(file_, 0, 0, what); };
+  if (joints_.size() > runtime::kMostJoints)
+    refuse("more than " + std::to_string(runtime::kMostJoints) + " joints");
+  std::vector<int> depths;
+  for (const Joint& joint : joints_) {
+    depths.push_back(joint.parent < 0 ? 1 : depths[static_cast<std::size_t>(joint.parent)] + 1);
+    if (depths.back() > runtime::kMostDepth)
+      refuse("joints are nested deeper than " + std::to_string(runtime::kMostDepth));
+  }
+  check_take_size(file_, joints_.size(), take_.frames);
+  for (const AnimatedNode& node : take_.nodes) {
+    assert(node.frames.empty() || std::ssize(node.frames) == take_.frames);
+    if (!is_possible(node.rest) ||
+        !std::all_of(node.frames.begin(), node.frames.end(), is_possible))
+      refuse(node.name + " has a transform that is not finite, or beyond 1e9");
+  }
+}
+
+void MotionBuilder::place_nodes() {
+  const auto frames = static_cast<std::size_t>(take_.frames);
+  tracks_.assign(joints_.size(), {std::vector<Vector3d>(frames), std::vector<Quaterniond>(frames)});
+  std::vector<Placement> placements(take_.nodes.size());
+  for (int t = 0; t < take_.frames; ++t) place_frame(t, placements);
+}
+
+void MotionBuilder::place_frame(int frame, std::vector<Placement>& placements) {
+  const Quaterniond y_up_from_file = source_.up == UpAxis::Z
+                                         ? Quaterniond(std::sqrt(0.5), -std::sqrt(0.5), 0, 0)
+                                         : Quaterniond::Identity();
+  const Placement file{source_.cm_per_unit * y_up_from_file.toRotationMatrix(), Vector3d::Zero(),
+                       y_up_from_file};
+  const Placement world{Matrix3d::Identity(), Vector3d::Zero(), Quaterniond::Identity()};
+  for (std::size_t i = 0; i < take_.nodes.size(); ++i) {
+    const Role role = tree_.role(i);
+    if (role == Role::None) continue;
+    const int parent = take_.nodes[i].parent;
+    placements[i] = below(parent < 0 ? file : placements[static_cast<std::size_t>(parent)],
+                          tree_.local(i, frame));
+    if (role == Role::Part) continue;
+    const int above = tree_.joint_above(i);
+    const Placement& from = above < 0 ? world : placements[static_cast<std::size_t>(above)];
+    const Vector3d in_parent = from.rotation.conjugate() * (placements[i].origin - from.origin);
+    if (!in_parent.allFinite() || in_parent.norm() > kFarthest)
+      throw InputError(file_, 0, 0, take_.nodes[i].name + " is farther than 1e9 cm away");
+    if (role == Role::BoneEnd) {
+      Joint& joint =
+          joints_[static_cast<std::size_t>(joint_of_node_[static_cast<std::size_t>(above)])];
+      if (frame == 0 && in_parent.norm() > kSamePlace) joint.end_site = in_parent;
+      continue;
+    }
+    Track& track = tracks_[static_cast<std::size_t>(joint_of_node_[i])];
+    track.translation[static_cast<std::size_t>(frame)] = in_parent;
+    track.rotation[static_cast<std::size_t>(frame)] =
+        (from.rotation.conjugate() * placements[i].rotation).normalized();
+  }
+}
+
+/// "mixamorig:Hips" is Hips where all are of mixamorig.
+void MotionBuilder::strip_namespace() {
+  const std::size_t colon = joints_.front().name.rfind(':');
+  if (colon == std::string::npos) return;
+  const std::string shared = joints_.front().name.substr(0, colon + 1);
+  const bool of_all = std::all_of(joints_.begin(), joints_.end(), [&](const Joint& joint) {
+    return joint.name.starts_with(shared) && joint.name.size() > shared.size();
+  });
+  if (!of_all) return;
+  for (Joint& joint : joints_) joint.name.erase(0, shared.size());
+}
+
+void MotionBuilder::name_joints() {
+  strip_namespace();
+  std::unordered_set<std::string> taken;
+  for (const Joint& joint : joints_) taken.insert(joint.name);
+  std::unordered_set<std::string> seen;
+  int renamed = 0;
+  for (Joint& joint : joints_) {
+    if (joint.name.size() > runtime::kMostNameBytes)
+      throw InputError(file_, 0, 0,
+                       "the name of a joint has more than " +
+                           std::to_string(runtime::kMostNameBytes) + " bytes");
+    if (joint.name.empty()) joint.name = "joint";
+    if (seen.insert(joint.name).second) continue;
+    const std::string name = joint.name;
+    for (int n = 2; !taken.insert(joint.name).second; ++n)
+      joint.name = name + '.' + std::to_string(n);
+    seen.insert(joint.name);
+    ++renamed;
+  }
+  if (renamed > 0)
+    warn(counted(renamed, "joint") + " with the name of another joint, numbered: Name.2");
+}
+
+void MotionBuilder::add_joint(std::size_t j) {
+  Joint& joint = joints_[j];
+  const Track& track = tracks_[j];
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& place : track.translation) mean += place / take_.frames;
+  joint.offset = mean;
+  if (std::any_of(track.translation.begin(), track.translation.end(),
+                  [&](const Vector3d& place) { return (place - mean).norm() > kSamePlace; })) {
+    joint.offset = track.translation.front();
+    for (int axis = 0; axis < 3; ++axis) {
+      joint.channels.push_back(translation_about(axis));
+      Eigen::VectorXd channel(take_.frames);
+      for (int t = 0; t < take_.frames; ++t)
+        channel(t) = track.translation[static_cast<std::size_t>(t)](axis) - joint.offset(axis);
+      channels_.push_back(std::move(channel));
+    }
+  }
+  if (std::any_of(track.rotation.begin(), track.rotation.end(), [](const Quaterniond& rotation) {
+        return rotation.angularDistance(Quaterniond::Identity()) > kSameShare;
+      })) {
+    const std::array<int, 3> axes = axes_of(calmest_order(track));
+    Eigen::Matrix3Xd angles(3, take_.frames);
+    Vector3d last = Vector3d::Zero();
+    for (int t = 0; t < take_.frames; ++t)
+      angles.col(t) = last =
+          three_angles(axes, track.rotation[static_cast<std::size_t>(t)].toRotationMatrix(), last);
+    for (int i = 0; i < 3; ++i) {
+      joint.channels.push_back(rotation_about(axes[static_cast<std::size_t>(i)]));
+      channels_.push_back(angles.row(i).transpose());
+    }
+  }
+  skeleton_.add(joint);
+}
+
+void MotionBuilder::warn_of_scale() {
+  int changing = 0;
+  int uneven = 0;
+  std::string first_uneven;
+  for (std::size_t i = 0; i < take_.nodes.size(); ++i) {
+    if (tree_.role(i) != Role::Joint && tree_.role(i) != Role::Part) continue;
+    changing += tree_.changes_scale(i);
+    const Vector3d size = tree_.local(i, 0).scale.cwiseAbs();
+    if (size.maxCoeff() - size.minCoeff() <= kUnevenScale * size.maxCoeff()) continue;
+    if (++uneven == 1) first_uneven = take_.nodes[i].name;
+  }
+  if (changing > 0)
+    warn(counted(changing, "node") +
+         " whose scale changes over time: joints are in their places, but a skin is not scaled");
+  if (uneven > 0)
+    warn(counted(uneven, "node") + " scaled unevenly, first " + first_uneven +
+         ": joints are in their places, but a skin is not scaled");
+}
+
+}  // namespace
+
+void check_take_size(const std::string& file, std::size_t moving_nodes, double frames) {
+  constexpr double kMostChannels = 6;  // of a node
+  if (!(frames >= 1 && frames <= runtime::kMostFrames))
+    throw InputError(file, 0, 0,
+                     "needs more than " + std::to_string(runtime::kMostFrames) + " frames");
+  if (frames * static_cast<double>(moving_nodes) * kMostChannels > runtime::kMostValues)
+    throw InputError(file, 0, 0,
+                     "needs more than " + std::to_string(runtime::kMostValues) + " samples");
+}
+
+MotionFile motion_of(const std::string& file, const NodeTake& take, const ReadOptions& options,
+                     SourceFormat::Kind kind) {
+  return MotionBuilder(file, take, options, kind).build();
+}
+
+}  // namespace mocapress
