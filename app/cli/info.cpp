@@ -25,10 +25,26 @@ bool is_mcpr(const std::string& path) {
   return extension == ".mcpr";
 }
 
+Json name_of(SourceFormat::Kind kind) {
+  switch (kind) {
+    case SourceFormat::Kind::None:
+      break;
+    case SourceFormat::Kind::Bvh:
+      return "bvh";
+    case SourceFormat::Kind::Acclaim:
+      return "acclaim";
+    case SourceFormat::Kind::Fbx:
+      return "fbx";
+    case SourceFormat::Kind::Gltf:
+      return "gltf";
+  }
+  return {};
+}
+
 /// Null: not known.
 Json describe(const SourceFormat& source) {
   if (source.kind == SourceFormat::Kind::None) return {};
-  return {{"format", source.kind == SourceFormat::Kind::Bvh ? "bvh" : "acclaim"},
+  return {{"format", name_of(source.kind)},
           {"cm_per_unit", source.cm_per_unit},
           {"up", name(source.up)},
           {"bvh_root", source.root ? Json(name(*source.root)) : Json()}};

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/fnv1a.h"
-#include "core/formats/text_cursor.h"
+#include "core/formats/clip_files.h"
 
 namespace mocapress {
 namespace {
@@ -16,11 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 4> kFormatNames = {"mcpr", "bvh", "amc", "csv"};
-
-bool is_clip(const fs::path& path) {
-  const std::string extension = path.extension().string();
-  return equals_ignoring_case(extension, ".bvh") || equals_ignoring_case(extension, ".amc");
-}
 
 /// "walks", for "../walks", "walks/", and "." in walks.
 std::string name_of_folder(const fs::path& folder) {
@@ -43,7 +38,8 @@ std::vector<SourceClip> sources_below(const fs::path& folder) {
         {at->path().string(), below.empty() ? found_by : (found_by / below).generic_string(), {}});
   }
   if (error) throw InputError(folder.string(), 0, 0, error.message());
-  if (sources.empty()) throw InputError(folder.string(), 0, 0, "holds no .bvh and no .amc");
+  if (sources.empty())
+    throw InputError(folder.string(), 0, 0, "holds none of " + readable_extensions(", "));
   std::sort(sources.begin(), sources.end(),
             [](const SourceClip& a, const SourceClip& b) { return a.path < b.path; });
   return sources;

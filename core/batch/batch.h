@@ -35,7 +35,7 @@ struct SourceClip {
   bool operator==(const SourceClip&) const = default;
 };
 
-/// Files as they are, and every .bvh and .amc below the folders, in the order of their names, each
+/// Files as they are, and every clip below the folders, in the order of their names, each
 /// once. What is not there, or holds no clip, is a clip with a problem.
 std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs);
 

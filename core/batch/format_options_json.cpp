@@ -28,6 +28,7 @@ void put(Json& json, const ReadOptions& options, const std::string& prefix) {
   if (options.cm_per_unit) json[prefix + "cm_per_unit"] = *options.cm_per_unit;
   if (options.up) json[prefix + "up"] = name(*options.up);
   if (options.bvh_root) json[prefix + "bvh_root"] = name(*options.bvh_root);
+  if (options.take) json[prefix + "take"] = *options.take;
 }
 
 ReadOptions format_options(const Json& json, const std::string& prefix) {
@@ -35,7 +36,8 @@ ReadOptions format_options(const Json& json, const std::string& prefix) {
           .cm_per_unit = value_if_any<double>(json, prefix + "cm_per_unit"),
           .up = word_at(json, prefix + "up", {UpAxis::Y, UpAxis::Z}),
           .bvh_root = word_at(json, prefix + "bvh_root",
-                              {TranslationConvention::Adds, TranslationConvention::Replaces})};
+                              {TranslationConvention::Adds, TranslationConvention::Replaces}),
+          .take = value_if_any<std::string>(json, prefix + "take")};
 }
 
 }  // namespace mocapress

@@ -2,22 +2,19 @@
 #include "core/formats/clip_files.h"
 
 #include <algorithm>
-#include <cctype>
+#include <iterator>
 #include <set>
 #include <string>
 
 #include "core/base/error.h"
+#include "core/formats/text_cursor.h"
 
 namespace mocapress {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool is_clip(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".bvh" || extension == ".amc";
-}
+constexpr std::string_view kExtensions[] = {".bvh", ".amc", ".fbx"};
 
 std::vector<fs::path> clips_below(const fs::path& folder) {
   std::vector<fs::path> clips;
@@ -27,12 +24,29 @@ std::vector<fs::path> clips_below(const fs::path& folder) {
   } catch (const fs::filesystem_error& error) {
     throw InputError(folder.string(), 0, 0, error.code().message());
   }
-  if (clips.empty()) throw InputError(folder.string(), 0, 0, "holds no .bvh and no .amc");
+  if (clips.empty())
+    throw InputError(folder.string(), 0, 0, "holds none of " + readable_extensions(", "));
   std::sort(clips.begin(), clips.end());
   return clips;
 }
 
 }  // namespace
+
+std::string readable_extensions(std::string_view between, std::string_view before) {
+  std::string text;
+  for (const std::string_view extension : kExtensions) {
+    if (!text.empty()) text += between;
+    text.append(before).append(extension);
+  }
+  return text;
+}
+
+bool is_clip(const fs::path& path) {
+  const std::string extension = path.extension().string();
+  return std::any_of(std::begin(kExtensions), std::end(kExtensions), [&](std::string_view known) {
+    return equals_ignoring_case(extension, known);
+  });
+}
 
 std::vector<fs::path> find_clips(const std::vector<fs::path>& inputs) {
   std::vector<fs::path> clips;

@@ -5,7 +5,9 @@
 #include "core/formats/amc.h"
 #include "core/formats/asf.h"
 #include "core/formats/bvh.h"
+#include "core/formats/clip_files.h"
 #include "core/formats/csv.h"
+#include "core/formats/fbx.h"
 #include "core/formats/text_cursor.h"
 #include "core/motion/up_axis.h"
 
@@ -23,8 +25,8 @@ void require_motion(const path& file) {
   if (has_extension(file, ".asf"))
     throw InputError(file.string(), 0, 0,
                      "is a skeleton without motion: open one of its .amc files");
-  if (!has_extension(file, ".bvh") && !has_extension(file, ".amc"))
-    throw InputError(file.string(), 0, 0, "is neither .bvh nor .amc");
+  if (!is_clip(file))
+    throw InputError(file.string(), 0, 0, "is none of " + readable_extensions(", "));
 }
 
 struct SkeletonText {
@@ -36,6 +38,7 @@ MotionFile parse(const path& file, std::string_view text, const SkeletonText& as
                  const ReadOptions& options) {
   require_motion(file);
   if (has_extension(file, ".bvh")) return read_bvh(file.string(), text, options);
+  if (has_extension(file, ".fbx")) return read_fbx(file.string(), text, options);
   const AsfSkeleton skeleton = read_asf(asf.file.string(), asf.text, options.cm_per_unit);
   return read_amc(file.string(), text, skeleton, options);
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -14,10 +15,13 @@ namespace mocapress {
 /// What a file does not say, or says wrongly. Unset values are as it says or else guessed, and the
 /// guess is a warning.
 struct ReadOptions {
-  std::optional<double> sample_rate_hz;  // an AMC may state none: kUsualAmcRate unless given
-  std::optional<double> cm_per_unit;     // BVH states none: guessed from the height of the skeleton
-  std::optional<UpAxis> up;              // neither states it: Y unless given
+  // An AMC may state none: kUsualAmcRate unless given. Keys of FBX are sampled at this rate; unset:
+  // at the one they were made at.
+  std::optional<double> sample_rate_hz;
+  std::optional<double> cm_per_unit;  // BVH states none: guessed from the height of the skeleton
+  std::optional<UpAxis> up;           // neither BVH nor AMC states it: Y unless given
   std::optional<TranslationConvention> bvh_root;  // BVH states none: guessed from its values
+  std::optional<std::string> take;  // of an FBX with several: its name, or its number from 1 on
 
   bool operator==(const ReadOptions&) const = default;
 };
@@ -38,13 +42,13 @@ struct MotionFile {
 /// 09.asf), whatever the case of the extension. Throws InputError when there is none.
 std::filesystem::path find_skeleton(const std::filesystem::path& amc);
 
-/// Reads the text of a .bvh or, with the text of its .asf, of an .amc. `file` names it in messages,
-/// and its extension says which of both it is. Throws InputError.
+/// Reads the bytes of a .bvh, a .fbx or, with the text of its .asf, an .amc. `file` names it in
+/// messages, and its extension says which of them it is. Throws InputError.
 MotionFile parse_motion(const std::filesystem::path& file, std::string_view text,
                         std::string_view skeleton_text = {}, const ReadOptions& options = {});
 
-/// Reads .bvh or .amc by its extension. An .amc needs its skeleton: `skeleton_path`, or else what
-/// find_skeleton() finds. Throws InputError.
+/// Reads .bvh, .fbx or .amc by its extension. An .amc needs its skeleton: `skeleton_path`, or else
+/// what find_skeleton() finds. Throws InputError.
 MotionFile read_motion(const std::filesystem::path& path,
                        const std::optional<std::filesystem::path>& skeleton_path = {},
                        const ReadOptions& options = {});

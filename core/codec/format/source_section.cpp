@@ -35,7 +35,7 @@ SourceFormat read_payload(const runtime::Bytes& payload) {
   const auto cm_per_unit = cursor.read<double>();
   const auto refuse = [&](const char* what) { throw FormatError(payload.offset, what); };
   if (cursor.failed() || !cursor.at_end()) refuse("srce has the wrong size");
-  if (kind < 1 || kind > 2) refuse("unknown kind of source");
+  if (kind < 1 || kind > 4) refuse("unknown kind of source");
   if (up > 1) refuse("unknown axis");
   if (root > kNoConvention) refuse("unknown convention");
   if (!is_possible_unit(cm_per_unit)) refuse("an impossible unit of length");

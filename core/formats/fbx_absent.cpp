@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include "core/base/error.h"
+#include "core/formats/fbx.h"
+
+namespace mocapress {
+
+MotionFile read_fbx(const std::string& file, std::string_view, const ReadOptions&) {
+  throw InputError(file, 0, 0, "cannot be read: this build of Mocapress has no FBX");
+}
+
+}  // namespace mocapress

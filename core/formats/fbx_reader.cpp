@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+// assimp reads all transforms of a node as one, if told not to keep pivots, but then drops what it
+// needs to animate the pivots of some nodes: their channels are named after helper nodes that are
+// not there. Such a file is read again with its helpers.
+#include <assimp/config.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/formats/fbx.h"
+#include "core/formats/key_times.h"
+#include "core/formats/node_motion.h"
+#include "core/formats/text_cursor.h"
+
+namespace mocapress {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{512} << 20;
+constexpr std::size_t kMostNodes = std::size_t{1} << 16;
+constexpr int kDeepestBraces = 256;  // assimp calls itself for each, which a stack has to bear
+constexpr std::string_view kHelper = "_$AssimpFbx$_";
+constexpr double kMetadataSaysDefault = 1;  // frames per second, where the file states none
+
+Eigen::Vector3d vector_of(const aiVector3D& v) {
+  return {v.x, v.y, v.z};
+}
+
+Eigen::Quaterniond quaternion_of(const aiQuaternion& q) {
+  return {q.w, q.x, q.y, q.z};
+}
+
+bool is_helper_name(std::string_view name) {
+  return name.find(kHelper) != name.npos;
+}
+
+LocalTransform local_of(const aiMatrix4x4& parent_from_node) {
+  aiVector3D scale;
+  aiVector3D translation;
+  aiQuaternion rotation;
+  parent_from_node.Decompose(scale, rotation, translation);
+  return {vector_of(translation), quaternion_of(rotation), vector_of(scale)};
+}
+
+template <typename Number>
+std::optional<Number> metadata(const aiScene& scene, const char* key) {
+  Number value{};
+  if (scene.mMetaData == nullptr || !scene.mMetaData->Get(key, value)) return std::nullopt;
+  return value;
+}
+
+/// How deep braces of ASCII FBX are nested. Those in strings do not count.
+int depth_of_braces(std::string_view text) {
+  int depth = 0;
+  int deepest = 0;
+  bool quoted = false;
+  for (const char c : text) {
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == '{') deepest = std::max(deepest, ++depth);
+    if (c == '}') --depth;
+  }
+  return deepest;
+}
+
+/// The value of a key and the one after it at a time, in ticks; `key` goes on from call to call.
+template <typename Key, typename Between>
+auto sampled(const Key* keys, unsigned count, unsigned& key, double ticks, const Between& between) {
+  while (key + 1 < count && keys[key + 1].mTime <= ticks) ++key;
+  const double begin = keys[key].mTime;
+  if (key + 1 == count || ticks <= begin) return between(keys[key].mValue, keys[key].mValue, 0.0);
+  const double share = (ticks - begin) / (keys[key + 1].mTime - begin);
+  return between(keys[key].mValue, keys[key + 1].mValue, share);
+}
+
+Eigen::Vector3d straight(const aiVector3D& a, const aiVector3D& b, double share) {
+  return (1 - share) * vector_of(a) + share * vector_of(b);
+}
+
+Eigen::Quaterniond shortest_way(const aiQuaternion& a, const aiQuaternion& b, double share) {
+  return quaternion_of(a).normalized().slerp(share, quaternion_of(b).normalized());
+}
+
+class FbxReader {
+ public:
+  FbxReader(const std::string& file, std::string_view bytes, const ReadOptions& options)
+      : file_(file), bytes_(bytes), options_(options) {}
+
+  MotionFile read();
+
+ private:
+  void load(bool with_helpers);
+  const aiAnimation& choose_take();
+  const aiAnimation* take_named(const std::string& name) const;
+  std::string names_of_takes(const aiAnimation* but) const;
+  void map_channels(const aiAnimation& animation);
+  void read_nodes();
+  void mark_joints(const std::vector<const aiNode*>& sources);
+  void still_helpers();
+  void settle_axes();
+  void sample(const aiAnimation& animation);
+  void sample_node(const aiNodeAnim& channel, const SampleTimes& times, double ticks_per_second,
+                   AnimatedNode& node) const;
+
+  [[noreturn]] void refuse(const std::string& what) const { throw InputError(file_, 0, 0, what); }
+  void warn(std::string message) { warnings_.push_back({file_, 0, std::move(message)}); }
+
+  const std::string& file_;
+  std::string_view bytes_;
+  const ReadOptions& options_;
+  std::unique_ptr<Assimp::Importer> importer_;
+  const aiScene* scene_ = nullptr;
+  std::unordered_map<std::string, const aiNodeAnim*> channels_;  // of the take, by node
+  NodeTake take_;
+  Warnings warnings_;
+};
+
+MotionFile FbxReader::read() {
+  if (bytes_.size() > kMostBytes) refuse("has more than 512 MiB");
+  if (!bytes_.starts_with("Kaydara FBX Binary") && depth_of_braces(bytes_) > kDeepestBraces)
+    refuse("nests deeper than " + std::to_string(kDeepestBraces));
+  load(false);
+  const aiAnimation* animation = &choose_take();
+  map_channels(*animation);
+  if (std::any_of(channels_.begin(), channels_.end(),
+                  [](const auto& channel) { return is_helper_name(channel.first); })) {
+    load(true);
+    warnings_.clear();
+    animation = &choose_take();
+    map_channels(*animation);
+  }
+  read_nodes();
+  settle_axes();
+  sample(*animation);
+  MotionFile result = motion_of(file_, take_, options_, SourceFormat::Kind::Fbx);
+  result.warnings.insert(result.warnings.begin(), warnings_.begin(), warnings_.end());
+  return result;
+}
+
+void FbxReader::load(bool with_helpers) {
+  importer_ = std::make_unique<Assimp::Importer>();
+  importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, with_helpers);
+  importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_MATERIALS, false);
+  importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_TEXTURES, false);
+  importer_->SetPropertyBool(AI_CONFIG_IMPORT_REMOVE_EMPTY_BONES, false);
+  scene_ = importer_->ReadFileFromMemory(bytes_.data(), bytes_.size(), 0, "fbx");
+  if (scene_ != nullptr && scene_->mRootNode != nullptr) return;
+  const std::string error = importer_->GetErrorString();
+  refuse("cannot be read as FBX: " + error.substr(0, error.find('\n')));
+}
+
+std::string FbxReader::names_of_takes(const aiAnimation* but) const {
+  constexpr int kMostNamed = 8;
+  std::string names;
+  int others = 0;
+  for (unsigned a = 0; a < scene_->mNumAnimations; ++a) {
+    if (scene_->mAnimations[a] == but || ++others > kMostNamed) continue;
+    names += (names.empty() ? "" : ", ") + std::string(scene_->mAnimations[a]->mName.C_Str());
+  }
+  if (others > kMostNamed) names += " and " + std::to_string(others - kMostNamed) + " more";
+  return names;
+}
+
+const aiAnimation* FbxReader::take_named(const std::string& name) const {
+  for (unsigned a = 0; a < scene_->mNumAnimations; ++a)
+    if (name == scene_->mAnimations[a]->mName.C_Str()) return scene_->mAnimations[a];
+  const auto number = parse_number(name);
+  for (unsigned a = 0; a < scene_->mNumAnimations; ++a)
+    if (number == static_cast<double>(a + 1)) return scene_->mAnimations[a];
+  return nullptr;
+}
+
+const aiAnimation& FbxReader::choose_take() {
+  if (scene_->mNumAnimations == 0) refuse("holds no animation");
+  if (options_.take) {
+    if (const aiAnimation* named = take_named(*options_.take)) return *named;
+    refuse("has no take " + *options_.take + ": there are " + names_of_takes(nullptr));
+  }
+  const auto takes = scene_->mAnimations;
+  const auto end = takes + scene_->mNumAnimations;
+  const auto first =
+      std::find_if(takes, end, [](const aiAnimation* take) { return take->mNumChannels > 0; });
+  if (first == end) refuse("holds no keys");
+  if (scene_->mNumAnimations > 1)
+    warn("take " + std::string((*first)->mName.C_Str()) + " is read; there are also " +
+         names_of_takes(*first));
+  return **first;
+}
+
+void FbxReader::map_channels(const aiAnimation& animation) {
+  channels_.clear();
+  for (unsigned c = 0; c < animation.mNumChannels; ++c) {
+    const aiNodeAnim* channel = animation.mChannels[c];
+    if (channel->mNumPositionKeys + channel->mNumRotationKeys + channel->mNumScalingKeys > 0)
+      channels_.emplace(channel->mNodeName.C_Str(), channel);
+  }
+}
+
+/// All nodes but leaves that only draw, light or look.
+void FbxReader::read_nodes() {
+  std::unordered_set<std::string> onlookers;
+  for (unsigned i = 0; i < scene_->mNumCameras; ++i)
+    onlookers.insert(scene_->mCameras[i]->mName.C_Str());
+  for (unsigned i = 0; i < scene_->mNumLights; ++i)
+    onlookers.insert(scene_->mLights[i]->mName.C_Str());
+  const auto is_empty_leaf = [&](const aiNode& node) {
+    const std::string name = node.mName.C_Str();
+    const bool only_draws = node.mNumMeshes > 0 && !channels_.contains(name);
+    return node.mNumChildren == 0 && (only_draws || onlookers.contains(name));
+  };
+  std::vector<const aiNode*> sources = {scene_->mRootNode};
+  take_.nodes.push_back({.name = scene_->mRootNode->mName.C_Str(),
+                         .rest = local_of(scene_->mRootNode->mTransformation)});
+  for (std::size_t i = 0; i < sources.size(); ++i)  // both grow
+    for (unsigned c = 0; c < sources[i]->mNumChildren; ++c) {
+      const aiNode& child = *sources[i]->mChildren[c];
+      if (is_empty_leaf(child)) continue;
+      if (sources.size() == kMostNodes)
+        refuse("has more than " + std::to_string(kMostNodes) + " nodes");
+      sources.push_back(&child);
+      take_.nodes.push_back({.name = child.mName.C_Str(),
+                             .parent = static_cast<int>(i),
+                             .rest = local_of(child.mTransformation)});
+    }
+  mark_joints(sources);
+  still_helpers();
+}
+
+/// The bones of skins and what carries them; without skins, whatever is not Null, mesh, camera or
+/// light. So clips of one figure have the same joints, whichever of them move.
+void FbxReader::mark_joints(const std::vector<const aiNode*>& sources) {
+  std::unordered_set<std::string> bones;
+  for (unsigned m = 0; m < scene_->mNumMeshes; ++m)
+    for (unsigned b = 0; b < scene_->mMeshes[m]->mNumBones; ++b)
+      bones.insert(scene_->mMeshes[m]->mBones[b]->mName.C_Str());
+  const auto may_be_joint = [&](const aiNode& node) {
+    bool is_null = true;  // of helpers and of the scene, which say nothing
+    if (node.mMetaData != nullptr) node.mMetaData->Get("IsNull", is_null);
+    return !is_null && node.mNumMeshes == 0;
+  };
+  std::vector<bool> carries(sources.size(), bones.empty());
+  for (std::size_t i = sources.size(); i-- > 0;) {
+    AnimatedNode& node = take_.nodes[i];
+    const bool is_bone = bones.contains(node.name);
+    node.joint = is_bone || (carries[i] && may_be_joint(*sources[i]));
+    if ((is_bone || carries[i]) && node.parent >= 0)
+      carries[static_cast<std::size_t>(node.parent)] = true;
+  }
+}
+
+/// A channel of a node holds what its helpers do as well.
+void FbxReader::still_helpers() {
+  for (AnimatedNode& node : take_.nodes)
+    if (const std::size_t helper = node.name.find(kHelper);
+        helper != node.name.npos && channels_.contains(node.name.substr(0, helper)))
+      node.rest = {};
+}
+
+void FbxReader::settle_axes() {
+  const auto unit = metadata<float>(*scene_, "UnitScaleFactor");
+  if (unit && *unit >= 1e-6F && *unit <= 1e6F) take_.cm_per_unit = *unit;
+  switch (metadata<std::int32_t>(*scene_, "UpAxis").value_or(1)) {
+    case 0:  // X, which only a turn of everything can say
+      take_.nodes.front().rest.rotation =
+          Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()) *
+          take_.nodes.front().rest.rotation;
+      break;
+    case 2:
+      take_.up = UpAxis::Z;
+      break;
+    default:
+      break;
+  }
+}
+
+void FbxReader::sample(const aiAnimation& animation) {
+  const double stated_hz = animation.mTicksPerSecond;
+  if (!(stated_hz >= 1e-3 && stated_hz <= 1e6)) refuse("has an impossible frame rate");
+  std::vector<std::pair<AnimatedNode*, const aiNodeAnim*>> moving;
+  std::vector<double> keys_s;
+  for (AnimatedNode& node : take_.nodes) {
+    const auto channel = channels_.extract(node.name);  // of nodes of one name the first
+    if (channel.empty()) continue;
+    moving.emplace_back(&node, channel.mapped());
+    const auto add_times = [&](const auto* keys, unsigned count) {
+      std::vector<double> times;
+      for (unsigned k = 0; k < count; ++k) times.push_back(keys[k].mTime / stated_hz);
+      if (!std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); }))
+        refuse("has keys at impossible times");
+      keys_s = merged_times(keys_s, std::move(times));
+    };
+    add_times(channel.mapped()->mPositionKeys, channel.mapped()->mNumPositionKeys);
+    add_times(channel.mapped()->mRotationKeys, channel.mapped()->mNumRotationKeys);
+    add_times(channel.mapped()->mScalingKeys, channel.mapped()->mNumScalingKeys);
+  }
+  if (keys_s.empty()) refuse("its take " + std::string(animation.mName.C_Str()) + " moves no node");
+  const SampleTimes times = sample_times(
+      file_, keys_s, stated_hz > kMetadataSaysDefault ? std::optional(stated_hz) : std::nullopt,
+      options_.sample_rate_hz, moving.size());
+  if (!times.warning.empty()) warn(times.warning);
+  take_.name = animation.mName.C_Str();
+  take_.frames = times.frames;
+  take_.sample_rate_hz = times.rate_hz;
+  for (const auto& [node, channel] : moving) sample_node(*channel, times, stated_hz, *node);
+}
+
+void FbxReader::sample_node(const aiNodeAnim& channel, const SampleTimes& times,
+                            double ticks_per_second, AnimatedNode& node) const {
+  node.frames.assign(static_cast<std::size_t>(times.frames), node.rest);
+  unsigned position = 0;
+  unsigned rotation = 0;
+  unsigned scale = 0;
+  for (int t = 0; t < times.frames; ++t) {
+    const double ticks = times.at(t) * ticks_per_second;
+    LocalTransform& local = node.frames[static_cast<std::size_t>(t)];
+    if (channel.mNumPositionKeys > 0)
+      local.translation =
+          sampled(channel.mPositionKeys, channel.mNumPositionKeys, position, ticks, straight);
+    if (channel.mNumRotationKeys > 0)
+      local.rotation =
+          sampled(channel.mRotationKeys, channel.mNumRotationKeys, rotation, ticks, shortest_way);
+    if (channel.mNumScalingKeys > 0)
+      local.scale = sampled(channel.mScalingKeys, channel.mNumScalingKeys, scale, ticks, straight);
+  }
+}
+
+}  // namespace
+
+MotionFile read_fbx(const std::string& file, std::string_view bytes, const ReadOptions& options) {
+  try {
+    return FbxReader(file, bytes, options).read();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {  // of assimp, of memory
+    throw InputError(file, 0, 0, std::string("cannot be read as FBX: ") + error.what());
+  }
+}
+
+}  // namespace mocapress
