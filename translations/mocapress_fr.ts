@@ -12,8 +12,8 @@
         <translation>&amp;Ouvrir…</translation>
     </message>
     <message>
-        <source>Open a motion (.bvh, .amc) or a compressed clip (.mcpr)</source>
-        <translation>Ouvrir un mouvement (.bvh, .amc) ou un clip compressé (.mcpr)</translation>
+        <source>Open a motion or a compressed clip (.mcpr)</source>
+        <translation>Ouvrir un mouvement ou un clip compressé (.mcpr)</translation>
     </message>
     <message>
         <source>Open Sample &amp;Walk</source>
@@ -519,8 +519,8 @@
         <translation>Déposez ici des clips ou des dossiers de clips</translation>
     </message>
     <message>
-        <source>.bvh and .amc; an .amc finds its .asf beside it</source>
-        <translation>.bvh et .amc ; un .amc trouve son .asf à côté de lui</translation>
+        <source>An .amc finds its .asf beside it</source>
+        <translation>Un .amc trouve son .asf à côté de lui</translation>
     </message>
     <message>
         <source>Leave Out</source>
@@ -694,16 +694,16 @@
         <translation>Ajouter des &amp;fichiers…</translation>
     </message>
     <message>
-        <source>Add motions (.bvh, .amc)</source>
-        <translation>Ajouter des mouvements (.bvh, .amc)</translation>
+        <source>Add motions</source>
+        <translation>Ajouter des mouvements</translation>
     </message>
     <message>
         <source>Add Fol&amp;der…</source>
         <translation>Ajouter un &amp;dossier…</translation>
     </message>
     <message>
-        <source>Add every .bvh and .amc below a folder</source>
-        <translation>Ajouter chaque .bvh et .amc d&apos;un dossier et de ses sous-dossiers</translation>
+        <source>Add every motion below a folder</source>
+        <translation>Ajouter chaque mouvement d&apos;un dossier et de ses sous-dossiers</translation>
     </message>
     <message>
         <source>Output</source>
@@ -738,8 +738,8 @@
         <translation>Ajouter des clips</translation>
     </message>
     <message>
-        <source>Motion (*.bvh *.amc)</source>
-        <translation>Mouvement (*.bvh *.amc)</translation>
+        <source>Motion (%1)</source>
+        <translation>Mouvement (%1)</translation>
     </message>
     <message>
         <source>Add All Clips below</source>
@@ -855,8 +855,8 @@
         <translation>Ouvrir</translation>
     </message>
     <message>
-        <source>Motion and compressed clips (*.bvh *.amc *.mcpr);;All files (*)</source>
-        <translation>Mouvements et clips compressés (*.bvh *.amc *.mcpr);;Tous les fichiers (*)</translation>
+        <source>Motion and compressed clips (%1 *.mcpr);;All files (*)</source>
+        <translation>Mouvements et clips compressés (%1 *.mcpr);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Skeleton of %1</source>
@@ -871,8 +871,8 @@
         <translation>Comparer à l&apos;original</translation>
     </message>
     <message>
-        <source>Motion (*.bvh *.amc)</source>
-        <translation>Mouvement (*.bvh *.amc)</translation>
+        <source>Motion (%1)</source>
+        <translation>Mouvement (%1)</translation>
     </message>
     <message>
         <source>Compressed clips (*.mcpr)</source>
@@ -1785,8 +1785,8 @@
         <translation>Écrire une image de la fenêtre une fois le clip compressé, et quitter.</translation>
     </message>
     <message>
-        <source>A project (.mocapress), or a .bvh, .amc or .mcpr file. Several, and folders, come into the library.</source>
-        <translation>Un projet (.mocapress), ou un fichier .bvh, .amc ou .mcpr. Plusieurs, et des dossiers, vont dans la bibliothèque.</translation>
+        <source>A project (.mocapress), a motion or a .mcpr file. Several, and folders, come into the library.</source>
+        <translation>Un projet (.mocapress), un mouvement ou un fichier .mcpr. Plusieurs, et des dossiers, vont dans la bibliothèque.</translation>
     </message>
 </context>
 <context>
@@ -1988,8 +1988,8 @@
         <translation>Ajouter des clips</translation>
     </message>
     <message>
-        <source>Motion (*.bvh *.amc)</source>
-        <translation>Mouvement (*.bvh *.amc)</translation>
+        <source>Motion (%1)</source>
+        <translation>Mouvement (%1)</translation>
     </message>
     <message>
         <source>Add Folder</source>
@@ -3088,16 +3088,16 @@
         <translation>Ajouter des fichiers…</translation>
     </message>
     <message>
-        <source>Add motions (.bvh, .amc)</source>
-        <translation>Ajouter des mouvements (.bvh, .amc)</translation>
+        <source>Add motions</source>
+        <translation>Ajouter des mouvements</translation>
     </message>
     <message>
         <source>Add Folder…</source>
         <translation>Ajouter un dossier…</translation>
     </message>
     <message>
-        <source>Add every .bvh and .amc below a folder</source>
-        <translation>Ajouter chaque .bvh et .amc d&apos;un dossier</translation>
+        <source>Add every motion below a folder</source>
+        <translation>Ajouter chaque mouvement d&apos;un dossier</translation>
     </message>
     <message>
         <source>Take the selected clips off the list (Del)</source>
@@ -3484,8 +3484,8 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Ajouter des clips</translation>
     </message>
     <message>
-        <source>Motion (*.bvh *.amc)</source>
-        <translation>Mouvement (*.bvh *.amc)</translation>
+        <source>Motion (%1)</source>
+        <translation>Mouvement (%1)</translation>
     </message>
     <message>
         <source>Add All Clips below</source>

@@ -12,8 +12,8 @@
         <translation>開く(&amp;O)…</translation>
     </message>
     <message>
-        <source>Open a motion (.bvh, .amc) or a compressed clip (.mcpr)</source>
-        <translation>モーション(.bvh、.amc)または圧縮クリップ(.mcpr)を開く</translation>
+        <source>Open a motion or a compressed clip (.mcpr)</source>
+        <translation>モーションまたは圧縮クリップ(.mcpr)を開く</translation>
     </message>
     <message>
         <source>Open Sample &amp;Walk</source>
@@ -518,8 +518,8 @@
         <translation>クリップまたはクリップのフォルダーをここにドロップ</translation>
     </message>
     <message>
-        <source>.bvh and .amc; an .amc finds its .asf beside it</source>
-        <translation>.bvh と .amc。.amc は隣の .asf を使います</translation>
+        <source>An .amc finds its .asf beside it</source>
+        <translation>.amc は隣の .asf を使います</translation>
     </message>
     <message>
         <source>Leave Out</source>
@@ -687,16 +687,16 @@
         <translation>ファイルを追加(&amp;F)…</translation>
     </message>
     <message>
-        <source>Add motions (.bvh, .amc)</source>
-        <translation>モーション (.bvh、.amc) を追加</translation>
+        <source>Add motions</source>
+        <translation>モーションを追加</translation>
     </message>
     <message>
         <source>Add Fol&amp;der…</source>
         <translation>フォルダーを追加(&amp;D)…</translation>
     </message>
     <message>
-        <source>Add every .bvh and .amc below a folder</source>
-        <translation>フォルダー以下のすべての .bvh と .amc を追加</translation>
+        <source>Add every motion below a folder</source>
+        <translation>フォルダー以下のすべてのモーションを追加</translation>
     </message>
     <message>
         <source>Output</source>
@@ -731,8 +731,8 @@
         <translation>クリップの追加</translation>
     </message>
     <message>
-        <source>Motion (*.bvh *.amc)</source>
-        <translation>モーション (*.bvh *.amc)</translation>
+        <source>Motion (%1)</source>
+        <translation>モーション (%1)</translation>
     </message>
     <message>
         <source>Add All Clips below</source>
@@ -847,8 +847,8 @@
         <translation>開く</translation>
     </message>
     <message>
-        <source>Motion and compressed clips (*.bvh *.amc *.mcpr);;All files (*)</source>
-        <translation>モーションと圧縮クリップ (*.bvh *.amc *.mcpr);;すべてのファイル (*)</translation>
+        <source>Motion and compressed clips (%1 *.mcpr);;All files (*)</source>
+        <translation>モーションと圧縮クリップ (%1 *.mcpr);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>Skeleton of %1</source>
@@ -863,8 +863,8 @@
         <translation>元と比較</translation>
     </message>
     <message>
-        <source>Motion (*.bvh *.amc)</source>
-        <translation>モーション (*.bvh *.amc)</translation>
+        <source>Motion (%1)</source>
+        <translation>モーション (%1)</translation>
     </message>
     <message>
         <source>Compressed clips (*.mcpr)</source>
@@ -1774,8 +1774,8 @@
         <translation>圧縮が済んだらウィンドウの画像を書いて終了します。</translation>
     </message>
     <message>
-        <source>A project (.mocapress), or a .bvh, .amc or .mcpr file. Several, and folders, come into the library.</source>
-        <translation>プロジェクト（.mocapress）、または .bvh、.amc、.mcpr のファイル。複数のファイルやフォルダーはライブラリに入ります。</translation>
+        <source>A project (.mocapress), a motion or a .mcpr file. Several, and folders, come into the library.</source>
+        <translation>プロジェクト（.mocapress）、モーション、または .mcpr のファイル。複数のファイルやフォルダーはライブラリに入ります。</translation>
     </message>
 </context>
 <context>
@@ -1975,8 +1975,8 @@
         <translation>クリップを追加</translation>
     </message>
     <message>
-        <source>Motion (*.bvh *.amc)</source>
-        <translation>モーション (*.bvh *.amc)</translation>
+        <source>Motion (%1)</source>
+        <translation>モーション (%1)</translation>
     </message>
     <message>
         <source>Add Folder</source>
@@ -3071,16 +3071,16 @@
         <translation>ファイルを追加…</translation>
     </message>
     <message>
-        <source>Add motions (.bvh, .amc)</source>
-        <translation>モーション(.bvh、.amc)を追加</translation>
+        <source>Add motions</source>
+        <translation>モーションを追加</translation>
     </message>
     <message>
         <source>Add Folder…</source>
         <translation>フォルダーを追加…</translation>
     </message>
     <message>
-        <source>Add every .bvh and .amc below a folder</source>
-        <translation>フォルダー以下の .bvh と .amc をすべて追加</translation>
+        <source>Add every motion below a folder</source>
+        <translation>フォルダー以下のモーションをすべて追加</translation>
     </message>
     <message>
         <source>Take the selected clips off the list (Del)</source>
@@ -3461,8 +3461,8 @@ Click to load it into the studio.</source>
         <translation>クリップを追加</translation>
     </message>
     <message>
-        <source>Motion (*.bvh *.amc)</source>
-        <translation>モーション (*.bvh *.amc)</translation>
+        <source>Motion (%1)</source>
+        <translation>モーション (%1)</translation>
     </message>
     <message>
         <source>Add All Clips below</source>

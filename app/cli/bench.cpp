@@ -258,7 +258,9 @@ void add_bench(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("bench", "Time each stage on a clip, on one thread, beside a reference");
   const auto call = std::make_shared<Bench>();
-  command->add_option("clip", call->clip, "A .bvh or .amc file")->required()->type_name("CLIP");
+  command->add_option("clip", call->clip, "A .bvh, .amc or .fbx file")
+      ->required()
+      ->type_name("CLIP");
   call->source.add_options(*command);
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] {

@@ -104,7 +104,9 @@ struct Compress {
 void add_compress(CLI::App& app) {
   CLI::App* command = app.add_subcommand("compress", "Compress a clip and measure what it cost");
   const auto call = std::make_shared<Compress>();
-  command->add_option("input", call->input, "A .bvh or .amc file")->required()->type_name("INPUT");
+  command->add_option("input", call->input, "A .bvh, .amc or .fbx file")
+      ->required()
+      ->type_name("INPUT");
   call->source.add_options(*command);
   command->add_option("-o,--output", call->output, "Where to write; without it, only measure")
       ->type_name("OUT.mcpr");

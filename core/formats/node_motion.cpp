@@ -130,8 +130,8 @@ int NodeTree::joint_children(std::size_t node) const {
                     [&](std::size_t child) { return roles_[child] == Role::Joint; }));
 }
 
-/// Armatures and scene roots that stand still, from the top as long as that splits no skeleton; and
-/// helpers, which have their joint below them.
+/// Armatures and scene roots that stand still, from the top; without marks, only as long as that
+/// splits no skeleton. And helpers, which have their joint below them.
 void NodeTree::fold_from_top() {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (roles_[i] != Role::Joint) continue;
@@ -140,7 +140,7 @@ void NodeTree::fold_from_top() {
     const int children = joint_children(i);
     const bool is_plain = same_transform(local(i, 0), {});
     const bool is_stand = on_top && !nodes_[i].joint && !moves_[i] && children > 0 &&
-                          (children == 1 || (is_plain && parent < 0));
+                          (are_marked_ || children == 1 || (is_plain && parent < 0));
     if (is_stand || (is_helper(i) && children > 0)) roles_[i] = Role::Part;
   }
 }

@@ -26,9 +26,9 @@ StudyClips::StudyClips(QWidget* parent)
   list_->setUniformItemSizes(true);
   list_->setMinimumHeight(kLeastHeight);
   auto* files = new QPushButton(tr("Add Files…"), this);
-  files->setToolTip(tr("Add motions (.bvh, .amc)"));
+  files->setToolTip(tr("Add motions"));
   auto* folder = new QPushButton(tr("Add Folder…"), this);
-  folder->setToolTip(tr("Add every .bvh and .amc below a folder"));
+  folder->setToolTip(tr("Add every motion below a folder"));
   remove_->setToolTip(tr("Take the selected clips off the list (Del)"));
   remove_->setEnabled(false);
 

@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include "app/studio/batch/batch_status.h"
+#include "app/studio/document/clip_files.h"
 #include "app/studio/document/preset_shelf.h"
 #include "app/studio/document/preset_views.h"
 #include "widgets/icons/themed_icon.h"
@@ -100,9 +101,9 @@ QWidget* BatchWindow::makeQueue() {
   auto* queue = new QWidget(this);
   auto* files =
       new QPushButton(themedIcon(QStringLiteral("folder-open")), tr("Add &Files…"), queue);
-  files->setToolTip(tr("Add motions (.bvh, .amc)"));
+  files->setToolTip(tr("Add motions"));
   auto* folder = new QPushButton(tr("Add Fol&der…"), queue);
-  folder->setToolTip(tr("Add every .bvh and .amc below a folder"));
+  folder->setToolTip(tr("Add every motion below a folder"));
   auto* tools = new QHBoxLayout;
   tools->setContentsMargins(8, 8, 8, 8);
   tools->setSpacing(6);
@@ -243,8 +244,8 @@ void BatchWindow::connectPresets() {
 }
 
 void BatchWindow::chooseFiles() {
-  session_->addClips(
-      QFileDialog::getOpenFileNames(this, tr("Add Clips"), {}, tr("Motion (*.bvh *.amc)")));
+  session_->addClips(QFileDialog::getOpenFileNames(this, tr("Add Clips"), {},
+                                                   tr("Motion (%1)").arg(motionPatterns())));
 }
 
 void BatchWindow::chooseClipFolder() {

@@ -13,6 +13,7 @@
 #include "app/studio/document/recent_files.h"
 #include "app/studio/document/session.h"
 #include "core/baselines/comparison_method.h"
+#include "core/formats/clip_files.h"
 
 namespace mocapress {
 namespace {
@@ -34,6 +35,10 @@ QString filterOf(const QString& extension) {
 }
 
 }  // namespace
+
+QString motionPatterns() {
+  return QString::fromStdString(readable_extensions(" ", "*"));
+}
 
 QString sampleClip() {
   const QString installed =
@@ -82,7 +87,7 @@ void ClipFiles::openRow(const StudyRow& row) {
 void ClipFiles::chooseClip() {
   const QString path = QFileDialog::getOpenFileName(
       window_, tr("Open"), directory(),
-      tr("Motion and compressed clips (*.bvh *.amc *.mcpr);;All files (*)"));
+      tr("Motion and compressed clips (%1 *.mcpr);;All files (*)").arg(motionPatterns()));
   if (!path.isEmpty()) open(path);
 }
 
@@ -98,8 +103,8 @@ void ClipFiles::chooseSkeleton() {
 }
 
 void ClipFiles::chooseOriginal() {
-  const QString path = QFileDialog::getOpenFileName(window_, tr("Compare with Original"),
-                                                    directory(), tr("Motion (*.bvh *.amc)"));
+  const QString path = QFileDialog::getOpenFileName(
+      window_, tr("Compare with Original"), directory(), tr("Motion (%1)").arg(motionPatterns()));
   if (!path.isEmpty()) session_->compareWith(path);
 }
 

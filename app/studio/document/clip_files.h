@@ -14,6 +14,9 @@ namespace mocapress {
 
 class Session;
 
+/// The motions that can be read, for a file dialog: "*.bvh *.amc *.fbx".
+QString motionPatterns();
+
 /// The bundled walk: from the installed share directory, or from the source tree where the program
 /// runs out of its build directory. Empty: neither is there.
 QString sampleClip();

@@ -71,7 +71,12 @@ ImportOptionsDialog::ImportOptionsDialog(const OriginalClip& clip, QWidget* pare
   const SourceFormat& source = clip.source;
   const bool bvh = source.kind == SourceFormat::Kind::Bvh;
 
-  unit_->addItem(bvh ? tr("Guessed by the figure's height") : tr("As the skeleton says"));
+  const bool says_all =
+      source.kind == SourceFormat::Kind::Fbx || source.kind == SourceFormat::Kind::Gltf;
+
+  unit_->addItem(says_all ? tr("As the file says")
+                 : bvh    ? tr("Guessed by the figure's height")
+                          : tr("As the skeleton says"));
   unit_->addItem(tr("Centimetre"), 1.0);
   unit_->addItem(tr("Metre"), 100.0);
   unit_->addItem(tr("Millimetre"), 0.1);
@@ -79,7 +84,7 @@ ImportOptionsDialog::ImportOptionsDialog(const OriginalClip& clip, QWidget* pare
   unit_->addItem(tr("CMU's unit (0.45 to the inch)"), 2.54 / 0.45);
   unit_->addItem(tr("Other"));
   cm_per_unit_->setValue(source.cm_per_unit);
-  up_->addItem(tr("Y, as usual"));
+  up_->addItem(says_all ? tr("As the file says") : tr("Y, as usual"));
   up_->addItem(QStringLiteral("Y"), static_cast<int>(UpAxis::Y));
   up_->addItem(QStringLiteral("Z"), static_cast<int>(UpAxis::Z));
   root_->addItem(tr("Guessed by the root's values"));
@@ -132,7 +137,8 @@ ImportOptionsDialog::ImportOptionsDialog(const OriginalClip& clip, QWidget* pare
 
 ReadOptions ImportOptionsDialog::options() const {
   ReadOptions options{.sample_rate_hz = valueOf(rate_, rate_hz_),
-                      .cm_per_unit = valueOf(unit_, cm_per_unit_)};
+                      .cm_per_unit = valueOf(unit_, cm_per_unit_),
+                      .take = take_};
   if (up_->currentIndex() != kAutomatic)
     options.up = static_cast<UpAxis>(up_->currentData().toInt());
   if (root_->currentIndex() != kAutomatic)
@@ -141,6 +147,7 @@ ReadOptions ImportOptionsDialog::options() const {
 }
 
 void ImportOptionsDialog::setOptions(const ReadOptions& options) {
+  take_ = options.take;
   setValue(unit_, cm_per_unit_, options.cm_per_unit);
   setValue(rate_, rate_hz_, options.sample_rate_hz);
   up_->setCurrentIndex(options.up ? up_->findData(static_cast<int>(*options.up)) : kAutomatic);

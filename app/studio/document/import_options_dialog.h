@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QDialog>
+#include <optional>
+#include <string>
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -31,6 +33,7 @@ class ImportOptionsDialog : public QDialog {
   QComboBox* root_;
   QComboBox* rate_;
   QDoubleSpinBox* rate_hz_;
+  std::optional<std::string> take_;  // kept as it is
 };
 
 }  // namespace mocapress

@@ -3,6 +3,7 @@
 
 #include <QFileDialog>
 
+#include "app/studio/document/clip_files.h"
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
 #include "widgets/models/length_text.h"
@@ -47,8 +48,8 @@ void LibraryViews::showSlots() {
 }
 
 void LibraryViews::addClips() {
-  library_->add(
-      QFileDialog::getOpenFileNames(window_, tr("Add Clips"), {}, tr("Motion (*.bvh *.amc)")));
+  library_->add(QFileDialog::getOpenFileNames(window_, tr("Add Clips"), {},
+                                              tr("Motion (%1)").arg(motionPatterns())));
 }
 
 void LibraryViews::addFolder() {

@@ -14,6 +14,7 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
+#include "app/studio/document/clip_files.h"
 #include "app/studio/study/study_memory.h"
 #include "app/studio/study/study_status.h"
 #include "widgets/models/study_rows_model.h"
@@ -144,8 +145,8 @@ QString StudyWindow::exportPath(const QString& title, const QString& filter,
 void StudyWindow::chooseFiles() {
   const QStringList clips = session_->settings().clips;
   const QString folder = clips.isEmpty() ? QString() : QFileInfo(clips.back()).path();
-  session_->addClips(
-      QFileDialog::getOpenFileNames(this, tr("Add Clips"), folder, tr("Motion (*.bvh *.amc)")));
+  session_->addClips(QFileDialog::getOpenFileNames(this, tr("Add Clips"), folder,
+                                                   tr("Motion (%1)").arg(motionPatterns())));
 }
 
 void StudyWindow::chooseClipFolder() {

@@ -61,7 +61,7 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   Actions actions;
   actions.open =
       make(window, Texts::tr("&Open…"), QKeySequence::Open, QStringLiteral("folder-open"));
-  actions.open->setToolTip(Texts::tr("Open a motion (.bvh, .amc) or a compressed clip (.mcpr)"));
+  actions.open->setToolTip(Texts::tr("Open a motion or a compressed clip (.mcpr)"));
   actions.open_sample = make(window, Texts::tr("Open Sample &Walk"));
   actions.choose_skeleton = make(window, Texts::tr("Choose Skeleton…"));
   actions.compare = make(window, Texts::tr("&Compare with Original…"));

@@ -14,6 +14,7 @@
 #include "app/studio/library/library.h"
 #include "app/studio/library/project_files.h"
 #include "app/studio/window/notices.h"
+#include "core/formats/clip_files.h"
 
 namespace mocapress {
 
@@ -73,7 +74,7 @@ void IncomingFiles::openClips(const QStringList& paths, const QString& skeleton,
     const QString kind = QFileInfo(path).suffix().toLower();
     if (QFileInfo(path).isDir())
       folders << path;
-    else if (kind == QLatin1String("bvh") || kind == QLatin1String("amc"))
+    else if (is_clip(path.toStdString()))
       clips << path;
     else if (kind == QLatin1String("asf"))
       skeletons << path;

@@ -37,7 +37,7 @@ LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
   parser.addVersionOption();
   parser.addPositionalArgument(
       QStringLiteral("file"),
-      Launch::tr("A project (.mocapress), or a .bvh, .amc or .mcpr file. Several, and folders, "
+      Launch::tr("A project (.mocapress), a motion or a .mcpr file. Several, and folders, "
                  "come into the library."),
       QStringLiteral("[FILE|FOLDER...]"));
   const QCommandLineOption skeleton(QStringLiteral("skeleton"),
