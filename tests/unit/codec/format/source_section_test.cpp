@@ -50,6 +50,8 @@ Bytes payload(int kind, int up, int root, double cm_per_unit) {
 TEST(SourceSection, ComesBackAsItWasWritten) {
   for (const SourceFormat& source :
        {kInches, SourceFormat{.kind = SourceFormat::Kind::Acclaim, .cm_per_unit = 2.54 / 0.45},
+        SourceFormat{.kind = SourceFormat::Kind::Fbx, .up = UpAxis::Z},
+        SourceFormat{.kind = SourceFormat::Kind::Gltf, .cm_per_unit = 100},
         SourceFormat{.kind = SourceFormat::Kind::Bvh, .root = TranslationConvention::Adds}})
     EXPECT_EQ(source_of(with_source(small_file(), source)), source);
 }
@@ -86,7 +88,7 @@ TEST(SourceSection, RefusesWhatTheFormatDoesNotName) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_NO_THROW(source_of(with_payload(payload(2, 0, 2, 1))));
   for (const Bytes& bad :
-       {payload(0, 0, 0, 1), payload(3, 0, 0, 1), payload(1, 2, 0, 1), payload(1, 0, 3, 1),
+       {payload(0, 0, 0, 1), payload(5, 0, 0, 1), payload(1, 2, 0, 1), payload(1, 0, 3, 1),
         payload(1, 0, 0, 0), payload(1, 0, 0, -1), payload(1, 0, 0, kInfinity), Bytes(), Bytes(10),
         Bytes(12, std::byte{1})})
     EXPECT_THROW(source_of(with_payload(bad)), FormatError);

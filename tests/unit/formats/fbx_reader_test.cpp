@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <random>
+
+#include "core/base/file.h"
+#include "core/formats/fbx.h"
+#include "core/motion/joint_rotation.h"
+#include "core/motion/landmarks.h"
+#include "tests/support/corpus.h"
+
+namespace mocapress {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr long long kTicks = 46186158000;  // a second of FBX
+
+/// A take whose knee turns about x from 0 to `degrees`, with keys at these frames of 30 Hz.
+struct Take {
+  std::string name = "First";
+  double degrees = 90;
+  std::vector<int> frames = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+};
+
+std::string property(const std::string& name, const std::string& type, const std::string& values) {
+  return "P: \"" + name + "\", \"" + type + "\", \"\", \"\"," + values + "\n";
+}
+
+std::string model(int id, const std::string& name, const std::string& properties) {
+  return "Model: " + std::to_string(id) + ", \"Model::" + name +
+         "\", \"LimbNode\" {\nVersion: 232\nProperties70: {\n" + properties + "}\n}\n";
+}
+
+std::string list(const std::string& name, const std::vector<std::string>& values) {
+  std::string text = name + ": *" + std::to_string(values.size()) + " {\na: ";
+  for (std::size_t i = 0; i < values.size(); ++i) text += (i > 0 ? "," : "") + values[i];
+  return text + "\n}\n";
+}
+
+std::string curve(int id, const Take& take) {
+  std::vector<std::string> times;
+  std::vector<std::string> values;
+  for (const int frame : take.frames) {
+    times.push_back(std::to_string(frame * kTicks / 30));
+    values.push_back(std::to_string(take.degrees * frame / take.frames.back()));
+  }
+  return "AnimationCurve: " + std::to_string(id) +
+         ", \"AnimCurve::\", \"\" {\nDefault: 0\nKeyVer: 4008\n" + list("KeyTime", times) +
+         list("KeyValueFloat", values) + list("KeyAttrFlags", {"260"}) +
+         list("KeyAttrDataFloat", {"0", "0", "0", "0"}) +
+         list("KeyAttrRefCount", {std::to_string(values.size())}) + "}\n";
+}
+
+/// An ASCII FBX of hips, a knee 40 cm below whose frame is turned by 90 degrees about z, and a foot
+/// 40 cm along its x. `of_knee`: further properties of the knee.
+std::string fbx_text(const std::vector<Take>& takes, const std::string& of_knee = "", int up = 1) {
+  const auto id = [](std::size_t take, int object) {
+    return std::to_string(100 * (static_cast<int>(take) + 1) + object);
+  };
+  std::string text =
+      "; FBX 7.4.0 project file\nFBXHeaderExtension: {\nFBXHeaderVersion: 1003\nFBXVersion: "
+      "7400\n}\nGlobalSettings: {\nVersion: 1000\nProperties70: {\n" +
+      property("UpAxis", "int", std::to_string(up)) + property("UnitScaleFactor", "double", "2") +
+      property("TimeMode", "enum", "6") + "}\n}\nObjects: {\n" +
+      model(1, "rig:Hips", property("Lcl Translation", "Lcl Translation", "0,90,0")) +
+      model(2, "rig:Knee",
+            property("Lcl Translation", "Lcl Translation", "0,-40,0") +
+                property("RotationActive", "bool", "1") +
+                property("PreRotation", "Vector3D", "0,0,90") + of_knee) +
+      model(3, "rig:Foot", property("Lcl Translation", "Lcl Translation", "40,0,0"));
+  std::string connections = "C: \"OO\",1,0\nC: \"OO\",2,1\nC: \"OO\",3,2\n";
+  for (std::size_t t = 0; t < takes.size(); ++t) {
+    text += "AnimationStack: " + id(t, 0) + ", \"AnimStack::" + takes[t].name +
+            "\", \"\" {\n}\nAnimationLayer: " + id(t, 1) +
+            ", \"AnimLayer::Base\", \"\" {\n}\nAnimationCurveNode: " + id(t, 2) +
+            ", \"AnimCurveNode::R\", \"\" {\nProperties70: {\n" + property("d|X", "Number", "0") +
+            property("d|Y", "Number", "0") + property("d|Z", "Number", "0") + "}\n}\n" +
+            curve(std::stoi(id(t, 3)), takes[t]);
+    connections += "C: \"OO\"," + id(t, 1) + "," + id(t, 0) + "\nC: \"OO\"," + id(t, 2) + "," +
+                   id(t, 1) + "\nC: \"OP\"," + id(t, 2) + ",2, \"Lcl Rotation\"\nC: \"OP\"," +
+                   id(t, 3) + "," + id(t, 2) + ", \"d|X\"\n";
+  }
+  return text + "}\nConnections: {\n" + connections + "}\n";
+}
+
+std::vector<std::string> texts(const MotionFile& file) {
+  std::vector<std::string> texts;
+  for (const Warning& warning : file.warnings) texts.push_back(warning.message);
+  return texts;
+}
+
+std::string error_of(const std::string& bytes, const ReadOptions& options = {}) {
+  try {
+    read_fbx("f", bytes, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+Eigen::RowVector3d place(const MotionFile& file, const std::string& joint, int frame) {
+  const Eigen::MatrixXd tracks = landmark_tracks(file.motion.skeleton, file.motion.clip);
+  return tracks.block<1, 3>(frame, 3 * file.motion.skeleton.find(joint));
+}
+
+double angle(int frame) {  // of the usual take, radians
+  return frame * 9 * std::numbers::pi / 180;
+}
+
+TEST(FbxReader, ReadsAsciiInItsUnitWithItsRate) {
+  const MotionFile file = read_fbx("f", fbx_text({{}}));
+  EXPECT_EQ(file.motion.clip.sample_rate_hz, 30);
+  ASSERT_EQ(file.motion.clip.frames(), 11);
+  EXPECT_EQ(file.source, (SourceFormat{.kind = SourceFormat::Kind::Fbx, .cm_per_unit = 2}));
+  EXPECT_THAT(texts(file), IsEmpty());
+  ASSERT_EQ(file.motion.skeleton.joint_count(), 3);
+  EXPECT_EQ(file.motion.skeleton.joint(1).name, "Knee");
+  for (int t = 0; t < 11; ++t)
+    EXPECT_LT((place(file, "Foot", t) - Eigen::RowVector3d(0, 180, 0)).norm(), 1e-3);
+  const Eigen::Matrix3d turned =
+      joint_rotation(file.motion.skeleton.joint(1), file.motion.clip.channels.row(7));
+  const Eigen::Matrix3d wanted =
+      axis_rotation(2, std::numbers::pi / 2) * axis_rotation(0, angle(7));
+  EXPECT_LT((turned - wanted).norm(), 1e-5);
+}
+
+TEST(FbxReader, TurnsAJointAboutItsPivot) {
+  const MotionFile file =
+      read_fbx("f", fbx_text({{}}, property("RotationPivot", "Vector3D", "0,5,0")));
+  EXPECT_EQ(file.motion.skeleton.joint_count(), 3);
+  for (int t = 0; t < 11; ++t) {
+    const Eigen::RowVector3d foot(5 * std::cos(angle(t)), 95, -5 * std::sin(angle(t)));
+    EXPECT_LT((place(file, "Foot", t) - 2 * foot).norm(), 1e-3) << t;
+  }
+}
+
+TEST(FbxReader, TurnsOtherAxesUp) {
+  const auto hips = [](int up, const ReadOptions& options = {}) -> Eigen::RowVector3d {
+    return place(read_fbx("f", fbx_text({{}}, "", up), options), "Hips", 0);
+  };
+  EXPECT_LT((hips(2) - Eigen::RowVector3d(0, 0, -180)).norm(), 1e-4);
+  EXPECT_LT((hips(0) - Eigen::RowVector3d(-180, 0, 0)).norm(), 1e-4);
+  EXPECT_LT((hips(2, {.cm_per_unit = 1.0, .up = UpAxis::Y}) - Eigen::RowVector3d(0, 90, 0)).norm(),
+            1e-4);
+}
+
+TEST(FbxReader, ChoosesAmongTakes) {
+  const std::string text = fbx_text({{}, {.name = "Second", .frames = {0, 1, 2, 3}}});
+  const MotionFile first = read_fbx("f", text);
+  EXPECT_EQ(first.motion.clip.frames(), 11);
+  EXPECT_THAT(texts(first), ElementsAre("take First is read; there are also Second"));
+  for (const char* take : {"Second", "2"}) {
+    const MotionFile second = read_fbx("f", text, {.take = take});
+    EXPECT_EQ(second.motion.clip.frames(), 4);
+    EXPECT_THAT(texts(second), IsEmpty());
+  }
+  EXPECT_EQ(error_of(text, {.take = "Third"}), "f: has no take Third: there are First, Second");
+}
+
+TEST(FbxReader, SamplesKeysAtTheRateThatIsAskedForAndSaysWhereTheyAreSparse) {
+  const std::string sparse = fbx_text({{.frames = {0, 4, 5, 10}}});
+  const MotionFile file = read_fbx("f", sparse);
+  EXPECT_EQ(file.motion.clip.frames(), 11);
+  EXPECT_THAT(texts(file), ElementsAre(HasSubstr("4 of 11 frames carry keys")));
+  const MotionFile finer = read_fbx("f", sparse, {.sample_rate_hz = 60.0});
+  EXPECT_EQ(finer.motion.clip.frames(), 21);
+  EXPECT_EQ(finer.motion.clip.sample_rate_hz, 60);
+  EXPECT_THAT(texts(finer), IsEmpty());
+  const Eigen::Matrix3d wanted =
+      axis_rotation(2, std::numbers::pi / 2) * axis_rotation(0, angle(7));
+  EXPECT_LT(
+      (joint_rotation(finer.motion.skeleton.joint(1), finer.motion.clip.channels.row(14)) - wanted)
+          .norm(),
+      1e-5);
+}
+
+TEST(FbxReader, RefusesInOneSentence) {
+  EXPECT_EQ(error_of(fbx_text({})), "f: holds no animation");
+  EXPECT_EQ(error_of("").find("f: cannot be read as FBX: "), 0u);
+  EXPECT_EQ(error_of("nonsense").find("f: cannot be read as FBX: "), 0u);
+  EXPECT_EQ(error_of(std::string(100000, '{')), "f: nests deeper than 256");
+}
+
+TEST(FbxReader, SurvivesEveryTruncation) {
+  const std::string text = fbx_text({{}});
+  for (std::size_t size = 0; size < text.size(); size += 13) {
+    const std::string error = error_of(text.substr(0, size));
+    EXPECT_EQ(error.find('\n'), error.npos) << error;
+  }
+}
+
+class FbxCorpus : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto folder = test::corpus();
+    if (!folder || !std::filesystem::exists(*folder / "fbx"))
+      GTEST_SKIP() << "the corpus of real motions is not here";
+    folder_ = *folder / "fbx";
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(FbxCorpus, AgreesWithBlender) {
+  const std::map<std::string, int> first_key = {// Blender's frame
+                                                {"85_12.fbx", 68},
+                                                {"animation_with_skeleton.fbx", 1},
+                                                {"huesitos.fbx", 1}};
+  const auto all = nlohmann::json::parse(read_text(folder_ / "blender-3.4-positions.json"));
+  for (const auto& [name, first] : first_key) {
+    const MotionFile file = read_motion(folder_ / name);
+    const Motion& motion = file.motion;
+    EXPECT_EQ(motion.clip.sample_rate_hz, all.at(name).at("fps")) << name;
+    const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
+    for (const auto& [frame, joints] : all.at(name).at("joint_positions_in_metres_z_up").items()) {
+      const int t = std::clamp(std::stoi(frame) - first, 0, motion.clip.frames() - 1);
+      double largest = 0;
+      Eigen::AlignedBox3d extent;
+      int compared = 0;
+      for (const auto& [joint, at] : joints.items()) {
+        const Eigen::Vector3d cm(100 * at[0].get<double>(), 100 * at[2].get<double>(),
+                                 -100 * at[1].get<double>());
+        extent.extend(cm);
+        const int j = motion.skeleton.find(joint);
+        if (j < 0) {
+          EXPECT_THAT(joint, HasSubstr("_end")) << name;  // the end of a bone is no joint of ours
+          continue;
+        }
+        largest = std::max(largest, (tracks.block<1, 3>(t, 3 * j).transpose() - cm).norm());
+        ++compared;
+      }
+      EXPECT_GE(compared, 9) << name;
+      EXPECT_LT(largest, 1e-5 * extent.diagonal().norm()) << name << " frame " << frame;
+    }
+  }
+}
+
+TEST_F(FbxCorpus, HasAFileWithoutMotion) {
+  EXPECT_EQ(error_of(read_text(folder_ / "Base.fbx")), "f: holds no animation");
+}
+
+TEST_F(FbxCorpus, SurvivesTruncationsAndDamage) {
+  std::mt19937 random(1);
+  for (const char* name : {"huesitos.fbx", "animation_with_skeleton.fbx"}) {
+    const std::string bytes = read_text(folder_ / name);
+    for (int i = 0; i < 60; ++i) {
+      error_of(bytes.substr(0, random() % bytes.size()));
+      std::string damaged = bytes;
+      for (int k = 0; k < 4; ++k) damaged[random() % damaged.size()] = static_cast<char>(random());
+      error_of(damaged);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mocapress

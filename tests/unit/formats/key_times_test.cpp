@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "core/formats/key_times.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+
+namespace mocapress {
+namespace {
+
+/// Keys at these frames of a rate, from some time on.
+std::vector<double> keys(double rate_hz, const std::vector<int>& frames) {
+  std::vector<double> times;
+  for (const int frame : frames) times.push_back(2.5 + frame / rate_hz);
+  return times;
+}
+
+TEST(KeyTimes, FindsTheRateAtWhichKeysWereMade) {
+  const std::vector<int> frames = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+  for (const double rate : {24.0, 25.0, 30.0, 31.25, 60.0, 120.0, 240.0}) {
+    const SampleTimes times = sample_times("f", keys(rate, frames), 30, {}, 1);
+    EXPECT_NEAR(times.rate_hz, rate, 1e-9);
+    EXPECT_EQ(times.frames, 10);
+    EXPECT_EQ(times.at(3), 2.5 + 3 / times.rate_hz);
+    EXPECT_EQ(times.warning, "");
+  }
+  EXPECT_EQ(sample_times("f", keys(30000.0 / 1001, frames), 30000.0 / 1001, {}, 1).rate_hz,
+            30000.0 / 1001);
+}
+
+TEST(KeyTimes, KeepTheStatedRateWhereKeysAreSparse) {
+  const SampleTimes times = sample_times("f", keys(30, {0, 10, 20}), 30, {}, 1);
+  EXPECT_EQ(times.rate_hz, 30);
+  EXPECT_EQ(times.frames, 21);
+  EXPECT_EQ(times.warning,
+            "keys lie unevenly: 3 of 21 frames carry keys; frames between are interpolated");
+  EXPECT_EQ(sample_times("f", keys(48, {0, 3, 10}), 30, {}, 1).rate_hz, 48);
+}
+
+TEST(KeyTimes, SayWhichKeysAreNotFrames) {
+  const SampleTimes times = sample_times("f", {0, 0.0123, 0.047, 0.1}, 60, {}, 1);
+  EXPECT_EQ(times.rate_hz, 60);
+  EXPECT_EQ(times.frames, 7);
+  EXPECT_EQ(times.warning.find("keys lie unevenly: 2 of 7"), 0u);
+}
+
+TEST(KeyTimes, GiveTheRateThatIsAskedFor) {
+  const SampleTimes times = sample_times("f", keys(30, {0, 1, 2, 3}), 30, 60, 1);
+  EXPECT_EQ(times.rate_hz, 60);
+  EXPECT_EQ(times.frames, 7);
+  EXPECT_EQ(times.warning, "");
+}
+
+TEST(KeyTimes, OfOneKeyAreOneFrame) {
+  EXPECT_EQ(sample_times("f", {3}, {}, {}, 1).frames, 1);
+  EXPECT_EQ(sample_times("f", {3}, {}, {}, 1).rate_hz, 30);
+}
+
+TEST(KeyTimes, RefuseWhatIsTooLongForAClip) {
+  EXPECT_THROW(sample_times("f", {0, 1e9}, 30, {}, 1), InputError);
+}
+
+TEST(KeyTimes, MergeInOrderWithoutRepetition) {
+  EXPECT_EQ(merged_times({1, 2, 4}, {5, 2, 3, 1.000001}), (std::vector<double>{1, 2, 3, 4, 5}));
+}
+
+}  // namespace
+}  // namespace mocapress
