@@ -15,6 +15,7 @@
 #include <unordered_set>
 
 #include "core/formats/fbx.h"
+#include "core/formats/fbx_structure.h"
 #include "core/formats/key_times.h"
 #include "core/formats/node_motion.h"
 #include "core/formats/text_cursor.h"
@@ -23,8 +24,6 @@ namespace mocapress {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{512} << 20;
-constexpr std::size_t kMostNodes = std::size_t{1} << 16;
-constexpr int kDeepestBraces = 256;  // assimp calls itself for each, which a stack has to bear
 constexpr std::string_view kHelper = "_$AssimpFbx$_";
 constexpr double kMetadataSaysDefault = 1;  // frames per second, where the file states none
 
@@ -53,20 +52,6 @@ std::optional<Number> metadata(const aiScene& scene, const char* key) {
   Number value{};
   if (scene.mMetaData == nullptr || !scene.mMetaData->Get(key, value)) return std::nullopt;
   return value;
-}
-
-/// How deep braces of ASCII FBX are nested. Those in strings do not count.
-int depth_of_braces(std::string_view text) {
-  int depth = 0;
-  int deepest = 0;
-  bool quoted = false;
-  for (const char c : text) {
-    if (c == '"') quoted = !quoted;
-    if (quoted) continue;
-    if (c == '{') deepest = std::max(deepest, ++depth);
-    if (c == '}') --depth;
-  }
-  return deepest;
 }
 
 /// The value of a key and the one after it at a time, in ticks; `key` goes on from call to call.
@@ -123,8 +108,7 @@ class FbxReader {
 
 MotionFile FbxReader::read() {
   if (bytes_.size() > kMostBytes) refuse("has more than 512 MiB");
-  if (!bytes_.starts_with("Kaydara FBX Binary") && depth_of_braces(bytes_) > kDeepestBraces)
-    refuse("nests deeper than " + std::to_string(kDeepestBraces));
+  check_fbx_structure(file_, bytes_);
   load(false);
   const aiAnimation* animation = &choose_take();
   map_channels(*animation);
@@ -221,8 +205,6 @@ void FbxReader::read_nodes() {
     for (unsigned c = 0; c < sources[i]->mNumChildren; ++c) {
       const aiNode& child = *sources[i]->mChildren[c];
       if (is_empty_leaf(child)) continue;
-      if (sources.size() == kMostNodes)
-        refuse("has more than " + std::to_string(kMostNodes) + " nodes");
       sources.push_back(&child);
       take_.nodes.push_back({.name = child.mName.C_Str(),
                              .parent = static_cast<int>(i),

@@ -19,8 +19,10 @@ import_bvh.open = open_without_u
 
 
 def write_fbx(path):
-    bpy.ops.import_anim.bvh(filepath=path, global_scale=0.01, update_scene_fps=True,
-                            update_scene_duration=True)
+    bpy.ops.import_anim.bvh(filepath=path, global_scale=0.01, update_scene_fps=True)
+    action = bpy.context.view_layer.objects.active.animation_data.action
+    bpy.context.scene.frame_start = 1
+    bpy.context.scene.frame_end = len(action.fcurves[0].keyframe_points)
     bpy.ops.export_scene.fbx(filepath=path + ".fbx", add_leaf_bones=False,
                              bake_anim_use_nla_strips=False, bake_anim_use_all_actions=False,
                              bake_anim_simplify_factor=0)

@@ -188,7 +188,27 @@ TEST(FbxReader, RefusesInOneSentence) {
   EXPECT_EQ(error_of(fbx_text({})), "f: holds no animation");
   EXPECT_EQ(error_of("").find("f: cannot be read as FBX: "), 0u);
   EXPECT_EQ(error_of("nonsense").find("f: cannot be read as FBX: "), 0u);
-  EXPECT_EQ(error_of(std::string(100000, '{')), "f: nests deeper than 256");
+  EXPECT_EQ(error_of(std::string(100000, '{')), "f: nests records deeper than 64");
+}
+
+TEST(FbxReader, RefusesWhatWouldTakeAssimpInCircles) {
+  std::string text = fbx_text({{}});
+  text.insert(text.find("C: \"OO\",2,1"), "C: \"OO\",1,3\n");
+  EXPECT_EQ(error_of(text), "f: its nodes hang in a circle, or deeper than 1000");
+}
+
+TEST(FbxReader, RefusesBinaryRecordsInRecordsWithoutEnd) {
+  constexpr std::uint32_t kRecords = 100000;
+  const auto bytes_of = [](std::uint32_t value) {
+    return std::string(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  std::string bytes("Kaydara FBX Binary  \0\x1a\0", 23);
+  bytes += bytes_of(7400);
+  const auto whole = static_cast<std::uint32_t>(bytes.size() + kRecords * (14 + 13));
+  for (std::uint32_t i = 0; i < kRecords; ++i)
+    bytes += bytes_of(whole - 13 * i) + bytes_of(0) + bytes_of(0) + "\1A";
+  bytes.append(13 * (kRecords + 1), '\0');
+  EXPECT_EQ(error_of(bytes), "f: nests records deeper than 64");
 }
 
 TEST(FbxReader, SurvivesEveryTruncation) {
