@@ -3,6 +3,7 @@
 // needs to animate the pivots of some nodes: their channels are named after helper nodes that are
 // not there. Such a file is read again with its helpers.
 #include <assimp/config.h>
+#include <assimp/defs.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <exception>
 #include <memory>
+#include <stdexcept>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -325,3 +327,12 @@ MotionFile read_fbx(const std::string& file, std::string_view bytes, const ReadO
 }
 
 }  // namespace mocapress
+
+// Debian builds assimp with its assertions, some of which broken files fail. The program would end:
+// this stands in for the function that they call. Assimp passes exceptions on.
+namespace Assimp {
+ASSIMP_API void aiAssertViolation(const char* expression, const char*, int);
+void aiAssertViolation(const char* expression, const char*, int) {
+  throw std::runtime_error(std::string("assimp expects ") + expression);
+}
+}  // namespace Assimp
