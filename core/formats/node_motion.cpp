@@ -173,20 +173,6 @@ int NodeTree::joint_above(std::size_t node) const {
   return above;
 }
 
-/// Where a node is in the world, in cm with Y up. `rotation` leaves out what its scale and those
-/// above it do.
-struct Placement {
-  Matrix3d world_from_node;  // with scale
-  Vector3d origin;
-  Quaterniond rotation;
-};
-
-Placement below(const Placement& parent, const LocalTransform& local) {
-  const Quaterniond turn = local.rotation.normalized();
-  return {parent.world_from_node * turn.toRotationMatrix() * local.scale.asDiagonal(),
-          parent.origin + parent.world_from_node * local.translation, parent.rotation * turn};
-}
-
 /// How a joint moves against the joint above it.
 struct Track {
   std::vector<Vector3d> translation;  // cm
@@ -222,6 +208,10 @@ class MotionBuilder {
   }
 
   MotionFile build();
+  std::vector<std::size_t> nodes_of_joints() {
+    number_joints();
+    return std::move(node_of_joint_);
+  }
 
  private:
   void check();
@@ -229,7 +219,6 @@ class MotionBuilder {
   void place_nodes();
   void place_frame(int frame, std::vector<Placement>& placements);
   void name_joints();
-  void strip_namespace();
   void add_joint(std::size_t joint);
   void warn_of_scale();
   void warn(std::string message) { warnings_.push_back({file_, 0, std::move(message)}); }
@@ -301,12 +290,8 @@ void MotionBuilder::place_nodes() {
 }
 
 void MotionBuilder::place_frame(int frame, std::vector<Placement>& placements) {
-  const Quaterniond y_up_from_file = source_.up == UpAxis::Z
-                                         ? Quaterniond(std::sqrt(0.5), -std::sqrt(0.5), 0, 0)
-                                         : Quaterniond::Identity();
-  const Placement file{source_.cm_per_unit * y_up_from_file.toRotationMatrix(), Vector3d::Zero(),
-                       y_up_from_file};
-  const Placement world{Matrix3d::Identity(), Vector3d::Zero(), Quaterniond::Identity()};
+  const Placement file = file_placement(source_.cm_per_unit, source_.up);
+  const Placement world = file_placement(1, UpAxis::Y);
   for (std::size_t i = 0; i < take_.nodes.size(); ++i) {
     const Role role = tree_.role(i);
     if (role == Role::None) continue;
@@ -332,20 +317,11 @@ void MotionBuilder::place_frame(int frame, std::vector<Placement>& placements) {
   }
 }
 
-/// "mixamorig:Hips" is Hips where all are of mixamorig.
-void MotionBuilder::strip_namespace() {
-  const std::size_t colon = joints_.front().name.rfind(':');
-  if (colon == std::string::npos) return;
-  const std::string shared = joints_.front().name.substr(0, colon + 1);
-  const bool of_all = std::all_of(joints_.begin(), joints_.end(), [&](const Joint& joint) {
-    return joint.name.starts_with(shared) && joint.name.size() > shared.size();
-  });
-  if (!of_all) return;
-  for (Joint& joint : joints_) joint.name.erase(0, shared.size());
-}
-
 void MotionBuilder::name_joints() {
-  strip_namespace();
+  std::vector<std::string> names;
+  for (const Joint& joint : joints_) names.push_back(joint.name);
+  names = without_namespace(std::move(names));
+  for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j].name = names[j];
   std::unordered_set<std::string> taken;
   for (const Joint& joint : joints_) taken.insert(joint.name);
   std::unordered_set<std::string> seen;
@@ -422,6 +398,19 @@ void MotionBuilder::warn_of_scale() {
 
 }  // namespace
 
+Placement file_placement(double cm_per_unit, UpAxis up) {
+  const Quaterniond y_up_from_file = up == UpAxis::Z
+                                         ? Quaterniond(std::sqrt(0.5), -std::sqrt(0.5), 0, 0)
+                                         : Quaterniond::Identity();
+  return {cm_per_unit * y_up_from_file.toRotationMatrix(), Vector3d::Zero(), y_up_from_file};
+}
+
+Placement below(const Placement& parent, const LocalTransform& local) {
+  const Quaterniond turn = local.rotation.normalized();
+  return {parent.world_from_node * turn.toRotationMatrix() * local.scale.asDiagonal(),
+          parent.origin + parent.world_from_node * local.translation, parent.rotation * turn};
+}
+
 void check_take_size(const std::string& file, std::size_t moving_nodes, double frames) {
   constexpr double kMostChannels = 6;  // of a node
   if (!(frames >= 1 && frames <= runtime::kMostFrames))
@@ -435,6 +424,21 @@ void check_take_size(const std::string& file, std::size_t moving_nodes, double f
 MotionFile motion_of(const std::string& file, const NodeTake& take, const ReadOptions& options,
                      SourceFormat::Kind kind) {
   return MotionBuilder(file, take, options, kind).build();
+}
+
+std::vector<std::size_t> nodes_of_joints(const std::string& file, const NodeTake& take) {
+  return MotionBuilder(file, take, {}, SourceFormat::Kind::None).nodes_of_joints();
+}
+
+std::vector<std::string> without_namespace(std::vector<std::string> names) {
+  if (names.empty() || names.front().find(':') == std::string::npos) return names;
+  const std::string shared = names.front().substr(0, names.front().rfind(':') + 1);
+  const bool of_all = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return name.starts_with(shared) && name.size() > shared.size();
+  });
+  if (of_all)
+    for (std::string& name : names) name.erase(0, shared.size());
+  return names;
 }
 
 }  // namespace mocapress

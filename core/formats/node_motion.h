@@ -38,6 +38,19 @@ struct NodeTake {
   UpAxis up = UpAxis::Y;
 };
 
+/// Where a node is in the world, in cm with Y up. `rotation` leaves out what its scale and those
+/// above it do.
+struct Placement {
+  Eigen::Matrix3d world_from_node;  // with scale
+  Eigen::Vector3d origin;
+  Eigen::Quaterniond rotation;
+};
+
+/// Where the file's own axes are: what hangs from nothing is below this.
+Placement file_placement(double cm_per_unit, UpAxis up);
+
+Placement below(const Placement& parent, const LocalTransform& local);
+
 /// Throws InputError where a clip may not hold so many frames of so many moving nodes. To be asked
 /// before NodeTake is filled, as `frames` comes from a file.
 void check_take_size(const std::string& file, std::size_t moving_nodes, double frames);
@@ -54,5 +67,11 @@ void check_take_size(const std::string& file, std::size_t moving_nodes, double f
 /// Throws InputError.
 MotionFile motion_of(const std::string& file, const NodeTake& take, const ReadOptions& options,
                      SourceFormat::Kind kind);
+
+/// For each joint of that motion, the node of the take that it is.
+std::vector<std::size_t> nodes_of_joints(const std::string& file, const NodeTake& take);
+
+/// "mixamorig:Hips" is Hips where all names are of mixamorig: as motion_of() names its joints.
+std::vector<std::string> without_namespace(std::vector<std::string> names);
 
 }  // namespace mocapress
