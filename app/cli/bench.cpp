@@ -258,7 +258,7 @@ void add_bench(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("bench", "Time each stage on a clip, on one thread, beside a reference");
   const auto call = std::make_shared<Bench>();
-  command->add_option("clip", call->clip, "A .bvh, .amc or .fbx file")
+  command->add_option("clip", call->clip, "A .bvh, .amc, .fbx, .gltf or .glb file")
       ->required()
       ->type_name("CLIP");
   call->source.add_options(*command);

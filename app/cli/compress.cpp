@@ -104,7 +104,7 @@ struct Compress {
 void add_compress(CLI::App& app) {
   CLI::App* command = app.add_subcommand("compress", "Compress a clip and measure what it cost");
   const auto call = std::make_shared<Compress>();
-  command->add_option("input", call->input, "A .bvh, .amc or .fbx file")
+  command->add_option("input", call->input, "A .bvh, .amc, .fbx, .gltf or .glb file")
       ->required()
       ->type_name("INPUT");
   call->source.add_options(*command);

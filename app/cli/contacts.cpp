@@ -72,7 +72,7 @@ void add_contacts(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "contacts", "Say when the feet of a clip stand, and how far they slide in its .mcpr");
   const auto call = std::make_shared<Contacts>();
-  command->add_option("clip", call->clip, "A .bvh, .amc or .fbx file")
+  command->add_option("clip", call->clip, "A .bvh, .amc, .fbx, .gltf or .glb file")
       ->required()
       ->type_name("CLIP");
   command->add_option("compressed", call->compressed, "Its .mcpr")->type_name("COMPRESSED");

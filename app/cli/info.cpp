@@ -124,7 +124,7 @@ void add_info(CLI::App& app) {
   };
   CLI::App* command = app.add_subcommand("info", "Say what files hold");
   const auto call = std::make_shared<Info>();
-  command->add_option("files", call->files, ".bvh, .amc, .fbx or .mcpr files")
+  command->add_option("files", call->files, ".bvh, .amc, .fbx, .gltf, .glb or .mcpr files")
       ->required()
       ->type_name("FILE...");
   call->source.add_options(*command);

@@ -60,7 +60,7 @@ struct Measure {
 void add_measure(CLI::App& app) {
   CLI::App* command = app.add_subcommand("measure", "Compare a .mcpr with its original");
   const auto call = std::make_shared<Measure>();
-  command->add_option("original", call->original, "A .bvh, .amc or .fbx file")
+  command->add_option("original", call->original, "A .bvh, .amc, .fbx, .gltf or .glb file")
       ->required()
       ->type_name("ORIGINAL");
   command->add_option("compressed", call->compressed, "A .mcpr file")

@@ -43,7 +43,9 @@ void add_format_options(CLI::App& command, const std::string& prefix, const std:
 void MotionInput::add_options(CLI::App& command) {
   command.add_option("--skeleton", skeleton, "Skeleton for an .amc without an .asf beside it")
       ->type_name("S.asf");
-  command.add_option("--take", options.take, "Take of an .fbx that has several, by name or number")
+  command
+      .add_option("--take", options.take,
+                  "Take of an .fbx or glTF that has several, by name or number")
       ->type_name("TAKE");
   add_format_options(command, "", ", whatever the file says", options);
 }

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kExtensions[] = {".bvh", ".amc", ".fbx"};
+constexpr std::string_view kExtensions[] = {".bvh", ".amc", ".fbx", ".gltf", ".glb"};
 
 std::vector<fs::path> clips_below(const fs::path& folder) {
   std::vector<fs::path> clips;

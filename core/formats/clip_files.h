@@ -8,8 +8,8 @@
 
 namespace mocapress {
 
-/// What read_motion() reads, for messages and file dialogs: ".bvh, .amc, .fbx" with ", " between
-/// and nothing before each; "*.bvh *.amc *.fbx" with " " and "*".
+/// What read_motion() reads, for messages and file dialogs: ".bvh, .amc, .fbx, ..." with ", "
+/// between and nothing before each; "*.bvh *.amc *.fbx ..." with " " and "*".
 std::string readable_extensions(std::string_view between, std::string_view before = "");
 
 /// Whether the extension is one of these, in any case.

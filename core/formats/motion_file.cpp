@@ -8,6 +8,8 @@
 #include "core/formats/clip_files.h"
 #include "core/formats/csv.h"
 #include "core/formats/fbx.h"
+#include "core/formats/gltf_reader.h"
+#include "core/formats/gltf_writer.h"
 #include "core/formats/text_cursor.h"
 #include "core/motion/up_axis.h"
 
@@ -18,6 +20,13 @@ using std::filesystem::path;
 
 bool has_extension(const path& file, std::string_view extension) {
   return equals_ignoring_case(file.extension().string(), extension);
+}
+
+/// Unset: by its extension it is no glTF.
+std::optional<GltfContainer> gltf_container(const path& file) {
+  if (has_extension(file, ".glb")) return GltfContainer::Glb;
+  if (has_extension(file, ".gltf")) return GltfContainer::Gltf;
+  return std::nullopt;
 }
 
 /// Throws InputError unless the extension is one of a motion.
@@ -39,6 +48,7 @@ MotionFile parse(const path& file, std::string_view text, const SkeletonText& as
   require_motion(file);
   if (has_extension(file, ".bvh")) return read_bvh(file.string(), text, options);
   if (has_extension(file, ".fbx")) return read_fbx(file.string(), text, options);
+  if (gltf_container(file)) return read_gltf(file.string(), text, options);
   const AsfSkeleton skeleton = read_asf(asf.file.string(), asf.text, options.cm_per_unit);
   return read_amc(file.string(), text, skeleton, options);
 }
@@ -83,17 +93,28 @@ Motion exported_motion(const Motion& motion, const SourceFormat& source,
 
 void write_motion(const path& file, const Motion& motion, const std::optional<path>& skeleton_path,
                   const SourceFormat& source, const WriteOptions& options) {
+  if (const auto container = gltf_container(file))
+    return write_text(file, gltf_bytes(motion, *container, source, options));
   const Motion exported = exported_motion(motion, source, options);
   if (has_extension(file, ".bvh"))
     return write_text(file, bvh_text(exported, bvh_style(source, options)));
   if (has_extension(file, ".csv")) return write_text(file, csv_text(exported));
   if (!has_extension(file, ".amc"))
-    throw Error(file.string() + ": cannot be written: its extension is none of .bvh, .amc, .csv");
+    throw Error(file.string() +
+                ": cannot be written: its extension is none of .bvh, .glb, .gltf, .amc, .csv");
   const Motion acclaim = acclaim_motion(exported);
   const double cm_per_unit = asf_cm_per_unit(source, options);
   write_text(skeleton_path.value_or(path(file).replace_extension(".asf")),
              asf_text(acclaim.skeleton, cm_per_unit));
   write_text(file, amc_text(acclaim, cm_per_unit));
+}
+
+void write_motion_onto(const path& file, const Motion& motion, const path& onto,
+                       const SourceFormat& source, const WriteOptions& options) {
+  const auto container = gltf_container(file);
+  if (!container || !gltf_container(onto))
+    throw Error(file.string() + ": only a .glb or .gltf can be written onto another");
+  write_text(file, gltf_bytes_onto(onto, motion, *container, file.parent_path(), source, options));
 }
 
 }  // namespace mocapress

@@ -15,13 +15,13 @@ namespace mocapress {
 /// What a file does not say, or says wrongly. Unset values are as it says or else guessed, and the
 /// guess is a warning.
 struct ReadOptions {
-  // An AMC may state none: kUsualAmcRate unless given. Keys of FBX are sampled at this rate; unset:
-  // at the one they were made at.
+  // An AMC may state none: kUsualAmcRate unless given. Keys of FBX and glTF are sampled at this
+  // rate; unset: at the one they were made at.
   std::optional<double> sample_rate_hz;
   std::optional<double> cm_per_unit;  // BVH states none: guessed from the height of the skeleton
   std::optional<UpAxis> up;           // neither BVH nor AMC states it: Y unless given
   std::optional<TranslationConvention> bvh_root;  // BVH states none: guessed from its values
-  std::optional<std::string> take;  // of an FBX with several: its name, or its number from 1 on
+  std::optional<std::string> take;  // of a file with several: its name, or its number from 1 on
 
   bool operator==(const ReadOptions&) const = default;
 };
@@ -42,24 +42,32 @@ struct MotionFile {
 /// 09.asf), whatever the case of the extension. Throws InputError when there is none.
 std::filesystem::path find_skeleton(const std::filesystem::path& amc);
 
-/// Reads the bytes of a .bvh, a .fbx or, with the text of its .asf, an .amc. `file` names it in
-/// messages, and its extension says which of them it is. Throws InputError.
+/// Reads the bytes of a .bvh, .fbx, .gltf, .glb or, with the text of its .asf, an .amc. `file`
+/// names it in messages, and its extension says which of them it is. Throws InputError.
 MotionFile parse_motion(const std::filesystem::path& file, std::string_view text,
                         std::string_view skeleton_text = {}, const ReadOptions& options = {});
 
-/// Reads .bvh, .fbx or .amc by its extension. An .amc needs its skeleton: `skeleton_path`, or else
-/// what find_skeleton() finds. Throws InputError.
+/// Reads .bvh, .fbx, .gltf, .glb or .amc by its extension. An .amc needs its skeleton:
+/// `skeleton_path`, or else what find_skeleton() finds. Throws InputError.
 MotionFile read_motion(const std::filesystem::path& path,
                        const std::optional<std::filesystem::path>& skeleton_path = {},
                        const ReadOptions& options = {});
 
-/// Writes .bvh, .csv, or .amc with the skeleton at `skeleton_path` (by default beside the .amc,
-/// same name, extension .asf), by the extension of `path`: in the axes and, of its source's kind,
-/// the unit and root convention that `source` had, unless `options` ask for others. Throws
+/// Writes .bvh, .glb, .gltf, .csv, or .amc with the skeleton at `skeleton_path` (by default beside
+/// the .amc, same name, extension .asf), by the extension of `path`: in the axes and, of its
+/// source's kind, the unit and root convention that `source` had, unless `options` ask for others.
+/// A glTF has Y up and is in metres, but where its source was a glTF in another unit. Throws
 /// WriteError; Error on an unknown extension.
 void write_motion(const std::filesystem::path& path, const Motion& motion,
                   const std::optional<std::filesystem::path>& skeleton_path = {},
                   const SourceFormat& source = {}, const WriteOptions& options = {});
+
+/// Writes the .glb or .gltf `onto` once more, to `path`, with this motion in place of the animation
+/// that it was read from: gltf_bytes_onto(). Throws InputError, WriteError; Error on an extension
+/// that is neither.
+void write_motion_onto(const std::filesystem::path& path, const Motion& motion,
+                       const std::filesystem::path& onto, const SourceFormat& source = {},
+                       const WriteOptions& options = {});
 
 /// The motion in the axes and at the rate of a file to be written.
 Motion exported_motion(const Motion& motion, const SourceFormat& source,

@@ -11,6 +11,7 @@
 #include "core/codec/format/container.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/distortion.h"
+#include "tests/support/small_gltf.h"
 #include "tests/system/command.h"
 
 namespace mocapress::test {
@@ -310,7 +311,8 @@ TEST_F(Cli, DecompressedFilesReadAgainAsTheDecodedMotion) {
   const Clip decoded = decode(packed);
   const Eigen::MatrixXd tracks = landmark_tracks(packed.skeleton, decoded);
   const std::string skeleton = file("bones.asf");
-  for (const std::string& output : {file("back.bvh").string(), file("back.amc").string()}) {
+  for (const std::string& output : {file("back.bvh").string(), file("back.amc").string(),
+                                    file("back.glb").string(), file("back.gltf").string()}) {
     const Outcome outcome =
         mocapress({"decompress", packed_, "-o", output, "--skeleton-out", skeleton});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -399,6 +401,32 @@ TEST_F(Cli, ReadsAndWritesAsItIsTold) {
   EXPECT_EQ(told["sample_rate_hz"], 25);
   EXPECT_EQ(told["source"]["up"], "z");
   EXPECT_EQ(told["source"]["cm_per_unit"], 2.54);
+}
+
+TEST_F(Cli, DecompressPutsAMotionOntoTheGltfItCameFrom) {
+  SmallGltf knee = bending_knee();
+  const GltfJson walk = knee.json["animations"][0];
+  knee.begin_animation("jump");
+  knee.move(0, "translation", 0, knee.add("VEC3", std::vector<float>(33, 1.5F)));
+  knee.json["materials"].push_back({{"name", "skin"}});
+  const std::string source = write("knee.glb", knee.glb());
+  ASSERT_EQ(
+      mocapress({"compress", source, "-o", packed_, "--take", "walk", "--target-error", "0.01"})
+          .exit_code,
+      0);
+  const std::string output = file("back.glb");
+  const auto onto = [&](const std::string& path, const std::string& take) {
+    return mocapress({"decompress", packed_, "-o", path, "--onto", source, "--take", take});
+  };
+  ASSERT_EQ(onto(output, "walk").exit_code, 0);
+  const GltfFile written(output, read_text(output));
+  EXPECT_EQ(written.json()["materials"], knee.json["materials"]);
+  EXPECT_NE(written.json()["animations"][0], walk);
+  EXPECT_EQ(written.json()["animations"][1], knee.json["animations"][1]);
+  EXPECT_EQ(read_motion(output, {}, {.take = "walk"}).motion.clip.frames(), 11);
+  EXPECT_EQ(onto(output, "3").exit_code, 3);
+  EXPECT_THAT(onto(file("back.bvh"), "walk").err,
+              testing::HasSubstr("only a .glb or .gltf can be written onto another"));
 }
 
 TEST_F(Cli, DecompressedCsvHasALineForEachFrame) {

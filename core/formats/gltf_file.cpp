@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: MIT
+// After the glTF 2.0 specification, Khronos Group 2021 (ISO/IEC 12113:2022): sections 2.8 (URIs),
+// 3.6 (buffers and accessors) and 4 (GLB).
+#include "core/formats/gltf_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDeepest = 64;                         // braces and brackets within each other
+constexpr std::size_t kMostJsonValues = 20'000'000;  // a value takes some 50 bytes of memory
+constexpr std::size_t kMostNumbers = 100'000'000;    // of all accessors that are read
+constexpr std::size_t kMostZeros = 1'000'000;        // of one that has no bytes
+constexpr double kLargestNumber = 1e9;
+
+/// Little-endian, from any place.
+template <typename T>
+T read_at(const char* place) {
+  T value;
+  std::memcpy(&value, place, sizeof(T));
+  return value;
+}
+
+/// The value of a hexadecimal digit, or -1.
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+/// "%20" is a space.
+std::string percent_decoded(std::string_view uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool escaped = uri[i] == '%' && i + 2 < uri.size() && hex_digit(uri[i + 1]) >= 0 &&
+                         hex_digit(uri[i + 2]) >= 0;
+    text +=
+        escaped ? static_cast<char>(16 * hex_digit(uri[i + 1]) + hex_digit(uri[i + 2])) : uri[i];
+    if (escaped) i += 2;
+  }
+  return text;
+}
+
+/// Unset when it is no base64.
+std::optional<std::string> base64_decoded(std::string_view text) {
+  static const std::array<signed char, 256> kValues = [] {
+    std::array<signed char, 256> values;
+    values.fill(-1);
+    signed char value = 0;
+    for (const char c :
+         std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"))
+      values[static_cast<unsigned char>(c)] = value++;
+    return values;
+  }();
+  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3 + 2);
+  unsigned bits = 0;
+  int held = 0;
+  for (const char c : text) {
+    const int value = kValues[static_cast<unsigned char>(c)];
+    if (value < 0) return std::nullopt;
+    bits = bits << 6 | static_cast<unsigned>(value);
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes += static_cast<char>(bits >> held & 0xFFU);
+  }
+  return bytes;
+}
+
+/// "http:", "file:", "C:".
+bool has_scheme(std::string_view uri) {
+  return uri.substr(0, uri.find('/')).find(':') != std::string_view::npos;
+}
+
+bool leaves_its_folder(const fs::path& path) {
+  return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
+}
+
+std::size_t component_bytes(std::size_t type) {
+  switch (type) {
+    case 5120:
+    case 5121:
+      return 1;
+    case 5122:
+    case 5123:
+      return 2;
+    case 5125:
+    case 5126:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+/// A number of a component type (section 3.6.2.2); normalised, what the largest integer stands for
+/// is 1 (section 3.11).
+double component(const char* place, std::size_t type, bool normalised) {
+  const auto integer = [&](auto value) {
+    constexpr double kOne = std::numeric_limits<decltype(value)>::max();
+    return normalised ? std::max(value / kOne, -1.0) : static_cast<double>(value);
+  };
+  switch (type) {
+    case 5120:
+      return integer(read_at<std::int8_t>(place));
+    case 5121:
+      return integer(read_at<std::uint8_t>(place));
+    case 5122:
+      return integer(read_at<std::int16_t>(place));
+    case 5123:
+      return integer(read_at<std::uint16_t>(place));
+    case 5125:
+      return integer(read_at<std::uint32_t>(place));
+    default:
+      return static_cast<double>(read_at<float>(place));
+  }
+}
+
+const GltfJson& no_objects() {
+  static const GltfJson kNone = GltfJson::array();
+  return kNone;
+}
+
+std::string quoted_key(const char* key) {
+  return std::string("\"") + key + '"';
+}
+
+}  // namespace
+
+/// `count` times `components` numbers of one type, every `stride` bytes.
+struct GltfFile::View {
+  const char* begin = nullptr;  // null: no bytes, all are zero
+  std::size_t stride = 0;
+  std::size_t count = 0;
+  std::size_t components = 0;
+  std::size_t component_type = 0;
+  bool normalised = false;
+
+  double operator()(std::size_t element, std::size_t i) const {
+    if (begin == nullptr) return 0;
+    return component(begin + element * stride + i * component_bytes(component_type), component_type,
+                     normalised);
+  }
+};
+
+bool is_data_uri(std::string_view uri) {
+  return uri.starts_with("data:");
+}
+
+GltfFile::GltfFile(fs::path file, std::string_view bytes) : path_(std::move(file)) {
+  if (bytes.size() >= 4 && read_at<std::uint32_t>(bytes.data()) == kGlbMagic)
+    read_glb(bytes);
+  else
+    parse(bytes);
+  if (!json_.is_object()) fail("is no glTF: its JSON is not an object");
+  const GltfJson* asset = member(json_, "asset");
+  const std::string version = asset && asset->is_object() ? text(*asset, "version") : "";
+  if (!version.starts_with("2."))
+    fail("is no glTF 2.0: " +
+         (version.empty() ? "it states no version" : "its version is " + version));
+  // Once: they are looked up often.
+  for (const char* kind :
+       {"accessors", "animations", "buffers", "bufferViews", "images", "nodes", "skins"})
+    list(json_, kind);
+}
+
+void GltfFile::fail(const std::string& message) const {
+  // Names of the file may be in it.
+  std::string line = message;
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
+  throw InputError(path_.string(), 0, 0, line);
+}
+
+void GltfFile::read_glb(std::string_view bytes) {
+  constexpr std::size_t kHead = 12;
+  constexpr std::size_t kChunkHead = 8;
+  const auto word = [&](std::size_t at) { return read_at<std::uint32_t>(bytes.data() + at); };
+  if (bytes.size() < kHead || word(8) > bytes.size()) fail("ends before the length it states");
+  if (word(4) != 2) fail("is version " + std::to_string(word(4)) + " of .glb, not 2");
+  const std::size_t length = word(8);
+  bool has_json = false;
+  for (std::size_t at = kHead; at < length;) {
+    if (length - at < kChunkHead || word(at) > length - at - kChunkHead)
+      fail("has a chunk that reaches beyond its end");
+    const std::string_view chunk = bytes.substr(at + kChunkHead, word(at));
+    if (has_json)
+      chunks_.push_back({word(at + 4), std::string(chunk)});
+    else if (word(at + 4) == kGlbJsonChunk)
+      parse(chunk);
+    else
+      fail("does not begin with JSON");
+    has_json = true;
+    at += kChunkHead + chunk.size();
+  }
+  if (!has_json) fail("holds no JSON");
+}
+
+void GltfFile::parse(std::string_view text) {
+  std::size_t values = 0;
+  const auto is_bounded = [&](int depth, GltfJson::parse_event_t, const GltfJson&) {
+    if (depth > kDeepest) fail("nests its JSON more than " + std::to_string(kDeepest) + " deep");
+    if (++values > kMostJsonValues) fail("holds too many JSON values");
+    return true;
+  };
+  try {
+    json_ = GltfJson::parse(text, is_bounded);
+  } catch (const GltfJson::parse_error& error) {
+    const std::string_view before = text.substr(0, error.byte == 0 ? 0 : error.byte - 1);
+    const auto line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
+    const std::size_t line_begin = before.rfind('\n') + 1;  // 0 when there is none
+    throw InputError(path_.string(), line, static_cast<int>(before.size() - line_begin) + 1,
+                     "is not JSON from here on");
+  } catch (const GltfJson::exception&) {
+    fail("holds a number that is too large");
+  }
+}
+
+const GltfJson* GltfFile::member(const GltfJson& object, const char* key) const {
+  const auto found = object.find(key);
+  return found == object.end() ? nullptr : &*found;
+}
+
+const GltfJson& GltfFile::list(const char* kind) const {
+  const GltfJson* found = member(json_, kind);
+  return found == nullptr ? no_objects() : *found;
+}
+
+const GltfJson& GltfFile::list(const GltfJson& object, const char* key) const {
+  const GltfJson* found = member(object, key);
+  if (found == nullptr) return no_objects();
+  if (!found->is_array() || !std::all_of(found->begin(), found->end(),
+                                         [](const GltfJson& one) { return one.is_object(); }))
+    fail(quoted_key(key) + " is not a list of objects");
+  return *found;
+}
+
+std::size_t GltfFile::size(const GltfJson& object, const char* key, std::size_t otherwise) const {
+  const GltfJson* found = member(object, key);
+  if (found == nullptr) return otherwise;
+  if (found->is_number_unsigned()) return found->get<std::size_t>();
+  // Some programs write 3.0.
+  const double value = found->is_number() ? found->get<double>() : -1;
+  if (!(value >= 0 && value <= 9e15) || value != std::floor(value))
+    fail(quoted_key(key) + " is not a whole number from 0");
+  return static_cast<std::size_t>(value);
+}
+
+std::optional<std::size_t> GltfFile::index(const GltfJson& object, const char* key,
+                                           const char* kind) const {
+  if (member(object, key) == nullptr) return std::nullopt;
+  const std::size_t value = size(object, key, 0);
+  if (value >= list(kind).size())
+    fail(quoted_key(key) + " names number " + std::to_string(value) + " of only " +
+         std::to_string(list(kind).size()) + ' ' + kind);
+  return value;
+}
+
+std::size_t GltfFile::required_index(const GltfJson& object, const char* key,
+                                     const char* kind) const {
+  const auto found = index(object, key, kind);
+  if (!found) fail("lacks a " + quoted_key(key) + " that should name one of its " + kind);
+  return *found;
+}
+
+std::vector<std::size_t> GltfFile::indices(const GltfJson& object, const char* key,
+                                           const char* kind) const {
+  const GltfJson* found = member(object, key);
+  if (found == nullptr) return {};
+  if (!found->is_array()) fail(quoted_key(key) + " is not a list");
+  const std::size_t count = list(kind).size();
+  std::vector<std::size_t> indices;
+  for (const GltfJson& one : *found) {
+    if (!one.is_number_unsigned() || one.get<std::size_t>() >= count)
+      fail(quoted_key(key) + " names what is none of its " + std::to_string(count) + ' ' + kind);
+    indices.push_back(one.get<std::size_t>());
+  }
+  return indices;
+}
+
+std::string GltfFile::text(const GltfJson& object, const char* key) const {
+  const GltfJson* found = member(object, key);
+  if (found == nullptr) return "";
+  if (!found->is_string()) fail(quoted_key(key) + " is not a text");
+  return found->get<std::string>();
+}
+
+std::optional<std::vector<double>> GltfFile::numbers(const GltfJson& object, const char* key,
+                                                     std::size_t count) const {
+  const GltfJson* found = member(object, key);
+  if (found == nullptr) return std::nullopt;
+  const bool fits = found->is_array() && found->size() == count &&
+                    std::all_of(found->begin(), found->end(), [](const GltfJson& one) {
+                      return one.is_number() && std::abs(one.get<double>()) <= kLargestNumber;
+                    });
+  if (!fits) fail(quoted_key(key) + " is not " + std::to_string(count) + " numbers up to 1e9");
+  return found->get<std::vector<double>>();
+}
+
+std::string GltfFile::resource(const std::string& uri) const {
+  if (is_data_uri(uri)) {
+    constexpr std::string_view kMark = ";base64,";
+    const std::size_t mark = uri.find(kMark);
+    if (mark == std::string::npos || mark > uri.find(',')) fail("has a data URI without base64");
+    auto bytes = base64_decoded(std::string_view(uri).substr(mark + kMark.size()));
+    if (!bytes) fail("has a data URI that is not base64");
+    return *std::move(bytes);
+  }
+  const std::string shown = "\"" + uri.substr(0, 200) + '"';
+  const fs::path relative = percent_decoded(uri);
+  if (has_scheme(uri) || leaves_its_folder(relative) ||
+      relative.native().find('\0') != std::string::npos)
+    fail("refers to " + shown + ", but only files in its own folder are read");
+  const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
+  std::error_code error;
+  const fs::path place = fs::canonical(folder / relative, error);
+  if (error) fail("refers to " + shown + ", which is not there");
+  // A link may lead elsewhere.
+  if (leaves_its_folder(place.lexically_relative(fs::canonical(folder, error))) ||
+      !fs::is_regular_file(place, error))
+    fail("refers to " + shown + ", but only files in its own folder are read");
+  return read_text(place);
+}
+
+const std::string& GltfFile::buffer(std::size_t index) {
+  if (const auto known = buffers_.find(index); known != buffers_.end()) return known->second;
+  const GltfJson& stated = list("buffers")[index];
+  const std::string which = "buffer " + std::to_string(index);
+  const std::size_t bytes = size(stated, "byteLength", 0);
+  std::string data;
+  if (stated.contains("uri"))
+    data = resource(text(stated, "uri"));
+  else if (index == 0 && !chunks_.empty() && chunks_.front().type == kGlbDataChunk)
+    data = chunks_.front().bytes;
+  else
+    fail(which + " has neither a uri nor a chunk of a .glb");
+  if (data.size() < bytes)
+    fail(which + " has " + std::to_string(data.size()) + " of the " + std::to_string(bytes) +
+         " bytes it states");
+  data.resize(bytes);
+  return buffers_.emplace(index, std::move(data)).first->second;
+}
+
+GltfFile::View GltfFile::view(const GltfJson& object, std::size_t count, std::size_t components,
+                              bool normalised) {
+  View view{.count = count,
+            .components = components,
+            .component_type = size(object, "componentType", 0),
+            .normalised = normalised};
+  const std::size_t width = component_bytes(view.component_type);
+  if (width == 0) fail("has an accessor of an unknown componentType");
+  const auto index_of_view = index(object, "bufferView", "bufferViews");
+  if (!index_of_view) return view;
+  const std::string which = "bufferView " + std::to_string(*index_of_view);
+  const GltfJson& stated = list("bufferViews")[*index_of_view];
+  const GltfJson* extensions = member(stated, "extensions");
+  if (extensions && extensions->is_object() && extensions->contains("EXT_meshopt_compression"))
+    fail(which + " is compressed by EXT_meshopt_compression, which is not read");
+  const std::string& bytes = buffer(required_index(stated, "buffer", "buffers"));
+  const std::size_t view_begin = size(stated, "byteOffset", 0);
+  const std::size_t view_bytes = size(stated, "byteLength", 0);
+  if (view_begin > bytes.size() || view_bytes > bytes.size() - view_begin)
+    fail(which + " reaches beyond its buffer");
+  const std::size_t element = components * width;
+  const std::size_t begin = size(object, "byteOffset", 0);
+  view.stride = size(stated, "byteStride", element);
+  if (view.stride < element) fail(which + " has a byteStride that is too small");
+  if (count > 0 && (begin > view_bytes || element > view_bytes - begin ||
+                    count - 1 > (view_bytes - begin - element) / view.stride))
+    fail("has an accessor that reaches beyond " + which);
+  view.begin = bytes.data() + view_begin + begin;
+  return view;
+}
+
+std::vector<double> GltfFile::values(std::size_t accessor, std::string_view type) {
+  const std::string which = "accessor " + std::to_string(accessor);
+  const GltfJson& stated = list("accessors")[accessor];
+  if (text(stated, "type") != type) fail(which + " is not " + std::string(type));
+  const std::size_t components = type == "VEC4" ? 4 : type == "VEC3" ? 3 : 1;
+  const std::size_t count = size(stated, "count", 0);
+  // One without bytes, which is all zero, may state any count.
+  if (count > (kMostNumbers - values_read_) / components ||
+      (count > kMostZeros && !stated.contains("bufferView")))
+    fail("has too many key frames to read");
+  values_read_ += count * components;
+  const GltfJson* flag = member(stated, "normalized");
+  const bool normalised = flag && flag->is_boolean() && flag->get<bool>();
+  const View dense = view(stated, count, components, normalised);
+  std::vector<double> values(count * components);
+  for (std::size_t e = 0; e < count; ++e)
+    for (std::size_t i = 0; i < components; ++i) values[e * components + i] = dense(e, i);
+
+  if (const GltfJson* sparse = member(stated, "sparse"); sparse && sparse->is_object()) {
+    const std::size_t changed = size(*sparse, "count", 0);
+    const GltfJson* places = member(*sparse, "indices");
+    const GltfJson* changes = member(*sparse, "values");
+    if (changed > count || !places || !places->is_object() || !changes || !changes->is_object())
+      fail(which + " has sparse values without sense");
+    const View at = view(*places, changed, 1, false);
+    GltfJson same_type = *changes;
+    same_type["componentType"] = dense.component_type;
+    const View to = view(same_type, changed, components, normalised);
+    for (std::size_t s = 0; s < changed; ++s) {
+      const double e = at(s, 0);
+      if (!(e >= 0 && e < static_cast<double>(count)))
+        fail(which + " has a sparse value for an element that it has not");
+      for (std::size_t i = 0; i < components; ++i)
+        values[static_cast<std::size_t>(e) * components + i] = to(s, i);
+    }
+  }
+  if (!std::all_of(values.begin(), values.end(),
+                   [](double value) { return std::abs(value) <= kLargestNumber; }))
+    fail(which + " holds a number that is not finite or beyond 1e9");
+  return values;
+}
+
+}  // namespace mocapress

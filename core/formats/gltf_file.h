@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mocapress {
+
+using GltfJson = nlohmann::ordered_json;  // so that it is written in the order it was read
+
+/// A chunk of a .glb.
+struct GlbChunk {
+  std::uint32_t type;
+  std::string bytes;
+};
+
+inline constexpr std::uint32_t kGlbMagic = 0x46546C67;      // "glTF"
+inline constexpr std::uint32_t kGlbJsonChunk = 0x4E4F534A;  // "JSON"
+inline constexpr std::uint32_t kGlbDataChunk = 0x004E4942;  // "BIN\0"
+
+/// A glTF 2.0 file taken apart: its JSON, and on demand the bytes that it refers to. Every index,
+/// size and number that is asked for is checked. What is wrong is an InputError, from all of these.
+class GltfFile {
+ public:
+  /// A .glb or a .gltf, whichever the bytes are. The folder of `file` is where its buffers may be.
+  GltfFile(std::filesystem::path file, std::string_view bytes);
+
+  std::string name() const { return path_.string(); }
+  const GltfJson& json() const { return json_; }
+
+  /// The chunks of a .glb that follow its JSON. A .gltf has none.
+  const std::vector<GlbChunk>& chunks() const { return chunks_; }
+
+  [[noreturn]] void fail(const std::string& message) const;
+
+  /// "nodes", "skins", ...: the file's objects of that kind; none where it has none.
+  const GltfJson& list(const char* kind) const;
+
+  /// The objects in a list of `object`, as list() has it.
+  const GltfJson& list(const GltfJson& object, const char* key) const;
+
+  /// The member that counts from 0 into list(kind).
+  std::optional<std::size_t> index(const GltfJson& object, const char* key, const char* kind) const;
+  std::size_t required_index(const GltfJson& object, const char* key, const char* kind) const;
+
+  /// All indices of an array.
+  std::vector<std::size_t> indices(const GltfJson& object, const char* key, const char* kind) const;
+
+  /// A whole number from 0; `otherwise` where there is none.
+  std::size_t size(const GltfJson& object, const char* key, std::size_t otherwise) const;
+
+  /// A text; empty where there is none.
+  std::string text(const GltfJson& object, const char* key) const;
+
+  /// So many numbers, each finite and at most 1e9.
+  std::optional<std::vector<double>> numbers(const GltfJson& object, const char* key,
+                                             std::size_t count) const;
+
+  /// The bytes of a buffer, as many as it states.
+  const std::string& buffer(std::size_t index);
+
+  /// What a `uri` stands for: a data URI, or a file in this one's folder or below.
+  std::string resource(const std::string& uri) const;
+
+  /// An accessor's elements one after another, as numbers: normalised ones from -1 or 0 to 1,
+  /// sparse ones filled in. `type` is what it has to be: "SCALAR", "VEC3", "VEC4".
+  std::vector<double> values(std::size_t accessor, std::string_view type);
+
+ private:
+  struct View;  // of numbers among a buffer's bytes
+
+  void read_glb(std::string_view bytes);
+  void parse(std::string_view json);
+  View view(const GltfJson& object, std::size_t count, std::size_t components, bool normalised);
+  const GltfJson* member(const GltfJson& object, const char* key) const;
+
+  std::filesystem::path path_;
+  GltfJson json_;
+  std::vector<GlbChunk> chunks_;
+  std::map<std::size_t, std::string> buffers_;  // those that were asked for
+  std::size_t values_read_ = 0;
+};
+
+/// Whether a URI holds its bytes itself.
+bool is_data_uri(std::string_view uri);
+
+}  // namespace mocapress

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+// After the glTF 2.0 specification, Khronos Group 2021 (ISO/IEC 12113:2022): sections 3.5 (nodes)
+// and 3.11 (animations), appendix C (interpolation).
+#include "core/formats/gltf_reader.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "core/formats/key_times.h"
+#include "core/formats/take_choice.h"
+
+namespace mocapress {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr std::size_t kMostNodes = 100'000;
+constexpr double kMostPlacements = 2e9;  // of nodes, over all frames
+constexpr double kShortest = 1e-12;      // a quaternion, or an axis of a matrix, without direction
+constexpr double kSnap = 0.01;           // frames: times are floats
+
+enum class Path { Translation, Rotation, Scale };
+enum class Interpolation { Step, Linear, CubicSpline };
+
+/// How one property of one node moves: a channel with its sampler.
+struct KeyCurve {
+  std::size_t node = 0;  // its index in the file
+  Path path = Path::Translation;
+  Interpolation interpolation = Interpolation::Linear;
+  std::size_t input = 0;       // the accessor of its times
+  std::vector<double> times;   // s, not falling
+  std::vector<double> values;  // for each key its value; cubic: in-tangent, value, out-tangent
+};
+
+/// The values of a curve at times that do not fall.
+class KeyCurveReader {
+ public:
+  /// A time within `snap` (s) of a key is that key's.
+  KeyCurveReader(const KeyCurve& curve, double snap)
+      : curve_(curve), snap_(snap), width_(curve.path == Path::Rotation ? 4 : 3) {}
+
+  void apply(double time, LocalTransform& local) {
+    const Eigen::Vector4d value = at(time);
+    if (curve_.path == Path::Translation) local.translation = value.head<3>();
+    if (curve_.path == Path::Scale) local.scale = value.head<3>();
+    if (curve_.path == Path::Rotation) local.rotation = Quaterniond(value).normalized();
+  }
+
+ private:
+  Eigen::Vector4d at(double time) {
+    const std::vector<double>& times = curve_.times;
+    while (key_ + 1 < times.size() && times[key_ + 1] <= time + snap_) ++key_;
+    const double span = key_ + 1 < times.size() ? times[key_ + 1] - times[key_] : 0;
+    const bool is_at_key = time <= times[key_] + snap_ || span <= 0;
+    if (is_at_key || curve_.interpolation == Interpolation::Step) return value(key_);
+    const double s = (time - times[key_]) / span;
+    if (curve_.interpolation == Interpolation::CubicSpline) return spline(s, span);
+    if (curve_.path != Path::Rotation) return (1 - s) * value(key_) + s * value(key_ + 1);
+    const Quaterniond from(value(key_));
+    const Quaterniond to(value(key_ + 1));
+    return from.normalized().slerp(s, to.normalized()).coeffs();  // the shorter way
+  }
+
+  /// Hermite's, with tangents for each second.
+  Eigen::Vector4d spline(double s, double span) const {
+    const double s2 = s * s;
+    const double s3 = s2 * s;
+    return (2 * s3 - 3 * s2 + 1) * value(key_) + span * (s3 - 2 * s2 + s) * element(3 * key_ + 2) +
+           (3 * s2 - 2 * s3) * value(key_ + 1) + span * (s3 - s2) * element(3 * key_ + 3);
+  }
+
+  Eigen::Vector4d value(std::size_t key) const {
+    return element(curve_.interpolation == Interpolation::CubicSpline ? 3 * key + 1 : key);
+  }
+
+  Eigen::Vector4d element(std::size_t index) const {
+    Eigen::Vector4d element = Eigen::Vector4d::Zero();
+    for (std::size_t i = 0; i < width_; ++i)
+      element(static_cast<Eigen::Index>(i)) = curve_.values[width_ * index + i];
+    return element;
+  }
+
+  const KeyCurve& curve_;
+  double snap_;
+  std::size_t width_;
+  std::size_t key_ = 0;  // the last one not after the time
+};
+
+/// Shear, which no TRS holds, is left out.
+LocalTransform decomposed(const std::vector<double>& column_major) {
+  const Eigen::Matrix4d matrix = Eigen::Map<const Eigen::Matrix4d>(column_major.data());
+  LocalTransform local;
+  local.translation = matrix.topRightCorner<3, 1>();
+  Matrix3d axes = matrix.topLeftCorner<3, 3>();
+  local.scale = axes.colwise().norm().transpose();
+  if (axes.determinant() < 0) local.scale.x() *= -1;
+  if (local.scale.cwiseAbs().minCoeff() <= kShortest) return local;
+  axes = axes * local.scale.cwiseInverse().asDiagonal();
+  local.rotation = Quaterniond(axes).normalized();
+  return local;
+}
+
+class TakeReader {
+ public:
+  TakeReader(GltfFile& file, const ReadOptions& options) : file_(file), options_(options) {}
+
+  GltfTake read() {
+    result_.take.cm_per_unit = kGltfCmPerUnit;
+    find_tree();
+    choose_animation();
+    read_curves();
+    add_nodes();
+    sample();
+    return std::move(result_);
+  }
+
+ private:
+  struct Target {
+    std::size_t node;
+    Path path;
+  };
+
+  void find_tree();
+  void choose_animation();
+  std::optional<Target> target_of(const GltfJson& channel) const;
+  bool moves_nodes(const GltfJson& animation) const;
+  void read_curves();
+  KeyCurve read_curve(const GltfJson& sampler, const Target& target);
+  LocalTransform rest_of(const GltfJson& node) const;
+  void add_nodes();
+  void sample();
+
+  const GltfJson& node(std::size_t number) const { return file_.list("nodes")[number]; }
+
+  GltfFile& file_;
+  const ReadOptions& options_;
+  GltfTake result_;
+  std::vector<int> parents_;        // of the file's nodes, by their index there
+  std::vector<std::size_t> order_;  // of them, parents first
+  std::vector<KeyCurve> curves_;
+};
+
+void TakeReader::find_tree() {
+  const std::size_t count = file_.list("nodes").size();
+  if (count > kMostNodes) file_.fail("has more than " + std::to_string(kMostNodes) + " nodes");
+  parents_.assign(count, -1);
+  std::vector<std::vector<std::size_t>> children(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    children[n] = file_.indices(node(n), "children", "nodes");
+    for (const std::size_t child : children[n]) {
+      if (parents_[child] >= 0)
+        file_.fail("has node " + std::to_string(child) + " below two nodes, or twice below one");
+      parents_[child] = static_cast<int>(n);
+    }
+  }
+  std::vector<std::size_t> waiting;
+  for (std::size_t n = count; n-- > 0;)
+    if (parents_[n] < 0) waiting.push_back(n);
+  while (!waiting.empty()) {
+    const std::size_t n = waiting.back();
+    waiting.pop_back();
+    order_.push_back(n);
+    waiting.insert(waiting.end(), children[n].rbegin(), children[n].rend());
+  }
+  if (order_.size() < count) file_.fail("has a node that is below itself");
+}
+
+LocalTransform TakeReader::rest_of(const GltfJson& node) const {
+  if (const auto matrix = file_.numbers(node, "matrix", 16)) return decomposed(*matrix);
+  LocalTransform local;
+  if (const auto t = file_.numbers(node, "translation", 3)) local.translation = Vector3d(t->data());
+  if (const auto s = file_.numbers(node, "scale", 3)) local.scale = Vector3d(s->data());
+  if (const auto r = file_.numbers(node, "rotation", 4)) {
+    local.rotation = Quaterniond(r->data());
+    if (local.rotation.norm() <= kShortest) file_.fail("has a rotation of length 0");
+    local.rotation.normalize();
+  }
+  return local;
+}
+
+/// What a channel moves; nothing for morph weights and what extensions add.
+std::optional<TakeReader::Target> TakeReader::target_of(const GltfJson& channel) const {
+  const auto target = channel.find("target");
+  if (target == channel.end() || !target->is_object())
+    file_.fail("has an animation channel without a target");
+  const std::string path = file_.text(*target, "path");
+  const auto node = file_.index(*target, "node", "nodes");
+  if (!node) return std::nullopt;
+  if (path == "translation") return Target{*node, Path::Translation};
+  if (path == "rotation") return Target{*node, Path::Rotation};
+  if (path == "scale") return Target{*node, Path::Scale};
+  return std::nullopt;
+}
+
+bool TakeReader::moves_nodes(const GltfJson& animation) const {
+  const GltfJson& channels = file_.list(animation, "channels");
+  return std::any_of(channels.begin(), channels.end(),
+                     [&](const GltfJson& channel) { return target_of(channel).has_value(); });
+}
+
+void TakeReader::choose_animation() {
+  const GltfJson& animations = file_.list("animations");
+  if (animations.empty()) file_.fail("holds no animation");
+  std::vector<TakeName> takes;
+  for (const GltfJson& one : animations) {
+    std::string name = file_.text(one, "name");
+    if (name.empty()) name = "animation_" + std::to_string(takes.size() + 1);
+    takes.push_back({std::move(name), moves_nodes(one)});
+  }
+  result_.animation = choose_take(file_.name(), takes, options_.take, result_.warnings);
+  if (!takes[result_.animation].moves)
+    file_.fail("moves no node: its animation has only morph weights");
+  result_.take.name = takes[result_.animation].name;
+}
+
+KeyCurve TakeReader::read_curve(const GltfJson& sampler, const Target& target) {
+  KeyCurve curve{.node = target.node, .path = target.path};
+  const std::string interpolation = file_.text(sampler, "interpolation");
+  if (interpolation == "STEP")
+    curve.interpolation = Interpolation::Step;
+  else if (interpolation == "CUBICSPLINE")
+    curve.interpolation = Interpolation::CubicSpline;
+  else if (!interpolation.empty() && interpolation != "LINEAR")
+    file_.fail("has an unknown interpolation, \"" + interpolation + '"');
+  curve.input = file_.required_index(sampler, "input", "accessors");
+  curve.times = file_.values(curve.input, "SCALAR");
+  curve.values = file_.values(file_.required_index(sampler, "output", "accessors"),
+                              target.path == Path::Rotation ? "VEC4" : "VEC3");
+  const std::size_t keys = curve.times.size();
+  const std::size_t width = target.path == Path::Rotation ? 4 : 3;
+  const bool cubic = curve.interpolation == Interpolation::CubicSpline;
+  if (keys == 0) file_.fail("has an animation without keys");
+  if (curve.values.size() != width * keys * (cubic ? 3 : 1))
+    file_.fail("has an animation with " + std::to_string(keys) + " key times, but " +
+               std::to_string(curve.values.size() / width) + " values");
+  if (!std::is_sorted(curve.times.begin(), curve.times.end()))
+    file_.fail("has an animation whose key times go back");
+  if (target.path == Path::Rotation)
+    for (std::size_t key = 0; key < keys; ++key)
+      if (Quaterniond(&curve.values[4 * (cubic ? 3 * key + 1 : key)]).norm() <= kShortest)
+        file_.fail("has a rotation of length 0");
+  return curve;
+}
+
+void TakeReader::read_curves() {
+  const GltfJson& chosen = file_.list("animations")[result_.animation];
+  const GltfJson& samplers = file_.list(chosen, "samplers");
+  for (const GltfJson& channel : file_.list(chosen, "channels")) {
+    const auto target = target_of(channel);
+    if (!target) continue;
+    const std::size_t sampler = file_.size(channel, "sampler", samplers.size());
+    if (sampler >= samplers.size()) file_.fail("has an animation channel without a sampler");
+    curves_.push_back(read_curve(samplers[sampler], *target));
+  }
+}
+
+/// All but leaves that draw or light.
+void TakeReader::add_nodes() {
+  const std::size_t count = parents_.size();
+  std::vector<bool> is_joint(count);
+  for (const GltfJson& skin : file_.list("skins"))
+    for (const std::size_t joint : file_.indices(skin, "joints", "nodes")) is_joint[joint] = true;
+  std::vector<bool> is_wanted = is_joint;
+  for (const KeyCurve& curve : curves_) is_wanted[curve.node] = true;
+  std::vector<bool> draws(count);
+  for (auto at = order_.rbegin(); at != order_.rend(); ++at) {
+    const GltfJson& one = node(*at);
+    draws[*at] = draws[*at] || one.contains("mesh") || one.contains("camera") ||
+                 one.value("extensions", GltfJson()).contains("KHR_lights_punctual");
+    is_wanted[*at] = is_wanted[*at] || !draws[*at];
+    if (parents_[*at] < 0) continue;
+    const auto parent = static_cast<std::size_t>(parents_[*at]);
+    if (is_wanted[*at])
+      is_wanted[parent] = true;
+    else
+      draws[parent] = true;
+  }
+  std::vector<int> index_of(count, -1);
+  for (const std::size_t number : order_) {
+    if (!is_wanted[number]) continue;
+    index_of[number] = static_cast<int>(result_.take.nodes.size());
+    const int parent = parents_[number];
+    std::string name = file_.text(node(number), "name");
+    if (name.empty()) name = "node_" + std::to_string(number);
+    result_.number_of_node.push_back(number);
+    result_.take.nodes.push_back(
+        {.name = std::move(name),
+         .parent = parent < 0 ? -1 : index_of[static_cast<std::size_t>(parent)],
+         .joint = is_joint[number],
+         .rest = rest_of(node(number))});
+  }
+  for (KeyCurve& curve : curves_) curve.node = static_cast<std::size_t>(index_of[curve.node]);
+}
+
+void TakeReader::sample() {
+  NodeTake& take = result_.take;
+  std::vector<double> keys_s;
+  std::set<std::size_t> inputs;
+  std::set<std::size_t> moving;
+  for (const KeyCurve& curve : curves_) {
+    if (inputs.insert(curve.input).second)
+      keys_s.insert(keys_s.end(), curve.times.begin(), curve.times.end());
+    moving.insert(curve.node);
+  }
+  keys_s = merged_times({}, std::move(keys_s));
+  const SampleTimes times =
+      sample_times(file_.name(), keys_s, std::nullopt, options_.sample_rate_hz, moving.size());
+  if (static_cast<double>(times.frames) * static_cast<double>(take.nodes.size()) > kMostPlacements)
+    file_.fail("has too many nodes for so many frames");
+  if (!times.warning.empty()) result_.warnings.push_back({file_.name(), 0, times.warning});
+  take.frames = times.frames;
+  take.sample_rate_hz = times.rate_hz;
+  for (const KeyCurve& curve : curves_) {
+    AnimatedNode& node = take.nodes[curve.node];
+    node.frames.resize(static_cast<std::size_t>(times.frames), node.rest);
+    KeyCurveReader reader(curve, kSnap / times.rate_hz);
+    for (int f = 0; f < times.frames; ++f)
+      reader.apply(times.at(f), node.frames[static_cast<std::size_t>(f)]);
+  }
+}
+
+}  // namespace
+
+GltfTake read_gltf_take(GltfFile& file, const ReadOptions& options) {
+  return TakeReader(file, options).read();
+}
+
+MotionFile read_gltf(const std::string& name, std::string_view bytes, const ReadOptions& options) {
+  GltfFile file(name, bytes);
+  GltfTake read = read_gltf_take(file, options);
+  MotionFile motion = motion_of(name, read.take, options, SourceFormat::Kind::Gltf);
+  motion.warnings.insert(motion.warnings.begin(), read.warnings.begin(), read.warnings.end());
+  return motion;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// glTF 2.0, .gltf and .glb: metres, Y up. A skeleton is the nodes that are joints of a skin, or
+// else what moves (node_motion.h).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/formats/gltf_file.h"
+#include "core/formats/node_motion.h"
+
+namespace mocapress {
+
+inline constexpr double kGltfCmPerUnit = 100;
+
+/// Reads the bytes of a .gltf or .glb. `file` names it in messages, and its folder is where buffers
+/// may be. Throws InputError.
+MotionFile read_gltf(const std::string& file, std::string_view bytes,
+                     const ReadOptions& options = {});
+
+/// One animation of a glTF, as read_gltf() reads it.
+struct GltfTake {
+  NodeTake take;
+  std::size_t animation = 0;                // its index in the file
+  std::vector<std::size_t> number_of_node;  // of each of take.nodes: its index in the file
+  Warnings warnings;
+};
+
+GltfTake read_gltf_take(GltfFile& file, const ReadOptions& options);
+
+}  // namespace mocapress

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "core/formats/take_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/formats/text_cursor.h"
+
+namespace mocapress {
+namespace {
+
+std::string listed(const std::vector<TakeName>& takes, std::optional<std::size_t> without) {
+  constexpr std::size_t kMost = 8;
+  std::string text;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < takes.size(); ++i) {
+    if (i == without || ++count > kMost) continue;
+    text += (text.empty() ? "" : ", ") + takes[i].name;
+  }
+  return count > kMost ? text + " and " + std::to_string(count - kMost) + " more" : text;
+}
+
+}  // namespace
+
+std::size_t choose_take(const std::string& file, const std::vector<TakeName>& takes,
+                        const std::optional<std::string>& wanted, Warnings& warnings) {
+  std::size_t chosen = 0;
+  if (wanted) {
+    const auto named = std::find_if(takes.begin(), takes.end(),
+                                    [&](const TakeName& take) { return take.name == *wanted; });
+    const double number = parse_number(*wanted).value_or(0);
+    if (named != takes.end())
+      chosen = static_cast<std::size_t>(named - takes.begin());
+    else if (number >= 1 && number <= static_cast<double>(takes.size()) &&
+             number == std::floor(number))
+      chosen = static_cast<std::size_t>(number) - 1;
+    else
+      throw InputError(file, 0, 0, "has no take " + *wanted + ": there are " + listed(takes, {}));
+    return chosen;
+  }
+  const auto moving =
+      std::find_if(takes.begin(), takes.end(), [](const TakeName& take) { return take.moves; });
+  if (moving != takes.end()) chosen = static_cast<std::size_t>(moving - takes.begin());
+  if (takes.size() > 1)
+    warnings.push_back(
+        {file, 0,
+         "take " + takes[chosen].name + " is read; there are also " + listed(takes, chosen)});
+  return chosen;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Files with several animations (FBX, glTF): which of them is meant.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace mocapress {
+
+/// An animation of a file.
+struct TakeName {
+  std::string name;
+  bool moves = true;  // some node
+};
+
+/// The index of the take with that name or, counted from 1, of that number; by default of the first
+/// that moves a node, else 0. Those that are not read are named in a warning. Throws InputError.
+std::size_t choose_take(const std::string& file, const std::vector<TakeName>& takes,
+                        const std::optional<std::string>& wanted, Warnings& warnings);
+
+}  // namespace mocapress
