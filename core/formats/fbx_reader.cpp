@@ -20,7 +20,7 @@
 #include "core/formats/fbx_structure.h"
 #include "core/formats/key_times.h"
 #include "core/formats/node_motion.h"
-#include "core/formats/text_cursor.h"
+#include "core/formats/take_choice.h"
 
 namespace mocapress {
 namespace {
@@ -83,9 +83,7 @@ class FbxReader {
 
  private:
   void load(bool with_helpers);
-  const aiAnimation& choose_take();
-  const aiAnimation* take_named(const std::string& name) const;
-  std::string names_of_takes(const aiAnimation* but) const;
+  const aiAnimation& chosen_take();
   void map_channels(const aiAnimation& animation);
   void read_nodes();
   void mark_joints(const std::vector<const aiNode*>& sources);
@@ -112,13 +110,13 @@ MotionFile FbxReader::read() {
   if (bytes_.size() > kMostBytes) refuse("has more than 512 MiB");
   check_fbx_structure(file_, bytes_);
   load(false);
-  const aiAnimation* animation = &choose_take();
+  const aiAnimation* animation = &chosen_take();
   map_channels(*animation);
   if (std::any_of(channels_.begin(), channels_.end(),
                   [](const auto& channel) { return is_helper_name(channel.first); })) {
     load(true);
     warnings_.clear();
-    animation = &choose_take();
+    animation = &chosen_take();
     map_channels(*animation);
   }
   read_nodes();
@@ -141,42 +139,15 @@ void FbxReader::load(bool with_helpers) {
   refuse("cannot be read as FBX: " + error.substr(0, error.find('\n')));
 }
 
-std::string FbxReader::names_of_takes(const aiAnimation* but) const {
-  constexpr int kMostNamed = 8;
-  std::string names;
-  int others = 0;
-  for (unsigned a = 0; a < scene_->mNumAnimations; ++a) {
-    if (scene_->mAnimations[a] == but || ++others > kMostNamed) continue;
-    names += (names.empty() ? "" : ", ") + std::string(scene_->mAnimations[a]->mName.C_Str());
-  }
-  if (others > kMostNamed) names += " and " + std::to_string(others - kMostNamed) + " more";
-  return names;
-}
-
-const aiAnimation* FbxReader::take_named(const std::string& name) const {
+const aiAnimation& FbxReader::chosen_take() {
+  std::vector<TakeName> takes;
   for (unsigned a = 0; a < scene_->mNumAnimations; ++a)
-    if (name == scene_->mAnimations[a]->mName.C_Str()) return scene_->mAnimations[a];
-  const auto number = parse_number(name);
-  for (unsigned a = 0; a < scene_->mNumAnimations; ++a)
-    if (number == static_cast<double>(a + 1)) return scene_->mAnimations[a];
-  return nullptr;
-}
-
-const aiAnimation& FbxReader::choose_take() {
-  if (scene_->mNumAnimations == 0) refuse("holds no animation");
-  if (options_.take) {
-    if (const aiAnimation* named = take_named(*options_.take)) return *named;
-    refuse("has no take " + *options_.take + ": there are " + names_of_takes(nullptr));
-  }
-  const auto takes = scene_->mAnimations;
-  const auto end = takes + scene_->mNumAnimations;
-  const auto first =
-      std::find_if(takes, end, [](const aiAnimation* take) { return take->mNumChannels > 0; });
-  if (first == end) refuse("holds no keys");
-  if (scene_->mNumAnimations > 1)
-    warn("take " + std::string((*first)->mName.C_Str()) + " is read; there are also " +
-         names_of_takes(*first));
-  return **first;
+    takes.push_back(
+        {scene_->mAnimations[a]->mName.C_Str(), scene_->mAnimations[a]->mNumChannels > 0});
+  if (takes.empty()) refuse("holds no animation");
+  const std::size_t chosen = choose_take(file_, takes, options_.take, warnings_);
+  if (!options_.take && !takes[chosen].moves) refuse("holds no keys");
+  return *scene_->mAnimations[chosen];
 }
 
 void FbxReader::map_channels(const aiAnimation& animation) {
