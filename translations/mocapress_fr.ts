@@ -212,8 +212,8 @@
         <translation>Proje&amp;ts récents</translation>
     </message>
     <message>
-        <source>Save as .mcpr, .bvh, .amc with its .asf, or .csv</source>
-        <translation>Enregistrer en .mcpr, .bvh, .amc avec son .asf, ou .csv</translation>
+        <source>Save as .mcpr, .bvh, .glb, .amc with its .asf, or .csv</source>
+        <translation>Enregistrer en .mcpr, .bvh, .glb, .amc avec son .asf, ou .csv</translation>
     </message>
     <message>
         <source>E&amp;xport Motion…</source>
@@ -312,6 +312,14 @@
     <message>
         <source>The decompressed channels as a table.</source>
         <translation>Les canaux décompressés en tableau.</translation>
+    </message>
+    <message>
+        <source>glTF (.glb)</source>
+        <translation>glTF (.glb)</translation>
+    </message>
+    <message>
+        <source>The decompressed motion on its skeleton, for Blender and engines.</source>
+        <translation>Le mouvement décompressé sur son squelette, pour Blender et les moteurs de jeu.</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -893,6 +901,10 @@
     <message>
         <source>Acclaim motion with its skeleton (*.amc)</source>
         <translation>Mouvement Acclaim avec son squelette (*.amc)</translation>
+    </message>
+    <message>
+        <source>glTF on its skeleton (*.glb)</source>
+        <translation>glTF avec son squelette (*.glb)</translation>
     </message>
     <message>
         <source>Table of channels (*.csv)</source>

@@ -212,8 +212,8 @@
         <translation>最近のプロジェクト(&amp;T)</translation>
     </message>
     <message>
-        <source>Save as .mcpr, .bvh, .amc with its .asf, or .csv</source>
-        <translation>.mcpr、.bvh、.amc（.asf 付き）または .csv として保存します</translation>
+        <source>Save as .mcpr, .bvh, .glb, .amc with its .asf, or .csv</source>
+        <translation>.mcpr、.bvh、.glb、.amc（.asf 付き）または .csv として保存します</translation>
     </message>
     <message>
         <source>E&amp;xport Motion…</source>
@@ -312,6 +312,14 @@
     <message>
         <source>The decompressed channels as a table.</source>
         <translation>展開したチャンネルの表。</translation>
+    </message>
+    <message>
+        <source>glTF (.glb)</source>
+        <translation>glTF (.glb)</translation>
+    </message>
+    <message>
+        <source>The decompressed motion on its skeleton, for Blender and engines.</source>
+        <translation>展開したモーションとスケルトン。Blender やゲームエンジン用。</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -885,6 +893,10 @@
     <message>
         <source>Acclaim motion with its skeleton (*.amc)</source>
         <translation>Acclaim モーションとスケルトン (*.amc)</translation>
+    </message>
+    <message>
+        <source>glTF on its skeleton (*.glb)</source>
+        <translation>glTF とスケルトン (*.glb)</translation>
     </message>
     <message>
         <source>Table of channels (*.csv)</source>

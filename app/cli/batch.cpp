@@ -177,7 +177,7 @@ void add_batch(CLI::App& app) {
   call->preset.add_options(*command);
   command->add_option("--format", call->formats, "Output formats, comma-separated [mcpr]")
       ->delimiter(',')
-      ->check(CLI::IsMember({"mcpr", "bvh", "amc", "csv"}));
+      ->check(CLI::IsMember({"mcpr", "bvh", "amc", "csv", "glb"}));
   command
       ->add_option("--name", call->names,
                    "Output names: {folder}, {stem}, {type}, {preset}, {method} [{folder}/{stem}]")

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> kFormatNames = {"mcpr", "bvh", "amc", "csv"};
+constexpr std::array<std::string_view, 5> kFormatNames = {"mcpr", "bvh", "amc", "csv", "glb"};
 
 /// "walks", for "../walks", "walks/", and "." in walks.
 std::string name_of_folder(const fs::path& folder) {

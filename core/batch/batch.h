@@ -15,12 +15,12 @@
 namespace mocapress {
 
 /// What is made of a clip. All but the first are the motion as it comes out of the .mcpr.
-enum class OutputFormat { Mcpr, Bvh, Amc, Csv };
+enum class OutputFormat { Mcpr, Bvh, Amc, Csv, Glb };
 
-inline constexpr std::array<OutputFormat, 4> kOutputFormats = {
-    OutputFormat::Mcpr, OutputFormat::Bvh, OutputFormat::Amc, OutputFormat::Csv};
+inline constexpr std::array<OutputFormat, 5> kOutputFormats = {
+    OutputFormat::Mcpr, OutputFormat::Bvh, OutputFormat::Amc, OutputFormat::Csv, OutputFormat::Glb};
 
-/// "mcpr", "bvh", "amc" (with its .asf beside it), "csv": the extension too.
+/// "mcpr", "bvh", "amc" (with its .asf beside it), "csv", "glb": the extension too.
 std::string_view name(OutputFormat format);
 
 /// Unset when it is none of them.

@@ -14,6 +14,8 @@
 #include "core/formats/asf.h"
 #include "core/formats/bvh.h"
 #include "core/formats/csv.h"
+#include "core/formats/gltf_reader.h"
+#include "core/formats/gltf_writer.h"
 #include "core/mocapress/encode_options.h"
 #include "core/report/loaded_clip.h"
 
@@ -236,6 +238,16 @@ class Export {
         as_written.bvh_root = style.root;
         compare(motion, read_bvh(item_.output + ".bvh", text, as_written).motion,
                 bvh_names(motion.skeleton), item_.output + ".bvh");
+        return;
+      }
+      case OutputFormat::Glb: {
+        const std::string glb = gltf_bytes(motion, GltfContainer::Glb, source, writing);
+        stage_file(".glb", bytes_of(glb), files);
+        const SourceFormat as = gltf_format(source, writing);
+        as_written.cm_per_unit = as.cm_per_unit;
+        as_written.up = as.up;
+        compare(motion, read_gltf(item_.output + ".glb", glb, as_written).motion,
+                without_namespace(gltf_names(motion.skeleton)), item_.output + ".glb");
         return;
       }
       case OutputFormat::Amc: {

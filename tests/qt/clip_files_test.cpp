@@ -162,7 +162,7 @@ TEST_F(Files, SaveAsAndExportOfferEveryFormat) {
   for (const auto ask : {&ClipFiles::saveAs, &ClipFiles::exportMotion}) {
     (files_.*ask)();
     const QString offered = kindsOffered(window_).join(QLatin1Char(' '));
-    for (const char* kind : {"*.mcpr", "*.bvh", "*.amc", "*.csv"})
+    for (const char* kind : {"*.mcpr", "*.bvh", "*.glb", "*.amc", "*.csv"})
       EXPECT_TRUE(offered.contains(QLatin1String(kind))) << kind;
     delete window_.findChild<QFileDialog*>();
   }
@@ -170,7 +170,7 @@ TEST_F(Files, SaveAsAndExportOfferEveryFormat) {
 
 TEST_F(Files, ExportsTheMotionInEveryFormat) {
   openAndSettle();
-  for (const char* kind : {"bvh", "amc", "csv"}) {
+  for (const char* kind : {"bvh", "glb", "amc", "csv"}) {
     const QString path = directory_.filePath(QStringLiteral("out.") + QLatin1String(kind));
     QSignalSpy exported(&files_, &ClipFiles::exported);
     files_.saveAs();

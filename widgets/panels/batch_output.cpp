@@ -36,7 +36,9 @@ BatchOutput::BatchOutput(QWidget* parent)
       {OutputFormat::Mcpr, tr("Compressed (.mcpr)"), tr("What is shipped.")},
       {OutputFormat::Bvh, tr("BVH"), tr("The decompressed motion.")},
       {OutputFormat::Amc, tr("ASF/AMC"), tr("The decompressed motion and its skeleton.")},
-      {OutputFormat::Csv, tr("CSV"), tr("The decompressed channels as a table.")}};
+      {OutputFormat::Csv, tr("CSV"), tr("The decompressed channels as a table.")},
+      {OutputFormat::Glb, tr("glTF (.glb)"),
+       tr("The decompressed motion on its skeleton, for Blender and engines.")}};
   auto* grid = new QGridLayout;
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(3);
