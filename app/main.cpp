@@ -14,7 +14,7 @@
 #include "app/studio/window/launch_options.h"
 #include "app/studio/window/main_window.h"
 #include "app/studio/window/screenshot.h"
-#include "app/studio/window/style.h"
+#include "app/studio/window/theme.h"
 #include "app/studio/window/trace.h"
 #include "translations/install.h"
 #include "widgets/viewport/viewport.h"

@@ -9,10 +9,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/preset_arguments.h"
-#include "app/cli/stop_on_signals.h"
+#include "app/cli/terminal.h"
 #include "core/base/file.h"
 #include "core/batch/batch_folder.h"
-#include "core/batch/merge.h"
 #include "core/batch/queue_json.h"
 #include "core/batch/slurm_script.h"
 

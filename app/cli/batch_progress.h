@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cli/progress_line.h"
-#include "core/batch/time_left.h"
+#include "app/cli/terminal.h"
+#include "core/batch/run.h"
 
 namespace mocapress::cli {
 

@@ -3,11 +3,10 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/contact_input.h"
-#include "app/cli/correction_arguments.h"
-#include "app/cli/importance_arguments.h"
+#include "app/cli/contacts.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/option_words.h"
+#include "app/cli/preset_arguments.h"
 #include "app/cli/report.h"
 #include "core/base/staged_file.h"
 #include "core/baselines/comparison_method.h"

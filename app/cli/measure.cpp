@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/cli/contact_input.h"
+#include "app/cli/contacts.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
 #include "core/baselines/compared_file.h"

@@ -3,9 +3,99 @@
 
 #include "app/cli/option_words.h"
 #include "core/base/error.h"
+#include "core/base/number_text.h"
+#include "core/metrics/visibility.h"
 #include "core/mocapress/settings_json.h"
+#include "core/motion/skeleton.h"
 
 namespace mocapress::cli {
+
+namespace {
+
+constexpr const char* kFound = "auto";
+
+/// For CLI11: empty when `text` is a number above 0 or "auto", else what is wrong.
+std::string check_ratio(const std::string& text) {
+  const bool fits = text == kFound || number_in(text).value_or(0) > 0;
+  return fits ? "" : text + " is neither a number above 0 nor " + kFound;
+}
+
+}  // namespace
+
+void CorrectionArguments::add_options(CLI::App& command) {
+  CLI::Option* ik = command
+                        .add_option("--ik", ratio,
+                                    "Hold the feet by inverse kinematics: all coefficients of "
+                                    "the correction over those kept, or auto")
+                        ->type_name("R_IK|auto")
+                        ->check(check_ratio);
+  command.add_option("--effectors", effectors, "Joints to hold [the feet]")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->needs(ik);
+  command.add_option("--ik-solver", solver, "How joints are turned [nearest-pose]")
+      ->transform(one_of({IkSolver::CyclicDescent, IkSolver::NearestPose}))
+      ->needs(ik);
+  command.add_option("--ik-at", at, "When they are held [every-frame]")
+      ->transform(one_of({CorrectAt::EveryFrame, CorrectAt::Contacts}))
+      ->needs(ik);
+}
+
+CorrectionSettings CorrectionArguments::settings() const {
+  CorrectionSettings correction{.effectors = effectors, .solver = solver, .at = at};
+  correction.ratio = number_in(ratio);  // unset: to be found
+  return correction;
+}
+
+namespace {
+
+constexpr const char* kOption = "--importance";
+constexpr const char* kContacts = "contacts";
+
+struct Wish {
+  std::string name;
+  double factor;
+};
+
+Wish parse(const std::string& word) {
+  const std::size_t equals = word.find('=');
+  double factor = 0;
+  if (equals == std::string::npos || !CLI::detail::lexical_cast(word.substr(equals + 1), factor) ||
+      !(factor >= 0))
+    throw CLI::ValidationError(kOption, "expects NAME=FACTOR, FACTOR 0 or more: " + word);
+  return {word.substr(0, equals), factor};
+}
+
+}  // namespace
+
+void ImportanceArguments::add_options(CLI::App& command) {
+  command
+      .add_option(
+          kOption, words,
+          "Take more care of feet, hands, fingers, head, a joint, or of contacts (feet while "
+          "they stand), at the cost of the rest")
+      ->type_name("NAME=FACTOR,...")
+      ->delimiter(',');
+}
+
+NamedImportance ImportanceArguments::named() const {
+  NamedImportance named;
+  for (const std::string& word : words) {
+    const auto [name, factor] = parse(word);
+    if (name == kContacts)
+      named.contacts = factor;
+    else
+      named.set(name, factor);
+  }
+  return named;
+}
+
+void ImportanceArguments::require_names_of(const Skeleton& skeleton) const {
+  const NamedImportance wishes = named();
+  for (const auto& [name, factor] : wishes.factors)
+    if (joints_named(skeleton, name).empty())
+      throw CLI::ValidationError(kOption, "the skeleton has no part or joint named " + name);
+}
 
 void PresetArguments::add_options(CLI::App& command) {
   std::string known;

@@ -6,11 +6,36 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/correction_arguments.h"
-#include "app/cli/importance_arguments.h"
+#include "core/codec/encode/importance.h"
 #include "core/mocapress/settings.h"
 
 namespace mocapress::cli {
+
+/// What the user asks of the IK correction.
+struct CorrectionArguments {
+  std::string ratio;  // r_IK, "auto", or empty: no correction
+  std::vector<std::string> effectors;
+  IkSolver solver = IkSolver::NearestPose;
+  CorrectAt at = CorrectAt::EveryFrame;
+
+  void add_options(CLI::App& command);
+
+  /// Wants --ik.
+  CorrectionSettings settings() const;
+};
+
+/// What the user wants more care taken of.
+struct ImportanceArguments {
+  std::vector<std::string> words;  // "NAME=FACTOR"
+
+  void add_options(CLI::App& command);
+
+  /// Throws CLI::ValidationError when a factor is no number of 0 or more.
+  NamedImportance named() const;
+
+  /// Throws as named(), and when a name is neither part, joint nor "contacts".
+  void require_names_of(const Skeleton& skeleton) const;
+};
 
 /// A preset, and what is to be different: the options of `compress`.
 struct PresetArguments {

@@ -8,7 +8,7 @@
 #include "core/baselines/compression_method.h"
 #include "core/feet/footskate.h"
 #include "core/metrics/rate.h"
-#include "core/report/body_json.h"
+#include "core/report/measurement_json.h"
 
 namespace mocapress::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/codec/encode/encoder.h"
-#include "core/metrics/body_figures.h"
+#include "core/metrics/distortion.h"
 #include "core/motion/loop.h"
 #include "core/report/json_value.h"
 

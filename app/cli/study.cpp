@@ -9,15 +9,14 @@
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/option_words.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/report.h"
-#include "app/cli/stop_on_signals.h"
+#include "app/cli/terminal.h"
 #include "core/base/number_text.h"
 #include "core/baselines/compression_method.h"
 #include "core/formats/clip_files.h"
 #include "core/study/published_figures.h"
 #include "core/study/results.h"
-#include "core/study/row_json.h"
+#include "core/study/row.h"
 #include "core/study/study_folder.h"
 
 namespace mocapress::cli {

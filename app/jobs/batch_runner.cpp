@@ -78,7 +78,7 @@ void BatchRunner::pause() {
 }
 
 void BatchRunner::goOn() {
-  if (control_) control_->should_continue();
+  if (control_) control_->resume();
 }
 
 void BatchRunner::stopAfterCurrent() {

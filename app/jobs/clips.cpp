@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "core/base/staged_file.h"
+#include "core/batch/verification.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/format/container.h"
+#include "core/codec/format/source_section.h"
 #include "core/metrics/rate.h"
 
 namespace mocapress {
+
 namespace {
 
 bool sameChannels(const Skeleton& a, const Skeleton& b) {
@@ -103,6 +108,18 @@ DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original) {
       measure(original.motion().skeleton, original.encoder->original_body(), result.clip);
   findArtifacts(result, *original.encoder, original.encoder->contacts());
   return std::make_shared<const DecodedClip>(std::move(result));
+}
+
+void saveClip(const QString& path, const DecodedClip& decoded, const OriginalClip* original) {
+  const bool was_encoded_here = decoded.coefficient_ratio.has_value();
+  StagedFile file(std::filesystem::path(path.toStdU16String()));
+  file.write(
+      with_source(decoded.file, original && was_encoded_here ? original->source : decoded.source));
+  if (original && was_encoded_here)
+    verify(file.read_back(), *original->encoder);
+  else
+    read_mcpr(file.read_back());
+  file.commit();
 }
 
 }  // namespace mocapress

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What jobs return and the document holds: values, shared and never changed.
+
 #pragma once
 
 #include <Eigen/Core>
@@ -77,5 +78,9 @@ DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original,
 
 /// The same clip, measured against its original.
 DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original);
+
+/// Writes a compressed clip. What the disk gives back is verified before it takes its place:
+/// against its original where it was encoded here, else by being read. Throws Error.
+void saveClip(const QString& path, const DecodedClip& decoded, const OriginalClip* original);
 
 }  // namespace mocapress

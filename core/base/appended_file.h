@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/base/file_descriptor.h"
 #include "core/base/staged_file.h"
 
 namespace mocapress {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <random>
 
@@ -13,10 +14,20 @@ class Random {
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
   /// Uniform in [0, bound). Requires bound > 0.
-  std::uint64_t below(std::uint64_t bound);
+  std::uint64_t below(std::uint64_t bound) {
+    assert(bound > 0);
+    // Draws below 2^64 mod bound would favour small values: reject them.
+    const std::uint64_t unfair = (0 - bound) % bound;
+    std::uint64_t draw = engine_();
+    while (draw < unfair) draw = engine_();
+    return draw % bound;
+  }
 
   /// Uniform in [0, 1).
-  double unit();
+  double unit() {
+    constexpr double kTwoToMinus53 = 0x1p-53;
+    return static_cast<double>(engine_() >> 11) * kTwoToMinus53;
+  }
 
  private:
   std::mt19937_64 engine_;

@@ -1,19 +1,51 @@
 // SPDX-License-Identifier: MIT
 // The one way to write a file. After open(2) on O_TMPFILE, rename(2) and fsync(2).
+
 #pragma once
 
 #include <sys/types.h>
-
 #include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "core/base/file_descriptor.h"
-
 namespace mocapress {
+
+/// A file or folder that the system holds open for us; closed at the end.
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int number = -1) : number_(number) {}
+  FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~FileDescriptor();
+
+  int number() const { return number_; }
+  explicit operator bool() const { return number_ >= 0; }
+
+ private:
+  int number_;
+};
+
+// These answer whether it went well; errno says why not.
+
+/// Writes everything, however often the system takes only a part.
+bool write_all(int file, std::string_view bytes);
+
+/// Waits until the contents are on the disk. A file system that has nothing to synchronise is
+/// content.
+bool synchronise(int file);
+
+/// The folder that `file` is or will be in. It need not be readable.
+FileDescriptor open_folder_of(const std::filesystem::path& file);
+
+/// Waits until the names in an open folder are on the disk.
+bool synchronise_folder(int folder);
 
 /// A file that takes its place whole or not at all. Whatever fails, a full disk, a kill or a power
 /// cut, the place has the old file or the new one. Nothing else is left behind, but for a kill or a

@@ -6,9 +6,14 @@
 // - roots and translations are curves of their own, and feet have no signals of their own;
 // - 16-bit steps and DEFLATE in place of Huffman codes.
 // The bytes: METHODS.md.
+
 #pragma once
 
+#include <span>
+
 #include "core/baselines/comparison_method.h"
+#include "core/motion/clip.h"
+#include "core/motion/landmarks.h"
 
 namespace mocapress {
 

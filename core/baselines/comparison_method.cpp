@@ -5,10 +5,7 @@
 #include <array>
 
 #include "core/baselines/arikan.h"
-#include "core/baselines/liu_mcmillan.h"
-#include "core/baselines/pca.h"
 #include "core/baselines/quaternion.h"
-#include "core/baselines/subsample.h"
 
 namespace mocapress {
 

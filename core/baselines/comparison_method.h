@@ -45,6 +45,22 @@ class ComparisonMethod {
 /// Every one there is, in the order of the paper.
 std::span<const ComparisonMethod* const> comparison_methods();
 
+/// Principal component analysis of the poses without the root's position; a detail is the number
+/// of components.
+const ComparisonMethod& pca_method();
+
+/// Every s-th frame and the last, natural cubic splines between; a detail is a stride s.
+const ComparisonMethod& subsample_method();
+
+/// PCA of segments with key frames for each component; a detail is a tolerance.
+const ComparisonMethod& liu_mcmillan_method();
+
+/// For methods that split until a curve fits, the tolerance (cm) of a detail: 40 at detail 0.
+inline constexpr int kMostDetail = 8000;
+constexpr double tolerance_of_detail(int detail) {
+  return 40.0 / (1 + detail);
+}
+
 /// nullptr when there is none of that name.
 const ComparisonMethod* find_comparison_method(std::string_view name);
 

@@ -4,17 +4,15 @@
 // - segments are halves of halves, as long as that saves bytes, not grown frame by frame;
 // - feet are not coded apart.
 // The bytes: METHODS.md.
-#include "core/baselines/liu_mcmillan.h"
+#include "core/baselines/comparison_method.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/byte_cursor.h"
-#include "core/baselines/cubic_spline.h"
-#include "core/baselines/key_frames.h"
 #include "core/baselines/principal_components.h"
 #include "core/baselines/series16.h"
-#include "core/baselines/tolerance_of_detail.h"
+#include "core/baselines/splines.h"
 #include "core/codec/format/deflate.h"
 #include "core/select/error_model.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Based on: O. Arikan, "Compression of Motion Capture Databases", 2006, which quotes subsampling
 // for comparison. The bytes: METHODS.md.
-#include "core/baselines/subsample.h"
+#include "core/baselines/comparison_method.h"
 
 #include <algorithm>
 
 #include "core/base/byte_cursor.h"
-#include "core/baselines/cubic_spline.h"
 #include "core/baselines/series16.h"
+#include "core/baselines/splines.h"
 #include "core/codec/format/deflate.h"
 
 namespace mocapress {

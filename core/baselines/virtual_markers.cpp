@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-#include "core/motion/joint_rotation.h"
+#include "core/motion/forward_kinematics.h"
 
 namespace mocapress {
 namespace {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/report.h"
 
+#include <algorithm>
+#include <optional>
 #include <ostream>
 
 #include "core/base/file.h"
+#include "core/baselines/compression_method.h"
+#include "core/report/markup.h"
+#include "core/report/report_style.h"
 
 namespace mocapress {
 
@@ -27,6 +32,264 @@ void write_batch_report(const fs::path& folder, const std::string& suffix, const
     out << (*before == '[' ? "[]\n" : "\n]\n");
   });
   write_stream(named(".html"), [&](std::ostream& out) { write_batch_html(out, rows, waiting); });
+}
+
+using namespace html;
+
+namespace {
+
+constexpr std::size_t kPictures = 6;
+
+bool is_seen(const BatchRow& row) {
+  return row.measured && row.measured->seen && row.measured->seen->sight() != Sight::NotVisible &&
+         !row.sights.empty();
+}
+
+/// What the whole batch came to.
+struct Totals {
+  std::size_t done = 0;
+  std::size_t failed = 0;
+  std::size_t warned = 0;
+  std::size_t seen = 0;  // clips of which something is
+  double raw_bytes = 0;
+  double motion_bytes = 0;
+  double worst_eps_cm = 0;
+  double worst_cm = 0;
+  std::vector<BatchRow> worst;  // of those done, the furthest off first
+
+  void add(const BatchRow& row) {
+    warned += !row.warnings.empty();
+    if (!row.done() || !row.measured) {
+      failed += !row.done();
+      return;
+    }
+    ++done;
+    seen += is_seen(row);
+    raw_bytes += static_cast<double>(row.measured->raw_bytes);
+    motion_bytes += static_cast<double>(row.measured->motion_bytes);
+    worst_eps_cm = std::max(worst_eps_cm, row.measured->eps_cm(row.preset.weighting));
+    worst_cm = std::max(worst_cm, row.measured->max_error_cm);
+    if (row.worst) add_worst(row);
+  }
+
+ private:
+  void add_worst(const BatchRow& row) {
+    const auto further = [](const BatchRow& a, const BatchRow& b) {
+      return a.measured->max_error_cm > b.measured->max_error_cm;
+    };
+    worst.insert(std::upper_bound(worst.begin(), worst.end(), row, further), row);
+    if (worst.size() > kPictures) worst.pop_back();
+  }
+};
+
+std::string muted(std::string_view text) {
+  return element("p", attribute("class", "muted"), text);
+}
+
+std::string tile(const std::string& value, const std::string& text) {
+  return element("div", attribute("class", "tile"),
+                 element("b", "", value) + element("span", "", text));
+}
+
+std::string tiles(const Totals& totals, std::size_t waiting) {
+  std::string all = tile(std::to_string(totals.done), "clips done, each read back and measured");
+  if (totals.failed > 0) all += tile(std::to_string(totals.failed), "failed");
+  if (waiting > 0) all += tile(std::to_string(waiting), "still waiting");
+  if (totals.motion_bytes > 0)
+    all += tile(ratio_text(totals.raw_bytes / totals.motion_bytes),
+                "all channels as 32-bit floats over all coded motion: " +
+                    format_significant(totals.raw_bytes / 1024) + " KB to " +
+                    format_significant(totals.motion_bytes / 1024) + " KB");
+  if (totals.done > 0)
+    all += tile(format_significant(totals.worst_cm) + " cm",
+                "the furthest any point is off at any frame; &#949;<sub>x</sub> at most " +
+                    format_significant(totals.worst_eps_cm) + " cm");
+  return element("div", attribute("class", "tiles"), all);
+}
+
+std::string pictures(const Totals& totals) {
+  std::string figures;
+  for (const BatchRow& row : totals.worst) {
+    const WorstPose& pose = *row.worst;
+    const std::string scene =
+        worst_scene(pose, row.output + " over its original at its worst frame");
+    figures += element(
+        "figure", "",
+        scene + element("figcaption", "",
+                        element("b", "", escaped(row.output)) + ", frame " +
+                            std::to_string(pose.frame) + ", " +
+                            fixed(pose.frame / row.measured->sample_rate_hz, 2) + " s: the " +
+                            escaped(pose.landmark) + " is " + format_significant(pose.off_cm) +
+                            " cm off. " + escaped(row.preset.name) + ", " +
+                            ratio_text(row.measured->ratio) + "."));
+  }
+  if (figures.empty()) return "";
+  return element("section", "",
+                 element("h2", "", "Worst frames") +
+                     muted("The frame at which one point is furthest off, of the clips where that "
+                           "is most: grey as captured, red as compressed.") +
+                     element("div", attribute("class", "multiples"), figures));
+}
+
+std::string figure_cell(const std::optional<double>& value) {
+  return cell(value ? format_significant(*value) : std::string(kNothing));
+}
+
+std::string degrees_cell(const std::optional<double>& value) {
+  return cell(value ? format_significant(*value) + "&#176;" : std::string(kNothing));
+}
+
+std::string text_cell(std::string_view text, std::string_view css) {
+  return text.empty() ? cell(kNothing, css) : cell(escaped(text), css);
+}
+
+/// The eye's verdict, and on what.
+std::string seen_cell(const std::optional<Seen>& seen) {
+  if (!seen) return cell(kNothing, "name");
+  std::string text(seen->sight() == Sight::NotVisible ? "not visible" : name(seen->sight()));
+  if (!seen->reason.empty()) text += ": " + escaped(seen->reason);
+  return cell(text, "wrap");
+}
+
+/// What a reviewer said about it.
+std::string review_cells(const BatchRow& row) {
+  return text_cell(name(row.review.verdict), "name") + text_cell(row.review.note, "wrap");
+}
+
+void write_failures(std::ostream& out, const BatchRows& rows) {
+  const auto left = attribute("class", "name");
+  out << "<section><h2>Failed</h2>"
+      << muted("Nothing was put in place for these; files that were there before still are.")
+      << "<div class=\"scroll\"><table><thead>"
+      << line(head("Clip", left) + head("preset", left) + head("why", left) +
+              head("verdict", left) + head("note", left))
+      << "</thead><tbody>";
+  rows([&](const BatchRow& row) {
+    if (!row.done())
+      out << line(row_head(row.output) + cell(escaped(row.preset.name), "name") +
+                  cell(escaped(row.error), "wrap") + review_cells(row))
+          << '\n';
+  });
+  out << "</tbody></table></div></section>\n";
+}
+
+std::string clip_line(const BatchRow& row) {
+  const Measurement& m = *row.measured;
+  std::string method(method_title(row.preset.method));
+  if (row.preset.correction) method += ", feet held";
+  if (m.ik_ratio_used) method += ", r_IK " + format_significant(*m.ik_ratio_used);
+  return line(row_head(row.output) + cell(escaped(row.preset.name), "name") +
+              cell(escaped(method), "name") +
+              cell(escaped(target_text(row.preset.target)), "name") +
+              cell(std::to_string(m.frames)) + cell(ratio_text(m.ratio)) +
+              cell(format_significant(static_cast<double>(m.motion_bytes) / 1024)) +
+              cell(format_significant(m.eps_cm(row.preset.weighting))) +
+              cell(format_significant(m.p95_error_cm)) + cell(format_significant(m.p99_error_cm)) +
+              cell(format_significant(m.max_error_cm)) + cell(std::to_string(m.worst_frame)) +
+              degrees_cell(m.body.angle_rms_degrees) + degrees_cell(m.body.head_degrees) +
+              degrees_cell(m.body.hand_degrees) + figure_cell(m.footskate_cm) +
+              figure_cell(m.slide ? std::optional(m.slide->mean_cm) : std::nullopt) +
+              figure_cell(m.slide ? std::optional(m.slide->worst_cm) : std::nullopt) +
+              seen_cell(m.seen) + review_cells(row) +
+              cell(row.warnings.empty() ? kNothing : std::to_string(row.warnings.size())));
+}
+
+void write_clips(std::ostream& out, const BatchRows& rows) {
+  const auto left = attribute("class", "name");
+  out << "<section><h2>Every clip</h2>"
+      << muted(
+             "Errors of the file as it was read back, against the original: distances in "
+             "centimetres, what joints, head and hands are turned by in degrees.")
+      << "<div class=\"scroll\"><table><thead>"
+      << line(head("Clip", left) + head("preset", left) + head("method", left) +
+              head("asked", left) + head("frames") + head("ratio") + head("KB") +
+              head("&#949;<sub>x</sub>") + head("p95") + head("p99") + head("max") +
+              head("at frame") + head("joints") + head("head") + head("hands") +
+              head("foot slide") + head("a contact") + head("worst contact") +
+              head("to the eye", left) + head("verdict", left) + head("note", left) +
+              head("warnings"))
+      << "</thead><tbody>\n";
+  rows([&](const BatchRow& row) {
+    if (row.done() && row.measured) out << clip_line(row) << '\n';
+  });
+  out << "</tbody></table></div></section>\n";
+}
+
+/// Of the clips of which something is seen.
+void write_sights(std::ostream& out, const BatchRows& rows) {
+  out << "<section><h2>What the eye sees</h2>" << muted(kSightLegend)
+      << "<div class=\"multiples\">\n";
+  rows([&](const BatchRow& row) {
+    if (!row.done() || !is_seen(row)) return;
+    const Measurement& m = *row.measured;
+    out << element(
+               "figure", "",
+               draw(row.sights, m.frames / m.sample_rate_hz,
+                    row.output + ": what the eye sees over time") +
+                   element("figcaption", "",
+                           element("b", "", escaped(row.output)) + ": " + escaped(m.seen->reason)))
+        << '\n';
+  });
+  out << "</div></section>\n";
+}
+
+void write_warnings(std::ostream& out, const BatchRows& rows) {
+  const auto left = attribute("class", "name");
+  out << "<section><h2>Repaired or guessed on reading</h2><div class=\"scroll\"><table><thead>"
+      << line(head("Clip", left) + head("what", left)) << "</thead><tbody>\n";
+  rows([&](const BatchRow& row) {
+    std::string what;
+    for (const std::string& warning : row.warnings)
+      what += (what.empty() ? "" : "<br/>") + escaped(warning);
+    if (!what.empty()) out << line(row_head(row.output) + cell(what, "wrap")) << '\n';
+  });
+  out << "</tbody></table></div></section>\n";
+}
+
+std::string notes() {
+  std::string all;
+  const auto add = [&](std::string_view term, std::string_view text) {
+    all += element("dt", "", term) + element("dd", "", text);
+  };
+  add("Verified",
+      "Each file was read back, opened by the runtime decoder within its default limits, as an "
+      "engine would, and measured from what that gives; files of the paper's codings and of the "
+      "comparison methods, which no engine plays, by the library. report.csv says which.");
+  add("Ratio",
+      "The channels as 32-bit floats over the coded motion, the skeleton left out on both sides. "
+      "1 KB = 1024 bytes.");
+  add("&#949;<sub>x</sub>",
+      "Weighted root mean square distance of points of the body from where they should be; "
+      "report.csv has both weightings.");
+  add("p95, p99, max", "Over all points and frames, unweighted.");
+  add("Joints, head, hands",
+      "Angle in the world between a joint&#8217;s rotation and the original&#8217;s, root mean "
+      "square over frames and joints. Head and hands are known by their names.");
+  add("Foot slide",
+      "While a foot stands in the original, beyond its own slide there: all contacts together, a "
+      "contact on average, and the worst contact.");
+  add("Verdict, note", "What the reviewer of the clip said about it.");
+  add("Warnings", "How many places its reader repaired or guessed: they are listed below.");
+  return element("section", "", element("h2", "", "How it was measured") + element("dl", "", all));
+}
+
+}  // namespace
+
+void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting) {
+  Totals totals;
+  rows([&](const BatchRow& row) { totals.add(row); });
+  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta "
+         "name=\"viewport\" "
+         "content=\"width=device-width, initial-scale=1\"/>"
+      << element("title", "", "Batch export") << element("style", "", kReportStyle)
+      << "</head><body><main>" << element("header", "", element("h1", "", "Batch export"))
+      << tiles(totals, waiting) << '\n';
+  if (totals.failed > 0) write_failures(out, rows);
+  out << pictures(totals) << '\n';
+  if (totals.done > 0) write_clips(out, rows);
+  if (totals.seen > 0) write_sights(out, rows);
+  if (totals.warned > 0) write_warnings(out, rows);
+  out << notes() << "</main></body></html>\n";
 }
 
 }  // namespace mocapress

@@ -1,18 +1,37 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/batch/batch.h"
-#include "core/batch/input_stamp.h"
 #include "core/batch/worst_pose.h"
 #include "core/report/measurement.h"
 #include "core/report/review.h"
 
 namespace mocapress {
+
+/// What a clip's files were when it was done: of an .amc, with its skeleton.
+struct InputStamp {
+  std::uintmax_t bytes = 0;
+  std::int64_t newest_ns = 0;  // when the newer of them was last written
+  std::string hash;            // of all their bytes
+
+  bool operator==(const InputStamp&) const = default;
+};
+
+/// Throws InputError.
+InputStamp stamp(const BatchItem& item);
+
+/// Whether the files still are what they were. Their bytes are only read where their times differ.
+bool unchanged(const BatchItem& item, const InputStamp& stamp);
+
+/// Of a file's bytes. Throws InputError.
+std::string hash_of(const std::filesystem::path& file);
 
 /// A file of a batch, read back and found right before it got its name.
 struct WrittenFile {

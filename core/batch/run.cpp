@@ -3,7 +3,6 @@
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -13,6 +12,55 @@
 #include "core/base/parallel.h"
 
 namespace mocapress {
+
+void BatchControl::pause() {
+  const std::lock_guard lock(mutex_);
+  paused_ = true;
+}
+
+void BatchControl::resume() {
+  const std::lock_guard lock(mutex_);
+  paused_ = false;
+  changed_.notify_all();
+}
+
+void BatchControl::stop_after_current() {
+  wish(Wish::StopAfterCurrent);
+}
+
+void BatchControl::cancel() {
+  wish(Wish::Cancel);
+}
+
+void BatchControl::wish(Wish wish) {
+  const std::lock_guard lock(mutex_);
+  wish_ = std::max(wish_, wish);
+  paused_ = false;  // to stop, one must go on
+  changed_.notify_all();
+}
+
+bool BatchControl::paused() const {
+  const std::lock_guard lock(mutex_);
+  return paused_;
+}
+
+bool BatchControl::cancelled() const {
+  const std::lock_guard lock(mutex_);
+  return wish_ == Wish::Cancel;
+}
+
+bool BatchControl::may_begin() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !paused_; });
+  return wish_ == Wish::GoOn;
+}
+
+bool BatchControl::may_continue() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !paused_; });
+  return wish_ != Wish::Cancel;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -174,6 +222,20 @@ BatchOutcome run_batch(const Batch& batch, const fs::path& folder, Journal& jour
                        const BatchRunOptions& options, BatchControl& control,
                        const Observer<BatchProgress>& observer) {
   return Run(batch, folder, journal, options, control, observer).run();
+}
+
+void TimeLeft::update(const BatchCounts& counts, double elapsed_seconds) {
+  const bool has_ended = counts.done != done_;
+  done_ = counts.done;
+  if (counts.done == counts.kept) {
+    seconds_.reset();
+    return;
+  }
+  const double done = static_cast<double>(counts.bytes_done) + counts.bytes_under_way;
+  const double worked = done - static_cast<double>(counts.bytes_kept);
+  if (!(worked > 0)) return;  // files without a byte
+  const double now = elapsed_seconds * (static_cast<double>(counts.bytes) - done) / worked;
+  seconds_ = has_ended || !seconds_ ? now : std::min(*seconds_, now);
 }
 
 }  // namespace mocapress

@@ -1,17 +1,49 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <condition_variable>
 #include <cstdint>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/batch/clip_export.h"
-#include "core/batch/control.h"
 #include "core/batch/journal.h"
 
 namespace mocapress {
+
+/// What may be asked of a running batch, from any thread.
+class BatchControl {
+ public:
+  /// Workers stop where they are and wait.
+  void pause();
+  void resume();
+
+  /// Clips that are being worked on are finished, no other is begun.
+  void stop_after_current();
+
+  /// Clips that are being worked on are dropped: they are waiting again.
+  void cancel();
+
+  bool paused() const;
+  bool cancelled() const;
+
+  /// Asked by workers before a clip and within one; both wait while paused.
+  bool may_begin();
+  bool may_continue();
+
+ private:
+  enum class Wish { GoOn, StopAfterCurrent, Cancel };
+
+  void wish(Wish wish);
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  bool paused_ = false;
+  Wish wish_ = Wish::GoOn;
+};
 
 struct BatchCounts {
   std::size_t clips = 0;  // of this shard
@@ -55,5 +87,20 @@ struct BatchOutcome {
 BatchOutcome run_batch(const Batch& batch, const std::filesystem::path& folder, Journal& journal,
                        const BatchRunOptions& options, BatchControl& control,
                        const Observer<BatchProgress>& observer = {});
+
+/// How long a running batch still takes, by how fast it was so far. Until the next clip ends it
+/// never grows: how far a clip is, is a guess, and a long one says nothing about the others.
+class TimeLeft {
+ public:
+  /// With every news of the batch; `elapsed_seconds` without pauses.
+  void update(const BatchCounts& counts, double elapsed_seconds);
+
+  /// Unset until a clip was worked on to its end.
+  const std::optional<double>& seconds() const { return seconds_; }
+
+ private:
+  std::size_t done_ = 0;
+  std::optional<double> seconds_;
+};
 
 }  // namespace mocapress

@@ -8,7 +8,7 @@
 #include "core/baselines/compared_file.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/decode/runtime_clip.h"
-#include "core/codec/encode/original.h"
+#include "core/codec/encode/goal.h"
 
 namespace mocapress {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
 #include "core/formats/value_repair.h"
-#include "core/motion/up_axis.h"
+#include "core/motion/clip.h"
 
 namespace mocapress {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/formats/gltf_reader.h"
 #include "core/formats/gltf_writer.h"
 #include "core/formats/text_cursor.h"
-#include "core/motion/up_axis.h"
+#include "core/motion/clip.h"
 
 namespace mocapress {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "core/base/error.h"
 #include "core/motion/forward_kinematics.h"
-#include "core/motion/joint_rotation.h"
 
 namespace mocapress {
 namespace {

@@ -3,9 +3,11 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <vector>
 
-#include "core/ik/ik_solver.h"
+#include "core/ik/correction_kind.h"
 #include "core/ik/limb.h"
+#include "core/motion/clip.h"
 #include "core/runtime/solve.h"
 
 namespace mocapress {
@@ -22,5 +24,17 @@ using runtime::kReachedCm;
 /// in the world, one for each). Bone lengths cannot change: only angles do. A target out of reach
 /// is approached and reported. Requires targets.size() == limb.effectors().size().
 IkOutcome solve(IkSolver solver, Limb& limb, std::span<const Eigen::Vector3d> targets);
+
+/// How a solver answers to small corrections of the effectors of one limb.
+struct LimbResponse {
+  std::vector<Effector> effectors;
+  std::vector<int> channels;  // the angles it may turn
+  Eigen::MatrixXd turns;      // radians a cm: frames x 3 * effectors * channels
+};
+
+/// For each limb, around the poses of a clip. Frames are solved in parallel.
+std::vector<LimbResponse> limb_responses(const Skeleton& skeleton,
+                                         const std::vector<Effector>& effectors, IkSolver solver,
+                                         const Clip& clip);
 
 }  // namespace mocapress

@@ -2,11 +2,43 @@
 #include "core/metrics/distortion.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
+#include "core/motion/body_part.h"
+
 namespace mocapress {
+
+namespace {
+
+constexpr int kFraction = 23;  // bits of a float
+
+}  // namespace
+
+void DistanceCounts::add(float distance) {
+  // Ordered as the floats are, where these are not negative.
+  const auto bits = std::bit_cast<std::uint32_t>(distance) & 0x7FFFFFFFU;
+  std::vector<std::uint64_t>& octave = octaves_[bits >> kFraction];
+  if (octave.empty()) octave.resize(1U << kBits);
+  ++octave[(bits >> (kFraction - kBits)) & ((1U << kBits) - 1)];
+  ++all_;
+}
+
+double DistanceCounts::percentile(double share) const {
+  const auto rank = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(all_)));
+  std::uint64_t below = 0;
+  for (std::uint32_t exponent = 0; exponent < octaves_.size(); ++exponent)
+    for (std::uint32_t part = 0; part < octaves_[exponent].size(); ++part) {
+      below += octaves_[exponent][part];
+      if (below >= std::max<std::uint64_t>(rank, 1))
+        return std::bit_cast<float>(exponent << kFraction | part << (kFraction - kBits));
+    }
+  return 0;
+}
+
 namespace {
 
 /// The smallest value that at least `share` of all values do not exceed. Reorders `values`.
@@ -215,6 +247,21 @@ Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tra
 double exact_eps(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                  const Clip& decoded, Weighting weighting) {
   return meter_of(skeleton, original_tracks, decoded, Detail::Means, weighting).eps();
+}
+
+BodyFigures body_figures(const Skeleton& skeleton, const Distortion& distortion) {
+  const auto degrees = [&](const std::vector<int>& joints) -> std::optional<double> {
+    if (joints.empty()) return std::nullopt;
+    return distortion.degrees(joints);
+  };
+  std::vector<int> all(static_cast<std::size_t>(skeleton.joint_count()));
+  std::iota(all.begin(), all.end(), 0);
+  return {.surface = distortion.surface,
+          .shell = distortion.shell,
+          .head_degrees = degrees(head_joints(skeleton)),
+          .hand_degrees = degrees(joints_of(skeleton, BodyPart::Hands)),
+          .angle_rms_degrees = distortion.degrees(all),
+          .ends = distortion.ends};
 }
 
 }  // namespace mocapress

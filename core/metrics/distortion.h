@@ -1,14 +1,36 @@
 // SPDX-License-Identifier: MIT
 // Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 3.1.
+
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
-#include "core/metrics/distance_counts.h"
 #include "core/metrics/end_errors.h"
 #include "core/motion/body_tracks.h"
 
 namespace mocapress {
+
+/// How many of many distances are about how large, in memory that does not grow with them: a
+/// count for each 4096th of an octave, in the octaves there are.
+class DistanceCounts {
+ public:
+  static constexpr double kPrecision = 1.0 / 4096;
+
+  void add(float distance);
+
+  /// The smallest distance that at least `share` of all do not exceed, or up to kPrecision of it
+  /// less. 0 where there are none.
+  double percentile(double share) const;
+
+ private:
+  static constexpr int kBits = 12;                       // of a float's fraction
+  std::array<std::vector<std::uint64_t>, 256> octaves_;  // by the exponent of a float
+  std::uint64_t all_ = 0;
+};
 
 /// Where the largest distance is.
 struct WorstPoint {
@@ -131,5 +153,19 @@ Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tra
 /// eps_x alone, by full forward kinematics: the exact value the quadratic model approximates.
 double exact_eps(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                  const Clip& decoded, Weighting weighting);
+
+/// What a distortion is on the body, in a few figures.
+struct BodyFigures {
+  Spread surface;  // cm
+  Spread shell;
+  std::optional<double> head_degrees;  // how far they are turned in the world, RMS; unset: none is
+  std::optional<double> hand_degrees;  // known by its name
+  double angle_rms_degrees = 0;        // over all joints
+  EndErrors ends;
+
+  bool operator==(const BodyFigures&) const = default;
+};
+
+BodyFigures body_figures(const Skeleton& skeleton, const Distortion& distortion);
 
 }  // namespace mocapress

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/codec/encode/encode_progress.h"
+#include "core/codec/encode/effort.h"
 #include "core/mocapress/motion.h"
 #include "core/mocapress/settings.h"
 #include "core/report/measurement.h"
@@ -35,8 +35,8 @@ class ClipEncoder {
 
   const Motion& motion() const;
 
-  /// `observer` is called every so often on the thread that does the work, and answers whether to
-  /// continue; so does `stop`. Work is spread over all processors.
+  /// `observer` is called now and then on the calling thread and answers whether to continue.
+  /// `stop` stops the work too. Work is spread over all processors.
   ///
   /// Throws Error for settings that check() refuses or that name a joint the skeleton lacks, and
   /// TargetMissed when nothing meets the target; its what() gives the best there is.

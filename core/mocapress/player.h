@@ -11,8 +11,9 @@
 
 namespace mocapress {
 
-/// Where every joint is in its parent's frame: 7 x joints, a column each, the unit quaternion w x y
-/// z of parent_from_joint, then the joint's origin x y z in cm. A root's are in the world.
+/// Where every joint is in its parent's frame; a root is in the world. 7 x joints, a column for
+/// each joint: the unit quaternion w x y z of parent_from_joint, then the joint's origin x y z in
+/// cm.
 struct LocalPose {
   Eigen::Matrix<float, 7, Eigen::Dynamic> joints;
 
@@ -23,13 +24,14 @@ struct LocalPose {
 /// Whether time stops at a clip's ends or, where the clip is a loop, goes round.
 enum class AtEnds { Hold, Loop };
 
-/// A .mcpr opened to be played: any instant by itself, through the runtime decoder and with the
-/// clip's IK correction. Const and safe to use from several threads at a time. Engines that have
-/// their own memory take mocapress_runtime.h instead.
+/// A .mcpr opened for playing. It decodes any instant by itself, by the runtime decoder and with
+/// the clip's IK correction. Const and safe to use from several threads at a time. Engines that
+/// manage their own memory take mocapress_runtime.h instead.
 class Player {
  public:
-  /// The bytes may go afterwards. Throws FormatError for what is no .mcpr, and for what engines do
-  /// not play: codings other than adaptive, and the comparison methods. See decompress().
+  /// The bytes are not needed afterwards. Throws FormatError for bytes that are no .mcpr, and for
+  /// what engines do not play: codings other than adaptive, and the comparison methods.
+  /// decompress() reads those.
   explicit Player(std::span<const std::byte> file);
   ~Player();
 
@@ -39,10 +41,10 @@ class Player {
   double seconds() const;  // of one turn of a loop; else from the first frame to the last
   bool is_loop() const;
 
-  /// At frames the coded pose, between two linear in the channels. Instants before the first and
-  /// after the last frame are theirs; with AtEnds::Loop a turn before or after, the way of the root
-  /// not added up. Throws Error for AtEnds::Loop of a clip that is no loop and an instant that is
-  /// not finite.
+  /// The pose at an instant. At a frame it is the coded pose; between two frames the channels are
+  /// linear. Before the first frame and after the last, AtEnds::Hold gives the pose of that frame.
+  /// AtEnds::Loop goes round instead; it does not add up the root's path. Throws Error for an
+  /// instant that is not finite, and for AtEnds::Loop if the clip is no loop.
   LocalPose sample(double seconds, AtEnds at_ends = AtEnds::Hold) const;
 
   /// The same as origins in the world: 3 x joints, cm.

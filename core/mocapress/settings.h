@@ -10,13 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "core/codec/encode/correct_at.h"
 #include "core/codec/encode/effort.h"
-#include "core/codec/encode/named_importance.h"
+#include "core/codec/encode/importance.h"
 #include "core/codec/encode/target.h"
 #include "core/codec/format/coded_ends.h"
 #include "core/codec/format/coding.h"
-#include "core/ik/ik_solver.h"
+#include "core/ik/correction_kind.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/loop.h"
 
@@ -76,9 +75,9 @@ void check(const Settings& settings);
 ///    "loop": "none", "contacts": [{"joint": "lfoot", "first_frame": 10, "last_frame": 25}]}
 std::string settings_to_json(const Settings& settings);
 
-/// The inverse; what is left out is as in Settings{}, and "ik": null is none. Throws InputError
-/// with line and column for what is no JSON; for an unknown key, a value of another kind, or what
-/// check() refuses, it says which.
+/// The inverse. Keys that are left out have the values of Settings{}; "ik": null is no correction.
+/// Throws InputError: with line and column for text that is no JSON; with the key for an unknown
+/// one or a wrong value; and with the reason for what check() refuses.
 Settings settings_from_json(const std::string& text);
 
 /// "Hero close-up", "Gameplay", "Planted feet", "Crowd", "Archive".

@@ -29,7 +29,8 @@ std::vector<Settings> parse_presets(const std::string& file, const std::string& 
 /// The text as JSON. Throws InputError with line and column.
 nlohmann::ordered_json parse_json(const std::string& file, const std::string& text);
 
-/// On one line; bytes that are not UTF-8, as file names may have, are replaced.
+/// Writes JSON, on one line unless there is an indent. File names may have bytes that are not
+/// UTF-8: these are replaced.
 std::string dumped(const nlohmann::ordered_json& json, int indent = -1);
 
 }  // namespace mocapress

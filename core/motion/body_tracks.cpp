@@ -7,7 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/motion/forward_kinematics.h"
-#include "core/motion/measured_points.h"
+#include "core/motion/landmarks.h"
 
 namespace mocapress {
 

@@ -4,13 +4,13 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "core/motion/measured_points.h"
+#include "core/motion/landmarks.h"
 
 namespace mocapress {
 
-/// World positions (cm) over a clip of all that tells where a body is: landmark_tracks(), then
-/// shell_points(). Frames x 3 * (landmarks + 3 * joints). Whatever is fixed to a joint is an affine
-/// combination of that joint's origin and its shell points.
+/// Where a body is over a clip: the world positions (cm) of landmark_tracks(), then of
+/// shell_points(). Frames x 3 * (landmarks + 3 * joints). The position of any point that is fixed
+/// to a joint is an affine combination of that joint's origin and its shell points.
 Eigen::MatrixXd body_tracks(const Skeleton& skeleton, const Clip& clip);
 
 /// How far each joint is from where it was and how far it is turned: differences of body_tracks(),

@@ -22,4 +22,26 @@ void unwrap_angles(const Skeleton& skeleton, Clip& clip) {
   }
 }
 
+Motion with_up_axis(const Motion& motion, UpAxis from, UpAxis to) {
+  if (from == to) return motion;
+  // What Y and Z become: each the other, one of them with its sign turned.
+  const double y_as_z = from == UpAxis::Z ? -1 : 1;
+  Eigen::Matrix3d to_from;
+  to_from << 1, 0, 0, 0, 0, -y_as_z, 0, y_as_z, 0;
+  Motion turned{{}, motion.clip};
+  for (Joint joint : motion.skeleton.joints()) {
+    joint.offset = to_from * joint.offset;
+    joint.joint_from_axes = to_from * joint.joint_from_axes * to_from.transpose();
+    if (joint.end_site) *joint.end_site = to_from * *joint.end_site;
+    for (ChannelKind& kind : joint.channels)
+      if (const int axis = axis_of(kind); axis > 0)
+        kind = is_rotation(kind) ? rotation_about(3 - axis) : translation_about(3 - axis);
+    turned.skeleton.add(std::move(joint));
+  }
+  for (int c = 0; c < motion.skeleton.channel_count(); ++c)
+    if (const int axis = axis_of(motion.skeleton.channel_kind(c)); axis > 0)
+      turned.clip.channels.col(c) *= axis == 1 ? y_as_z : -y_as_z;
+  return turned;
+}
+
 }  // namespace mocapress

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "core/motion/skeleton.h"
+#include "core/motion/source_format.h"
 
 namespace mocapress {
 
@@ -26,5 +27,10 @@ struct Motion {
 /// Adds whole turns to each rotation channel so that no step between frames exceeds half a turn:
 /// a wavelet would otherwise spend its bits on jumps that move nothing.
 void unwrap_angles(const Skeleton& skeleton, Clip& clip);
+
+/// The same motion in other axes. From Z up to Y up, x y z become x z -y, as Blender has it; so
+/// channels change places and signs, and no angle is computed anew. There and back gives the same
+/// numbers.
+Motion with_up_axis(const Motion& motion, UpAxis from, UpAxis to);
 
 }  // namespace mocapress

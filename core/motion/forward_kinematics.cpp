@@ -1,10 +1,117 @@
 // SPDX-License-Identifier: MIT
 #include "core/motion/forward_kinematics.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace mocapress {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// The rotation channels of a joint and their angles.
+struct Turns {
+  std::vector<int> axes;
+  std::vector<Eigen::Index> places;  // among the joint's channels
+  Eigen::VectorXd angles;
+
+  Turns(const Joint& joint, const Eigen::RowVectorXd& values) {
+    for (std::size_t i = 0; i < joint.channels.size(); ++i)
+      if (is_rotation(joint.channels[i])) {
+        axes.push_back(axis_of(joint.channels[i]));
+        places.push_back(static_cast<Eigen::Index>(i));
+      }
+    angles = values(places);
+  }
+  bool has_three_axes() const {
+    return axes.size() == 3 && axes[0] != axes[1] && axes[1] != axes[2] && axes[0] != axes[2];
+  }
+};
+
+template <typename Angles>
+Angles nearest_turn(const Angles& angles, const Angles& previous) {
+  return angles - 2 * kPi * ((angles - previous) / (2 * kPi)).array().round().matrix();
+}
+
+/// The angle about `axis` that comes nearest to `rotation`.
+double nearest_angle(int axis, const Eigen::Matrix3d& rotation) {
+  const int b = (axis + 1) % 3;
+  const int c = (axis + 2) % 3;
+  return std::atan2(rotation(c, b) - rotation(b, c), rotation(b, b) + rotation(c, c));
+}
+
+/// One angle at a time, the others held: each step brings the product nearer to `rotation`. With
+/// two axes, which are at right angles, it is there in a few rounds.
+void approach(Turns& turns, const Eigen::Matrix3d& rotation) {
+  constexpr int kMostRounds = 32;
+  constexpr double kSettled = 1e-10;
+  const auto count = static_cast<Eigen::Index>(turns.axes.size());
+  const auto turn = [&](Eigen::Index i) {
+    return axis_rotation(turns.axes[static_cast<std::size_t>(i)], turns.angles(i));
+  };
+  for (int round = 0; round < kMostRounds; ++round) {
+    const Eigen::VectorXd before = turns.angles;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      Eigen::Matrix3d left = Eigen::Matrix3d::Identity();
+      Eigen::Matrix3d right = Eigen::Matrix3d::Identity();
+      for (Eigen::Index o = 0; o < i; ++o) left *= turn(o);
+      for (Eigen::Index o = i + 1; o < count; ++o) right *= turn(o);
+      turns.angles(i) = nearest_angle(turns.axes[static_cast<std::size_t>(i)],
+                                      left.transpose() * rotation * right.transpose());
+    }
+    turns.angles = nearest_turn(turns.angles, before);
+    if (count == 1 || (turns.angles - before).cwiseAbs().maxCoeff() < kSettled) break;
+  }
+}
+
+}  // namespace
+
+Eigen::Vector3d three_angles(const std::array<int, 3>& axes, const Eigen::Matrix3d& rotation,
+                             const Eigen::Vector3d& previous) {
+  constexpr double kGimbalLock = 1e-9;
+  const int i = axes[0];
+  const int j = axes[1];
+  const int k = axes[2];
+  const double sign = (i + 1) % 3 == j ? 1 : -1;  // an even or odd order of the axes
+  const double cos_b = std::hypot(rotation(i, i), rotation(i, j));
+  const double a =
+      cos_b > kGimbalLock ? std::atan2(-sign * rotation(j, k), rotation(k, k)) : previous(0);
+  const Eigen::Matrix3d rest = axis_rotation(i, a).transpose() * rotation;
+  const double b = std::atan2(sign * rest(i, k), rest(k, k));
+  const double c = std::atan2(sign * rest(j, i), rest(j, j));
+  const Eigen::Vector3d first = nearest_turn<Eigen::Vector3d>({a, b, c}, previous);
+  const Eigen::Vector3d second =
+      nearest_turn<Eigen::Vector3d>({a + kPi, kPi - b, c + kPi}, previous);
+  return (first - previous).norm() <= (second - previous).norm() ? first : second;
+}
+
+Eigen::Matrix3d joint_rotation(const Joint& joint, const Eigen::RowVectorXd& values) {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  for (std::size_t i = 0; i < joint.channels.size(); ++i)
+    if (is_rotation(joint.channels[i]))
+      rotation *= axis_rotation(axis_of(joint.channels[i]), values(static_cast<Eigen::Index>(i)));
+  return rotation;
+}
+
+void turn_joint(const Joint& joint, const Eigen::Matrix3d& rotation, Eigen::RowVectorXd& values) {
+  Turns turns(joint, values);
+  if (turns.axes.empty()) return;
+  if (turns.has_three_axes())
+    turns.angles =
+        three_angles({turns.axes[0], turns.axes[1], turns.axes[2]}, rotation, turns.angles);
+  else
+    approach(turns, rotation);
+  values(turns.places) = turns.angles.transpose();
+}
+
+bool turns(const Joint& joint) {
+  return std::any_of(joint.channels.begin(), joint.channels.end(), is_rotation);
+}
+
 namespace {
 
 /// rotation *= axis_rotation(axis, radians), which mixes but two columns.

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "core/base/parallel.h"
-#include "core/motion/joint_rotation.h"
+#include "core/motion/forward_kinematics.h"
 
 namespace mocapress {
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a row of results writes for a value that may be missing: null.
+// Values in rows of results. One that is missing is null in JSON, and empty in CSV.
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace mocapress {
@@ -24,6 +25,14 @@ template <typename T>
 std::optional<T> optional_at(const Json& json, const char* key) {
   const Json& value = json.at(key);
   return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
+}
+
+/// A field of comma-separated values (RFC 4180).
+inline std::string csv_quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + '"';
 }
 
 }  // namespace mocapress

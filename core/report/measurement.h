@@ -6,7 +6,7 @@
 
 #include "core/codec/encode/target.h"
 #include "core/feet/footskate.h"
-#include "core/metrics/body_figures.h"
+#include "core/metrics/distortion.h"
 #include "core/metrics/visibility.h"
 
 namespace mocapress {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", Figures 1, 3 and 4.
+
 #pragma once
 
 #include <Eigen/Core>
@@ -7,10 +8,26 @@
 #include <string>
 #include <vector>
 
-#include "core/report/figure_shape.h"
+#include "core/motion/skeleton.h"
 #include "core/report/sight_chart.h"
 
 namespace mocapress {
+
+/// A tapered limb between two landmarks.
+struct DrawnBone {
+  int from;  // landmarks
+  int to;
+  double from_radius;  // cm
+  double to_radius;
+};
+
+/// A body for a skeleton: limbs that taper as trees do, each as thick as all that it carries is
+/// long (Leonardo's rule), and a head.
+std::vector<DrawnBone> figure_shape(const Skeleton& skeleton);
+
+/// Where the figure faces, horizontal and of length 1, from where its legs join the trunk. World z
+/// when it has no legs to tell. `points` are the landmarks of one frame, y up.
+Eigen::Vector3d facing(const Skeleton& skeleton, const std::vector<Eigen::Vector3d>& points);
 
 /// World positions (cm) of all landmarks at one frame.
 using PosePoints = std::vector<Eigen::Vector3d>;

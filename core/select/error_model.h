@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/motion/measured_points.h"
+#include "core/motion/landmarks.h"
 #include "core/select/point_term.h"
 
 namespace mocapress {

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
+#include <vector>
 
-#include "core/report/html_table.h"
 #include "core/report/markup.h"
 #include "core/study/plan.h"
+#include "core/study/published_figures.h"
 
 namespace mocapress {
 
@@ -344,6 +346,205 @@ std::string clip_table(const Results& results) {
              : element("p", attribute("class", "muted"),
                        "Compression ratio at &#949;<sub>x</sub> = " + eps_text(eps_cm) + ".") +
                    table(line(heads), body);
+}
+
+namespace {
+
+/// The one of a kind that is nearest to `value`.
+std::optional<Target> nearest_target(const Results& results, Target::Kind kind, double value) {
+  std::optional<Target> nearest;
+  const auto off = [&](const Target& target) { return std::abs(std::log(target.value / value)); };
+  for (const StudyRow& row : results.rows())
+    if (row.measured && row.target.kind == kind && (!nearest || off(row.target) < off(*nearest)))
+      nearest = row.target;
+  return nearest;
+}
+
+std::optional<Target> angle_target(const Results& results) {
+  const auto ratio = nearest_target(results, Target::Kind::Ratio, kPublishedVideoRatio);
+  return ratio ? ratio : nearest_target(results, Target::Kind::Error, headline_eps_cm(results));
+}
+
+std::string angle_target_text(const Target& target) {
+  return target.kind == Target::Kind::Ratio
+             ? format_shortest(target.value) + ":1"
+             : "&#949;<sub>x</sub> = " + format_shortest(target.value) + " cm";
+}
+
+std::string degrees_text(const std::optional<double>& value) {
+  return value ? format_significant(*value) + "&#176;" : kNothing;
+}
+
+std::string angle_cell(const BodyFigures& body) {
+  std::string text = degrees_text(body.angle_rms_degrees);
+  if (body.head_degrees || body.hand_degrees)
+    text += element(
+        "small", "",
+        " (" + degrees_text(body.head_degrees) + ", " + degrees_text(body.hand_degrees) + ")");
+  return cell(text);
+}
+
+}  // namespace
+
+std::string angle_table(const Results& results) {
+  const auto target = angle_target(results);
+  if (!target) return "";
+  std::string heads = head("Clip", attribute("class", "name"));
+  for (const Series& series : results.series()) heads += head(escaped(series.title));
+  std::string body;
+  for (const StudiedClip& clip : results.clips()) {
+    std::string cells = row_head(clip.title);
+    for (const Series& series : results.series()) {
+      const StudyRow* row = results.row(clip, series, *target);
+      cells += row ? angle_cell(row->measured->body) : cell(kNothing);
+    }
+    body += line(cells);
+  }
+  return element("p", attribute("class", "muted"),
+                 "Angle in the world between a joint&#8217;s rotation and the original&#8217;s, "
+                 "root mean square over frames and all joints; in brackets of the head and of the "
+                 "hands, where they are known by their names. At " +
+                     angle_target_text(*target) + ".") +
+         table(line(heads), body);
+}
+
+namespace {
+
+constexpr double kShownRatio = 50;  // what r = 30 and r_IK = 16 of the paper's video come to
+
+/// The same clip at the same size.
+struct Pair {
+  const StudyRow* without;
+  const StudyRow* with;
+};
+
+const Series* held_series(const Results& results) {
+  for (const Series& series : results.series())
+    if (series.ik_ratio) return &series;
+  return nullptr;
+}
+
+Pair pair_of(const Results& results, const StudiedClip& clip, const Series& held,
+             const Target& target) {
+  const Series* plain = results.find_series(held.method);
+  return {plain ? results.row(clip, *plain, target) : nullptr, results.row(clip, held, target)};
+}
+
+/// The ratio nearest to kShownRatio at which feet were held.
+std::optional<Target> shown_target(const Results& results) {
+  std::optional<Target> nearest;
+  const auto off = [](const Target& t) { return std::abs(std::log(t.value / kShownRatio)); };
+  for (const StudyRow& row : results.rows())
+    if (row.ik_ratio && row.measured && row.target.kind == Target::Kind::Ratio &&
+        (!nearest || off(row.target) < off(*nearest)))
+      nearest = row.target;
+  return nearest;
+}
+
+std::string percent(double share) {
+  const std::string text = fixed(100 * share, 0);
+  return (share > 0 && text[0] != '-' ? "+" : "") + text + " %";
+}
+
+std::string line_of(const StudiedClip& clip, const Pair& pair, Weighting weighting) {
+  const Measurement& without = *pair.without->measured;
+  const Measurement& with = *pair.with->measured;
+  const double before = without.footskate_cm.value_or(0);
+  const double after = with.footskate_cm.value_or(0);
+  return line(row_head(clip.title) + cell(fixed(with.ratio, 1) + ":1") +
+              cell(fixed(without.eps_cm(weighting), 3)) + cell(fixed(with.eps_cm(weighting), 3)) +
+              cell(percent(with.eps_cm(weighting) / without.eps_cm(weighting) - 1)) +
+              cell(fixed(before, 1)) + cell(fixed(after, 1)) +
+              cell(before > 0 ? percent(after / before - 1) : kNothing) +
+              cell(with.knee_speed_ratio ? fixed(*with.knee_speed_ratio, 2) + " x" : kNothing));
+}
+
+}  // namespace
+
+std::string held_feet_table(const Results& results) {
+  const Series* held = held_series(results);
+  const auto target = shown_target(results);
+  if (!held || !target) return "";
+  const std::string groups = head("") + head("") +
+                             group("&#949;<sub>x</sub> (cm) without, with IK", 3) +
+                             group("footskate (cm) without, with IK", 3) + head("");
+  const std::string heads = head("Clip", attribute("class", "name")) + head("ratio") +
+                            head("without") + head("with") + head("") + head("without") +
+                            head("with") + head("") + head("knee");
+  std::string body;
+  for (const StudiedClip& clip : results.clips()) {
+    const Pair pair = pair_of(results, clip, *held, *target);
+    if (pair.without && pair.with && pair.with->measured->contacts > 0)
+      body += line_of(clip, pair, results.weighting());
+  }
+  if (body.empty()) return "";
+  return element("p", attribute("class", "muted"),
+                 "Both at the same compression ratio: what the correction takes is missing "
+                 "elsewhere. Knee: its greatest speed over that of the original.") +
+         table(line(groups) + line(heads), body);
+}
+
+namespace {
+
+/// All that one method failed to do with one clip.
+struct Failure {
+  std::vector<std::string> steps;    // targets answered by the nearest step
+  std::vector<std::string> targets;  // targets not answered
+  std::string why;                   // of the first
+};
+
+std::string asked_text(const Target& target) {
+  switch (target.kind) {
+    case Target::Kind::Ratio:
+      return format_shortest(target.value) + ":1";
+    case Target::Kind::CoefficientRatio:
+      return "r = " + format_shortest(target.value);
+    case Target::Kind::Size:
+      return format_shortest(target.value) + " bytes";
+    case Target::Kind::Error:
+    case Target::Kind::MaxError:
+      return format_shortest(target.value) + " cm";
+    case Target::Kind::Visibility:
+      return format_shortest(target.value) + " times noticed";
+  }
+  return "";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+std::string failure_table(const Results& results) {
+  std::map<std::pair<std::string, std::string>, Failure> failures;  // by clip and method
+  for (const StudyRow& row : results.rows()) {
+    if (row.reached()) continue;
+    const bool unread = row.fingerprint.empty();
+    Failure& failure = failures[{row.clip, unread ? "every method" : row.method}];
+    if (row.measured) {
+      failure.steps.push_back(asked_text(row.target) + " gave " + ratio_text(row.measured->ratio));
+      continue;
+    }
+    if (!unread) failure.targets.push_back(asked_text(row.target));
+    if (failure.why.empty()) failure.why = row.error;
+  }
+  std::string body;
+  for (const auto& [of, failure] : failures)
+    body += line(row_head(std::filesystem::path(of.first).filename().string()) +
+                 cell(escaped(of.second), "name") + cell(joined(failure.targets), "wrap") +
+                 cell(escaped(failure.why), "wrap") + cell(joined(failure.steps), "wrap"));
+  if (body.empty()) return "";
+  const auto left = attribute("class", "name");
+  return element(
+      "details", "",
+      element("summary", "",
+              std::to_string(failures.size()) + " pairs of clip and method missed a target") +
+          table(line(head("Clip", left) + head("method", left) + head("out of reach", left) +
+                     head("why (the first)", left) + head("nearest step", left)),
+                body));
 }
 
 }  // namespace mocapress

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tables of a report. Each is empty when the study has nothing for it.
+
 #pragma once
 
 #include <string>
@@ -30,5 +31,14 @@ std::string clip_table(const Results& results);
 
 /// What was not measured and why, and targets that were missed.
 std::string failure_table(const Results& results);
+
+/// By how many degrees each clip's joints, head and hands are turned, by each series at one target:
+/// the ratio nearest to that of the paper's video, else the error nearest to headline_eps_cm().
+/// Empty where nothing was measured.
+std::string angle_table(const Results& results);
+
+/// What holding the feet by IK does at one and the same size: error, footskate and the speed of the
+/// knees, clip by clip. Empty where a study held none.
+std::string held_feet_table(const Results& results);
 
 }  // namespace mocapress

@@ -12,8 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/study/report.h"
 #include "core/study/results.h"
-#include "core/study/row_json.h"
-#include "core/study/rows_file.h"
+#include "core/study/row.h"
 #include "core/study/take_picture.h"
 
 namespace mocapress {

@@ -9,7 +9,7 @@
 #include "core/codec/format/rle16.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/landmarks.h"
-#include "core/select/truncation.h"
+#include "core/select/ranking.h"
 #include "tests/bench/synthetic_motion.h"
 
 namespace mocapress::test {

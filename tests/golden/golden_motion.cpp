@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "core/codec/encode/segments.h"
+#include "core/codec/encode/segmented_encode.h"
 #include "core/codec/format/deflate.h"
 #include "core/codec/format/rle16.h"
-#include "core/select/truncation.h"
+#include "core/select/ranking.h"
 #include "tests/support/turned_forms.h"
 
 namespace mocapress::test {

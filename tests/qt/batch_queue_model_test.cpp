@@ -45,8 +45,8 @@ TEST_F(BatchQueue, HasEveryClipOnce) {
 }
 
 TEST_F(BatchQueue, ALockedClipKeepsItsSettingsWhenThoseOfAllChange) {
-  const Preset crowd = built_in_presets()[2];
-  const Preset archive = built_in_presets()[3];
+  const Settings crowd = built_in_presets()[2];
+  const Settings archive = built_in_presets()[3];
   model_.setOwn({1}, archive);
   model_.setCommon(crowd);
   EXPECT_EQ(model_.presetOf(0), crowd);
@@ -138,15 +138,15 @@ class PresetEditorTest : public testing::Test {
  protected:
   PresetEditorTest() {
     QObject::connect(&editor_, &PresetEditor::presetChanged,
-                     [this](const Preset& preset) { told_.push_back(preset); });
+                     [this](const Settings& preset) { told_.push_back(preset); });
   }
 
   PresetEditor editor_;
-  std::vector<Preset> told_;
+  std::vector<Settings> told_;
 };
 
 TEST_F(PresetEditorTest, TellsOnlyOfWhatTheUserDoes) {
-  for (const Preset& preset : built_in_presets()) editor_.setPreset(preset);
+  for (const Settings& preset : built_in_presets()) editor_.setPreset(preset);
   EXPECT_TRUE(told_.empty());
   emit editor_.chooser()->box()->activated(2);
   ASSERT_EQ(told_.size(), 1u);

@@ -12,7 +12,7 @@
 #include <QTest>
 
 #include "app/studio/batch/batch_memory.h"
-#include "app/studio/batch/batch_status.h"
+#include "app/studio/batch/batch_window.h"
 #include "app/studio/document/preset_shelf.h"
 #include "core/base/file.h"
 #include "core/batch/queue_json.h"
@@ -43,7 +43,7 @@ class BatchInTheStudio : public testing::Test {
     session_.addClips(paths);
     ASSERT_TRUE(QTest::qWaitFor([&] { return session_.queue()->rowCount() == count; }, kPatience));
     session_.setSettings({.folder = path("out")});
-    const Preset rough{.name = "rough", .target = {Target::Kind::Error, 2}};
+    const Settings rough{.name = "rough", .target = {Target::Kind::Error, 2}};
     session_.setCommon(rough);
   }
 
@@ -92,7 +92,7 @@ TEST_F(BatchInTheStudio, SaysWhatIsMissingBeforeItCanStart) {
 
 TEST_F(BatchInTheStudio, ALockedClipIsExportedByItsOwnSettings) {
   addClips(2);
-  session_.queue()->setOwn({1}, Preset{.name = "fine", .target = {Target::Kind::Error, 0.2}});
+  session_.queue()->setOwn({1}, Settings{.name = "fine", .target = {Target::Kind::Error, 0.2}});
   session_.start();
   ASSERT_TRUE(waitForEnd());
   EXPECT_GT(session_.queue()->clips()[0].measured->eps_bone_ends_cm, 0.2);
@@ -260,7 +260,7 @@ TEST_F(BatchInTheStudio, ClipsOfTheLibraryAreReadByTheirImportOptions) {
 TEST_F(BatchInTheStudio, ContactsBeyondAClipAreItsFailure) {
   addClips(1);
   session_.queue()->setOwn(
-      {0}, Preset{.name = "own", .contacts = std::vector<PresetContact>{{"lhand", 100, 400}}});
+      {0}, Settings{.name = "own", .contacts = std::vector<ContactSetting>{{"lhand", 100, 400}}});
   session_.start();
   ASSERT_TRUE(waitForEnd());
   EXPECT_EQ(session_.queue()->clips()[0].state, Clip::Failed);
@@ -364,8 +364,8 @@ TEST_F(BatchInTheStudio, WhileItRunsClipsAreRefusedAloud) {
 
 TEST_F(BatchInTheStudio, EditsAreUndoneAndRedoneStepByStep) {
   addClips(3);
-  const Preset fine{.name = "fine", .target = {Target::Kind::Error, 0.2}};
-  const Preset usual = session_.queue()->common();
+  const Settings fine{.name = "fine", .target = {Target::Kind::Error, 0.2}};
+  const Settings usual = session_.queue()->common();
   session_.setOwn({0, 2}, built_in_presets()[3]);
   session_.setCommon(fine);
   session_.remove({0, 1});
@@ -434,13 +434,13 @@ TEST_F(BatchInTheStudio, WhileItRunsNothingIsUndone) {
 TEST_F(BatchInTheStudio, SettingsOfJointsThatAreNoLongerInTheFileAreLeftOut) {
   addClips(1);
   NamedSettings settings;
-  settings.preset.correction = PresetCorrection{.effectors = {"tail_3"}};
+  settings.preset.correction = CorrectionSettings{.effectors = {"tail_3"}};
   settings.preset.contacts = {{"tail_3", 1, 2}};
   settings.preset.importance.set("tail_3", 2);
   session_.addTuned({{path("clip0.bvh"), {}, settings}});
   ASSERT_TRUE(
       QTest::qWaitFor([this] { return session_.queue()->clips()[0].own.has_value(); }, kPatience));
-  const Preset& own = *session_.queue()->clips()[0].own;
+  const Settings& own = *session_.queue()->clips()[0].own;
   EXPECT_TRUE(own.correction->effectors.empty());
   EXPECT_TRUE(own.contacts->empty());
   EXPECT_TRUE(own.importance.factors.empty());

@@ -23,7 +23,7 @@
 #include "app/studio/window/screenshot.h"
 #include "core/base/file.h"
 #include "core/formats/motion_file.h"
-#include "widgets/models/palette.h"
+#include "widgets/models/colours.h"
 #include "widgets/panels/batch_output.h"
 #include "widgets/panels/batch_queue_view.h"
 #include "widgets/panels/preset_chooser.h"

@@ -13,7 +13,6 @@
 #include <QTest>
 
 #include "app/studio/document/import_options_dialog.h"
-#include "app/studio/document/recent_files.h"
 #include "app/studio/document/session.h"
 #include "core/base/file.h"
 #include "core/formats/motion_file.h"

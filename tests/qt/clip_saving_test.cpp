@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/jobs/clip_saving.h"
+#include "app/jobs/clips.h"
 
 #include <gtest/gtest.h>
 
 #include <QFile>
 #include <QTemporaryDir>
 
-#include "app/jobs/clips.h"
 #include "core/base/file.h"
 #include "tests/support/test_motion.h"
 

@@ -15,13 +15,13 @@
 #include <cmath>
 
 #include "tests/support/test_motion.h"
-#include "widgets/models/slide_colour.h"
+#include "widgets/models/colours.h"
 #include "widgets/models/slide_model.h"
 #include "widgets/panels/correction_control.h"
 #include "widgets/panels/footskate_panel.h"
-#include "widgets/panels/number_box.h"
+#include "widgets/panels/number_fields.h"
 #include "widgets/timeline/contact_strip.h"
-#include "widgets/viewport/slide_marks.h"
+#include "widgets/viewport/trails.h"
 
 namespace mocapress {
 namespace {

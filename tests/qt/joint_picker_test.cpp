@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/viewport/joint_picker.h"
+#include "widgets/viewport/orbit_camera.h"
 
 #include <gtest/gtest.h>
 

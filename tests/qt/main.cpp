@@ -6,7 +6,7 @@
 
 #include <QTemporaryDir>
 
-#include "app/studio/window/style.h"
+#include "app/studio/window/theme.h"
 #include "widgets/viewport/viewport.h"
 
 int main(int argc, char** argv) {

@@ -31,7 +31,7 @@
 #include "widgets/panels/correction_control.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/message_bar.h"
-#include "widgets/panels/number_box.h"
+#include "widgets/panels/number_fields.h"
 #include "widgets/panels/target_control.h"
 #include "widgets/plots/error_graph.h"
 #include "widgets/plots/heat_map.h"

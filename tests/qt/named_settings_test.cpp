@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/jobs/settings_key.h"
+#include "app/jobs/result_cache.h"
 #include "core/base/error.h"
-#include "core/batch/preset_json.h"
+#include "core/mocapress/settings_json.h"
 #include "core/report/json_value.h"
 #include "tests/qt/elaborate_settings.h"
 

@@ -20,7 +20,7 @@
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/message_bar.h"
-#include "widgets/panels/number_box.h"
+#include "widgets/panels/number_fields.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/target_control.h"
 #include "widgets/panels/warnings_panel.h"

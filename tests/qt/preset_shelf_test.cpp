@@ -10,17 +10,17 @@
 #include <QUndoStack>
 
 #include "core/base/file.h"
-#include "core/batch/preset_json.h"
+#include "core/mocapress/settings_json.h"
 
 namespace mocapress {
 namespace {
 
-Preset mine() {
+Settings mine() {
   return {.name = "Mine",
           .target = {Target::Kind::Ratio, 12},
           .effort = Effort::Best,
           .importance = {.factors = {{"feet", 4}, {"lwrist", 2}}, .contacts = 5},
-          .correction = PresetCorrection{.ratio = 16.0}};
+          .correction = CorrectionSettings{.ratio = 16.0}};
 }
 
 class PresetShelfTest : public testing::Test {
@@ -107,7 +107,7 @@ TEST_F(PresetShelfTest, UndoingLeavesAloneWhatWasChangedSince) {
   shelf_.setHistory([&current] { return current; });
   shelf_.save(mine());
   current = &other;
-  Preset changed = mine();
+  Settings changed = mine();
   changed.target.value = 30;
   shelf_.save(changed);
   one.undo();

@@ -8,11 +8,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/jobs/settings_key.h"
-#include "app/studio/document/clip_preset.h"
+#include "app/jobs/result_cache.h"
 #include "app/studio/document/named_settings.h"
 #include "app/studio/document/preset_shelf.h"
 #include "app/studio/document/session.h"
+#include "core/mocapress/encode_options.h"
 #include "core/motion/landmarks.h"
 #include "resources/samples/generator/samples.h"
 #include "widgets/panels/preset_chooser.h"
@@ -24,7 +24,7 @@ constexpr int kPatience = 60'000;  // ms
 
 TEST(ClipPreset, ComesBackFromTheSettingsItMade) {
   const Skeleton skeleton = samples::walk_clip().skeleton;
-  std::vector<Preset> presets(built_in_presets().begin(), built_in_presets().end());
+  std::vector<Settings> presets(built_in_presets().begin(), built_in_presets().end());
   presets.push_back({.name = "Mine",
                      .method = "annealed",
                      .coding = Coding::Rle16,
@@ -32,9 +32,9 @@ TEST(ClipPreset, ComesBackFromTheSettingsItMade) {
                      .target = {Target::Kind::Size, 9000},
                      .seed = 7,
                      .importance = {.factors = {{"feet", 4}, {"root", 2}}, .contacts = 3},
-                     .correction = PresetCorrection{.ratio = 9.0, .effectors = {"lhand"}}});
+                     .correction = CorrectionSettings{.ratio = 9.0, .effectors = {"lhand"}}});
   presets.push_back({.name = "Tried harder", .effort = Effort::Best});
-  for (const Preset& preset : presets) {
+  for (const Settings& preset : presets) {
     const ClipSettings settings = withPreset({}, preset, skeleton);
     EXPECT_EQ(presetOf(settings, skeleton), preset) << preset.name;
     EXPECT_TRUE(isAsPreset(settings, preset, skeleton));
@@ -49,7 +49,7 @@ TEST(ClipPreset, EditedContactsStayWithTheirClip) {
   EXPECT_FALSE(presetOf(settings, skeleton).contacts);
   EXPECT_EQ(withPreset(settings, built_in_presets()[0], skeleton).encode.contacts,
             settings.encode.contacts);
-  const Preset own = ownPresetOf(settings, skeleton);
+  const Settings own = ownPresetOf(settings, skeleton);
   EXPECT_EQ(settingsKey(encode_options(own, skeleton)), settingsKey(settings.encode));
 }
 
@@ -97,11 +97,11 @@ TEST_F(PresetsOfAClip, BeginWithTheClosedLoopAsGameplay) {
 }
 
 TEST_F(PresetsOfAClip, ChoosingOneSetsAllOfItInOneStep) {
-  const Preset mine{.name = "Mine",
-                    .method = "annealed",
-                    .target = {Target::Kind::Ratio, 12},
-                    .importance = {.factors = {{"feet", 4}}},
-                    .correction = PresetCorrection{.ratio = 16.0}};
+  const Settings mine{.name = "Mine",
+                      .method = "annealed",
+                      .target = {Target::Kind::Ratio, 12},
+                      .importance = {.factors = {{"feet", 4}}},
+                      .correction = CorrectionSettings{.ratio = 16.0}};
   shelf_.save(mine);
   const Importance before = options().importance;
   settleAfter([&] { choose("Mine"); });
@@ -129,7 +129,7 @@ TEST_F(PresetsOfAClip, SavedUnderANameTheyHaveItAndUndoneTheyHaveItNot) {
   changed.target.value = 0.66;
   session_.setOptions(changed);
   shelf_.setHistory([this] { return session_.history(); });
-  Preset named = chooser_.preset();
+  Settings named = chooser_.preset();
   named.name = "Nearby";
   views_.save(named);
   EXPECT_EQ(shown(), "Nearby");
@@ -163,7 +163,7 @@ TEST_F(PresetsOfAClip, ANameThatIsTakenLeavesTheHistoryAsItIs) {
   changed.target.value = 0.66;
   session_.setOptions(changed);
   session_.history()->undo();
-  Preset named = chooser_.preset();
+  Settings named = chooser_.preset();
   named.name = "Crowd";
   QSignalSpy noted(&shelf_, &PresetShelf::noted);
   views_.save(named);
@@ -182,7 +182,7 @@ TEST(NamedSettings, LeaveOutWhatTheClipOfNowDoesNotHave) {
   const std::string joint = walk.skeleton.joint(2).name;
   const std::string point = landmarks(walk.skeleton)[3].name;
   NamedSettings settings = namedSettings(usualSettings(), {});
-  settings.preset.correction = PresetCorrection{.effectors = {"tail_3", joint}};
+  settings.preset.correction = CorrectionSettings{.effectors = {"tail_3", joint}};
   settings.preset.contacts = {{point, 10, 20}, {"tail_3", 1, 2}, {point, 5, 1 << 20}};
   settings.preset.importance.factors = {{"feet", 4}, {"tail_3", 2}};
   const ClipSettings fit = settingsFor(settings, walk);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/library/project_lock.h"
+#include "app/studio/library/kept_project.h"
 
 #include <gtest/gtest.h>
 

@@ -67,7 +67,7 @@ TEST(ProjectFile, OfBeforeThereWerePinsStillOpens) {
 
 TEST(ProjectFile, LeavesOutSettingsThatItWouldNotReadAgain) {
   NamedSettings impossible;
-  impossible.preset.correction = PresetCorrection{.ratio = 0};
+  impossible.preset.correction = CorrectionSettings{.ratio = 0};
   Project project;
   project.clips = {{.path = QStringLiteral("/motions/walk.bvh"),
                     .settings = impossible,

@@ -10,7 +10,7 @@
 #include <QTreeView>
 
 #include "tests/unit/study/study_rows.h"
-#include "widgets/models/series_style.h"
+#include "widgets/models/colours.h"
 #include "widgets/models/study_rows_model.h"
 #include "widgets/panels/study_results.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/document/recent_files.h"
+#include "app/studio/document/clip_files.h"
 
 #include <gtest/gtest.h>
 

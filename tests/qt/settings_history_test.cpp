@@ -6,7 +6,6 @@
 #include <QTest>
 
 #include "app/jobs/result_cache.h"
-#include "app/jobs/settings_key.h"
 #include "app/studio/compare/clip_curve.h"
 #include "app/studio/document/session.h"
 #include "app/studio/document/settings_field.h"

@@ -19,7 +19,7 @@
 #include <random>
 
 #include "app/studio/window/main_window.h"
-#include "app/studio/window/style.h"
+#include "app/studio/window/theme.h"
 #include "widgets/models/library_tree.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/library_panel.h"

@@ -22,7 +22,7 @@
 #include "app/studio/window/help.h"
 #include "app/studio/window/screenshot.h"
 #include "tests/qt/studio_at_work.h"
-#include "widgets/models/sight_colour.h"
+#include "widgets/models/colours.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/target_control.h"
 #include "widgets/plots/heat_map.h"

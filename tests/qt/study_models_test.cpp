@@ -11,12 +11,12 @@
 
 #include "core/baselines/compression_method.h"
 #include "tests/unit/study/study_rows.h"
-#include "widgets/models/number_list.h"
+#include "widgets/models/colours.h"
+#include "widgets/models/number_text.h"
 #include "widgets/models/rate_curves.h"
-#include "widgets/models/series_style.h"
 #include "widgets/models/study_rows_model.h"
 #include "widgets/models/study_settings.h"
-#include "widgets/panels/number_list_edit.h"
+#include "widgets/panels/number_fields.h"
 
 namespace mocapress {
 namespace {

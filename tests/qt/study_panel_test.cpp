@@ -12,7 +12,6 @@
 #include <QTest>
 
 #include "core/baselines/compression_method.h"
-#include "widgets/panels/study_clips.h"
 
 namespace mocapress {
 namespace {

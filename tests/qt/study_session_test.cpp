@@ -8,11 +8,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/studio/study/study_memory.h"
-#include "app/studio/study/study_status.h"
+#include "app/studio/study/study_window.h"
 #include "core/base/file.h"
 #include "core/formats/motion_file.h"
-#include "core/study/row_json.h"
+#include "core/study/row.h"
 #include "core/study/study_folder.h"
 #include "tests/qt/well_formed.h"
 #include "tests/support/svg_frame.h"

@@ -17,7 +17,7 @@
 #include "app/studio/window/screenshot.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/test_motion.h"
-#include "widgets/models/series_style.h"
+#include "widgets/models/colours.h"
 #include "widgets/panels/study_panel.h"
 #include "widgets/panels/study_results.h"
 #include "widgets/plots/rate_plot.h"

@@ -16,7 +16,7 @@
 #include <QToolTip>
 #include <cmath>
 
-#include "widgets/models/sight_colour.h"
+#include "widgets/models/colours.h"
 #include "widgets/panels/figures_bar.h"
 #include "widgets/plots/channel_graph.h"
 #include "widgets/plots/heat_map.h"

@@ -5,8 +5,7 @@
 
 #include "core/motion/landmarks.h"
 #include "tests/support/test_motion.h"
-#include "widgets/viewport/joint_path.h"
-#include "widgets/viewport/slide_marks.h"
+#include "widgets/viewport/trails.h"
 
 namespace mocapress {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "core/motion/landmarks.h"
 #include "tests/support/test_motion.h"
-#include "widgets/viewport/ground.h"
+#include "widgets/viewport/scene.h"
 
 namespace mocapress {
 namespace {

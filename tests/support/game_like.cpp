@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/motion/joint_rotation.h"
+#include "core/motion/forward_kinematics.h"
 
 namespace mocapress::test {
 namespace {

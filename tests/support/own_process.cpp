@@ -12,7 +12,7 @@
 #include <cerrno>
 #include <exception>
 
-#include "core/base/file_descriptor.h"
+#include "core/base/staged_file.h"
 
 namespace mocapress::test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/codec/encode/segments.h"
-#include "core/select/truncation.h"
+#include "core/codec/encode/segmented_encode.h"
+#include "core/select/ranking.h"
 
 namespace mocapress::test {
 namespace {

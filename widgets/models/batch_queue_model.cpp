@@ -11,8 +11,8 @@
 #include <set>
 
 #include "widgets/icons/themed_icon.h"
-#include "widgets/models/preset_names.h"
-#include "widgets/models/shown_number.h"
+#include "widgets/models/display_names.h"
+#include "widgets/models/number_text.h"
 
 namespace mocapress {
 namespace {
@@ -58,12 +58,12 @@ QString batchTargetText(const Target& target) {
   return {};
 }
 
-const Preset& BatchQueueModel::presetOf(int row) const {
+const Settings& BatchQueueModel::presetOf(int row) const {
   const QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
   return clip.own ? *clip.own : common_;
 }
 
-void BatchQueueModel::setCommon(const Preset& preset) {
+void BatchQueueModel::setCommon(const Settings& preset) {
   if (preset == common_) return;
   common_ = preset;
   for (int row = 0; row < rowCount(); ++row)
@@ -71,16 +71,16 @@ void BatchQueueModel::setCommon(const Preset& preset) {
   emit edited();
 }
 
-void BatchQueueModel::setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset) {
-  std::map<int, std::optional<Preset>> by_row;
+void BatchQueueModel::setOwn(const std::vector<int>& rows, const std::optional<Settings>& preset) {
+  std::map<int, std::optional<Settings>> by_row;
   for (const int row : rows) by_row[row] = preset;
   setOwn(by_row);
 }
 
-void BatchQueueModel::setOwn(const std::map<int, std::optional<Preset>>& by_row) {
+void BatchQueueModel::setOwn(const std::map<int, std::optional<Settings>>& by_row) {
   for (const auto& [row, preset] : by_row) {
     QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
-    const Preset before = presetOf(row);
+    const Settings before = presetOf(row);
     clip.own = preset;
     presetOf(row) == before ? changed(row) : wait(row);
   }
@@ -277,8 +277,8 @@ QVariant BatchQueueModel::data(const QModelIndex& index, int role) const {
           return QFileInfo(QString::fromStdString(clip.source.path)).completeBaseName();
         case Lock:
           return {};
-        case Settings: {
-          const Preset& preset = presetOf(row);
+        case Preset: {
+          const Settings& preset = presetOf(row);
           const QString target = batchTargetText(preset.target);
           return tr("%1 · %2").arg(displayName(preset), target);
         }
@@ -304,7 +304,7 @@ QVariant BatchQueueModel::data(const QModelIndex& index, int role) const {
       return QVariant((index.column() >= Ratio ? Qt::AlignRight : Qt::AlignLeft) |
                       Qt::AlignVCenter);
     case Qt::FontRole:
-      if (index.column() == Settings && clip.own) {
+      if (index.column() == Preset && clip.own) {
         QFont font;
         font.setWeight(QFont::DemiBold);
         return font;
@@ -345,7 +345,7 @@ QVariant BatchQueueModel::headerData(int section, Qt::Orientation orientation, i
         return {tr("Clip"), tr("Only clips that are ticked are exported.")};
       case Lock:
         return {{}, tr("Locked clips keep their own settings.")};
-      case Settings:
+      case Preset:
         return {tr("Settings"), tr("The preset and its target.")};
       case Review:
         return {tr("Verdict"), tr("What the library says about the clip. A rejected clip is left "

@@ -2,27 +2,39 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QString>
 #include <map>
 #include <optional>
 #include <vector>
 
+#include "core/batch/batch.h"
 #include "core/batch/clip_export.h"
-#include "core/batch/preset.h"
 #include "core/batch/row.h"
-#include "widgets/models/clip_reviews.h"
+#include "core/mocapress/settings.h"
+#include "widgets/models/library_model.h"
 
 namespace mocapress {
+
+/// Where the files of a batch go, and which.
+struct BatchSettings {
+  QString folder;  // empty: not chosen yet
+  QString names = QString::fromUtf8(kUsualNames);
+  std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
+  bool overwrite = false;
+
+  bool operator==(const BatchSettings&) const = default;
+};
 
 /// A clip in the queue and how far it is.
 struct QueuedClip {
   enum class State { Waiting, Working, Done, Failed };
 
   SourceClip source;
-  std::string skeleton;       // .asf; empty: beside the .amc
-  ReadOptions reading = {};   // import options of the library
-  std::optional<Preset> own;  // locked: the common preset does not reach it
-  ClipReview review = {};     // of the library
-  bool left_out = false;      // it stays in the queue and is not exported
+  std::string skeleton;         // .asf; empty: beside the .amc
+  ReadOptions reading = {};     // import options of the library
+  std::optional<Settings> own;  // locked: the common preset does not reach it
+  ClipReview review = {};       // of the library
+  bool left_out = false;        // it stays in the queue and is not exported
   State state = State::Waiting;
   ClipProgress progress;                // while working
   std::optional<Measurement> measured;  // when done, by the file that was read back
@@ -35,7 +47,7 @@ class BatchQueueModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { Clip, Lock, Settings, Review, State, Ratio, Eps, Max, Columns };
+  enum Column { Clip, Lock, Preset, Review, State, Ratio, Eps, Max, Columns };
 
   /// 0 to 1 while the clip is being worked on, else invalid.
   static constexpr int kProgressRole = Qt::UserRole;
@@ -44,13 +56,13 @@ class BatchQueueModel : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
 
   const std::vector<QueuedClip>& clips() const { return clips_; }
-  const Preset& common() const { return common_; }
-  const Preset& presetOf(int row) const;
+  const Settings& common() const { return common_; }
+  const Settings& presetOf(int row) const;
 
   /// What a clip has comes of its preset: one that gets another is waiting again.
-  void setCommon(const Preset& preset);
-  void setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset);
-  void setOwn(const std::map<int, std::optional<Preset>>& by_row);
+  void setCommon(const Settings& preset);
+  void setOwn(const std::vector<int>& rows, const std::optional<Settings>& preset);
+  void setOwn(const std::map<int, std::optional<Settings>>& by_row);
 
   void setReading(int row, const ReadOptions& reading);
 
@@ -102,7 +114,7 @@ class BatchQueueModel : public QAbstractTableModel {
   QString toolTip(int row, int column) const;
   QVariant figure(const QueuedClip& clip, int row, int column) const;
 
-  Preset common_ = built_in_presets()[1];
+  Settings common_ = built_in_presets()[1];
   std::vector<QueuedClip> clips_;
 };
 

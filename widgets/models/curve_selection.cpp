@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "widgets/models/palette.h"
+#include "widgets/models/colours.h"
 
 namespace mocapress {
 

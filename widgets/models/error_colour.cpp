@@ -5,7 +5,27 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/models/number_text.h"
+
 namespace mocapress {
+
+const Eigen::MatrixXf& errorsOver(const Distortion& errors, ErrorQuantity quantity) {
+  return quantity == ErrorQuantity::Angle ? errors.turns : errors.distances;
+}
+
+QString errorText(double error, ErrorQuantity quantity) {
+  return quantity == ErrorQuantity::Angle ? angleText(error) : lengthText(error);
+}
+
+QString roundErrorText(double error, ErrorQuantity quantity) {
+  return quantity == ErrorQuantity::Angle ? roundAngleText(error) : roundLengthText(error);
+}
+
+QString errorsText(const Distortion& errors, int frame, int landmark) {
+  return lengthText(static_cast<double>(errors.distances(frame, landmark))) +
+         QStringLiteral(" · ") + angleText(static_cast<double>(errors.turns(frame, landmark)));
+}
+
 namespace {
 
 // Equally far apart on the map; straight lines between them stay within two steps of 8-bit colour.

@@ -2,11 +2,32 @@
 #pragma once
 
 #include <QColor>
+#include <QString>
 #include <array>
+#include <memory>
 
-#include "widgets/models/error_quantity.h"
+#include "core/metrics/distortion.h"
 
 namespace mocapress {
+
+/// What is told of an error: how far a landmark is off (cm), or by how much the joint that carries
+/// it is turned in the world (degrees).
+enum class ErrorQuantity { Distance, Angle };
+
+/// Errors of a clip as views share them; null: unknown.
+using ErrorsPtr = std::shared_ptr<const Distortion>;
+
+/// Frames x landmarks, cm or degrees.
+const Eigen::MatrixXf& errorsOver(const Distortion& errors, ErrorQuantity quantity);
+
+/// "4.6 mm", "2.3°".
+QString errorText(double error, ErrorQuantity quantity);
+
+/// As on a scale: "5 mm", "2.5°".
+QString roundErrorText(double error, ErrorQuantity quantity);
+
+/// Both of a landmark at a frame: "4.6 mm · 2.3°".
+QString errorsText(const Distortion& errors, int frame, int landmark);
 
 /// Matplotlib's viridis: grows evenly lighter from 0 (dark violet) to 1 (yellow), and reads the
 /// same in all kinds of colour vision and in print.

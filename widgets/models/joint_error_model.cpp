@@ -3,9 +3,9 @@
 
 #include <cassert>
 
-#include "widgets/models/error_quantity.h"
-#include "widgets/models/sight_colour.h"
-#include "widgets/models/sight_text.h"
+#include "widgets/models/colours.h"
+#include "widgets/models/display_names.h"
+#include "widgets/models/error_colour.h"
 
 namespace mocapress {
 

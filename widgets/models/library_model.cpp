@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <QStringList>
 
-#include "widgets/models/length_text.h"
+#include "widgets/models/number_text.h"
 
 namespace mocapress {
 

@@ -3,7 +3,7 @@
 
 #include <QLocale>
 
-#include "widgets/models/length_text.h"
+#include "widgets/models/number_text.h"
 
 namespace mocapress {
 namespace {

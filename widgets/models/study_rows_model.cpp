@@ -7,9 +7,9 @@
 #include <limits>
 #include <optional>
 
-#include "widgets/models/method_names.h"
-#include "widgets/models/series_style.h"
-#include "widgets/models/shown_number.h"
+#include "widgets/models/colours.h"
+#include "widgets/models/display_names.h"
+#include "widgets/models/number_text.h"
 
 namespace mocapress {
 namespace {

@@ -9,7 +9,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "widgets/models/palette.h"
+#include "widgets/models/colours.h"
 
 namespace mocapress {
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <map>
 
-#include "widgets/models/batch_settings.h"
+#include "widgets/models/batch_queue_model.h"
 
 class QCheckBox;
 class QLabel;

@@ -10,12 +10,12 @@
 #include <algorithm>
 
 #include "widgets/models/batch_queue_model.h"
-#include "widgets/models/palette.h"
+#include "widgets/models/colours.h"
 
 namespace mocapress {
 namespace {
 
-constexpr int kRowHeight = 28;
+constexpr int kQueueRowHeight = 28;
 
 /// A state as text; a clip that is being worked on fills its cell from the left.
 class StateDelegate : public QStyledItemDelegate {
@@ -67,7 +67,7 @@ class RowDelegate : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     QSize size = QStyledItemDelegate::sizeHint(option, index);
-    size.setHeight(std::max(size.height(), kRowHeight));
+    size.setHeight(std::max(size.height(), kQueueRowHeight));
     return size;
   }
 };

@@ -6,9 +6,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "widgets/models/preset_names.h"
+#include "widgets/models/display_names.h"
 #include "widgets/panels/correction_control.h"
-#include "widgets/panels/names.h"
 #include "widgets/panels/preset_chooser.h"
 #include "widgets/panels/target_control.h"
 

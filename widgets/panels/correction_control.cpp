@@ -11,9 +11,9 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "widgets/models/display_names.h"
 #include "widgets/models/log_scale.h"
-#include "widgets/panels/names.h"
-#include "widgets/panels/number_box.h"
+#include "widgets/panels/number_fields.h"
 
 namespace mocapress {
 namespace {

@@ -5,8 +5,8 @@
 #include <QLabel>
 #include <QLocale>
 
-#include "widgets/models/length_text.h"
-#include "widgets/panels/names.h"
+#include "widgets/models/display_names.h"
+#include "widgets/models/number_text.h"
 
 namespace mocapress {
 namespace {

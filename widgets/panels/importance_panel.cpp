@@ -14,9 +14,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/models/preset_names.h"
+#include "widgets/models/display_names.h"
 #include "widgets/panels/factor_control.h"
-#include "widgets/panels/names.h"
 
 namespace mocapress {
 namespace {

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "widgets/models/library_entry.h"
+#include "widgets/models/library_model.h"
 
 class QComboBox;
 class QLineEdit;

@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "widgets/models/preset_names.h"
+#include "widgets/models/display_names.h"
 
 namespace mocapress {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 bool isBuiltIn(const std::string& name) {
   const auto presets = built_in_presets();
   return std::any_of(presets.begin(), presets.end(),
-                     [&](const Preset& preset) { return preset.name == name; });
+                     [&](const Settings& preset) { return preset.name == name; });
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ PresetChooser::PresetChooser(QWidget* parent)
   row->addWidget(button);
   connect(box_, &QComboBox::activated, this, [this](int index) {
     if (index < 0 || index >= static_cast<int>(all_.size())) return;
-    const Preset chosen_one = all_[static_cast<std::size_t>(index)];
+    const Settings chosen_one = all_[static_cast<std::size_t>(index)];
     setPreset(chosen_one);
     emit chosen(chosen_one);
   });
@@ -49,10 +49,10 @@ void PresetChooser::fillMenu(QToolButton* button) {
   button->setText(QStringLiteral("⋯"));
   button->setAccessibleName(tr("Presets"));
   button->setToolTip(tr("Keep, share and remove presets of your own"));
-  // Not setMenu(), whose arrow only a style sheet removes, which then keeps the theme's old colours.
-  connect(button, &QToolButton::clicked, menu_, [this, button] {
-    menu_->popup(button->mapToGlobal(QPoint(0, button->height())));
-  });
+  // Not setMenu(), whose arrow only a style sheet removes, which then keeps the theme's old
+  // colours.
+  connect(button, &QToolButton::clicked, menu_,
+          [this, button] { menu_->popup(button->mapToGlobal(QPoint(0, button->height()))); });
   connect(menu_->addAction(tr("Save as Preset…")), &QAction::triggered, this,
           [this] { emit saveRequested(preset_); });
   QAction* rename = menu_->addAction(tr("Rename Preset…"));
@@ -73,34 +73,34 @@ void PresetChooser::fillMenu(QToolButton* button) {
   });
 }
 
-const Preset* PresetChooser::known(const std::string& name) const {
+const Settings* PresetChooser::known(const std::string& name) const {
   const auto found =
-      std::find_if(all_.begin(), all_.end(), [&](const Preset& one) { return one.name == name; });
+      std::find_if(all_.begin(), all_.end(), [&](const Settings& one) { return one.name == name; });
   return found == all_.end() ? nullptr : &*found;
 }
 
 bool PresetChooser::isPure() const {
-  const Preset* origin = known(preset_.name);
+  const Settings* origin = known(preset_.name);
   return origin && *origin == preset_;
 }
 
-void PresetChooser::setPresets(const std::vector<Preset>& presets) {
+void PresetChooser::setPresets(const std::vector<Settings>& presets) {
   all_ = presets;
   box_->clear();
-  for (const Preset& one : all_) {
+  for (const Settings& one : all_) {
     box_->addItem(displayName(one));
     const QString purpose = purposeOf(one).isEmpty() ? detailsOf(one) : purposeOf(one);
     box_->setItemData(box_->count() - 1, QStringLiteral("<p>%1</p>").arg(purpose.toHtmlEscaped()),
                       Qt::ToolTipRole);
   }
-  setPreset(Preset(preset_));
+  setPreset(Settings(preset_));
 }
 
-void PresetChooser::setPreset(const Preset& preset) {
+void PresetChooser::setPreset(const Settings& preset) {
   preset_ = preset;
   const auto presets = static_cast<int>(all_.size());
   while (box_->count() > presets) box_->removeItem(presets);
-  const Preset* origin = known(preset.name);
+  const Settings* origin = known(preset.name);
   if (isPure()) {
     box_->setCurrentIndex(static_cast<int>(origin - all_.data()));
     return;

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/batch/preset.h"
+#include "core/mocapress/settings.h"
 
 class QComboBox;
 class QMenu;
@@ -21,33 +21,33 @@ class PresetChooser : public QWidget {
   explicit PresetChooser(QWidget* parent = nullptr);
 
   /// Built-in ones first, then the user's own.
-  void setPresets(const std::vector<Preset>& presets);
+  void setPresets(const std::vector<Settings>& presets);
 
   /// Emits nothing. One that is not among the presets is shown as a change of the one whose name it
   /// has; without a name, as settings of its own.
-  void setPreset(const Preset& preset);
+  void setPreset(const Settings& preset);
 
   /// Whether what is shown is one of the presets as it is.
   bool isPure() const;
 
-  const Preset& preset() const { return preset_; }
+  const Settings& preset() const { return preset_; }
   QComboBox* box() const { return box_; }
   QMenu* menu() const { return menu_; }
 
  signals:
-  void chosen(const Preset& preset);
-  void saveRequested(const Preset& preset);
+  void chosen(const Settings& preset);
+  void saveRequested(const Settings& preset);
   void renameRequested(const QString& name);
   void removeRequested(const QString& name);
   void importRequested();
-  void exportRequested(const Preset& preset);
+  void exportRequested(const Settings& preset);
 
  private:
   void fillMenu(QToolButton* button);
-  const Preset* known(const std::string& name) const;
+  const Settings* known(const std::string& name) const;
 
-  std::vector<Preset> all_;
-  Preset preset_;
+  std::vector<Settings> all_;
+  Settings preset_;
   QComboBox* box_;
   QMenu* menu_;
 };

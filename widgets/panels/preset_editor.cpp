@@ -12,8 +12,7 @@
 
 #include "core/baselines/comparison_method.h"
 #include "core/baselines/compression_method.h"
-#include "widgets/models/method_names.h"
-#include "widgets/models/preset_names.h"
+#include "widgets/models/display_names.h"
 #include "widgets/panels/preset_chooser.h"
 
 namespace mocapress {
@@ -28,7 +27,7 @@ PresetEditor::PresetEditor(QWidget* parent)
   purpose_->setWordWrap(true);
   purpose_->setForegroundRole(QPalette::PlaceholderText);
   addRows();
-  connect(chooser_, &PresetChooser::chosen, this, [this](const Preset& preset) {
+  connect(chooser_, &PresetChooser::chosen, this, [this](const Settings& preset) {
     setPreset(preset);
     emit presetChanged(preset);
   });
@@ -90,12 +89,12 @@ void PresetEditor::addRows() {
   column->addLayout(form);
 }
 
-void PresetEditor::setPresets(const std::vector<Preset>& presets) {
+void PresetEditor::setPresets(const std::vector<Settings>& presets) {
   chooser_->setPresets(presets);
-  setPreset(Preset(preset_));
+  setPreset(Settings(preset_));
 }
 
-void PresetEditor::setPreset(const Preset& preset) {
+void PresetEditor::setPreset(const Settings& preset) {
   const QScopedValueRollback filling(filling_, true);
   preset_ = preset;
   chooser_->setPreset(preset);
@@ -142,7 +141,7 @@ void PresetEditor::showKind() {
 
 void PresetEditor::change() {
   if (filling_) return;
-  Preset changed = preset_;
+  Settings changed = preset_;
   changed.target = {static_cast<Target::Kind>(kind_->currentData().toInt()), value_->value()};
   const std::string method = method_->currentData().toString().toStdString();
   if (method != changed.method) changed.coding.reset();
@@ -151,7 +150,7 @@ void PresetEditor::change() {
   if (!hold_feet_->isChecked() || !of_wavelets)
     changed.correction.reset();
   else if (!changed.correction)
-    changed.correction = PresetCorrection{};
+    changed.correction = CorrectionSettings{};
   if (changed == preset_) return;
   setPreset(changed);
   emit presetChanged(changed);

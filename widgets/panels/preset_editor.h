@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/batch/preset.h"
+#include "core/mocapress/settings.h"
 
 class QCheckBox;
 class QComboBox;
@@ -24,11 +24,11 @@ class PresetEditor : public QWidget {
   explicit PresetEditor(QWidget* parent = nullptr);
 
   /// Those to choose from: built-in ones first, then the user's own.
-  void setPresets(const std::vector<Preset>& presets);
+  void setPresets(const std::vector<Settings>& presets);
 
   /// Emits nothing. One that is not among the presets is shown as a change of the one whose name it
   /// has.
-  void setPreset(const Preset& preset);
+  void setPreset(const Settings& preset);
 
   PresetChooser* chooser() const { return chooser_; }
   QComboBox* kind() const { return kind_; }
@@ -36,14 +36,14 @@ class PresetEditor : public QWidget {
   QCheckBox* holdFeet() const { return hold_feet_; }
 
  signals:
-  void presetChanged(const Preset& preset);
+  void presetChanged(const Settings& preset);
 
  private:
   void addRows();
   void change();
   void showKind();
 
-  Preset preset_;
+  Settings preset_;
   bool filling_ = false;
   PresetChooser* chooser_;
   QLabel* purpose_;

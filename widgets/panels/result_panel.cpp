@@ -6,9 +6,8 @@
 #include <QLocale>
 #include <QtMath>
 
-#include "widgets/models/length_text.h"
-#include "widgets/models/sight_text.h"
-#include "widgets/panels/names.h"
+#include "widgets/models/display_names.h"
+#include "widgets/models/number_text.h"
 
 namespace mocapress {
 namespace {

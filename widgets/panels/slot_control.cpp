@@ -9,7 +9,7 @@ namespace {
 
 const std::array<QString, 2> kNames = {QStringLiteral("A"), QStringLiteral("B")};
 
-const QString kWidest = QStringLiteral("A   199.9 : 1, 0.0 mm");
+const QString kWidestSlot = QStringLiteral("A   199.9 : 1, 0.0 mm");
 
 }  // namespace
 
@@ -22,7 +22,7 @@ SlotControl::SlotControl(QWidget* parent) : QWidget(parent), copy_(new QToolButt
     buttons_[i]->setCheckable(true);
     buttons_[i]->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     // Room for all there can be, so that nothing moves when it is known.
-    buttons_[i]->setMinimumWidth(fontMetrics().horizontalAdvance(kWidest) + 12);
+    buttons_[i]->setMinimumWidth(fontMetrics().horizontalAdvance(kWidestSlot) + 12);
     buttons_[i]->setAccessibleName(tr("Settings %1").arg(kNames[i]));
     buttons_[i]->setToolTip(
         tr("Two settings to compare: tune one, switch to the other (A) and look at both."));

@@ -5,18 +5,43 @@
 
 #include "widgets/models/study_settings.h"
 
+class QListWidget;
+class QPushButton;
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
-class QListWidget;
 class QProgressBar;
-class QPushButton;
 
 namespace mocapress {
 
 class NumberListEdit;
-class StudyClips;
+
+/// The clips of a study: a list that takes dropped files and folders, and its buttons.
+class StudyClips : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StudyClips(QWidget* parent = nullptr);
+
+  void setClips(const QStringList& paths);
+
+ signals:
+  void addFilesRequested();
+  void addFolderRequested();
+  void dropped(const QStringList& paths);
+  void removeRequested(const QStringList& paths);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void removeSelected();
+
+  QListWidget* list_;
+  QPushButton* remove_;
+};
 
 /// What a study compresses and how, and how far it is.
 class StudyPanel : public QWidget {

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "widgets/models/log_scale.h"
-#include "widgets/panels/number_box.h"
+#include "widgets/panels/number_fields.h"
 
 namespace mocapress {
 namespace {

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <utility>
 
-#include "widgets/models/palette.h"
+#include "widgets/models/colours.h"
 #include "widgets/plots/plot_style.h"
 
 namespace mocapress {

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "widgets/plots/plot_style.h"
-#include "widgets/plots/switch_button.h"
 
 namespace mocapress {
 namespace {

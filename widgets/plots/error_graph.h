@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "widgets/models/error_quantity.h"
+#include "widgets/models/error_colour.h"
 
 class QCPItemStraightLine;
 class QCPLayoutElement;

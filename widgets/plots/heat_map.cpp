@@ -10,8 +10,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "widgets/models/sight_colour.h"
-#include "widgets/plots/switch_button.h"
+#include "widgets/models/colours.h"
+#include "widgets/plots/plot_style.h"
 
 namespace mocapress {
 namespace {

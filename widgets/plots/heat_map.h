@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "widgets/models/display_names.h"
 #include "widgets/models/error_colour.h"
-#include "widgets/models/sight_text.h"
 
 namespace mocapress {
 

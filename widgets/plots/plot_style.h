@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QVector>
-
+#include <qcustomplot.h>
 #include <Eigen/Core>
-
-class QCPAxis;
-class QCPGraphData;
-class QCustomPlot;
-class QFont;
-class QPalette;
+#include <QAction>
+#include <QToolButton>
+#include <QVector>
 
 namespace mocapress {
 
@@ -22,5 +18,33 @@ void applyPalette(QCPAxis* axis, const QPalette& palette, const QFont& font);
 
 /// One point a frame, against seconds.
 QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz);
+
+/// Ticks of a logarithmic axis that is read at a glance: 1, 2, 5 of each decade, every digit of a
+/// short range, whole decades of a long one.
+class LogTicker : public QCPAxisTicker {
+ public:
+  /// `unit` follows each number: ":1".
+  explicit LogTicker(const QString& unit = {}) : unit_(unit) {}
+
+ protected:
+  QVector<double> createTickVector(double, const QCPRange& range) override;
+  double getTickStep(const QCPRange&) override { return 1; }
+  int getSubTickCount(double) override { return 0; }
+  QString getTickLabel(double tick, const QLocale& locale, QChar, int) override;
+
+ private:
+  QString unit_;
+};
+
+/// An action as a word in the corner of a plot. With a frame: without, it reads as the unit of what
+/// is shown. A click leaves the keys with the plot.
+class SwitchButton : public QToolButton {
+ public:
+  SwitchButton(QAction* action, QWidget* plot) : QToolButton(plot) {
+    setDefaultAction(action);
+    setToolButtonStyle(Qt::ToolButtonTextOnly);
+    setFocusPolicy(Qt::TabFocus);
+  }
+};
 
 }  // namespace mocapress

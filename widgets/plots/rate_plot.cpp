@@ -11,10 +11,8 @@
 #include <cmath>
 #include <limits>
 
-#include "widgets/models/method_names.h"
-#include "widgets/models/series_style.h"
-#include "widgets/panels/names.h"
-#include "widgets/plots/log_ticker.h"
+#include "widgets/models/colours.h"
+#include "widgets/models/display_names.h"
 #include "widgets/plots/plot_style.h"
 
 namespace mocapress {

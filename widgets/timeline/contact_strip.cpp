@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/models/length_text.h"
-#include "widgets/models/slide_colour.h"
+#include "widgets/models/colours.h"
+#include "widgets/models/number_text.h"
 
 namespace mocapress {
 namespace {

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/models/length_text.h"
+#include "widgets/models/number_text.h"
 
 namespace mocapress {
 namespace {

@@ -7,7 +7,7 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include "widgets/models/sight_colour.h"
+#include "widgets/models/colours.h"
 
 namespace mocapress {
 namespace {

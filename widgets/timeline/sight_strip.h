@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "widgets/models/sight_text.h"
+#include "widgets/models/display_names.h"
 #include "widgets/timeline/time_axis.h"
 
 namespace mocapress {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/viewport/orbit_camera.h"
 
+#include <QLineF>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "widgets/viewport/figure_shape.h"
+
 namespace mocapress {
+
 namespace {
 
 constexpr float kRadiansPerPixel = 0.007f;
@@ -129,6 +133,20 @@ QVector3D OrbitCamera::targetToEye() const {
 
 QVector3D OrbitCamera::right() const {
   return {std::cos(azimuth_), 0, -std::sin(azimuth_)};
+}
+
+std::optional<PickedJoint> pickJoint(const OrbitCamera& camera, const Eigen::MatrixXd& tracks,
+                                     int frame, int joint_count, const QPointF& cursor,
+                                     double reach) {
+  std::optional<PickedJoint> nearest;
+  for (int j = 0; j < joint_count; ++j) {
+    const std::optional<QPointF> seen = camera.project(landmarkAt(tracks, frame, j));
+    if (!seen) continue;
+    const double distance = QLineF(*seen, cursor).length();
+    if (distance <= reach && (!nearest || distance < nearest->distance))
+      nearest = PickedJoint{j, distance};
+  }
+  return nearest;
 }
 
 }  // namespace mocapress

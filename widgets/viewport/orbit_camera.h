@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <QMatrix4x4>
 #include <QPointF>
 #include <QSizeF>
@@ -65,5 +66,16 @@ class OrbitCamera {
   float azimuth_ = 0;    // radians from +z towards +x
   float elevation_ = 0;  // radians above the ground plane
 };
+
+struct PickedJoint {
+  int joint;
+  double distance;  // logical pixels from the cursor
+};
+
+/// The joint seen nearest to the cursor, within `reach` pixels; of joints at one place the first,
+/// which is nearest to the root. The first `joint_count` landmarks of `tracks` are the joints.
+std::optional<PickedJoint> pickJoint(const OrbitCamera& camera, const Eigen::MatrixXd& tracks,
+                                     int frame, int joint_count, const QPointF& cursor,
+                                     double reach = 12);
 
 }  // namespace mocapress

@@ -1,19 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QImage>
+#include <QRectF>
 #include <QSize>
+#include <QSizeF>
 #include <Qt3DCore/QEntity>
 #include <array>
 #include <optional>
 #include <vector>
 
+#include "widgets/models/colours.h"
 #include "widgets/models/error_colour.h"
-#include "widgets/viewport/pinned_figure.h"
-#include "widgets/viewport/scene_colours.h"
-#include "widgets/viewport/scene_label.h"
+#include "widgets/viewport/shader_material.h"
 #include "widgets/viewport/view_arrangement.h"
 
 namespace mocapress {
+
+class PaintedImage;
+
+/// A small picture over the scene: widgets cannot be laid over a 3D window.
+class SceneLabel : public Qt3DCore::QEntity {
+ public:
+  explicit SceneLabel(QNode* parent);
+
+  /// Shows the picture in a rectangle of a view, both in logical pixels.
+  void show(const QImage& picture, const QRectF& place, const QSizeF& view);
+  void hide();
+
+ private:
+  PaintedImage* image_;
+  ShaderMaterial* material_;
+};
 
 /// What the overlay says.
 struct OverlayContent {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <QColor>
+#include <QStringList>
+#include <memory>
 #include <vector>
 
 namespace mocapress {
@@ -68,5 +72,12 @@ struct Arrangement {
 /// compressed figure's. Those that are `pinned` are seen where the others are or each in a pane of
 /// its own; a wipe and a blinking view have no place for them.
 Arrangement arrange(const ViewOptions& options, bool both, bool turn, int pinned = 0);
+
+/// Another result of the clip, seen beside the current one.
+struct PinnedFigure {
+  std::shared_ptr<const Eigen::MatrixXd> tracks;  // frames x 3 * landmarks, cm
+  QColor colour;
+  QStringList title;  // in one line where there is room, else one below the other
+};
 
 }  // namespace mocapress

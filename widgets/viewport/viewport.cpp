@@ -11,11 +11,9 @@
 #include <chrono>
 #include <utility>
 
-#include "widgets/viewport/ghost_trail.h"
-#include "widgets/viewport/joint_path.h"
-#include "widgets/viewport/joint_picker.h"
+#include "widgets/viewport/orbit_camera.h"
 #include "widgets/viewport/scene.h"
-#include "widgets/viewport/slide_marks.h"
+#include "widgets/viewport/trails.h"
 
 namespace mocapress {
 namespace {

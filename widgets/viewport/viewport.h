@@ -12,11 +12,10 @@
 
 #include "core/feet/footskate.h"
 #include "core/motion/skeleton.h"
+#include "widgets/models/colours.h"
 #include "widgets/models/error_colour.h"
 #include "widgets/viewport/figure_shape.h"
 #include "widgets/viewport/orbit_camera.h"
-#include "widgets/viewport/pinned_figure.h"
-#include "widgets/viewport/scene_colours.h"
 #include "widgets/viewport/view_arrangement.h"
 
 class QMouseEvent;

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/batch/format_options_json.h"
-#include "core/batch/preset_json.h"
+#include "core/mocapress/settings_json.h"
 
 namespace mocapress {
 namespace {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "widgets/models/batch_queue_model.h"
-#include "widgets/models/batch_settings.h"
 
 namespace mocapress {
 
@@ -13,7 +12,7 @@ namespace mocapress {
 /// became of them is in the journal of the batch's folder.
 struct RememberedBatch {
   BatchSettings settings;
-  Preset common = built_in_presets()[1];
+  Settings common = built_in_presets()[1];
   std::vector<QueuedClip> clips;
 };
 

@@ -27,7 +27,7 @@ std::filesystem::path pathOf(const QString& text) {
   return text.toStdU16String();
 }
 
-bool namesJoints(const Preset& preset) {
+bool namesJoints(const Settings& preset) {
   return !preset.importance.factors.empty() || preset.contacts ||
          (preset.correction && !preset.correction->effectors.empty());
 }
@@ -167,26 +167,26 @@ void BatchSession::setSettings(const BatchSettings& settings) {
       [this, before = settings_] { apply(before); }, kind));
 }
 
-void BatchSession::setCommon(const Preset& preset) {
+void BatchSession::setCommon(const Settings& preset) {
   if (running() || preset == queue_.common()) return;
   history_.push(new EditStep(
       tr("Settings"), [this, preset] { queue_.setCommon(preset); },
       [this, before = queue_.common()] { queue_.setCommon(before); }, QStringLiteral("common")));
 }
 
-void BatchSession::setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset) {
-  std::map<int, std::optional<Preset>> before;
+void BatchSession::setOwn(const std::vector<int>& rows, const std::optional<Settings>& preset) {
+  std::map<int, std::optional<Settings>> before;
   QString kind = QStringLiteral("own");
   bool locks = false;
   for (const int row : rows) {
-    const std::optional<Preset>& own = queue_.clips()[static_cast<std::size_t>(row)].own;
+    const std::optional<Settings>& own = queue_.clips()[static_cast<std::size_t>(row)].own;
     if (own == preset) continue;
     before[row] = own;
     kind += QStringLiteral(" %1").arg(row);
     locks = locks || own.has_value() != preset.has_value();
   }
   if (running() || before.empty()) return;
-  std::map<int, std::optional<Preset>> after = before;
+  std::map<int, std::optional<Settings>> after = before;
   for (auto& [row, own] : after) own = preset;
   history_.push(new EditStep(
       tr("Settings"), [this, after] { queue_.setOwn(after); },
@@ -314,7 +314,7 @@ QString BatchSession::exampleName(bool* wrong) const {
   *wrong = false;
   const SourceClip source =
       queue_.clips().empty() ? SourceClip{"walk.bvh", "clips", {}} : queue_.clips().front().source;
-  const Preset& preset = queue_.clips().empty() ? queue_.common() : queue_.presetOf(0);
+  const Settings& preset = queue_.clips().empty() ? queue_.common() : queue_.presetOf(0);
   const OutputFormat format =
       settings_.formats.empty() ? OutputFormat::Mcpr : settings_.formats.front();
   try {

@@ -11,10 +11,9 @@
 
 #include "app/jobs/batch_runner.h"
 #include "app/jobs/job_runner.h"
-#include "app/studio/batch/tuned_clip.h"
-#include "core/batch/time_left.h"
+#include "app/studio/document/named_settings.h"
+#include "core/batch/run.h"
 #include "widgets/models/batch_queue_model.h"
-#include "widgets/models/batch_settings.h"
 
 namespace mocapress {
 
@@ -39,8 +38,8 @@ class BatchSession : public QObject {
 
   /// These change nothing while it runs, and are steps of history(), as adding clips is.
   void setSettings(const BatchSettings& settings);
-  void setCommon(const Preset& preset);
-  void setOwn(const std::vector<int>& rows, const std::optional<Preset>& preset);
+  void setCommon(const Settings& preset);
+  void setOwn(const std::vector<int>& rows, const std::optional<Settings>& preset);
   void remove(const std::vector<int>& rows);
   void setLeftOut(const std::vector<int>& rows, bool left_out);
 

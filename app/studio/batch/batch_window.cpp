@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QCloseEvent>
+#include <QCoreApplication>
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
@@ -18,18 +19,108 @@
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
-#include "app/studio/batch/batch_status.h"
+#include "app/studio/batch/batch_session.h"
 #include "app/studio/document/clip_files.h"
 #include "app/studio/document/preset_shelf.h"
 #include "app/studio/document/preset_views.h"
 #include "widgets/icons/themed_icon.h"
+#include "widgets/models/number_text.h"
 #include "widgets/panels/batch_output.h"
 #include "widgets/panels/batch_queue_view.h"
 #include "widgets/panels/preset_chooser.h"
 #include "widgets/panels/preset_editor.h"
 
 namespace mocapress {
+
+namespace {
+
+using State = BatchSession::State;
+
+struct Status {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::BatchStatus)
+};
+
+QString failedText(std::size_t failed) {
+  if (failed == 0) return {};
+  return Status::tr(", %Ln failed", nullptr, static_cast<int>(failed));
+}
+
+QString leftOutText(const BatchQueueModel& queue) {
+  if (queue.countLeftOut() == 0) return {};
+  return Status::tr(", %Ln left out", nullptr, queue.countLeftOut());
+}
+
+QString warnedText(const BatchQueueModel& queue) {
+  const auto warned =
+      std::count_if(queue.clips().begin(), queue.clips().end(), [](const QueuedClip& clip) {
+        return clip.state == QueuedClip::State::Done && !clip.left_out && !clip.warnings.empty();
+      });
+  if (warned == 0) return {};
+  return Status::tr(", %Ln with warnings", nullptr, static_cast<int>(warned));
+}
+
+QString soFar(const BatchCounts& counts) {
+  return Status::tr("%L1 of %L2").arg(counts.done).arg(counts.clips) + failedText(counts.failed);
+}
+
+QString running(const BatchSession& session) {
+  const auto left = session.secondsLeft();
+  if (!left || session.counts().done == session.counts().clips) return soFar(session.counts());
+  return Status::tr("%1, about %2 left").arg(soFar(session.counts()), clockText(*left));
+}
+
+QString idle(const BatchSession& session) {
+  const BatchQueueModel& queue = *session.queue();
+  const int waiting =
+      queue.count(QueuedClip::State::Waiting) + queue.count(QueuedClip::State::Failed);
+  if (!session.obstacle().isEmpty()) return session.obstacle();
+  return Status::tr("%Ln clip(s) to export", nullptr, waiting) + leftOutText(queue);
+}
+
+QString complete(const BatchSession& session) {
+  const BatchCounts& counts = session.counts();
+  const auto done = static_cast<int>(counts.done - counts.failed);
+  return Status::tr("%Ln clip(s) exported and verified", nullptr, done) +
+         warnedText(*session.queue()) + failedText(counts.failed) + leftOutText(*session.queue());
+}
+
+}  // namespace
+
+QString statusOf(const BatchSession& session) {
+  switch (session.state()) {
+    case State::Idle:
+      return idle(session);
+    case State::Running:
+      return running(session);
+    case State::Paused:
+      return Status::tr("Paused at %1").arg(soFar(session.counts()));
+    case State::Stopping:
+      return Status::tr("Stopping after the current clips: %1").arg(soFar(session.counts()));
+    case State::Cancelling:
+      return Status::tr("Cancelling…");
+    case State::Stopped:
+      return Status::tr("Stopped at %1; the next start continues from there")
+          .arg(soFar(session.counts()));
+    case State::Complete:
+      return complete(session);
+    case State::Failed:
+      return session.failure();
+  }
+  return {};
+}
+
+QString startText(const BatchSession& session) {
+  if (session.state() == State::Paused) return Status::tr("&Go On");
+  if (session.running()) return Status::tr("&Pause");
+  const int waiting = session.queue()->count(QueuedClip::State::Waiting);
+  const int failed = session.queue()->count(QueuedClip::State::Failed);
+  if (waiting == 0 && failed > 0) return Status::tr("&Retry %Ln Failed", nullptr, failed);
+  return session.state() == State::Stopped ? Status::tr("&Go On") : Status::tr("&Export");
+}
+
 namespace {
 
 constexpr QSize kFirstSize(1180, 660);
@@ -218,7 +309,7 @@ void BatchWindow::connectQueue() {
   connect(view_, &BatchQueueView::leaveOutRequested, session_, &BatchSession::setLeftOut);
   connect(view_, &BatchQueueView::lockToggled, session_, [this, queue](int row) {
     const bool locked = queue->clips()[static_cast<std::size_t>(row)].own.has_value();
-    const std::optional<Preset> preset =
+    const std::optional<Settings> preset =
         locked ? std::nullopt : std::optional(queue->presetOf(row));
     session_->setOwn({row}, preset);
   });
@@ -262,8 +353,8 @@ void BatchWindow::chooseFolder() {
   session_->setSettings(settings);
 }
 
-void BatchWindow::savePreset(const Preset& preset) {
-  const Preset named = askForName(preset, this);
+void BatchWindow::savePreset(const Settings& preset) {
+  const Settings named = askForName(preset, this);
   if (!named.name.empty() && session_->presets()->save(named)) changePreset(named);
 }
 
@@ -280,7 +371,7 @@ void BatchWindow::writeSlurm() {
 }
 
 /// The selected clips get it, and keep it; without a selection all that are not locked.
-void BatchWindow::changePreset(const Preset& preset) {
+void BatchWindow::changePreset(const Settings& preset) {
   const std::vector<int> rows = view_->selectedRows();
   if (rows.empty())
     session_->setCommon(preset);

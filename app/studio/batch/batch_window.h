@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QKeySequence>
+#include <QString>
 #include <QWidget>
 
 #include "app/studio/batch/batch_session.h"
@@ -15,7 +16,14 @@ namespace mocapress {
 
 class BatchOutput;
 class BatchQueueView;
+class BatchSession;
 class PresetEditor;
+
+/// How far a batch is, in one line.
+QString statusOf(const BatchSession& session);
+
+/// Of the button that starts, pauses and goes on.
+QString startText(const BatchSession& session);
 
 /// A window beside the studio's: a queue of clips, by what they are compressed, where they go, and
 /// how far they are. Closing it lets the batch run on.
@@ -57,9 +65,9 @@ class BatchWindow : public QWidget {
   void chooseFiles();
   void chooseClipFolder();
   void chooseFolder();
-  void savePreset(const Preset& preset);
+  void savePreset(const Settings& preset);
   void writeSlurm();
-  void changePreset(const Preset& preset);
+  void changePreset(const Settings& preset);
   void showSelection();
   void showOutput();
   void showProgress();

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 
-#include "app/jobs/settings_key.h"
+#include "app/jobs/result_cache.h"
 #include "app/studio/document/session.h"
 #include "core/codec/format/compressed_clip.h"
-#include "widgets/panels/names.h"
+#include "widgets/models/display_names.h"
 
 namespace mocapress {
 namespace {

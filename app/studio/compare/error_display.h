@@ -1,13 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QActionGroup>
 #include <QObject>
 
-#include "app/studio/compare/error_scale_choice.h"
+#include "app/jobs/clips.h"
+#include "widgets/models/error_colour.h"
 
 class QAction;
 
 namespace mocapress {
+
+/// The one scale by which all views colour errors of a quantity: a fixed one, by which clips and
+/// settings compare, or one that fits what is shown. Remembered from run to run.
+class ErrorScaleChoice : public QActionGroup {
+  Q_OBJECT
+
+ public:
+  explicit ErrorScaleChoice(ErrorQuantity quantity, QObject* parent = nullptr);
+
+  /// For what is shown; null: nothing is.
+  ErrorScale scaleFor(const DecodedPtr& decoded) const;
+
+ signals:
+  void changed();
+
+ private:
+  ErrorQuantity quantity_;
+};
 
 /// How errors are shown: by which scale of distances and which of angles, whether heat map and
 /// graph tell distances or angles, and whether the heat map tells what is seen instead. Remembered

@@ -4,9 +4,8 @@
 #include <QCoreApplication>
 
 #include "core/feet/footskate.h"
-#include "widgets/models/length_text.h"
-#include "widgets/models/method_names.h"
-#include "widgets/panels/names.h"
+#include "widgets/models/display_names.h"
+#include "widgets/models/number_text.h"
 
 namespace mocapress {
 namespace {

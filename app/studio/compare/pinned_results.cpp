@@ -5,11 +5,11 @@
 #include <array>
 
 #include "app/studio/document/session.h"
-#include "widgets/models/length_text.h"
-#include "widgets/models/palette.h"
+#include "widgets/models/colours.h"
+#include "widgets/models/display_names.h"
+#include "widgets/models/number_text.h"
 #include "widgets/models/pinned_model.h"
 #include "widgets/models/study_rows_model.h"
-#include "widgets/panels/names.h"
 #include "widgets/panels/pinned_panel.h"
 #include "widgets/viewport/viewport.h"
 

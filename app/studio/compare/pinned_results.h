@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/jobs/job_runner.h"
-#include "app/studio/compare/pin.h"
 #include "app/studio/document/document.h"
+#include "app/studio/document/named_settings.h"
 
 namespace mocapress {
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
 #include <QObject>
+#include <QString>
 #include <functional>
 
 #include "app/jobs/open_clip.h"
@@ -11,6 +13,20 @@ class QMenu;
 class QWidget;
 
 namespace mocapress {
+
+struct RecentFile {
+  QString path;
+  QString skeleton;  // chosen by hand; empty: found beside the clip
+  bool operator==(const RecentFile&) const = default;
+};
+
+/// Newest first, those that still exist, kept in the user's settings.
+QList<RecentFile> recentFiles();
+
+/// The .asf that was chosen by hand for this clip; empty: none.
+QString rememberedSkeleton(const QString& path);
+
+void rememberRecentFile(const RecentFile& file);
 
 class Session;
 

@@ -3,7 +3,7 @@
 
 #include <QFileInfo>
 
-#include "app/studio/document/clip_preset.h"
+#include "app/studio/document/named_settings.h"
 #include "app/studio/document/settings_field.h"
 
 namespace mocapress {
@@ -79,7 +79,7 @@ int Document::currentJoint() const {
 
 /// What a preset says of hands is of the hands of every skeleton, also after one that has none.
 Importance Document::importanceIn(const Skeleton& next) const {
-  const Preset& usual = usualPreset();
+  const Settings& usual = usualPreset();
   if (isAsPreset(settings(), usual, skeleton() ? *skeleton() : Skeleton()))
     return importance_for(usual.importance, next);
   return carriedOver(options().importance, skeleton(), next);

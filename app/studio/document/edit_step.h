@@ -5,6 +5,7 @@
 #include <QString>
 #include <QUndoCommand>
 #include <functional>
+#include <utility>
 
 namespace mocapress {
 
@@ -18,10 +19,23 @@ class EditStep : public QUndoCommand {
   /// Steps of the same `kind` that follow each other within `pause_ms`, as while a slider is
   /// dragged or a text is typed, are one. An empty kind: the step is always its own.
   EditStep(const QString& text, std::function<void()> redo, std::function<void()> undo,
-           QString kind = {}, int pause_ms = kOneStepMs);
+           QString kind = {}, int pause_ms = kOneStepMs)
+      : QUndoCommand(text),
+        redo_(std::move(redo)),
+        undo_(std::move(undo)),
+        kind_(std::move(kind)),
+        pause_ms_(pause_ms) {
+    made_.start();
+  }
 
   int id() const override { return 1; }  // all may ask each other; the kind decides
-  bool mergeWith(const QUndoCommand* newer) override;
+  bool mergeWith(const QUndoCommand* newer) override {
+    const auto* step = static_cast<const EditStep*>(newer);
+    if (kind_.isEmpty() || kind_ != step->kind_ || made_.elapsed() > pause_ms_) return false;
+    redo_ = step->redo_;
+    made_.restart();
+    return true;
+  }
   void undo() override { undo_(); }
   void redo() override { redo_(); }
 

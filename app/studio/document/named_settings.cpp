@@ -4,13 +4,102 @@
 #include <algorithm>
 #include <array>
 
-#include "app/studio/document/clip_preset.h"
+#include "app/jobs/result_cache.h"
 #include "core/base/error.h"
-#include "core/batch/preset_json.h"
+#include "core/baselines/compression_method.h"
+#include "core/mocapress/encode_options.h"
+#include "core/mocapress/settings_json.h"
 #include "core/motion/landmarks.h"
 #include "core/report/json_value.h"
 
 namespace mocapress {
+
+namespace {
+
+/// The method of compression_methods() that is that one in that basis.
+std::string contenderOf(const EncodeOptions& options) {
+  for (const CompressionMethod& compression_method : compression_methods()) {
+    EncodeOptions chosen;
+    if (choose_wavelets(compression_method, chosen) && chosen.method == options.method &&
+        chosen.basis == options.basis)
+      return std::string(compression_method.name);
+  }
+  return std::string(name(options.method));
+}
+
+CorrectionSettings presetOf(const CorrectionOptions& correction, const Skeleton& skeleton) {
+  CorrectionSettings preset{
+      .ratio = correction.ratio, .effectors = {}, .solver = correction.solver, .at = correction.at};
+  for (const int joint : correction.joints) preset.effectors.push_back(skeleton.joint(joint).name);
+  return preset;
+}
+
+}  // namespace
+
+const Settings& usualPreset() {
+  return built_in_presets()[1];
+}
+
+ClipSettings usualSettings(const Skeleton& skeleton) {
+  const Settings& usual = usualPreset();
+  return {encode_options(usual, skeleton), {}, QString::fromStdString(usual.name)};
+}
+
+Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton) {
+  const EncodeOptions& options = settings.encode;
+  Settings preset{.name = settings.preset.toStdString(),
+                  .method = contenderOf(options),
+                  .coding = {},
+                  .weighting = options.weighting,
+                  .target = options.target,
+                  .seed = options.seed,
+                  .effort = options.effort,
+                  .importance = named(options.importance, skeleton),
+                  .ends = options.ends,
+                  .loop = options.loop,
+                  .correction = {},
+                  .contacts = {}};
+  if (effective_coding(options) != coding_of(preset)) preset.coding = options.coding;
+  if (options.correction) preset.correction = presetOf(*options.correction, skeleton);
+  return preset;
+}
+
+Settings ownPresetOf(const ClipSettings& settings, const Skeleton& skeleton) {
+  Settings preset = presetOf(settings, skeleton);
+  if (!settings.encode.contacts) return preset;
+  const std::vector<Landmark> points = landmarks(skeleton);
+  preset.contacts.emplace();
+  for (const ContactSpan& span : *settings.encode.contacts)
+    preset.contacts->push_back(
+        {points[static_cast<std::size_t>(span.landmark)].name, span.first_frame, span.last_frame});
+  return preset;
+}
+
+ClipSettings withPreset(const ClipSettings& settings, const Settings& preset,
+                        const Skeleton& skeleton) {
+  ClipSettings with = settings;
+  with.encode = encode_options(preset, skeleton);
+  if (!with.encode.contacts) with.encode.contacts = settings.encode.contacts;
+  with.preset = QString::fromStdString(preset.name);
+  return with;
+}
+
+bool isAsPreset(const ClipSettings& settings, const Settings& preset, const Skeleton& skeleton) {
+  try {
+    return settingsKey(withPreset(settings, preset, skeleton).encode) ==
+           settingsKey(settings.encode);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+bool isTunable(const Settings& preset) {
+  EncodeOptions options;
+  const CompressionMethod* compression_method = find_compression_method(preset.method);
+  return compression_method && choose_wavelets(*compression_method, options) &&
+         preset.target.kind != Target::Kind::CoefficientRatio;
+}
+
 namespace {
 
 constexpr const char* kName = "name";
@@ -48,7 +137,7 @@ NamedSettings namedSettings(const ClipSettings& settings, const Skeleton& skelet
 
 NamedSettings fitting(NamedSettings settings, const Motion& motion) {
   const Skeleton& skeleton = motion.skeleton;
-  Preset& preset = settings.preset;
+  Settings& preset = settings.preset;
   const auto has_joint = [&](const std::string& joint) { return skeleton.find(joint) >= 0; };
   if (preset.correction)
     std::erase_if(preset.correction->effectors,
@@ -58,7 +147,7 @@ NamedSettings fitting(NamedSettings settings, const Motion& motion) {
   });
   if (preset.contacts) {
     const std::vector<Landmark> points = landmarks(skeleton);
-    std::erase_if(*preset.contacts, [&](const PresetContact& contact) {
+    std::erase_if(*preset.contacts, [&](const ContactSetting& contact) {
       return contact.first_frame < 0 || contact.last_frame < contact.first_frame ||
              contact.last_frame >= motion.clip.frames() ||
              std::none_of(points.begin(), points.end(),

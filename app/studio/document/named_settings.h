@@ -1,17 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QColor>
+#include <QString>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 
 #include "app/studio/document/document.h"
-#include "core/batch/preset.h"
+#include "core/mocapress/settings.h"
 
 namespace mocapress {
+
+/// What a clip begins with where nothing else is known of it: "Gameplay".
+const Settings& usualPreset();
+ClipSettings usualSettings(const Skeleton& skeleton = {});
+
+/// The settings by names, so that other clips can take them. Edited contacts are left out.
+Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton);
+
+/// With the edited contacts: for this clip alone.
+Settings ownPresetOf(const ClipSettings& settings, const Skeleton& skeleton);
+
+/// The settings as a preset has them; contacts stay. Throws Error where it names a joint that the
+/// skeleton lacks.
+ClipSettings withPreset(const ClipSettings& settings, const Settings& preset,
+                        const Skeleton& skeleton);
+
+/// Whether the preset would change nothing.
+bool isAsPreset(const ClipSettings& settings, const Settings& preset, const Skeleton& skeleton);
+
+/// Whether clips can be tuned by it, and not only measured: wavelets, by a target of the studio.
+bool isTunable(const Settings& preset);
 
 /// A clip's settings as a project keeps them: joints by their names, so that they can be read
 /// before the clip is, and stand when its file is another.
 struct NamedSettings {
-  Preset preset;  // has the name of the preset they come of; empty: of none
+  Settings preset;  // has the name of the preset they come of; empty: of none
   ContactSettings contacts;
 };
 
@@ -28,5 +52,20 @@ nlohmann::ordered_json toJson(const NamedSettings& settings);
 
 /// What is left out is as usual. Throws Error, which says what is wrong with which key.
 NamedSettings namedSettingsFrom(nlohmann::ordered_json json);
+
+/// A pinned result, as it is kept: by what it is made, not what was made.
+struct Pin {
+  QString name;
+  QColor colour;
+  NamedSettings settings;
+};
+
+/// A clip of the library, and what was decided about it.
+struct TunedClip {
+  QString path;
+  QString skeleton;                       // for an .amc; empty: the one beside it
+  std::optional<NamedSettings> settings;  // unset: never tuned
+  ReadOptions reading = {};               // of its import options
+};
 
 }  // namespace mocapress

@@ -11,7 +11,7 @@
 #include "app/studio/document/edit_step.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/batch/preset_json.h"
+#include "core/mocapress/settings_json.h"
 
 namespace mocapress {
 namespace {
@@ -36,22 +36,22 @@ QString PresetShelf::usualFile() {
       .filePath(QStringLiteral("presets.json"));
 }
 
-std::vector<Preset> PresetShelf::all() const {
-  std::vector<Preset> all(built_in_presets().begin(), built_in_presets().end());
+std::vector<Settings> PresetShelf::all() const {
+  std::vector<Settings> all(built_in_presets().begin(), built_in_presets().end());
   all.insert(all.end(), own_.begin(), own_.end());
   return all;
 }
 
-const Preset* PresetShelf::own(const std::string& name) const {
+const Settings* PresetShelf::own(const std::string& name) const {
   const auto found =
-      std::find_if(own_.begin(), own_.end(), [&](const Preset& one) { return one.name == name; });
+      std::find_if(own_.begin(), own_.end(), [&](const Settings& one) { return one.name == name; });
   return found == own_.end() ? nullptr : &*found;
 }
 
 bool PresetShelf::isBuiltIn(const std::string& name) {
   const auto built_in = built_in_presets();
   return std::any_of(built_in.begin(), built_in.end(),
-                     [&](const Preset& one) { return slug(one.name) == slug(name); });
+                     [&](const Settings& one) { return slug(one.name) == slug(name); });
 }
 
 bool PresetShelf::isFree(const std::string& name) {
@@ -60,37 +60,37 @@ bool PresetShelf::isFree(const std::string& name) {
   return false;
 }
 
-bool PresetShelf::save(const Preset& preset) {
+bool PresetShelf::save(const Settings& preset) {
   if (!isFree(preset.name)) return false;
-  const Preset* before = own(preset.name);
+  const Settings* before = own(preset.name);
   change(tr("Save Preset"), {{before ? std::optional(*before) : std::nullopt, preset}});
   return true;
 }
 
 bool PresetShelf::rename(const QString& name, const QString& to) {
-  const Preset* before = own(name.toStdString());
+  const Settings* before = own(name.toStdString());
   if (!before || name == to || !isFree(to.toStdString())) return false;
   if (own(to.toStdString())) {
     emit noted(tr("There is a preset %1 already.").arg(to));
     return false;
   }
-  Preset after = *before;
+  Settings after = *before;
   after.name = to.toStdString();
   change(tr("Rename Preset"), {{*before, after}});
   return true;
 }
 
 void PresetShelf::remove(const QString& name) {
-  const Preset* before = own(name.toStdString());
+  const Settings* before = own(name.toStdString());
   if (before) change(tr("Remove Preset"), {{*before, std::nullopt}});
 }
 
 void PresetShelf::importFrom(const QString& path) {
   try {
     std::vector<Edit> edits;
-    for (const Preset& preset : parse_presets(path.toStdString(), read_text(pathOf(path)))) {
+    for (const Settings& preset : parse_presets(path.toStdString(), read_text(pathOf(path)))) {
       if (!isFree(preset.name)) continue;
-      const Preset* before = own(preset.name);
+      const Settings* before = own(preset.name);
       edits.push_back({before ? std::optional(*before) : std::nullopt, preset});
     }
     if (!edits.empty()) change(tr("Import Presets"), edits);
@@ -99,7 +99,7 @@ void PresetShelf::importFrom(const QString& path) {
   }
 }
 
-void PresetShelf::exportTo(const QString& path, const Preset& preset) {
+void PresetShelf::exportTo(const QString& path, const Settings& preset) {
   try {
     write_text(pathOf(path), presets_text({&preset, 1}));
     emit noted(tr("Wrote %1.").arg(QDir::toNativeSeparators(path)));
@@ -123,12 +123,12 @@ void PresetShelf::change(const QString& text, const std::vector<Edit>& edits) {
 /// clip, stays.
 void PresetShelf::apply(const std::vector<Edit>& edits, bool backwards) {
   for (const Edit& edit : edits) {
-    const std::optional<Preset>& from = backwards ? edit.after : edit.before;
-    const std::optional<Preset>& to = backwards ? edit.before : edit.after;
+    const std::optional<Settings>& from = backwards ? edit.after : edit.before;
+    const std::optional<Settings>& to = backwards ? edit.before : edit.after;
     const std::string& name = from ? from->name : to->name;
-    const auto place =
-        std::find_if(own_.begin(), own_.end(), [&](const Preset& one) { return one.name == name; });
-    const std::optional<Preset> now = place == own_.end() ? std::nullopt : std::optional(*place);
+    const auto place = std::find_if(own_.begin(), own_.end(),
+                                    [&](const Settings& one) { return one.name == name; });
+    const std::optional<Settings> now = place == own_.end() ? std::nullopt : std::optional(*place);
     const bool taken = to && to->name != name && own(to->name);
     if (now != from || taken) continue;
     if (place == own_.end()) {

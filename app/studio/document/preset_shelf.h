@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/batch/preset.h"
+#include "core/mocapress/settings.h"
 
 class QUndoStack;
 
@@ -25,7 +25,7 @@ class PresetShelf : public QObject {
   static QString usualFile();
 
   /// Built-in ones first.
-  std::vector<Preset> all() const;
+  std::vector<Settings> all() const;
 
   /// Where changes go that the user can undo; unset: they cannot.
   void setHistory(std::function<QUndoStack*()> history) { history_ = std::move(history); }
@@ -35,11 +35,11 @@ class PresetShelf : public QObject {
   static bool isBuiltIn(const std::string& name);
 
   /// Takes the place of an own one of that name. False, and noted(): a built-in one has that name.
-  bool save(const Preset& preset);
+  bool save(const Settings& preset);
   bool rename(const QString& name, const QString& to);
   void remove(const QString& name);
   void importFrom(const QString& path);
-  void exportTo(const QString& path, const Preset& preset);
+  void exportTo(const QString& path, const Settings& preset);
 
  signals:
   void changed();
@@ -50,10 +50,10 @@ class PresetShelf : public QObject {
  private:
   /// What becomes of one preset; either may be unset.
   struct Edit {
-    std::optional<Preset> before, after;
+    std::optional<Settings> before, after;
   };
 
-  const Preset* own(const std::string& name) const;
+  const Settings* own(const std::string& name) const;
   void change(const QString& text, const std::vector<Edit>& edits);
   void apply(const std::vector<Edit>& edits, bool backwards);
   bool setAside();
@@ -61,7 +61,7 @@ class PresetShelf : public QObject {
 
   QString file_;
   bool unreadable_ = false;  // what is in the file
-  std::vector<Preset> own_;
+  std::vector<Settings> own_;
   std::function<QUndoStack*()> history_;
 };
 

@@ -6,7 +6,7 @@
 #include <QInputDialog>
 #include <algorithm>
 
-#include "app/studio/document/clip_preset.h"
+#include "app/studio/document/named_settings.h"
 #include "app/studio/document/preset_shelf.h"
 #include "app/studio/document/session.h"
 #include "widgets/panels/preset_chooser.h"
@@ -41,7 +41,7 @@ void connectShelf(PresetChooser* chooser, PresetShelf* shelf, QWidget* window) {
     if (!path.isEmpty()) shelf->importFrom(path);
   });
   QObject::connect(chooser, &PresetChooser::exportRequested, shelf,
-                   [shelf, window](const Preset& preset) {
+                   [shelf, window](const Settings& preset) {
                      const QString word = QString::fromStdString(slug(preset.name));
                      const QString name = word.isEmpty() ? QStringLiteral("preset") : word;
                      QString path = QFileDialog::getSaveFileName(window, Texts::tr("Export Preset"),
@@ -49,15 +49,15 @@ void connectShelf(PresetChooser* chooser, PresetShelf* shelf, QWidget* window) {
                                                                  Texts::tr("Presets (*.json)"));
                      if (path.isEmpty()) return;
                      if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
-                     Preset named = preset;
+                     Settings named = preset;
                      if (named.name.empty())
                        named.name = QFileInfo(path).completeBaseName().toStdString();
                      shelf->exportTo(path, named);
                    });
 }
 
-Preset askForName(const Preset& preset, QWidget* window) {
-  Preset named = preset;
+Settings askForName(const Settings& preset, QWidget* window) {
+  Settings named = preset;
   const std::string offered = PresetShelf::isBuiltIn(preset.name) ? std::string() : preset.name;
   named.name = askForText(Texts::tr("Save as Preset"), QString::fromStdString(offered), window)
                    .toStdString();
@@ -71,15 +71,15 @@ PresetViews::PresetViews(Session* session, PresetShelf* shelf, PresetChooser* ch
   connect(&session->document(), &Document::optionsChanged, this, &PresetViews::showSettings);
   connect(&session->document(), &Document::clipChanged, this, &PresetViews::showSettings);
   connect(chooser, &PresetChooser::chosen, session, &Session::choosePreset);
-  connect(chooser, &PresetChooser::saveRequested, this, [this, window](const Preset& preset) {
-    const Preset named = askForName(preset, window);
+  connect(chooser, &PresetChooser::saveRequested, this, [this, window](const Settings& preset) {
+    const Settings named = askForName(preset, window);
     if (!named.name.empty()) save(named);
   });
   connectShelf(chooser, shelf, window);
   showPresets();
 }
 
-void PresetViews::save(const Preset& preset) {
+void PresetViews::save(const Settings& preset) {
   if (!shelf_->isFree(preset.name)) return;  // before there is a step to undo
   QUndoStack* history = session_->history();
   history->beginMacro(tr("Save Preset"));
@@ -89,8 +89,8 @@ void PresetViews::save(const Preset& preset) {
 
 /// Only those by which a clip can be tuned: others are for comparing, in a batch.
 void PresetViews::showPresets() {
-  std::vector<Preset> presets = shelf_->all();
-  std::erase_if(presets, [](const Preset& preset) { return !isTunable(preset); });
+  std::vector<Settings> presets = shelf_->all();
+  std::erase_if(presets, [](const Settings& preset) { return !isTunable(preset); });
   chooser_->setPresets(presets);
   showSettings();
 }
@@ -100,14 +100,14 @@ void PresetViews::showSettings() {
   const ClipSettings settings = document.settings();
   const Skeleton none;
   const Skeleton& skeleton = document.skeleton() ? *document.skeleton() : none;
-  const std::vector<Preset> presets = shelf_->all();
+  const std::vector<Settings> presets = shelf_->all();
   // Two presets may say the same: then the name tells which was chosen.
-  const auto is_it = [&](const Preset& one, bool by_name) {
+  const auto is_it = [&](const Settings& one, bool by_name) {
     return (!by_name || settings.preset.toStdString() == one.name) &&
            isAsPreset(settings, one, skeleton);
   };
   for (const bool by_name : {true, false})
-    for (const Preset& one : presets)
+    for (const Settings& one : presets)
       if (is_it(one, by_name)) return chooser_->setPreset(one);
   chooser_->setPreset(presetOf(settings, skeleton));
 }

@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-#include "core/batch/preset.h"
+#include "core/mocapress/settings.h"
 
 class QWidget;
 
@@ -18,7 +18,7 @@ class Session;
 void connectShelf(PresetChooser* chooser, PresetShelf* shelf, QWidget* window);
 
 /// The preset under a name that is asked for; without a name: the user thought better of it.
-Preset askForName(const Preset& preset, QWidget* window);
+Settings askForName(const Settings& preset, QWidget* window);
 
 /// Keeps a chooser showing what preset the clip's settings are, and passes on what is done in it.
 class PresetViews : public QObject {
@@ -28,7 +28,7 @@ class PresetViews : public QObject {
   PresetViews(Session* session, PresetShelf* shelf, PresetChooser* chooser, QWidget* window);
 
   /// The settings of the clip, kept under a name which they have from then on.
-  void save(const Preset& preset);
+  void save(const Settings& preset);
 
  private:
   void showPresets();

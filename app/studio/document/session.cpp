@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/jobs/clip_saving.h"
-#include "app/jobs/settings_key.h"
-#include "app/studio/document/clip_preset.h"
+#include "app/jobs/clips.h"
+#include "app/jobs/result_cache.h"
 #include "app/studio/document/edit_step.h"
+#include "app/studio/document/named_settings.h"
 #include "app/studio/document/settings_field.h"
 #include "core/base/error.h"
 #include "core/formats/motion_file.h"
@@ -189,7 +189,7 @@ void Session::setImportance(const Importance& importance) {
   change(settings);
 }
 
-void Session::choosePreset(const Preset& preset) {
+void Session::choosePreset(const Settings& preset) {
   if (!document_.skeleton()) return;
   try {
     change(withPreset(document_.settings(), preset, *document_.skeleton()));

@@ -14,7 +14,7 @@
 #include "app/jobs/open_clip.h"
 #include "app/studio/document/document.h"
 #include "app/studio/document/named_settings.h"
-#include "core/batch/preset.h"
+#include "core/mocapress/settings.h"
 #include "core/study/row.h"
 
 namespace mocapress {
@@ -56,7 +56,7 @@ class Session : public QObject {
   void setImportance(const Importance& importance);
 
   /// compressFailed() where it names a joint that the clip lacks.
-  void choosePreset(const Preset& preset);
+  void choosePreset(const Settings& preset);
 
   /// The settings are those of a preset of that name from now on.
   void namePreset(const QString& name);

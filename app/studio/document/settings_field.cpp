@@ -3,7 +3,7 @@
 
 #include <QCoreApplication>
 
-#include "app/jobs/settings_key.h"
+#include "app/jobs/result_cache.h"
 
 namespace mocapress {
 namespace {

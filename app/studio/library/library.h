@@ -11,15 +11,38 @@
 
 #include "app/jobs/clip_outline.h"
 #include "app/jobs/job_runner.h"
-#include "app/studio/batch/tuned_clip.h"
-#include "app/studio/library/folder_search.h"
+#include "app/studio/document/named_settings.h"
 #include "app/studio/library/kept_project.h"
-#include "widgets/models/clip_reviews.h"
+#include "widgets/models/library_model.h"
 
 namespace mocapress {
 
 class LibraryModel;
 class Session;
+
+/// Finds the clips below folders in the background, one folder after the other.
+class FolderSearch : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  void search(const QString& folder);
+
+  /// Nothing more is found.
+  void abandon();
+
+ signals:
+  /// The motion files below a folder.
+  void found(const QStringList& clips);
+  void failed(const QString& message);
+
+ private:
+  void searchNext();
+
+  QStringList folders_;  // to be searched
+  JobRunner finding_{Workers::LongRunning};
+};
 
 /// The project as it is worked on: its clips with their settings, what each came to and what was
 /// decided. The current clip of a project that is entered is opened.

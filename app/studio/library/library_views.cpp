@@ -6,7 +6,7 @@
 #include "app/studio/document/clip_files.h"
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
-#include "widgets/models/length_text.h"
+#include "widgets/models/number_text.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/slot_control.h"
 

@@ -7,9 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/studio/compare/pin.h"
 #include "app/studio/document/named_settings.h"
-#include "widgets/models/library_entry.h"
+#include "widgets/models/library_model.h"
 
 namespace mocapress {
 

@@ -7,8 +7,7 @@
 
 #include "core/base/file.h"
 #include "core/formats/clip_files.h"
-#include "core/study/row_json.h"
-#include "core/study/rows_file.h"
+#include "core/study/row.h"
 #include "core/study/study_folder.h"
 
 namespace mocapress {

@@ -11,7 +11,7 @@
 
 #include "app/jobs/job_runner.h"
 #include "app/jobs/study_runner.h"
-#include "widgets/models/clip_reviews.h"
+#include "widgets/models/library_model.h"
 #include "widgets/models/study_settings.h"
 
 namespace mocapress {

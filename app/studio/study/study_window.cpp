@@ -3,7 +3,10 @@
 
 #include <QAction>
 #include <QCloseEvent>
+#include <QCoreApplication>
+#include <QDateTime>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -13,17 +16,142 @@
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "app/studio/document/clip_files.h"
-#include "app/studio/study/study_memory.h"
-#include "app/studio/study/study_status.h"
+#include "app/studio/study/study_session.h"
+#include "widgets/models/number_text.h"
 #include "widgets/models/study_rows_model.h"
-#include "widgets/panels/study_clips.h"
 #include "widgets/panels/study_panel.h"
 #include "widgets/panels/study_results.h"
 #include "widgets/plots/rate_plot.h"
 
 namespace mocapress {
+
+namespace {
+
+struct Status {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::StudyStatus)
+};
+
+constexpr int kFirstEstimate = 3;  // rows measured before the time left is guessed
+
+QString asked(const StudySession& session) {
+  const int jobs = session.jobs();
+  if (jobs == 0) return hintOf(session);
+  return Status::tr("%Ln compression(s) to run", nullptr, jobs);
+}
+
+QString running(const StudySession& session) {
+  const StudyCounts& counts = session.counts();
+  const QString so_far = Status::tr("%L1 of %L2").arg(counts.done).arg(counts.jobs);
+  const int anew = counts.done - counts.kept;
+  if (anew < kFirstEstimate || counts.done == counts.jobs) return so_far;
+  const double left = session.elapsedSeconds() / anew * (counts.jobs - counts.done);
+  return Status::tr("%1, about %2 left").arg(so_far, clockText(left));
+}
+
+/// What could not be measured.
+QString blemishes(const StudySession& session) {
+  int unread = 0;
+  int missed = 0;
+  for (const StudyRow& row : session.rows())
+    if (!row.measured) ++(row.fingerprint.empty() ? unread : missed);
+  QString text;
+  if (missed > 0) text += Status::tr(", %Ln out of reach", nullptr, missed);
+  if (unread > 0) text += Status::tr(", %Ln of clips that cannot be read", nullptr, unread);
+  return text;
+}
+
+QString complete(const StudySession& session) {
+  const auto rows = static_cast<int>(session.rows().size());
+  return Status::tr("%Ln compression(s)%1", nullptr, rows).arg(blemishes(session));
+}
+
+}  // namespace
+
+QString statusOf(const StudySession& session) {
+  if (session.exporting()) return Status::tr("Writing…");
+  switch (session.state()) {
+    case StudySession::State::Idle:
+      return asked(session);
+    case StudySession::State::Running:
+      return running(session);
+    case StudySession::State::Drawing:
+      return Status::tr("Drawing the report…");
+    case StudySession::State::Complete:
+    case StudySession::State::Opened:
+      return complete(session);
+    case StudySession::State::Cancelled:
+      return Status::tr("Cancelled after %L1 of %L2; the next run continues from there")
+          .arg(session.counts().done)
+          .arg(session.counts().jobs);
+    case StudySession::State::Failed:
+      return session.failure();
+  }
+  return {};
+}
+
+QString hintOf(const StudySession& session) {
+  const StudySettings& settings = session.settings();
+  if (settings.clips.isEmpty()) return Status::tr("Add a clip to study");
+  if (settings.methods.isEmpty()) return Status::tr("Check a method to study");
+  if (settings.ratios.empty() && settings.errors.empty())
+    return Status::tr("Name a ratio or an error to reach");
+  return session.running() ? Status::tr("Measuring…") : Status::tr("Run the study to see curves");
+}
+
+namespace {
+
+const QString kMethods = QStringLiteral("study/methods");
+const QString kRatios = QStringLiteral("study/ratios");
+const QString kErrors = QStringLiteral("study/errors");
+const QString kIkRatio = QStringLiteral("study/ik-ratio");
+const QString kWeighting = QStringLiteral("study/weighting");
+
+QVariantList listOf(const std::vector<double>& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
+std::vector<double> numbersOf(const QVariant& list) {
+  std::vector<double> numbers;
+  for (const QVariant& entry : list.toList())
+    if (const double number = entry.toDouble(); number > 0) numbers.push_back(number);
+  return numbers;
+}
+
+}  // namespace
+
+StudySettings rememberedStudySettings() {
+  const QSettings stored;
+  StudySettings settings = usualStudySettings();
+  if (!stored.contains(kMethods)) return settings;
+  settings.methods = stored.value(kMethods).toStringList();
+  settings.ratios = numbersOf(stored.value(kRatios));
+  settings.errors = numbersOf(stored.value(kErrors));
+  if (const double ik = stored.value(kIkRatio).toDouble(); ik > 0) settings.ik_ratio = ik;
+  for (const Weighting weighting : kWeightings)
+    if (stored.value(kWeighting) == static_cast<int>(weighting)) settings.weighting = weighting;
+  return settings;
+}
+
+void remember(const StudySettings& settings) {
+  QSettings stored;
+  stored.setValue(kMethods, settings.methods);
+  stored.setValue(kRatios, listOf(settings.ratios));
+  stored.setValue(kErrors, listOf(settings.errors));
+  stored.setValue(kIkRatio, settings.ik_ratio.value_or(0));
+  stored.setValue(kWeighting, static_cast<int>(settings.weighting));
+}
+
+QString studyCache() {
+  const QFileInfo program(QCoreApplication::applicationFilePath());
+  return QStringLiteral("%1/study-%2")
+      .arg(QStandardPaths::writableLocation(QStandardPaths::CacheLocation))
+      .arg(program.lastModified().toSecsSinceEpoch());
+}
+
 namespace {
 
 constexpr QSize kFirstSize(1180, 820);

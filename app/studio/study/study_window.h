@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
 #include <QWidget>
 
 #include "app/studio/study/study_session.h"
 #include "core/report/curve.h"
+#include "widgets/models/study_settings.h"
 
 class QLabel;
 class QPushButton;
@@ -14,6 +16,20 @@ namespace mocapress {
 class StudyPanel;
 class StudyResults;
 class StudyRowsModel;
+
+/// How far the study is, in a line or two.
+QString statusOf(const StudySession& session);
+
+/// What to do first, for an empty plot.
+QString hintOf(const StudySession& session);
+
+/// What was asked of the last study, clips left out, from the user's settings.
+StudySettings rememberedStudySettings();
+void remember(const StudySettings& settings);
+
+/// Where rows are kept unless the user chooses a folder: one for each build of the program, for
+/// another may compress otherwise.
+QString studyCache();
 
 /// A window beside the studio's: which clips and methods to compare, and the curves and rows that
 /// come of it. Closing it cancels.

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/window/actions.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QDockWidget>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
 #include <QUndoGroup>
+#include <algorithm>
+#include <array>
 
 #include "widgets/icons/themed_icon.h"
 
 namespace mocapress {
+
 namespace {
 
 struct Texts {
@@ -184,6 +190,39 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
       ->addActions({actions.guide, actions.shortcuts, actions.about});
   addToolBar(window, actions);
   return recent;
+}
+
+namespace {
+
+bool isOneOf(const QKeyEvent& key, std::initializer_list<QKeySequence::StandardKey> keys) {
+  return std::any_of(keys.begin(), keys.end(),
+                     [&key](QKeySequence::StandardKey standard) { return key.matches(standard); });
+}
+
+/// On every desktop, unlike what X11 adds to them.
+bool editsText(const QKeyEvent& key) {
+  return isOneOf(key, {QKeySequence::Copy, QKeySequence::Cut, QKeySequence::Paste,
+                       QKeySequence::SelectAll}) ||
+         key.key() == Qt::Key_Left || key.key() == Qt::Key_Right || key.key() == Qt::Key_Home ||
+         key.key() == Qt::Key_End || key.key() == Qt::Key_Backspace || key.key() == Qt::Key_Delete;
+}
+
+}  // namespace
+
+/// Who ignores a ShortcutOverride gets the key all the same where there is no such shortcut.
+bool ShortcutsFirst::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride) return false;
+  const bool is_number = qobject_cast<QAbstractSpinBox*>(watched);
+  if (!is_number && !qobject_cast<QLineEdit*>(watched)) return false;
+  const auto& key = static_cast<const QKeyEvent&>(*event);
+  const bool has_modifier = key.modifiers() & (Qt::ControlModifier | Qt::AltModifier);
+  const bool is_not_of_number = is_number && (key.key() == Qt::Key_Space ||
+                                              (!key.text().isEmpty() && key.text()[0].isLetter()));
+  const bool undoes_typing = !is_number && isOneOf(key, {QKeySequence::Undo, QKeySequence::Redo});
+  const bool goes_to_shortcuts =
+      is_not_of_number || (has_modifier && !editsText(key) && !undoes_typing);
+  if (goes_to_shortcuts) event->ignore();
+  return goes_to_shortcuts;
 }
 
 }  // namespace mocapress

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QList>
+#include <QObject>
 
 #include "app/studio/window/view_actions.h"
 #include "widgets/timeline/transport_bar.h"
@@ -68,5 +69,16 @@ struct RecentMenus {
 
 /// Menus and tool bar.
 RecentMenus addMenus(QMainWindow* window, const Actions& actions, const QList<QDockWidget*>& docks);
+
+/// Leaves keys with Ctrl or Alt to the shortcuts of the program while a field has the focus: Qt's
+/// line edits take some of them for themselves, such as Ctrl+E for the end of the line. What edits
+/// text stays with them. A number has no text to edit: what is not part of it goes to shortcuts.
+class ShortcutsFirst : public QObject {
+ public:
+  using QObject::QObject;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+};
 
 }  // namespace mocapress

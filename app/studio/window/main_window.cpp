@@ -7,14 +7,18 @@
 #include <QCheckBox>
 #include <QCloseEvent>
 #include <QMenu>
+#include <QWidget>
 
 #include "app/studio/compare/pinned_results.h"
+#include "app/studio/document/clip_files.h"
+#include "app/studio/document/session.h"
+#include "app/studio/library/library.h"
+#include "app/studio/library/project_files.h"
+#include "app/studio/window/actions.h"
 #include "app/studio/window/help.h"
 #include "app/studio/window/incoming_files.h"
 #include "app/studio/window/language.h"
-#include "app/studio/window/leaving.h"
 #include "app/studio/window/notices.h"
-#include "app/studio/window/shortcuts_first.h"
 #include "app/studio/window/tool_windows.h"
 #include "app/studio/window/trace.h"
 #include "app/studio/window/undo_target.h"
@@ -26,6 +30,34 @@
 #include "widgets/viewport/viewport.h"
 
 namespace mocapress {
+
+Leaving::Leaving(Session* session, ClipFiles* files, Library* library, ProjectFiles* projects,
+                 QWidget* window)
+    : QObject(window),
+      session_(session),
+      files_(files),
+      library_(library),
+      projects_(projects),
+      window_(window) {}
+
+bool Leaving::mayClose() {
+  if (!may_lose_clip_ && session_->document().modified()) {
+    files_->leave([this] {
+      may_lose_clip_ = true;
+      may_lose_clip_ = window_->close();
+    });
+    return false;
+  }
+  if (!may_lose_project_ && !library_->end()) {
+    projects_->askToQuit([this] {
+      may_lose_clip_ = may_lose_project_ = true;
+      window_->close();
+    });
+    return false;
+  }
+  return true;
+}
+
 namespace {
 
 constexpr QSize kFirstSize(1440, 900);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QObject>
 
 #include "app/studio/compare/error_display.h"
 #include "app/studio/document/clip_files.h"
@@ -14,19 +15,45 @@
 #include "app/studio/window/actions.h"
 #include "app/studio/window/panels.h"
 #include "app/studio/window/theme.h"
-#include "app/studio/window/window_layout.h"
 #include "widgets/models/library_model.h"
 #include "widgets/timeline/playback.h"
 
+class QWidget;
+
 namespace mocapress {
 
+class ClipFiles;
 class IncomingFiles;
-class Leaving;
+class Library;
 class Notices;
 class PinnedResults;
+class ProjectFiles;
+class Session;
 class StudyWindow;
 class ToolWindows;
 class Trace;
+
+/// Whether the window may be closed: not before a compressed clip that would be lost is saved or
+/// given up, nor before the project is in its file.
+class Leaving : public QObject {
+  Q_OBJECT
+
+ public:
+  Leaving(Session* session, ClipFiles* files, Library* library, ProjectFiles* projects,
+          QWidget* window);
+
+  /// Asked when the window is to close. False: the user is asked, and closes it by the answer.
+  bool mayClose();
+
+ private:
+  Session* session_;
+  ClipFiles* files_;
+  Library* library_;
+  ProjectFiles* projects_;
+  QWidget* window_;
+  bool may_lose_clip_ = false;
+  bool may_lose_project_ = false;  // what cannot be written of it
+};
 
 /// The studio's window: makes its parts and connects them, no more.
 class MainWindow : public QMainWindow {

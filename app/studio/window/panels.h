@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QByteArray>
+#include <QList>
+
 #include "app/studio/compare/inspector.h"
 #include "app/studio/compare/presenter.h"
 
+class QDockWidget;
 class QMainWindow;
+class QWidget;
 
 namespace mocapress {
 
@@ -14,8 +19,33 @@ class MessageBar;
 class PinnedModel;
 class PinnedPanel;
 class SlotControl;
-class WindowLayout;
 struct TransportActions;
+
+/// Docks around the 3D view, remembered from run to run.
+class WindowLayout {
+ public:
+  explicit WindowLayout(QMainWindow* window) : window_(window) {}
+
+  /// One panel to either side, others side by side below.
+  QDockWidget* addLeft(QWidget* panel, const QString& id, const QString& title);
+  QDockWidget* addRight(QWidget* panel, const QString& id, const QString& title);
+  QDockWidget* addBelow(QWidget* panel, const QString& id, const QString& title);
+
+  const QList<QDockWidget*>& docks() const { return docks_; }
+
+  /// After the last dock: notes the layout as built, and restores the one of the last run.
+  void restore();
+  void remember() const;
+  void reset();
+
+ private:
+  QDockWidget* add(Qt::DockWidgetArea area, QWidget* panel, const QString& id,
+                   const QString& title);
+
+  QMainWindow* window_;
+  QList<QDockWidget*> docks_;
+  QByteArray built_;
+};
 
 /// All that the main window shows: 3D view, timeline and transport in the middle, the library to
 /// the left, settings and figures to the right, joints and their errors below.

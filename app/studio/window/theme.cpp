@@ -6,13 +6,32 @@
 #include <QDBusMessage>
 #include <QDBusPendingCallWatcher>
 #include <QDBusPendingReply>
+#include <QPainter>
 #include <QSettings>
+#include <QStyleFactory>
+#include <QStyleOption>
 #include <QToolTip>
 
 namespace mocapress {
+
+StudioStyle::StudioStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
+                                QPainter* painter, const QWidget* widget) const {
+  QProxyStyle::drawPrimitive(element, option, painter, widget);
+  if (element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck) return;
+  QColor outline = option->palette.color(QPalette::Text);
+  outline.setAlphaF(option->state & State_Enabled ? 0.5F : 0.25F);
+  painter->save();
+  painter->setPen(outline);
+  painter->setBrush(Qt::NoBrush);
+  painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+  painter->restore();
+}
+
 namespace {
 
-const QString kSetting = QStringLiteral("window/theme");
+const QString kThemeSetting = QStringLiteral("window/theme");
 const QString kService = QStringLiteral("org.freedesktop.portal.Desktop");
 const QString kObject = QStringLiteral("/org/freedesktop/portal/desktop");
 const QString kInterface = QStringLiteral("org.freedesktop.portal.Settings");
@@ -82,7 +101,7 @@ QPalette darkPalette() {
 
 Theme::Theme(QObject* parent)
     : QObject(parent),
-      choice_(static_cast<ThemeChoice>(QSettings().value(kSetting, 0).toInt())),
+      choice_(static_cast<ThemeChoice>(QSettings().value(kThemeSetting, 0).toInt())),
       system_dark_(QApplication::palette().color(QPalette::Window).lightnessF() < 0.5F) {
   askDesktop();
   apply();
@@ -90,7 +109,7 @@ Theme::Theme(QObject* parent)
 
 void Theme::choose(ThemeChoice choice) {
   choice_ = choice;
-  QSettings().setValue(kSetting, static_cast<int>(choice));
+  QSettings().setValue(kThemeSetting, static_cast<int>(choice));
   apply();
 }
 

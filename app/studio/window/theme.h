@@ -4,8 +4,18 @@
 #include <QDBusVariant>
 #include <QObject>
 #include <QPalette>
+#include <QProxyStyle>
 
 namespace mocapress {
+
+/// Fusion, with check boxes whose outline is seen on dark ground too.
+class StudioStyle : public QProxyStyle {
+ public:
+  StudioStyle();
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
+};
 
 /// What the user wants the windows to look like.
 enum class ThemeChoice { System, Light, Dark };

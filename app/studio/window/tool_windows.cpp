@@ -4,10 +4,8 @@
 #include "app/studio/batch/batch_memory.h"
 #include "app/studio/batch/batch_window.h"
 #include "app/studio/document/clip_files.h"
-#include "app/studio/document/recent_files.h"
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
-#include "app/studio/study/study_memory.h"
 #include "app/studio/study/study_window.h"
 
 namespace mocapress {

@@ -2,7 +2,7 @@
 #include "core/codec/encode/clip_analysis.h"
 
 #include "core/codec/encode/form_choice.h"
-#include "core/codec/encode/segments.h"
+#include "core/codec/encode/segmented_encode.h"
 #include "core/motion/body_tracks.h"
 
 namespace mocapress {

@@ -13,7 +13,7 @@
 #include "core/motion/loop.h"
 #include "core/motion/rotation_form.h"
 #include "core/select/error_model.h"
-#include "core/select/truncation.h"
+#include "core/select/ranking.h"
 
 namespace mocapress {
 
@@ -25,7 +25,7 @@ struct BasisAnalysis {
 
   BasisAnalysis(const Motion& motion, Basis basis);
 
-  /// Of signals made comparable by these factors, one for each column.
+  /// The factors `comparable`, one for each column, make the signals comparable.
   BasisAnalysis(const Clip& columns, const std::vector<double>& comparable, Basis basis);
 };
 
@@ -35,8 +35,8 @@ class ClipAnalysis {
  public:
   explicit ClipAnalysis(Motion motion) : motion_(std::move(motion)) {}
 
-  /// Of the same motion in other channels: what does not hang on these is that of `same`, which
-  /// must outlive this.
+  /// The same motion in other channels. What does not depend on channels is taken from `same`,
+  /// which must outlive this.
   ClipAnalysis(Motion motion, const ClipAnalysis& same)
       : motion_(std::move(motion)), same_(&same) {}
 

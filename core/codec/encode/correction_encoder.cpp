@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/feet/feet.h"
-#include "core/ik/response.h"
+#include "core/ik/solve.h"
 
 namespace mocapress {
 namespace {
@@ -57,10 +57,6 @@ Eigen::VectorXd steps_in_contact(const Eigen::ArrayXd& contact) {
 }
 
 }  // namespace
-
-std::string_view name(CorrectAt at) {
-  return at == CorrectAt::EveryFrame ? "every-frame" : "contacts";
-}
 
 CorrectionEncoder::CorrectionEncoder(const Skeleton& skeleton,
                                      const Eigen::MatrixXd& original_tracks,

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/codec/encode/correct_at.h"
 #include "core/codec/encode/difference_fit.h"
 #include "core/codec/format/compressed_clip.h"
 #include "core/feet/contact_spans.h"
+#include "core/ik/correction_kind.h"
 #include "core/select/point_term.h"
 
 namespace mocapress {

@@ -3,9 +3,9 @@
 
 namespace mocapress {
 
-/// Finds the number of coefficients that meets a target, from as few trials as possible: a trial
-/// may be a whole annealing. The caller answers each count() with its excess, the logarithm of what
-/// came of it over what was wanted, signed so that it grows with the count; bytes and 1 / error are
+/// Finds the number of coefficients that meets a target. It takes as few trials as possible, for a
+/// trial may be a whole annealing. The caller answers each count() with its excess: the logarithm
+/// of the result over the target, signed so that it grows with the count. Bytes and 1 / error are
 /// about proportional to a power of the count, so the search is linear in logarithms.
 class CountSearch {
  public:

@@ -24,14 +24,14 @@ struct DifferenceFit {
   Eigen::MatrixXi values;     // zero where not kept
 };
 
-/// The largest step a coding has that is not above the one wished for.
+/// The largest step of a coding that is not above `step`.
 using CodedStep = std::function<double(double step)>;
 
-/// `count` coefficients in all, chosen and given values so that the signals they make cost little.
-/// The largest with their own values would do for signals whose basis is orthonormal and whose
-/// frames are all alike; these are neither. For the same reason they are not rounded each to the
-/// nearest step: a value makes good what the rounding of its neighbours cost. Requires one weight
-/// for each signal.
+/// Chooses `count` coefficients in all, and their values, so that the signals they make cost
+/// little. With an orthonormal basis and frames that weigh alike, the largest coefficients with
+/// their own values would be best; here neither holds. For the same reason values are not rounded
+/// to the nearest step: each makes up for the rounding of its neighbours. Requires one weight for
+/// each signal.
 DifferenceFit fit_differences(const Clip& columns, const std::vector<FitWeights>& weights,
                               Basis basis, int count, const CodedStep& coded_step);
 

@@ -15,4 +15,13 @@ enum class Effort {
 /// "draft", "default", "best".
 std::string_view name(Effort effort);
 
+/// The state of a running encode. A target other than the coefficient ratio takes several passes.
+struct EncodeProgress {
+  int pass = 0;        // from 0
+  int iteration = 0;   // of this pass's annealing, or sweeps of a closed loop
+  int step = 0;        // coefficients moved at a time: halves until it is 0; 0 in a closed loop
+  int first_step = 0;  // the step the pass began with
+  double eps_cm = 0;   // by the quadratic model, in the chosen weighting
+};
+
 }  // namespace mocapress

@@ -7,11 +7,11 @@
 
 #include "core/codec/decode/decoder.h"
 #include "core/codec/encode/clip_analysis.h"
-#include "core/codec/encode/original.h"
+#include "core/codec/encode/goal.h"
 #include "core/codec/encode/targeted_encode.h"
 #include "core/codec/format/room.h"
 #include "core/feet/feet.h"
-#include "core/ik/knee.h"
+#include "core/ik/correction.h"
 
 namespace mocapress {
 namespace {

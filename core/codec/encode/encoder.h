@@ -9,9 +9,8 @@
 #include "core/base/progress.h"
 #include "core/codec/encode/correction_encoder.h"
 #include "core/codec/encode/effort.h"
-#include "core/codec/encode/encode_progress.h"
 #include "core/codec/encode/importance.h"
-#include "core/codec/encode/segments.h"
+#include "core/codec/encode/segmented_encode.h"
 #include "core/codec/encode/target.h"
 #include "core/feet/footskate.h"
 #include "core/metrics/distortion.h"
@@ -52,11 +51,10 @@ struct CorrectionResult {
   double fastest_knee_of_original = 0;
 };
 
-/// A finished encode, decoded again and measured. Where only figures are asked for, the decoded
-/// clip and the distances stay empty and percentiles are those of DistanceCounts: of a closed loop
-/// in segments, what encoding takes then does not grow with the clip, but for the contacts, what is
-/// seen in each tenth of a second, the coded bytes and, under a hard maximum, a weight for each
-/// frame.
+/// A finished encode, decoded again and measured. With `figures_only` the decoded clip and the
+/// distances stay empty, and percentiles are those of DistanceCounts. A closed loop in segments
+/// then takes memory that hardly grows with the clip. What grows: the contacts, what is seen in
+/// each tenth of a second, the coded bytes and, under a hard maximum, a weight for each frame.
 struct Encoding {
   CompressedClip compressed;
   Clip decoded;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/codec/encode/encoder.h"
-#include "core/codec/encode/trial.h"
+#include "core/codec/encode/goal.h"
 
 namespace mocapress {
 
@@ -14,12 +14,13 @@ bool codes_ends(const EncodeOptions& options);
 int frames_at_ends(int frames);
 
 /// Codes what the first and the last pose of a trial lack, in the coarsest steps that keep the
-/// promise: of an even end 0.8 of the target, so that neighbours fare well too, of an exact one a
-/// tenth; of what the trial has where the target is no error. The last pose of a loop comes to a
-/// tenth of the target as near to the first's error, so that nothing jumps, and velocities as near
-/// as may be. Beside a correction ends are exact and no other frame takes part, or feet that are
-/// held would slide. The originals are in the channels that are coded: as many first and last
-/// frames as frames_at_ends() says, at least one.
+/// promise. The error of an even end is at most 0.8 of the target, so that its neighbours fare well
+/// too; that of an exact end at most a tenth. Where the target is no error, the trial's own error
+/// takes its place. In a loop the errors of the last and the first pose differ by at most a tenth
+/// of the target, so that nothing jumps, and their velocities come as near as possible. With a
+/// correction both ends are exact and no other frame takes part: held feet would slide otherwise.
+/// The originals are the first and last frames in the channels that are coded: frames_at_ends() of
+/// them, at least one.
 void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_skeleton,
               const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last);
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/motion/joint_rotation.h"
+#include "core/motion/forward_kinematics.h"
 
 namespace mocapress {
 namespace {

@@ -4,12 +4,12 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/motion/measured_points.h"
+#include "core/motion/landmarks.h"
 
 namespace mocapress {
 
-/// A bound on how far any point of a weighting may be from its original, and any joint's origin,
-/// while one channel after another changes. Exact: what hangs on a joint turns about it as one
+/// A bound on the error of every point of a weighting and every joint's origin, checked while one
+/// channel after another changes. It is exact: everything below a joint turns about it as one
 /// piece.
 class ErrorBound {
  public:
@@ -25,8 +25,8 @@ class ErrorBound {
   /// Goes on to the next channel, 0 first.
   void next();
 
-  /// Whether `delta`, added to that channel from a frame on, takes no landmark beyond the bound;
-  /// nor further where it is beyond.
+  /// Whether `delta`, added to that channel from a frame on, takes no landmark beyond the bound,
+  /// and none that is already beyond it further away.
   bool allows(Eigen::Index first_frame, const Eigen::VectorXd& delta) const;
   void add(Eigen::Index first_frame, const Eigen::VectorXd& delta);
 

@@ -11,8 +11,7 @@
 #include "core/codec/format/adaptive.h"
 #include "core/codec/format/axes_section.h"
 #include "core/motion/forward_kinematics.h"
-#include "core/motion/joint_rotation.h"
-#include "core/motion/measured_points.h"
+#include "core/motion/landmarks.h"
 #include "core/wavelet/lifting.h"
 
 namespace mocapress {

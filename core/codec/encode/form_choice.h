@@ -5,10 +5,11 @@
 
 namespace mocapress {
 
-/// For each joint the form of its rotations that is likely to take fewest bits, by what the wavelet
-/// coefficients of its angles come to on some of the frames: of the six orders, and of two about
-/// axes turned so that the innermost angle is the twist of what hangs on the joint. Joints that
-/// mirror one another choose alike. Its own where no other saves much.
+/// For each joint the form of its rotations that is likely to take the fewest bits. The wavelet
+/// coefficients of its angles on some of the frames tell. The choice is among the six orders and
+/// two forms about turned axes, whose innermost angle is the twist of the limb below the joint.
+/// Joints that mirror one another choose alike. A joint keeps its own form where no other saves
+/// much.
 RotationForms choose_forms(const Motion& motion);
 
 }  // namespace mocapress

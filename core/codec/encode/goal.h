@@ -4,11 +4,53 @@
 #include <functional>
 
 #include "core/codec/encode/count_search.h"
-#include "core/codec/encode/original.h"
 #include "core/codec/encode/target.h"
+#include "core/codec/format/compressed_clip.h"
 #include "core/metrics/visibility.h"
+#include "core/motion/body_tracks.h"
 
 namespace mocapress {
+
+/// The motion that decoded clips are compared with, landmark by landmark, some frames at a time.
+class Original {
+ public:
+  using Tracks = std::function<const Eigen::MatrixXd&()>;
+
+  /// `tracks` gives its body_tracks() once they are needed. Without, those of a few frames are
+  /// computed whenever these are compared, and never kept. The motion must outlive this.
+  explicit Original(const Motion& motion, Tracks tracks = {})
+      : motion_(motion), tracks_(std::move(tracks)) {}
+
+  const Motion& motion() const { return motion_; }
+
+  /// Rows of body_tracks() of both clips, from first_frame on: in time, each frame once.
+  using Visit =
+      std::function<void(int first_frame, const TrackRows& original, const TrackRows& decoded)>;
+
+  /// With frames that were decoded: those from first_frame on. Their channels may be others than
+  /// the original's, the bones are the same.
+  void compare(int first_frame, const Skeleton& skeleton, const Clip& decoded,
+               const Visit& visit) const;
+
+  /// With all that a clip decodes to, in memory that does not grow with its segments.
+  void compare(const CompressedClip& compressed, const Visit& visit) const;
+
+ private:
+  const Motion& motion_;
+  Tracks tracks_;
+};
+
+/// Some number of coefficients, chosen and coded, and how far that is from a goal.
+struct Trial {
+  CompressedClip compressed;
+  int count = 0;
+  double scale = 0;   // of a closed loop
+  double eps_cm = 0;  // of a closed loop, by the quadratic model
+  int iterations = 0;
+  bool complete = true;
+  double achieved = 0;  // the quantity of the target
+  double excess = 0;    // core/codec/encode/goal.h
+};
 
 /// A target put to one clip: how near a coded clip comes, and whether that keeps the promise.
 /// An "excess" is the logarithm of what was reached over what was asked, signed so that it grows

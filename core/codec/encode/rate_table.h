@@ -8,20 +8,21 @@
 
 namespace mocapress {
 
-/// About how many bits the adaptive coding takes for a coefficient, by the two before it and its
-/// two parents: a geometric law whose mean follows them. Learned from the values themselves it
-/// would come nearer to the bits that are coded, and yet sweeps would leave 2 to 3 % more of them:
-/// what is rare already would be so dear that none would try it.
+/// About how many bits the adaptive coding takes for a coefficient. The estimate is a geometric law
+/// whose mean follows the two coefficients before and the two parents. A law learned from the
+/// values would be nearer to the coded bits, but sweeps would end with 2 to 3 % more of them: rare
+/// values would cost so much that no sweep would try them.
 class RateTable {
  public:
   /// The bands must outlive the table.
   explicit RateTable(const std::vector<Band>& bands) : bands_(bands) {}
 
-  /// Of coefficient `i` of band `b` > 0, were it `value`. `signal` holds all coefficients.
+  /// The bits of coefficient `i` of band `b` > 0 if it were `value`. `signal` holds all
+  /// coefficients.
   double bits(const int* signal, int b, int i, int value) const;
 
-  /// The same with those of the coefficients that it is a neighbour of. `signal` is as before on
-  /// return.
+  /// The same, plus the bits of the coefficients that it is a neighbour of. `signal` is unchanged
+  /// on return.
   double bits_around(int* signal, int b, int i, int value) const;
 
   /// Of a difference between coarse samples.

@@ -6,7 +6,6 @@
 #include "core/codec/encode/closed_loop.h"
 #include "core/codec/encode/encoder.h"
 #include "core/codec/encode/goal.h"
-#include "core/codec/encode/trial.h"
 
 namespace mocapress {
 
@@ -21,7 +20,7 @@ using CoarsenTrial = std::function<Trial(const Trial& trial, double bound_cm)>;
 struct ScaleGuess {
   double likely;                   // to meet the target
   std::function<double()> finest;  // asked for after the first trial; finer ones do not fit
-  bool dear = false;               // fewer trials: the full tolerance will do sooner
+  bool dear = false;               // trials are slow: take few, end anywhere within the tolerance
   bool corrected = false;          // by IK, which mends less than the sweeps count on
 };
 

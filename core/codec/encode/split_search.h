@@ -13,10 +13,11 @@ struct Split {
   double slide_cm;  // footskate
 };
 
-/// Finds the r_IK of the least price that takes nine tenths of the slide away or, where none does,
-/// that of the least slide. Both price and slide are measured on whole encodes, so that r_IK is
-/// sought in few: from the paper's 16 in steps of two, up to where the feet are no longer held and
-/// down to where that gets dearer, then in finer steps between the best and what does not hold.
+/// Finds the cheapest r_IK that removes nine tenths of the slide. If none does, it finds the one
+/// with the least slide. Price and slide come from whole encodes, so the search takes few of them.
+/// It starts at the paper's 16 and goes by factors of two: up until the feet are no longer held,
+/// down until the price rises. Then it takes finer steps between the best and the first that does
+/// not hold.
 class SplitSearch {
  public:
   static constexpr double kFirst = 16;  // of the paper's video

@@ -25,9 +25,8 @@ constexpr bool is_by_worst(const Target& target) {
   return target.kind == Target::Kind::MaxError || target.kind == Target::Kind::Visibility;
 }
 
-/// Whether a clip that came to `achieved`, the target's quantity, is as was asked. Figures that
-/// went through a text and back are forgiven their rounding; a coefficient ratio is met by
-/// construction.
+/// Whether `achieved`, in the target's quantity, meets the target. Figures that were written as
+/// text and read again may be off by their rounding. A coefficient ratio is met by construction.
 bool reached(const Target& target, double achieved);
 
 /// "ratio", "coefficient-ratio", "size", "error", "max-error", "not-visible".

@@ -10,14 +10,12 @@
 #include <tuple>
 
 #include "core/codec/decode/decoder.h"
-#include "core/codec/decode/signal_decoder.h"
 #include "core/codec/encode/count_search.h"
 #include "core/codec/encode/end_fit.h"
 #include "core/codec/encode/goal.h"
 #include "core/codec/encode/scale_search.h"
 #include "core/codec/encode/segmented_encode.h"
 #include "core/codec/encode/split_search.h"
-#include "core/codec/encode/trial.h"
 #include "core/metrics/rate.h"
 #include "core/select/annealing.h"
 

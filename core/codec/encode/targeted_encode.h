@@ -3,8 +3,7 @@
 
 #include "core/codec/encode/clip_analysis.h"
 #include "core/codec/encode/encoder.h"
-#include "core/codec/encode/original.h"
-#include "core/codec/encode/trial.h"
+#include "core/codec/encode/goal.h"
 
 namespace mocapress {
 

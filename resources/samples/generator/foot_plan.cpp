@@ -5,7 +5,7 @@
 #include <cassert>
 #include <utility>
 
-#include "core/motion/channel.h"
+#include "core/motion/skeleton.h"
 #include "resources/samples/generator/human_skeleton.h"
 
 namespace mocapress::samples {

@@ -6,8 +6,8 @@
 
 #include "core/base/byte_cursor.h"
 #include "core/base/error.h"
+#include "core/baselines/comparison_method.h"
 #include "core/baselines/compression_method.h"
-#include "core/baselines/pca.h"
 #include "core/codec/format/container.h"
 #include "tests/support/test_motion.h"
 

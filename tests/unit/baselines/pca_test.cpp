@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/baselines/pca.h"
+#include "core/baselines/comparison_method.h"
 
 #include <gtest/gtest.h>
 

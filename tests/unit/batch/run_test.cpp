@@ -2,6 +2,7 @@
 #include "core/batch/run.h"
 
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <atomic>
 #include <thread>
@@ -9,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/baselines/compared_file.h"
-#include "core/batch/merge.h"
+#include "core/batch/batch_folder.h"
 #include "core/report/markup.h"
 #include "tests/support/svg_frame.h"
 #include "tests/unit/batch/batch_clips.h"
@@ -237,7 +238,7 @@ TEST_F(BatchRun, PausedDoesNothingUntilItMayGoOn) {
   });
   EXPECT_TRUE(control.paused());
   EXPECT_EQ(steps, 0);
-  control.should_continue();
+  control.resume();
   worker.join();
   EXPECT_GT(steps, 0);
   EXPECT_TRUE(outcome.complete);
@@ -363,6 +364,51 @@ TEST_F(BatchRun, ResumedTellsWhatTheReviewerSaysNow) {
   EXPECT_EQ(run(asked, {.resumed = true}).counts.kept, 3u);
   EXPECT_EQ(rows()[1].review, item.review);
   EXPECT_THAT(read_text(out() / "report.csv"), HasSubstr(",rejected,slides,"));
+}
+
+/// Three clips of 100, 100 and 800 bytes, of which the first two are done.
+BatchCounts at_the_long_one(double share) {
+  return {.clips = 3, .done = 2, .bytes = 1000, .bytes_done = 200, .bytes_under_way = 800 * share};
+}
+
+TEST(TimeLeft, IsUnsetUntilAClipWasWorkedOnToItsEnd) {
+  TimeLeft left;
+  left.update({.clips = 3, .bytes = 1000, .bytes_under_way = 50}, 1);
+  EXPECT_FALSE(left.seconds());
+  left.update(
+      {.clips = 3, .done = 1, .kept = 1, .bytes = 1000, .bytes_done = 100, .bytes_kept = 100}, 1);
+  EXPECT_FALSE(left.seconds());
+  left.update(
+      {.clips = 3, .done = 2, .kept = 1, .bytes = 1000, .bytes_done = 200, .bytes_kept = 100}, 2);
+  EXPECT_EQ(left.seconds(), 16);
+}
+
+TEST(TimeLeft, FallsWithTheProgressOfTheLastLongClip) {
+  TimeLeft left;
+  left.update(at_the_long_one(0), 2);
+  EXPECT_EQ(left.seconds(), 8);
+  left.update(at_the_long_one(0.25), 4);
+  EXPECT_EQ(left.seconds(), 6);
+  left.update(at_the_long_one(0.75), 8);
+  EXPECT_EQ(left.seconds(), 2);
+}
+
+TEST(TimeLeft, NeverGrowsWhileALongClipSeemsToStandStill) {
+  TimeLeft left;
+  left.update(at_the_long_one(0.5), 6);
+  EXPECT_EQ(left.seconds(), 4);
+  left.update(at_the_long_one(0.5), 60);
+  EXPECT_EQ(left.seconds(), 4);
+}
+
+TEST(TimeLeft, IsToldAnewByEveryClipThatEnds) {
+  TimeLeft left;
+  left.update({.clips = 3, .done = 1, .bytes = 1000, .bytes_done = 100}, 1);
+  EXPECT_EQ(left.seconds(), 9);
+  left.update(at_the_long_one(0), 10);
+  EXPECT_EQ(left.seconds(), 40);
+  left.update({.clips = 3, .done = 3, .bytes = 1000, .bytes_done = 1000}, 50);
+  EXPECT_EQ(left.seconds(), 0);
 }
 
 }  // namespace

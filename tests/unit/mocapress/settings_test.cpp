@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/baselines/compression_method.h"
 #include "core/codec/encode/encoder.h"
-#include "core/metrics/body_figures.h"
+#include "core/metrics/distortion.h"
 #include "core/mocapress/encode_options.h"
 #include "core/mocapress/settings_json.h"
 #include "resources/samples/generator/samples.h"

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/metrics/distortion.h"
-#include "core/select/truncation.h"
+#include "core/select/ranking.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {

@@ -10,8 +10,6 @@
 
 #include "core/report/markup.h"
 #include "core/report/scene_svg.h"
-#include "core/study/report_angles.h"
-#include "core/study/report_feet.h"
 #include "core/study/report_tables.h"
 #include "core/study/take_picture.h"
 #include "tests/support/svg_frame.h"

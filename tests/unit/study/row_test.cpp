@@ -9,8 +9,6 @@
 
 #include "core/base/file.h"
 #include "core/report/loaded_clip.h"
-#include "core/study/row_json.h"
-#include "core/study/rows_file.h"
 #include "tests/support/test_motion.h"
 #include "tests/unit/study/study_rows.h"
 

@@ -12,8 +12,7 @@
 
 #include "core/base/file.h"
 #include "core/baselines/comparison_method.h"
-#include "core/study/row_json.h"
-#include "core/study/rows_file.h"
+#include "core/study/row.h"
 #include "core/study/study_folder.h"
 #include "tests/support/test_motion.h"
 

@@ -5,7 +5,6 @@
 
 #include "core/codec/encode/encoder.h"
 #include "core/motion/landmarks.h"
-#include "core/motion/measured_points.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {

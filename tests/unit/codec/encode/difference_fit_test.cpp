@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/codec/format/quantised_signals.h"
-#include "core/select/truncation.h"
+#include "core/select/ranking.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {

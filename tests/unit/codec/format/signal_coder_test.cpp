@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/codec/decode/signal_decoder.h"
+#include "core/codec/decode/decoder.h"
 #include "core/codec/encode/clip_analysis.h"
 #include "tests/support/test_motion.h"
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/terminal.h"
+
+#include <unistd.h>
+#include <cstdio>
+
+namespace mocapress::cli {
+
+std::string clock_text(double seconds) {
+  const int whole = static_cast<int>(seconds);
+  char text[32];
+  if (whole < 3600)
+    std::snprintf(text, sizeof text, "%d:%02d", whole / 60, whole % 60);
+  else
+    std::snprintf(text, sizeof text, "%d:%02d:%02d", whole / 3600, whole / 60 % 60, whole % 60);
+  return text;
+}
+
+ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+double ProgressLine::elapsed_seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+bool ProgressLine::due() const {
+  return !quiet_ && elapsed_seconds() >= next_;
+}
+
+void ProgressLine::show(std::string line) {
+  next_ = elapsed_seconds() + (terminal_ ? 0.1 : 5.0);
+  if (!terminal_) {
+    std::fprintf(stderr, "%s\n", line.c_str());
+    return;
+  }
+  constexpr std::size_t kWidth = 78;
+  line.resize(kWidth, ' ');
+  std::fprintf(stderr, "\r%s", line.c_str());
+  shown_ = true;
+}
+
+void ProgressLine::clear() const {
+  if (shown_) std::fprintf(stderr, "\r%78s\r", "");
+}
+
+}  // namespace mocapress::cli

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/row.h"
+
+#include <cmath>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/base/fnv1a.h"
+#include "core/batch/format_options_json.h"
+#include "core/formats/motion_file.h"
+#include "core/formats/text_cursor.h"
+#include "core/mocapress/settings_json.h"
+#include "core/report/measurement_json.h"
+
+namespace mocapress {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_of(const BatchItem& item) {
+  const fs::path input = item.input;
+  if (!equals_ignoring_case(input.extension().string(), ".amc")) return {input};
+  return {input, item.skeleton.empty() ? find_skeleton(input) : fs::path(item.skeleton)};
+}
+
+void add_file(Fnv1a& hash, const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string buffer(1 << 16, '\0');
+  while (stream) {
+    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    hash.add(std::string_view(buffer.data(), static_cast<std::size_t>(stream.gcount())));
+  }
+  if (!stream.eof()) throw InputError(file.string(), 0, 0, "cannot be read");
+}
+
+/// Without the hash.
+InputStamp quick_stamp(const std::vector<fs::path>& files) {
+  InputStamp quick;
+  for (const fs::path& file : files) {
+    std::error_code error;
+    const std::uintmax_t bytes = fs::file_size(file, error);
+    const fs::file_time_type written =
+        error ? fs::file_time_type() : fs::last_write_time(file, error);
+    if (error) throw InputError(file.string(), 0, 0, error.message());
+    quick.bytes += bytes;
+    const auto time = std::chrono::duration_cast<std::chrono::nanoseconds>(
+        std::chrono::file_clock::to_sys(written).time_since_epoch());
+    quick.newest_ns = std::max(quick.newest_ns, std::int64_t{time.count()});
+  }
+  return quick;
+}
+
+std::string hash_of_all(const std::vector<fs::path>& files) {
+  Fnv1a hash;
+  for (const fs::path& file : files) add_file(hash, file);
+  return hash.text();
+}
+
+}  // namespace
+
+InputStamp stamp(const BatchItem& item) {
+  const std::vector<fs::path> files = files_of(item);
+  InputStamp whole = quick_stamp(files);
+  whole.hash = hash_of_all(files);
+  return whole;
+}
+
+bool unchanged(const BatchItem& item, const InputStamp& stamp) {
+  try {
+    const std::vector<fs::path> files = files_of(item);
+    const InputStamp quick = quick_stamp(files);
+    if (quick.bytes != stamp.bytes) return false;
+    return quick.newest_ns == stamp.newest_ns || hash_of_all(files) == stamp.hash;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::string hash_of(const fs::path& file) {
+  return hash_of_all({file});
+}
+
+namespace {
+
+constexpr double kUnit = 100;  // of a pose's numbers in a cm
+
+void add_measurement(Json& json, const BatchRow& row) {
+  const Measurement none;
+  const Measurement& m = row.measured ? *row.measured : none;
+  const double joint_samples = std::max(1.0, static_cast<double>(m.frames) * row.joints);
+  const auto add = [&](const char* key, Json value) {
+    json[key] = row.measured ? std::move(value) : Json();
+  };
+  add("frames", m.frames);
+  add("channels", m.channels);
+  add("joints", row.joints);
+  add("sample_rate_hz", m.sample_rate_hz);
+  add("raw_bytes", m.raw_bytes);
+  add("motion_bytes", m.motion_bytes);
+  add("file_bytes", m.file_bytes);
+  add("ratio", m.ratio);
+  add("bits_per_joint_sample", 8.0 * static_cast<double>(m.motion_bytes) / joint_samples);
+  add_errors(m, row.preset.weighting, add);
+  add("worst_point", row.worst ? Json(row.worst->landmark) : Json());
+  add("contacts", m.contacts);
+  add("footskate_cm", or_null(m.footskate_cm));
+  add("ik_ratio_used", or_null(m.ik_ratio_used));
+  add("footskate_mean_cm", m.slide ? Json(m.slide->mean_cm) : Json());
+  add("footskate_worst_cm", m.slide ? Json(m.slide->worst_cm) : Json());
+  add("ik_bytes", or_null(m.ik_bytes));
+  add("knee_speed_ratio", or_null(m.knee_speed_ratio));
+  add("iterations", or_null(m.iterations));
+  add("verified_by", row.verified_by);
+}
+
+Json report_json(const BatchRow& row) {
+  const Settings& preset = row.preset;
+  Json json = {{"input", row.input},
+               {"output", row.output},
+               {"done", row.done()},
+               {"preset", preset.name},
+               {"method", preset.method},
+               {"target", name(preset.target.kind)},
+               {"target_value", preset.target.value},
+               {"weighting", name(preset.weighting)},
+               {"coding", coding_of(preset) ? Json(name(*coding_of(preset))) : Json()},
+               {"seed", preset.seed},
+               {"ik_ratio", Json()}};
+  if (preset.correction)
+    json["ik_ratio"] = preset.correction->ratio ? Json(*preset.correction->ratio) : Json("auto");
+  add_measurement(json, row);
+  json["files"] = Json::array();
+  for (const WrittenFile& file : row.files) json["files"].push_back(file.name);
+  json["warnings"] = row.warnings;
+  json["verdict"] = text_or_null(name(row.review.verdict));
+  json["note"] = text_or_null(row.review.note);
+  json["error"] = text_or_null(row.error);
+  return json;
+}
+
+Json points_json(const PosePoints& points) {
+  Json numbers = Json::array();
+  for (const Eigen::Vector3d& point : points)
+    for (const double cm : point) numbers.push_back(std::llround(kUnit * cm));
+  return numbers;
+}
+
+PosePoints points_from(const Json& numbers) {
+  PosePoints points;
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+    points.emplace_back(numbers.at(i).get<double>() / kUnit,
+                        numbers.at(i + 1).get<double>() / kUnit,
+                        numbers.at(i + 2).get<double>() / kUnit);
+  return points;
+}
+
+Json to_json(const WorstPose& pose) {
+  Json bones = Json::array();
+  for (const DrawnBone& bone : pose.bones)
+    bones.push_back({bone.from, bone.to, std::llround(kUnit * bone.from_radius),
+                     std::llround(kUnit * bone.to_radius)});
+  return {{"frame", pose.frame},
+          {"landmark", pose.landmark},
+          {"point", pose.point},
+          {"off_cm", pose.off_cm},
+          {"ground_cm", pose.ground_cm},
+          {"facing", {pose.facing.x(), pose.facing.y(), pose.facing.z()}},
+          {"bones", bones},
+          {"original", points_json(pose.original)},
+          {"decoded", points_json(pose.decoded)}};
+}
+
+/// A journal may have been edited: what would be drawn from outside the arrays is no pose.
+void check(const WorstPose& pose) {
+  const auto points = static_cast<int>(pose.original.size());
+  const auto is_point = [&](int index) { return index >= 0 && index < points; };
+  bool whole = is_point(pose.point) && pose.decoded.size() == pose.original.size();
+  for (const DrawnBone& bone : pose.bones)
+    whole = whole && is_point(bone.from) && is_point(bone.to);
+  if (!whole) throw Error("not a pose");
+}
+
+WorstPose pose_from(const Json& json) {
+  WorstPose pose;
+  json.at("frame").get_to(pose.frame);
+  json.at("landmark").get_to(pose.landmark);
+  json.at("point").get_to(pose.point);
+  json.at("off_cm").get_to(pose.off_cm);
+  json.at("ground_cm").get_to(pose.ground_cm);
+  for (int axis = 0; axis < 3; ++axis)
+    pose.facing[axis] = json.at("facing").at(static_cast<std::size_t>(axis)).get<double>();
+  for (const Json& bone : json.at("bones"))
+    pose.bones.push_back({bone.at(0).get<int>(), bone.at(1).get<int>(),
+                          bone.at(2).get<double>() / kUnit, bone.at(3).get<double>() / kUnit});
+  pose.original = points_from(json.at("original"));
+  pose.decoded = points_from(json.at("decoded"));
+  check(pose);
+  return pose;
+}
+
+BatchRow row_from(const Json& json) {
+  BatchRow row;
+  json.at("index").get_to(row.index);
+  json.at("input").get_to(row.input);
+  json.at("output").get_to(row.output);
+  row.preset = preset_from(json.at("settings"));
+  for (const Json& format : json.at("formats"))
+    if (const auto known = output_format(format.get_ref<const std::string&>()))
+      row.formats.push_back(*known);
+  row.reading = format_options(json.at("reading"));
+  row.writing = format_options(json.at("writing"));
+  json.at("stamp").at("bytes").get_to(row.stamp.bytes);
+  json.at("stamp").at("newest_ns").get_to(row.stamp.newest_ns);
+  json.at("stamp").at("hash").get_to(row.stamp.hash);
+  if (!json.at("frames").is_null()) {
+    row.measured = measurement_of(json);
+    row.measured->ik_ratio_used = optional_at<double>(json, "ik_ratio_used");
+    json.at("joints").get_to(row.joints);
+    json.at("verified_by").get_to(row.verified_by);
+  }
+  for (const Json& file : json.at("written"))
+    row.files.push_back({file.at("name").get<std::string>(), file.at("bytes").get<std::uintmax_t>(),
+                         file.at("hash").get<std::string>()});
+  json.at("warnings").get_to(row.warnings);
+  row.review = {verdict_named(optional_at<std::string>(json, "verdict").value_or("")),
+                optional_at<std::string>(json, "note").value_or("")};
+  row.error = optional_at<std::string>(json, "error").value_or("");
+  for (const Json& line : json.value("sights", Json::array()))
+    row.sights.push_back({line.at(0).get<std::string>(), line.at(1).get<std::string>()});
+  if (!json.at("worst").is_null()) row.worst = pose_from(json.at("worst"));
+  return row;
+}
+
+std::string csv_text(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string all;
+  for (const Json& one : value) all += (all.empty() ? "" : "; ") + one.get<std::string>();
+  return all;
+}
+
+}  // namespace
+
+bool keeps_promise(const Settings& preset, const Measurement& measured) {
+  return reached(preset.target, measured.quantity(preset.target.kind, preset.weighting));
+}
+
+std::string to_report_line(const BatchRow& row) {
+  return dumped(report_json(row));
+}
+
+std::string to_journal_line(const BatchRow& row) {
+  Json json = report_json(row);
+  json["index"] = row.index;
+  json["settings"] = to_json(row.preset);
+  json["formats"] = Json::array();
+  for (const OutputFormat format : row.formats) json["formats"].push_back(name(format));
+  put(json["reading"] = Json::object(), row.reading);
+  put(json["writing"] = Json::object(), row.writing);
+  json["stamp"] = {
+      {"bytes", row.stamp.bytes}, {"newest_ns", row.stamp.newest_ns}, {"hash", row.stamp.hash}};
+  json["written"] = Json::array();
+  for (const WrittenFile& file : row.files)
+    json["written"].push_back({{"name", file.name}, {"bytes", file.bytes}, {"hash", file.hash}});
+  json["encode_seconds"] = row.measured ? Json(row.measured->encode_seconds) : Json();
+  json["worst"] = row.worst ? to_json(*row.worst) : Json();
+  json["sights"] = Json::array();
+  for (const SightLine& line : row.sights) json["sights"].push_back({line.joint, line.sights});
+  return dumped(json);
+}
+
+std::optional<BatchRow> parse_batch_row(std::string_view line) {
+  try {
+    return row_from(Json::parse(line));
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+std::string csv_head() {
+  const Json json = report_json({});
+  std::string text;
+  for (const auto& [key, value] : json.items()) text += (text.empty() ? "" : ",") + key;
+  return text + '\n';
+}
+
+std::string to_csv_line(const BatchRow& row) {
+  const Json json = report_json(row);
+  std::string text;
+  for (const auto& [key, value] : json.items())
+    text += (key == "input" ? "" : ",") + csv_quoted(csv_text(value));
+  return text + '\n';
+}
+
+}  // namespace mocapress

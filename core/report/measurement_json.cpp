@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "core/report/measurement_json.h"
+
+namespace mocapress {
+
+namespace {
+
+/// What add_seen() wrote; unset where nothing did. Throws like the JSON library does.
+std::optional<Seen> seen_of(const Json& json) {
+  if (!json.contains("times_noticed") || json.at("times_noticed").is_null()) return std::nullopt;
+  return Seen{json.at("times_noticed").get<double>(), json.at("visible_frames_share").get<double>(),
+              optional_at<std::string>(json, "visibility_reason").value_or("")};
+}
+
+/// What add_body_figures() wrote, but for where the worst points are. Throws like the JSON library
+/// does.
+BodyFigures body_figures_of(const Json& json) {
+  const auto spread = [&](const std::string& of) {
+    Spread found;
+    json.at(of + "_rms_cm").get_to(found.rms);
+    json.at(of + "_p95_cm").get_to(found.p95);
+    json.at(of + "_p99_cm").get_to(found.p99);
+    json.at(of + "_max_cm").get_to(found.max.cm);
+    return found;
+  };
+  return {.surface = spread("surface"),
+          .shell = spread("shell"),
+          .head_degrees = optional_at<double>(json, "head_degrees"),
+          .hand_degrees = optional_at<double>(json, "hand_degrees"),
+          .angle_rms_degrees = json.at("angle_rms_degrees").get<double>(),
+          .ends = {.first_cm = json.at("first_frame_cm").get<double>(),
+                   .last_cm = json.at("last_frame_cm").get<double>(),
+                   .seam_cm = json.at("seam_cm").get<double>(),
+                   .seam_cm_per_frame = json.at("seam_cm_per_frame").get<double>(),
+                   .neighbours_cm = json.at("neighbours_cm").get<double>(),
+                   .neighbours_cm_per_frame = json.at("neighbours_cm_per_frame").get<double>(),
+                   .worst_neighbours_cm = json.at("worst_neighbours_cm").get<double>(),
+                   .worst_neighbours_cm_per_frame =
+                       json.at("worst_neighbours_cm_per_frame").get<double>()}};
+}
+
+}  // namespace
+
+Measurement measurement_of(const Json& json) {
+  Measurement m;
+  json.at("frames").get_to(m.frames);
+  json.at("channels").get_to(m.channels);
+  json.at("sample_rate_hz").get_to(m.sample_rate_hz);
+  json.at("raw_bytes").get_to(m.raw_bytes);
+  json.at("motion_bytes").get_to(m.motion_bytes);
+  json.at("file_bytes").get_to(m.file_bytes);
+  json.at("ratio").get_to(m.ratio);
+  m.coefficient_ratio = optional_at<double>(json, "coefficient_ratio");
+  json.at("eps_x_bone_ends_cm").get_to(m.eps_bone_ends_cm);
+  json.at("eps_x_joint_origins_cm").get_to(m.eps_joint_origins_cm);
+  json.at("max_error_cm").get_to(m.max_error_cm);
+  json.at("p95_error_cm").get_to(m.p95_error_cm);
+  json.at("p99_error_cm").get_to(m.p99_error_cm);
+  m.body = body_figures_of(json);
+  m.seen = seen_of(json);
+  json.at("worst_frame").get_to(m.worst_frame);
+  json.at("contacts").get_to(m.contacts);
+  m.footskate_cm = optional_at<double>(json, "footskate_cm");
+  if (const auto mean_cm = optional_at<double>(json, "footskate_mean_cm"))
+    m.slide = {*mean_cm, json.at("footskate_worst_cm").get<double>()};
+  m.ik_bytes = optional_at<std::size_t>(json, "ik_bytes");
+  m.knee_speed_ratio = optional_at<double>(json, "knee_speed_ratio");
+  m.iterations = optional_at<int>(json, "iterations");
+  json.at("encode_seconds").get_to(m.encode_seconds);
+  return m;
+}
+
+}  // namespace mocapress

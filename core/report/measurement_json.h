@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// A measurement as JSON: the keys that every command, row and report shares.
+
+#pragma once
+
+#include <string>
+
+#include "core/report/json_value.h"
+#include "core/report/measurement.h"
+
+namespace mocapress {
+
+/// Calls `add(key, value)` for each figure.
+template <typename Add>
+void add_body_figures(const BodyFigures& figures, const Add& add) {
+  const auto add_spread = [&](const std::string& of, const Spread& spread) {
+    add((of + "_rms_cm").c_str(), Json(spread.rms));
+    add((of + "_p95_cm").c_str(), Json(spread.p95));
+    add((of + "_p99_cm").c_str(), Json(spread.p99));
+    add((of + "_max_cm").c_str(), Json(spread.max.cm));
+  };
+  add_spread("surface", figures.surface);
+  add_spread("shell", figures.shell);
+  add("head_degrees", or_null(figures.head_degrees));
+  add("hand_degrees", or_null(figures.hand_degrees));
+  add("angle_rms_degrees", Json(figures.angle_rms_degrees));
+  add("first_frame_cm", Json(figures.ends.first_cm));
+  add("last_frame_cm", Json(figures.ends.last_cm));
+  add("seam_cm", Json(figures.ends.seam_cm));
+  add("seam_cm_per_frame", Json(figures.ends.seam_cm_per_frame));
+  add("neighbours_cm", Json(figures.ends.neighbours_cm));
+  add("neighbours_cm_per_frame", Json(figures.ends.neighbours_cm_per_frame));
+  add("worst_neighbours_cm", Json(figures.ends.worst_neighbours_cm));
+  add("worst_neighbours_cm_per_frame", Json(figures.ends.worst_neighbours_cm_per_frame));
+}
+
+/// The same of what the eye sees.
+template <typename Add>
+void add_seen(const std::optional<Seen>& seen, const Add& add) {
+  add("visibility", seen ? Json(name(seen->sight())) : Json());
+  add("visibility_reason", seen ? text_or_null(seen->reason) : Json());
+  add("times_noticed", seen ? Json(seen->times_noticed) : Json());
+  add("visible_frames_share", seen ? Json(seen->visible_share) : Json());
+}
+
+/// The errors of a measurement, from its coefficient ratio to its worst frame.
+template <typename Add>
+void add_errors(const Measurement& m, Weighting weighting, const Add& add) {
+  add("coefficient_ratio", or_null(m.coefficient_ratio));
+  add("eps_x_cm", Json(m.eps_cm(weighting)));
+  add("eps_x_bone_ends_cm", Json(m.eps_bone_ends_cm));
+  add("eps_x_joint_origins_cm", Json(m.eps_joint_origins_cm));
+  add("max_error_cm", Json(m.max_error_cm));
+  add("p95_error_cm", Json(m.p95_error_cm));
+  add("p99_error_cm", Json(m.p99_error_cm));
+  add_body_figures(m.body, add);
+  add_seen(m.seen, add);
+  add("worst_frame", Json(m.worst_frame));
+}
+
+/// The measurement of a row, but for where its worst points are and for "ik_ratio_used", which not
+/// every row has. Throws like the JSON library does.
+Measurement measurement_of(const Json& row);
+
+}  // namespace mocapress

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "core/report/picture.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "core/feet/feet.h"
+
+namespace mocapress {
+
+namespace {
+
+constexpr double kThickness = 0.42;   // cm of radius for the root of a cm carried
+constexpr double kLeastRadius = 0.9;  // cm
+constexpr double kShortest = 0.1;     // cm: not worth drawing
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+double radius(double carried_length) {
+  return std::max(kLeastRadius, kThickness * std::sqrt(carried_length));
+}
+
+/// For each joint, the summed length of its segments and all below.
+std::vector<double> carried_lengths(const Skeleton& skeleton) {
+  std::vector<double> carried = skeleton.driven_lengths();
+  for (int j = skeleton.joint_count() - 1; j > 0; --j)
+    if (const int parent = skeleton.joint(j).parent; parent >= 0)
+      carried[static_cast<std::size_t>(parent)] += carried[static_cast<std::size_t>(j)];
+  return carried;
+}
+
+}  // namespace
+
+std::vector<DrawnBone> figure_shape(const Skeleton& skeleton) {
+  const std::vector<double> carried = carried_lengths(skeleton);
+  std::vector<int> end_landmark(static_cast<std::size_t>(skeleton.joint_count()), -1);
+  int landmark = skeleton.joint_count();
+  for (int j = 0; j < skeleton.joint_count(); ++j)
+    if (skeleton.joint(j).end_site) end_landmark[static_cast<std::size_t>(j)] = landmark++;
+  std::vector<DrawnBone> bones;
+  for (const Segment& segment : skeleton.segments()) {
+    if (segment.length < kShortest) continue;
+    const bool leaf = segment.child < 0;
+    const int to = leaf ? end_landmark[static_cast<std::size_t>(segment.joint)] : segment.child;
+    const double beyond = leaf ? 0 : carried[static_cast<std::size_t>(segment.child)];
+    DrawnBone bone{segment.joint, to, radius(beyond + segment.length), 0};
+    bone.to_radius = std::max(radius(beyond), 0.55 * bone.from_radius);
+    if (leaf && lower(skeleton.joint(segment.joint).name).find("head") != std::string::npos) {
+      bone.from_radius = std::clamp(0.6 * segment.length, 5.5, 7.5);
+      bone.to_radius = 1.1 * bone.from_radius;
+    }
+    bones.push_back(bone);
+  }
+  return bones;
+}
+
+Eigen::Vector3d facing(const Skeleton& skeleton, const std::vector<Eigen::Vector3d>& points) {
+  const std::vector<Effector> feet = find_feet(skeleton);
+  if (feet.size() >= 2) {
+    const auto hip = [&](const Effector& foot) {
+      return points[static_cast<std::size_t>(foot.chain.front())];
+    };
+    const Eigen::Vector3d forward = (hip(feet[0]) - hip(feet[1])).cross(Eigen::Vector3d::UnitY());
+    if (forward.norm() > 1) return forward.normalized();
+  }
+  return Eigen::Vector3d::UnitZ();
+}
+
+}  // namespace mocapress
