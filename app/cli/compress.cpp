@@ -120,34 +120,8 @@ void add_compress(CLI::App& app) {
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
   command->add_option("--weighting", call->settings.weighting, "Error weighting [surface]")
       ->transform(one_of(kWeightings));
-  CLI::Option_group* target = command->add_option_group("target", "At most one [--ratio 25]");
-  target->require_option(0, 1);
-  const auto add = [&](const char* flag, Target::Kind kind, const char* unit, const char* help) {
-    target
-        ->add_option_function<double>(
-            flag,
-            [call, kind](const double& value) {
-              call->settings.target = {kind, value};
-            },
-            help)
-        ->type_name(unit)
-        ->check(CLI::PositiveNumber);
-  };
-  add("--ratio", Target::Kind::Ratio, "R", "Float32 bytes over motion bytes, met within 2 %");
-  add("--coefficient-ratio", Target::Kind::CoefficientRatio, "r",
-      "The paper's r: all coefficients over those kept");
-  add("--target-error", Target::Kind::Error, "CM", "eps_x at most this");
-  add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes at most this");
-  add("--max-error", Target::Kind::MaxError, "CM",
-      "No point of the weighting further off, at any frame");
-  target
-      ->add_option_function<Sight>(
-          "--target",
-          [call](const Sight&) {
-            call->settings.target = {Target::Kind::Visibility, 1};
-          },
-          "The smallest file with nothing off that people notice")
-      ->transform(one_of({Sight::NotVisible}));
+  add_target_options(*command, "At most one [--ratio 25]",
+                     [call](const Target& asked) { call->settings.target = asked; });
   call->correction.add_options(*command);
   call->contacts.add_options(*command);
   call->importance.add_options(*command);

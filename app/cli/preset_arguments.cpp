@@ -97,25 +97,16 @@ void ImportanceArguments::require_names_of(const Skeleton& skeleton) const {
       throw CLI::ValidationError(kOption, "the skeleton has no part or joint named " + name);
 }
 
-void PresetArguments::add_options(CLI::App& command) {
-  std::string known;
-  for (const Settings& one : built_in_presets())
-    known += (known.empty() ? "" : ", ") + slug(one.name);
-  command.add_option("--preset", preset, known + ", or a file [gameplay]")->type_name("P|FILE");
-  command.add_option("--method", method, "Method, instead of the preset's")
-      ->transform(one_of_the_methods());
-  command.add_option("--coding", coding, "Coding of the coefficients")
-      ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
-  command.add_option("--weighting", weighting, "Error weighting")->transform(one_of(kWeightings));
-  CLI::Option_group* targets =
-      command.add_option_group("target", "At most one, instead of the preset's");
+void add_target_options(CLI::App& command, const std::string& title,
+                        const std::function<void(const Target&)>& choose) {
+  CLI::Option_group* const targets = command.add_option_group("target", title);
   targets->require_option(0, 1);
   const auto add = [&](const char* flag, Target::Kind kind, const char* unit, const char* help) {
     targets
         ->add_option_function<double>(
             flag,
-            [this, kind](const double& value) {
-              target = Target{kind, value};
+            [choose, kind](const double& value) {
+              choose({kind, value});
             },
             help)
         ->type_name(unit)
@@ -131,11 +122,25 @@ void PresetArguments::add_options(CLI::App& command) {
   targets
       ->add_option_function<Sight>(
           "--target",
-          [this](const Sight&) {
-            target = Target{Target::Kind::Visibility, 1};
+          [choose](const Sight&) {
+            choose({Target::Kind::Visibility, 1});
           },
           "The smallest file with nothing off that people notice")
       ->transform(one_of({Sight::NotVisible}));
+}
+
+void PresetArguments::add_options(CLI::App& command) {
+  std::string known;
+  for (const Settings& one : built_in_presets())
+    known += (known.empty() ? "" : ", ") + slug(one.name);
+  command.add_option("--preset", preset, known + ", or a file [gameplay]")->type_name("P|FILE");
+  command.add_option("--method", method, "Method, instead of the preset's")
+      ->transform(one_of_the_methods());
+  command.add_option("--coding", coding, "Coding of the coefficients")
+      ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
+  command.add_option("--weighting", weighting, "Error weighting")->transform(one_of(kWeightings));
+  add_target_options(command, "At most one, instead of the preset's",
+                     [this](const Target& asked) { target = asked; });
   correction.add_options(command);
   importance.add_options(command);
   command.add_option("--effort", effort, "Search effort of the closed loop [default]")

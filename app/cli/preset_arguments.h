@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,10 @@ struct ImportanceArguments {
   /// Throws as named(), and when a name is neither part, joint nor "contacts".
   void require_names_of(const Skeleton& skeleton) const;
 };
+
+/// The options that set a target, of which a call may have one: `choose` gets it.
+void add_target_options(CLI::App& command, const std::string& title,
+                        const std::function<void(const Target&)>& choose);
 
 /// A preset, and what is to be different: the options of `compress`.
 struct PresetArguments {

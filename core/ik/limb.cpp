@@ -18,21 +18,17 @@ runtime::JointModel model_of(const Skeleton& skeleton, int index) {
   for (std::size_t c = 0; c < joint.channels.size(); ++c)
     model.kinds[c] = static_cast<std::uint8_t>(joint.channels[c]);
   const auto& [parent_from_axes, axes_from_joint] = skeleton.axes(index);
+  model.has_end_site = joint.end_site.has_value();
   model.has_axes = !parent_from_axes.isIdentity(0) || !axes_from_joint.isIdentity(0);
   for (int i = 0; i < 3; ++i) {
     model.offset[i] = joint.offset(i);
+    if (joint.end_site) model.end_site[i] = static_cast<float>((*joint.end_site)(i));
     for (int k = 0; k < 3; ++k) {
       model.parent_from_axes(i, k) = parent_from_axes(i, k);
       model.axes_from_joint(i, k) = axes_from_joint(i, k);
     }
   }
   return model;
-}
-
-std::vector<runtime::JointModel> models_of(const Skeleton& skeleton) {
-  std::vector<runtime::JointModel> models;
-  for (int j = 0; j < skeleton.joint_count(); ++j) models.push_back(model_of(skeleton, j));
-  return models;
 }
 
 std::vector<runtime::EffectorEnds> ends_of(const std::vector<Effector>& effectors) {
@@ -61,6 +57,12 @@ class Planned {
 };
 
 }  // namespace
+
+std::vector<runtime::JointModel> models_of(const Skeleton& skeleton) {
+  std::vector<runtime::JointModel> models;
+  for (int j = 0; j < skeleton.joint_count(); ++j) models.push_back(model_of(skeleton, j));
+  return models;
+}
 
 Limb::Limb(const Skeleton& skeleton, const std::vector<Effector>& effectors)
     : joints_(models_of(skeleton)), frame_(Eigen::RowVectorXd::Zero(skeleton.channel_count())) {

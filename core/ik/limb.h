@@ -12,6 +12,9 @@
 
 namespace mocapress {
 
+/// The joints of a skeleton as the runtime decoder has them, without their names.
+std::vector<runtime::JointModel> models_of(const Skeleton& skeleton);
+
 /// The runtime decoder's limb (core/runtime/limb.h) with memory of its own: effectors that share
 /// joints, and the joints between them and the root. `angles` are the rotation channels of the
 /// effectors' chains, which may change; all others keep the values of the frame.

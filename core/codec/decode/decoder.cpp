@@ -11,6 +11,7 @@
 #include "core/codec/format/own_memory.h"
 #include "core/codec/format/rle16.h"
 #include "core/codec/format/signal_coder.h"
+#include "core/ik/limb.h"
 #include "core/runtime/signal_decoder.h"
 
 namespace mocapress {
@@ -104,15 +105,7 @@ Eigen::MatrixXd SegmentJoin::next(Eigen::MatrixXd samples) {
 
 /// Those of the runtime decoder, by what a signal moves.
 std::vector<float> double_precision_limits(const CompressedClip& clip) {
-  std::vector<runtime::JointModel> joints(static_cast<std::size_t>(clip.skeleton.joint_count()));
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const Joint& joint = clip.skeleton.joints()[j];
-    joints[j].parent = joint.parent;
-    for (int i = 0; i < 3; ++i) {
-      joints[j].offset[i] = joint.offset(i);
-      if (joint.end_site) joints[j].end_site[i] = static_cast<float>((*joint.end_site)(i));
-    }
-  }
+  const std::vector<runtime::JointModel> joints = models_of(clip.skeleton);
   std::vector<float> reach(joints.size());
   runtime::find_reach(joints.data(), clip.skeleton.joint_count(), reach.data());
   std::vector<float> limits;
