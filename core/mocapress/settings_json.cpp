@@ -235,7 +235,10 @@ Settings settings_from_json(const std::string& text) {
   try {
     return settings_from(json);
   } catch (const Error& error) {
-    throw InputError("settings", 0, 0, error.what());
+    constexpr std::string_view kPrefix = "settings: ";  // which InputError writes again
+    std::string_view why = error.what();
+    if (why.starts_with(kPrefix)) why.remove_prefix(kPrefix.size());
+    throw InputError("settings", 0, 0, std::string(why));
   }
 }
 
