@@ -24,12 +24,13 @@ struct Encoded {
                                 // and need not meet its target
 };
 
-/// Compresses one motion, as often and by whatever settings one likes: what does not depend on them
-/// is computed once, when first needed. Const and safe to use from several threads at a time.
+/// Compresses one motion, any number of times and by any settings. What does not depend on the
+/// settings is computed once, when first needed. Const and safe to use from several threads at a
+/// time.
 class ClipEncoder {
  public:
-  /// `source.motion` is all that counts; what else is there is kept in the file, so that a motion
-  /// written from it can be as its source was.
+  /// Compresses `source.motion`. The source's format is kept in the .mcpr, so that a motion written
+  /// from it can have the form of its source.
   explicit ClipEncoder(MotionFile source);
   ~ClipEncoder();
 
@@ -38,8 +39,8 @@ class ClipEncoder {
   /// `observer` is called now and then on the calling thread and answers whether to continue.
   /// `stop` stops the work too. Work is spread over all processors.
   ///
-  /// Throws Error for settings that check() refuses or that name a joint the skeleton lacks, and
-  /// TargetMissed when nothing meets the target; its what() gives the best there is.
+  /// Throws Error for settings that check() refuses or that name a joint the skeleton lacks. Throws
+  /// TargetMissed if nothing meets the target; its what() tells the best result.
   Encoded encode(const Settings& settings, const Observer<EncodeProgress>& observer = {},
                  const std::stop_token& stop = {}) const;
 
@@ -47,7 +48,7 @@ class ClipEncoder {
   std::unique_ptr<const LoadedClip> clip_;
 };
 
-/// The same, once.
+/// Compresses one motion once.
 Encoded encode(MotionFile source, const Settings& settings,
                const Observer<EncodeProgress>& observer = {}, const std::stop_token& stop = {});
 

@@ -6,8 +6,8 @@
 
 namespace mocapress {
 
-/// Settings for one skeleton. Throws Error when an effector or another joint that is named is not
-/// of it.
+/// The settings as options for one skeleton. Throws Error if they name an effector or another joint
+/// that the skeleton lacks.
 EncodeOptions encode_options(const Settings& settings, const Skeleton& skeleton);
 
 }  // namespace mocapress

@@ -9,10 +9,10 @@
 
 namespace mocapress {
 
-/// How far a .mcpr of any method is from its original, and what it costs: errors in cm, bytes,
-/// ratio, what the feet slide. What only encoding knows (seconds, iterations, coefficient ratio) is
-/// left unset. Throws FormatError for bytes that are no .mcpr, Error for one of another shape than
-/// `original`: other channels or another number of frames.
+/// Measures a .mcpr of any method against its original: errors in cm, bytes, ratio, how far feet
+/// slide. Only encoding knows seconds, iterations and coefficient ratio: these stay unset. Throws
+/// FormatError for bytes that are no .mcpr, and Error for a .mcpr with other channels or another
+/// number of frames than `original`.
 Measurement measure(const Motion& original, std::span<const std::byte> file);
 
 }  // namespace mocapress

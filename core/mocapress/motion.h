@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motions: what is compressed, and what comes back.
+// Motions: what is compressed and what decompression gives.
 //
 // - MotionFile: what read_motion() and parse_motion() give: a Motion, warnings, its source format.
 // - Motion: a Skeleton and a Clip.

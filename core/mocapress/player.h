@@ -21,7 +21,7 @@ struct LocalPose {
   Eigen::Vector3f translation(int joint) const { return joints.col(joint).tail<3>(); }
 };
 
-/// Whether time stops at a clip's ends or, where the clip is a loop, goes round.
+/// What happens at a clip's ends: time stops, or a loop goes round.
 enum class AtEnds { Hold, Loop };
 
 /// A .mcpr opened for playing. It decodes any instant by itself, by the runtime decoder and with
@@ -47,7 +47,7 @@ class Player {
   /// instant that is not finite, and for AtEnds::Loop if the clip is no loop.
   LocalPose sample(double seconds, AtEnds at_ends = AtEnds::Hold) const;
 
-  /// The same as origins in the world: 3 x joints, cm.
+  /// The joints' origins in the world at that instant: 3 x joints, cm.
   Eigen::Matrix3Xf positions(double seconds, AtEnds at_ends = AtEnds::Hold) const;
 
  private:
@@ -55,8 +55,8 @@ class Player {
   std::unique_ptr<const Parts> parts_;
 };
 
-/// A .mcpr of any method as the motion it was made of, nearly: in the source's channels, with its
-/// source's format for write_motion(). Throws FormatError.
+/// Decodes a .mcpr of any method to a motion in its source's channels, with the source's format for
+/// write_motion(). Throws FormatError.
 MotionFile decompress(std::span<const std::byte> file);
 
 }  // namespace mocapress

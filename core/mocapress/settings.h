@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What to compress clips by. The same struct, JSON form and checks serve the library, the command
-// line, presets and projects of the studio, and batches.
+// Settings: how clips are compressed. The library, the command line, the studio's presets and
+// projects, batches and studies share this struct, its JSON form and its checks.
 #pragma once
 
 #include <cstdint>
@@ -41,12 +41,12 @@ struct ContactSetting {
   bool operator==(const ContactSetting&) const = default;
 };
 
-/// By what to compress any clip; joints go by their names, for no skeleton is known yet. With a
-/// name it is a preset.
+/// How to compress any clip. Joints go by name, because no skeleton is known yet. Settings with a
+/// name are a preset.
 struct Settings {
   std::string name;  // of a preset; empty: none
-  // "closed-loop", the best there is; "annealed", "standard", "per-channel", "haar", "linear"; or
-  // what they are compared with, which no engine plays: see `mocapress compress --help`.
+  // "closed-loop", the best there is; "annealed", "standard", "per-channel", "haar", "linear"; or a
+  // comparison method, which no engine plays: see `mocapress compress --help`.
   std::string method = "closed-loop";
   std::optional<Coding> coding;              // unset: the method's usual one
   Weighting weighting = Weighting::Surface;  // what errors are measured on
@@ -63,7 +63,7 @@ struct Settings {
   bool operator==(const Settings&) const = default;
 };
 
-/// Throws Error for what no clip can be compressed by: an unknown method, a coding, target or
+/// Throws Error for settings that cannot compress any clip: an unknown method, a coding, target or
 /// correction that the method does not have, a target that is not above 0.
 void check(const Settings& settings);
 

@@ -14,19 +14,19 @@ namespace mocapress {
 
 nlohmann::ordered_json to_json(const Settings& settings);
 
-/// Throws Error, which says what is wrong with which key.
+/// Throws Error, which names the key and what is wrong with it.
 Settings settings_from(const nlohmann::ordered_json& json);
 
-/// The same of what must have a name.
+/// The same for settings that must have a name.
 Settings preset_from(const nlohmann::ordered_json& json);
 
-/// A file's text.
+/// The text of a file of presets.
 std::string presets_text(std::span<const Settings> presets);
 
-/// Its presets. Throws InputError, with line and column where it is no JSON.
+/// The presets of such a file. Throws InputError, with line and column if it is no JSON.
 std::vector<Settings> parse_presets(const std::string& file, const std::string& text);
 
-/// The text as JSON. Throws InputError with line and column.
+/// Parses JSON. Throws InputError with line and column.
 nlohmann::ordered_json parse_json(const std::string& file, const std::string& text);
 
 /// Writes JSON, on one line unless there is an indent. File names may have bytes that are not

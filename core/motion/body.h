@@ -13,8 +13,8 @@ namespace mocapress {
 
 enum class BodyRegion { Trunk, Neck, Head, UpperArm, Forearm, Hand, Thigh, LowerLeg, Foot };
 
-/// The region of each joint's bones, told by the names of head, hands and feet and by what lies
-/// between these and the trunk. Empty where the skeleton has no two arms and two legs.
+/// The region of each joint's bones. The names of head, hands and feet tell it, and what lies
+/// between these and the trunk. Empty unless the skeleton has two arms and two legs.
 std::vector<BodyRegion> body_regions(const Skeleton& skeleton);
 
 /// A stretch of body around a bone: a cylinder whose axis begins at a joint's origin.
@@ -25,10 +25,10 @@ struct BodyLimb {
   double share;                   // of the body's surface
 };
 
-/// The body around a skeleton, shares summing to 1. Each region of a human has its share of the
-/// surface, divided among its bones by their lengths, and is as thick as that makes it. Elsewhere
-/// every centimetre of bone has the same. A joint that drives no bone gets an extent along the bone
-/// before it. What translates towards its parent ends no bone. Empty where nothing has a length.
+/// The body around a skeleton; its shares sum to 1. Each region of a human has a known share of the
+/// surface. The region's bones divide it by their lengths, and that gives their thickness. In other
+/// skeletons every centimetre of bone has the same share. A joint that drives no bone extends the
+/// bone before it. A joint that translates ends no bone. Empty if nothing has a length.
 std::vector<BodyLimb> body_limbs(const Skeleton& skeleton);
 
 }  // namespace mocapress

@@ -21,7 +21,8 @@ std::string_view name(BodyPart part);
 /// wrist.R, lthumb, RightHandIndex1). Joints with none of these names belong to no part.
 std::vector<int> joints_of(const Skeleton& skeleton, BodyPart part);
 
-/// Those of the head without what carries it and what is in it, where these have other names.
+/// The joints of the head alone: without those that carry it (neck) or lie in it (jaw, eyes), where
+/// their names tell them apart.
 std::vector<int> head_joints(const Skeleton& skeleton);
 
 }  // namespace mocapress

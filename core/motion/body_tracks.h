@@ -13,8 +13,7 @@ namespace mocapress {
 /// to a joint is an affine combination of that joint's origin and its shell points.
 Eigen::MatrixXd body_tracks(const Skeleton& skeleton, const Clip& clip);
 
-/// How far each joint is from where it was and how far it is turned: differences of body_tracks(),
-/// joint by joint.
+/// How far each joint has moved and turned: differences of body_tracks(), joint by joint.
 class JointErrors {
  public:
   /// Rows of body_tracks() of both clips; they must outlive this.
@@ -24,11 +23,11 @@ class JointErrors {
   /// Frames x 12: the error of the origin (cm), then of each axis (per cm along it).
   Eigen::Matrix<double, Eigen::Dynamic, 12> of(int joint) const;
 
-  /// Of a point: cm^2 at each frame.
+  /// The squared error of a point at each frame, cm^2.
   static Eigen::VectorXd squared(const Eigen::Matrix<double, Eigen::Dynamic, 12>& of_joint,
                                  const Eigen::Vector3d& in_joint);
 
-  /// By how much the joint is turned at each frame.
+  /// The angle by which the joint is turned, at each frame.
   static Eigen::VectorXd degrees(const Eigen::Matrix<double, Eigen::Dynamic, 12>& of_joint);
 
  private:
@@ -37,14 +36,14 @@ class JointErrors {
   Eigen::Index shell_;  // column of the first shell point
 };
 
-/// Some frames of body_tracks(), where they stand.
+/// Some frames of body_tracks(), not copied.
 using TrackRows = Eigen::Ref<const Eigen::MatrixXd>;
 
-/// body_tracks() of some frames: those of `first_frame` and after.
+/// Gets body_tracks() of the frames from `first_frame` on.
 using TrackBlock = std::function<void(int first_frame, const Eigen::MatrixXd& tracks)>;
 
-/// Visits body_tracks() of a clip in time: all at once or, of a long clip, some thousand frames
-/// at a time, so that they are never all in memory.
+/// Visits body_tracks() of a clip in order of time. A short clip comes at once, a long one some
+/// thousand frames at a time, so that its tracks are never all in memory.
 void visit_tracks(const Skeleton& skeleton, const Clip& clip, const TrackBlock& visit);
 
 }  // namespace mocapress

@@ -24,13 +24,12 @@ struct Motion {
   Clip clip;
 };
 
-/// Adds whole turns to each rotation channel so that no step between frames exceeds half a turn:
-/// a wavelet would otherwise spend its bits on jumps that move nothing.
+/// Adds whole turns to each rotation channel, so that no step between frames exceeds half a turn.
+/// A wavelet would otherwise spend its bits on jumps that move nothing.
 void unwrap_angles(const Skeleton& skeleton, Clip& clip);
 
-/// The same motion in other axes. From Z up to Y up, x y z become x z -y, as Blender has it; so
-/// channels change places and signs, and no angle is computed anew. There and back gives the same
-/// numbers.
+/// The same motion in other axes. From Z up to Y up, x y z become x z -y, as in Blender. Channels
+/// only change places and signs, so that going there and back gives the same numbers.
 Motion with_up_axis(const Motion& motion, UpAxis from, UpAxis to);
 
 }  // namespace mocapress

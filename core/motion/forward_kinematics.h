@@ -17,8 +17,8 @@ namespace mocapress {
 Eigen::Matrix3d joint_rotation(const Joint& joint, const Eigen::RowVectorXd& values);
 
 /// Sets the rotation channels among `values` so that joint_rotation() comes as near to `rotation`
-/// as the joint can: exactly with three different axes. `values` holds the frame before, from which
-/// angles go on without jumps.
+/// as the joint can. A joint with three different axes reaches it exactly. `values` holds the frame
+/// before: angles go on from there without jumps.
 void turn_joint(const Joint& joint, const Eigen::Matrix3d& rotation, Eigen::RowVectorXd& values);
 
 /// Angles with rotation = R_i(a) R_j(b) R_k(c) about three different axes (0 1 2: x y z). Of the

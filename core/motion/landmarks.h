@@ -16,7 +16,7 @@ namespace mocapress {
 
 struct Pose;
 
-/// A point fixed to a joint, whose way through the world is compared.
+/// A point fixed to a joint. Its path through the world is compared.
 struct Landmark {
   int joint;
   Eigen::Vector3d in_joint;  // cm
@@ -43,10 +43,10 @@ inline constexpr std::initializer_list<Weighting> kWeightings = {
 /// "bone-ends", "joint-origins", "surface", "shell".
 std::string_view name(Weighting weighting);
 
-/// One weight for each of landmarks(skeleton), summing to 1. Of the weightings on bones.
+/// One weight for each of landmarks(skeleton), summing to 1. Requires is_on_bones(weighting).
 Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting);
 
-/// Puts where landmarks are in the world into a row of landmark_tracks().
+/// Writes the world positions of landmarks into a row of landmark_tracks().
 void place_landmarks(const std::vector<Landmark>& points, const Pose& pose, int frame,
                      Eigen::MatrixXd& tracks);
 
@@ -54,7 +54,7 @@ void place_landmarks(const std::vector<Landmark>& points, const Pose& pose, int 
 /// first. Frames are computed in parallel.
 Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip);
 
-/// The same of any points.
+/// The same for any points.
 Eigen::MatrixXd point_tracks(const Skeleton& skeleton, const std::vector<Landmark>& points,
                              const Clip& clip);
 
@@ -66,10 +66,11 @@ struct MeasuredPoints {
 
 inline constexpr double kShellRadius = 3;  // cm, as ACL has it for characters
 
-/// What a weighting looks at. On bones: landmarks(), as landmark_weights() has them. On the
-/// surface: four points for each stretch of the body, with the mean and the second moments of a
-/// cylinder's surface, so that their error is that of all the skin there. On the shell: three for
-/// each joint, along its axes.
+/// What a weighting looks at:
+/// - on bones: landmarks(), weighted by landmark_weights();
+/// - on the surface: four points for each stretch of the body. They have the mean and the second
+///   moments of a cylinder's surface, so that their error is that of all the skin there;
+/// - on the shell: three points for each joint, along its axes.
 MeasuredPoints measured_points(const Skeleton& skeleton, Weighting weighting);
 
 /// Whether a weighting looks at landmarks() and nothing else.

@@ -19,8 +19,9 @@ enum class Loop : std::uint8_t {
 /// "none", "repeats", "follows".
 std::string_view name(Loop loop);
 
-/// Whether first and last pose are alike to half of what the clip moves in a frame, as a rule, and
-/// velocities to that and what they change. Where the root stands and heads may differ.
+/// Whether the clip is a loop. Its first and last pose must be alike: their difference is at most
+/// half of what the clip usually moves in a frame. The difference of their velocities may be that
+/// and what velocities change in a frame. Where the root stands and heads may differ.
 Loop find_loop(const Motion& motion);
 
 }  // namespace mocapress

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The forms in which three angles can make a rotation. None suits all motion: where the middle
-// angle comes near a right one, the outer two turn about one axis and jump; and a limb whose twist
-// is an angle of its own needs few bits for that.
+// The forms in which three angles can make a rotation. None suits all motion. Where the middle
+// angle comes near a right one, the outer two turn about one axis and jump. A limb whose twist is
+// an angle of its own needs few bits for it.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ inline constexpr int kRotationOrders = 6;
 /// 0 1 2: x y z.
 std::array<int, 3> axes_of(RotationOrder order);
 
-/// What the order of the joint's rotation channels is; requires turns_freely().
+/// The order of the joint's rotation channels. Requires turns_freely().
 RotationOrder rotation_order(const Joint& joint);
 
 /// Whether a joint has three rotation channels about three different axes.
@@ -33,7 +33,7 @@ inline constexpr int kFixedTurns = 16;  // in half a turn
 
 Eigen::Matrix3d rotation_of(const FixedTurn& turn);
 
-/// About the rotation: most are within 10 degrees of it.
+/// The nearest such turn: most are within 10 degrees of the rotation.
 FixedTurn fixed_turn_near(const Eigen::Matrix3d& rotation);
 
 /// R = before * (three angles about coordinate axes) * after.
@@ -46,24 +46,24 @@ struct RotationForm {
   bool operator==(const RotationForm&) const = default;
 };
 
-/// Of each joint; what the ones that do not turn freely have here says nothing.
+/// One for each joint. Joints that do not turn freely have one without meaning.
 using RotationForms = std::vector<RotationForm>;
 
-/// Of the skeleton of a source: orders alone.
+/// The forms of a source's skeleton: they have an order and nothing else.
 RotationForms rotation_forms(const Skeleton& skeleton);
 
 /// The skeleton with the rotation channels of its joints in other forms, in the same places among
 /// the channels. `forms`: one for each joint.
 Skeleton with_forms(const Skeleton& skeleton, const RotationForms& forms);
 
-/// The same motion in the channels of with_forms(): continuous over time, and beginning with the
-/// middle angle within a right one of zero or, of a part of a motion, near the angles given.
+/// The same motion in the channels of with_forms(), continuous over time. It begins with the middle
+/// angle within a right angle of zero; a part of a motion begins near the angles given.
 Motion with_forms(const Motion& motion, const RotationForms& forms);
 Motion with_forms(const Motion& motion, const RotationForms& forms,
                   const Eigen::Matrix3Xd& first_angles);
 
-/// Angles, in radians, of each joint (3 x joints) at some frames of with_forms(), which are to be
-/// in time. What parts that begin there have to begin with.
+/// The angles (radians) of each joint, 3 x joints, at some frames of with_forms(). Parts of the
+/// motion that begin at these frames begin with them. The frames are in order of time.
 std::vector<Eigen::Matrix3Xd> angles_at(const Motion& motion, const RotationForms& forms,
                                         const std::vector<int>& frames);
 

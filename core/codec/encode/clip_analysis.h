@@ -42,7 +42,7 @@ class ClipAnalysis {
 
   const Motion& motion() const { return motion_; }
 
-  /// choose_forms(), and the same motion in these: this, where they are its own.
+  /// choose_forms(), and the analysis of the motion in these forms: this one, if they are its own.
   const RotationForms& chosen_forms() const;
   const ClipAnalysis& in_chosen_forms() const;
 
@@ -55,7 +55,7 @@ class ClipAnalysis {
 
   Loop loop() const;  // find_loop()
 
-  /// Of the feet, as found on the original; empty where there are no feet.
+  /// The contacts of the feet, found on the original; empty if there are no feet.
   const std::vector<ContactSpan>& contacts() const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace mocapress {
 
-/// How hard it tries.
+/// How much work a closed loop does.
 struct ClosedLoopWork {
   bool compensate = true;  // each channel for the others, once
   int sweeps = 8;          // over all coefficients
@@ -24,10 +24,10 @@ struct ClosedLoopProgress {
 
 /// Quantisation and the trade between channels decided together, by what they do to eps_x.
 ///
-/// Each channel's step is in inverse proportion to how far it moves the landmarks. From there on
-/// every change of a coefficient is judged by what it costs in eps_x^2, given the errors of all
-/// others, against what it saves in bits; so a knee makes good what the hip lost. Const and safe to
-/// use from several threads at a time; the outcome is always the same.
+/// A channel's step is in inverse proportion to how far the channel moves the landmarks. After that
+/// the loop changes single coefficients. It weighs what a change costs in eps_x^2, given the errors
+/// of all others, against the bits that it saves. So a knee makes up for an error of the hip. Const
+/// and safe to use from several threads at a time; the outcome is always the same.
 class ClosedLoop {
  public:
   /// All must outlive this.
@@ -40,18 +40,18 @@ class ClosedLoop {
     bool complete = true;  // false: the observer ended it
   };
 
-  /// Quantised in steps of about `scale` cm, as they move the landmarks. Errors of a frame count by
-  /// its weight, one for each, or all alike where there are none.
+  /// Quantises in steps that move the landmarks by about `scale` cm. Each frame's errors count by
+  /// its weight; without weights all frames count alike.
   Result quantise(double scale, const ClosedLoopWork& work = {},
                   const Eigen::VectorXd& frame_weights = {},
                   const Observer<ClosedLoopProgress>& observer = {}) const;
 
-  /// Drops more and more of what was quantised, what is cheapest first, as long as the bound holds.
-  /// Frames count alike. Ends near the bound, where a sweep saves little more.
+  /// Drops more and more of what was quantised, the cheapest first, as long as the bound holds. All
+  /// frames count alike. It ends near the bound, where a sweep saves little more.
   Result coarsen(QuantisedSignals coded, ErrorBound& bound,
                  const Observer<ClosedLoopProgress>& observer = {}) const;
 
-  /// Of finer scales the largest coefficients would not fit.
+  /// The finest scale: with a finer one the largest coefficients would not fit.
   double finest_scale() const;
 
  private:

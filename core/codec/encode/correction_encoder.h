@@ -21,23 +21,23 @@ struct CorrectionOptions {
   CorrectAt at = CorrectAt::EveryFrame;
 };
 
-/// Encodes what a reconstruction lacks at its effectors.
+/// Encodes the differences between a reconstruction's effectors and the original's.
 class CorrectionEncoder {
  public:
-  /// `original_tracks` as landmark_tracks() gives them; in `contacts` the
-  /// effectors are held better, or nowhere else.
-  /// Throws Error when there is nothing to correct or a joint cannot be moved.
+  /// `original_tracks` are landmark_tracks(). In `contacts` the effectors are held better; with
+  /// CorrectAt::Contacts they are held nowhere else. Throws Error if there is nothing to correct or
+  /// a joint cannot be moved.
   CorrectionEncoder(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                     const CorrectionOptions& options, const std::vector<ContactSpan>& contacts,
                     double sample_rate_hz);
 
-  /// How errors of the motion count when this correction follows: for each limb.
+  /// For each limb, how errors of the motion count when this correction follows.
   std::vector<PointResponse> responses(const Clip& original,
                                        const Eigen::MatrixXd& original_tracks) const;
 
   CodedCorrection correction() const { return {solver_, effectors_}; }
 
-  /// The coefficients that the differences get: total / ratio in all.
+  /// Chooses total / ratio coefficients for the differences.
   DifferenceFit select(const Clip& reconstructed, double ratio, Basis basis,
                        const CodedStep& coded_step) const;
 

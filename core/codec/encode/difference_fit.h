@@ -10,7 +10,7 @@
 namespace mocapress {
 
 /// What an error d of a signal costs: sum_t place_t d_t^2 + step_t (d_t - d_(t-1))^2. The second
-/// part is what makes a foot that stands slide, though it be near its place.
+/// part is for standing feet: one that is near its place may still slide.
 struct FitWeights {
   Eigen::VectorXd place;
   Eigen::VectorXd step;  // of frame 0: nothing

@@ -5,9 +5,9 @@
 
 namespace mocapress {
 
-/// How long a closed loop may look for something smaller. The others know one effort only.
+/// How long a closed loop searches for a smaller file. Other methods have one effort only.
 enum class Effort {
-  Draft,    // while a slider moves: about the target, which is not promised
+  Draft,    // while a slider moves: near the target, which is not promised
   Default,  // the target is met
   Best,     // a few per cent smaller, for some ten times the time
 };

@@ -34,10 +34,10 @@ struct EncodeOptions {
   SegmentPlan segments;                              // of a closed loop
   Ends ends = Ends::Even;                            // of a closed loop; their bytes count
   std::optional<Loop> loop;                          // whether it is one; unset: find_loop()
-  bool figures_only = false;                         // what the encoding is made of: Encoding
+  bool figures_only = false;                         // without the decoded clip: see Encoding
 };
 
-/// The coding that will be used: the closed loop has one of its own, whatever was asked for.
+/// The coding that will be used. The closed loop has its own, whatever was asked for.
 Coding effective_coding(const EncodeOptions& options);
 
 /// What an IK correction did to a clip.
@@ -68,8 +68,8 @@ struct Encoding {
   bool complete = true;  // false: the observer ended it early
 };
 
-/// Compresses one motion, as often and with whatever options one likes: what does not depend on
-/// them (transform, order of coefficients, original poses) is computed once, when first asked for.
+/// Compresses one motion, any number of times and with any options. What does not depend on the
+/// options (transform, order of coefficients, original poses) is computed once, when first needed.
 /// Const and safe to use from several threads at a time.
 class Encoder {
  public:
@@ -82,7 +82,7 @@ class Encoder {
   const Eigen::MatrixXd& original_tracks() const;
   const Eigen::MatrixXd& original_body() const;
 
-  /// Of the feet, found on the original.
+  /// The contacts of the feet, found on the original.
   const std::vector<ContactSpan>& contacts() const;
 
   /// Throws TargetMissed when no number of coefficients meets the target, and Error when a

@@ -6,11 +6,11 @@
 
 namespace mocapress {
 
-/// Whether ENDS is asked for: of a closed loop, and not where a hard maximum holds anyway or a
-/// draft, which promises nothing, has to be there at once.
+/// Whether an encoding gets ENDS. Closed loops do, but for two cases: a hard maximum holds at the
+/// ends anyway, and a draft promises nothing and must be quick.
 bool codes_ends(const EncodeOptions& options);
 
-/// How many frames at either end are looked at, to see how far an end's error reaches.
+/// How many frames at either end the fit looks at to see how far an end's error reaches.
 int frames_at_ends(int frames);
 
 /// Codes what the first and the last pose of a trial lack, in the coarsest steps that keep the

@@ -16,8 +16,8 @@ class Original {
  public:
   using Tracks = std::function<const Eigen::MatrixXd&()>;
 
-  /// `tracks` gives its body_tracks() once they are needed. Without, those of a few frames are
-  /// computed whenever these are compared, and never kept. The motion must outlive this.
+  /// `tracks` gives the motion's body_tracks() when they are first needed. Without it, tracks are
+  /// computed for a few frames at a time and never kept. The motion must outlive this.
   explicit Original(const Motion& motion, Tracks tracks = {})
       : motion_(motion), tracks_(std::move(tracks)) {}
 
@@ -27,12 +27,12 @@ class Original {
   using Visit =
       std::function<void(int first_frame, const TrackRows& original, const TrackRows& decoded)>;
 
-  /// With frames that were decoded: those from first_frame on. Their channels may be others than
-  /// the original's, the bones are the same.
+  /// Compares with decoded frames, from first_frame on. Their channels may differ from the
+  /// original's; the bones are the same.
   void compare(int first_frame, const Skeleton& skeleton, const Clip& decoded,
                const Visit& visit) const;
 
-  /// With all that a clip decodes to, in memory that does not grow with its segments.
+  /// Compares with a whole compressed clip, in memory that does not grow with its segments.
   void compare(const CompressedClip& compressed, const Visit& visit) const;
 
  private:
@@ -40,7 +40,7 @@ class Original {
   Tracks tracks_;
 };
 
-/// Some number of coefficients, chosen and coded, and how far that is from a goal.
+/// A number of coefficients, chosen and coded, and how far the result is from a goal.
 struct Trial {
   CompressedClip compressed;
   int count = 0;
@@ -49,7 +49,7 @@ struct Trial {
   int iterations = 0;
   bool complete = true;
   double achieved = 0;  // the quantity of the target
-  double excess = 0;    // core/codec/encode/goal.h
+  double excess = 0;    // see Goal
 };
 
 /// A target put to one clip: how near a coded clip comes, and whether that keeps the promise.
@@ -57,7 +57,7 @@ struct Trial {
 /// with the number of coefficients.
 class Goal {
  public:
-  /// The contacts are those of the feet, which the eye looks at.
+  /// `contacts`: of the feet, which the eye looks at.
   Goal(Original original, const Target& target, Weighting weighting,
        std::vector<ContactSpan> contacts)
       : original_(std::move(original)),
@@ -70,7 +70,7 @@ class Goal {
   double achieved(std::size_t motion_bytes, const std::function<Clip()>& decoded) const;
   double excess(double achieved) const;
 
-  /// Not on the forbidden side of a bound; within 2 % of a ratio.
+  /// A bound is not exceeded; a ratio is met within 2 %.
   bool met(double excess) const;
 
   /// Throws TargetMissed unless met. Coding every coefficient in less space than asked for keeps
@@ -86,7 +86,7 @@ class Goal {
   /// Whether `excess` is a better outcome than `other`: a kept promise first, then nearness.
   bool better(double excess, double other) const;
 
-  /// Excesses so near to the target that a search need not go on.
+  /// Excesses so near to the target that a search may end.
   CountSearch::Window window() const;
 
   /// A first guess at the paper's r.

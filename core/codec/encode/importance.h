@@ -14,8 +14,8 @@ namespace mocapress {
 struct ContactSpan;
 struct PointResponse;
 
-/// What the encoder is to take more care of than eps_x does. It moves where the error goes; what is
-/// reported and promised stays eps_x as its weighting has it.
+/// What the encoder takes more care of than eps_x does. It moves the error elsewhere; reports and
+/// promises stay in eps_x by its weighting.
 struct Importance {
   // For each joint, by how much the weights of its landmarks are multiplied; empty: none.
   std::vector<double> joints;
@@ -27,13 +27,13 @@ struct Importance {
   bool operator==(const Importance&) const = default;
 };
 
-/// measured_points(), their weights multiplied by what their joints are worth, with their sum as
-/// before. Throws Error unless there is one finite factor, not below 0, for each joint, and some
+/// measured_points() with their weights multiplied by their joints' factors and scaled back to the
+/// same sum. Throws Error unless there is one finite factor of 0 or more for each joint and some
 /// weight is left.
 MeasuredPoints important_points(const Skeleton& skeleton, Weighting weighting,
                                 const Importance& importance);
 
-/// The points that stand, and how much more they weigh then: one for each joint of the contacts.
+/// The points that stand and their extra weight while they do: one for each joint of the contacts.
 std::vector<PointResponse> standing_points(const Skeleton& skeleton,
                                            const Eigen::MatrixXd& original_tracks,
                                            const std::vector<ContactSpan>& contacts,
@@ -41,8 +41,8 @@ std::vector<PointResponse> standing_points(const Skeleton& skeleton,
 
 /// Importance before the skeleton is known: by the names of body parts and joints.
 struct NamedImportance {
-  // By "feet" and the other body parts, or a joint, whose own factor goes before its part's; in the
-  // order of the names, as set() keeps it.
+  // By body part ("feet" ...) or joint, in the order of the names, as set() keeps it. A joint's own
+  // factor takes precedence over its part's.
   std::vector<std::pair<std::string, double>> factors;
   double contacts = 0;  // as Importance has it
 
@@ -56,14 +56,15 @@ struct NamedImportance {
 
 bool is_body_part(std::string_view name);
 
-/// The joints of a body part, or the one joint of that name; empty: there is none.
+/// The joints of a body part, or the one joint of that name; empty if there is none.
 std::vector<int> joints_named(const Skeleton& skeleton, const std::string& name);
 
-/// For one skeleton. Body parts that it lacks are left out; throws Error for a joint it lacks.
+/// The importance for one skeleton. Body parts that it lacks are left out. Throws Error for a joint
+/// that it lacks.
 Importance importance_for(const NamedImportance& named, const Skeleton& skeleton);
 
-/// The reverse: a part by the factor most of its joints have, or that of its joint of the same
-/// name; the others by their own.
+/// The reverse. A part has the factor of its joint of the same name, else the one that most of its
+/// joints have. Joints with another factor are named by themselves.
 NamedImportance named(const Importance& importance, const Skeleton& skeleton);
 
 }  // namespace mocapress

@@ -25,12 +25,12 @@ class RateTable {
   /// on return.
   double bits_around(int* signal, int b, int i, int value) const;
 
-  /// Of a difference between coarse samples.
+  /// The bits of a difference between coarse samples.
   static double coarse_bits(int difference) {
     return 1 + 2 * std::log2(1.0 + 2 * std::abs(difference));
   }
 
-  /// Of a whole signal.
+  /// The bits of a whole signal.
   double bits(const int* signal) const;
 
  private:

@@ -25,10 +25,10 @@ struct SegmentPlan {
   int overlap = 48;     // frames that neighbours share, 1 at least
 };
 
-/// As few segments as the plan allows, of as even a length as can be. One where the clip is short.
+/// As few segments as the plan allows, as even in length as possible. A short clip is one segment.
 SegmentLayout even_segments(int frames, const SegmentPlan& plan);
 
-/// Some frames of a motion, and the contacts in them, counted from their first.
+/// Some frames of a motion, and the contacts in them. Frames are counted from the first of these.
 Motion frames_of(const Motion& motion, int first, int count);
 std::vector<ContactSpan> frames_of(const std::vector<ContactSpan>& contacts, int first, int count);
 

@@ -6,7 +6,7 @@
 
 namespace mocapress {
 
-/// What one split of the bytes between motion and IK correction came to.
+/// The result of one split of the bytes between motion and IK correction.
 struct Split {
   double ratio;     // r_IK
   double price;     // of what the target leaves open: bytes, or eps_x in cm
@@ -24,10 +24,10 @@ class SplitSearch {
   static constexpr double kMost = 64;
   static constexpr double kLeast = 1;
 
-  /// Against what the same encode without a correction slides.
+  /// `slide_without_cm`: footskate of the same encode without a correction.
   SplitSearch(double slide_without_cm, int finer_steps);
 
-  /// The r_IK to be tried next; none: the search is over.
+  /// The r_IK to try next; none: the search is over.
   std::optional<double> next() const;
 
   /// Returns whether it is the best so far. The price of a target that was missed is infinite.

@@ -13,8 +13,8 @@ struct Target {
     CoefficientRatio,  // the paper's r: all coefficients / kept coefficients
     Size,              // motion bytes, not exceeded
     Error,             // eps_x in cm in the chosen weighting, not exceeded
-    MaxError,          // cm, by no landmark at any frame exceeded
-    Visibility,        // times of what is noticed: by nothing at any time exceeded; 1: not visible
+    MaxError,          // cm, exceeded by no landmark at any frame
+    Visibility,        // multiple of what people notice, never exceeded; 1: not visible
   };
   Kind kind = Kind::Ratio;
   double value = 25;

@@ -7,7 +7,7 @@
 
 namespace mocapress {
 
-/// What a search for a target came to.
+/// The result of a search for a target.
 struct TargetedEncoding {
   CompressedClip compressed;               // without its provenance
   int count = 0;                           // of the coefficients kept
@@ -17,13 +17,13 @@ struct TargetedEncoding {
   bool complete = true;                    // false: the observer ended it early
 };
 
-/// Searches the number of coefficients, or of a closed loop the scale of its steps, that meets the
-/// target, and the split between motion and correction where that is left open. Throws TargetMissed
-/// when the target is out of reach, and Error for a correction that cannot be.
+/// Searches the number of coefficients that meets the target; for a closed loop, the scale of its
+/// steps. Where r_IK is left open, it also searches the split between motion and correction. Throws
+/// TargetMissed if the target is out of reach, and Error for an impossible correction.
 TargetedEncoding encode_to_target(const ClipAnalysis& analysis, const EncodeOptions& options,
                                   const Observer<EncodeProgress>& observer);
 
-/// A trial that was not weighed against a target, and the finest scale there is.
+/// A trial without a target, and the finest scale there is.
 struct ScaleTrial {
   Trial trial;
   double finest_scale = 0;
@@ -34,19 +34,19 @@ ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& op
                            const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
                            const Observer<EncodeProgress>& observer);
 
-/// ClosedLoop::coarsen() of what was coded before, not weighed.
+/// ClosedLoop::coarsen() of a coded clip, without a target.
 Trial coarsen_to_bound(const ClipAnalysis& analysis, const EncodeOptions& options,
                        QuantisedSignals coded, double bound_cm,
                        const Observer<EncodeProgress>& observer);
 
-/// The r_IK that serves the target best, of options that leave it open.
+/// The r_IK that suits the target best, for options that leave it open.
 double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& options);
 
 /// The contacts that count: edited ones, or those found on the original.
 const std::vector<ContactSpan>& contacts_for(const ClipAnalysis& analysis,
                                              const EncodeOptions& options);
 
-/// With its tracks whole, kept by the analysis.
+/// The original, with tracks that the analysis keeps.
 Original original_of(const ClipAnalysis& analysis);
 
 }  // namespace mocapress
