@@ -10,7 +10,7 @@
 
 #include "core/codec/format/format_limits.h"
 #include "core/formats/text_writer.h"
-#include "core/motion/joint_rotation.h"
+#include "core/motion/forward_kinematics.h"
 #include "core/motion/rotation_form.h"
 
 namespace mocapress {

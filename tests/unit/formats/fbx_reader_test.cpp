@@ -12,7 +12,7 @@
 
 #include "core/base/file.h"
 #include "core/formats/fbx.h"
-#include "core/motion/joint_rotation.h"
+#include "core/motion/forward_kinematics.h"
 #include "core/motion/landmarks.h"
 #include "tests/support/corpus.h"
 
