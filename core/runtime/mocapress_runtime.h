@@ -209,6 +209,96 @@ mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* reques
 mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request, double frame,
                                float* out, void* scratch, size_t scratch_size);
 
+/* ---------------------------------------------------------------- poses at any instant */
+
+/* A cooked clip: laid out for poses at any instant, several times as fast as mcpr_decode_moment,
+ * and about three times the coded motion's bytes. One block of bytes without pointers,
+ * little-endian, aligned to MCPR_ALIGNMENT: it may be copied, written to disk and used as it is
+ * mapped from there. It has neither names nor parents of joints: joints are those of the clip that
+ * it was cooked from, in their order. */
+typedef struct mcpr_cooked mcpr_cooked;
+
+typedef struct mcpr_cook_options {
+  int apply_ik; /* 1: with the clip's IK correction, if it has one, cooked in */
+} mcpr_cook_options;
+
+/* Scratch memory of cooking, in proportion to frames * channels of the longest segment; with
+ * apply_ik of the whole clip. 0: there is no clip. */
+size_t mcpr_cook_scratch_bytes(const mcpr_clip* clip, const mcpr_cook_options* options);
+
+/* The size of the cooked form. Works as much as mcpr_cook. */
+mcpr_result mcpr_cook_size(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
+                           size_t scratch_size, size_t* bytes);
+
+/* Makes it. The clip is no longer needed after this. */
+mcpr_result mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
+                      size_t scratch_size, void* memory, size_t size, const mcpr_cooked** cooked);
+
+/* A block that was cooked before. Unchecked, only its head is looked at, and the rest must be what
+ * mcpr_cook made. `check`: every byte is, and whatever is no cooked clip refused: for files from
+ * anywhere. */
+mcpr_result mcpr_open_cooked(const void* memory, size_t size, int check,
+                             const mcpr_cooked** cooked);
+
+typedef struct mcpr_cooked_info {
+  double sample_rate; /* frames a second */
+  uint32_t frames;
+  uint32_t joints;
+  uint32_t loop_frames;  /* as of mcpr_clip_info */
+  size_t bytes;          /* all of it */
+  size_t skeleton_bytes; /* of them what is the skeleton's: what never changes, and which channel
+                            turns what */
+} mcpr_cooked_info;
+
+/* All zero where there is no clip. */
+mcpr_cooked_info mcpr_cooked_describe(const mcpr_cooked* cooked);
+
+typedef struct mcpr_transform {
+  float rotation[4];    /* w x y z of parent_from_joint */
+  float translation[4]; /* the joint's origin in its parent's frame, x y z (a root's: in the world),
+                           cm; then 0 */
+} mcpr_transform;
+
+typedef enum mcpr_layout {
+  MCPR_TRANSFORMS = 0, /* an mcpr_transform a joint */
+  MCPR_ARRAYS = 1,     /* w of all joints, then x, y, z of the rotation, then x, y, z of the
+                          translation: 7 floats a joint */
+  MCPR_MATRICES = 2    /* 12 floats a joint: three rows of rotation and translation */
+} mcpr_layout;
+
+typedef enum mcpr_time { MCPR_FRAMES = 0, MCPR_SECONDS = 1 } mcpr_time;
+
+/* Before the first frame and after the last. */
+typedef enum mcpr_wrap {
+  MCPR_CLAMP = 0, /* these stand still */
+  MCPR_LOOP = 1   /* as mcpr_decode_looped, of a clip that is a loop */
+} mcpr_wrap;
+
+/* What to sample. All zero: the transforms of all joints, by frames, clamped. */
+typedef struct mcpr_sample_request {
+  mcpr_layout layout;
+  mcpr_time unit;
+  mcpr_wrap wrap;
+  mcpr_path path;
+  const uint16_t* joints; /* which, in any order, none twice; null: all */
+  uint32_t joint_count;   /* of `joints`; 0 where that is null */
+} mcpr_sample_request;
+
+/* Floats of a sample; 0 for a request that the clip cannot fulfil. */
+size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request);
+
+/* Local transforms of one instant. Needs no scratch memory but some stack (96 KiB at most). Between
+ * two frames channels are linear in time, as in mcpr_decode_moment, and so is what the correction
+ * made of them. All paths give the same bits. */
+mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request, double time,
+                        float* out);
+
+/* How a joint, usually the root, moves from one instant to another: the transform at `from`,
+ * inverted, times that at `to`. In a loop, turn after turn is added to it; `to` may be before
+ * `from`. Layout and list of the request do not matter. */
+mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
+                               uint32_t joint, double from, double to, mcpr_transform* out);
+
 #ifdef __cplusplus
 }
 #endif

@@ -56,6 +56,8 @@ class ResidentSignals {
   int double_precision_count() const { return double_precision_count_; }
   const std::uint16_t* double_precision_signals() const { return at<std::uint16_t>(wide_); }
 
+  float step(int signal) const { return steps()[signal]; }  // before it is divided by bands
+
   bool is_empty(int band) const { return entries()[band].kind == Kind::Empty; }
 
   /// Where the values of unpack() go.

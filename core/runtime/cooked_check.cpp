@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "core/runtime/cooked_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/codec/format/format_limits.h"
+#include "core/codec/format/joint_model.h"
+#include "core/codec/format/memory.h"
+#include "core/codec/format/section.h"
+
+namespace mocapress::runtime {
+namespace {
+
+/// Looks at the tables and rows, one after the other; remembers whether one was wrong.
+class Checker {
+ public:
+  explicit Checker(const mcpr_cooked& clip)
+      : clip_(clip),
+        columns_(static_cast<std::uint32_t>(kGroup) * clip.groups),
+        row_columns_(static_cast<std::uint32_t>(kGroup) * clip.row_groups) {}
+
+  bool run() {
+    require(clip_.wavelet <= Wavelet::Cubic && clip_.loop <= LoopKind::Follows);
+    require(clip_.groups <= kMostColumns / kGroup && clip_.row_groups <= clip_.groups);
+    require(clip_.joints >= 1 && clip_.joints <= kMostJoints);
+    require(clip_.frames >= 1 && clip_.frames <= kMostFrames);
+    require(std::isfinite(clip_.sample_rate) && clip_.sample_rate > 0);
+    require(clip_.loop != LoopKind::Repeats || clip_.frames >= 2);
+    if (!sound_) return false;
+    const bool whole = clip_.segment_length == clip_.frames && clip_.segment_overlap == 0;
+    require(whole || may_be_segments(clip_.frames, clip_.segment_length, clip_.segment_overlap));
+    require(sound_ && clip_.segments == clip_.layout().count());
+    require_array(clip_.rest, sizeof(mcpr_transform), clip_.joints, kAlignment);
+    if (clip_.groups > clip_.row_groups)
+      require_array(clip_.bases, sizeof(float), columns_ - row_columns_, 4);
+    check_joints();
+    if (clip_.loop == LoopKind::Follows) require_array(clip_.column_kinds, 1, row_columns_, 1);
+    if (clip_.end_reach[0] > 0 || clip_.end_reach[1] > 0) {
+      require(clip_.end_reach[0] > 0 && clip_.end_reach[1] > 0);
+      require_array(clip_.ends, sizeof(float), 2 * std::uint64_t{row_columns_}, 4);
+    }
+    check_parts();
+    return sound_;
+  }
+
+ private:
+  void require(bool holds) { sound_ = sound_ && holds; }
+  void require_array(std::uint32_t offset, std::uint64_t size, std::uint64_t count,
+                     std::uint32_t alignment) {
+    require(offset >= sizeof(mcpr_cooked) && offset % alignment == 0 &&
+            offset + size * count <= clip_.bytes);
+  }
+  /// All of a table, if it is there.
+  template <typename T, typename Check>
+  void each(std::uint32_t offset, std::uint32_t count, const Check& check) {
+    require_array(offset, sizeof(T), count, alignof(T));
+    for (std::uint32_t i = 0; i < count && sound_; ++i) check(clip_.at<T>(offset)[i]);
+  }
+
+  void check_joints() {
+    each<RotorGroup>(clip_.rotors, clip_.rotor_groups, [&](const RotorGroup& group) {
+      require(group.angles >= 1 && group.angles <= 3 && group.joints <= kGroup);
+      for (int a = 0; a < group.angles && a < 3; ++a) require(group.vector[a] < clip_.groups);
+      for (int i = 0; i < group.joints && i < kGroup; ++i) require(group.joint[i] < clip_.joints);
+      if (group.around != 0) require_array(group.around, sizeof(float), 8 * kGroup, 4);
+    });
+    each<MovingAxis>(clip_.moving, clip_.moving_axes, [&](const MovingAxis& moving) {
+      require(moving.joint < clip_.joints && moving.axis < 3 && moving.column < columns_);
+    });
+    each<AddedColumn>(clip_.added, clip_.added_columns, [&](const AddedColumn& added) {
+      require(added.from < columns_ && added.to < columns_);
+    });
+    each<OtherTurn>(clip_.turns, clip_.other_turns, [&](const OtherTurn& turn) {
+      require(turn.joint < clip_.joints && turn.axis <= OtherTurn::kConstant);
+      if (turn.axis == OtherTurn::kConstant)
+        require_array(turn.column, sizeof(float), 4, 4);
+      else
+        require(turn.column < columns_);
+    });
+  }
+
+  void check_parts() {
+    std::uint32_t groups = 0;
+    each<CookedPart>(clip_.part_table, clip_.parts, [&](const CookedPart& part) {
+      require(part.first_group == groups && part.groups >= 1 && part.groups <= kMostGroupsOfPart);
+      require(part.kept_bands <= kMostKeptBands && part.wide_samples <= 1);
+      groups += part.groups;
+    });
+    require(groups == clip_.row_groups);
+    require_array(clip_.rows, sizeof(CookedRows), std::uint64_t{clip_.parts} * clip_.segments, 4);
+    for (int k = 0; k < clip_.segments && sound_; ++k)
+      for (int p = 0; p < clip_.parts && sound_; ++p)
+        check_rows(clip_.part(p), clip_.rows_of(k, p), clip_.layout().frames_of(k));
+  }
+
+  void check_rows(const CookedPart& part, const CookedRows& rows, int frames) {
+    const Bands bands(frames);
+    const std::uint64_t columns = std::uint64_t{kGroup} * part.groups;
+    const int kept = std::min<int>(part.kept_bands, bands.count - 1);
+    const int samples = std::max(bands.length(bands.count - 1 - kept), kSampleWindow);
+    require_array(rows.scales, sizeof(float), 3 * columns, 4);
+    require_array(rows.samples, part.wide_samples != 0 ? 4 : 2,
+                  columns * static_cast<std::uint64_t>(samples), 2);
+    require_array(rows.bands, sizeof(CookedBand), part.kept_bands, alignof(CookedBand));
+    for (int depth = 1; depth <= kept && sound_; ++depth)
+      check_band(part, clip_.at<CookedBand>(rows.bands)[depth - 1],
+                 bands[bands.count - depth].size);
+  }
+
+  void check_band(const CookedPart& part, const CookedBand& band, int rows) {
+    require(band.kind <= RowKind::Words);
+    require(band.log2_rows <= kMostLog2RowsOfBlock);
+    if (!sound_) return;
+    if (band.kind != RowKind::None)
+      require_array(band.rows, bundle_bytes(band.kind) * part.groups,
+                    static_cast<std::uint64_t>(bundles_of(band.kind, rows)), 1);
+    if (band.blocks == 0) return;
+    require_array(band.entries, 2, band.blocks + 1U, 2);
+    if (!sound_) return;
+    const auto* const begins = clip_.at<std::uint16_t>(band.entries);
+    require(begins[0] == 0 && std::is_sorted(begins, begins + band.blocks + 1));
+    require_array(band.entries, 2, band.blocks + 1U + begins[band.blocks], 2);
+  }
+
+  const mcpr_cooked& clip_;
+  const std::uint32_t columns_;
+  const std::uint32_t row_columns_;  // those that there are rows of
+  bool sound_ = true;
+};
+
+}  // namespace
+
+std::uint32_t checksum_of(const mcpr_cooked& clip) {
+  constexpr std::size_t kHead = offsetof(mcpr_cooked, version);
+  std::uint8_t bytes[8];
+  std::memcpy(bytes, &clip.bytes, sizeof bytes);
+  return section_checksum(bytes, reinterpret_cast<const std::uint8_t*>(&clip) + kHead,
+                          static_cast<std::size_t>(clip.bytes) - kHead);
+}
+
+mcpr_result check_cooked_head(const mcpr_cooked& clip, std::size_t size) {
+  if (std::memcmp(clip.magic, mcpr_cooked::kMagic, sizeof clip.magic) != 0)
+    return failure(MCPR_NOT_A_CLIP, 0, "no cooked clip");
+  if (clip.version != mcpr_cooked::kVersion)
+    return failure(MCPR_UNKNOWN_VERSION, offsetof(mcpr_cooked, version),
+                   "a cooked clip of another version: cook it again");
+  if (clip.bytes < sizeof(mcpr_cooked) || clip.bytes > size)
+    return failure(MCPR_DAMAGED, offsetof(mcpr_cooked, bytes), "the cooked clip is cut short");
+  return kOk;
+}
+
+mcpr_result check_cooked(const mcpr_cooked& clip) {
+  if (checksum_of(clip) != clip.checksum)
+    return failure(MCPR_DAMAGED, offsetof(mcpr_cooked, checksum),
+                   "the cooked clip's checksum differs");
+  if (!Checker(clip).run()) return failure(MCPR_INVALID, 0, "an impossible cooked clip");
+  return kOk;
+}
+
+}  // namespace mocapress::runtime

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// The cooked form of a clip: laid out so that the pose of any instant is a weighted sum of some
+// rows of small numbers. One block of bytes without pointers, little-endian, the same in memory and
+// on disk: SAMPLING.md describes it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/codec/format/bands.h"
+#include "core/codec/format/kinds.h"
+#include "core/codec/format/segment_layout.h"
+#include "core/runtime/mocapress_runtime.h"
+
+namespace mocapress::runtime {
+
+inline constexpr int kGroup = 8;              // columns, and joints, that are worked on together
+inline constexpr int kMostGroupsOfPart = 16;  // so that 7 bits tell a column of a part
+inline constexpr int kMostColumns = 4096;     // of a clip; sampling keeps them on the stack
+inline constexpr int kDetailWindow = 8;       // rows of a band of details that meet at an instant
+inline constexpr int kCrumbWindow = 12;       // the same of crumbs, which lie four together
+inline constexpr int kSampleWindow = 6;       // rows of samples that meet
+inline constexpr int kMostKeptBands = 6;      // bands of details of a part
+// Of an entry that is added to a band's rows.
+inline constexpr int kColumnBits = 7;
+inline constexpr int kRowBits = 4;              // its row modulo 16
+inline constexpr int kMostLog2RowsOfBlock = 2;  // of a block: those that meet have 14 rows at most
+
+/// How the rows of a band of details are kept: in 2, 4, 8 or 16 bits. Some rows lie in each other,
+/// a number of the one beside that of the next, as the instructions that multiply pairs want them.
+enum class RowKind : std::uint8_t { None, Crumbs, Nibbles, Bytes, Words };
+
+/// Rows that lie in each other.
+constexpr int rows_together(RowKind kind) {
+  return kind == RowKind::Crumbs ? 4 : 2;
+}
+
+/// Bytes of these rows, of a group.
+constexpr std::size_t bundle_bytes(RowKind kind) {
+  switch (kind) {
+    case RowKind::None:
+      break;
+    case RowKind::Crumbs:
+    case RowKind::Nibbles:
+      return 8;
+    case RowKind::Bytes:
+      return 16;
+    case RowKind::Words:
+      return 32;
+  }
+  return 0;
+}
+
+/// How many of them a band of so many rows has, with what is read beyond the last.
+constexpr int bundles_of(RowKind kind, int rows) {
+  const int even = rows < kDetailWindow ? kDetailWindow : (rows + 1) / 2 * 2;
+  return kind == RowKind::Crumbs ? (even + 7) / 4 : even / 2;
+}
+
+/// A band of details of one part: dense rows, and entries that are added to them. An entry has 16
+/// bits: from the lowest its column, its row modulo 16, and a value with sign.
+struct CookedBand {
+  RowKind kind = RowKind::None;
+  std::uint8_t log2_rows = 0;  // of a block of entries
+  std::uint16_t blocks = 0;    // 0: there are no entries
+  std::uint32_t rows = 0;      // offsets from the clip
+  std::uint32_t entries = 0;   // where each block begins, as u16, and the end; then the entries
+};
+
+/// Columns that are worked on together.
+struct CookedPart {
+  std::uint16_t first_group = 0;
+  std::uint16_t groups = 0;
+  std::uint8_t kept_bands = 0;    // of details, the finest; coarser ones are made samples of
+  std::uint8_t wide_samples = 0;  // 1: samples are floats; 0: 16 bits
+  std::uint16_t padding = 0;
+};
+
+/// A part in one segment.
+struct CookedRows {
+  std::uint32_t scales = 0;   // of each column: offset, scale of samples, step; an array each
+  std::uint32_t samples = 0;  // row after row
+  std::uint32_t bands = 0;    // CookedBand of each kept one, the finest first
+};
+
+/// Eight joints that turn about up to three different axes each.
+struct RotorGroup {
+  std::uint16_t joint[kGroup] = {};  // kNoJoint: none
+  std::uint16_t vector[3] = {};      // of the first, second and third half angles
+  std::uint8_t angles = 0;           // 1 .. 3: how many of the three there are
+  std::uint8_t joints = 0;           // the first of `joint` that are there
+  std::uint8_t has_angle[3] = {};    // a bit for each joint
+  std::uint8_t is_odd = 0;           // whether its axes are an odd permutation of x y z
+  std::uint8_t first_axis[3] = {};   // a bit for each joint whose first axis is x, y, z
+  std::uint8_t second_axis[3] = {};  // the same of the second; the third is what is left
+  std::uint16_t padding = 0;
+  std::uint32_t around = 0;  // offset of 8 quaternions before, then 8 after (w x y z, each for
+                             // all); 0: identities
+  static constexpr std::uint16_t kNoJoint = 0xFFFF;
+};
+
+/// A translation channel that changes.
+struct MovingAxis {
+  std::uint16_t joint = 0;
+  std::uint16_t axis = 0;
+  std::uint32_t column = 0;
+};
+
+/// A column that is to be added to another.
+struct AddedColumn {
+  std::uint16_t from = 0;
+  std::uint16_t to = 0;
+};
+
+/// A factor of the rotation of a joint that is in no group: about an axis, or constant.
+struct OtherTurn {
+  std::uint16_t joint = 0;
+  std::uint16_t axis = 0;  // 0 1 2: x y z; kConstant: `column` is the offset of a quaternion
+  std::uint32_t column = 0;
+  static constexpr std::uint16_t kConstant = 3;
+};
+
+/// How a column goes on from the last frame of a loop to the first.
+enum class ColumnKind : std::uint8_t { Straight, HalfAngle, Root };
+
+}  // namespace mocapress::runtime
+
+struct mcpr_cooked {
+  static constexpr char kMagic[4] = {'M', 'C', 'P', 'C'};
+  static constexpr std::uint32_t kVersion = 1;
+  char magic[4];
+  std::uint32_t checksum;  // CRC-32 of all that follows it
+  std::uint64_t bytes;     // of all
+  std::uint32_t version;
+  std::uint32_t skeleton_bytes;  // of them what does not depend on the motion's length
+  double sample_rate;            // frames a second
+  std::uint32_t frames;
+  std::uint32_t segment_length;
+  std::uint32_t segment_overlap;
+  std::uint32_t joints;
+  std::uint32_t groups;      // of columns
+  std::uint32_t row_groups;  // of them: the first, of which there are rows
+  std::uint16_t parts;
+  std::uint16_t segments;
+  std::uint16_t rotor_groups;
+  std::uint16_t moving_axes;
+  std::uint16_t added_columns;
+  std::uint16_t other_turns;
+  mocapress::runtime::Wavelet wavelet;
+  mocapress::runtime::LoopKind loop;
+  std::uint8_t end_reach[2];  // frames; 0: nothing is added at the ends
+  // Offsets from the clip.
+  std::uint32_t rest;          // mcpr_transform of each joint: of what never changes
+  std::uint32_t rotors;        // RotorGroup
+  std::uint32_t moving;        // MovingAxis
+  std::uint32_t added;         // AddedColumn
+  std::uint32_t turns;         // OtherTurn
+  std::uint32_t bases;         // floats: what the columns without rows begin with
+  std::uint32_t part_table;    // CookedPart
+  std::uint32_t column_kinds;  // ColumnKind; only of a loop whose first frame follows the last
+  std::uint32_t ends;          // floats: what the first frame lacks in each column, then the last
+  std::uint32_t rows;          // CookedRows of each part, segment after segment
+
+  template <typename T>
+  const T* at(std::uint32_t offset) const {
+    return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
+  }
+  mocapress::runtime::SegmentLayout layout() const {
+    return {static_cast<int>(frames), static_cast<int>(segment_length),
+            static_cast<int>(segment_overlap)};
+  }
+  const mocapress::runtime::CookedPart& part(int p) const {
+    return at<mocapress::runtime::CookedPart>(part_table)[p];
+  }
+  const mocapress::runtime::CookedRows& rows_of(int segment, int p) const {
+    return at<mocapress::runtime::CookedRows>(rows)[segment * parts + p];
+  }
+  int turn_frames() const {
+    if (loop == mocapress::runtime::LoopKind::None) return 0;
+    const bool repeats = loop == mocapress::runtime::LoopKind::Repeats;
+    return static_cast<int>(frames) - (repeats ? 1 : 0);
+  }
+};

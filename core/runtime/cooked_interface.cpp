@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// The part of the C interface that cooks and samples: checks what the caller hands in, and passes
+// on.
+#include <bitset>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <new>
+
+#include "core/codec/format/result.h"
+#include "core/runtime/cooked_builder.h"
+#include "core/runtime/cooked_check.h"
+#include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/pose_sampler.h"
+
+namespace mocapress::runtime {
+namespace {
+
+constexpr mcpr_result refused(const char* message) {
+  return failure(MCPR_ARGUMENT, 0, message);
+}
+
+bool suits_alignment(const void* memory) {
+  return memory != nullptr && reinterpret_cast<std::uintptr_t>(memory) % kAlignment == 0;
+}
+
+bool is_a_clip(const mcpr_clip* clip) {
+  return clip != nullptr && clip->block.mark == ClipBlock::kMark;
+}
+
+/// Scratch memory: the builder itself, then what it takes.
+std::uint64_t cooking_bytes(const mcpr_clip& clip, bool apply_ik) {
+  Memory memory;
+  memory.take<CookedBuilder>(1);
+  const CookedBuilder measured(memory, clip, apply_ik);
+  return memory.used();
+}
+
+/// A builder that has found out what is to be made, in scratch memory.
+mcpr_result prepare(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
+                    std::size_t scratch_size, CookedBuilder*& builder, std::uint64_t& bytes) {
+  if (!is_a_clip(clip)) return refused("no clip");
+  const bool apply_ik = options != nullptr && options->apply_ik != 0;
+  if (!suits_alignment(scratch) || scratch_size < cooking_bytes(*clip, apply_ik))
+    return failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
+  Memory memory(scratch, scratch_size);
+  builder = new (memory.take<CookedBuilder>(1)) CookedBuilder(memory, *clip, apply_ik);
+  const mcpr_result result = builder->prepare();
+  if (failed(result)) return result;
+  bytes = builder->lay_out(nullptr);
+  if (bytes > std::numeric_limits<std::uint32_t>::max())
+    return failure(MCPR_LIMIT, 0, "the cooked clip would take more than 4 GiB");
+  return kOk;
+}
+
+mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_request* request) {
+  if (clip == nullptr || std::memcmp(clip->magic, mcpr_cooked::kMagic, sizeof clip->magic) != 0)
+    return refused("no cooked clip");
+  if (request == nullptr || request->layout < MCPR_TRANSFORMS || request->layout > MCPR_MATRICES ||
+      request->unit < MCPR_FRAMES || request->unit > MCPR_SECONDS || request->wrap < MCPR_CLAMP ||
+      request->wrap > MCPR_LOOP || poses_of(request->path) == nullptr)
+    return refused("unsupported layout, unit, wrap or path");
+  if (request->wrap == MCPR_LOOP && clip->turn_frames() < 1)
+    return refused("the clip is not a loop");
+  if (request->joints == nullptr)
+    return request->joint_count == 0 ? kOk : refused("no list of joints");
+  if (request->joint_count > clip->joints) return refused("more joints than there are");
+  std::bitset<kMostJoints> seen;
+  for (std::uint32_t i = 0; i < request->joint_count; ++i) {
+    const std::uint16_t joint = request->joints[i];
+    if (joint >= clip->joints || seen[joint])
+      return refused("a joint that the clip does not have, or one twice");
+    seen[joint] = true;
+  }
+  return kOk;
+}
+
+struct Rigid {
+  Matrix3 rotation;
+  Vector3 translation;  // cm
+};
+
+Rigid operator*(const Rigid& a, const Rigid& b) {
+  return {a.rotation * b.rotation, a.translation + a.rotation * b.translation};
+}
+
+Rigid inverse(const Rigid& a) {
+  const Matrix3 back = transposed(a.rotation);
+  return {back, back * (Vector3() - a.translation)};
+}
+
+/// How one joint moves.
+class JointMotion {
+ public:
+  JointMotion(const mcpr_cooked& clip, const mcpr_sample_request& request, std::uint16_t joint)
+      : clip_(clip), joint_(joint), request_(request) {
+    request_.layout = MCPR_TRANSFORMS;
+    request_.unit = MCPR_FRAMES;
+    request_.joints = &joint_;
+    request_.joint_count = 1;
+  }
+
+  Rigid between(double from, double to) const {
+    if (request_.wrap == MCPR_CLAMP) return inverse(at(from)) * at(to);
+    const int frames = clip_.turn_frames();
+    const double first = std::floor(from / frames);
+    const double last = std::floor(to / frames);
+    const Rigid turns = power(inverse(at(0)) * end_of_turn(), last - first);
+    return inverse(at(from)) * at(0) * turns * inverse(at(0)) * at(to);
+  }
+
+ private:
+  Rigid at(double frame) const {
+    mcpr_transform out;
+    sample(clip_, *poses_of(request_.path), place_in_clip(clip_, request_, frame), request_,
+           out.rotation);
+    const float* const q = out.rotation;
+    return {rotation_of(static_cast<double>(q[0]), static_cast<double>(q[1]),
+                        static_cast<double>(q[2]), static_cast<double>(q[3])),
+            {{static_cast<double>(out.translation[0]), static_cast<double>(out.translation[1]),
+              static_cast<double>(out.translation[2])}}};
+  }
+
+  /// Where the joint is when the next turn begins: at the last frame, or as far after it as it came
+  /// from the one before.
+  Rigid end_of_turn() const {
+    mcpr_transform out;
+    const PlaceInClip place = clip_.loop == LoopKind::Repeats ? PlaceInClip{clip_.frames - 1.0, 0}
+                                                              : PlaceInClip{clip_.frames - 1.0, 1};
+    sample(clip_, *poses_of(request_.path), place, request_, out.rotation);
+    const float* const q = out.rotation;
+    return {rotation_of(static_cast<double>(q[0]), static_cast<double>(q[1]),
+                        static_cast<double>(q[2]), static_cast<double>(q[3])),
+            {{static_cast<double>(out.translation[0]), static_cast<double>(out.translation[1]),
+              static_cast<double>(out.translation[2])}}};
+  }
+
+  /// Any number of whole turns, also backwards.
+  static Rigid power(Rigid turn, double count) {
+    if (count < 0) {
+      turn = inverse(turn);
+      count = -count;
+    }
+    Rigid all{};
+    for (auto left = static_cast<std::uint64_t>(std::min(count, 1e15)); left > 0; left /= 2) {
+      if (left % 2 != 0) all = all * turn;
+      turn = turn * turn;
+    }
+    return all;
+  }
+
+  const mcpr_cooked& clip_;
+  const std::uint16_t joint_;
+  mcpr_sample_request request_;
+};
+
+}  // namespace
+}  // namespace mocapress::runtime
+
+namespace runtime = mocapress::runtime;
+
+size_t mcpr_cook_scratch_bytes(const mcpr_clip* clip, const mcpr_cook_options* options) {
+  if (!runtime::is_a_clip(clip)) return 0;
+  return static_cast<size_t>(
+      runtime::cooking_bytes(*clip, options != nullptr && options->apply_ik != 0));
+}
+
+mcpr_result mcpr_cook_size(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
+                           size_t scratch_size, size_t* bytes) {
+  if (bytes == nullptr) return runtime::refused("no place was given for the size");
+  runtime::CookedBuilder* builder = nullptr;
+  std::uint64_t needed = 0;
+  const mcpr_result result =
+      runtime::prepare(clip, options, scratch, scratch_size, builder, needed);
+  *bytes = static_cast<size_t>(needed);
+  return result;
+}
+
+mcpr_result mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
+                      size_t scratch_size, void* memory, size_t size, const mcpr_cooked** cooked) {
+  if (cooked == nullptr) return runtime::refused("no place was given for the clip");
+  runtime::CookedBuilder* builder = nullptr;
+  std::uint64_t needed = 0;
+  const mcpr_result result =
+      runtime::prepare(clip, options, scratch, scratch_size, builder, needed);
+  if (runtime::failed(result)) return result;
+  if (!runtime::suits_alignment(memory) || size < needed)
+    return runtime::failure(MCPR_MEMORY, 0, "too little memory for the clip, or not aligned");
+  std::memset(memory, 0, static_cast<size_t>(needed));
+  builder->lay_out(static_cast<std::byte*>(memory));
+  *cooked = std::launder(static_cast<const mcpr_cooked*>(memory));
+  return runtime::kOk;
+}
+
+mcpr_result mcpr_open_cooked(const void* memory, size_t size, int check,
+                             const mcpr_cooked** cooked) {
+  if (cooked == nullptr) return runtime::refused("no place was given for the clip");
+  if (!runtime::suits_alignment(memory))
+    return runtime::failure(MCPR_MEMORY, 0, "no memory, or not aligned");
+  if (size < sizeof(mcpr_cooked))
+    return runtime::failure(MCPR_DAMAGED, size, "the cooked clip is cut short");
+  const auto* const clip = static_cast<const mcpr_cooked*>(memory);
+  mcpr_result result = runtime::check_cooked_head(*clip, size);
+  if (!runtime::failed(result) && check != 0) result = runtime::check_cooked(*clip);
+  if (!runtime::failed(result)) *cooked = clip;
+  return result;
+}
+
+mcpr_cooked_info mcpr_cooked_describe(const mcpr_cooked* cooked) {
+  if (cooked == nullptr) return {};
+  return {.sample_rate = cooked->sample_rate,
+          .frames = cooked->frames,
+          .joints = cooked->joints,
+          .loop_frames = static_cast<std::uint32_t>(cooked->turn_frames()),
+          .bytes = static_cast<std::size_t>(cooked->bytes),
+          .skeleton_bytes = cooked->skeleton_bytes};
+}
+
+size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request) {
+  if (runtime::failed(runtime::check_sample_request(cooked, request))) return 0;
+  const std::uint32_t joints = request->joints == nullptr ? cooked->joints : request->joint_count;
+  return joints * runtime::values_of_joint(request->layout);
+}
+
+mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request, double time,
+                        float* out) {
+  const mcpr_result result = runtime::check_sample_request(cooked, request);
+  if (runtime::failed(result)) return result;
+  if (!std::isfinite(time) || out == nullptr)
+    return runtime::refused("no finite instant, or no output");
+  runtime::sample(*cooked, *runtime::poses_of(request->path),
+                  runtime::place_in_clip(*cooked, *request, time), *request, out);
+  return runtime::kOk;
+}
+
+mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
+                               uint32_t joint, double from, double to, mcpr_transform* out) {
+  const mcpr_result result = runtime::check_sample_request(cooked, request);
+  if (runtime::failed(result)) return result;
+  if (joint >= cooked->joints) return runtime::refused("no such joint");
+  if (!std::isfinite(from) || !std::isfinite(to) || out == nullptr)
+    return runtime::refused("no finite instants, or no output");
+  const double rate = request->unit == MCPR_SECONDS ? cooked->sample_rate : 1;
+  const runtime::Rigid motion =
+      runtime::JointMotion(*cooked, *request, static_cast<std::uint16_t>(joint))
+          .between(from * rate, to * rate);
+  double wxyz[4];
+  runtime::quaternion_of(motion.rotation, wxyz);
+  *out = {};
+  for (int i = 0; i < 4; ++i) out->rotation[i] = static_cast<float>(wxyz[i]);
+  for (int i = 0; i < 3; ++i) out->translation[i] = static_cast<float>(motion.translation[i]);
+  return runtime::kOk;
+}

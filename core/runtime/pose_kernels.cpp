@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "core/runtime/pose_kernels.h"
+
+#include <bit>
+#include <cstring>
+
+namespace mocapress::runtime::plain_poses {
+namespace {
+
+template <typename T>
+T read_as(const std::byte* from) {
+  T value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+
+struct Floats {
+  float lane[kGroup];
+
+  static Floats all(float value) {
+    Floats out;
+    for (float& lane : out.lane) lane = value;
+    return out;
+  }
+  static Floats load(const float* from) {
+    Floats out;
+    std::memcpy(out.lane, from, sizeof out.lane);
+    return out;
+  }
+  static Floats of_floats(const std::byte* from) {
+    Floats out;
+    std::memcpy(out.lane, from, sizeof out.lane);
+    return out;
+  }
+  static Floats of_words(const std::byte* from) {
+    Floats out;
+    for (int i = 0; i < kGroup; ++i) out.lane[i] = read_as<std::int16_t>(from + 2 * i);
+    return out;
+  }
+  void store(float* to) const { std::memcpy(to, lane, sizeof lane); }
+
+  /// Zero where the lane's bit is not set.
+  Floats only(unsigned bits) const {
+    Floats out;
+    for (int i = 0; i < kGroup; ++i) out.lane[i] = (bits >> i & 1) != 0 ? lane[i] : 0.0F;
+    return out;
+  }
+  Floats negated_where(unsigned bits) const {
+    Floats out;
+    for (int i = 0; i < kGroup; ++i) out.lane[i] = (bits >> i & 1) != 0 ? -lane[i] : lane[i];
+    return out;
+  }
+  Floats but_where(unsigned bits, const Floats& other) const {
+    Floats out;
+    for (int i = 0; i < kGroup; ++i) out.lane[i] = (bits >> i & 1) != 0 ? other.lane[i] : lane[i];
+    return out;
+  }
+};
+
+#define MOCAPRESS_LANE_BY_LANE(sign)                                         \
+  inline Floats operator sign(const Floats& a, const Floats& b) {            \
+    Floats out;                                                              \
+    for (int i = 0; i < kGroup; ++i) out.lane[i] = a.lane[i] sign b.lane[i]; \
+    return out;                                                              \
+  }
+MOCAPRESS_LANE_BY_LANE(+)
+MOCAPRESS_LANE_BY_LANE(-)
+MOCAPRESS_LANE_BY_LANE(*)
+#undef MOCAPRESS_LANE_BY_LANE
+
+/// Numbers that wrap around.
+struct Wholes {
+  std::uint32_t lane[kGroup];
+
+  static Wholes all(std::int32_t value) {
+    Wholes out;
+    for (std::uint32_t& lane : out.lane) lane = static_cast<std::uint32_t>(value);
+    return out;
+  }
+  static Wholes load(const std::int32_t* from) {
+    Wholes out;
+    std::memcpy(out.lane, from, sizeof out.lane);
+    return out;
+  }
+  void store(std::int32_t* to) const { std::memcpy(to, lane, sizeof lane); }
+  void store_words(std::int16_t* to) const {
+    for (int i = 0; i < kGroup; ++i)
+      to[i] = static_cast<std::int16_t>(static_cast<std::int32_t>(lane[i]));
+  }
+  Wholes halved() const {
+    Wholes out;
+    for (int i = 0; i < kGroup; ++i)
+      out.lane[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(lane[i]) >> 1);
+    return out;
+  }
+  Floats to_floats() const {
+    Floats out;
+    for (int i = 0; i < kGroup; ++i)
+      out.lane[i] = static_cast<float>(static_cast<std::int32_t>(lane[i]));
+    return out;
+  }
+};
+inline Wholes operator+(const Wholes& a, const Wholes& b) {
+  Wholes out;
+  for (int i = 0; i < kGroup; ++i) out.lane[i] = a.lane[i] + b.lane[i];
+  return out;
+}
+
+struct PairWeights {
+  std::int32_t first;
+  std::int32_t second;
+
+  static PairWeights load(const std::int16_t* from) { return {from[0], from[1]}; }
+
+  template <RowKind kKind>
+  Wholes times(const std::byte* pair) const {
+    Wholes out;
+    for (int i = 0; i < kGroup; ++i) {
+      std::int32_t a;
+      std::int32_t b;
+      if constexpr (kKind == RowKind::Nibbles) {
+        const auto both = std::to_integer<std::int32_t>(pair[i]);
+        a = both & 15;
+        b = both >> 4;
+      } else if constexpr (kKind == RowKind::Bytes) {
+        a = read_as<std::int8_t>(pair + 2 * i);
+        b = read_as<std::int8_t>(pair + 2 * i + 1);
+      } else {
+        a = read_as<std::int16_t>(pair + 4 * i);
+        b = read_as<std::int16_t>(pair + 4 * i + 2);
+      }
+      out.lane[i] = static_cast<std::uint32_t>(a * first) + static_cast<std::uint32_t>(b * second);
+    }
+    return out;
+  }
+};
+
+/// The bits of floats less a number.
+Wholes bits_less(const Floats& floats, std::uint32_t less) {
+  Wholes out;
+  for (int i = 0; i < kGroup; ++i)
+    out.lane[i] = std::bit_cast<std::uint32_t>(floats.lane[i]) - less;
+  return out;
+}
+
+/// Four rows of crumbs times their weights.
+Wholes times_crumbs(const std::byte* rows, const std::int16_t* weights) {
+  Wholes out;
+  for (int i = 0; i < kGroup; ++i) {
+    const auto four = std::to_integer<std::int32_t>(rows[i]);
+    std::int32_t sum = 0;
+    for (int k = 0; k < 4; ++k) sum += (four >> (2 * k) & 3) * weights[k];
+    out.lane[i] = static_cast<std::uint32_t>(sum);
+  }
+  return out;
+}
+
+/// Which quarter of a turn each of eight angles is in, in the lowest bits of a float that counts
+/// ones.
+struct Quadrants {
+  std::uint32_t lane[kGroup];
+
+  explicit Quadrants(const Floats& quarters) { std::memcpy(lane, quarters.lane, sizeof lane); }
+  Floats sine(const Floats& s, const Floats& c) const {
+    Floats out;
+    for (int i = 0; i < kGroup; ++i) {
+      const float value = (lane[i] & 1) != 0 ? c.lane[i] : s.lane[i];
+      out.lane[i] = (lane[i] & 2) != 0 ? -value : value;
+    }
+    return out;
+  }
+  Floats cosine(const Floats& s, const Floats& c) const {
+    Floats out;
+    for (int i = 0; i < kGroup; ++i) {
+      const float value = (lane[i] & 1) != 0 ? s.lane[i] : c.lane[i];
+      out.lane[i] = ((lane[i] + 1) & 2) != 0 ? -value : value;
+    }
+    return out;
+  }
+};
+
+void put_quaternions(const RotorGroup& group, const RotorQuaternions& quaternions, float* out,
+                     std::ptrdiff_t stride) {
+  for (int i = 0; i < group.joints; ++i)
+    for (int k = 0; k < 4; ++k) out[stride * group.joint[i] + k] = quaternions.of[k][i];
+}
+
+}  // namespace
+}  // namespace mocapress::runtime::plain_poses
+
+#define MOCAPRESS_POSES plain_poses
+#define MOCAPRESS_POSES_TARGET
+#include "core/runtime/pose_kernels_of.inc"
+
+namespace mocapress::runtime {
+
+const PoseKernels kPlainPoses = {plain_poses::add_rows, plain_poses::make_whole,
+                                 plain_poses::halve,    plain_poses::make_columns,
+                                 plain_poses::turn,     plain_poses::put_quaternions};
+
+const PoseKernels* avx2_poses() {
+#if defined(__x86_64__) && defined(__GNUC__)
+  return __builtin_cpu_supports("avx2") != 0 ? &kAvx2Poses : nullptr;
+#else
+  return nullptr;
+#endif
+}
+
+}  // namespace mocapress::runtime

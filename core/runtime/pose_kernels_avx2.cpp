@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Everything below the headers is compiled for AVX2 and must only be called where the machine has
+// it: row_kernels_avx2.cpp says why as it is.
+#include "core/runtime/pose_kernels.h"
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#include <immintrin.h>
+
+#include <cstring>
+
+#define MOCAPRESS_POSES_AVX2 __attribute__((target("avx2")))
+
+namespace mocapress::runtime::avx2_poses_of {
+namespace {
+
+/// All bits of a lane whose bit is set.
+MOCAPRESS_POSES_AVX2 inline __m256 lanes_of(unsigned bits) {
+  const __m256i of_lane = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+  const __m256i all = _mm256_set1_epi32(static_cast<int>(bits));
+  return _mm256_castsi256_ps(_mm256_cmpeq_epi32(_mm256_and_si256(all, of_lane), of_lane));
+}
+
+MOCAPRESS_POSES_AVX2 inline __m256 sign_of(__m256 lanes) {
+  return _mm256_and_ps(lanes, _mm256_set1_ps(-0.0F));
+}
+
+struct Floats {
+  __m256 lanes;
+
+  MOCAPRESS_POSES_AVX2 static Floats all(float value) { return {_mm256_set1_ps(value)}; }
+  MOCAPRESS_POSES_AVX2 static Floats load(const float* from) { return {_mm256_loadu_ps(from)}; }
+  MOCAPRESS_POSES_AVX2 static Floats of_floats(const std::byte* from) {
+    return {_mm256_loadu_ps(reinterpret_cast<const float*>(from))};
+  }
+  MOCAPRESS_POSES_AVX2 static Floats of_words(const std::byte* from) {
+    const __m128i words = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+    return {_mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(words))};
+  }
+  MOCAPRESS_POSES_AVX2 void store(float* to) const { _mm256_storeu_ps(to, lanes); }
+  MOCAPRESS_POSES_AVX2 Floats only(unsigned bits) const {
+    return {_mm256_and_ps(lanes, lanes_of(bits))};
+  }
+  MOCAPRESS_POSES_AVX2 Floats negated_where(unsigned bits) const {
+    return {_mm256_xor_ps(lanes, sign_of(lanes_of(bits)))};
+  }
+  MOCAPRESS_POSES_AVX2 Floats but_where(unsigned bits, const Floats& other) const {
+    return {_mm256_blendv_ps(lanes, other.lanes, lanes_of(bits))};
+  }
+};
+
+MOCAPRESS_POSES_AVX2 inline Floats operator+(const Floats& a, const Floats& b) {
+  return {_mm256_add_ps(a.lanes, b.lanes)};
+}
+MOCAPRESS_POSES_AVX2 inline Floats operator-(const Floats& a, const Floats& b) {
+  return {_mm256_sub_ps(a.lanes, b.lanes)};
+}
+MOCAPRESS_POSES_AVX2 inline Floats operator*(const Floats& a, const Floats& b) {
+  return {_mm256_mul_ps(a.lanes, b.lanes)};
+}
+
+struct Wholes {
+  __m256i lanes;
+
+  MOCAPRESS_POSES_AVX2 static Wholes all(std::int32_t value) { return {_mm256_set1_epi32(value)}; }
+  MOCAPRESS_POSES_AVX2 static Wholes load(const std::int32_t* from) {
+    return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))};
+  }
+  MOCAPRESS_POSES_AVX2 void store(std::int32_t* to) const {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), lanes);
+  }
+  MOCAPRESS_POSES_AVX2 void store_words(std::int16_t* to) const {
+    const __m128i low = _mm256_castsi256_si128(lanes);
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to),
+                     _mm_packs_epi32(low, _mm256_extracti128_si256(lanes, 1)));
+  }
+  MOCAPRESS_POSES_AVX2 Wholes halved() const { return {_mm256_srai_epi32(lanes, 1)}; }
+  MOCAPRESS_POSES_AVX2 Floats to_floats() const { return {_mm256_cvtepi32_ps(lanes)}; }
+};
+
+MOCAPRESS_POSES_AVX2 inline Wholes operator+(const Wholes& a, const Wholes& b) {
+  return {_mm256_add_epi32(a.lanes, b.lanes)};
+}
+
+/// The weights of two rows, side by side in each lane.
+struct PairWeights {
+  __m256i lanes;
+
+  MOCAPRESS_POSES_AVX2 static PairWeights load(const std::int16_t* from) {
+    std::int32_t both;
+    std::memcpy(&both, from, sizeof both);
+    return {_mm256_set1_epi32(both)};
+  }
+
+  template <RowKind kKind>
+  MOCAPRESS_POSES_AVX2 Wholes times(const std::byte* pair) const {
+    if constexpr (kKind == RowKind::Nibbles) {
+      const __m256i bytes =
+          _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(pair)));
+      const __m256i apart = _mm256_and_si256(_mm256_or_si256(bytes, _mm256_slli_epi32(bytes, 12)),
+                                             _mm256_set1_epi32(0x000F000F));
+      return {_mm256_madd_epi16(apart, lanes)};
+    } else if constexpr (kKind == RowKind::Bytes) {
+      const __m256i words =
+          _mm256_cvtepi8_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(pair)));
+      return {_mm256_madd_epi16(words, lanes)};
+    } else {
+      return {_mm256_madd_epi16(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(pair)), lanes)};
+    }
+  }
+};
+
+MOCAPRESS_POSES_AVX2 inline Wholes bits_less(const Floats& floats, std::uint32_t less) {
+  return {_mm256_sub_epi32(_mm256_castps_si256(floats.lanes),
+                           _mm256_set1_epi32(static_cast<int>(less)))};
+}
+
+MOCAPRESS_POSES_AVX2 inline Wholes times_crumbs(const std::byte* rows,
+                                                const std::int16_t* weights) {
+  const __m256i bytes =
+      _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(rows)));
+  const __m256i spread = _mm256_or_si256(bytes, _mm256_slli_epi32(bytes, 14));
+  const __m256i mask = _mm256_set1_epi32(0x00030003);
+  const __m256i first = _mm256_and_si256(spread, mask);
+  const __m256i last = _mm256_and_si256(_mm256_srli_epi32(spread, 4), mask);
+  return {_mm256_add_epi32(_mm256_madd_epi16(first, PairWeights::load(weights).lanes),
+                           _mm256_madd_epi16(last, PairWeights::load(weights + 2).lanes))};
+}
+
+struct Quadrants {
+  __m256i lanes;
+
+  MOCAPRESS_POSES_AVX2 explicit Quadrants(const Floats& quarters)
+      : lanes(_mm256_castps_si256(quarters.lanes)) {}
+  MOCAPRESS_POSES_AVX2 Floats sine(const Floats& s, const Floats& c) const {
+    return {_mm256_xor_ps(_mm256_blendv_ps(s.lanes, c.lanes, odd()), minus(lanes))};
+  }
+  MOCAPRESS_POSES_AVX2 Floats cosine(const Floats& s, const Floats& c) const {
+    return {_mm256_xor_ps(_mm256_blendv_ps(c.lanes, s.lanes, odd()),
+                          minus(_mm256_add_epi32(lanes, _mm256_set1_epi32(1))))};
+  }
+
+ private:
+  MOCAPRESS_POSES_AVX2 __m256 odd() const {
+    return _mm256_castsi256_ps(_mm256_slli_epi32(lanes, 31));
+  }
+  MOCAPRESS_POSES_AVX2 static __m256 minus(__m256i quarters) {
+    return sign_of(_mm256_castsi256_ps(_mm256_slli_epi32(quarters, 30)));
+  }
+};
+
+MOCAPRESS_POSES_AVX2 void put_quaternions(const RotorGroup& group,
+                                          const RotorQuaternions& quaternions, float* out,
+                                          std::ptrdiff_t stride) {
+  for (int half = 0; half < 8; half += 4) {
+    __m128 w = _mm_loadu_ps(quaternions.of[0] + half);
+    __m128 x = _mm_loadu_ps(quaternions.of[1] + half);
+    __m128 y = _mm_loadu_ps(quaternions.of[2] + half);
+    __m128 z = _mm_loadu_ps(quaternions.of[3] + half);
+    _MM_TRANSPOSE4_PS(w, x, y, z);
+    const __m128 rows[4] = {w, x, y, z};
+    for (int i = 0; i < 4 && half + i < group.joints; ++i)
+      _mm_storeu_ps(out + stride * group.joint[half + i], rows[i]);
+  }
+}
+
+}  // namespace
+}  // namespace mocapress::runtime::avx2_poses_of
+
+#define MOCAPRESS_POSES avx2_poses_of
+#define MOCAPRESS_POSES_TARGET MOCAPRESS_POSES_AVX2
+#include "core/runtime/pose_kernels_of.inc"
+
+namespace mocapress::runtime {
+
+const PoseKernels kAvx2Poses = {avx2_poses_of::add_rows, avx2_poses_of::make_whole,
+                                avx2_poses_of::halve,    avx2_poses_of::make_columns,
+                                avx2_poses_of::turn,     avx2_poses_of::put_quaternions};
+
+}  // namespace mocapress::runtime
+
+#endif

@@ -1,0 +1,511 @@
+// SPDX-License-Identifier: MIT
+#include "core/runtime/pose_sampler.h"
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+
+#include "core/codec/format/end_poses.h"
+#include "core/codec/format/joint_model.h"
+#include "core/runtime/instant_weights.h"
+#include "core/runtime/row_kernels.h"
+
+namespace mocapress::runtime {
+namespace {
+
+constexpr int kMostGroups = kMostColumns / kGroup;
+
+/// The weights of a band's rows as whole numbers.
+struct BandWeights {
+  int first_row;   // even
+  int first_used;  // the first that is not zero, and the last
+  int last_used;
+  // Times 2^15 and, so that none gets lost, once more 2 for every second band from the finest.
+  // Zeros before and after them make up a window of crumbs, which begins at a fourth row.
+  alignas(16) std::int16_t of_row[2 + kDetailWindow + 4];
+  // Times 2^17, each row's at its number modulo 16; the other rows of blocks have zeros. Then room
+  // for what goes on at the beginning.
+  alignas(32) std::int32_t of_entry[16 + kDetailWindow];
+};
+
+struct SampleWeights {
+  int first_row;
+  float of_row[kSampleWindow];
+};
+
+/// What meets at an instant of a segment: of each band the weights of its details, the finest
+/// first, and of each number of bands left out those of the samples.
+struct Weights {
+  BandWeights band[kMostKeptBands];
+  SampleWeights samples[kMostKeptBands + 1];
+  int levels = 0;
+  float unit = 1;  // the whole weights of all bands are to be multiplied by it once more
+
+  /// `share` on the way from a frame to the next, of a segment of so many; up to `kept` bands.
+  void set(const PoseKernels& kernels, Wavelet wavelet, int length, int frame, float share,
+           int kept);
+};
+
+constexpr float kMostWeight = 1.4F;  // times 2^14.5 it is less than 2^15
+
+/// The weights from another row on.
+RowWeights moved(const RowWeights& from, int first) {
+  RowWeights to;
+  to.first = first;
+  for (int i = 0; i < 8; ++i) {
+    const int k = i - (from.first - first);
+    to.weight[i] = k >= 0 && k < 8 ? from.weight[k] : 0;
+  }
+  return to;
+}
+
+void set_samples(const RowWeights& from, int rows, SampleWeights& to) {
+  const int first = std::clamp(from.first, 0, std::max(rows - kSampleWindow, 0));
+  to.first_row = first;
+  if (first == from.first)
+    std::copy_n(from.weight, kSampleWindow, to.of_row);
+  else
+    std::copy_n(moved(from, first).weight, kSampleWindow, to.of_row);
+}
+
+void set_band(const PoseKernels& kernels, const RowWeights& from, int rows, int depth, float unit,
+              BandWeights& to) {
+  // 2^15 * 2^((depth - 1) / 2) * 2^(-depth / 2), and 2^17 * 2^(-depth / 2)
+  constexpr float kScales[2] = {16384, 23170.475F};
+  constexpr float kEntryScales[kMostKeptBands] = {92681.9F, 65536,      46340.95F,
+                                                  32768,    23170.475F, 16384};
+  const int padded = std::max((rows + 1) / 2 * 2, kDetailWindow);
+  const int first = std::clamp(from.first & ~1, 0, padded - kDetailWindow);
+  to.first_row = first;
+  const RowWeights weights = first == from.first ? from : moved(from, first);
+  int used = 0;
+  while (used < kDetailWindow - 1 && weights.weight[used] == 0) ++used;
+  to.first_used = first + used;
+  used = kDetailWindow - 1;
+  while (used > 0 && weights.weight[used] == 0) --used;
+  to.last_used = first + used;
+  std::fill_n(to.of_row, std::size(to.of_row), std::int16_t{0});
+  std::fill_n(to.of_entry, std::size(to.of_entry), 0);
+  kernels.make_whole({.weights = weights.weight,
+                      .scale = kScales[depth % 2] / unit,
+                      .entry_scale = kEntryScales[depth - 1] / unit,
+                      .of_row = to.of_row + 2,
+                      .of_entry = to.of_entry + first % 16});
+  std::copy_n(to.of_entry + 16, std::max(first % 16 - kDetailWindow, 0), to.of_entry);
+}
+
+void Weights::set(const PoseKernels& kernels, Wavelet wavelet, int length, int frame, float share,
+                  int kept) {
+  RowWeights row;
+  row.first = frame;
+  row.weight[0] = 1 - share;
+  row.weight[1] = share;
+  set_samples(row, length, samples[0]);
+  RowWeights details[kMostKeptBands];
+  int rows[kMostKeptBands];
+  for (levels = 0; levels < kept && length >= kCoarsest; ++levels, length = evens_in(length)) {
+    RowWeights evens;
+    const bool inside = weigh_level(wavelet, length, row, evens, details[levels]);
+    rows[levels] = odds_in(length);
+    row = evens;
+    set_samples(row, evens_in(length), samples[levels + 1]);
+    // Only what goes on as a line after the last even sample weighs so much.
+    for (int i = 0; !inside && i < 8; ++i)
+      while (std::abs(details[levels].weight[i]) > kMostWeight * unit) unit *= 2;
+  }
+  for (int b = 0; b < levels; ++b) set_band(kernels, details[b], rows[b], b + 1, unit, band[b]);
+}
+
+/// Adds the entries of the blocks that the rows are in, times the rows' weights.
+void add_entries(const mcpr_cooked& clip, const CookedBand& band, const BandWeights& weights,
+                 std::int32_t* whole) {
+  constexpr unsigned kColumnMask = (1U << kColumnBits) - 1;
+  constexpr unsigned kRowMask = (1U << kRowBits) - 1;
+  const auto* const begins = clip.at<std::uint16_t>(band.entries);
+  const std::uint16_t* const entries = begins + band.blocks + 1;
+  const int first = weights.first_used >> band.log2_rows;
+  const int last = std::min(weights.last_used >> band.log2_rows, band.blocks - 1);
+  if (first > last) return;
+  const std::uint16_t* const end = entries + begins[last + 1];
+  for (const std::uint16_t* entry = entries + begins[first]; entry != end; ++entry) {
+    const unsigned bits = *entry;
+    const std::int32_t value = static_cast<std::int16_t>(bits) >> (kColumnBits + kRowBits);
+    whole[bits & kColumnMask] += weights.of_entry[bits >> kColumnBits & kRowMask] * value;
+  }
+}
+
+/// Groups of columns that are wanted, one after the other.
+struct Groups {
+  int first = 0;
+  int count = 0;
+};
+
+class Sampler {
+ public:
+  Sampler(const mcpr_cooked& clip, const PoseKernels& kernels, const mcpr_sample_request& request)
+      : clip_(clip), kernels_(kernels), request_(request) {
+    for (int p = 0; p < clip.parts; ++p)
+      kept_bands_ = std::max<int>(kept_bands_, clip.part(p).kept_bands);
+  }
+
+  void run(const PlaceInClip& place, float* out) {
+    if (request_.joints != nullptr) find_wanted();
+    if (place.across > 0)
+      make_columns_across(place.across);
+    else
+      make_columns(place.frame);
+    add_columns();
+    put_out(out);
+  }
+
+ private:
+  bool is_wanted(int group) const { return request_.joints == nullptr || wanted_[group]; }
+  bool is_wanted(const RotorGroup& rotors) const {
+    if (request_.joints == nullptr) return true;
+    for (int i = 0; i < rotors.joints; ++i)
+      if (slots_[rotors.joint[i]] != kNone) return true;
+    return false;
+  }
+
+  /// Which joints go where, and the groups of columns that they need.
+  void find_wanted() {
+    std::fill_n(slots_, clip_.joints, kNone);
+    for (std::uint32_t i = 0; i < request_.joint_count; ++i)
+      slots_[request_.joints[i]] = static_cast<std::uint16_t>(i);
+    for (int g = 0; g < clip_.rotor_groups; ++g) {
+      const RotorGroup& rotors = clip_.at<RotorGroup>(clip_.rotors)[g];
+      if (!is_wanted(rotors)) continue;
+      for (int a = 0; a < rotors.angles; ++a) wanted_[rotors.vector[a]] = true;
+    }
+    for (int i = 0; i < clip_.moving_axes; ++i) {
+      const MovingAxis& moving = clip_.at<MovingAxis>(clip_.moving)[i];
+      if (slots_[moving.joint] != kNone) wanted_[moving.column / kGroup] = true;
+    }
+    for (int i = 0; i < clip_.other_turns; ++i) {
+      const OtherTurn& turn = clip_.at<OtherTurn>(clip_.turns)[i];
+      if (turn.axis != OtherTurn::kConstant && slots_[turn.joint] != kNone)
+        wanted_[turn.column / kGroup] = true;
+    }
+    for (int i = 0; i < clip_.added_columns; ++i) {
+      const AddedColumn& added = clip_.at<AddedColumn>(clip_.added)[i];
+      if (wanted_[added.to / kGroup]) wanted_[added.from / kGroup] = true;
+    }
+  }
+
+  /// From the first that is wanted to the last.
+  Groups groups_of(const CookedPart& part) const {
+    int first = 0;
+    int end = part.groups;
+    while (first < end && !is_wanted(part.first_group + first)) ++first;
+    while (end > first && !is_wanted(part.first_group + end - 1)) --end;
+    return {first, end - first};
+  }
+
+  void make_part(int segment, int p, const Weights& weights, float* columns) const {
+    const CookedPart& part = clip_.part(p);
+    const Groups groups = groups_of(part);
+    if (groups.count == 0) return;
+    const CookedRows& rows = clip_.rows_of(segment, p);
+    const int kept = std::min<int>(part.kept_bands, weights.levels);
+    const auto* const bands = clip_.at<CookedBand>(rows.bands);
+    alignas(32) std::int32_t whole[kGroup * kMostGroupsOfPart];
+    std::fill_n(whole, kGroup * kMostGroupsOfPart, 0);
+    for (int b = 0; b < kept; ++b)
+      if (bands[b].blocks > 0) add_entries(clip_, bands[b], weights.band[b], whole);
+    std::int32_t* const first = whole + kGroup * groups.first;
+    for (int b = kMostKeptBands - 1; b >= 0; --b) {
+      if (b < kept && bands[b].kind != RowKind::None) {
+        const BandWeights& band = weights.band[b];
+        const RowKind kind = bands[b].kind;
+        const int together = rows_together(kind);
+        const auto bytes = static_cast<std::ptrdiff_t>(bundle_bytes(kind));
+        const std::ptrdiff_t stride = bytes * part.groups;
+        kernels_.add_rows({.kind = kind,
+                           .rows = clip_.at<std::byte>(bands[b].rows) +
+                                   stride * (band.first_row / together) + bytes * groups.first,
+                           .stride = stride,
+                           .weights = band.of_row + 2 - band.first_row % together,
+                           .groups = groups.count},
+                          first);
+      }
+      if (b == 4 || b == 2) kernels_.halve(first, groups.count);
+    }
+    const SampleWeights& samples = weights.samples[kept];
+    const std::ptrdiff_t bytes = kGroup * (part.wide_samples != 0 ? 4 : 2);
+    kernels_.make_columns({.rows = clip_.at<std::byte>(rows.samples) +
+                                   bytes * part.groups * samples.first_row + bytes * groups.first,
+                           .stride = bytes * part.groups,
+                           .weights = samples.of_row,
+                           .scales = clip_.at<float>(rows.scales) + kGroup * groups.first,
+                           .columns_of_part = kGroup * part.groups,
+                           .whole = first,
+                           .unit = weights.unit,
+                           .groups = groups.count,
+                           .wide = part.wide_samples != 0,
+                           .columns = columns + kGroup * (part.first_group + groups.first)});
+  }
+
+  void make_segment(int segment, int frame, float share, float* columns) const {
+    const SegmentLayout layout = clip_.layout();
+    Weights weights;
+    weights.set(kernels_, clip_.wavelet, layout.frames_of(segment), frame - layout.first(segment),
+                share, kept_bands_);
+    for (int p = 0; p < clip_.parts; ++p) make_part(segment, p, weights, columns);
+  }
+
+  /// A frame that may be in two segments.
+  void make_frame(int frame, float* columns) const {
+    const SegmentLayout layout = clip_.layout();
+    const SegmentLayout::Stretch stretch = layout.stretch_at(frame);
+    if (stretch.shared < 0) return make_segment(stretch.segment, frame, 0, columns);
+    float later[kMostColumns];
+    make_segment(stretch.segment - 1, frame, 0, columns);
+    make_segment(stretch.segment, frame, 0, later);
+    mix(later, share_of_later(layout, stretch.shared), columns);
+  }
+
+  /// columns += share * (others - columns), of those wanted.
+  void mix(const float* others, float share, float* columns) const {
+    for (int g = 0; g < static_cast<int>(clip_.row_groups); ++g) {
+      if (!is_wanted(g)) continue;
+      for (int c = kGroup * g; c < kGroup * g + kGroup; ++c)
+        columns[c] += share * (others[c] - columns[c]);
+    }
+  }
+
+  void make_columns(double frame) {
+    const SegmentLayout layout = clip_.layout();
+    const int before = std::min(static_cast<int>(frame), layout.frames - 1);
+    const float share = before + 1 < layout.frames ? static_cast<float>(frame - before) : 0.0F;
+    if (clip_.segments == 1) {
+      make_segment(0, before, share, columns_);
+    } else if (const SegmentLayout::Stretch stretch = layout.stretch_at(before);
+               stretch.shared < 0 && (share == 0 || stretch.frames > 1)) {
+      make_segment(stretch.segment, before, share, columns_);
+    } else {
+      make_frame(before, columns_);
+      if (share > 0) {
+        float next[kMostColumns];
+        make_frame(before + 1, next);
+        mix(next, share, columns_);
+      }
+    }
+    add_ends(before, share);
+  }
+
+  /// How much of what an end lacks goes to a frame.
+  float end_share_of(int end, int frame) const {
+    const int away = end == 0 ? frame : static_cast<int>(clip_.frames) - 1 - frame;
+    const int reach = clip_.end_reach[end];
+    return away < reach ? end_share(away, reach) : 0.0F;
+  }
+
+  void add_ends(int frame, float share) {
+    for (int end = 0; end < 2; ++end) {
+      float lacking = end_share_of(end, frame);
+      if (share > 0) lacking += share * (end_share_of(end, frame + 1) - lacking);
+      if (lacking > 0) add_end(end, lacking);
+    }
+  }
+
+  void add_end(int end, float share) {
+    const int columns = kGroup * static_cast<int>(clip_.row_groups);
+    const float* const lacking = clip_.at<float>(clip_.ends) + end * columns;
+    for (int c = 0; c < columns; ++c) columns_[c] += share * lacking[c];
+  }
+
+  /// From the last frame of a loop to the first: angles by the shorter way; what roots do goes on
+  /// as it came.
+  void make_columns_across(float share) {
+    constexpr float kHalfTurn = 3.14159265F;
+    const int last = static_cast<int>(clip_.frames) - 1;
+    float first[kMostColumns];
+    float before[kMostColumns];
+    make_frame(last, columns_);
+    make_frame(0, first);
+    make_frame(std::max(last - 1, 0), before);
+    for (int c = 0; c < kGroup * static_cast<int>(clip_.row_groups); ++c) {
+      float way = first[c] - columns_[c];
+      switch (clip_.at<ColumnKind>(clip_.column_kinds)[c]) {
+        case ColumnKind::Straight:
+          break;
+        case ColumnKind::HalfAngle:
+          way = std::remainder(way, kHalfTurn);
+          break;
+        case ColumnKind::Root:
+          way = columns_[c] - before[c];
+          break;
+      }
+      columns_[c] += share * way;
+    }
+    if (clip_.end_reach[0] == 0) return;
+    add_end(0, share);
+    add_end(1, 1 - share);
+  }
+
+  void add_columns() {
+    std::copy_n(clip_.at<float>(clip_.bases), kGroup * (clip_.groups - clip_.row_groups),
+                columns_ + kGroup * clip_.row_groups);
+    for (int i = 0; i < clip_.added_columns; ++i) {
+      const AddedColumn& added = clip_.at<AddedColumn>(clip_.added)[i];
+      columns_[added.to] += columns_[added.from];
+    }
+  }
+
+  void put_out(float* out) {
+    const bool all_as_they_are = request_.joints == nullptr && request_.layout == MCPR_TRANSFORMS;
+    if (all_as_they_are)
+      std::memcpy(out, clip_.at<mcpr_transform>(clip_.rest), sizeof(mcpr_transform) * clip_.joints);
+    else
+      put_rest(out);
+    const auto* const groups = clip_.at<RotorGroup>(clip_.rotors);
+    for (int g = 0; g < clip_.rotor_groups; ++g) {
+      if (!is_wanted(groups[g])) continue;
+      const float* const around =
+          groups[g].around != 0 ? clip_.at<float>(groups[g].around) : nullptr;
+      RotorQuaternions quaternions;
+      kernels_.turn(groups[g], columns_, around, quaternions);
+      if (all_as_they_are) {
+        kernels_.put_quaternions(groups[g], quaternions, out, 8);
+        continue;
+      }
+      for (int i = 0; i < groups[g].joints; ++i) {
+        const float wxyz[4] = {quaternions.of[0][i], quaternions.of[1][i], quaternions.of[2][i],
+                               quaternions.of[3][i]};
+        put_rotation(groups[g].joint[i], wxyz, out);
+      }
+    }
+    put_other_turns(out);
+    for (int i = 0; i < clip_.moving_axes; ++i) {
+      const MovingAxis& moving = clip_.at<MovingAxis>(clip_.moving)[i];
+      put_translation(moving.joint, moving.axis, columns_[moving.column], out);
+    }
+  }
+
+  void put_rest(float* out) {
+    for (std::uint32_t j = 0; j < clip_.joints; ++j) {
+      const mcpr_transform& rest = clip_.at<mcpr_transform>(clip_.rest)[j];
+      put_rotation(j, rest.rotation, out);
+      for (int axis = 0; axis < 3; ++axis) put_translation(j, axis, rest.translation[axis], out);
+      if (request_.layout == MCPR_TRANSFORMS && slot(j) != kNone) out[8 * slot(j) + 7] = 0;
+    }
+  }
+
+  /// Rotations of joints with more than three angles, or two about one axis, one after the other.
+  void put_other_turns(float* out) {
+    for (int i = 0; i < clip_.other_turns;) {
+      const auto* const turns = clip_.at<OtherTurn>(clip_.turns);
+      const std::uint16_t joint = turns[i].joint;
+      double q[4] = {1, 0, 0, 0};
+      for (; i < clip_.other_turns && turns[i].joint == joint; ++i) {
+        double by[4] = {1, 0, 0, 0};
+        if (turns[i].axis == OtherTurn::kConstant) {
+          for (int k = 0; k < 4; ++k) by[k] = clip_.at<float>(turns[i].column)[k];
+        } else {
+          const double half = columns_[turns[i].column];
+          by[0] = std::cos(half);
+          by[1 + turns[i].axis] = std::sin(half);
+        }
+        const double a[4] = {q[0], q[1], q[2], q[3]};
+        q[0] = a[0] * by[0] - a[1] * by[1] - a[2] * by[2] - a[3] * by[3];
+        q[1] = a[0] * by[1] + a[1] * by[0] + a[2] * by[3] - a[3] * by[2];
+        q[2] = a[0] * by[2] - a[1] * by[3] + a[2] * by[0] + a[3] * by[1];
+        q[3] = a[0] * by[3] + a[1] * by[2] - a[2] * by[1] + a[3] * by[0];
+      }
+      const float wxyz[4] = {static_cast<float>(q[0]), static_cast<float>(q[1]),
+                             static_cast<float>(q[2]), static_cast<float>(q[3])};
+      put_rotation(joint, wxyz, out);
+    }
+  }
+
+  /// Where a joint goes; kNone: it is not wanted.
+  std::uint32_t slot(std::uint32_t joint) const {
+    return request_.joints == nullptr ? joint : slots_[joint];
+  }
+  std::uint32_t joint_count() const {
+    return request_.joints == nullptr ? clip_.joints : request_.joint_count;
+  }
+
+  void put_rotation(std::uint32_t joint, const float (&wxyz)[4], float* out) const {
+    const std::uint32_t at = slot(joint);
+    if (at == kNone) return;
+    if (request_.layout == MCPR_TRANSFORMS) {
+      for (int k = 0; k < 4; ++k) out[8 * at + static_cast<std::uint32_t>(k)] = wxyz[k];
+    } else if (request_.layout == MCPR_ARRAYS) {
+      for (std::uint32_t k = 0; k < 4; ++k) out[k * joint_count() + at] = wxyz[k];
+    } else {
+      const auto [w, x, y, z] = wxyz;
+      const float m[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+                             {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+                             {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
+      for (std::uint32_t row = 0; row < 3; ++row) std::copy_n(m[row], 3, out + 12 * at + 4 * row);
+    }
+  }
+
+  void put_translation(std::uint32_t joint, int axis, float value, float* out) const {
+    const std::uint32_t at = slot(joint);
+    if (at == kNone) return;
+    const auto a = static_cast<std::uint32_t>(axis);
+    if (request_.layout == MCPR_TRANSFORMS)
+      out[8 * at + 4 + a] = value;
+    else if (request_.layout == MCPR_ARRAYS)
+      out[(4 + a) * joint_count() + at] = value;
+    else
+      out[12 * at + 4 * a + 3] = value;
+  }
+
+  static constexpr std::uint16_t kNone = 0xFFFF;
+  const mcpr_cooked& clip_;
+  const PoseKernels& kernels_;
+  const mcpr_sample_request& request_;
+  int kept_bands_ = 0;
+  std::bitset<kMostGroups> wanted_;   // where there is a list of joints
+  std::uint16_t slots_[kMostJoints];  // likewise; of the joints that there are
+  alignas(32) float columns_[kMostColumns];
+};
+
+}  // namespace
+
+const PoseKernels* poses_of(mcpr_path path) {
+  switch (path) {
+    case MCPR_PATH_BEST:
+      return avx2_poses() != nullptr ? avx2_poses() : &kPlainPoses;
+    case MCPR_PATH_PLAIN:
+      return &kPlainPoses;
+    case MCPR_PATH_SSE2:  // what a compiler makes of the plain ones
+      return sse2_rows() != nullptr ? &kPlainPoses : nullptr;
+    case MCPR_PATH_AVX2:
+      return avx2_poses();
+  }
+  return nullptr;
+}
+
+PlaceInClip place_in_clip(const mcpr_cooked& clip, const mcpr_sample_request& request,
+                          double time) {
+  const double frame = request.unit == MCPR_SECONDS ? time * clip.sample_rate : time;
+  const double last = clip.frames - 1.0;
+  if (request.wrap == MCPR_CLAMP) return {std::clamp(frame, 0.0, last), 0};
+  const int turn = clip.turn_frames();
+  double within = frame;
+  if (!(within >= 0 && within < turn)) {
+    within = std::fmod(frame, turn);
+    if (within < 0) within += turn;
+    if (within >= turn) within = 0;  // rounded up from just below zero
+  }
+  if (within <= last) return {within, 0};
+  return {last, static_cast<float>(within - (turn - 1))};
+}
+
+std::size_t values_of_joint(mcpr_layout layout) {
+  if (layout == MCPR_TRANSFORMS) return 8;
+  return layout == MCPR_ARRAYS ? 7 : 12;
+}
+
+void sample(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInClip& place,
+            const mcpr_sample_request& request, float* out) {
+  Sampler(clip, kernels, request).run(place, out);
+}
+
+}  // namespace mocapress::runtime

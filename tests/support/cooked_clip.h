@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/codec/format/own_memory.h"
+#include "core/runtime/mocapress_runtime.h"
+
+namespace mocapress::test {
+
+/// A clip cooked with memory of its own, as an engine would.
+struct CookedClip {
+  mcpr_result result{};  // of the first step that failed, or of the last
+  std::optional<AlignedBytes> bytes;
+  const mcpr_cooked* clip = nullptr;  // null where it was refused
+
+  explicit CookedClip(const mcpr_clip* from, const mcpr_cook_options& options = {}) {
+    const AlignedBytes scratch(mcpr_cook_scratch_bytes(from, &options));
+    std::size_t size = 0;
+    result = mcpr_cook_size(from, &options, scratch.data(), scratch.size(), &size);
+    if (result.status != MCPR_OK) return;
+    bytes.emplace(size);
+    result = mcpr_cook(from, &options, scratch.data(), scratch.size(), bytes->data(), size, &clip);
+  }
+
+  /// Empty where it was refused.
+  std::vector<float> sample(const mcpr_sample_request& request, double time) const {
+    std::vector<float> out(mcpr_sample_values(clip, &request));
+    if (out.empty() || mcpr_sample(clip, &request, time, out.data()).status != MCPR_OK) return {};
+    return out;
+  }
+};
+
+}  // namespace mocapress::test
