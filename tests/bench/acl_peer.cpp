@@ -12,6 +12,7 @@
 
 #include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/motion/body_tracks.h"
@@ -90,15 +91,30 @@ Pose pose_of(const Skeleton& skeleton, const std::vector<rtm::qvvf>& locals) {
 
 }  // namespace
 
-AclResult compress_by_acl(const Motion& motion, double precision_cm) {
+struct AclClip::Parts {
+  using Context = acl::decompression_context<acl::default_transform_decompression_settings>;
+  acl::ansi_allocator allocator;
+  acl::compressed_tracks* compressed = nullptr;
+  std::uint32_t frames = 0;
+  float rate = 0;  // Hz
+  std::vector<rtm::qvvf> bind;
+  std::optional<Context> context;
+  PoseWriter writer;
+
+  ~Parts() {
+    if (compressed != nullptr) allocator.deallocate(compressed, compressed->get_size());
+  }
+};
+
+AclClip::AclClip(const Motion& motion, double precision_cm) : parts_(std::make_unique<Parts>()) {
   const Skeleton& skeleton = motion.skeleton;
   const auto joints = static_cast<std::uint32_t>(skeleton.joint_count());
   const auto frames = static_cast<std::uint32_t>(motion.clip.frames());
   const auto rate = static_cast<float>(motion.clip.sample_rate_hz);
-  acl::ansi_allocator allocator;
+  acl::ansi_allocator& allocator = parts_->allocator;
   acl::track_array_qvvf tracks(allocator, joints);
   const Pose bind = rest_pose(skeleton);
-  std::vector<rtm::qvvf> bind_locals;
+  std::vector<rtm::qvvf>& bind_locals = parts_->bind;
   for (std::uint32_t j = 0; j < joints; ++j) {
     const int parent = skeleton.joint(static_cast<int>(j)).parent;
     bind_locals.push_back(qvv_of(local_of(skeleton, bind, static_cast<int>(j))));
@@ -126,28 +142,45 @@ AclResult compress_by_acl(const Motion& motion, double precision_cm) {
   acl::compression_settings settings = acl::get_default_compression_settings();
   settings.level = acl::compression_level8::medium;
   settings.error_metric = &metric;
-  acl::compressed_tracks* compressed = nullptr;
   acl::output_stats stats;
-  require(acl::compress_track_list(allocator, tracks, settings, compressed, stats));
-  const auto release = [&](acl::compressed_tracks* it) {
-    allocator.deallocate(it, it->get_size());
-  };
-  const std::unique_ptr<acl::compressed_tracks, decltype(release)> owned(compressed, release);
+  require(acl::compress_track_list(allocator, tracks, settings, parts_->compressed, stats));
+  parts_->frames = frames;
+  parts_->rate = rate;
+}
 
+AclClip::~AclClip() = default;
+
+std::size_t AclClip::bytes() const {
+  return parts_->compressed->get_size();
+}
+
+Eigen::MatrixXd AclClip::tracks(const Skeleton& skeleton) const {
   std::vector<Landmark> points = landmarks(skeleton);
   const std::vector<Landmark> shell = shell_points(skeleton);
   points.insert(points.end(), shell.begin(), shell.end());
-  AclResult result{owned->get_size(), Eigen::MatrixXd(frames, 3 * std::ssize(points))};
-  acl::decompression_context<acl::default_transform_decompression_settings> context;
-  if (!context.initialize(*owned)) throw Error("ACL: cannot open what it wrote");
+  Eigen::MatrixXd tracks(parts_->frames, 3 * std::ssize(points));
+  Parts::Context context;
+  if (!context.initialize(*parts_->compressed)) throw Error("ACL: cannot open what it wrote");
   PoseWriter writer;
-  for (std::uint32_t t = 0; t < frames; ++t) {
-    writer.joints = bind_locals;
-    context.seek(static_cast<float>(t) / rate, acl::sample_rounding_policy::nearest);
+  for (std::uint32_t t = 0; t < parts_->frames; ++t) {
+    writer.joints = parts_->bind;
+    context.seek(static_cast<float>(t) / parts_->rate, acl::sample_rounding_policy::nearest);
     context.decompress_tracks(writer);
-    place_landmarks(points, pose_of(skeleton, writer.joints), static_cast<int>(t), result.tracks);
+    place_landmarks(points, pose_of(skeleton, writer.joints), static_cast<int>(t), tracks);
   }
-  return result;
+  return tracks;
+}
+
+void AclClip::open() {
+  parts_->context.emplace();
+  if (!parts_->context->initialize(*parts_->compressed))
+    throw Error("ACL: cannot open what it wrote");
+  if (parts_->writer.joints.empty()) parts_->writer.joints = parts_->bind;
+}
+
+void AclClip::sample(float seconds) {
+  parts_->context->seek(seconds, acl::sample_rounding_policy::none);
+  parts_->context->decompress_tracks(parts_->writer);
 }
 
 }  // namespace mocapress

@@ -2,18 +2,37 @@
 // ACL as a peer, built where its headers are (../shared/peers or MOCAPRESS_PEERS).
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+
 #include "core/motion/clip.h"
 
 namespace mocapress {
 
-struct AclResult {
-  std::size_t bytes = 0;
-  Eigen::MatrixXd tracks;  // body_tracks() of what it decodes
-};
+/// A clip compressed by ACL's defaults at level medium, with its recommended lossy pre-processing,
+/// a shell of 3 cm and the bind pose as default.
+class AclClip {
+ public:
+  /// Throws Error when ACL refuses.
+  AclClip(const Motion& motion, double precision_cm);
+  ~AclClip();
 
-/// Compresses local transforms by ACL's defaults at level medium, with its recommended lossy
-/// pre-processing, a shell of 3 cm and the bind pose as default, and decodes every frame. Throws
-/// Error when ACL refuses.
-AclResult compress_by_acl(const Motion& motion, double precision_cm);
+  std::size_t bytes() const;
+
+  /// body_tracks() of every frame as it decodes them.
+  Eigen::MatrixXd tracks(const Skeleton& skeleton) const;
+
+  /// Makes a context for it, as an engine does that trusts its bytes.
+  void open();
+
+  /// Local transforms at an instant, between two frames interpolated as ACL does, into memory of
+  /// its own. After open().
+  void sample(float seconds);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 }  // namespace mocapress

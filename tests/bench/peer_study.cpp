@@ -4,10 +4,14 @@
 // own points, three 3 cm from each joint. One line a clip and precision, then geometric means of
 // our share of ACL's bytes. --json: one JSON object a line and nothing else. --no-max: without the
 // maximum, which takes most of the time.
-// --game: on rigs as games have them (tests/support/game_like.h).
-// Usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max]
+// At precision 0.1 also times of both, in turns in this run: local transforms at a random instant
+// and forwards at 60 Hz, and opening; and the bytes of our cooked form without what is the
+// skeleton's.
+// --times: these alone. --game: on rigs as games have them (tests/support/game_like.h).
+// Usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max] [--times]
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -16,17 +20,24 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/codec/encode/encoder.h"
+#include "core/codec/format/container.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/distortion.h"
 #include "core/motion/body_tracks.h"
 #include "tests/bench/acl_peer.h"
 #include "tests/bench/study_clips.h"
+#include "tests/support/cooked_clip.h"
 #include "tests/support/game_like.h"
+#include "tests/support/opened_clip.h"
 
 namespace mocapress {
 namespace {
@@ -35,6 +46,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::array kPrecisions = {0.01, 0.05, 0.1, 0.3, 1.0, 2.0};  // cm
+constexpr double kTimedPrecision = 0.1;
 
 Encoding encode(const Encoder& encoder, Weighting weighting, const Target& target) {
   return encoder.encode({.method = Method::ClosedLoop, .weighting = weighting, .target = target});
@@ -72,15 +84,88 @@ std::size_t bytes_at_shell_p99(const Encoder& encoder, double p99_cm) {
   return bytes;
 }
 
-Json row_of(const Motion& motion, const Encoder& encoder, double precision, bool with_max) {
-  const AclResult acl = compress_by_acl(motion, precision);
-  const Distortion theirs = measure(motion.skeleton, encoder.original_body(), acl.tracks);
+/// The middle of as many measurements of a call as there are turns: microseconds each time. Both
+/// sides take turns, so that what else the machine does slows both down.
+template <typename Theirs, typename Ours>
+std::pair<double, double> median_us(int calls, const Theirs& theirs, const Ours& ours) {
+  constexpr int kTurns = 101;
+  std::vector<double> of_theirs;
+  std::vector<double> of_ours;
+  const auto time = [&](const auto& call) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < calls; ++i) call(i);
+    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
+    return took.count() / calls;
+  };
+  const auto middle = [](std::vector<double>& values) {
+    std::nth_element(values.begin(), values.begin() + kTurns / 2, values.end());
+    return values[kTurns / 2];
+  };
+  for (int turn = 0; turn < kTurns; ++turn) {
+    of_theirs.push_back(time(theirs));
+    of_ours.push_back(time(ours));
+  }
+  return {middle(of_theirs), middle(of_ours)};
+}
+
+/// Local transforms of all joints, one thread: at a random instant, forwards at 60 Hz; and opening
+/// what lies in memory. ACL at a precision, ours at equal shell RMS.
+Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
+  constexpr int kInstants = 500;
+  const Encoding encoding = encode(encoder, Weighting::Shell, {Target::Kind::Error, shell_rms});
+  const test::OpenedClip opened(write_container(encoding.compressed));
+  if (opened.clip == nullptr) throw Error(opened.result.message);
+  const mcpr_clip_info info = mcpr_clip_describe(opened.clip);
+  const test::CookedClip cooked(opened.clip);
+  if (cooked.clip == nullptr) throw Error(cooked.result.message);
+  const mcpr_sample_request request{.unit = MCPR_SECONDS};
+  std::vector<float> out(mcpr_sample_values(cooked.clip, &request));
+  const double duration = (info.frames - 1) / info.sample_rate;
+  Random random(1);
+  std::vector<double> at_random(kInstants);
+  for (double& instant : at_random) instant = duration * random.unit();
+  std::vector<double> forwards(kInstants);
+  for (int i = 0; i < kInstants; ++i)
+    forwards[static_cast<std::size_t>(i)] = std::fmod(i / 60.0, duration);
+  const auto of_both = [&](const std::vector<double>& instants) {
+    return median_us(
+        kInstants,
+        [&](int i) { acl.sample(static_cast<float>(instants[static_cast<std::size_t>(i)])); },
+        [&](int i) {
+          mcpr_sample(cooked.clip, &request, instants[static_cast<std::size_t>(i)], out.data());
+        });
+  };
+  acl.open();
+  const auto [acl_pose, pose] = of_both(at_random);
+  const auto [acl_play, play] = of_both(forwards);
+  const mcpr_cooked* clip = nullptr;
+  const auto [acl_open, open] = median_us(
+      kInstants, [&](int) { acl.open(); },
+      [&](int) { mcpr_open_cooked(cooked.bytes->data(), cooked.bytes->size(), 0, &clip); });
+  const mcpr_cooked_info cooked_info = mcpr_cooked_describe(cooked.clip);
+  return {{"motion_bytes", encoding.compressed.motion_bytes()},
+          {"resident_bytes", cooked_info.bytes - cooked_info.skeleton_bytes},
+          {"acl_pose_us", acl_pose},
+          {"pose_us", pose},
+          {"acl_play_us", acl_play},
+          {"play_us", play},
+          {"acl_open_us", acl_open},
+          {"open_us", open}};
+}
+
+Json row_of(const Motion& motion, const Encoder& encoder, double precision, bool with_max,
+            bool only_times) {
+  AclClip acl(motion, precision);
+  const Distortion theirs =
+      measure(motion.skeleton, encoder.original_body(), acl.tracks(motion.skeleton));
   Json row = {{"precision", precision},
-              {"acl_bytes", acl.bytes},
+              {"acl_bytes", acl.bytes()},
               {"acl_eps", theirs.eps_bone_ends},
               {"acl_shell_rms", theirs.shell.rms},
               {"acl_shell_p99", theirs.shell.p99},
               {"acl_shell_max", theirs.shell.max.cm}};
+  if (precision == kTimedPrecision) row.update(times_of(encoder, acl, theirs.shell.rms));
+  if (only_times) return row;
   const auto reach = [&](Weighting weighting, Target::Kind kind, double cm) {
     return if_reached([&] { return bytes_at(encoder, weighting, {kind, cm}); });
   };
@@ -93,12 +178,57 @@ Json row_of(const Motion& motion, const Encoder& encoder, double precision, bool
   return row;
 }
 
+/// Our times and bytes as shares: geometric means and worst clips.
+class TimeShares {
+ public:
+  static std::string line(const fs::path& clip, const Json& row) {
+    std::ostringstream text;
+    text << clip.stem().string() << ": us, ACL's and ours: pose " << row["acl_pose_us"] << " "
+         << row["pose_us"] << ", play " << row["acl_play_us"] << " " << row["play_us"] << ", open "
+         << row["acl_open_us"] << " " << row["open_us"] << "; bytes: motion " << row["motion_bytes"]
+         << ", resident " << row["resident_bytes"] << '\n';
+    return text.str();
+  }
+
+  void add(const Json& row) {
+    for (Share& share : shares_)
+      if (row.contains(share.ours)) {
+        const double value = row[share.ours].get<double>() / row[share.theirs].get<double>();
+        share.log += std::log(value);
+        share.worst = std::max(share.worst, value);
+        ++share.clips;
+      }
+  }
+
+  void print() const {
+    std::printf("\n| of precision 0.1 | geometric mean | worst clip |\n| --- | --- | --- |\n");
+    for (const Share& share : shares_)
+      if (share.clips > 0)
+        std::printf("| %s / %s | %.3f | %.3f |\n", share.ours, share.theirs,
+                    std::exp(share.log / share.clips), share.worst);
+  }
+
+ private:
+  struct Share {
+    const char* ours;
+    const char* theirs;
+    double log = 0;
+    double worst = 0;
+    int clips = 0;
+  };
+  std::array<Share, 4> shares_{{{"pose_us", "acl_pose_us"},
+                                {"play_us", "acl_play_us"},
+                                {"open_us", "acl_open_us"},
+                                {"resident_bytes", "motion_bytes"}}};
+};
+
 int run(int count, char** arguments) {
   std::vector<fs::path> clips;
   int every = 1;
   bool on_game_rig = false;
   bool json = false;
   bool with_max = true;
+  bool only_times = false;
   for (int i = 1; i < count; ++i) {
     const std::string_view word = arguments[i];
     if (word == "--json")
@@ -107,6 +237,8 @@ int run(int count, char** arguments) {
       on_game_rig = true;
     else if (word == "--no-max")
       with_max = false;
+    else if (word == "--times")
+      only_times = true;
     else if (word == "--every" && i + 1 < count)
       every = std::max(1, std::atoi(arguments[++i]));
     else
@@ -114,7 +246,8 @@ int run(int count, char** arguments) {
   }
   if (clips.empty()) {
     std::cerr
-        << "usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max]\n";
+        << "usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max] "
+           "[--times]\n";
     return 2;
   }
   constexpr std::array kMeasures = {"bytes_at_eps", "bytes_at_shell_rms", "bytes_at_shell_p99",
@@ -124,22 +257,27 @@ int run(int count, char** arguments) {
     int clips = 0;
   };
   std::map<double, std::array<Mean, kMeasures.size()>> means;
+  TimeShares times;
   for (const fs::path& path : clips) {
     Motion motion = thinned(read_motion(path).motion, every);
     if (on_game_rig) motion = test::game_like(motion);
     const Encoder encoder(motion);
     for (const double precision : kPrecisions) {
-      const Json row = row_of(motion, encoder, precision, with_max);
+      if (only_times && precision != kTimedPrecision) continue;
+      const Json row = row_of(motion, encoder, precision, with_max, only_times);
+      times.add(row);
       Json line = {{"clip", path.stem().string()}};
       line.update(row);
       if (json) std::cout << line.dump() << std::endl;
+      if (!json && row.contains("pose_us")) std::printf("%s", TimeShares::line(path, row).c_str());
+      if (only_times) continue;
       for (std::size_t m = 0; m < kMeasures.size(); ++m) {
         if (row[kMeasures[m]].is_null()) continue;
         Mean& mean = means[precision][m];
         mean.log += std::log(row[kMeasures[m]].get<double>() / row["acl_bytes"].get<double>());
         ++mean.clips;
       }
-      if (!json)
+      if (!json && !only_times)
         std::printf("%-16s %5.2f cm  ACL %8zu bytes, eps %.4f, shell %.4f %.4f %.4f  ours %s\n",
                     path.stem().c_str(), precision, row["acl_bytes"].get<std::size_t>(),
                     row["acl_eps"].get<double>(), row["acl_shell_rms"].get<double>(),
@@ -150,6 +288,8 @@ int run(int count, char** arguments) {
     }
   }
   if (json) return 0;
+  times.print();
+  if (only_times) return 0;
   std::printf(
       "\nShare of ACL's bytes (geometric means over %zu clips), at its\n"
       "| precision | eps_x | shell RMS | shell p99 | shell maximum |\n"
