@@ -16,7 +16,7 @@
 namespace mocapress {
 namespace {
 
-using State = QueuedClip::State;
+using ClipState = QueuedClip::State;
 
 class BatchQueue : public testing::Test {
  protected:
@@ -58,10 +58,10 @@ TEST_F(BatchQueue, ALockedClipKeepsItsSettingsWhenThoseOfAllChange) {
 TEST_F(BatchQueue, OnlyClipsWhoseSettingsChangeAreWaitingAgain) {
   for (int row = 0; row < 3; ++row) model_.setEnded(row, Measurement{.ratio = 20}, "");
   model_.setOwn({1}, model_.common());  // locked, and otherwise as before
-  EXPECT_EQ(model_.count(State::Done), 3);
+  EXPECT_EQ(model_.count(ClipState::Done), 3);
   model_.setCommon(built_in_presets()[2]);
-  EXPECT_EQ(model_.count(State::Done), 1);
-  EXPECT_EQ(model_.clips()[1].state, State::Done);
+  EXPECT_EQ(model_.count(ClipState::Done), 1);
+  EXPECT_EQ(model_.clips()[1].state, ClipState::Done);
 }
 
 TEST_F(BatchQueue, ShowsHowFarAClipIsAndWhatItCameTo) {
@@ -87,7 +87,7 @@ TEST_F(BatchQueue, ShowsHowFarAClipIsAndWhatItCameTo) {
 
 TEST_F(BatchQueue, VerifiedSaysWhatTheReaderWarnedOf) {
   model_.setEnded(0, Measurement{.ratio = 20}, "", {"walk.bvh:9: the file ends early", "another"});
-  EXPECT_EQ(model_.clips()[0].state, State::Done);
+  EXPECT_EQ(model_.clips()[0].state, ClipState::Done);
   EXPECT_TRUE(text(0, BatchQueueModel::State).startsWith(QStringLiteral("✓ Verified, 2 warning")));
   EXPECT_EQ(model_.data(model_.index(0, BatchQueueModel::State), Qt::ToolTipRole).toString(),
             QStringLiteral("walk.bvh:9: the file ends early\nanother"));
@@ -107,7 +107,7 @@ TEST_F(BatchQueue, ARejectedClipIsLeftOutUntilItIsTicked) {
   EXPECT_TRUE(ticked(1));
   EXPECT_EQ(text(0, BatchQueueModel::Review), QStringLiteral("✕ Rejected: slides"));
   EXPECT_EQ(text(0, BatchQueueModel::State), QStringLiteral("Left out"));
-  EXPECT_EQ(model_.count(State::Waiting), 2);
+  EXPECT_EQ(model_.count(ClipState::Waiting), 2);
   EXPECT_EQ(model_.countLeftOut(), 1);
 
   QSignalSpy toggled(&model_, &BatchQueueModel::includeToggled);
@@ -130,8 +130,8 @@ TEST_F(BatchQueue, WhatWasBeingWorkedOnIsWaitingWhenItStops) {
   model_.setProgress(0, {});
   model_.setEnded(1, Measurement{}, "");
   model_.stopWorking();
-  EXPECT_EQ(model_.clips()[0].state, State::Waiting);
-  EXPECT_EQ(model_.clips()[1].state, State::Done);
+  EXPECT_EQ(model_.clips()[0].state, ClipState::Waiting);
+  EXPECT_EQ(model_.clips()[1].state, ClipState::Done);
 }
 
 class PresetEditorTest : public testing::Test {

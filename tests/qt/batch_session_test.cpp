@@ -17,6 +17,7 @@
 #include "core/base/file.h"
 #include "core/batch/queue_json.h"
 #include "core/formats/motion_file.h"
+#include "tests/qt/patience.h"
 #include "tests/qt/well_formed.h"
 #include "tests/support/svg_frame.h"
 #include "tests/support/test_motion.h"
@@ -24,10 +25,8 @@
 namespace mocapress {
 namespace {
 
-constexpr int kPatience = 60'000;  // ms
-
-using State = BatchSession::State;
-using Clip = QueuedClip::State;
+using BatchState = BatchSession::State;
+using ClipState = QueuedClip::State;
 
 class BatchInTheStudio : public testing::Test {
  protected:
@@ -51,7 +50,7 @@ class BatchInTheStudio : public testing::Test {
     return QTest::qWaitFor([this] { return !session_.running(); }, kPatience);
   }
 
-  int count(Clip state) const { return session_.queue()->count(state); }
+  int count(ClipState state) const { return session_.queue()->count(state); }
 
   QTemporaryDir directory_;
   PresetShelf presets_{directory_.filePath(QStringLiteral("presets.json"))};
@@ -63,8 +62,8 @@ TEST_F(BatchInTheStudio, ExportsTheQueueAndShowsWhatBecameOfEachClip) {
   session_.start();
   EXPECT_TRUE(session_.running());
   ASSERT_TRUE(waitForEnd());
-  EXPECT_EQ(session_.state(), State::Complete);
-  EXPECT_EQ(count(Clip::Done), 3);
+  EXPECT_EQ(session_.state(), BatchState::Complete);
+  EXPECT_EQ(count(ClipState::Done), 3);
   for (const QueuedClip& clip : session_.queue()->clips()) {
     ASSERT_TRUE(clip.measured);
     EXPECT_LE(clip.measured->eps_bone_ends_cm, 2);
@@ -105,23 +104,23 @@ TEST_F(BatchInTheStudio, WhatFailedIsRetriedAndWhatIsDoneIsKept) {
   write_text(path("clip1.bvh").toStdString(), "nonsense");
   session_.start();
   ASSERT_TRUE(waitForEnd());
-  EXPECT_EQ(session_.state(), State::Complete);
+  EXPECT_EQ(session_.state(), BatchState::Complete);
   EXPECT_EQ(session_.counts().failed, 1u);
-  EXPECT_EQ(session_.queue()->clips()[1].state, Clip::Failed);
+  EXPECT_EQ(session_.queue()->clips()[1].state, ClipState::Failed);
   EXPECT_TRUE(startText(session_).contains(QLatin1Char('1')));
   write_text(path("clip1.bvh").toStdString(), good);
   session_.start();
   ASSERT_TRUE(waitForEnd());
   EXPECT_EQ(session_.counts().failed, 0u);
   EXPECT_EQ(session_.counts().kept, 2u);
-  EXPECT_EQ(count(Clip::Done), 3);
+  EXPECT_EQ(count(ClipState::Done), 3);
 }
 
 TEST_F(BatchInTheStudio, PausedItStaysWhereItIsUntilItGoesOn) {
   addClips(4, 900);
   session_.start();
   session_.pause();
-  EXPECT_EQ(session_.state(), State::Paused);
+  EXPECT_EQ(session_.state(), BatchState::Paused);
   // By the time another one has done the same, this one would have too.
   BatchSession other(path("other.json"), &presets_);
   other.queue()->setCommon(session_.queue()->common());
@@ -131,10 +130,10 @@ TEST_F(BatchInTheStudio, PausedItStaysWhereItIsUntilItGoesOn) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !other.running(); }, kPatience));
   EXPECT_EQ(other.counts().done, 4u);
   EXPECT_LT(session_.counts().done, 4u);
-  EXPECT_EQ(session_.state(), State::Paused);
+  EXPECT_EQ(session_.state(), BatchState::Paused);
   session_.goOn();
   ASSERT_TRUE(waitForEnd());
-  EXPECT_EQ(count(Clip::Done), 4);
+  EXPECT_EQ(count(ClipState::Done), 4);
 }
 
 TEST_F(BatchInTheStudio, CancelledItsClipsWaitAndTheNextRunGoesOn) {
@@ -143,22 +142,22 @@ TEST_F(BatchInTheStudio, CancelledItsClipsWaitAndTheNextRunGoesOn) {
   ASSERT_TRUE(QTest::qWaitFor([this] { return session_.counts().done > 0; }, kPatience));
   session_.cancel();
   ASSERT_TRUE(waitForEnd());
-  EXPECT_EQ(count(Clip::Working), 0);
-  EXPECT_EQ(count(Clip::Failed), 0);
+  EXPECT_EQ(count(ClipState::Working), 0);
+  EXPECT_EQ(count(ClipState::Failed), 0);
   session_.start();
   ASSERT_TRUE(waitForEnd());
-  EXPECT_EQ(session_.state(), State::Complete);
-  EXPECT_EQ(count(Clip::Done), 6);
+  EXPECT_EQ(session_.state(), BatchState::Complete);
+  EXPECT_EQ(count(ClipState::Done), 6);
 }
 
 TEST_F(BatchInTheStudio, StoppedAfterCurrentNothingIsLeftHalfDone) {
   addClips(8, 900);
   session_.start();
   session_.stopAfterCurrent();
-  EXPECT_EQ(session_.state(), State::Stopping);
+  EXPECT_EQ(session_.state(), BatchState::Stopping);
   ASSERT_TRUE(waitForEnd());
-  EXPECT_EQ(count(Clip::Working), 0);
-  EXPECT_LT(count(Clip::Done), 8);
+  EXPECT_EQ(count(ClipState::Working), 0);
+  EXPECT_LT(count(ClipState::Done), 8);
 }
 
 TEST_F(BatchInTheStudio, GoesAwayWhilePausedWithoutWaitingForEver) {
@@ -172,8 +171,8 @@ TEST_F(BatchInTheStudio, GoesAwayWhilePausedWithoutWaitingForEver) {
   BatchSession later(path("other.json"), &presets_);
   later.start();  // the batch's folder was let go
   ASSERT_TRUE(QTest::qWaitFor([&] { return !later.running(); }, kPatience));
-  EXPECT_EQ(later.state(), State::Complete);
-  EXPECT_EQ(later.queue()->count(Clip::Done), 2);
+  EXPECT_EQ(later.state(), BatchState::Complete);
+  EXPECT_EQ(later.queue()->count(ClipState::Done), 2);
 }
 
 TEST_F(BatchInTheStudio, TheQueueOutlivesTheProgram) {
@@ -186,7 +185,7 @@ TEST_F(BatchInTheStudio, TheQueueOutlivesTheProgram) {
   EXPECT_EQ(later.queue()->clips()[2].own, built_in_presets()[3]);
   EXPECT_EQ(later.queue()->common(), session_.queue()->common());
   EXPECT_EQ(later.settings(), session_.settings());
-  EXPECT_EQ(later.queue()->count(Clip::Waiting), 3);
+  EXPECT_EQ(later.queue()->count(ClipState::Waiting), 3);
   ASSERT_TRUE(waitForEnd());
 }
 
@@ -243,7 +242,7 @@ TEST_F(BatchInTheStudio, ExportsClipsByTheSettingsTheyWereTunedBy) {
   EXPECT_FALSE(clips[2].own);
   session_.start();
   ASSERT_TRUE(waitForEnd());
-  EXPECT_EQ(count(Clip::Done), 3);
+  EXPECT_EQ(count(ClipState::Done), 3);
   EXPECT_LE(session_.queue()->clips()[1].measured->eps_bone_ends_cm, 0.2);
 }
 
@@ -263,7 +262,7 @@ TEST_F(BatchInTheStudio, ContactsBeyondAClipAreItsFailure) {
       {0}, Settings{.name = "own", .contacts = std::vector<ContactSetting>{{"lhand", 100, 400}}});
   session_.start();
   ASSERT_TRUE(waitForEnd());
-  EXPECT_EQ(session_.queue()->clips()[0].state, Clip::Failed);
+  EXPECT_EQ(session_.queue()->clips()[0].state, ClipState::Failed);
   EXPECT_NE(session_.queue()->clips()[0].error.find("frame 400"), std::string::npos);
 }
 
@@ -274,10 +273,10 @@ TEST_F(BatchInTheStudio, ARejectedClipIsNotExportedUnlessAskedFor) {
   EXPECT_TRUE(statusOf(session_).contains(QLatin1Char('2'))) << qPrintable(statusOf(session_));
   session_.start();
   ASSERT_TRUE(waitForEnd());
-  EXPECT_EQ(session_.state(), State::Complete);
+  EXPECT_EQ(session_.state(), BatchState::Complete);
   EXPECT_FALSE(QFileInfo::exists(path("out/clip1.mcpr")));
-  EXPECT_EQ(session_.queue()->clips()[1].state, Clip::Waiting);
-  EXPECT_EQ(session_.queue()->clips()[2].state, Clip::Done);
+  EXPECT_EQ(session_.queue()->clips()[1].state, ClipState::Waiting);
+  EXPECT_EQ(session_.queue()->clips()[2].state, ClipState::Done);
   const std::string csv = read_text(path("out/report.csv").toStdString());
   EXPECT_EQ(csv.find("clip1"), std::string::npos);
   EXPECT_NE(csv.find(",approved,good,"), std::string::npos);
@@ -324,7 +323,7 @@ TEST_F(BatchInTheStudio, ATruncatedFileIsVerifiedWithItsWarning) {
   write_text(path("clip0.bvh").toStdString(), whole.substr(0, whole.rfind('\n', whole.size() - 2)));
   session_.start();
   ASSERT_TRUE(waitForEnd());
-  ASSERT_EQ(count(Clip::Done), 1);
+  ASSERT_EQ(count(ClipState::Done), 1);
   EXPECT_EQ(session_.queue()->clips()[0].warnings.size(), 1u);
   EXPECT_TRUE(statusOf(session_).contains(QStringLiteral("with warnings")));
 }
@@ -428,7 +427,7 @@ TEST_F(BatchInTheStudio, WhileItRunsNothingIsUndone) {
   session_.remove({0});
   EXPECT_EQ(session_.queue()->rowCount(), 1);
   ASSERT_TRUE(waitForEnd());
-  EXPECT_EQ(count(Clip::Done), 1);
+  EXPECT_EQ(count(ClipState::Done), 1);
 }
 
 TEST_F(BatchInTheStudio, SettingsOfJointsThatAreNoLongerInTheFileAreLeftOut) {

@@ -23,6 +23,7 @@
 #include "app/studio/window/screenshot.h"
 #include "core/base/file.h"
 #include "core/formats/motion_file.h"
+#include "tests/qt/patience.h"
 #include "widgets/models/colours.h"
 #include "widgets/panels/batch_output.h"
 #include "widgets/panels/batch_queue_view.h"
@@ -31,8 +32,6 @@
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 120'000;  // ms
 
 /// Text is never all of its colour: about it will do.
 int pixelsOf(QRgb colour, const QImage& picture) {

@@ -16,12 +16,11 @@
 #include "app/studio/document/session.h"
 #include "core/base/file.h"
 #include "core/formats/motion_file.h"
+#include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 60'000;  // ms
 
 class ClipFilesTest : public testing::Test {
  protected:

@@ -6,12 +6,11 @@
 #include <QTest>
 #include <vector>
 
+#include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 60'000;  // ms
 
 struct Answer {
   DecodedPtr decoded;

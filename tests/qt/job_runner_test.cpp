@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/job_runner.h"
+#include "tests/qt/patience.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +19,6 @@
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 10'000;  // ms; only ever waited for when something is broken
 
 const auto kNoFailure = [](const QString& message) { FAIL() << message.toStdString(); };
 

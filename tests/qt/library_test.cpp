@@ -13,13 +13,12 @@
 #include "app/studio/document/session.h"
 #include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"
+#include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 60'000;  // ms
 
 EncodeOptions standard(double ratio) {
   return {.method = Method::Standard, .target = {Target::Kind::Ratio, ratio}};

@@ -21,6 +21,7 @@
 #include "app/studio/window/screenshot.h"
 #include "app/studio/window/trace.h"
 #include "core/formats/motion_file.h"
+#include "tests/qt/patience.h"
 #include "tests/qt/studio_at_work.h"
 #include "tests/support/test_motion.h"
 #include "widgets/panels/compression_panel.h"
@@ -31,16 +32,14 @@
 namespace mocapress {
 namespace {
 
-using test::kPatience;
-
-bool isRed(QRgb pixel) {
+bool isBrightRed(QRgb pixel) {
   return qRed(pixel) > 90 && qRed(pixel) > 2 * qGreen(pixel) && qRed(pixel) > 2 * qBlue(pixel);
 }
 
 int redPixels(const QImage& image) {
   int count = 0;
   for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) count += isRed(image.pixel(x, y));
+    for (int x = 0; x < image.width(); ++x) count += isBrightRed(image.pixel(x, y));
   return count;
 }
 

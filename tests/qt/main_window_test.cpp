@@ -26,6 +26,7 @@
 #include <QTreeView>
 
 #include "core/formats/motion_file.h"
+#include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/correction_control.h"
@@ -42,8 +43,6 @@
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 60'000;  // ms
 
 class StudioWindowTest : public testing::Test {
  protected:

@@ -13,6 +13,7 @@
 
 #include "app/studio/document/session.h"
 #include "core/formats/motion_file.h"
+#include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
 #include "widgets/models/pinned_model.h"
 #include "widgets/panels/pinned_panel.h"
@@ -20,8 +21,6 @@
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 60'000;  // ms
 
 EncodeOptions standard(double ratio) {
   return {.method = Method::Standard, .target = {Target::Kind::Ratio, ratio}};

@@ -15,12 +15,11 @@
 #include "core/mocapress/encode_options.h"
 #include "core/motion/landmarks.h"
 #include "resources/samples/generator/samples.h"
+#include "tests/qt/patience.h"
 #include "widgets/panels/preset_chooser.h"
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 60'000;  // ms
 
 TEST(ClipPreset, ComesBackFromTheSettingsItMade) {
   const Skeleton skeleton = samples::walk_clip().skeleton;

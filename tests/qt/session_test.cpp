@@ -13,12 +13,11 @@
 #include "core/base/file.h"
 #include "core/baselines/compression_method.h"
 #include "core/formats/motion_file.h"
+#include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 60'000;  // ms
 
 class SessionTest : public testing::Test {
  protected:

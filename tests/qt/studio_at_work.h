@@ -13,10 +13,9 @@
 #include <QTranslator>
 
 #include "app/studio/window/main_window.h"
+#include "tests/qt/patience.h"
 
 namespace mocapress::test {
-
-inline constexpr int kPatience = 60'000;  // ms
 
 /// In the build folder.
 QString picturePath(const QString& name);

@@ -26,6 +26,7 @@
 #include "app/studio/document/clip_files.h"
 #include "app/studio/window/screenshot.h"
 #include "core/formats/motion_file.h"
+#include "tests/qt/patience.h"
 #include "tests/qt/studio_at_work.h"
 #include "widgets/models/batch_queue_model.h"
 #include "widgets/models/library_tree.h"

@@ -13,14 +13,13 @@
 #include "core/formats/motion_file.h"
 #include "core/study/row.h"
 #include "core/study/study_folder.h"
+#include "tests/qt/patience.h"
 #include "tests/qt/well_formed.h"
 #include "tests/support/svg_frame.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 60'000;  // ms
 
 using State = StudySession::State;
 

@@ -16,6 +16,7 @@
 #include "app/studio/window/main_window.h"
 #include "app/studio/window/screenshot.h"
 #include "core/formats/motion_file.h"
+#include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
 #include "widgets/models/colours.h"
 #include "widgets/panels/study_panel.h"
@@ -24,8 +25,6 @@
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 60'000;  // ms
 
 int pixelsOf(const QColor& colour, const QImage& picture) {
   int count = 0;

@@ -16,6 +16,7 @@
 #include "app/studio/document/clip_files.h"
 #include "app/studio/window/main_window.h"
 #include "app/studio/window/screenshot.h"
+#include "tests/qt/patience.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/factor_control.h"
 #include "widgets/panels/importance_panel.h"
@@ -23,8 +24,6 @@
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 60'000;  // ms
 
 class Tuning : public testing::Test {
  protected:

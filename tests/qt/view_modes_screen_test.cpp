@@ -7,12 +7,12 @@
 #include <QWindow>
 
 #include "core/motion/landmarks.h"
+#include "tests/qt/patience.h"
+#include "tests/qt/pixel_colour.h"
 #include "widgets/viewport/viewport.h"
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 30'000;  // ms
 
 /// An upright stick of three joints, 60 cm apart.
 Skeleton stick() {
@@ -38,10 +38,6 @@ Viewport::Tracks stickAt(double x_cm) {
   Clip clip;
   clip.channels = Eigen::Vector2d(x_cm, x_cm + 30);
   return std::make_shared<const Eigen::MatrixXd>(landmark_tracks(stick(), clip));
-}
-
-bool isRed(QRgb pixel) {
-  return qRed(pixel) > 2 * qGreen(pixel) && qRed(pixel) > 2 * qBlue(pixel);
 }
 
 bool isDarkGrey(QRgb pixel) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The 3D view on a screen: needs an X display with OpenGL (Xvfb will do).
+#include "tests/qt/patience.h"
+#include "tests/qt/pixel_colour.h"
 #include "widgets/viewport/viewport.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +18,6 @@
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 30'000;  // ms
 
 Joint joint(int parent, const Eigen::Vector3d& offset) {
   Joint joint;
@@ -49,10 +49,6 @@ Viewport::Tracks pillarTracks(double start, double cm) {
 
 int spread(QRgb a) {
   return std::max({qRed(a), qGreen(a), qBlue(a)}) - std::min({qRed(a), qGreen(a), qBlue(a)});
-}
-
-bool isRed(QRgb pixel) {
-  return qRed(pixel) > 2 * qGreen(pixel) && qRed(pixel) > 2 * qBlue(pixel);
 }
 
 bool isGrey(QRgb pixel) {
