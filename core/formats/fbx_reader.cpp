@@ -17,6 +17,7 @@
 #include <unordered_set>
 
 #include "core/formats/fbx.h"
+#include "core/formats/fbx_meshes.h"
 #include "core/formats/fbx_structure.h"
 #include "core/formats/key_times.h"
 #include "core/formats/node_motion.h"
@@ -130,7 +131,7 @@ MotionFile FbxReader::read() {
 void FbxReader::load(bool with_helpers) {
   importer_ = std::make_unique<Assimp::Importer>();
   importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, with_helpers);
-  importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_MATERIALS, false);
+  importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_MATERIALS, true);
   importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_TEXTURES, false);
   importer_->SetPropertyBool(AI_CONFIG_IMPORT_REMOVE_EMPTY_BONES, false);
   scene_ = importer_->ReadFileFromMemory(bytes_.data(), bytes_.size(), 0, "fbx");
@@ -185,6 +186,10 @@ void FbxReader::read_nodes() {
     }
   mark_joints(sources);
   still_helpers();
+  std::unordered_map<const aiNode*, int> index_of;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    index_of.emplace(sources[i], static_cast<int>(i));
+  take_.meshes = fbx_meshes(*scene_, take_.nodes, index_of);
 }
 
 /// The bones of skins and what carries them; without skins, whatever is not Null, mesh, camera or

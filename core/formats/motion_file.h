@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/base/error.h"
 #include "core/motion/clip.h"
+#include "core/motion/skin.h"
 #include "core/motion/source_format.h"
 
 namespace mocapress {
@@ -36,6 +38,7 @@ struct MotionFile {
   Warnings warnings;
   SourceFormat source;
   bool states_rate = true;  // false: the clip has the usual one of its format, or the one given
+  std::shared_ptr<const Skin> skin;  // of motion.skeleton; null: the file has none
 };
 
 /// The .asf beside an .amc, of the same name or of the part before '_' (09_01.amc: 09_01.asf,

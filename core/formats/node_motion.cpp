@@ -173,6 +173,13 @@ int NodeTree::joint_above(std::size_t node) const {
   return above;
 }
 
+Eigen::Affine3d world_from(const Placement& placement) {
+  Eigen::Affine3d world_from_node = Eigen::Affine3d::Identity();
+  world_from_node.linear() = placement.world_from_node;
+  world_from_node.translation() = placement.origin;
+  return world_from_node;
+}
+
 /// How a joint moves against the joint above it.
 struct Track {
   std::vector<Vector3d> translation;  // cm
@@ -216,8 +223,11 @@ class MotionBuilder {
  private:
   void check();
   void number_joints();
+  Placement placed(std::size_t node, const LocalTransform& local,
+                   const std::vector<Placement>& placements) const;
   void place_nodes();
   void place_frame(int frame, std::vector<Placement>& placements);
+  void add_skin();
   void name_joints();
   void add_joint(std::size_t joint);
   void warn_of_scale();
@@ -232,6 +242,8 @@ class MotionBuilder {
   std::vector<std::size_t> node_of_joint_;
   std::vector<int> joint_of_node_;  // -1: none
   std::vector<Track> tracks_;       // of joints
+  std::vector<Placement> first_placements_;
+  std::shared_ptr<const Skin> skin_;
   Skeleton skeleton_;
   std::vector<Eigen::VectorXd> channels_;
 };
@@ -244,11 +256,15 @@ MotionFile MotionBuilder::build() {
   for (std::size_t j = 0; j < joints_.size(); ++j) add_joint(j);
   if (channels_.empty()) throw InputError(file_, 0, 0, "no joint moves or is turned");
   warn_of_scale();
+  add_skin();
   Motion motion{std::move(skeleton_), {take_.sample_rate_hz, {}}};
   motion.clip.channels.resize(take_.frames, static_cast<Eigen::Index>(channels_.size()));
   for (std::size_t c = 0; c < channels_.size(); ++c)
     motion.clip.channels.col(static_cast<Eigen::Index>(c)) = channels_[c];
-  return {std::move(motion), std::move(warnings_), source_};
+  return {.motion = std::move(motion),
+          .warnings = std::move(warnings_),
+          .source = source_,
+          .skin = std::move(skin_)};
 }
 
 void MotionBuilder::number_joints() {
@@ -286,19 +302,27 @@ void MotionBuilder::place_nodes() {
   const auto frames = static_cast<std::size_t>(take_.frames);
   tracks_.assign(joints_.size(), {std::vector<Vector3d>(frames), std::vector<Quaterniond>(frames)});
   std::vector<Placement> placements(take_.nodes.size());
-  for (int t = 0; t < take_.frames; ++t) place_frame(t, placements);
+  for (int t = 0; t < take_.frames; ++t) {
+    place_frame(t, placements);
+    if (t == 0) first_placements_ = placements;
+  }
+}
+
+/// From where its parent is placed.
+Placement MotionBuilder::placed(std::size_t node, const LocalTransform& local,
+                                const std::vector<Placement>& placements) const {
+  const int parent = take_.nodes[node].parent;
+  return below(parent < 0 ? file_placement(source_.cm_per_unit, source_.up)
+                          : placements[static_cast<std::size_t>(parent)],
+               local);
 }
 
 void MotionBuilder::place_frame(int frame, std::vector<Placement>& placements) {
-  const Placement file = file_placement(source_.cm_per_unit, source_.up);
   const Placement world = file_placement(1, UpAxis::Y);
   for (std::size_t i = 0; i < take_.nodes.size(); ++i) {
     const Role role = tree_.role(i);
-    if (role == Role::None) continue;
-    const int parent = take_.nodes[i].parent;
-    placements[i] = below(parent < 0 ? file : placements[static_cast<std::size_t>(parent)],
-                          tree_.local(i, frame));
-    if (role == Role::Part) continue;
+    placements[i] = placed(i, tree_.local(i, frame), placements);
+    if (role == Role::None || role == Role::Part) continue;
     const int above = tree_.joint_above(i);
     const Placement& from = above < 0 ? world : placements[static_cast<std::size_t>(above)];
     const Vector3d in_parent = from.rotation.conjugate() * (placements[i].origin - from.origin);
@@ -377,6 +401,25 @@ void MotionBuilder::add_joint(std::size_t j) {
   skeleton_.add(joint);
 }
 
+void MotionBuilder::add_skin() {
+  if (take_.meshes.empty()) return;
+  std::vector<NodeJoint> nodes(take_.nodes.size());
+  std::vector<Placement> rest(take_.nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    rest[i] = placed(i, take_.nodes[i].rest, rest);
+    nodes[i].rest_world_from_node = world_from(rest[i]);
+    const int carrier = tree_.role(i) == Role::Joint ? static_cast<int>(i) : tree_.joint_above(i);
+    if (carrier < 0) continue;
+    const Placement& joint = first_placements_[static_cast<std::size_t>(carrier)];
+    Eigen::Affine3d world_from_joint = Eigen::Affine3d::Identity();
+    world_from_joint.linear() = joint.rotation.toRotationMatrix();
+    world_from_joint.translation() = joint.origin;
+    nodes[i].joint = joint_of_node_[static_cast<std::size_t>(carrier)];
+    nodes[i].joint_from_node = world_from_joint.inverse() * world_from(first_placements_[i]);
+  }
+  skin_ = skin_of(file_, take_.meshes, nodes, warnings_);
+}
+
 void MotionBuilder::warn_of_scale() {
   int changing = 0;
   int uneven = 0;
@@ -390,10 +433,11 @@ void MotionBuilder::warn_of_scale() {
   }
   if (changing > 0)
     warn(counted(changing, "node") +
-         " whose scale changes over time: joints are in their places, but a skin is not scaled");
+         " whose scale changes over time: joints are in their places, but a skin has the scales "
+         "of the first frame");
   if (uneven > 0)
     warn(counted(uneven, "node") + " scaled unevenly, first " + first_uneven +
-         ": joints are in their places, but a skin is not scaled");
+         ": joints are in their places, but a skin has the scales of the first frame");
 }
 
 }  // namespace

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "core/formats/node_skin.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+
+namespace mocapress {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+
+constexpr double kSameBind = 1e-4;       // of matrices
+constexpr double kFlat = 1e-12;          // a determinant that leaves no inverse
+constexpr double kFarthestVertex = 1e9;  // cm
+
+bool same_bind(const Affine3d& a, const Affine3d& b) {
+  return (a.matrix() - b.matrix()).norm() <= kSameBind * (1 + a.matrix().norm());
+}
+
+bool has_inverse(const Affine3d& transform) {
+  return transform.matrix().allFinite() && std::abs(transform.linear().determinant()) > kFlat;
+}
+
+/// Of any length, as large triangles weigh more.
+std::vector<Vector3d> normals_of(const NodeMesh& mesh) {
+  std::vector<Vector3d> normals(mesh.positions.size(), Vector3d::Zero());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vector3d twice_area =
+        (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+    for (const std::uint32_t corner : {a, b, c}) normals[corner] += twice_area;
+  }
+  return normals;
+}
+
+class SkinBuilder {
+ public:
+  explicit SkinBuilder(const std::vector<NodeJoint>& nodes) : nodes_(nodes) {}
+
+  /// False: more bones than a skin may have.
+  bool add(const NodeMesh& mesh);
+  Skin take() { return std::move(skin_); }
+
+ private:
+  const NodeJoint& joint_of(const NodeMesh::Bone& bone) const {
+    return nodes_[static_cast<std::size_t>(bone.node)];
+  }
+  Affine3d place_bound(const NodeMesh& mesh);
+  std::optional<std::uint8_t> bone_of(const SkinBone& bone);
+
+  const std::vector<NodeJoint>& nodes_;
+  std::unordered_map<int, Affine3d> bind_world_from_node_;  // cm; of the bones so far
+  Skin skin_;
+};
+
+/// Where the mesh is in the world of the bind pose, from its own frame. All meshes that share a
+/// bone are put into one pose; what is bound first tells it, by where its first bone rests.
+Affine3d SkinBuilder::place_bound(const NodeMesh& mesh) {
+  std::optional<Affine3d> placed;
+  for (const NodeMesh::Bone& bone : mesh.bones)
+    if (const auto known = bind_world_from_node_.find(bone.node);
+        !placed && known != bind_world_from_node_.end())
+      placed = known->second * bone.node_from_mesh;
+  for (const NodeMesh::Bone& bone : mesh.bones)
+    if (!placed && has_inverse(joint_of(bone).rest_world_from_node * bone.node_from_mesh))
+      placed = joint_of(bone).rest_world_from_node * bone.node_from_mesh;
+  if (!placed || !has_inverse(*placed)) placed = Affine3d::Identity();
+  for (const NodeMesh::Bone& bone : mesh.bones)
+    if (has_inverse(bone.node_from_mesh))
+      bind_world_from_node_.emplace(bone.node, *placed * bone.node_from_mesh.inverse());
+  return *placed;
+}
+
+std::optional<std::uint8_t> SkinBuilder::bone_of(const SkinBone& bone) {
+  const auto same = std::find_if(skin_.bones.begin(), skin_.bones.end(), [&](const SkinBone& one) {
+    return one.joint == bone.joint && same_bind(one.joint_from_bind, bone.joint_from_bind);
+  });
+  const auto index = static_cast<std::size_t>(same - skin_.bones.begin());
+  if (index == Skin::kMostBones) return std::nullopt;
+  if (same == skin_.bones.end()) skin_.bones.push_back(bone);
+  return static_cast<std::uint8_t>(index);
+}
+
+bool SkinBuilder::add(const NodeMesh& mesh) {
+  const Affine3d bind_from_mesh = place_bound(mesh);
+  const Affine3d mesh_from_bind = bind_from_mesh.inverse();
+  std::vector<std::optional<std::uint8_t>> bones;  // none: no joint carries it
+  for (const NodeMesh::Bone& bone : mesh.bones) {
+    bones.emplace_back();
+    const NodeJoint& node = joint_of(bone);
+    if (node.joint < 0) continue;
+    bones.back() =
+        bone_of({node.joint, node.joint_from_node * bone.node_from_mesh * mesh_from_bind});
+    if (!bones.back()) return false;
+  }
+  const auto carrying = std::find_if(bones.begin(), bones.end(), [](const auto& b) { return !!b; });
+  if (carrying == bones.end()) return true;
+
+  const std::vector<Vector3d> normals = mesh.normals.empty() ? normals_of(mesh) : mesh.normals;
+  const Eigen::Matrix3d turn_normal = bind_from_mesh.linear().inverse().transpose();
+  const auto first = static_cast<std::uint32_t>(skin_.vertices.size());
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    std::vector<std::pair<std::uint8_t, double>> weights;
+    if (!mesh.weights.empty())
+      for (const auto& [bone, weight] : mesh.weights[v])
+        if (bones[bone]) weights.emplace_back(*bones[bone], weight);
+    if (weights.empty()) weights.emplace_back(**carrying, 1.0);
+    const Vector3d normal = turn_normal * normals[v];
+    const double length = normal.norm();
+    skin_.vertices.push_back(
+        {(bind_from_mesh * mesh.positions[v]).cast<float>(),
+         length > 0 ? Eigen::Vector3f((normal / length).cast<float>()) : Eigen::Vector3f::UnitY(),
+         mesh.colour, largest_weights(std::move(weights))});
+  }
+  for (const auto& [a, b, c] : mesh.triangles)
+    skin_.triangles.push_back({first + a, first + b, first + c});
+  return true;
+}
+
+bool is_possible(const Skin& skin) {
+  const auto fits = [](const auto& place) {
+    return place.allFinite() && static_cast<double>(place.cwiseAbs().maxCoeff()) <= kFarthestVertex;
+  };
+  return std::all_of(skin.vertices.begin(), skin.vertices.end(),
+                     [&](const auto& vertex) { return fits(vertex.in_bind); }) &&
+         std::all_of(skin.bones.begin(), skin.bones.end(),
+                     [&](const SkinBone& bone) { return fits(bone.joint_from_bind.matrix()); });
+}
+
+}  // namespace
+
+std::shared_ptr<const Skin> skin_of(const std::string& file, const std::vector<NodeMesh>& meshes,
+                                    const std::vector<NodeJoint>& nodes, Warnings& warnings) {
+  const auto leave_out = [&](const std::string& why) {
+    warnings.push_back({file, 0, "its character is not read: " + why});
+    return nullptr;
+  };
+  std::size_t vertices = 0;
+  for (const NodeMesh& mesh : meshes) vertices += mesh.positions.size();
+  if (vertices > std::numeric_limits<std::uint32_t>::max())
+    return leave_out("it has too many vertices");
+  SkinBuilder builder(nodes);
+  for (const NodeMesh& mesh : meshes)
+    if (!builder.add(mesh))
+      return leave_out("it has more than " + std::to_string(Skin::kMostBones) + " bones");
+  Skin skin = builder.take();
+  if (skin.empty()) return nullptr;
+  if (!is_possible(skin)) return leave_out("a vertex is not finite, or farther than 1e9 cm away");
+  return std::make_shared<const Skin>(std::move(skin));
+}
+
+}  // namespace mocapress

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "core/motion/skin.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "core/base/error.h"
+
+namespace mocapress {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kSameDirection = 0.97;  // cosine
+constexpr double kSameAxes = 0.8;        // share of the bones' length that lies the same way
+constexpr double kShortest = 0.1;        // cm, of what has a direction
+
+std::string without_namespace(const std::string& name) {
+  const std::size_t colon = name.rfind(':');
+  return colon == std::string::npos ? name : name.substr(colon + 1);
+}
+
+/// From the joints of one skeleton to those of another; -1: it has none of that name.
+std::vector<int> joints_by_name(const Skeleton& from, const Skeleton& to) {
+  std::unordered_map<std::string, int> found;
+  for (int j = 0; j < to.joint_count(); ++j) found.emplace(without_namespace(to.joint(j).name), j);
+  std::vector<int> joints;
+  for (const Joint& joint : from.joints()) {
+    const auto same = found.find(without_namespace(joint.name));
+    joints.push_back(same == found.end() ? -1 : same->second);
+  }
+  return joints;
+}
+
+void require_joints(const Skin& skin, const Skeleton& from, const std::vector<int>& joint_in_to) {
+  std::vector<std::string> missing;
+  for (const SkinBone& bone : skin.bones) {
+    const std::string& name = from.joint(bone.joint).name;
+    if (joint_in_to[static_cast<std::size_t>(bone.joint)] < 0 &&
+        std::find(missing.begin(), missing.end(), name) == missing.end())
+      missing.push_back(name);
+  }
+  if (missing.empty()) return;
+  throw Error("the clip has no joint " + missing.front() +
+              (missing.size() > 1 ? ", nor " + std::to_string(missing.size() - 1) +
+                                        " more that the character hangs on"
+                                  : ", which the character hangs on"));
+}
+
+/// Whether joints have the same axes in both skeletons: their children lie the same way.
+bool have_same_axes(const Skeleton& from, const Skeleton& to, const std::vector<int>& joint_in_to) {
+  double same = 0;
+  double all = 0;
+  for (std::size_t j = 0; j < joint_in_to.size(); ++j) {
+    const Joint& ours = from.joints()[j];
+    if (joint_in_to[j] < 0 || ours.parent < 0) continue;
+    const Joint& theirs = to.joint(joint_in_to[j]);
+    if (theirs.parent < 0 || theirs.parent != joint_in_to[static_cast<std::size_t>(ours.parent)])
+      continue;
+    const double length = ours.offset.norm();
+    if (length < kShortest || theirs.offset.norm() < kShortest) continue;
+    all += length;
+    if (ours.offset.normalized().dot(theirs.offset.normalized()) > kSameDirection) same += length;
+  }
+  return same >= kSameAxes * all;
+}
+
+/// How the mesh around each joint of `from` has to turn from the bind pose to the rest pose of
+/// another skeleton: its bone points the other way there. Where none says, as around the parent.
+std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, const Skeleton& to,
+                                     const std::vector<int>& joint_in_to) {
+  const auto count = static_cast<std::size_t>(from.joint_count());
+  std::vector<std::optional<Vector3d>> in_bind(count);
+  for (const SkinBone& bone : skin.bones)
+    in_bind[static_cast<std::size_t>(bone.joint)] = bone.joint_from_bind.inverse().translation();
+  const Pose rest = rest_pose(to);
+  std::vector<int> children(count);
+  std::vector<Eigen::Quaterniond> swings(count, Eigen::Quaterniond::Identity());
+  for (std::size_t child = 0; child < count; ++child) {
+    if (from.joints()[child].parent < 0) continue;
+    const auto parent = static_cast<std::size_t>(from.joints()[child].parent);
+    if (!in_bind[child] || !in_bind[parent] || joint_in_to[child] < 0 || joint_in_to[parent] < 0)
+      continue;
+    const Vector3d ours = *in_bind[child] - *in_bind[parent];
+    const Vector3d theirs = rest.origin[static_cast<std::size_t>(joint_in_to[child])] -
+                            rest.origin[static_cast<std::size_t>(joint_in_to[parent])];
+    if (ours.norm() < kShortest || theirs.norm() < kShortest) continue;
+    swings[parent].setFromTwoVectors(ours, theirs);
+    ++children[parent];
+  }
+  std::vector<Matrix3d> turns;
+  for (std::size_t j = 0; j < count; ++j) {
+    const int parent = from.joints()[j].parent;
+    const Matrix3d inherited =
+        parent < 0 ? Matrix3d::Identity() : turns[static_cast<std::size_t>(parent)];
+    turns.push_back(children[j] == 1 ? swings[j].toRotationMatrix() : inherited);
+  }
+  return turns;
+}
+
+}  // namespace
+
+BoneWeights largest_weights(std::vector<std::pair<std::uint8_t, double>> weights) {
+  BoneWeights result;
+  std::erase_if(weights, [](const auto& each) { return !(each.second > 0); });
+  std::stable_sort(weights.begin(), weights.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  if (weights.size() > result.weights.size()) weights.resize(result.weights.size());
+  double sum = 0;
+  for (const auto& [bone, weight] : weights) sum += weight;
+  if (weights.empty()) result.weights[0] = 1;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    result.bones[i] = weights[i].first;
+    result.weights[i] = static_cast<float>(weights[i].second / sum);
+  }
+  return result;
+}
+
+std::vector<Affine3d> world_from_bind(const Skin& skin, const Pose& pose) {
+  std::vector<Affine3d> transforms;
+  for (const SkinBone& bone : skin.bones) {
+    const auto joint = static_cast<std::size_t>(bone.joint);
+    Affine3d world_from_joint = Affine3d::Identity();
+    world_from_joint.linear() = pose.world_from_joint[joint];
+    world_from_joint.translation() = pose.origin[joint];
+    transforms.push_back(world_from_joint * bone.joint_from_bind);
+  }
+  return transforms;
+}
+
+std::vector<Vector3d> skinned_positions(const Skin& skin, const Pose& pose) {
+  const std::vector<Affine3d> bones = world_from_bind(skin, pose);
+  std::vector<Vector3d> positions;
+  positions.reserve(skin.vertices.size());
+  for (const Skin::Vertex& vertex : skin.vertices) {
+    const Vector3d in_bind = vertex.in_bind.cast<double>();
+    Vector3d in_world = Vector3d::Zero();
+    for (std::size_t i = 0; i < vertex.carried_by.weights.size(); ++i)
+      if (const auto weight = static_cast<double>(vertex.carried_by.weights[i]); weight > 0)
+        in_world += weight * (bones[vertex.carried_by.bones[i]] * in_bind);
+    positions.push_back(in_world);
+  }
+  return positions;
+}
+
+Skin bound_to(const Skin& skin, const Skeleton& from, const Skeleton& to) {
+  const std::vector<int> joint_in_to = joints_by_name(from, to);
+  require_joints(skin, from, joint_in_to);
+  const bool same_axes = have_same_axes(from, to, joint_in_to);
+  const std::vector<Matrix3d> turns =
+      same_axes ? std::vector<Matrix3d>() : rest_from_bind(skin, from, to, joint_in_to);
+  Skin bound = skin;
+  for (SkinBone& bone : bound.bones) {
+    const auto joint = static_cast<std::size_t>(bone.joint);
+    bone.joint = joint_in_to[joint];
+    if (same_axes) continue;
+    // At rest the joints of `to` are turned as the world is.
+    Affine3d from_bind = Affine3d::Identity();
+    from_bind.linear() = turns[joint];
+    from_bind.translation() = -turns[joint] * bone.joint_from_bind.inverse().translation();
+    bone.joint_from_bind = from_bind;
+  }
+  return bound;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// What a character looks like: a mesh that its joints carry, by linear blend skinning as engines
+// do.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/motion/forward_kinematics.h"
+
+namespace mocapress {
+
+/// How a joint carries vertices. Scales that the joint lacks are in here.
+struct SkinBone {
+  int joint = 0;
+  Eigen::Affine3d joint_from_bind = Eigen::Affine3d::Identity();
+};
+
+/// What carries a vertex: the four bones with the most weight. Weights sum to 1; unused ones are 0.
+struct BoneWeights {
+  std::array<std::uint8_t, 4> bones{};
+  std::array<float, 4> weights{};
+};
+
+/// A triangle mesh in the pose in which it was bound to the joints of a skeleton.
+struct Skin {
+  // Bones have bytes as indices, and so many fit into what every graphics driver gives a shader.
+  static constexpr std::size_t kMostBones = 256;
+
+  struct Vertex {
+    Eigen::Vector3f in_bind;  // cm, y up, in the world of the bind pose
+    Eigen::Vector3f normal;   // unit, likewise
+    Eigen::Vector3f colour;   // red, green, blue as screens have them, 0 ... 1
+    BoneWeights carried_by;
+  };
+
+  std::vector<Vertex> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<SkinBone> bones;
+
+  bool empty() const { return triangles.empty(); }
+};
+
+/// Where a material has no colour of its own.
+inline const Eigen::Vector3f kPlainSkin{0.72F, 0.69F, 0.66F};
+
+/// The largest four of any number of weights, made to sum to 1. Of none: all on bone 0.
+BoneWeights largest_weights(std::vector<std::pair<std::uint8_t, double>> weights);
+
+/// What each bone does to the mesh in a pose.
+std::vector<Eigen::Affine3d> world_from_bind(const Skin& skin, const Pose& pose);
+
+/// Where the vertices are in a pose, cm.
+std::vector<Eigen::Vector3d> skinned_positions(const Skin& skin, const Pose& pose);
+
+/// The skin on a skeleton that has joints of the same names, whatever stands before a colon in
+/// them. Joints may have other axes, where the rest pose of `to` is about the one in which the skin
+/// was bound (as that of a BVH). Throws Error that names what `to` lacks.
+Skin bound_to(const Skin& skin, const Skeleton& from, const Skeleton& to);
+
+}  // namespace mocapress
