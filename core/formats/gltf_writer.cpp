@@ -352,7 +352,7 @@ class SourceTracks {
     placements_.resize(tracks_.size());
     for (std::size_t n = 0; n < tracks_.size(); ++n) {
       const int above = take_.nodes[n].parent;
-      const Placement& parent =
+      const NodePlacement& parent =
           above < 0 ? above_all_ : placements_[static_cast<std::size_t>(above)];
       LocalTransform local = still(n);
       if (joint_of_node_[n] >= 0) {
@@ -372,8 +372,8 @@ class SourceTracks {
   const NodeTake& take_;
   std::vector<int> joint_of_node_;  // -1: it does not follow
   std::vector<NodeTrack> tracks_;   // of every node
-  std::vector<Placement> placements_;
-  Placement above_all_;
+  std::vector<NodePlacement> placements_;
+  NodePlacement above_all_;
 };
 
 /// Leaves out what moves the nodes of `tracks`: channels, and the samplers that only these had.

@@ -173,7 +173,7 @@ int NodeTree::joint_above(std::size_t node) const {
   return above;
 }
 
-Eigen::Affine3d world_from(const Placement& placement) {
+Eigen::Affine3d world_from(const NodePlacement& placement) {
   Eigen::Affine3d world_from_node = Eigen::Affine3d::Identity();
   world_from_node.linear() = placement.world_from_node;
   world_from_node.translation() = placement.origin;
@@ -223,10 +223,10 @@ class MotionBuilder {
  private:
   void check();
   void number_joints();
-  Placement placed(std::size_t node, const LocalTransform& local,
-                   const std::vector<Placement>& placements) const;
+  NodePlacement placed(std::size_t node, const LocalTransform& local,
+                       const std::vector<NodePlacement>& placements) const;
   void place_nodes();
-  void place_frame(int frame, std::vector<Placement>& placements);
+  void place_frame(int frame, std::vector<NodePlacement>& placements);
   void add_skin();
   void name_joints();
   void add_joint(std::size_t joint);
@@ -242,7 +242,7 @@ class MotionBuilder {
   std::vector<std::size_t> node_of_joint_;
   std::vector<int> joint_of_node_;  // -1: none
   std::vector<Track> tracks_;       // of joints
-  std::vector<Placement> first_placements_;
+  std::vector<NodePlacement> first_placements_;
   std::shared_ptr<const Skin> skin_;
   Skeleton skeleton_;
   std::vector<Eigen::VectorXd> channels_;
@@ -301,7 +301,7 @@ void MotionBuilder::check() {
 void MotionBuilder::place_nodes() {
   const auto frames = static_cast<std::size_t>(take_.frames);
   tracks_.assign(joints_.size(), {std::vector<Vector3d>(frames), std::vector<Quaterniond>(frames)});
-  std::vector<Placement> placements(take_.nodes.size());
+  std::vector<NodePlacement> placements(take_.nodes.size());
   for (int t = 0; t < take_.frames; ++t) {
     place_frame(t, placements);
     if (t == 0) first_placements_ = placements;
@@ -309,22 +309,22 @@ void MotionBuilder::place_nodes() {
 }
 
 /// From where its parent is placed.
-Placement MotionBuilder::placed(std::size_t node, const LocalTransform& local,
-                                const std::vector<Placement>& placements) const {
+NodePlacement MotionBuilder::placed(std::size_t node, const LocalTransform& local,
+                                    const std::vector<NodePlacement>& placements) const {
   const int parent = take_.nodes[node].parent;
   return below(parent < 0 ? file_placement(source_.cm_per_unit, source_.up)
                           : placements[static_cast<std::size_t>(parent)],
                local);
 }
 
-void MotionBuilder::place_frame(int frame, std::vector<Placement>& placements) {
-  const Placement world = file_placement(1, UpAxis::Y);
+void MotionBuilder::place_frame(int frame, std::vector<NodePlacement>& placements) {
+  const NodePlacement world = file_placement(1, UpAxis::Y);
   for (std::size_t i = 0; i < take_.nodes.size(); ++i) {
     const Role role = tree_.role(i);
     placements[i] = placed(i, tree_.local(i, frame), placements);
     if (role == Role::None || role == Role::Part) continue;
     const int above = tree_.joint_above(i);
-    const Placement& from = above < 0 ? world : placements[static_cast<std::size_t>(above)];
+    const NodePlacement& from = above < 0 ? world : placements[static_cast<std::size_t>(above)];
     const Vector3d in_parent = from.rotation.conjugate() * (placements[i].origin - from.origin);
     if (!in_parent.allFinite() || in_parent.norm() > kFarthest)
       throw InputError(file_, 0, 0, take_.nodes[i].name + " is farther than 1e9 cm away");
@@ -404,13 +404,13 @@ void MotionBuilder::add_joint(std::size_t j) {
 void MotionBuilder::add_skin() {
   if (take_.meshes.empty()) return;
   std::vector<NodeJoint> nodes(take_.nodes.size());
-  std::vector<Placement> rest(take_.nodes.size());
+  std::vector<NodePlacement> rest(take_.nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     rest[i] = placed(i, take_.nodes[i].rest, rest);
     nodes[i].rest_world_from_node = world_from(rest[i]);
     const int carrier = tree_.role(i) == Role::Joint ? static_cast<int>(i) : tree_.joint_above(i);
     if (carrier < 0) continue;
-    const Placement& joint = first_placements_[static_cast<std::size_t>(carrier)];
+    const NodePlacement& joint = first_placements_[static_cast<std::size_t>(carrier)];
     Eigen::Affine3d world_from_joint = Eigen::Affine3d::Identity();
     world_from_joint.linear() = joint.rotation.toRotationMatrix();
     world_from_joint.translation() = joint.origin;
@@ -442,14 +442,14 @@ void MotionBuilder::warn_of_scale() {
 
 }  // namespace
 
-Placement file_placement(double cm_per_unit, UpAxis up) {
+NodePlacement file_placement(double cm_per_unit, UpAxis up) {
   const Quaterniond y_up_from_file = up == UpAxis::Z
                                          ? Quaterniond(std::sqrt(0.5), -std::sqrt(0.5), 0, 0)
                                          : Quaterniond::Identity();
   return {cm_per_unit * y_up_from_file.toRotationMatrix(), Vector3d::Zero(), y_up_from_file};
 }
 
-Placement below(const Placement& parent, const LocalTransform& local) {
+NodePlacement below(const NodePlacement& parent, const LocalTransform& local) {
   const Quaterniond turn = local.rotation.normalized();
   return {parent.world_from_node * turn.toRotationMatrix() * local.scale.asDiagonal(),
           parent.origin + parent.world_from_node * local.translation, parent.rotation * turn};

@@ -42,16 +42,16 @@ struct NodeTake {
 
 /// Where a node is in the world, in cm with Y up. `rotation` leaves out what its scale and those
 /// above it do.
-struct Placement {
+struct NodePlacement {
   Eigen::Matrix3d world_from_node;  // with scale
   Eigen::Vector3d origin;
   Eigen::Quaterniond rotation;
 };
 
 /// Where the file's own axes are: what hangs from nothing is below this.
-Placement file_placement(double cm_per_unit, UpAxis up);
+NodePlacement file_placement(double cm_per_unit, UpAxis up);
 
-Placement below(const Placement& parent, const LocalTransform& local);
+NodePlacement below(const NodePlacement& parent, const LocalTransform& local);
 
 /// Throws InputError where a clip may not hold so many frames of so many moving nodes. To be asked
 /// before NodeTake is filled, as `frames` comes from a file.
