@@ -388,12 +388,12 @@ std::vector<double> GltfFile::values(std::size_t accessor, std::string_view type
   const std::string which = "accessor " + std::to_string(accessor);
   const GltfJson& stated = list("accessors")[accessor];
   if (text(stated, "type") != type) fail(which + " is not " + std::string(type));
-  const std::size_t components = type == "VEC4" ? 4 : type == "VEC3" ? 3 : 1;
+  const std::size_t components = type == "MAT4" ? 16 : type == "VEC4" ? 4 : type == "VEC3" ? 3 : 1;
   const std::size_t count = size(stated, "count", 0);
   // One without bytes, which is all zero, may state any count.
   if (count > (kMostNumbers - values_read_) / components ||
       (count > kMostZeros && !stated.contains("bufferView")))
-    fail("has too many key frames to read");
+    fail("holds too many numbers to read");
   values_read_ += count * components;
   const GltfJson* flag = member(stated, "normalized");
   const bool normalised = flag && flag->is_boolean() && flag->get<bool>();

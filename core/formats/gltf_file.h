@@ -70,7 +70,8 @@ class GltfFile {
   std::string resource(const std::string& uri) const;
 
   /// An accessor's elements one after another, as numbers: normalised ones from -1 or 0 to 1,
-  /// sparse ones filled in. `type` is what it has to be: "SCALAR", "VEC3", "VEC4".
+  /// sparse ones filled in. `type` is what it has to be: "SCALAR", "VEC3", "VEC4",
+  /// "MAT4".
   std::vector<double> values(std::size_t accessor, std::string_view type);
 
  private:

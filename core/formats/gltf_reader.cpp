@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "core/formats/gltf_meshes.h"
 #include "core/formats/key_times.h"
 #include "core/formats/take_choice.h"
 
@@ -333,6 +334,12 @@ GltfTake read_gltf_take(GltfFile& file, const ReadOptions& options) {
 MotionFile read_gltf(const std::string& name, std::string_view bytes, const ReadOptions& options) {
   GltfFile file(name, bytes);
   GltfTake read = read_gltf_take(file, options);
+  try {
+    read.take.meshes = gltf_meshes(file, read);
+  } catch (const InputError& error) {  // no reason to refuse the motion
+    const std::string reason = std::string(error.what()).substr(file.name().size() + 2);
+    read.warnings.push_back({name, 0, "its character is not read: " + reason});
+  }
   MotionFile motion = motion_of(name, read.take, options, SourceFormat::Kind::Gltf);
   motion.warnings.insert(motion.warnings.begin(), read.warnings.begin(), read.warnings.end());
   return motion;

@@ -38,6 +38,15 @@ std::vector<Vector3d> normals_of(const NodeMesh& mesh) {
   return normals;
 }
 
+/// Which bones carry some vertex.
+std::vector<bool> used_bones(const NodeMesh& mesh) {
+  std::vector<bool> used(mesh.bones.size(), mesh.weights.empty());
+  for (const NodeMesh::Weights& weights : mesh.weights)
+    for (const auto& [bone, weight] : weights)
+      if (weight > 0) used[bone] = true;
+  return used;
+}
+
 class SkinBuilder {
  public:
   explicit SkinBuilder(const std::vector<NodeJoint>& nodes) : nodes_(nodes) {}
@@ -89,11 +98,12 @@ std::optional<std::uint8_t> SkinBuilder::bone_of(const SkinBone& bone) {
 bool SkinBuilder::add(const NodeMesh& mesh) {
   const Affine3d bind_from_mesh = place_bound(mesh);
   const Affine3d mesh_from_bind = bind_from_mesh.inverse();
-  std::vector<std::optional<std::uint8_t>> bones;  // none: no joint carries it
+  const std::vector<bool> used = used_bones(mesh);
+  std::vector<std::optional<std::uint8_t>> bones;  // none: it carries nothing, or is no joint's
   for (const NodeMesh::Bone& bone : mesh.bones) {
     bones.emplace_back();
     const NodeJoint& node = joint_of(bone);
-    if (node.joint < 0) continue;
+    if (node.joint < 0 || !used[bones.size() - 1]) continue;
     bones.back() =
         bone_of({node.joint, node.joint_from_node * bone.node_from_mesh * mesh_from_bind});
     if (!bones.back()) return false;

@@ -302,7 +302,7 @@ TEST(GltfReader, SaysInOneSentenceWhatItCannotRead) {
   EXPECT_EQ(with([](Json& j) { j["accessors"][1]["count"] = 12; }),
             "small.glb: has an accessor that reaches beyond bufferView 1");
   EXPECT_EQ(with([](Json& j) { j["accessors"][1]["count"] = 1e15; }),
-            "small.glb: has too many key frames to read");
+            "small.glb: holds too many numbers to read");
   EXPECT_EQ(with([](Json& j) { j["accessors"][1]["componentType"] = 5130; }),
             "small.glb: has an accessor of an unknown componentType");
   EXPECT_EQ(with([](Json& j) { j["accessors"][1]["type"] = "VEC3"; }),

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// After the glTF 2.0 specification, Khronos Group 2021 (ISO/IEC 12113:2022): sections 3.7 (meshes,
+// skins) and 3.9 (materials).
+#include "core/formats/gltf_meshes.h"
+
+#include <algorithm>
+
+#include "core/formats/material_colour.h"
+
+namespace mocapress {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+
+constexpr std::size_t kTriangles = 4;  // a primitive's mode
+
+Affine3d parent_from(const GltfFile& file, const GltfJson& node) {
+  if (const auto matrix = file.numbers(node, "matrix", 16))
+    return Affine3d(Eigen::Map<const Eigen::Matrix4d>(matrix->data()));
+  Affine3d local = Affine3d::Identity();
+  if (const auto t = file.numbers(node, "translation", 3)) local.translate(Vector3d(t->data()));
+  if (const auto r = file.numbers(node, "rotation", 4))
+    local.rotate(Eigen::Quaterniond(r->data()).normalized());
+  if (const auto s = file.numbers(node, "scale", 3)) local.scale(Vector3d(s->data()));
+  return local;
+}
+
+std::vector<Vector3d> points_of(const std::vector<double>& values) {
+  std::vector<Vector3d> points;
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3) points.emplace_back(&values[i]);
+  return points;
+}
+
+class MeshReader {
+ public:
+  MeshReader(GltfFile& file, const GltfTake& take);
+
+  std::vector<NodeMesh> read();
+
+ private:
+  std::vector<NodeMesh::Bone> bones_of(std::size_t node);
+  std::vector<NodeMesh::Bone> bones_of_skin(std::size_t skin);
+  NodeMesh mesh_of(const GltfJson& primitive, std::vector<NodeMesh::Bone> bones, bool skinned);
+  void read_triangles(const GltfJson& primitive, NodeMesh& mesh);
+  void read_weights(const GltfJson& attributes, NodeMesh& mesh);
+  Eigen::Vector3f colour_of(const GltfJson& primitive) const;
+
+  const GltfJson& node(std::size_t number) const { return file_.list("nodes")[number]; }
+
+  GltfFile& file_;
+  std::vector<int> parents_;        // of the file's nodes
+  std::vector<int> index_in_take_;  // of the file's nodes; -1: it is not there
+};
+
+MeshReader::MeshReader(GltfFile& file, const GltfTake& take) : file_(file) {
+  const std::size_t count = file.list("nodes").size();
+  parents_.assign(count, -1);
+  index_in_take_.assign(count, -1);
+  for (std::size_t n = 0; n < count; ++n)
+    for (const std::size_t child : file.indices(node(n), "children", "nodes"))
+      parents_[child] = static_cast<int>(n);
+  for (std::size_t i = 0; i < take.number_of_node.size(); ++i)
+    index_in_take_[take.number_of_node[i]] = static_cast<int>(i);
+}
+
+std::vector<NodeMesh> MeshReader::read() {
+  std::vector<NodeMesh> meshes;
+  const GltfJson& stated = file_.list(file_.json(), "meshes");
+  for (std::size_t n = 0; n < parents_.size(); ++n) {
+    const std::size_t mesh = file_.size(node(n), "mesh", stated.size());
+    if (mesh >= stated.size()) continue;
+    const auto skin = file_.index(node(n), "skin", "skins");
+    const std::vector<NodeMesh::Bone> bones = skin ? bones_of_skin(*skin) : bones_of(n);
+    if (bones.empty()) continue;
+    for (const GltfJson& primitive : file_.list(stated[mesh], "primitives"))
+      if (file_.size(primitive, "mode", kTriangles) == kTriangles)
+        meshes.push_back(mesh_of(primitive, bones, skin.has_value()));
+  }
+  return meshes;
+}
+
+/// The node of the take that carries what a node draws.
+std::vector<NodeMesh::Bone> MeshReader::bones_of(std::size_t number) {
+  Affine3d carrier_from_mesh = Affine3d::Identity();
+  int at = static_cast<int>(number);
+  while (at >= 0 && index_in_take_[static_cast<std::size_t>(at)] < 0) {
+    carrier_from_mesh = parent_from(file_, node(static_cast<std::size_t>(at))) * carrier_from_mesh;
+    at = parents_[static_cast<std::size_t>(at)];
+  }
+  if (at < 0) return {};
+  return {{index_in_take_[static_cast<std::size_t>(at)], carrier_from_mesh}};
+}
+
+std::vector<NodeMesh::Bone> MeshReader::bones_of_skin(std::size_t number) {
+  const GltfJson& skin = file_.list("skins")[number];
+  const std::vector<std::size_t> joints = file_.indices(skin, "joints", "nodes");
+  const auto accessor = file_.index(skin, "inverseBindMatrices", "accessors");
+  std::vector<double> matrices;
+  if (accessor) matrices = file_.values(*accessor, "MAT4");
+  if (accessor && matrices.size() < 16 * joints.size())
+    file_.fail("has a skin with " + std::to_string(joints.size()) + " joints, but only " +
+               std::to_string(matrices.size() / 16) + " bind matrices");
+  std::vector<NodeMesh::Bone> bones;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    bones.push_back({index_in_take_[joints[j]], Affine3d::Identity()});
+    if (accessor)
+      bones.back().node_from_mesh = Affine3d(Eigen::Map<const Eigen::Matrix4d>(&matrices[16 * j]));
+  }
+  return bones;
+}
+
+NodeMesh MeshReader::mesh_of(const GltfJson& primitive, std::vector<NodeMesh::Bone> bones,
+                             bool skinned) {
+  NodeMesh mesh;
+  mesh.bones = std::move(bones);
+  mesh.colour = colour_of(primitive);
+  const auto attributes = primitive.find("attributes");
+  if (attributes == primitive.end() || !attributes->is_object()) return mesh;
+  const auto position = file_.index(*attributes, "POSITION", "accessors");
+  if (!position) return mesh;
+  mesh.positions = points_of(file_.values(*position, "VEC3"));
+  if (const auto normal = file_.index(*attributes, "NORMAL", "accessors"))
+    mesh.normals = points_of(file_.values(*normal, "VEC3"));
+  if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
+    file_.fail("has a mesh with more or fewer normals than positions");
+  read_triangles(primitive, mesh);
+  if (skinned) read_weights(*attributes, mesh);
+  return mesh;
+}
+
+void MeshReader::read_triangles(const GltfJson& primitive, NodeMesh& mesh) {
+  std::vector<double> corners;
+  if (const auto indices = file_.index(primitive, "indices", "accessors"))
+    corners = file_.values(*indices, "SCALAR");
+  else
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+      corners.push_back(static_cast<double>(v));
+  const auto count = static_cast<double>(mesh.positions.size());
+  if (std::any_of(corners.begin(), corners.end(), [&](double v) { return v < 0 || v >= count; }))
+    file_.fail("has a triangle with a vertex that its mesh has not");
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    mesh.triangles.push_back({static_cast<std::uint32_t>(corners[i]),
+                              static_cast<std::uint32_t>(corners[i + 1]),
+                              static_cast<std::uint32_t>(corners[i + 2])});
+}
+
+/// Four joints and weights a vertex in each set of them.
+void MeshReader::read_weights(const GltfJson& attributes, NodeMesh& mesh) {
+  mesh.weights.resize(mesh.positions.size());
+  for (int set = 0;; ++set) {
+    const std::string number = std::to_string(set);
+    const auto joints = file_.index(attributes, ("JOINTS_" + number).c_str(), "accessors");
+    const auto weights = file_.index(attributes, ("WEIGHTS_" + number).c_str(), "accessors");
+    if (!joints || !weights) return;
+    const std::vector<double> bones = file_.values(*joints, "VEC4");
+    const std::vector<double> shares = file_.values(*weights, "VEC4");
+    if (bones.size() != 4 * mesh.positions.size() || shares.size() != bones.size())
+      file_.fail("has a mesh with more or fewer weights than positions");
+    for (std::size_t i = 0; i < bones.size(); ++i) {
+      if (!(shares[i] > 0)) continue;
+      if (!(bones[i] >= 0 && bones[i] < static_cast<double>(mesh.bones.size())))
+        file_.fail("has a vertex on a joint that its skin has not");
+      mesh.weights[i / 4].emplace_back(static_cast<std::size_t>(bones[i]), shares[i]);
+    }
+  }
+}
+
+Eigen::Vector3f MeshReader::colour_of(const GltfJson& primitive) const {
+  const GltfJson& materials = file_.list(file_.json(), "materials");
+  const auto index = file_.index(primitive, "material", "materials");
+  if (!index) return kPlainSkin;
+  const auto surface = materials[*index].find("pbrMetallicRoughness");
+  if (surface == materials[*index].end() || !surface->is_object()) return kPlainSkin;
+  const auto factor = file_.numbers(*surface, "baseColorFactor", 4);
+  if (!factor) return kPlainSkin;
+  return material_colour(Eigen::Map<const Vector3d>(factor->data()).cast<float>());
+}
+
+}  // namespace
+
+std::vector<NodeMesh> gltf_meshes(GltfFile& file, const GltfTake& take) {
+  return MeshReader(file, take).read();
+}
+
+}  // namespace mocapress

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The sample character, which glTF and FBX hold alike and two readers read.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/formats/motion_file.h"
+#include "tests/support/corpus.h"
+
+namespace mocapress {
+namespace {
+
+using Eigen::Vector3d;
+
+class Character : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(folder_ / "character.glb")) GTEST_SKIP() << "no sample character";
+  }
+
+  static Pose pose_at(const Motion& motion, double seconds) {
+    Pose pose;
+    const auto frame = static_cast<Eigen::Index>(std::lround(seconds * motion.clip.sample_rate_hz));
+    compute_pose(motion.skeleton, motion.clip.channels.row(frame), pose);
+    return pose;
+  }
+
+  /// The largest distance (cm) of a point from the nearest of others.
+  static double farthest(const std::vector<Vector3d>& points, const std::vector<Vector3d>& others) {
+    double worst = 0;
+    for (std::size_t p = 0; p < points.size(); p += 7) {
+      double nearest = 1e9;
+      for (const Vector3d& other : others) nearest = std::min(nearest, (points[p] - other).norm());
+      worst = std::max(worst, nearest);
+    }
+    return worst;
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples";
+};
+
+TEST_F(Character, IsTheSameFromGltfAndFbx) {
+  const MotionFile gltf = read_motion(folder_ / "character.glb");
+  const MotionFile fbx = read_motion(folder_ / "character.fbx");
+  ASSERT_TRUE(gltf.skin && fbx.skin);
+  EXPECT_EQ(gltf.skin->bones.size(), fbx.skin->bones.size());
+  EXPECT_EQ(gltf.skin->triangles.size(), fbx.skin->triangles.size());
+  for (const double seconds : {0.0, 0.5, 1.0, 1.5}) {
+    const auto a = skinned_positions(*gltf.skin, pose_at(gltf.motion, seconds));
+    const auto b = skinned_positions(*fbx.skin, pose_at(fbx.motion, seconds));
+    EXPECT_LT(farthest(a, b), 0.05) << seconds;
+    EXPECT_LT(farthest(b, a), 0.05) << seconds;
+  }
+}
+
+TEST_F(Character, StandsAroundItsJoints) {
+  const MotionFile file = read_motion(folder_ / "character.glb");
+  const Pose pose = pose_at(file.motion, 1);
+  const std::vector<Vector3d> places = skinned_positions(*file.skin, pose);
+  EXPECT_LT(farthest(places, pose.origin), 30);
+  EXPECT_LT(farthest(pose.origin, places), 15);
+}
+
+TEST_F(Character, IsPutOntoTheOtherFile) {
+  const MotionFile gltf = read_motion(folder_ / "character.glb");
+  const MotionFile fbx = read_motion(folder_ / "character.fbx");
+  const Skin bound = bound_to(*gltf.skin, gltf.motion.skeleton, fbx.motion.skeleton);
+  const Pose pose = pose_at(fbx.motion, 1);
+  EXPECT_LT(farthest(skinned_positions(bound, pose), skinned_positions(*fbx.skin, pose)), 0.05);
+}
+
+}  // namespace
+}  // namespace mocapress
