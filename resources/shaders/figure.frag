@@ -3,15 +3,10 @@
 
 in vec3 positionInView;
 in vec3 normalInView;
-in float highlighted;
-in float alerted;
-in vec4 tint;
+in vec3 surface;  // its colour before it is lit
 in vec2 sideways;
 
 uniform mat4 viewMatrix;
-uniform vec3 colour;
-uniform vec3 highlightColour;
-uniform vec3 alertColour;
 uniform vec3 pane;
 uniform float opacity;  // facing the eye; the rim of a translucent figure is denser, like glass
 
@@ -25,14 +20,12 @@ void main() {
   vec3 normal = normalize(normalInView);
   vec3 toEye = normalize(-positionInView);
   vec3 up = mat3(viewMatrix) * vec3(0.0, 1.0, 0.0);
-  vec3 plain = mix(mix(colour, alertColour, alerted), tint.rgb, tint.a);
-  vec3 base = mix(plain, highlightColour, highlighted);
 
   float ambient = mix(0.4, 0.64, 0.5 + 0.5 * dot(normal, up));
   float key = pow(0.5 + 0.5 * dot(normal, kKeyInView), 2.0);
   float gloss = pow(max(dot(normal, normalize(kKeyInView + toEye)), 0.0), 48.0);
   float rim = pow(1.0 - max(dot(normal, toEye), 0.0), 2.0);
 
-  vec3 lit = base * (ambient + 0.62 * key) + 0.22 * gloss + 0.12 * rim * (0.5 + 0.5 * base);
+  vec3 lit = surface * (ambient + 0.62 * key) + 0.22 * gloss + 0.12 * rim * (0.5 + 0.5 * surface);
   fragment = vec4(lit, mix(opacity, 1.0, 0.75 * rim));
 }

@@ -13,6 +13,9 @@ in vec4 endTint;
 
 uniform mat4 viewMatrix;
 uniform mat4 viewProjectionMatrix;
+uniform vec3 colour;
+uniform vec3 highlightColour;
+uniform vec3 alertColour;
 uniform float thickness;
 uniform float flatness;  // 1: round, less: pressed flat onto the ground
 uniform vec3 offset;     // cm
@@ -20,9 +23,7 @@ uniform vec3 pane;       // sideways shift, left and right end, in normalised de
 
 out vec3 positionInView;
 out vec3 normalInView;
-out float highlighted;
-out float alerted;
-out vec4 tint;
+out vec3 surface;
 out vec2 sideways;  // x and w in clip space
 
 // The depth pass and the shading pass of the ghost must agree to the last bit.
@@ -42,9 +43,8 @@ void main() {
   float taper = size > 0.0 ? thickness * (start.w - end.w) / size : 0.0;
   positionInView = vec3(viewMatrix * position);
   normalInView = mat3(viewMatrix) * normalize(outwards + taper * axis);
-  highlighted = highlight;
-  alerted = alert;
-  tint = mix(startTint, endTint, along);
+  vec4 tint = mix(startTint, endTint, along);
+  surface = mix(mix(mix(colour, alertColour, alert), tint.rgb, tint.a), highlightColour, highlight);
   gl_Position = viewProjectionMatrix * position;
   gl_Position.x += pane.x * gl_Position.w;
   sideways = gl_Position.xw;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/viewport/figure.h"
 
-#include <Qt3DRender/QColorMask>
-#include <Qt3DRender/QDepthTest>
-
 #include "widgets/viewport/mesh.h"
 
 namespace mocapress {
@@ -12,24 +9,7 @@ namespace {
 // The ghost is a shell around the solid figure: where the two agree neither flickers through the
 // other, and where they part the shell stands alone.
 constexpr float kGhostThickness = 1.3f;
-constexpr float kGhostOpacity = 0.26f;
 constexpr CapsuleDetail kTrailDetail{6, 2};
-
-/// The ghost's depth goes first, so that its nearest surface alone is blended and its overlapping
-/// capsules look like one body.
-std::vector<ShaderPass> passes(Figure::Look look) {
-  if (look == Figure::Look::Solid) return {{"shade", {}}};
-  auto* no_colour = new Qt3DRender::QColorMask;
-  no_colour->setRedMasked(false);
-  no_colour->setGreenMasked(false);
-  no_colour->setBlueMasked(false);
-  no_colour->setAlphaMasked(false);
-  std::vector<Qt3DRender::QRenderState*> shade = translucent();
-  auto* nearest = new Qt3DRender::QDepthTest;
-  nearest->setDepthFunction(Qt3DRender::QDepthTest::LessOrEqual);
-  shade.push_back(nearest);
-  return {{"depth", {no_colour}}, {"shade", shade}};
-}
 
 }  // namespace
 
@@ -48,7 +28,8 @@ Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
   perInstance("startTint", 4, offsetof(Capsule, start_tint));
   perInstance("endTint", 4, offsetof(Capsule, end_tint));
 
-  material_ = new ShaderMaterial("figure", passes(look), this);
+  material_ =
+      new ShaderMaterial("figure", look == Look::Solid ? solidPasses() : ghostPasses(), this);
   setGhost(look != Look::Solid);
   setPane({});
   setOffset({});

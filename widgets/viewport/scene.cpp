@@ -127,6 +127,8 @@ Scene::Scene(OpenGl open_gl) {
   for (Ground*& ground : grounds_) ground = new Ground(root);
   body_ = new Figure(Figure::Look::Solid, root);
   shell_ = new Figure(Figure::Look::Ghost, root);
+  body_skin_ = new SkinFigure(false, root);
+  shell_skin_ = new SkinFigure(true, root);
   body_path_ = new Figure(Figure::Look::Solid, root);
   shell_path_ = new Figure(Figure::Look::Solid, root);
   trails_ = new Figure(Figure::Look::Solid, root);
@@ -164,10 +166,11 @@ void Scene::makeFrameGraph(Qt3DCore::QEntity* backdrop) {
     addStep(camera_selector, entities, QString::fromLatin1(pass));
   };
   step({backdrop}, "shade");
-  step({body_, body_path_, shell_path_, trails_, discs_}, "shade");
+  step({body_, body_skin_, body_path_, shell_path_, trails_, discs_}, "shade");
   addStep(camera_selector, pinned_, QStringLiteral("shade"));
   addStep(camera_selector, grounds_, QStringLiteral("shade"));
-  for (Figure* translucent : {ghosts_, shell_})
+  for (Qt3DCore::QEntity* translucent :
+       std::initializer_list<Qt3DCore::QEntity*>{ghosts_, shell_, shell_skin_})
     for (const char* pass : {"depth", "shade"}) step({translucent}, pass);
   for (const auto& labels : overlay_->labels())
     addStep(camera_selector, labels, QStringLiteral("shade"));

@@ -11,6 +11,7 @@
 #include "widgets/viewport/orbit_camera.h"
 #include "widgets/viewport/overlay.h"
 #include "widgets/viewport/shader_material.h"
+#include "widgets/viewport/skin_figure.h"
 #include "widgets/viewport/view_arrangement.h"
 
 namespace mocapress {
@@ -51,6 +52,8 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   /// Drawn first; the shell, which can be translucent, comes over it.
   Figure& body() { return *body_; }
   Figure& shell() { return *shell_; }
+  SkinFigure& bodySkin() { return *body_skin_; }
+  SkinFigure& shellSkin() { return *shell_skin_; }
   Figure& bodyPath() { return *body_path_; }
   Figure& shellPath() { return *shell_path_; }
   Figure& trails() { return *trails_; }
@@ -82,6 +85,8 @@ class Scene : public Qt3DExtras::Qt3DWindow {
 
   Figure* body_;
   Figure* shell_;
+  SkinFigure* body_skin_;
+  SkinFigure* shell_skin_;
   Figure* body_path_;
   Figure* shell_path_;
   Figure* trails_;

@@ -5,6 +5,8 @@
 #include <QVector3D>
 #include <Qt3DRender/QBlendEquation>
 #include <Qt3DRender/QBlendEquationArguments>
+#include <Qt3DRender/QColorMask>
+#include <Qt3DRender/QDepthTest>
 #include <Qt3DRender/QEffect>
 #include <Qt3DRender/QFilterKey>
 #include <Qt3DRender/QGraphicsApiFilter>
@@ -16,13 +18,13 @@
 namespace mocapress {
 namespace {
 
-Qt3DRender::QShaderProgram* makeProgram(const QString& name) {
-  const auto source = [&](const char* suffix) {
-    return Qt3DRender::QShaderProgram::loadSource(QUrl("qrc:/shaders/" + name + suffix));
+Qt3DRender::QShaderProgram* makeProgram(const QString& vertex, const QString& fragment) {
+  const auto source = [](const QString& file) {
+    return Qt3DRender::QShaderProgram::loadSource(QUrl("qrc:/shaders/" + file));
   };
   auto* program = new Qt3DRender::QShaderProgram;
-  program->setVertexShaderCode(source(".vert"));
-  program->setFragmentShaderCode(source(".frag"));
+  program->setVertexShaderCode(source(vertex + ".vert"));
+  program->setFragmentShaderCode(source(fragment + ".frag"));
   return program;
 }
 
@@ -39,8 +41,25 @@ Qt3DRender::QRenderPass* makePass(const ShaderPass& pass, Qt3DRender::QShaderPro
 
 }  // namespace
 
-ShaderMaterial::ShaderMaterial(const QString& name, const std::vector<ShaderPass>& passes,
-                               QNode* parent)
+std::vector<ShaderPass> solidPasses() {
+  return {{"shade", {}}};
+}
+
+std::vector<ShaderPass> ghostPasses() {
+  auto* no_colour = new Qt3DRender::QColorMask;
+  no_colour->setRedMasked(false);
+  no_colour->setGreenMasked(false);
+  no_colour->setBlueMasked(false);
+  no_colour->setAlphaMasked(false);
+  std::vector<Qt3DRender::QRenderState*> shade = translucent();
+  auto* nearest = new Qt3DRender::QDepthTest;
+  nearest->setDepthFunction(Qt3DRender::QDepthTest::LessOrEqual);
+  shade.push_back(nearest);
+  return {{"depth", {no_colour}}, {"shade", shade}};
+}
+
+ShaderMaterial::ShaderMaterial(const QString& vertex, const QString& fragment,
+                               const std::vector<ShaderPass>& passes, QNode* parent)
     : QMaterial(parent) {
   auto* technique = new Qt3DRender::QTechnique;
   Qt3DRender::QGraphicsApiFilter* api = technique->graphicsApiFilter();
@@ -48,7 +67,7 @@ ShaderMaterial::ShaderMaterial(const QString& name, const std::vector<ShaderPass
   api->setMajorVersion(3);
   api->setMinorVersion(2);
   api->setProfile(Qt3DRender::QGraphicsApiFilter::CoreProfile);
-  Qt3DRender::QShaderProgram* program = makeProgram(name);
+  Qt3DRender::QShaderProgram* program = makeProgram(vertex, fragment);
   for (const ShaderPass& pass : passes) technique->addRenderPass(makePass(pass, program));
 
   auto* effect = new Qt3DRender::QEffect;

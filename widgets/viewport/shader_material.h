@@ -16,10 +16,22 @@ struct ShaderPass {
   std::vector<Qt3DRender::QRenderState*> states;  // the material takes them over
 };
 
-/// A material for OpenGL 3 of `:/shaders/<name>.vert` and `.frag`.
+/// What is solid is shaded at once.
+std::vector<ShaderPass> solidPasses();
+
+/// A ghost's depth goes first, so that its nearest surface alone is blended and what overlaps in it
+/// looks like one body.
+std::vector<ShaderPass> ghostPasses();
+
+inline constexpr float kGhostOpacity = 0.26f;
+
+/// A material for OpenGL 3 of `:/shaders/<vertex>.vert` and `<fragment>.frag`.
 class ShaderMaterial : public Qt3DRender::QMaterial {
  public:
-  ShaderMaterial(const QString& name, const std::vector<ShaderPass>& passes, QNode* parent);
+  ShaderMaterial(const QString& vertex, const QString& fragment,
+                 const std::vector<ShaderPass>& passes, QNode* parent);
+  ShaderMaterial(const QString& both, const std::vector<ShaderPass>& passes, QNode* parent)
+      : ShaderMaterial(both, both, passes, parent) {}
 
   /// Sets a uniform, a colour as its vec3.
   void set(const QString& uniform, const QVariant& value);

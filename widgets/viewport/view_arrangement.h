@@ -22,6 +22,7 @@ struct ViewOptions {
   bool swapped = false;   // the figures have changed places
   bool blinking = false;  // they take turns in one place
   bool by_error = false;  // the compressed figure is coloured by its distance from the original
+  bool skin = true;       // figures are their skin, where they have one
   bool path = false;      // the way of the chosen joint, or of the root
   bool in_place = false;  // the root does not move over the ground
   double divider = 0.5;   // of the wipe, share of the view's width

@@ -83,6 +83,9 @@ void Viewport::setSkeleton(const Skeleton& skeleton) {
   shape_.emplace(skeleton);
   original_.reset();
   compressed_.reset();
+  original_poses_ = nullptr;
+  compressed_poses_ = nullptr;
+  setSkin(nullptr);
   pinned_.clear();
   errors_.reset();
   contacts_.clear();
@@ -94,13 +97,25 @@ void Viewport::setSkeleton(const Skeleton& skeleton) {
   arrangeFigures();
 }
 
-void Viewport::setOriginal(Tracks tracks) {
+void Viewport::setSkin(std::shared_ptr<const Skin> skin) {
+  if (skin == skin_) return;
+  skin_ = std::move(skin);
+  if (scene_)
+    for (SkinFigure* figure : {&scene_->bodySkin(), &scene_->shellSkin()}) figure->setSkin(skin_);
+  // As long as nobody has looked elsewhere, the whole of it is in sight.
+  camera_is_framed_ = camera_is_framed_ && !camera_is_as_framed_;
+  showFigures();
+}
+
+void Viewport::setOriginal(Tracks tracks, Poses poses) {
   original_ = isEmpty(tracks) ? nullptr : std::move(tracks);
+  original_poses_ = std::move(poses);
   arrangeFigures();
 }
 
-void Viewport::setCompressed(Tracks tracks) {
+void Viewport::setCompressed(Tracks tracks, Poses poses) {
   compressed_ = isEmpty(tracks) ? nullptr : std::move(tracks);
+  compressed_poses_ = std::move(poses);
   arrangeFigures();
 }
 
@@ -167,8 +182,8 @@ void Viewport::setFollow(bool follow) {
 
 void Viewport::resetCamera() {
   camera_is_as_framed_ = true;
-  if (const Eigen::MatrixXd* tracks = leadingTracks()) {
-    std::vector<QVector3D> body = shape_->body(*tracks, frameOf(*tracks));
+  if (leadingTracks()) {
+    std::vector<QVector3D> body = leadingBody();
     for (QVector3D& point : body) point += offset();
     camera_.frame(body, kLeastRadius * shape_->size());
   }
@@ -200,38 +215,51 @@ void Viewport::showFigures() {
     root_ = root;
   }
   if (!scene_) return;
-  const Role original{original_, arrangement_.original, colours_.original};
-  const Role compressed{compressed_, arrangement_.compressed, colours_.compressed};
+  const Role original{original_, original_poses_, arrangement_.original, colours_.original,
+                      colours_.original};
+  const Role compressed{compressed_, compressed_poses_, arrangement_.compressed,
+                        colours_.compressed, QColor()};
   // The ghost is the one that is drawn over the other.
   const bool turned = arrangement_.compressed.ghost;
   FigureMarks plain;
   plain.selected_joint = selected_joint_;
-  showFigure(turned ? scene_->body() : scene_->shell(),
-             turned ? scene_->bodyPath() : scene_->shellPath(), original, plain);
-  showFigure(turned ? scene_->shell() : scene_->body(),
-             turned ? scene_->shellPath() : scene_->bodyPath(), compressed, compressedMarks());
+  const Parts body{scene_->body(), scene_->bodySkin(), scene_->bodyPath()};
+  const Parts shell{scene_->shell(), scene_->shellSkin(), scene_->shellPath()};
+  showFigure(turned ? body : shell, original, plain);
+  showFigure(turned ? shell : body, compressed, compressedMarks());
   showMarks();
   showPinned();
   showGhosts();
   scene_->announce();
 }
 
-void Viewport::showFigure(Figure& figure, Figure& path, const Role& role,
-                          const FigureMarks& marks) {
-  if (!role.tracks || !role.placement.shown) {
-    figure.hide();
-    path.hide();
-    return;
-  }
+void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMarks& marks) {
+  const auto& [figure, skin, path] = parts;
+  const bool shown = role.tracks && role.placement.shown;
+  const bool as_skin = shown && hasSkin(role.poses);
+  if (!shown || as_skin) figure.hide();
+  if (!as_skin) skin.hide();
+  if (!shown || !options_.path) path.hide();
+  if (!shown) return;
   const int frame = frameOf(*role.tracks);
   for (Figure* each : {&figure, &path}) {
     each->setColours(role.colour, colours_.selected, colours_.alert);
     each->setPane(role.placement.pane);
     each->setOffset(offset());
   }
-  figure.setGhost(role.placement.ghost);
-  figure.show(*shape_, *role.tracks, frame, marks);
-  if (!options_.path) return path.hide();
+  if (as_skin) {
+    Pose pose;
+    role.poses(frame, pose);
+    skin.setColour(role.skin_colour);
+    skin.setPane(role.placement.pane);
+    skin.setOffset(offset());
+    skin.setGhost(role.placement.ghost);
+    skin.show(pose, jointCovers(marks, shape_->jointCount(), colours_.selected, colours_.alert));
+  } else {
+    figure.setGhost(role.placement.ghost);
+    figure.show(*shape_, *role.tracks, frame, marks);
+  }
+  if (!options_.path) return;
   const auto reach = std::max(1, static_cast<int>(kPathSeconds * sample_rate_hz_));
   path.show(jointPath(*role.tracks, std::max(selected_joint_, 0), frame, reach,
                       kPathPerSize * shape_->size()));
@@ -336,6 +364,21 @@ QVector3D Viewport::offset() const {
 
 const Eigen::MatrixXd* Viewport::leadingTracks() const {
   return original_ ? original_.get() : compressed_.get();
+}
+
+/// With its skin, where that is seen.
+std::vector<QVector3D> Viewport::leadingBody() const {
+  const Eigen::MatrixXd& tracks = *leadingTracks();
+  const Poses& poses = original_ ? original_poses_ : compressed_poses_;
+  std::vector<QVector3D> body = shape_->body(tracks, frameOf(tracks));
+  if (!hasSkin(poses)) return body;
+  Pose pose;
+  poses(frameOf(tracks), pose);
+  for (const Eigen::Vector3d& place : skinned_positions(*skin_, pose)) {
+    const Eigen::Vector3f point = place.cast<float>();
+    body.emplace_back(point.x(), point.y(), point.z());
+  }
+  return body;
 }
 
 int Viewport::frameOf(const Eigen::MatrixXd& tracks) const {

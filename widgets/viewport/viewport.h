@@ -6,12 +6,14 @@
 #include <QPointF>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/feet/footskate.h"
 #include "core/motion/skeleton.h"
+#include "core/motion/skin.h"
 #include "widgets/models/colours.h"
 #include "widgets/models/error_colour.h"
 #include "widgets/viewport/figure_shape.h"
@@ -24,6 +26,7 @@ namespace mocapress {
 
 class Figure;
 class Scene;
+class SkinFigure;
 
 /// Chooses Qt3D's OpenGL renderer and the surface format. Call before QApplication is made.
 void prepareViewport();
@@ -43,13 +46,19 @@ class Viewport : public QWidget {
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
+  /// How all joints stand at a frame of a figure's motion, as its skin needs it.
+  using Poses = std::function<void(int frame, Pose& pose)>;
+
   /// A new skeleton hides both figures until their tracks are set, and frames the camera anew with
-  /// the first of them.
+  /// the first of them. It has no skin.
   void setSkeleton(const Skeleton& skeleton);
 
+  /// What figures with poses look like; of that skeleton. Null: nobody knows.
+  void setSkin(std::shared_ptr<const Skin> skin);
+
   /// Null hides the figure.
-  void setOriginal(Tracks tracks);
-  void setCompressed(Tracks tracks);
+  void setOriginal(Tracks tracks, Poses poses = {});
+  void setCompressed(Tracks tracks, Poses poses = {});
 
   /// Other results of the clip, kMostPinned at most. A new skeleton has none.
   void setPinned(std::vector<PinnedFigure> pinned);
@@ -110,13 +119,22 @@ class Viewport : public QWidget {
   /// One of the two figures.
   struct Role {
     const Tracks& tracks;
+    const Poses& poses;
     const Placement& placement;
     const QColor& colour;
+    QColor skin_colour;  // invalid: the skin's own
+  };
+
+  /// What draws one of them.
+  struct Parts {
+    Figure& figure;
+    SkinFigure& skin;
+    Figure& path;
   };
 
   void showSceneOrNotice();
   void showFigures();
-  void showFigure(Figure& figure, Figure& path, const Role& role, const FigureMarks& marks);
+  void showFigure(const Parts& parts, const Role& role, const FigureMarks& marks);
   void showMarks();
   void showPinned();
   void showGhosts();
@@ -134,6 +152,8 @@ class Viewport : public QWidget {
   const Eigen::MatrixXd* leadingTracks() const;
   int frameOf(const Eigen::MatrixXd& tracks) const;
   FigureMarks compressedMarks() const;
+  bool hasSkin(const Poses& poses) const { return skin_ && options_.skin && poses; }
+  std::vector<QVector3D> leadingBody() const;
 
   /// How far everything is moved so that the root stays in its place, cm.
   QVector3D offset() const;
@@ -141,6 +161,9 @@ class Viewport : public QWidget {
   std::optional<FigureShape> shape_;
   Tracks original_;
   Tracks compressed_;
+  Poses original_poses_;
+  Poses compressed_poses_;
+  std::shared_ptr<const Skin> skin_;
   std::vector<PinnedFigure> pinned_;
   std::vector<SlideFinding> slides_;
   std::vector<ContactSpan> contacts_;

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Characters in the 3D view: needs an X display with OpenGL (Xvfb will do).
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/formats/motion_file.h"
+#include "core/motion/landmarks.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 30'000;  // ms
+
+/// A foot that moves along x, with a head above it.
+Skeleton pillar() {
+  Skeleton skeleton;
+  Joint foot;
+  foot.name = "foot";
+  foot.offset = {0, 10, 0};
+  foot.channels = {ChannelKind::TranslationX};
+  skeleton.add(foot);
+  Joint head;
+  head.name = "head";
+  head.parent = 0;
+  head.offset = {0, 100, 0};
+  skeleton.add(head);
+  return skeleton;
+}
+
+/// A blue box of 30 x 100 x 20 cm around it: its lower half is the foot's, its upper one the
+/// head's.
+std::shared_ptr<const Skin> box() {
+  Skin skin;
+  skin.bones = {{0, Eigen::Affine3d(Eigen::Translation3d(0, -10, 0))},
+                {1, Eigen::Affine3d(Eigen::Translation3d(0, -110, 0))}};
+  const auto add_face = [&](const Eigen::Vector3f& normal, const Eigen::Vector3f& side) {
+    const Eigen::Vector3f up = normal.cross(side);
+    const Eigen::Vector3f half(15, 50, 10);
+    const auto first = static_cast<std::uint32_t>(skin.vertices.size());
+    for (const auto& [s, u] :
+         {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)}) {
+      const Eigen::Vector3f unit =
+          normal + static_cast<float>(s) * side + static_cast<float>(u) * up;
+      const auto bone = static_cast<std::uint8_t>(unit.y() > 0);
+      skin.vertices.push_back({Eigen::Vector3f(0, 60, 0) + half.cwiseProduct(unit),
+                               normal,
+                               {0.2F, 0.3F, 0.9F},
+                               {{bone}, {1}}});
+    }
+    skin.triangles.push_back({first, first + 1, first + 2});
+    skin.triangles.push_back({first, first + 2, first + 3});
+  };
+  const Eigen::Vector3f x(1, 0, 0);
+  const Eigen::Vector3f y(0, 1, 0);
+  const Eigen::Vector3f z(0, 0, 1);
+  for (const float sign : {-1.0F, 1.0F}) {
+    add_face(sign * x, y);
+    add_face(sign * y, z);
+    add_face(sign * z, x);
+  }
+  return std::make_shared<const Skin>(std::move(skin));
+}
+
+bool isBlue(QRgb pixel) {
+  return qBlue(pixel) > qRed(pixel) + 60 && qBlue(pixel) > qGreen(pixel) + 60;
+}
+
+bool isRed(QRgb pixel) {
+  return qRed(pixel) > qGreen(pixel) + 60 && qRed(pixel) > qBlue(pixel) + 60;
+}
+
+int difference(QRgb a, QRgb b) {
+  return std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) +
+         std::abs(qBlue(a) - qBlue(b));
+}
+
+bool isGrey(QRgb pixel) {
+  return std::max({qRed(pixel), qGreen(pixel), qBlue(pixel)}) -
+             std::min({qRed(pixel), qGreen(pixel), qBlue(pixel)}) <
+         40;
+}
+
+class SkinScreen : public testing::Test {
+ protected:
+  void SetUp() override {
+    viewport_.resize(640, 480);
+    viewport_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&viewport_));
+    viewport_.setSkeleton(pillar());
+    viewport_.setSkin(box());
+    set(&Viewport::setOriginal, original_at_);
+    set(&Viewport::setCompressed, compressed_at_);
+    viewport_.resetCamera();
+    QSignalSpy drawn(&viewport_, &Viewport::drawn);
+    ASSERT_TRUE(drawn.wait(kPatience));
+  }
+
+  /// A clip of one frame with the foot at x.
+  template <typename Setter>
+  void set(Setter setter, double x) {
+    const auto motion =
+        std::make_shared<const Motion>(Motion{pillar(), {120, Eigen::MatrixXd::Constant(1, 1, x)}});
+    (viewport_.*setter)(
+        std::make_shared<const Eigen::MatrixXd>(landmark_tracks(motion->skeleton, motion->clip)),
+        [motion](int frame, Pose& pose) {
+          compute_pose(motion->skeleton, motion->clip.channels.row(frame), pose);
+        });
+  }
+
+  QImage picture() {
+    QSignalSpy captured(&viewport_, &Viewport::captured);
+    viewport_.capture();
+    EXPECT_TRUE(captured.wait(kPatience));
+    return captured.isEmpty() ? QImage() : captured.first().first().value<QImage>();
+  }
+
+  /// On the front of the box, 10 cm beside the bone.
+  QRgb front(const QImage& picture, double foot_x, float y) const {
+    const QVector3D place(static_cast<float>(foot_x) + 10, y, 10);
+    return picture.pixel(viewport_.camera().project(place)->toPoint());
+  }
+
+  void choose(const std::function<void(ViewOptions&)>& change) {
+    ViewOptions options = viewport_.options();
+    change(options);
+    viewport_.setOptions(options);
+  }
+
+  const double original_at_ = 15;
+  const double compressed_at_ = -35;
+  Viewport viewport_;
+};
+
+TEST_F(SkinScreen, DrawsTheCompressedInItsColourAndTheOriginalAsAGreyGhost) {
+  const QImage skins = picture();
+  choose([](ViewOptions& options) { options.skin = false; });
+  const QImage skeletons = picture();
+  EXPECT_TRUE(isBlue(front(skins, compressed_at_, 80)));
+  EXPECT_FALSE(isBlue(front(skeletons, compressed_at_, 80)));
+  const QRgb ghost = front(skins, original_at_, 80);
+  EXPECT_TRUE(isGrey(ghost));
+  EXPECT_GT(difference(ghost, front(skeletons, original_at_, 80)), 12);
+}
+
+TEST_F(SkinScreen, FollowsItsJoints) {
+  viewport_.setOriginal(nullptr);
+  set(&Viewport::setCompressed, compressed_at_ + 50);
+  const QImage moved = picture();
+  EXPECT_TRUE(isBlue(front(moved, compressed_at_ + 50, 80)));
+  EXPECT_FALSE(isBlue(front(moved, compressed_at_, 80)));
+}
+
+TEST_F(SkinScreen, IsColouredByTheErrorsOfItsJoints) {
+  auto errors = std::make_shared<Eigen::MatrixXf>(1, 2);
+  *errors << 0, 100;
+  viewport_.setErrors(errors, {});
+  choose([](ViewOptions& options) { options.by_error = true; });
+  const QImage coloured = picture();
+  EXPECT_GT(difference(front(coloured, compressed_at_, 15), front(coloured, compressed_at_, 105)),
+            60);
+  EXPECT_FALSE(isBlue(front(coloured, compressed_at_, 105)));
+}
+
+TEST_F(SkinScreen, ShowsWhereTheSelectedJointCarriesIt) {
+  const QImage plain = picture();
+  viewport_.setSelectedJoint(1);
+  const QImage selected = picture();
+  const auto changed = [&](float y) {
+    return difference(front(plain, compressed_at_, y), front(selected, compressed_at_, y));
+  };
+  EXPECT_GT(changed(105), 40);
+  EXPECT_LT(changed(12), 40);
+}
+
+TEST_F(SkinScreen, StandsBesideTheOther) {
+  choose([](ViewOptions& options) { options.mode = ViewMode::SideBySide; });
+  const QImage both = picture();
+  int blue = 0;
+  for (int y = 0; y < both.height(); ++y)
+    for (int x = 0; x < both.width(); ++x)
+      if (isBlue(both.pixel(x, y))) {
+        ++blue;
+        ASSERT_GE(x, both.width() / 2 - 1);
+      }
+  EXPECT_GT(blue, 1000);
+}
+
+TEST_F(SkinScreen, IsASkeletonWithoutASkin) {
+  viewport_.setSkin(nullptr);
+  const QImage skeletons = picture();
+  EXPECT_FALSE(isBlue(front(skeletons, compressed_at_, 80)));
+  EXPECT_TRUE(isRed(skeletons.pixel(
+      viewport_.camera().project({static_cast<float>(compressed_at_), 60, 0})->toPoint())));
+}
+
+/// The sample character as it walks, for those who look at pictures: $MOCAPRESS_PICTURES is where.
+TEST_F(SkinScreen, DrawsTheSampleCharacter) {
+  const std::filesystem::path file =
+      std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/character.fbx";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no sample character";
+  const MotionFile read = read_motion(file);
+  viewport_.setSkeleton(read.motion.skeleton);
+  viewport_.setSkin(read.skin);
+  const auto motion = std::make_shared<const Motion>(read.motion);
+  const auto tracks =
+      std::make_shared<const Eigen::MatrixXd>(landmark_tracks(motion->skeleton, motion->clip));
+  const auto poses = [motion](int lag) {
+    return [motion, lag](int frame, Pose& pose) {
+      compute_pose(motion->skeleton, motion->clip.channels.row(frame + lag), pose);
+    };
+  };
+  viewport_.setOriginal(tracks, poses(8));
+  viewport_.setCompressed(tracks, poses(0));
+  viewport_.setFrame(100);
+  viewport_.resetCamera();
+  const QImage skins = picture();
+  choose([](ViewOptions& options) { options.skin = false; });
+  const QImage skeletons = picture();
+  int changed = 0;
+  for (int y = 0; y < skins.height(); ++y)
+    for (int x = 0; x < skins.width(); ++x)
+      changed += difference(skins.pixel(x, y), skeletons.pixel(x, y)) > 60;
+  EXPECT_GT(changed, 4000);
+  if (const char* folder = std::getenv("MOCAPRESS_PICTURES"))
+    skins.save(QString::fromUtf8(folder) + QStringLiteral("/skin-overlay.png"));
+}
+
+}  // namespace
+}  // namespace mocapress
