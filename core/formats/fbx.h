@@ -17,4 +17,7 @@ namespace mocapress {
 MotionFile read_fbx(const std::string& file, std::string_view bytes,
                     const ReadOptions& options = {});
 
+/// What the figure looks like at rest, whatever takes there are. Throws InputError.
+Character read_fbx_character(const std::string& file, std::string_view bytes);
+
 }  // namespace mocapress

@@ -47,6 +47,13 @@ void add_triangles(const aiMesh& mesh, NodeMesh& result) {
   }
 }
 
+Eigen::Affine3d file_from(const aiNode& node) {
+  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+  for (const aiNode* above = &node; above != nullptr; above = above->mParent)
+    transform = affine_of(above->mTransformation) * transform;
+  return transform;
+}
+
 void add_bones(const aiMesh& mesh, const std::unordered_map<std::string, int>& node_named,
                NodeMesh& result) {
   result.weights.resize(mesh.mNumVertices);
@@ -92,6 +99,7 @@ std::vector<NodeMesh> fbx_meshes(const aiScene& scene, const std::vector<Animate
       const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
       if (mesh.HasBones() && !with_bones.insert(node.mMeshes[m]).second) continue;
       NodeMesh result = mesh_of(scene, mesh);
+      result.file_from_mesh = file_from(node);
       if (mesh.HasBones())
         add_bones(mesh, node_named, result);
       else if (const auto known = index_of.find(&node); known != index_of.end())

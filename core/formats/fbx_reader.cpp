@@ -81,8 +81,10 @@ class FbxReader {
       : file_(file), bytes_(bytes), options_(options) {}
 
   MotionFile read();
+  Character read_character();
 
  private:
+  void check_bytes() const;
   void load(bool with_helpers);
   const aiAnimation& chosen_take();
   void map_channels(const aiAnimation& animation);
@@ -107,9 +109,21 @@ class FbxReader {
   Warnings warnings_;
 };
 
-MotionFile FbxReader::read() {
+void FbxReader::check_bytes() const {
   if (bytes_.size() > kMostBytes) refuse("has more than 512 MiB");
   check_fbx_structure(file_, bytes_);
+}
+
+Character FbxReader::read_character() {
+  check_bytes();
+  load(false);
+  read_nodes();
+  settle_axes();
+  return character_of(file_, take_);
+}
+
+MotionFile FbxReader::read() {
+  check_bytes();
   load(false);
   const aiAnimation* animation = &chosen_take();
   map_channels(*animation);
@@ -290,16 +304,28 @@ void FbxReader::sample_node(const aiNodeAnim& channel, const SampleTimes& times,
   }
 }
 
-}  // namespace
-
-MotionFile read_fbx(const std::string& file, std::string_view bytes, const ReadOptions& options) {
+/// What assimp throws, and want of memory, are said as what is wrong with the file.
+template <typename Read>
+auto told_in_one_sentence(const std::string& file, const Read& read) {
   try {
-    return FbxReader(file, bytes, options).read();
+    return read();
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {  // of assimp, of memory
     throw InputError(file, 0, 0, std::string("cannot be read as FBX: ") + error.what());
   }
+}
+
+}  // namespace
+
+MotionFile read_fbx(const std::string& file, std::string_view bytes, const ReadOptions& options) {
+  return told_in_one_sentence(file, [&] { return FbxReader(file, bytes, options).read(); });
+}
+
+Character read_fbx_character(const std::string& file, std::string_view bytes) {
+  const ReadOptions as_it_says;
+  return told_in_one_sentence(file,
+                              [&] { return FbxReader(file, bytes, as_it_says).read_character(); });
 }
 
 }  // namespace mocapress

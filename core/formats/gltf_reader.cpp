@@ -120,6 +120,13 @@ class TakeReader {
     return std::move(result_);
   }
 
+  GltfTake read_rest() {
+    result_.take.cm_per_unit = kGltfCmPerUnit;
+    find_tree();
+    add_nodes();
+    return std::move(result_);
+  }
+
  private:
   struct Target {
     std::size_t node;
@@ -343,6 +350,14 @@ MotionFile read_gltf(const std::string& name, std::string_view bytes, const Read
   MotionFile motion = motion_of(name, read.take, options, SourceFormat::Kind::Gltf);
   motion.warnings.insert(motion.warnings.begin(), read.warnings.begin(), read.warnings.end());
   return motion;
+}
+
+Character read_gltf_character(const std::string& name, std::string_view bytes) {
+  GltfFile file(name, bytes);
+  const ReadOptions as_it_says;
+  GltfTake rest = TakeReader(file, as_it_says).read_rest();
+  rest.take.meshes = gltf_meshes(file, rest);
+  return character_of(name, rest.take);
 }
 
 }  // namespace mocapress

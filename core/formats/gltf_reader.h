@@ -19,6 +19,9 @@ inline constexpr double kGltfCmPerUnit = 100;
 MotionFile read_gltf(const std::string& file, std::string_view bytes,
                      const ReadOptions& options = {});
 
+/// What the figure looks like at rest, whatever animations there are. Throws InputError.
+Character read_gltf_character(const std::string& file, std::string_view bytes);
+
 /// One animation of a glTF, as read_gltf() reads it.
 struct GltfTake {
   NodeTake take;

@@ -84,6 +84,15 @@ MotionFile read_motion(const path& file, const std::optional<path>& skeleton_pat
   return parse(file, text, {asf, read_text(asf)}, options);
 }
 
+Character read_character(const path& file) {
+  const bool is_fbx = has_extension(file, ".fbx");
+  if (!is_fbx && !gltf_container(file))
+    throw InputError(file.string(), 0, 0, "is none of .fbx, .gltf, .glb");
+  const std::string bytes = read_text(file);
+  return is_fbx ? read_fbx_character(file.string(), bytes)
+                : read_gltf_character(file.string(), bytes);
+}
+
 Motion exported_motion(const Motion& motion, const SourceFormat& source,
                        const WriteOptions& options) {
   Motion exported = with_up_axis(motion, UpAxis::Y, options.up.value_or(source.up));

@@ -56,6 +56,9 @@ MotionFile read_motion(const std::filesystem::path& path,
                        const std::optional<std::filesystem::path>& skeleton_path = {},
                        const ReadOptions& options = {});
 
+/// What the figure of a .fbx, .gltf or .glb looks like. It needs no animation. Throws InputError.
+Character read_character(const std::filesystem::path& path);
+
 /// Writes .bvh, .glb, .gltf, .csv, or .amc with the skeleton at `skeleton_path` (by default beside
 /// the .amc, same name, extension .asf), by the extension of `path`: in the axes and, of its
 /// source's kind, the unit and root convention that `source` had, unless `options` ask for others.

@@ -215,12 +215,14 @@ class MotionBuilder {
   }
 
   MotionFile build();
+  Character build_character();
   std::vector<std::size_t> nodes_of_joints() {
     number_joints();
     return std::move(node_of_joint_);
   }
 
  private:
+  void build_skeleton();
   void check();
   void number_joints();
   NodePlacement placed(std::size_t node, const LocalTransform& local,
@@ -248,12 +250,25 @@ class MotionBuilder {
   std::vector<Eigen::VectorXd> channels_;
 };
 
-MotionFile MotionBuilder::build() {
+void MotionBuilder::build_skeleton() {
   number_joints();
   check();
   place_nodes();
   name_joints();
   for (std::size_t j = 0; j < joints_.size(); ++j) add_joint(j);
+}
+
+Character MotionBuilder::build_character() {
+  build_skeleton();
+  add_skin();
+  if (skin_) return {std::move(skeleton_), std::move(skin_)};
+  throw InputError(
+      file_, 0, 0,
+      warnings_.empty() ? "has no mesh that hangs on joints" : warnings_.back().message);
+}
+
+MotionFile MotionBuilder::build() {
+  build_skeleton();
   if (channels_.empty()) throw InputError(file_, 0, 0, "no joint moves or is turned");
   warn_of_scale();
   add_skin();
@@ -417,7 +432,8 @@ void MotionBuilder::add_skin() {
     nodes[i].joint = joint_of_node_[static_cast<std::size_t>(carrier)];
     nodes[i].joint_from_node = world_from_joint.inverse() * world_from(first_placements_[i]);
   }
-  skin_ = skin_of(file_, take_.meshes, nodes, warnings_);
+  skin_ = skin_of(file_, take_.meshes, nodes,
+                  world_from(file_placement(source_.cm_per_unit, source_.up)), warnings_);
 }
 
 void MotionBuilder::warn_of_scale() {
@@ -468,6 +484,10 @@ void check_take_size(const std::string& file, std::size_t moving_nodes, double f
 MotionFile motion_of(const std::string& file, const NodeTake& take, const ReadOptions& options,
                      SourceFormat::Kind kind) {
   return MotionBuilder(file, take, options, kind).build();
+}
+
+Character character_of(const std::string& file, const NodeTake& take) {
+  return MotionBuilder(file, take, {}, SourceFormat::Kind::None).build_character();
 }
 
 std::vector<std::size_t> nodes_of_joints(const std::string& file, const NodeTake& take) {

@@ -70,6 +70,10 @@ void check_take_size(const std::string& file, std::size_t moving_nodes, double f
 MotionFile motion_of(const std::string& file, const NodeTake& take, const ReadOptions& options,
                      SourceFormat::Kind kind);
 
+/// What a take looks like, whether it moves or not. Throws InputError where no mesh hangs on
+/// joints.
+Character character_of(const std::string& file, const NodeTake& take);
+
 /// For each joint of that motion, the node of the take that it is.
 std::vector<std::size_t> nodes_of_joints(const std::string& file, const NodeTake& take);
 

@@ -49,7 +49,8 @@ std::vector<bool> used_bones(const NodeMesh& mesh) {
 
 class SkinBuilder {
  public:
-  explicit SkinBuilder(const std::vector<NodeJoint>& nodes) : nodes_(nodes) {}
+  SkinBuilder(const std::vector<NodeJoint>& nodes, const Affine3d& world_from_file)
+      : nodes_(nodes), world_from_file_(world_from_file) {}
 
   /// False: more bones than a skin may have.
   bool add(const NodeMesh& mesh);
@@ -63,14 +64,17 @@ class SkinBuilder {
   std::optional<std::uint8_t> bone_of(const SkinBone& bone);
 
   const std::vector<NodeJoint>& nodes_;
+  const Affine3d& world_from_file_;
   std::unordered_map<int, Affine3d> bind_world_from_node_;  // cm; of the bones so far
   Skin skin_;
 };
 
-/// Where the mesh is in the world of the bind pose, from its own frame. All meshes that share a
-/// bone are put into one pose; what is bound first tells it, by where its first bone rests.
+/// Where the mesh is in the world of the bind pose, from its own frame. Where the file does not
+/// say, meshes that share a bone are put into one pose, and the first one tells it.
 Affine3d SkinBuilder::place_bound(const NodeMesh& mesh) {
   std::optional<Affine3d> placed;
+  if (mesh.file_from_mesh && has_inverse(*mesh.file_from_mesh))
+    placed = world_from_file_ * *mesh.file_from_mesh;
   for (const NodeMesh::Bone& bone : mesh.bones)
     if (const auto known = bind_world_from_node_.find(bone.node);
         !placed && known != bind_world_from_node_.end())
@@ -145,7 +149,8 @@ bool is_possible(const Skin& skin) {
 }  // namespace
 
 std::shared_ptr<const Skin> skin_of(const std::string& file, const std::vector<NodeMesh>& meshes,
-                                    const std::vector<NodeJoint>& nodes, Warnings& warnings) {
+                                    const std::vector<NodeJoint>& nodes,
+                                    const Affine3d& world_from_file, Warnings& warnings) {
   const auto leave_out = [&](const std::string& why) {
     warnings.push_back({file, 0, "its character is not read: " + why});
     return nullptr;
@@ -154,7 +159,7 @@ std::shared_ptr<const Skin> skin_of(const std::string& file, const std::vector<N
   for (const NodeMesh& mesh : meshes) vertices += mesh.positions.size();
   if (vertices > std::numeric_limits<std::uint32_t>::max())
     return leave_out("it has too many vertices");
-  SkinBuilder builder(nodes);
+  SkinBuilder builder(nodes, world_from_file);
   for (const NodeMesh& mesh : meshes)
     if (!builder.add(mesh))
       return leave_out("it has more than " + std::to_string(Skin::kMostBones) + " bones");

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,7 +31,10 @@ struct NodeMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // all of vertices there are
   std::vector<Bone> bones;                              // one alone: it hangs there as it is
   std::vector<Weights> weights;                         // of each vertex; empty: all on bone 0
-  Eigen::Vector3f colour = kPlainSkin;                  // as screens have it
+  // Where the mesh was when it was bound, in the file's axes and unit. Unset: where the first of
+  // its bones rests.
+  std::optional<Eigen::Affine3d> file_from_mesh;
+  Eigen::Vector3f colour = kPlainSkin;  // as screens have it
 };
 
 /// Which joint carries a node.
@@ -41,9 +45,10 @@ struct NodeJoint {
   Eigen::Affine3d rest_world_from_node = Eigen::Affine3d::Identity();  // likewise; y up
 };
 
-/// The meshes as one. Those that no joint carries are left out. Null where none is left, or where a
-/// warning says why not.
+/// The meshes as one, in cm and y up. Those that no joint carries are left out. Null where none is
+/// left, or where a warning says why not.
 std::shared_ptr<const Skin> skin_of(const std::string& file, const std::vector<NodeMesh>& meshes,
-                                    const std::vector<NodeJoint>& nodes, Warnings& warnings);
+                                    const std::vector<NodeJoint>& nodes,
+                                    const Eigen::Affine3d& world_from_file, Warnings& warnings);
 
 }  // namespace mocapress

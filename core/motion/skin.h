@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,12 @@ struct Skin {
   std::vector<SkinBone> bones;
 
   bool empty() const { return triangles.empty(); }
+};
+
+/// A skin with the skeleton whose joints carry it.
+struct Character {
+  Skeleton skeleton;
+  std::shared_ptr<const Skin> skin;  // null: nobody
 };
 
 /// Where a material has no colour of its own.

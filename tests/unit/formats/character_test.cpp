@@ -63,11 +63,36 @@ TEST_F(Character, StandsAroundItsJoints) {
 }
 
 TEST_F(Character, IsPutOntoTheOtherFile) {
-  const MotionFile gltf = read_motion(folder_ / "character.glb");
   const MotionFile fbx = read_motion(folder_ / "character.fbx");
-  const Skin bound = bound_to(*gltf.skin, gltf.motion.skeleton, fbx.motion.skeleton);
+  const auto [skeleton, skin] = read_character(folder_ / "character.glb");
+  const Skin bound = bound_to(*skin, skeleton, fbx.motion.skeleton);
   const Pose pose = pose_at(fbx.motion, 1);
   EXPECT_LT(farthest(skinned_positions(bound, pose), skinned_positions(*fbx.skin, pose)), 0.05);
+}
+
+/// Whose joints have other axes, and which moves in the same way.
+TEST_F(Character, IsPutOntoAnAcclaimClip) {
+  const MotionFile own = read_motion(folder_ / "character.glb");
+  const MotionFile amc = read_motion(folder_ / "human_walk.amc");
+  for (const char* name : {"character.glb", "character.fbx"}) {
+    const auto [skeleton, skin] = read_character(folder_ / name);
+    const Skin bound = bound_to(*skin, skeleton, amc.motion.skeleton);
+    for (const double seconds : {0.0, 1.0})
+      EXPECT_LT(farthest(skinned_positions(bound, pose_at(amc.motion, seconds)),
+                         skinned_positions(*own.skin, pose_at(own.motion, seconds))),
+                0.05)
+          << name;
+  }
+}
+
+TEST_F(Character, ComesWithoutItsMotion) {
+  const auto [skeleton, skin] = read_character(folder_ / "character.fbx");
+  EXPECT_EQ(skeleton.joint_count(), 31);
+  EXPECT_EQ(skin->bones.size(), 30U);
+}
+
+TEST_F(Character, IsReadOfFilesThatHaveMeshes) {
+  EXPECT_THROW(read_character(folder_ / "human_walk.amc"), InputError);
 }
 
 }  // namespace

@@ -141,6 +141,17 @@ TEST(NodeSkin, LiesInTheWorldOfTheBindPose) {
   }
 }
 
+TEST(NodeSkin, LiesWhereTheFileSaysThatItWasBound) {
+  NodeTake take = leg();
+  take.meshes = {trousers(take, somewhere())};
+  take.meshes[0].file_from_mesh = Eigen::Translation3d(0, 1, 0) * turn(2, {0, 1, 0});
+  const MotionFile file = read(take);
+  expect_exact(take, file);
+  const Vector3d wanted =
+      take.cm_per_unit * (*take.meshes[0].file_from_mesh * take.meshes[0].positions[1]);
+  EXPECT_LT((file.skin->vertices[1].in_bind.cast<double>() - wanted).norm(), 1e-4);
+}
+
 TEST(NodeSkin, MergesMeshesThatShareTheirBones) {
   NodeTake take = leg();
   take.meshes = {trousers(take, somewhere()), trousers(take, Affine3d(Eigen::Scaling(3.0)))};
