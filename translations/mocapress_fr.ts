@@ -232,6 +232,14 @@
         <translation>Relire le mouvement ouvert avec une autre unité, un autre axe vertical, une autre cadence ou une autre racine</translation>
     </message>
     <message>
+        <source>Put a C&amp;haracter on It…</source>
+        <translation>&amp;Habiller d’un personnage…</translation>
+    </message>
+    <message>
+        <source>Show the clip with the skin of an FBX or glTF that has joints of its names</source>
+        <translation>Montrer le clip avec la peau d’un FBX ou glTF dont les articulations portent les mêmes noms</translation>
+    </message>
+    <message>
         <source>Angle Scale</source>
         <translation>Échelle d&apos;angle</translation>
     </message>
@@ -873,6 +881,14 @@
     <message>
         <source>Skeletons (*.asf)</source>
         <translation>Squelettes (*.asf)</translation>
+    </message>
+    <message>
+        <source>Put a Character on the Clip</source>
+        <translation>Habiller le clip d’un personnage</translation>
+    </message>
+    <message>
+        <source>Characters (*.fbx *.glb *.gltf)</source>
+        <translation>Personnages (*.fbx *.glb *.gltf)</translation>
     </message>
     <message>
         <source>Compare with Original</source>
@@ -3734,6 +3750,14 @@ Cliquer pour le charger dans le studio.</translation>
     <message>
         <source>Colour every joint by its distance from the original, in cm</source>
         <translation>Colorer chaque articulation selon sa distance à l&apos;original, en cm</translation>
+    </message>
+    <message>
+        <source>Show S&amp;kin</source>
+        <translation>Afficher la &amp;peau</translation>
+    </message>
+    <message>
+        <source>Figures with their skin, or as skeletons</source>
+        <translation>Les figures avec leur peau, ou en squelettes</translation>
     </message>
     <message>
         <source>&amp;Path of the Joint</source>

@@ -232,6 +232,14 @@
         <translation>開いているモーションを、別の単位・上方向の軸・フレームレート・ルートの扱いで読み直します</translation>
     </message>
     <message>
+        <source>Put a C&amp;haracter on It…</source>
+        <translation>キャラクターを適用(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Show the clip with the skin of an FBX or glTF that has joints of its names</source>
+        <translation>同じ名前の関節を持つ FBX または glTF のスキンでクリップを表示します</translation>
+    </message>
+    <message>
         <source>Angle Scale</source>
         <translation>角度の尺度</translation>
     </message>
@@ -865,6 +873,14 @@
     <message>
         <source>Skeletons (*.asf)</source>
         <translation>スケルトン (*.asf)</translation>
+    </message>
+    <message>
+        <source>Put a Character on the Clip</source>
+        <translation>クリップにキャラクターを適用</translation>
+    </message>
+    <message>
+        <source>Characters (*.fbx *.glb *.gltf)</source>
+        <translation>キャラクター (*.fbx *.glb *.gltf)</translation>
     </message>
     <message>
         <source>Compare with Original</source>
@@ -3711,6 +3727,14 @@ Click to load it into the studio.</source>
     <message>
         <source>Colour every joint by its distance from the original, in cm</source>
         <translation>各関節を元との距離(cm)で色分け</translation>
+    </message>
+    <message>
+        <source>Show S&amp;kin</source>
+        <translation>スキンを表示(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Figures with their skin, or as skeletons</source>
+        <translation>フィギュアをスキン付き、またはスケルトンで表示します</translation>
     </message>
     <message>
         <source>&amp;Path of the Joint</source>

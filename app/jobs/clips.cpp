@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "core/base/staged_file.h"
 #include "core/batch/verification.h"
@@ -11,6 +12,7 @@
 #include "core/codec/format/container.h"
 #include "core/codec/format/source_section.h"
 #include "core/metrics/rate.h"
+#include "core/motion/forward_kinematics.h"
 
 namespace mocapress {
 
@@ -35,11 +37,13 @@ void complete(DecodedClip& decoded) {
       bits_per_joint_sample({decoded.compressed.skeleton, decoded.clip}, motion_bytes);
   const Skeleton& skeleton = decoded.compressed.skeleton;
   decoded.tracks = tracksOf(skeleton, decoded.clip);
-  if (decoded.compressed.correction)
-    decoded.uncorrected_tracks =
-        tracksOf(decoded.compressed.coded_skeleton(),
-                 decoded.correction ? decoded.correction->uncorrected
-                                    : decode_uncorrected(decoded.compressed).clip);
+  if (decoded.compressed.correction) {
+    decoded.uncorrected = std::make_shared<const Motion>(Motion{
+        decoded.compressed.coded_skeleton(), decoded.correction
+                                                 ? decoded.correction->uncorrected
+                                                 : decode_uncorrected(decoded.compressed).clip});
+    decoded.uncorrected_tracks = tracksOf(decoded.uncorrected->skeleton, decoded.uncorrected->clip);
+  }
   decoded.file = decoded.of_wavelets
                      ? write_container(decoded.compressed)
                      : write_compared(*find_comparison_method(decoded.method), decoded.compressed);
@@ -62,6 +66,24 @@ void findArtifacts(DecodedClip& decoded, const Encoder& encoder,
 }
 
 }  // namespace
+
+Poses OriginalClip::poses() const {
+  return [encoder = encoder](int frame, Pose& pose) {
+    compute_pose(encoder->motion().skeleton, encoder->motion().clip.channels.row(frame), pose);
+  };
+}
+
+Poses posesOf(const DecodedPtr& decoded) {
+  return [decoded](int frame, Pose& pose) {
+    compute_pose(decoded->compressed.skeleton, decoded->clip.channels.row(frame), pose);
+  };
+}
+
+Poses posesOf(std::shared_ptr<const Motion> motion) {
+  return [motion = std::move(motion)](int frame, Pose& pose) {
+    compute_pose(motion->skeleton, motion->clip.channels.row(frame), pose);
+  };
+}
 
 bool comparable(const Motion& original, const CompressedClip& compressed) {
   const double rate = original.clip.sample_rate_hz;

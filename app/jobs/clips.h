@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <QString>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,9 @@
 
 namespace mocapress {
 
+/// How all joints of a motion stand at one of its frames.
+using Poses = std::function<void(int frame, Pose& pose)>;
+
 /// World positions as landmark_tracks() gives them: frames x 3 * landmarks, cm.
 using Tracks = std::shared_ptr<const Eigen::MatrixXd>;
 
@@ -30,11 +34,13 @@ struct OriginalClip {
   SourceFormat source;
   bool states_rate = true;  // the file does
   Warnings warnings;
+  std::shared_ptr<const Skin> skin;  // null: the file has none
   std::shared_ptr<const Encoder> encoder;
 
   const Motion& motion() const { return encoder->motion(); }
   /// Shares ownership of the encoder, which holds them.
   Tracks tracks() const { return {encoder, &encoder->original_tracks()}; }
+  Poses poses() const;
 };
 
 /// A compressed clip, decoded for showing.
@@ -48,11 +54,12 @@ struct DecodedClip {
   Tracks tracks;
   double ratio = 0;  // raw bytes / motion bytes
   double bits_per_joint_sample = 0;
-  std::optional<Distortion> distortion;  // none: its original is not there to compare with
-  std::optional<Footskate> footskate;    // none: as for distortion
-  std::optional<Visibility> visibility;  // likewise
-  std::vector<Glitch> glitches;          // likewise
-  Tracks uncorrected_tracks;             // null: there is no correction
+  std::optional<Distortion> distortion;       // none: its original is not there to compare with
+  std::optional<Footskate> footskate;         // none: as for distortion
+  std::optional<Visibility> visibility;       // likewise
+  std::vector<Glitch> glitches;               // likewise
+  std::shared_ptr<const Motion> uncorrected;  // null: there is no correction
+  Tracks uncorrected_tracks;                  // of it
   std::optional<Footskate> uncorrected_footskate;
   std::optional<CorrectionResult> correction;  // known for what was encoded here
   std::optional<double> coefficient_ratio;     // known for what was encoded here
@@ -64,6 +71,10 @@ struct DecodedClip {
 
 using OriginalPtr = std::shared_ptr<const OriginalClip>;
 using DecodedPtr = std::shared_ptr<const DecodedClip>;
+
+/// With its correction.
+Poses posesOf(const DecodedPtr& decoded);
+Poses posesOf(std::shared_ptr<const Motion> motion);
 
 /// True where the clips have the same joints, channels, frames and rate, so that one can be the
 /// compressed form of the other.

@@ -55,6 +55,7 @@ void Presenter::connectDocument() {
   connect(document, &Document::clipChanged, this, &Presenter::showClip);
   connect(document, &Document::decodedChanged, this, &Presenter::showDecoded);
   connect(document, &Document::shownChanged, this, &Presenter::showShown);
+  connect(document, &Document::skinChanged, this, &Presenter::showSkin);
   connect(document, &Document::curvesChanged, this, &Presenter::showCurves);
   connect(document, &Document::currentJointChanged, this, &Presenter::showCurrentJoint);
   connect(document, &Document::optionsChanged, this, &Presenter::showOptions);
@@ -107,7 +108,9 @@ void Presenter::showClip() {
   const Skeleton& skeleton = document.skeleton() ? *document.skeleton() : none;
   views_.viewport->setSkeleton(skeleton);
   views_.viewport->setSampleRate(document.sampleRate());
-  views_.viewport->setOriginal(original ? original->tracks() : nullptr);
+  showSkin();
+  views_.viewport->setOriginal(original ? original->tracks() : nullptr,
+                               original ? original->poses() : Poses());
   views_.warnings->setWarnings(original ? original->warnings : Warnings());
   views_.compression->setEnabled(original != nullptr);
   views_.compression->setSkeleton(skeleton);
@@ -176,11 +179,15 @@ void Presenter::showShown() {
   const std::vector<SlideFinding> slides =
       footskate ? footskate->findings : std::vector<SlideFinding>();
   const std::vector<QString> names = document.landmarkNames();
-  views_.viewport->setCompressed(document.shownTracks());
+  views_.viewport->setCompressed(document.shownTracks(), document.shownPoses());
   views_.viewport->setContacts(contacts);
   views_.viewport->setSlides(slides);
   models_.slides->setFindings(slides, names);
   views_.footskate->setSummary(footskateSummary(document));
+}
+
+void Presenter::showSkin() {
+  views_.viewport->setSkin(session_->document().skin());
 }
 
 /// The playhead goes where the foot slides worst, and its curve is drawn.

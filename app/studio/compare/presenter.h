@@ -57,6 +57,7 @@ class Presenter : public QObject {
   void showErrors();
   void showTarget();
   void showShown();
+  void showSkin();
   void showCurves();
   void showCurrentJoint();
   void setChecked(const QString& name, bool checked);

@@ -150,6 +150,13 @@ void ClipFiles::chooseSkeleton() {
     session_->open(unread_.path, skeleton);
 }
 
+void ClipFiles::chooseCharacter() {
+  const QString path =
+      QFileDialog::getOpenFileName(window_, tr("Put a Character on the Clip"), directory(),
+                                   tr("Characters (*.fbx *.glb *.gltf)"));
+  if (!path.isEmpty()) session_->putCharacter(path);
+}
+
 void ClipFiles::chooseOriginal() {
   const QString path = QFileDialog::getOpenFileName(
       window_, tr("Compare with Original"), directory(), tr("Motion (%1)").arg(motionPatterns()));

@@ -60,6 +60,9 @@ class ClipFiles : public QObject {
   /// What to read the open motion as, where its file says it wrongly or not at all.
   void chooseImportOptions();
 
+  /// Whose looks the open clip takes on.
+  void chooseCharacter();
+
   void chooseOriginal();
   void save();
 

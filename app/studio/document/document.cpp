@@ -102,6 +102,7 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
   if (!decoded_ && now.encode.correction)
     now.encode.correction->joints.clear();  // they were another skeleton's
   now.encode.contacts = contactsBy(now.contacts);
+  findSkin();
   emit clipChanged();
   emit optionsChanged();
   emit decodedChanged();
@@ -186,6 +187,31 @@ void Document::setUncorrected(bool uncorrected) {
 Tracks Document::shownTracks() const {
   if (!decoded_) return nullptr;
   return uncorrected() ? decoded_->uncorrected_tracks : decoded_->tracks;
+}
+
+Poses Document::shownPoses() const {
+  if (!decoded_) return {};
+  return uncorrected() ? posesOf(decoded_->uncorrected) : posesOf(decoded_);
+}
+
+void Document::findSkin() {
+  skin_ = ownSkin();
+  if (!character_.skin || !skeleton()) return;
+  try {
+    skin_ =
+        std::make_shared<const Skin>(bound_to(*character_.skin, character_.skeleton, *skeleton()));
+  } catch (const Error&) {
+    // It is of other joints: the clip keeps its own.
+  }
+}
+
+void Document::setCharacter(Character character) {
+  std::shared_ptr<const Skin> skin = ownSkin();
+  if (character.skin && skeleton())
+    skin = std::make_shared<const Skin>(bound_to(*character.skin, character.skeleton, *skeleton()));
+  character_ = std::move(character);
+  skin_ = std::move(skin);
+  emit skinChanged();
 }
 
 const Footskate* Document::shownFootskate() const {

@@ -85,7 +85,12 @@ class Document : public QObject {
 
   /// What is to be seen of the compressed clip: with its correction or without. Null: nothing.
   Tracks shownTracks() const;
+  Poses shownPoses() const;
   const Footskate* shownFootskate() const;
+
+  /// What the figures look like: the character that was put on them where it fits their joints,
+  /// else that of the clip. Null: nobody knows.
+  const std::shared_ptr<const Skin>& skin() const { return skin_; }
 
   const CurveSelection& curves() const { return curves_; }
   int currentJoint() const;  // -1: none, or not in this skeleton
@@ -112,6 +117,10 @@ class Document : public QObject {
 
   void setUncorrected(bool uncorrected);
 
+  /// It stays for the clips to come, as far as they have its joints. Throws Error that names what
+  /// this one lacks. Empty: each has its own again.
+  void setCharacter(Character character);
+
   void setCurves(const CurveSelection& curves);
   void setCurrentJoint(int joint);
 
@@ -124,12 +133,16 @@ class Document : public QObject {
 
   /// Among them that it is to be seen with or without its correction.
   void shownChanged();
+  void skinChanged();
   void optionsChanged();
   void curvesChanged();
   void currentJointChanged();
   void titleChanged();
 
  private:
+  std::shared_ptr<const Skin> ownSkin() const { return original_ ? original_->skin : nullptr; }
+  void findSkin();
+
   Importance importanceIn(const Skeleton& next) const;
 
   OriginalPtr original_;
@@ -139,6 +152,8 @@ class Document : public QObject {
   QString saved_path_;
   DecodedPtr saved_;
   bool touched_ = false;
+  Character character_;
+  std::shared_ptr<const Skin> skin_;
   Tuning tuning_;
   bool uncorrected_ = false;
   CurveSelection curves_;

@@ -310,4 +310,18 @@ void Session::exportMotion(const QString& path) {
       [this](const QString& message) { emit saveFailed(message); });
 }
 
+void Session::putCharacter(const QString& path) {
+  dressing_.start([path](const Job&) { return read_character(path.toStdU16String()); },
+                  [this, path](Character character) {
+                    try {
+                      document_.setCharacter(std::move(character));
+                      emit characterPut(path);
+                    } catch (const Error& error) {
+                      emit characterFailed(QStringLiteral("%1: %2").arg(
+                          QFileInfo(path).fileName(), QString::fromUtf8(error.what())));
+                    }
+                  },
+                  [this](const QString& message) { emit characterFailed(message); });
+}
+
 }  // namespace mocapress

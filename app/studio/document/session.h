@@ -93,6 +93,9 @@ class Session : public QObject {
   /// unit and axes of its source.
   void exportMotion(const QString& path);
 
+  /// Puts what another file's figure looks like on the joints of this clip.
+  void putCharacter(const QString& path);
+
   /// An answer is on its way, or a better one.
   bool busy() const { return compressor_.busy(); }
   bool refining() const { return compressor_.refining(); }
@@ -105,6 +108,10 @@ class Session : public QObject {
   void saved(const QString& path);
   void exported(const QString& path);
   void saveFailed(const QString& message);
+
+  /// The character is on the clip now, or why not.
+  void characterPut(const QString& path);
+  void characterFailed(const QString& message);
 
   /// The user changed the options; an answer to them follows, or compressFailed().
   void recompressing();
@@ -157,6 +164,7 @@ class Session : public QObject {
   JobRunner opening_;
   JobRunner saving_;
   JobRunner exporting_;
+  JobRunner dressing_;
 };
 
 }  // namespace mocapress

@@ -82,6 +82,9 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.import_options = make(window, Texts::tr("&Import Options…"));
   actions.import_options->setToolTip(
       Texts::tr("Read the open motion again with another unit, up axis, rate or root"));
+  actions.put_character = make(window, Texts::tr("Put a C&haracter on It…"));
+  actions.put_character->setToolTip(
+      Texts::tr("Show the clip with the skin of an FBX or glTF that has joints of its names"));
   actions.batch = make(window, Texts::tr("&Batch Export…"), Qt::CTRL | Qt::Key_E);
   actions.batch->setToolTip(Texts::tr("Compress many clips, verify each, and report on all"));
   actions.export_library = make(window, Texts::tr("Batch Export of the &Library…"));
@@ -140,7 +143,8 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   QMenu* file = window->menuBar()->addMenu(Texts::tr("&File"));
   file->addAction(actions.open);
   recent.files = file->addMenu(Texts::tr("Open &Recent"));
-  file->addActions({actions.open_sample, actions.compare, actions.import_options});
+  file->addActions(
+      {actions.open_sample, actions.compare, actions.import_options, actions.put_character});
   file->addSeparator();
   file->addActions({actions.new_project, actions.open_project});
   recent.projects = file->addMenu(Texts::tr("Recent Projec&ts"));

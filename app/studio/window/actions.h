@@ -26,6 +26,7 @@ struct Actions {
   QAction* save_as = nullptr;
   QAction* export_motion = nullptr;
   QAction* import_options = nullptr;
+  QAction* put_character = nullptr;
   QAction* batch = nullptr;
   QAction* export_library = nullptr;
   QAction* add_clips = nullptr;

@@ -103,6 +103,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connectWindowActions();
   connectChoices();
   connect(&session_->document(), &Document::titleChanged, this, &MainWindow::updateTitle);
+  connect(&session_->document(), &Document::skinChanged, this, &MainWindow::updateTitle);
   connect(library_, &Library::projectChanged, this, &MainWindow::updateTitle);
   updateTitle();
   // Keys play and step from the start: no field takes them for text.
@@ -127,6 +128,7 @@ void MainWindow::connectFileActions() {
   connect(actions_.save_as, &QAction::triggered, files_, &ClipFiles::saveAs);
   connect(actions_.export_motion, &QAction::triggered, files_, &ClipFiles::exportMotion);
   connect(actions_.import_options, &QAction::triggered, files_, &ClipFiles::chooseImportOptions);
+  connect(actions_.put_character, &QAction::triggered, files_, &ClipFiles::chooseCharacter);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_.add_clips, &QAction::triggered, library_views_, &LibraryViews::addClips);
   connect(actions_.add_folder, &QAction::triggered, library_views_, &LibraryViews::addFolder);
@@ -195,6 +197,8 @@ void MainWindow::updateTitle() {
   actions_.save_as->setEnabled(document.decoded() != nullptr);
   actions_.export_motion->setEnabled(document.decoded() != nullptr);
   actions_.import_options->setEnabled(document.original() != nullptr);
+  actions_.put_character->setEnabled(document.skeleton() != nullptr);
+  actions_.view.skin->setEnabled(document.skin() != nullptr);
   actions_.switch_slot->setEnabled(document.original() != nullptr);
   actions_.copy_slot->setEnabled(document.original() != nullptr);
   actions_.hold_feet->setEnabled(document.original() != nullptr);

@@ -58,6 +58,9 @@ void Notices::tellOfSession() {
           [this](const QString& message, bool out_of_reach) {
             if (!out_of_reach) bar_->showError(message);  // else it is said beside the target
           });
+  connect(session_, &Session::characterPut, bar_, &MessageBar::hide);
+  connect(session_, &Session::characterFailed, bar_,
+          [this](const QString& message) { bar_->showError(message); });
   connect(session_, &Session::saveFailed, bar_,
           [this](const QString& message) { bar_->showError(message); });
 }

@@ -40,6 +40,7 @@ ViewOptions chosen(const ViewActions& actions, const ViewOptions& before) {
   options.swapped = actions.swap->isChecked();
   options.blinking = actions.blink->isChecked();
   options.by_error = actions.by_error->isChecked();
+  options.skin = actions.skin->isChecked();
   options.path = actions.path->isChecked();
   options.in_place = actions.in_place->isChecked();
   options.trail =
@@ -50,7 +51,7 @@ ViewOptions chosen(const ViewActions& actions, const ViewOptions& before) {
 }  // namespace
 
 QList<QAction*> ViewActions::inGroups() const {
-  return {mode[0], mode[1], mode[2], swap,   blink,    nullptr, by_error,
+  return {mode[0], mode[1], mode[2], swap,   blink,    nullptr, by_error,    skin,
           path,    trail,   nullptr, follow, in_place, floor,   reset_camera};
 }
 
@@ -79,6 +80,8 @@ ViewActions makeViewActions(QMainWindow* window) {
   actions.by_error =
       make_here("by-error", Texts::tr("Colour by &Error"), Qt::Key_E,
                 Texts::tr("Colour every joint by its distance from the original, in cm"));
+  actions.skin = make_here("skin", Texts::tr("Show S&kin"), Qt::Key_M,
+                           Texts::tr("Figures with their skin, or as skeletons"));
   actions.path = make_here("path", Texts::tr("&Path of the Joint"), Qt::Key_P,
                            Texts::tr("The path of the chosen joint, half a second around now"));
   actions.trail =
@@ -100,7 +103,7 @@ ViewActions makeViewActions(QMainWindow* window) {
                             Texts::tr("Look straight down, as on a plan"));
   actions.reset_camera = make_here("fit", Texts::tr("&Reset Camera"), Qt::Key_R,
                                    Texts::tr("Look at the whole figure again"));
-  for (QAction* action : {actions.swap, actions.blink, actions.by_error, actions.path,
+  for (QAction* action : {actions.swap, actions.blink, actions.by_error, actions.skin, actions.path,
                           actions.trail, actions.follow, actions.in_place})
     action->setCheckable(true);
   return actions;
@@ -110,13 +113,14 @@ void connectViewActions(const ViewActions& actions, Viewport* viewport) {
   const auto choose = [=] { viewport->setOptions(chosen(actions, viewport->options())); };
   QObject::connect(actions.modes, &QActionGroup::triggered, viewport, choose);
   QObject::connect(actions.trail_poses, &QActionGroup::triggered, viewport, choose);
-  for (const QAction* action : {actions.swap, actions.blink, actions.by_error, actions.path,
-                                actions.trail, actions.in_place})
+  for (const QAction* action : {actions.swap, actions.blink, actions.by_error, actions.skin,
+                                actions.path, actions.trail, actions.in_place})
     QObject::connect(action, &QAction::toggled, viewport, choose);
   QObject::connect(actions.follow, &QAction::toggled, viewport, &Viewport::setFollow);
   QObject::connect(actions.floor, &QAction::triggered, viewport, &Viewport::lookDown);
   QObject::connect(actions.reset_camera, &QAction::triggered, viewport, &Viewport::resetCamera);
   actions.follow->setChecked(true);
+  actions.skin->setChecked(true);
 }
 
 void addInGroups(QMenu* menu, const ViewActions& actions) {

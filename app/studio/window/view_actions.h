@@ -21,6 +21,7 @@ struct ViewActions {
   QAction* swap = nullptr;
   QAction* blink = nullptr;
   QAction* by_error = nullptr;
+  QAction* skin = nullptr;
   QAction* path = nullptr;
   QAction* trail = nullptr;
   QActionGroup* trail_poses = nullptr;  // data(): how many before now, and after

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A character of one file on the clip of another.
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+
+#include "app/studio/document/session.h"
+#include "core/formats/motion_file.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+class CharacterSession : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!QFile::exists(sample("character.glb"))) GTEST_SKIP() << "no sample character";
+  }
+
+  static QString sample(const char* name) {
+    return QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/") + QString::fromLatin1(name);
+  }
+
+  void open(const QString& path) {
+    QSignalSpy opened(&session_, &Session::opened);
+    session_.open(path);
+    ASSERT_TRUE(opened.wait(kPatience));
+  }
+
+  QTemporaryDir folder_;
+  Session session_;
+  Document& document_ = session_.document();
+};
+
+TEST_F(CharacterSession, ShowsTheSkinOfTheFileItself) {
+  open(sample("character.glb"));
+  ASSERT_TRUE(document_.skin());
+  EXPECT_EQ(document_.skin(), document_.original()->skin);
+}
+
+TEST_F(CharacterSession, PutsACharacterOnAClipWithoutOne) {
+  open(sample("human_walk.amc"));
+  EXPECT_FALSE(document_.skin());
+  QSignalSpy put(&session_, &Session::characterPut);
+  session_.putCharacter(sample("character.glb"));
+  ASSERT_TRUE(put.wait(kPatience));
+  ASSERT_TRUE(document_.skin());
+  // The bones are this clip's joints.
+  const SkinBone& bone = document_.skin()->bones.front();
+  EXPECT_LT(bone.joint, document_.skeleton()->joint_count());
+
+  // It stays for the next clip with such joints, and not for others.
+  open(sample("human_run.amc"));
+  EXPECT_TRUE(document_.skin());
+  const QString other = folder_.filePath(QStringLiteral("other.bvh"));
+  write_motion(other.toStdU16String(), test::smooth_motion(40));
+  open(other);
+  EXPECT_FALSE(document_.skin());
+}
+
+TEST_F(CharacterSession, SaysInOneSentenceWhichJointsAClipLacks) {
+  const QString other = folder_.filePath(QStringLiteral("other.bvh"));
+  write_motion(other.toStdU16String(), test::smooth_motion(40));
+  open(other);
+  QSignalSpy failed(&session_, &Session::characterFailed);
+  session_.putCharacter(sample("character.glb"));
+  ASSERT_TRUE(failed.wait(kPatience));
+  const QString message = failed.front().front().toString();
+  EXPECT_TRUE(message.contains(QStringLiteral("the clip has no joint"))) << message.toStdString();
+  EXPECT_FALSE(document_.skin());
+}
+
+}  // namespace
+}  // namespace mocapress
