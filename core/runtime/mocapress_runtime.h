@@ -3,21 +3,22 @@
  * The runtime decoder of Mocapress: plays .mcpr files of the coding "adaptive" in an engine.
  *
  * A file is opened once into a compact resident form, about twice as large as the file's coded
- * motion. From that any channels, any stretch of frames, any instant between frames and any level
- * of detail are decoded by themselves. Nothing is allocated, thrown, locked or kept in globals:
- * memory is the caller's, a clip is read-only once it was built, and any number of threads may
- * decode from it, each with scratch memory of its own.
+ * motion. From that form the decoder gives any channels, any stretch of frames, any instant between
+ * frames and any level of detail, each by itself. It allocates, throws and locks nothing and keeps
+ * no globals: all memory is the caller's. A clip is read-only once it was built. Any number of
+ * threads may decode from it, each with scratch memory of its own.
  *
  * Units: lengths are centimetres, angles radians, rates frames a second. Instants are counted in
  * frames from the first: seconds * sample_rate.
  *
- * Space: right-handed, y up, the ground is x and z. Where a character stands and faces is the
- * clip's own. A positive angle turns as a right-handed screw along its axis: about y from z to x.
- * An engine with z up takes x y z as x -z y, and a quaternion's vector part likewise; a left-handed
- * one also negates one axis, and of a quaternion the two other components of the vector part.
+ * Space: right-handed, y up, the ground is x and z. The clip says where a character stands and
+ * faces. A positive angle turns as a right-handed screw along its axis: about y from z to x. An
+ * engine with z up takes x y z as x -z y, and does the same with a quaternion's vector part. A
+ * left-handed engine also negates one axis, and the two other components of a quaternion's vector
+ * part.
  *
  * Rotations: unit quaternions w x y z that turn columns, v' = q v q*; q and -q are the same
- * rotation, and which of both comes is not promised. A joint's transform maps its own frame to its
+ * rotation, and either may come. A joint's transform maps its own frame to its
  * parent's; a pose in the world is parent * child, from the roots on.
  *
  * Memory handed in must be aligned to MCPR_ALIGNMENT. Every function that can fail says where and
@@ -44,26 +45,26 @@ extern "C" {
 typedef enum mcpr_status {
   MCPR_OK = 0,
   MCPR_NOT_A_CLIP = 1,      /* the bytes are no .mcpr file */
-  MCPR_UNKNOWN_VERSION = 2, /* of a version that is not known here */
+  MCPR_UNKNOWN_VERSION = 2, /* a version that this decoder does not know */
   MCPR_DAMAGED = 3,         /* cut short, or a checksum differs */
   MCPR_INVALID = 4,         /* not what FORMAT.md allows */
   MCPR_UNSUPPORTED = 5,     /* allowed, but not adaptive: the library mocapress reads it */
   MCPR_LIMIT = 6,           /* larger than the limits given */
   MCPR_MEMORY = 7,          /* too little memory given, or not aligned */
-  MCPR_ARGUMENT = 8         /* asked for what the clip does not have */
+  MCPR_ARGUMENT = 8         /* a request for what the clip does not have */
 } mcpr_status;
 
 typedef struct mcpr_result {
   mcpr_status status;
-  size_t offset; /* of the first offending byte in the file; 0 where it is no matter of bytes */
+  size_t offset;       /* of the first offending byte in the file; 0 if no byte is at fault */
   const char* message; /* a constant, in English; never null */
 } mcpr_result;
 
 /* "damaged file" ...: a name for a status. Never null. */
 const char* mcpr_status_message(mcpr_status status);
 
-/* What a file may ask for. A file that asks for more is refused before any work is done for it;
- * the resident form, whose size nothing tells before, after mcpr_read. */
+/* Limits for files. A file beyond them is refused before any work is done for it. Only mcpr_read
+ * finds out how large the resident form is: beyond that limit a file is refused after it. */
 typedef struct mcpr_limits {
   uint32_t frames;
   uint32_t joints;
@@ -76,10 +77,10 @@ typedef struct mcpr_limits {
                                  60 or 12 */
 } mcpr_limits;
 
-/* Those of the format, so that every file that can be written opens: frames 2^22, joints 4096,
- * channels 24576, values 2^26, scratch memory 608 MiB, resident form 272 MiB, 60 iterations. That
- * is hours of motion: give less where files come from strangers and memory is dear. More than the
- * format allows is refused whatever is given. */
+/* The limits of the format, within which every valid file opens: frames 2^22, joints 4096, channels
+ * 24576, values 2^26, scratch memory 608 MiB, resident form 272 MiB, 60 iterations. That is hours
+ * of motion: give less where files come from strangers and memory is scarce. Higher limits do not
+ * let in files beyond the format. */
 mcpr_limits mcpr_default_limits(void);
 
 /* ---------------------------------------------------------------- opening */
@@ -92,14 +93,14 @@ typedef struct mcpr_info {
   uint32_t channels;
   uint32_t effectors;  /* of the IK correction; 0: none */
   size_t motion_bytes; /* of the file: coded motion, segments, correction, ends, turned axes */
-  size_t read_bytes;   /* scratch memory that mcpr_read needs; of a long clip in segments that of
-                          one segment, and its motion_bytes */
+  size_t read_bytes;   /* scratch memory that mcpr_read needs; for a long clip in segments: one
+                          decoded segment and motion_bytes */
 } mcpr_info;
 
 mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits, mcpr_info* info);
 
 /* Decodes a whole file into `scratch` (info.read_bytes), from which mcpr_build makes a clip of
- * *resident_bytes. The file is needed no longer after this. The work is at most in proportion to
+ * *resident_bytes. The file is not needed afterwards. The work is at most in proportion to
  * values + joints^2 + 2^15 * size, whatever the bytes. */
 mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, void* scratch,
                       size_t scratch_size, size_t* resident_bytes);
@@ -107,8 +108,8 @@ mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, 
 typedef struct mcpr_clip mcpr_clip;
 
 /* Makes the resident form. It has no pointers: it may be moved and copied as bytes, within one
- * program and version. `scratch` is what mcpr_read left, in its place; it is worked in, and needed
- * no longer after this. Takes as long as mcpr_read where the clip is in segments. */
+ * program and version. `scratch` is what mcpr_read left, in its place. mcpr_build works in it; it
+ * is not needed afterwards. For a clip in segments it takes as long as mcpr_read. */
 mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident, size_t resident_size,
                        const mcpr_clip** clip);
 
@@ -120,15 +121,15 @@ typedef struct mcpr_clip_info {
   uint32_t joints;
   uint32_t channels;
   uint32_t effectors;
-  uint32_t bands;        /* levels of detail that can be left out, 0 .. 26; of a long clip: of its
-                            segments but the last, which may have fewer */
+  uint32_t bands;        /* levels of detail that can be left out, 0 .. 26; the last segment of a
+                            long clip may have fewer */
   size_t resident_bytes; /* all of the clip */
   size_t skeleton_bytes; /* of them the skeleton's: names, offsets, axes */
   uint32_t loop_frames;  /* of one turn of a loop: one less than frames where the last frame shows
                             the first pose again; 0: the clip is no loop */
 } mcpr_clip_info;
 
-/* All zero where there is no clip. */
+/* All zero if `clip` is no clip. */
 mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip);
 
 /* A joint, parents before children. Its frame maps to its parent's by
@@ -149,8 +150,8 @@ typedef struct mcpr_joint {
 
 mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out);
 
-/* The joint of that name, byte for byte; the first where several have it. -1: there is none, or
- * clip or name is null. Looks at one joint after the other: ask once, not at every frame. */
+/* The first joint of that name, compared byte for byte. -1: there is none, or clip or name is null.
+ * It searches all joints: call it once, not at every frame. */
 int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name);
 
 /* ---------------------------------------------------------------- decoding */
@@ -177,7 +178,7 @@ int mcpr_path_exists(mcpr_path path);
 typedef struct mcpr_request {
   mcpr_output output;
   int apply_ik;             /* 1: with the clip's IK correction, if it has one */
-  uint32_t bands_left_out;  /* of the finest; each halves the rate of what is left of the motion */
+  uint32_t bands_left_out;  /* how many of the finest; each halves the sample rate of the rest */
   const uint16_t* channels; /* MCPR_CHANNELS only: which, in any order, none twice; null: all */
   uint32_t channel_count;   /* of `channels`; 0 where that is null */
   mcpr_path path;
@@ -191,21 +192,20 @@ size_t mcpr_frame_values(const mcpr_clip* clip, const mcpr_request* request);
 /* Scratch memory of mcpr_decode_frames and mcpr_decode_moment, whatever the frames. */
 size_t mcpr_scratch_bytes(const mcpr_clip* clip, const mcpr_request* request);
 
-/* Frames first .. first + count - 1, row after row, each of mcpr_frame_values() floats. Where a
- * subset of channels is asked for, only those are computed, unless the correction turns one of
- * them. */
+/* Decodes frames first .. first + count - 1, row after row, each of mcpr_frame_values() floats. For
+ * a subset of channels only those are computed, unless the correction turns one of them. */
 mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request, uint32_t first,
                                uint32_t count, float* out, void* scratch, size_t scratch_size);
 
-/* One instant, in frames from the first, 0 .. frames - 1: exact at a frame, between two the
- * channels and what the correction adds are linear in time. */
+/* Decodes one instant, in frames from the first, 0 .. frames - 1. At a frame it is exact; between
+ * two, the channels and what the correction adds are linear in time. */
 mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request, double frame,
                                float* out, void* scratch, size_t scratch_size);
 
-/* The same of a clip that is a loop, at any instant before or after: mcpr_decode_moment of what is
- * left of it after whole turns. From the last frame on, where the first follows upon it, channels
- * go to the first frame's, angles by the shorter way; those of roots go on as they came, for where
- * a character stands and heads is the caller's to add up, turn by turn. */
+/* The same for a loop, at any instant: whole turns are taken off it first. If the first frame
+ * follows upon the last, channels go from the last frame to the first, angles by the shorter way.
+ * Roots go on as they came: the caller adds up, turn by turn, where a character stands and faces.
+ */
 mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request, double frame,
                                float* out, void* scratch, size_t scratch_size);
 
