@@ -5,15 +5,6 @@
 #include <numbers>
 
 namespace mocapress {
-namespace {
-
-template <typename T>
-QByteArray bytesOf(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()),
-          static_cast<qsizetype>(values.size() * sizeof(T))};
-}
-
-}  // namespace
 
 Mesh capsuleMesh(const CapsuleDetail& detail) {
   const int segments = detail.segments;

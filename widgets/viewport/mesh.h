@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QByteArray>
 #include <Qt3DCore/QAttribute>
 #include <Qt3DCore/QBuffer>
 #include <Qt3DCore/QGeometry>
@@ -34,6 +35,13 @@ Mesh groundMesh();
 
 /// One triangle that covers clip space.
 Mesh backdropMesh();
+
+/// What a buffer takes.
+template <typename T>
+QByteArray bytesOf(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()),
+          static_cast<qsizetype>(values.size() * sizeof(T))};
+}
 
 /// Float attributes of a buffer of equal records.
 Qt3DCore::QAttribute* addAttribute(Qt3DCore::QGeometry* geometry, Qt3DCore::QBuffer* buffer,

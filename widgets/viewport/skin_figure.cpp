@@ -32,12 +32,6 @@ struct BoneRows {
 };
 static_assert(sizeof(BoneRows) == 64);
 
-template <typename T>
-QByteArray bytesOf(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()),
-          static_cast<qsizetype>(values.size() * sizeof(T))};
-}
-
 std::array<float, 3> floatsOf(const Eigen::Vector3f& vector) {
   return {vector.x(), vector.y(), vector.z()};
 }

@@ -6,8 +6,9 @@
     blender --background --factory-startup --python resources/samples/character/make_character.py -- \
         walk.bvh resources/samples
 
-Written for Blender 3.4. The body is one capsule a bone, of the radii below, melted into one surface.
-A vertex follows the bones it lies near to; what it makes of them stands at skin_weights().
+Written for Blender 3.4. The body is one capsule a bone, of the radii below. Those of a limb, and those
+of the trunk, melt into one surface: arms hang so close to the thighs that they would melt together.
+A vertex follows the bones of its part that it lies near to; skin_weights() says by how much.
 """
 
 import sys
@@ -45,6 +46,14 @@ def has_volume(bone):
     return shape_of(bone.name)[0] > 0
 
 
+def part_of(bone):
+    """The limb, named by the bone it begins with; or the trunk."""
+    for above in (bone, *bone.parent_recursive):
+        if above.name[1:] in ("humerus", "femur"):
+            return above.name
+    return "trunk"
+
+
 def every_fourth_frame(bvh, folder):
     """The BVH with a quarter of its frames, in a file in `folder`."""
     head, rows = bvh.read_text().split("MOTION\n")
@@ -65,6 +74,7 @@ def read_armature(bvh):
     armature = bpy.context.object
     armature.name = armature.data.name = "human"
     armature.animation_data.action.name = "walk"
+    bpy.context.scene.frame_end = int(armature.animation_data.action.frame_range[1])
     return armature
 
 
@@ -80,25 +90,47 @@ def capsule(mesh, bone):
         bmesh.ops.create_icosphere(mesh, subdivisions=2, radius=radius, matrix=place)
 
 
-def make_body(armature):
-    parts = bmesh.new()
-    for bone in filter(has_volume, armature.data.bones):
-        capsule(parts, bone)
-    body = bpy.data.objects.new("body", bpy.data.meshes.new("body"))
-    parts.to_mesh(body.data)
-    bpy.context.collection.objects.link(body)
-    bpy.context.view_layer.objects.active = body
-    body.matrix_world = armature.matrix_world
-    body.data.remesh_voxel_size = VOXEL
+def make_part(name, bones, armature):
+    """The surface of these bones, bound to them."""
+    capsules = bmesh.new()
+    for bone in bones:
+        capsule(capsules, bone)
+    part = bpy.data.objects.new(name, bpy.data.meshes.new(name))
+    capsules.to_mesh(part.data)
+    bpy.context.collection.objects.link(part)
+    bpy.context.view_layer.objects.active = part
+    part.matrix_world = armature.matrix_world
+    part.data.remesh_voxel_size = VOXEL
     bpy.ops.object.voxel_remesh()
-    smooth = body.modifiers.new("smooth", "SMOOTH")
+    smooth = part.modifiers.new("smooth", "SMOOTH")
     smooth.factor, smooth.iterations = 0.5, 4
-    fewer = body.modifiers.new("fewer", "DECIMATE")
+    fewer = part.modifiers.new("fewer", "DECIMATE")
     fewer.ratio = 0.12
     for modifier in ("smooth", "fewer"):
         bpy.ops.object.modifier_apply(modifier=modifier)
-    for polygon in body.data.polygons:
+    for polygon in part.data.polygons:
         polygon.use_smooth = True
+    groups = {bone.name: part.vertex_groups.new(name=bone.name) for bone in bones}
+    for vertex in part.data.vertices:
+        for weight, name in skin_weights(vertex.co, bones):
+            groups[name].add([vertex.index], weight, "REPLACE")
+    return part
+
+
+def make_body(armature):
+    bones_of = {}
+    for bone in filter(has_volume, armature.data.bones):
+        bones_of.setdefault(part_of(bone), []).append(bone)
+    parts = [make_part(name, bones, armature) for name, bones in bones_of.items()]
+    bpy.ops.object.select_all(action="DESELECT")
+    for part in parts:
+        part.select_set(True)
+    bpy.ops.object.join()  # onto the active one, which was made last; groups of one name become one
+    body = bpy.context.object
+    body.name = body.data.name = "body"
+    body.parent = armature
+    body.matrix_parent_inverse = armature.matrix_world.inverted()
+    body.modifiers.new("armature", "ARMATURE").object = armature
     return body
 
 
@@ -120,17 +152,6 @@ def skin_weights(point, bones):
     return [(weight / total, name) for weight, name in weights if weight / total > 0.01]
 
 
-def bind(body, armature):
-    bones = list(filter(has_volume, armature.data.bones))
-    groups = {bone.name: body.vertex_groups.new(name=bone.name) for bone in bones}
-    for vertex in body.data.vertices:
-        for weight, name in skin_weights(vertex.co, bones):
-            groups[name].add([vertex.index], weight, "REPLACE")
-    body.parent = armature
-    body.matrix_parent_inverse = armature.matrix_world.inverted()
-    body.modifiers.new("armature", "ARMATURE").object = armature
-
-
 def paint(body):
     skin = bpy.data.materials.new("skin")
     skin.use_nodes = True
@@ -146,7 +167,6 @@ def main():
     bpy.ops.object.delete()
     armature = read_armature(every_fourth_frame(bvh, bvh.parent))
     body = make_body(armature)
-    bind(body, armature)
     paint(body)
     bpy.context.view_layer.objects.active = armature
     bpy.ops.export_scene.gltf(filepath=str(folder / "character.glb"), export_format="GLB",
