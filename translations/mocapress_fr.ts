@@ -3752,8 +3752,8 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Colorer chaque articulation selon sa distance à l&apos;original, en cm</translation>
     </message>
     <message>
-        <source>Show S&amp;kin</source>
-        <translation>Afficher la &amp;peau</translation>
+        <source>Show Skin</source>
+        <translation>Afficher la peau</translation>
     </message>
     <message>
         <source>Figures with their skin, or as skeletons</source>

@@ -3729,8 +3729,8 @@ Click to load it into the studio.</source>
         <translation>各関節を元との距離(cm)で色分け</translation>
     </message>
     <message>
-        <source>Show S&amp;kin</source>
-        <translation>スキンを表示(&amp;K)</translation>
+        <source>Show Skin</source>
+        <translation>スキンを表示</translation>
     </message>
     <message>
         <source>Figures with their skin, or as skeletons</source>

@@ -9,12 +9,11 @@
 
 #include "app/studio/document/session.h"
 #include "core/formats/motion_file.h"
+#include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
 namespace {
-
-constexpr int kPatience = 60'000;  // ms
 
 class CharacterSession : public testing::Test {
  protected:

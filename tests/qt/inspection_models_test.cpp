@@ -73,17 +73,17 @@ TEST(KeptCoefficients, OfAnEncodedClipAddUpToItsCoefficientRatio) {
   EXPECT_NEAR(all / kept, encoding.coefficient_ratio, 0.02 * encoding.coefficient_ratio);
 }
 
-const std::vector<ContactSpan> kContacts = {{2, 10, 19}, {2, 40, 59}, {5, 12, 30}};
+const std::vector<ContactSpan> kStands = {{2, 10, 19}, {2, 40, 59}, {5, 12, 30}};
 
 TEST(ContactEdit, MovesAnEndAsFarAsTheNextContactAndItsOwnOtherEnd) {
   const auto firstAt = [](int frame) {
-    return withEndAt(kContacts, 1, SpanEnd::First, frame, 100)[1].first_frame;
+    return withEndAt(kStands, 1, SpanEnd::First, frame, 100)[1].first_frame;
   };
   EXPECT_EQ(firstAt(30), 30);
   EXPECT_EQ(firstAt(0), 20);  // another contact of the same foot ends at 19
   EXPECT_EQ(firstAt(99), 59);
   const auto lastAt = [](int index, int frame) {
-    return withEndAt(kContacts, index, SpanEnd::Last, frame, 100)[static_cast<std::size_t>(index)]
+    return withEndAt(kStands, index, SpanEnd::Last, frame, 100)[static_cast<std::size_t>(index)]
         .last_frame;
   };
   EXPECT_EQ(lastAt(0, 70), 39);
@@ -96,7 +96,7 @@ TEST(ContactEdit, NeverMakesContactsOfOneFootOverlap) {
   for (int frame = -10; frame < 110; frame += 3)
     for (int index = 0; index < 3; ++index)
       for (const SpanEnd end : {SpanEnd::First, SpanEnd::Last}) {
-        const auto edited = withEndAt(kContacts, index, end, frame, 100);
+        const auto edited = withEndAt(kStands, index, end, frame, 100);
         EXPECT_LT(edited[0].last_frame, edited[1].first_frame);
         for (const ContactSpan& span : edited) {
           EXPECT_GE(span.frames(), 1);
@@ -107,13 +107,13 @@ TEST(ContactEdit, NeverMakesContactsOfOneFootOverlap) {
 }
 
 TEST(ContactEdit, AddsWhereThereIsRoomAndRemoves) {
-  const auto added = withContactAt(kContacts, 2, 30, 40, 100);
+  const auto added = withContactAt(kStands, 2, 30, 40, 100);
   ASSERT_EQ(added.size(), 4u);
   EXPECT_EQ(added[1], (ContactSpan{2, 20, 39}));
-  EXPECT_EQ(withContactAt(kContacts, 2, 15, 10, 100), kContacts);  // there is one
-  EXPECT_EQ(withContactAt(kContacts, 5, 90, 40, 100).back(), (ContactSpan{5, 70, 99}));
+  EXPECT_EQ(withContactAt(kStands, 2, 15, 10, 100), kStands);  // there is one
+  EXPECT_EQ(withContactAt(kStands, 5, 90, 40, 100).back(), (ContactSpan{5, 70, 99}));
   EXPECT_EQ(withContactAt({}, 7, 50, 10, 100).front(), (ContactSpan{7, 45, 54}));
-  EXPECT_EQ(withoutContact(added, 1), kContacts);
+  EXPECT_EQ(withoutContact(added, 1), kStands);
 }
 
 }  // namespace

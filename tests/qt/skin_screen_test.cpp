@@ -7,15 +7,15 @@
 
 #include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"
+#include "tests/qt/patience.h"
+#include "tests/qt/pixel_colour.h"
 #include "widgets/viewport/viewport.h"
 
 namespace mocapress {
 namespace {
 
-constexpr int kPatience = 30'000;  // ms
-
 /// A foot that moves along x, with a head above it.
-Skeleton pillar() {
+Skeleton post() {
   Skeleton skeleton;
   Joint foot;
   foot.name = "foot";
@@ -68,19 +68,8 @@ bool isBlue(QRgb pixel) {
   return qBlue(pixel) > qRed(pixel) + 60 && qBlue(pixel) > qGreen(pixel) + 60;
 }
 
-bool isRed(QRgb pixel) {
+bool isReddish(QRgb pixel) {
   return qRed(pixel) > qGreen(pixel) + 60 && qRed(pixel) > qBlue(pixel) + 60;
-}
-
-int difference(QRgb a, QRgb b) {
-  return std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) +
-         std::abs(qBlue(a) - qBlue(b));
-}
-
-bool isGrey(QRgb pixel) {
-  return std::max({qRed(pixel), qGreen(pixel), qBlue(pixel)}) -
-             std::min({qRed(pixel), qGreen(pixel), qBlue(pixel)}) <
-         40;
 }
 
 class SkinScreen : public testing::Test {
@@ -89,7 +78,7 @@ class SkinScreen : public testing::Test {
     viewport_.resize(640, 480);
     viewport_.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&viewport_));
-    viewport_.setSkeleton(pillar());
+    viewport_.setSkeleton(post());
     viewport_.setSkin(box());
     set(&Viewport::setOriginal, original_at_);
     set(&Viewport::setCompressed, compressed_at_);
@@ -102,7 +91,7 @@ class SkinScreen : public testing::Test {
   template <typename Setter>
   void set(Setter setter, double x) {
     const auto motion =
-        std::make_shared<const Motion>(Motion{pillar(), {120, Eigen::MatrixXd::Constant(1, 1, x)}});
+        std::make_shared<const Motion>(Motion{post(), {120, Eigen::MatrixXd::Constant(1, 1, x)}});
     (viewport_.*setter)(
         std::make_shared<const Eigen::MatrixXd>(landmark_tracks(motion->skeleton, motion->clip)),
         [motion](int frame, Pose& pose) {
@@ -192,7 +181,7 @@ TEST_F(SkinScreen, IsASkeletonWithoutASkin) {
   viewport_.setSkin(nullptr);
   const QImage skeletons = picture();
   EXPECT_FALSE(isBlue(front(skeletons, compressed_at_, 80)));
-  EXPECT_TRUE(isRed(skeletons.pixel(
+  EXPECT_TRUE(isReddish(skeletons.pixel(
       viewport_.camera().project({static_cast<float>(compressed_at_), 60, 0})->toPoint())));
 }
 

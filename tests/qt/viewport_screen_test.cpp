@@ -47,19 +47,6 @@ Viewport::Tracks pillarTracks(double start, double cm) {
   return std::make_shared<const Eigen::MatrixXd>(landmark_tracks(pillar(), clip));
 }
 
-int spread(QRgb a) {
-  return std::max({qRed(a), qGreen(a), qBlue(a)}) - std::min({qRed(a), qGreen(a), qBlue(a)});
-}
-
-bool isGrey(QRgb pixel) {
-  return spread(pixel) < 40;
-}
-
-int difference(QRgb a, QRgb b) {
-  return std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) +
-         std::abs(qBlue(a) - qBlue(b));
-}
-
 class ViewportScreen : public testing::Test {
  protected:
   void SetUp() override {

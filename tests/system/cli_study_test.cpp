@@ -16,6 +16,14 @@ using testing::HasSubstr;
 
 class CliStudy : public CommandLine {
  protected:
+  /// The three Acclaim clips, without the character.
+  CliStudy() {
+    std::filesystem::create_directories(samples_);
+    for (const char* name : {"human.asf", "human_walk.amc", "human_run.amc", "human_jump.amc"})
+      write_text(samples_ / name, read_text(std::filesystem::path(MOCAPRESS_SOURCE_DIR) /
+                                            "resources/samples" / name));
+  }
+
   std::vector<std::string> study(std::vector<std::string> more = {}) const {
     std::vector<std::string> arguments = {
         "study",    samples_.string(), "--methods", "standard,per-channel",
@@ -26,8 +34,7 @@ class CliStudy : public CommandLine {
 
   json rows() const { return json::parse(read_text(file("out") / "rows.json")); }
 
-  const std::filesystem::path samples_ =
-      std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples";
+  const std::filesystem::path samples_ = file("samples");
 };
 
 TEST_F(CliStudy, OfAFolderWritesTablesAndAReport) {

@@ -80,7 +80,7 @@ ViewActions makeViewActions(QMainWindow* window) {
   actions.by_error =
       make_here("by-error", Texts::tr("Colour by &Error"), Qt::Key_E,
                 Texts::tr("Colour every joint by its distance from the original, in cm"));
-  actions.skin = make_here("skin", Texts::tr("Show S&kin"), Qt::Key_M,
+  actions.skin = make_here("skin", Texts::tr("Show Skin"), Qt::Key_M,
                            Texts::tr("Figures with their skin, or as skeletons"));
   actions.path = make_here("path", Texts::tr("&Path of the Joint"), Qt::Key_P,
                            Texts::tr("The path of the chosen joint, half a second around now"));
