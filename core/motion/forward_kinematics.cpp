@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <vector>
+
+#include "core/codec/format/kinematics.h"
 
 namespace mocapress {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// The rotation channels of a joint and their angles.
 struct Turns {
@@ -31,11 +30,6 @@ struct Turns {
     return axes.size() == 3 && axes[0] != axes[1] && axes[1] != axes[2] && axes[0] != axes[2];
   }
 };
-
-template <typename Angles>
-Angles nearest_turn(const Angles& angles, const Angles& previous) {
-  return angles - 2 * kPi * ((angles - previous) / (2 * kPi)).array().round().matrix();
-}
 
 /// The angle about `axis` that comes nearest to `rotation`.
 double nearest_angle(int axis, const Eigen::Matrix3d& rotation) {
@@ -63,7 +57,8 @@ void approach(Turns& turns, const Eigen::Matrix3d& rotation) {
       turns.angles(i) = nearest_angle(turns.axes[static_cast<std::size_t>(i)],
                                       left.transpose() * rotation * right.transpose());
     }
-    turns.angles = nearest_turn(turns.angles, before);
+    for (Eigen::Index i = 0; i < count; ++i)
+      turns.angles(i) = runtime::nearest_turn(turns.angles(i), before(i));
     if (count == 1 || (turns.angles - before).cwiseAbs().maxCoeff() < kSettled) break;
   }
 }
@@ -72,28 +67,15 @@ void approach(Turns& turns, const Eigen::Matrix3d& rotation) {
 
 Eigen::Vector3d three_angles(const std::array<int, 3>& axes, const Eigen::Matrix3d& rotation,
                              const Eigen::Vector3d& previous) {
-  constexpr double kGimbalLock = 1e-9;
-  const int i = axes[0];
-  const int j = axes[1];
-  const int k = axes[2];
-  const double sign = (i + 1) % 3 == j ? 1 : -1;  // an even or odd order of the axes
-  const double cos_b = std::hypot(rotation(i, i), rotation(i, j));
-  const double a =
-      cos_b > kGimbalLock ? std::atan2(-sign * rotation(j, k), rotation(k, k)) : previous(0);
-  const Eigen::Matrix3d rest = axis_rotation(i, a).transpose() * rotation;
-  const double b = std::atan2(sign * rest(i, k), rest(k, k));
-  const double c = std::atan2(sign * rest(j, i), rest(j, j));
-  const Eigen::Vector3d first = nearest_turn<Eigen::Vector3d>({a, b, c}, previous);
-  const Eigen::Vector3d second =
-      nearest_turn<Eigen::Vector3d>({a + kPi, kPi - b, c + kPi}, previous);
-  return (first - previous).norm() <= (second - previous).norm() ? first : second;
+  return runtime::three_angles(axes, rotation, previous);
 }
 
 Eigen::Matrix3d joint_rotation(const Joint& joint, const Eigen::RowVectorXd& values) {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  for (std::size_t i = 0; i < joint.channels.size(); ++i)
-    if (is_rotation(joint.channels[i]))
-      rotation *= axis_rotation(axis_of(joint.channels[i]), values(static_cast<Eigen::Index>(i)));
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  runtime::apply_channels(
+      joint.channels.data(), static_cast<int>(joint.channels.size()),
+      [&](int c) { return values(c); }, rotation, translation);
   return rotation;
 }
 
@@ -111,21 +93,6 @@ void turn_joint(const Joint& joint, const Eigen::Matrix3d& rotation, Eigen::RowV
 bool turns(const Joint& joint) {
   return std::any_of(joint.channels.begin(), joint.channels.end(), is_rotation);
 }
-
-namespace {
-
-/// rotation *= axis_rotation(axis, radians), which mixes but two columns.
-void turn(Eigen::Matrix3d& rotation, int axis, double radians) {
-  const double cosine = std::cos(radians);
-  const double sine = std::sin(radians);
-  const int j = (axis + 1) % 3;
-  const int k = (axis + 2) % 3;
-  const Eigen::Vector3d before = rotation.col(j);
-  rotation.col(j) = cosine * before + sine * rotation.col(k);
-  rotation.col(k) = cosine * rotation.col(k) - sine * before;
-}
-
-}  // namespace
 
 void compute_pose(const Skeleton& skeleton, const FrameRow& frame, Pose& pose) {
   assert(frame.size() == skeleton.channel_count());
@@ -149,14 +116,9 @@ void compute_pose(const Skeleton& skeleton, const FrameRow& frame, Pose& pose) {
       world_from_joint.noalias() = pose.world_from_joint[parent] * axes.parent_from_axes;
     Eigen::Vector3d in_parent = joint.offset;
     const int first_channel = skeleton.first_channel(static_cast<int>(j));
-    for (std::size_t i = 0; i < joint.channels.size(); ++i) {
-      const ChannelKind kind = joint.channels[i];
-      const double value = frame(first_channel + static_cast<int>(i));
-      if (is_rotation(kind))
-        turn(world_from_joint, axis_of(kind), value);
-      else
-        in_parent(axis_of(kind)) += value;
-    }
+    runtime::apply_channels(
+        joint.channels.data(), static_cast<int>(joint.channels.size()),
+        [&](int c) { return frame(first_channel + c); }, world_from_joint, in_parent);
     pose.origin[j] = is_root ? in_parent : pose.to_world(joint.parent, in_parent);
     world_from_joint = world_from_joint * axes.axes_from_joint;
   }

@@ -43,14 +43,8 @@ bool turns_any(const ClipBlock& clip, const mcpr_request& request) {
 JointPlace place_in_parent(const JointModel& joint, const float* row) {
   JointPlace place{Matrix3(), joint.offset};
   if (joint.has_axes) place.world_from_joint = joint.parent_from_axes;
-  for (int c = 0; c < joint.channels; ++c) {
-    const double value = row[joint.first_channel + c];
-    const int axis = axis_of(joint.kinds[c]);
-    if (is_rotation(joint.kinds[c]))
-      turn_about(axis, value, place.world_from_joint);
-    else
-      place.origin[axis] += value;
-  }
+  const auto value = [&](int c) { return static_cast<double>(row[joint.first_channel + c]); };
+  apply_channels(joint.kinds, joint.channels, value, place.world_from_joint, place.origin);
   if (joint.has_axes) place.world_from_joint = place.world_from_joint * joint.axes_from_joint;
   return place;
 }

@@ -1,45 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/limb.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace mocapress::runtime {
-namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-double nearest_turn(double angle, double previous) {
-  return angle - 2 * kPi * std::round((angle - previous) / (2 * kPi));
-}
-
-Vector3 nearest_turns(const Vector3& angles, const Vector3& previous) {
-  Vector3 nearest;
-  for (int i = 0; i < 3; ++i) nearest[i] = nearest_turn(angles[i], previous[i]);
-  return nearest;
-}
-
-}  // namespace
-
-Vector3 three_angles(const int (&axes)[3], const Matrix3& rotation, const Vector3& previous) {
-  constexpr double kGimbalLock = 1e-9;
-  const int i = axes[0];
-  const int j = axes[1];
-  const int k = axes[2];
-  const double sign = (i + 1) % 3 == j ? 1 : -1;  // an even or odd order of the axes
-  const double cos_b = std::hypot(rotation(i, i), rotation(i, j));
-  const double a =
-      cos_b > kGimbalLock ? std::atan2(-sign * rotation(j, k), rotation(k, k)) : previous[0];
-  Matrix3 turn;
-  turn_about(i, a, turn);
-  const Matrix3 rest = transposed(turn) * rotation;
-  const double b = std::atan2(sign * rest(i, k), rest(k, k));
-  const double c = std::atan2(sign * rest(j, i), rest(j, j));
-  const Vector3 first = nearest_turns({{a, b, c}}, previous);
-  const Vector3 second = nearest_turns({{a + kPi, kPi - b, c + kPi}}, previous);
-  return norm(first - previous) <= norm(second - previous) ? first : second;
-}
-
 Limb::Limb(Memory& memory, int most_links) {
   const auto links = static_cast<std::uint64_t>(most_links);
   places_ = memory.take<JointPlace>(links);
@@ -125,7 +87,7 @@ void Limb::turn_ball(const Matrix3& rotation) {
   Matrix3 turned = transposed(world_from_axes) * (rotation * world_from_axes);
   const int axes[3] = {plan_.turn[0].axis, plan_.turn[1].axis, plan_.turn[2].axis};
   for (int i = 0; i < 3; ++i) turn_about(axes[i], angles_[i], turned);
-  const Vector3 found = three_angles(axes, turned, {{angles_[0], angles_[1], angles_[2]}});
+  const Vector3 found = three_angles(axes, turned, Vector3{{angles_[0], angles_[1], angles_[2]}});
   for (int i = 0; i < 3; ++i) angles_[i] = found[i];
   update(first_turning_link());
 }

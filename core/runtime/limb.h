@@ -96,8 +96,4 @@ class Limb {
   Vector3 axes_[kMostAngles];
 };
 
-/// Angles with rotation = R_i(a) R_j(b) R_k(c) about three different axes (0 1 2: x y z): of both
-/// solutions the one nearer to `previous`.
-Vector3 three_angles(const int (&axes)[3], const Matrix3& rotation, const Vector3& previous);
-
 }  // namespace mocapress::runtime

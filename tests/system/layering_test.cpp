@@ -26,7 +26,7 @@ struct RoomRules {
 
 const std::map<std::string, RoomRules> kRooms = {
     {"core/base", {}},
-    {"core/motion", {{"core/base"}}},
+    {"core/motion", {{"core/base", "core/codec/format"}}},
     {"core/formats", {{"core/base", "core/motion", "core/codec/format"}}},
     {"core/runtime", {{"core/codec/format"}, false, true}},
     {"core/wavelet", {{"core/base", "core/codec/format"}}},

@@ -3,19 +3,13 @@
 
 #include <cstdint>
 
+#include "core/codec/format/kinematics.h"
 #include "core/codec/format/space.h"
 
 namespace mocapress::runtime {
 
 inline constexpr int kMostJoints = 4096;
 inline constexpr int kMostChannelsOfJoint = 6;
-
-constexpr bool is_rotation(std::uint8_t kind) {
-  return kind >= 3;
-}
-constexpr int axis_of(std::uint8_t kind) {
-  return kind % 3;
-}
 
 /// A joint as the decoder keeps it. A point moves from the joint's frame to its parent's by
 ///

@@ -65,20 +65,6 @@ inline Matrix3 transposed(const Matrix3& m) {
   return times_transposed(Matrix3(), m);
 }
 
-/// m * the rotation by `radians` about coordinate axis 0, 1 or 2.
-inline void turn_about(int axis, double radians, Matrix3& m) {
-  const int next = axis == 2 ? 0 : axis + 1;
-  const int last = axis == 0 ? 2 : axis - 1;
-  const double c = std::cos(radians);
-  const double s = std::sin(radians);
-  for (int row = 0; row < 3; ++row) {
-    const double a = m(row, next);
-    const double b = m(row, last);
-    m(row, next) = c * a + s * b;
-    m(row, last) = c * b - s * a;
-  }
-}
-
 /// The rotation of a unit quaternion.
 inline Matrix3 rotation_of(double w, double x, double y, double z) {
   return {{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// What channels do to a joint's frame, and which angles make a rotation: stated once, for Eigen's
+// types, which the encoder computes with, and for those of space.h, which an engine takes. A
+// matrix is anything with (row, column), a vector anything with [i].
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace mocapress::runtime {
+
+constexpr bool is_rotation(std::uint8_t kind) {
+  return kind >= 3;
+}
+constexpr int axis_of(std::uint8_t kind) {
+  return kind % 3;
+}
+
+/// m * the rotation by `radians` about coordinate axis 0, 1 or 2: it mixes two columns.
+template <typename Matrix>
+void turn_about(int axis, double radians, Matrix& m) {
+  const int next = axis == 2 ? 0 : axis + 1;
+  const int last = axis == 0 ? 2 : axis - 1;
+  const double c = std::cos(radians);
+  const double s = std::sin(radians);
+  for (int row = 0; row < 3; ++row) {
+    const double a = m(row, next);
+    const double b = m(row, last);
+    m(row, next) = c * a + s * b;
+    m(row, last) = c * b - s * a;
+  }
+}
+
+/// A joint's channels, one after the other: rotations are multiplied to `rotation`, the first
+/// leftmost, translations (cm) added to `translation`. Kinds are 0 1 2 for translation along x y z,
+/// 3 4 5 for rotation about them; `value(c)` is channel c's.
+template <typename Kind, typename Value, typename Matrix, typename Vector>
+void apply_channels(const Kind* kinds, int count, const Value& value, Matrix& rotation,
+                    Vector& translation) {
+  for (int c = 0; c < count; ++c) {
+    const auto kind = static_cast<std::uint8_t>(kinds[c]);
+    if (is_rotation(kind))
+      turn_about(axis_of(kind), value(c), rotation);
+    else
+      translation[axis_of(kind)] += value(c);
+  }
+}
+
+/// The angle that differs by whole turns and is nearest to `previous`. radians
+inline double nearest_turn(double angle, double previous) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  return angle - kTurn * std::round((angle - previous) / kTurn);
+}
+
+/// Angles with rotation = R_i(a) R_j(b) R_k(c) about three different axes (0 1 2: x y z). Of the
+/// two solutions it takes the one nearer to `previous`.
+template <typename Axes, typename Matrix, typename Vector>
+Vector three_angles(const Axes& axes, const Matrix& rotation, const Vector& previous) {
+  constexpr double kGimbalLock = 1e-9;
+  constexpr double kPi = std::numbers::pi;
+  const int i = axes[0];
+  const int j = axes[1];
+  const int k = axes[2];
+  const double sign = (i + 1) % 3 == j ? 1 : -1;  // an even or odd order of the axes
+  const double a = std::hypot(rotation(i, i), rotation(i, j)) > kGimbalLock
+                       ? std::atan2(-sign * rotation(j, k), rotation(k, k))
+                       : previous[0];
+  // R_i(-a) * rotation = R_j(b) R_k(c): rows j and k turn.
+  const double cosine = std::cos(a);
+  const double sine = sign * std::sin(a);
+  const auto row_j = [&](int column) {
+    return cosine * rotation(j, column) + sine * rotation(k, column);
+  };
+  const double b =
+      std::atan2(sign * rotation(i, k), cosine * rotation(k, k) - sine * rotation(j, k));
+  const double c = std::atan2(sign * row_j(i), row_j(j));
+  const double solutions[2][3] = {{a, b, c}, {a + kPi, kPi - b, c + kPi}};
+  Vector found[2];
+  double distance[2] = {};
+  for (int s = 0; s < 2; ++s)
+    for (int angle = 0; angle < 3; ++angle) {
+      found[s][angle] = nearest_turn(solutions[s][angle], previous[angle]);
+      const double difference = found[s][angle] - previous[angle];
+      distance[s] += difference * difference;
+    }
+  return distance[0] <= distance[1] ? found[0] : found[1];
+}
+
+}  // namespace mocapress::runtime
