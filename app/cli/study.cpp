@@ -25,10 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string described(const StudyRow& row) {
-  std::string text = fs::path(row.clip).stem().string() + " " + row.method;
+  std::string text = fs::path(row.clip).stem().string() + " " + row.settings.method;
   if (!row.measured) return text + ": " + row.error.substr(0, 50);
   return text + " " + fixed_text(row.measured->ratio, 1) + ":1 " +
-         fixed_text(row.measured->eps_cm(row.weighting), 3) + " cm";
+         fixed_text(row.measured->eps_cm(row.settings.weighting), 3) + " cm";
 }
 
 std::string remaining(const StudyProgress& progress, double now) {
@@ -55,12 +55,14 @@ struct Study {
   bool json_progress = false;
 
   StudyPlan plan() const {
-    StudyPlan plan{.methods = methods, .coding = coding, .seed = seed, .ik_ratios = ik_ratios};
+    StudyPlan plan{
+        .methods = methods, .settings = {.coding = coding, .seed = seed}, .ik_ratios = ik_ratios};
     if (plan.ik_ratios.empty() && errors.empty() && ratios.empty())
       plan.ik_ratios = {kPublishedVideoIkRatio};
     if (source.skeleton) plan.skeleton = *source.skeleton;
     plan.reading = source.options;
-    plan.weighting = weighting.value_or(paper ? Weighting::JointOrigins : Weighting::Surface);
+    plan.settings.weighting =
+        weighting.value_or(paper ? Weighting::JointOrigins : Weighting::Surface);
     if (plan.methods.empty())
       for (const CompressionMethod& compression_method : compression_methods())
         plan.methods.emplace_back(compression_method.name);

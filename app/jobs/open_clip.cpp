@@ -78,7 +78,8 @@ OpenedClip openCompared(const OpenRequest& request, const Job& job) {
 
 /// The studio does not ask for coefficient ratios: they become the ratio they came to.
 Target targetOf(const StudyRow& row) {
-  if (row.target.kind != Target::Kind::CoefficientRatio || !row.measured) return row.target;
+  if (row.settings.target.kind != Target::Kind::CoefficientRatio || !row.measured)
+    return row.settings.target;
   return {Target::Kind::Ratio, row.measured->ratio};
 }
 
@@ -91,12 +92,13 @@ bool isCompressedFile(const QString& path) {
 OpenRequest requestOf(const StudyRow& row) {
   OpenRequest request;
   request.path = QFileInfo(QString::fromStdString(row.clip)).absoluteFilePath();
-  EncodeOptions options{.weighting = row.weighting, .target = targetOf(row), .seed = row.seed};
-  if (row.coding) options.coding = *row.coding;
-  if (row.ik_ratio) options.correction = CorrectionOptions{.ratio = row.ik_ratio};
-  const CompressionMethod* compression_method = find_compression_method(row.method);
+  EncodeOptions options{
+      .weighting = row.settings.weighting, .target = targetOf(row), .seed = row.settings.seed};
+  if (const auto coding = coding_of(row.settings)) options.coding = *coding;
+  if (row.ik_ratio()) options.correction = CorrectionOptions{.ratio = row.ik_ratio()};
+  const CompressionMethod* compression_method = find_compression_method(row.settings.method);
   if (!compression_method || !choose_wavelets(*compression_method, options))
-    request.comparison = row.method;
+    request.comparison = row.settings.method;
   request.options = options;
   return request;
 }

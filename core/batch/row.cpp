@@ -85,51 +85,28 @@ namespace {
 
 constexpr double kUnit = 100;  // of a pose's numbers in a cm
 
-void add_measurement(Json& json, const BatchRow& row) {
-  const Measurement none;
-  const Measurement& m = row.measured ? *row.measured : none;
-  const double joint_samples = std::max(1.0, static_cast<double>(m.frames) * row.joints);
-  const auto add = [&](const char* key, Json value) {
-    json[key] = row.measured ? std::move(value) : Json();
-  };
-  add("frames", m.frames);
-  add("channels", m.channels);
-  add("joints", row.joints);
-  add("sample_rate_hz", m.sample_rate_hz);
-  add("raw_bytes", m.raw_bytes);
-  add("motion_bytes", m.motion_bytes);
-  add("file_bytes", m.file_bytes);
-  add("ratio", m.ratio);
-  add("bits_per_joint_sample", 8.0 * static_cast<double>(m.motion_bytes) / joint_samples);
-  add_errors(m, row.preset.weighting, add);
-  add("worst_point", row.worst ? Json(row.worst->landmark) : Json());
-  add("contacts", m.contacts);
-  add("footskate_cm", or_null(m.footskate_cm));
-  add("ik_ratio_used", or_null(m.ik_ratio_used));
-  add("footskate_mean_cm", m.slide ? Json(m.slide->mean_cm) : Json());
-  add("footskate_worst_cm", m.slide ? Json(m.slide->worst_cm) : Json());
-  add("ik_bytes", or_null(m.ik_bytes));
-  add("knee_speed_ratio", or_null(m.knee_speed_ratio));
-  add("iterations", or_null(m.iterations));
-  add("verified_by", row.verified_by);
+double bits_per_joint_sample(const BatchRow& row) {
+  if (!row.measured) return 0;
+  const double joint_samples =
+      std::max(1.0, static_cast<double>(row.measured->frames) * row.joints);
+  return 8.0 * static_cast<double>(row.measured->motion_bytes) / joint_samples;
 }
 
 Json report_json(const BatchRow& row) {
-  const Settings& preset = row.preset;
   Json json = {{"input", row.input},
                {"output", row.output},
                {"done", row.done()},
-               {"preset", preset.name},
-               {"method", preset.method},
-               {"target", name(preset.target.kind)},
-               {"target_value", preset.target.value},
-               {"weighting", name(preset.weighting)},
-               {"coding", coding_of(preset) ? Json(name(*coding_of(preset))) : Json()},
-               {"seed", preset.seed},
-               {"ik_ratio", Json()}};
-  if (preset.correction)
-    json["ik_ratio"] = preset.correction->ratio ? Json(*preset.correction->ratio) : Json("auto");
-  add_measurement(json, row);
+               {"preset", row.preset.name}};
+  json.update(row_json(row.preset));
+  add_measurement(json, row.measured, row.preset.weighting);
+  const auto add = [&](const char* key, Json value) {
+    json[key] = row.measured ? std::move(value) : Json();
+  };
+  add("joints", row.joints);
+  add("bits_per_joint_sample", bits_per_joint_sample(row));
+  add("worst_point", row.worst ? Json(row.worst->landmark) : Json());
+  add("ik_ratio_used", row.measured ? or_null(row.measured->ik_ratio_used) : Json());
+  add("verified_by", row.verified_by);
   json["files"] = Json::array();
   for (const WrittenFile& file : row.files) json["files"].push_back(file.name);
   json["warnings"] = row.warnings;

@@ -171,25 +171,8 @@ std::uint64_t seed_from(const Json& json, const Keys& keys) {
   return json.get<std::uint64_t>();
 }
 
-}  // namespace
-
-Json to_json(const Settings& settings) {
-  Json json = {{"name", settings.name},
-               {"method", settings.method},
-               {"coding", settings.coding ? Json(name(*settings.coding)) : Json()},
-               {"weighting", name(settings.weighting)},
-               {"target", {{"kind", name(settings.target.kind)}, {"value", settings.target.value}}},
-               {"seed", settings.seed},
-               {"ik", settings.correction ? to_json(*settings.correction) : Json()}};
-  if (settings.effort != Effort::Default) json["effort"] = name(settings.effort);
-  if (!settings.importance.is_even()) json["importance"] = to_json(settings.importance);
-  if (settings.ends != Ends::Even) json["ends"] = name(settings.ends);
-  if (settings.loop) json["loop"] = name(*settings.loop);
-  if (settings.contacts) json[kContacts] = to_json(*settings.contacts);
-  return json;
-}
-
-Settings settings_from(const Json& json) {
+/// Not checked.
+Settings read_settings(const Json& json) {
   Settings settings;
   settings.name = Keys(json, "what should be settings").text("name", "");
   const std::string of =
@@ -216,8 +199,53 @@ Settings settings_from(const Json& json) {
   if (const Json* contacts = keys.take(kContacts))
     settings.contacts = contacts_from(*contacts, keys, of);
   keys.end();
+  return settings;
+}
+
+}  // namespace
+
+Json to_json(const Settings& settings) {
+  Json json = {{"name", settings.name},
+               {"method", settings.method},
+               {"coding", settings.coding ? Json(name(*settings.coding)) : Json()},
+               {"weighting", name(settings.weighting)},
+               {"target", {{"kind", name(settings.target.kind)}, {"value", settings.target.value}}},
+               {"seed", settings.seed},
+               {"ik", settings.correction ? to_json(*settings.correction) : Json()}};
+  if (settings.effort != Effort::Default) json["effort"] = name(settings.effort);
+  if (!settings.importance.is_even()) json["importance"] = to_json(settings.importance);
+  if (settings.ends != Ends::Even) json["ends"] = name(settings.ends);
+  if (settings.loop) json["loop"] = name(*settings.loop);
+  if (settings.contacts) json[kContacts] = to_json(*settings.contacts);
+  return json;
+}
+
+Settings settings_from(const Json& json) {
+  Settings settings = read_settings(json);
   check(settings);
   return settings;
+}
+
+Json row_json(const Settings& settings) {
+  const std::optional<Coding> coding = coding_of(settings);
+  Json ratio;
+  if (settings.correction)
+    ratio = settings.correction->ratio ? Json(*settings.correction->ratio) : Json(kFound);
+  return {{"method", settings.method},
+          {"target", name(settings.target.kind)},
+          {"target_value", settings.target.value},
+          {"weighting", name(settings.weighting)},
+          {"coding", coding ? Json(name(*coding)) : Json()},
+          {"seed", settings.seed},
+          {"ik_ratio", ratio}};
+}
+
+Settings settings_of_row(const Json& row) {
+  Json json;
+  for (const char* key : {"method", "weighting", "coding", "seed"}) json[key] = row.at(key);
+  json["target"] = {{"kind", row.at("target")}, {"value", row.at("target_value")}};
+  if (!row.at("ik_ratio").is_null()) json["ik"] = {{"ratio", row.at("ik_ratio")}};
+  return read_settings(json);
 }
 
 Settings preset_from(const Json& json) {

@@ -20,6 +20,13 @@ Settings settings_from(const nlohmann::ordered_json& json);
 /// The same for settings that must have a name.
 Settings preset_from(const nlohmann::ordered_json& json);
 
+/// What was asked, as flat keys of a row of results: "method", "target", "target_value",
+/// "weighting", "coding", "seed", "ik_ratio" (null: no correction). The rest is left out.
+nlohmann::ordered_json row_json(const Settings& settings);
+
+/// The inverse. Throws Error, or like the JSON library does.
+Settings settings_of_row(const nlohmann::ordered_json& row);
+
 /// The text of a file of presets.
 std::string presets_text(std::span<const Settings> presets);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/report/measurement_json.h"
 
+#include <utility>
+
 namespace mocapress {
 
 namespace {
@@ -40,6 +42,28 @@ BodyFigures body_figures_of(const Json& json) {
 }
 
 }  // namespace
+
+void add_measurement(Json& json, const std::optional<Measurement>& measured, Weighting weighting) {
+  const Measurement m = measured.value_or(Measurement());
+  const auto add = [&](const char* key, Json value) {
+    json[key] = measured ? std::move(value) : Json();
+  };
+  add("frames", m.frames);
+  add("channels", m.channels);
+  add("sample_rate_hz", m.sample_rate_hz);
+  add("raw_bytes", m.raw_bytes);
+  add("motion_bytes", m.motion_bytes);
+  add("file_bytes", m.file_bytes);
+  add("ratio", m.ratio);
+  add_errors(m, weighting, add);
+  add("contacts", m.contacts);
+  add("footskate_cm", or_null(m.footskate_cm));
+  add("footskate_mean_cm", m.slide ? Json(m.slide->mean_cm) : Json());
+  add("footskate_worst_cm", m.slide ? Json(m.slide->worst_cm) : Json());
+  add("ik_bytes", or_null(m.ik_bytes));
+  add("knee_speed_ratio", or_null(m.knee_speed_ratio));
+  add("iterations", or_null(m.iterations));
+}
 
 Measurement measurement_of(const Json& json) {
   Measurement m;

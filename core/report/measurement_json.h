@@ -58,6 +58,10 @@ void add_errors(const Measurement& m, Weighting weighting, const Add& add) {
   add("worst_frame", Json(m.worst_frame));
 }
 
+/// What every row of results says of its measurement, all null without one. What a clock said is
+/// not among it.
+void add_measurement(Json& json, const std::optional<Measurement>& measured, Weighting weighting);
+
 /// The measurement of a row, but for where its worst points are and for "ik_ratio_used", which not
 /// every row has. Throws like the JSON library does.
 Measurement measurement_of(const Json& row);

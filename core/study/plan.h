@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/codec/encode/target.h"
-#include "core/codec/format/compressed_clip.h"
 #include "core/formats/motion_file.h"
+#include "core/mocapress/settings.h"
 #include "core/report/review.h"
 
 namespace mocapress {
@@ -27,9 +25,7 @@ struct StudyPlan {
   std::vector<std::string> methods;               // names of compression_methods()
   std::optional<std::filesystem::path> skeleton;  // of clips that have none beside them
   ReadOptions reading;
-  Weighting weighting = Weighting::Surface;
-  Coding coding = Coding::Deflate;
-  std::uint64_t seed = 1;
+  Settings settings;              // of each, but for its method, target and correction
   std::vector<double> ik_ratios;  // r_IK of "annealed" with the feet held, besides without
 };
 

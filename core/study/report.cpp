@@ -144,8 +144,8 @@ std::string tiles(const Results& results) {
                   "smaller than " + escaped(standard->title) + " at the same error");
   std::vector<double> ms;
   for (const StudyRow& row : results.rows())
-    if (row.measured && row.method == "annealed" && row.target == Target{Target::Kind::Ratio, 30} &&
-        row.measured->ms_per_frame() > 0)
+    if (row.measured && row.settings.method == "annealed" &&
+        row.settings.target == Target{Target::Kind::Ratio, 30} && row.measured->ms_per_frame() > 0)
       ms.push_back(row.measured->ms_per_frame());
   if (const auto mean = geometric_mean(ms))
     all += tile(format_significant(*mean) + " ms",
@@ -163,7 +163,8 @@ std::string subtitle(const Results& results) {
 
 std::string coding_text(const Results& results) {
   for (const StudyRow& row : results.rows())
-    if (row.coding) return "wavelets by " + std::string(name(*row.coding));
+    if (const auto coding = coding_of(row.settings))
+      return "wavelets by " + std::string(name(*coding));
   return "no wavelets";
 }
 
@@ -186,7 +187,7 @@ std::string measuring_notes(const Results& results) {
       "each clip&#8217;s curve, straight between measured points in the logarithms of "
       "both; only over the errors that every clip has. &#8776; marks a figure read from a "
       "curve, others were measured at that very error.");
-  add("Coding", coding_text(results) + ", seed " + std::to_string(row.seed));
+  add("Coding", coding_text(results) + ", seed " + std::to_string(row.settings.seed));
   int jobs = 0;
   for (const StudyRow& one : results.rows()) jobs = std::max(jobs, one.jobs);
   add("Time", "Wall time of the compression, search for the target included, with up to " +

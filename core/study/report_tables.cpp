@@ -39,8 +39,8 @@ constexpr double kUsualErrors[] = {1, 0.5, 0.26, 0.1};
 Errors asked_errors(const Results& results, const StudiedClip& clip) {
   Errors errors;
   for (const StudyRow& row : results.rows())
-    if (row.clip == clip.path && row.target.kind == Target::Kind::Error)
-      errors.insert(row.target.value);
+    if (row.clip == clip.path && row.settings.target.kind == Target::Kind::Error)
+      errors.insert(row.settings.target.value);
   if (errors.empty()) errors.insert(std::begin(kUsualErrors), std::end(kUsualErrors));
   return errors;
 }
@@ -127,8 +127,8 @@ std::string size_lines(const Results& results, const StudiedClip& clip,
 std::vector<double> timed_ratios(const Results& results) {
   std::set<double, std::greater<>> ratios;
   for (const StudyRow& row : results.rows())
-    if (row.method == "annealed" && row.target.kind == Target::Kind::Ratio)
-      ratios.insert(row.target.value);
+    if (row.settings.method == "annealed" && row.settings.target.kind == Target::Kind::Ratio)
+      ratios.insert(row.settings.target.value);
   std::vector<double> tabled;
   for (const PublishedTiming& timing : kPublishedClips.front().timings)
     if (ratios.contains(timing.ratio)) tabled.push_back(timing.ratio);
@@ -154,9 +154,9 @@ std::optional<Target> footskate_target(const Results& results, Target::Kind kind
     return std::abs(std::log(target.value / kPublishedVideoRatio));
   };
   for (const StudyRow& row : results.rows())
-    if (row.measured && row.measured->footskate_cm && row.target.kind == kind &&
-        (!nearest || distance(row.target) < distance(*nearest)))
-      nearest = row.target;
+    if (row.measured && row.measured->footskate_cm && row.settings.target.kind == kind &&
+        (!nearest || distance(row.settings.target) < distance(*nearest)))
+      nearest = row.settings.target;
   return nearest;
 }
 
@@ -355,8 +355,9 @@ std::optional<Target> nearest_target(const Results& results, Target::Kind kind, 
   std::optional<Target> nearest;
   const auto off = [&](const Target& target) { return std::abs(std::log(target.value / value)); };
   for (const StudyRow& row : results.rows())
-    if (row.measured && row.target.kind == kind && (!nearest || off(row.target) < off(*nearest)))
-      nearest = row.target;
+    if (row.measured && row.settings.target.kind == kind &&
+        (!nearest || off(row.settings.target) < off(*nearest)))
+      nearest = row.settings.target;
   return nearest;
 }
 
@@ -435,9 +436,9 @@ std::optional<Target> shown_target(const Results& results) {
   std::optional<Target> nearest;
   const auto off = [](const Target& t) { return std::abs(std::log(t.value / kShownRatio)); };
   for (const StudyRow& row : results.rows())
-    if (row.ik_ratio && row.measured && row.target.kind == Target::Kind::Ratio &&
-        (!nearest || off(row.target) < off(*nearest)))
-      nearest = row.target;
+    if (row.ik_ratio() && row.measured && row.settings.target.kind == Target::Kind::Ratio &&
+        (!nearest || off(row.settings.target) < off(*nearest)))
+      nearest = row.settings.target;
   return nearest;
 }
 
@@ -523,12 +524,13 @@ std::string failure_table(const Results& results) {
   for (const StudyRow& row : results.rows()) {
     if (row.reached()) continue;
     const bool unread = row.fingerprint.empty();
-    Failure& failure = failures[{row.clip, unread ? "every method" : row.method}];
+    Failure& failure = failures[{row.clip, unread ? "every method" : row.settings.method}];
     if (row.measured) {
-      failure.steps.push_back(asked_text(row.target) + " gave " + ratio_text(row.measured->ratio));
+      failure.steps.push_back(asked_text(row.settings.target) + " gave " +
+                              ratio_text(row.measured->ratio));
       continue;
     }
-    if (!unread) failure.targets.push_back(asked_text(row.target));
+    if (!unread) failure.targets.push_back(asked_text(row.settings.target));
     if (failure.why.empty()) failure.why = row.error;
   }
   std::string body;

@@ -16,9 +16,9 @@ std::string stem_of(const std::string& path) {
 }
 
 std::string title_of(const StudyRow& row) {
-  const std::string title(method_title(row.method));
-  if (!row.ik_ratio) return title;
-  return title + " + IK " + significant_text(*row.ik_ratio, 6) + ":1";
+  const std::string title(method_title(row.settings.method));
+  if (!row.ik_ratio()) return title;
+  return title + " + IK " + significant_text(*row.ik_ratio(), 6) + ":1";
 }
 
 StudiedClip studied(const StudyRow& row) {
@@ -48,9 +48,9 @@ void make_titles_unique(std::vector<StudiedClip>& clips) {
 
 Results::Results(std::vector<StudyRow> rows) : rows_(std::move(rows)) {
   for (const StudyRow& row : rows_) {
-    weighting_ = row.weighting;
+    weighting_ = row.settings.weighting;
     if (std::none_of(series_.begin(), series_.end(), [&](auto& s) { return s.has(row); }))
-      series_.push_back({row.method, row.ik_ratio, title_of(row)});
+      series_.push_back({row.settings.method, row.ik_ratio(), title_of(row)});
     if (row.measured &&
         std::none_of(clips_.begin(), clips_.end(), [&](auto& c) { return c.path == row.clip; }))
       clips_.push_back(studied(row));
@@ -67,7 +67,7 @@ const Series* Results::find_series(std::string_view method) const {
 const StudyRow* Results::row(const StudiedClip& clip, const Series& series,
                              const Target& target) const {
   for (const StudyRow& row : rows_)
-    if (row.measured && row.clip == clip.path && series.has(row) && row.target == target)
+    if (row.measured && row.clip == clip.path && series.has(row) && row.settings.target == target)
       return &row;
   return nullptr;
 }
@@ -76,7 +76,7 @@ Curve Results::curve(const StudiedClip& clip, const Series& series) const {
   std::vector<CurvePoint> points;
   for (const StudyRow& row : rows_)
     if (row.measured && row.clip == clip.path && series.has(row))
-      points.push_back({row.measured->ratio, row.measured->eps_cm(row.weighting)});
+      points.push_back({row.measured->ratio, row.measured->eps_cm(row.settings.weighting)});
   return best_of(std::move(points));
 }
 

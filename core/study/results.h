@@ -18,7 +18,9 @@ struct Series {
   std::optional<double> ik_ratio;
   std::string title;  // for a legend
 
-  bool has(const StudyRow& row) const { return row.method == method && row.ik_ratio == ik_ratio; }
+  bool has(const StudyRow& row) const {
+    return row.settings.method == method && row.ik_ratio() == ik_ratio;
+  }
 };
 
 /// A clip that could be read.

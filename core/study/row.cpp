@@ -15,67 +15,28 @@
 namespace mocapress {
 
 bool StudyRow::reached() const {
-  return measured && mocapress::reached(target, measured->quantity(target.kind, weighting));
+  const Target& target = settings.target;
+  return measured &&
+         mocapress::reached(target, measured->quantity(target.kind, settings.weighting));
 }
 
 std::string StudyRow::key() const {
-  std::string key = fingerprint + '|' + method + '|';
-  for (const std::string_view word :
-       {name(target.kind), name(weighting), coding ? name(*coding) : std::string_view()})
-    key.append(word).append("|");
-  return key + '|' + shortest_text(target.value) + '|' + std::to_string(seed) + '|' +
-         shortest_text(ik_ratio.value_or(0));
+  return fingerprint + '|' + row_json(settings).dump();
 }
 
 namespace {
 
-/// The one of `values` whose name() the text is. Throws like the JSON library does.
-template <typename Enum>
-Enum value_named(const Json& text, std::initializer_list<Enum> values) {
-  for (const Enum value : values)
-    if (name(value) == text.get_ref<const std::string&>()) return value;
-  throw Json::other_error::create(501, "unknown word", &text);
-}
-
-/// The columns of a measurement, all of them null without one.
-void add_measurement(Json& json, const StudyRow& row) {
-  const Measurement none;
-  const Measurement& m = row.measured ? *row.measured : none;
+Json to_json(const StudyRow& row) {
+  Json json = {{"clip", row.clip}, {"fingerprint", row.fingerprint}};
+  json.update(row_json(row.settings));
+  json["jobs"] = row.jobs;
   const auto add = [&](const char* key, Json value) {
     json[key] = row.measured ? std::move(value) : Json();
   };
   add("reached", row.reached());
-  add("frames", m.frames);
-  add("channels", m.channels);
-  add("sample_rate_hz", m.sample_rate_hz);
-  add("raw_bytes", m.raw_bytes);
-  add("motion_bytes", m.motion_bytes);
-  add("file_bytes", m.file_bytes);
-  add("ratio", m.ratio);
-  add_errors(m, row.weighting, add);
-  add("contacts", m.contacts);
-  add("footskate_cm", or_null(m.footskate_cm));
-  add("footskate_mean_cm", m.slide ? Json(m.slide->mean_cm) : Json());
-  add("footskate_worst_cm", m.slide ? Json(m.slide->worst_cm) : Json());
-  add("ik_bytes", or_null(m.ik_bytes));
-  add("knee_speed_ratio", or_null(m.knee_speed_ratio));
-  add("iterations", or_null(m.iterations));
-  add("encode_seconds", m.encode_seconds);
-  add("ms_per_frame", m.ms_per_frame());
-}
-
-Json to_json(const StudyRow& row) {
-  Json json = {{"clip", row.clip},
-               {"fingerprint", row.fingerprint},
-               {"method", row.method},
-               {"target", name(row.target.kind)},
-               {"target_value", row.target.value},
-               {"weighting", name(row.weighting)},
-               {"coding", row.coding ? Json(name(*row.coding)) : Json()},
-               {"seed", row.seed},
-               {"ik_ratio", or_null(row.ik_ratio)},
-               {"jobs", row.jobs}};
-  add_measurement(json, row);
+  add_measurement(json, row.measured, row.settings.weighting);
+  add("encode_seconds", row.measured ? Json(row.measured->encode_seconds) : Json());
+  add("ms_per_frame", row.measured ? Json(row.measured->ms_per_frame()) : Json());
   json["verdict"] = text_or_null(name(row.review.verdict));
   json["note"] = text_or_null(row.review.note);
   json["error"] = text_or_null(row.error);
@@ -86,16 +47,7 @@ StudyRow row_from(const Json& json) {
   StudyRow row;
   json.at("clip").get_to(row.clip);
   json.at("fingerprint").get_to(row.fingerprint);
-  json.at("method").get_to(row.method);
-  const auto kind = target_kind(json.at("target").get_ref<const std::string&>());
-  if (!kind) throw Json::other_error::create(501, "unknown target", &json);
-  row.target = {*kind, json.at("target_value").get<double>()};
-  row.weighting = value_named(json.at("weighting"), kWeightings);
-  row.coding.reset();
-  if (!json.at("coding").is_null())
-    row.coding = value_named(json.at("coding"), {Coding::Rle16, Coding::Deflate, Coding::Adaptive});
-  json.at("seed").get_to(row.seed);
-  row.ik_ratio = optional_at<double>(json, "ik_ratio");
+  row.settings = settings_of_row(json);
   json.at("jobs").get_to(row.jobs);
   row.review = {verdict_named(optional_at<std::string>(json, "verdict").value_or("")),
                 optional_at<std::string>(json, "note").value_or("")};
@@ -120,6 +72,8 @@ std::optional<StudyRow> parse_row(std::string_view line) {
   try {
     return row_from(Json::parse(line));
   } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const Error&) {
     return std::nullopt;
   }
 }

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "core/base/appended_file.h"
-#include "core/codec/encode/target.h"
-#include "core/codec/format/compressed_clip.h"
+#include "core/mocapress/settings.h"
 #include "core/report/measurement.h"
 #include "core/report/review.h"
 
@@ -22,15 +21,15 @@ struct StudyRow {
   std::string clip;         // the path as given
   ClipReview review = {};   // where a library has one
   std::string fingerprint;  // of the motion that was read; empty: it could not be
-  std::string method;       // name of a method
-  Target target;
-  Weighting weighting = Weighting::BoneEnds;
-  std::optional<Coding> coding = Coding::Deflate;  // of wavelets
-  std::uint64_t seed = 1;
-  std::optional<double> ik_ratio;  // unset: without IK correction
-  int jobs = 1;                    // compressions at a time, which seconds depend on
+  Settings settings;        // what was asked
+  int jobs = 1;             // compressions at a time, which seconds depend on
   std::optional<Measurement> measured;
   std::string error;  // why there is no measurement
+
+  /// r_IK; unset: without IK correction.
+  std::optional<double> ik_ratio() const {
+    return settings.correction ? settings.correction->ratio : std::nullopt;
+  }
 
   /// Whether the target was met: a ratio within 2 %, a bound not exceeded.
   bool reached() const;

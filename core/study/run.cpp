@@ -91,23 +91,17 @@ class Run {
  private:
   void do_job(std::size_t index) {
     const StudyJob& job = jobs_[index];
-    const Settings settings = settings_of(job);
     SharedClip& shared = *clips_[job.clip];
     StudyRow row{.clip = plan_.clips[job.clip].path.string(),
                  .review = plan_.clips[job.clip].review,
-                 .method = settings.method,
-                 .target = settings.target,
-                 .weighting = settings.weighting,
-                 .coding = coding_of(settings),
-                 .seed = settings.seed,
-                 .ik_ratio = job.ik_ratio,
+                 .settings = settings_of(job),
                  .jobs = workers_};
     bool kept = false;
     bool complete = true;
     if (const LoadedClip* clip = shared.get(plan_, plan_.clips[job.clip].path)) {
       row.fingerprint = clip->fingerprint();
       kept = keep_earlier(row);
-      if (!kept) complete = compress(*clip, settings, row);
+      if (!kept) complete = compress(*clip, row);
     } else {
       row.error = shared.error();
     }
@@ -116,11 +110,10 @@ class Run {
   }
 
   Settings settings_of(const StudyJob& job) const {
-    Settings settings{.method = plan_.methods[job.method],
-                      .weighting = plan_.weighting,
-                      .target = job.target,
-                      .seed = plan_.seed};
-    if (settings.method != name(Method::ClosedLoop)) settings.coding = plan_.coding;
+    Settings settings = plan_.settings;
+    settings.method = plan_.methods[job.method];
+    settings.target = job.target;
+    if (settings.method == name(Method::ClosedLoop)) settings.coding.reset();
     if (job.ik_ratio) settings.correction = CorrectionSettings{.ratio = job.ik_ratio};
     return settings;
   }
@@ -136,13 +129,13 @@ class Run {
   }
 
   /// False when the observer ended it.
-  bool compress(const LoadedClip& clip, const Settings& settings, StudyRow& row) {
+  bool compress(const LoadedClip& clip, StudyRow& row) {
     bool told_to_stop = false;
     try {
-      check(settings);
+      check(row.settings);
       const Compression compression =
-          clip.encoder().compress(*find_compression_method(settings.method),
-                                  encode_options(settings, clip.motion().skeleton),
+          clip.encoder().compress(*find_compression_method(row.settings.method),
+                                  encode_options(row.settings, clip.motion().skeleton),
                                   [&](const EncodeProgress&) { return !(told_to_stop = !ask()); });
       if (!compression.complete) return false;
       row.measured = clip.measure(compression);

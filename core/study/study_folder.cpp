@@ -45,17 +45,17 @@ std::optional<Pictured> pictured(const Results& results, const StudiedClip& clip
                                  const std::vector<std::string>& methods) {
   std::optional<Pictured> best;
   for (const StudyRow& row : results.rows()) {
-    if (row.clip != clip.path || row.method != methods.front() ||
-        row.target.kind != Target::Kind::Ratio || !row.reached())
+    if (row.clip != clip.path || row.settings.method != methods.front() ||
+        row.settings.target.kind != Target::Kind::Ratio || !row.reached())
       continue;
     const bool by_all = std::all_of(methods.begin(), methods.end(), [&](const std::string& name) {
-      const StudyRow* other = results.row(clip, *results.find_series(name), row.target);
+      const StudyRow* other = results.row(clip, *results.find_series(name), row.settings.target);
       return other && other->reached();
     });
     const auto distance = [](double ratio) { return std::abs(std::log(ratio / kPicturedRatio)); };
-    if (by_all && (!best || distance(row.target.value) < distance(best->ratio)))
-      best = Pictured{clip.path, clip.published != nullptr, row.target.value,
-                      row.measured->eps_cm(row.weighting)};
+    if (by_all && (!best || distance(row.settings.target.value) < distance(best->ratio)))
+      best = Pictured{clip.path, clip.published != nullptr, row.settings.target.value,
+                      row.measured->eps_cm(row.settings.weighting)};
   }
   return best;
 }

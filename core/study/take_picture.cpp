@@ -5,6 +5,7 @@
 
 #include "core/feet/footskate.h"
 #include "core/metrics/rate.h"
+#include "core/mocapress/encode_options.h"
 #include "core/report/loaded_clip.h"
 
 namespace mocapress {
@@ -91,16 +92,15 @@ std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem
   for (const std::string& name : methods) {
     const CompressionMethod* method = find_compression_method(name);
     if (!method) throw Error("unknown method \"" + name + "\"");
-    const Compression made = clip.encoder().compress(*method,
-                                                     {.coding = plan.coding,
-                                                      .weighting = plan.weighting,
-                                                      .target = {Target::Kind::Ratio, ratio},
-                                                      .seed = plan.seed},
-                                                     observer);
+    Settings settings = plan.settings;
+    settings.method = name;
+    settings.target = {Target::Kind::Ratio, ratio};
+    const Compression made =
+        clip.encoder().compress(*method, encode_options(settings, skeleton), observer);
     if (!made.complete) return std::nullopt;
     if (tracks.decoded.empty()) worst = worst_frame(made.distortion);
     picture.methods.push_back({name, compression_ratio(clip.motion().clip, made.motion_bytes),
-                               made.distortion.eps(plan.weighting), made.distortion.max.cm,
+                               made.distortion.eps(plan.settings.weighting), made.distortion.max.cm,
                                sight_chart(made.visibility.table, skeleton)});
     tracks.decoded.push_back(landmark_tracks(skeleton, made.decoded));
   }

@@ -70,7 +70,7 @@ TEST(StudySettings, BecomeAPlanOfEveryClipAtEveryTarget) {
   EXPECT_EQ(plan.clips[1].targets,
             (std::vector<Target>{
                 {Target::Kind::Ratio, 10}, {Target::Kind::Ratio, 20}, {Target::Kind::Error, 0.5}}));
-  EXPECT_EQ(plan.weighting, Weighting::JointOrigins);
+  EXPECT_EQ(plan.settings.weighting, Weighting::JointOrigins);
   EXPECT_EQ(plan.ik_ratios, Numbers{16});
   EXPECT_EQ(jobs_of(plan).size(),
             2 * (settings.methods.size() * 3 + 2u));  // feet are held at ratios only

@@ -29,8 +29,8 @@ class StudyRowLoading : public testing::Test {
     StudyPlan plan;
     plan.clips = {{path(clip).toStdU16String(), {target}}};
     plan.methods = {method};
-    plan.weighting = Weighting::JointOrigins;
-    plan.seed = 5;
+    plan.settings.weighting = Weighting::JointOrigins;
+    plan.settings.seed = 5;
     return run_study(plan).rows.at(0);
   }
 
@@ -44,9 +44,9 @@ class StudyRowLoading : public testing::Test {
     ASSERT_TRUE(document_.original());
     EXPECT_EQ(document_.original()->path.toStdString(), row.clip);
     const ResultFigures figures = *figuresOf(document_);
-    EXPECT_NEAR(figures.ratio, row.measured->ratio, 1e-9) << row.method;
-    EXPECT_NEAR(figures.eps_cm, row.measured->eps_joint_origins_cm, 1e-6) << row.method;
-    EXPECT_EQ(document_.decoded()->method, row.method);
+    EXPECT_NEAR(figures.ratio, row.measured->ratio, 1e-9) << row.settings.method;
+    EXPECT_NEAR(figures.eps_cm, row.measured->eps_joint_origins_cm, 1e-6) << row.settings.method;
+    EXPECT_EQ(document_.decoded()->method, row.settings.method);
   }
 
   QTemporaryDir directory_;

@@ -109,7 +109,7 @@ TEST_F(StudyInTheStudio, CancelKeepsWhatIsDoneAndTheNextRunGoesOn) {
 
   // Rows are made side by side: those that are there need not be the plan's first.
   long_one.ratios.clear();
-  for (const StudyRow& row : session_.rows()) long_one.ratios.push_back(row.target.value);
+  for (const StudyRow& row : session_.rows()) long_one.ratios.push_back(row.settings.target.value);
   run(long_one);
   EXPECT_EQ(session_.state(), State::Complete);
   EXPECT_EQ(session_.counts().kept, static_cast<int>(done));

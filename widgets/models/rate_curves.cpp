@@ -44,7 +44,7 @@ std::vector<RateCurve> rateCurves(const std::vector<StudyRow>& rows, const std::
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const StudyRow& row = rows[i];
       if (!row.measured || !series.has(row) || (!mean && row.clip != clip)) continue;
-      const double eps_cm = row.measured->eps_cm(row.weighting);
+      const double eps_cm = row.measured->eps_cm(row.settings.weighting);
       if (eps_cm > 0) curve.points.push_back({row.measured->ratio, eps_cm, static_cast<int>(i)});
     }
     curves.push_back(std::move(curve));

@@ -15,14 +15,14 @@ namespace mocapress {
 namespace {
 
 std::optional<double> value(const StudyRow& row, int column) {
-  if (column == StudyRowsModel::Asked) return row.target.value;
+  if (column == StudyRowsModel::Asked) return row.settings.target.value;
   if (!row.measured) return std::nullopt;
   const Measurement& measured = *row.measured;
   switch (column) {
     case StudyRowsModel::Ratio:
       return measured.ratio;
     case StudyRowsModel::Eps:
-      return measured.eps_cm(row.weighting);
+      return measured.eps_cm(row.settings.weighting);
     case StudyRowsModel::Max:
       return measured.max_error_cm;
     case StudyRowsModel::Footskate:
@@ -41,7 +41,7 @@ bool isFigure(int column) {
 QString display(const StudyRow& row, int column) {
   if (column == StudyRowsModel::Clip) return clipTitle(row);
   if (column == StudyRowsModel::Method) return seriesTitle(row);
-  if (column == StudyRowsModel::Asked) return targetText(row.target);
+  if (column == StudyRowsModel::Asked) return targetText(row.settings.target);
   const auto found = value(row, column);
   if (!found) return QStringLiteral("–");
   if (column == StudyRowsModel::Ratio) return shown(*found, 1) + QStringLiteral(":1");
@@ -57,7 +57,7 @@ QVariant sortKey(const StudyRow& row, int column) {
 }  // namespace
 
 QString seriesTitle(const StudyRow& row) {
-  return seriesTitle(row.method, row.ik_ratio);
+  return seriesTitle(row.settings.method, row.ik_ratio());
 }
 
 QString clipTitle(const StudyRow& row) {
@@ -108,12 +108,12 @@ QString StudyRowsModel::description(int index) const {
                .arg(shown(measured.ratio, 1),
                     QLocale().formattedDataSize(static_cast<qint64>(measured.motion_bytes)));
   lines << tr("eps_x %1 cm, at most %2 cm")
-               .arg(shownFigure(measured.eps_cm(row.weighting)),
+               .arg(shownFigure(measured.eps_cm(row.settings.weighting)),
                     shownFigure(measured.max_error_cm));
   if (measured.footskate_cm)
     lines << tr("%1 cm of footskate in %Ln contact(s)", nullptr, measured.contacts)
                  .arg(shown(*measured.footskate_cm, 1));
-  if (!row.reached()) lines << tr("Asked for %1.").arg(targetText(row.target));
+  if (!row.reached()) lines << tr("Asked for %1.").arg(targetText(row.settings.target));
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -137,7 +137,8 @@ QVariant StudyRowsModel::data(const QModelIndex& index, int role) const {
       return QVariant((isFigure(index.column()) ? Qt::AlignRight : Qt::AlignLeft) |
                       Qt::AlignVCenter);
     case Qt::DecorationRole:
-      if (index.column() == Method) return seriesStyle(row.method, row.ik_ratio.has_value()).colour;
+      if (index.column() == Method)
+        return seriesStyle(row.settings.method, row.ik_ratio().has_value()).colour;
       return {};
     case SortRole:
       return sortKey(row, index.column());

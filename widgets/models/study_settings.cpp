@@ -22,7 +22,7 @@ StudyPlan planOf(const StudySettings& settings) {
   for (const QString& method : settings.methods) plan.methods.push_back(method.toStdString());
   if (!settings.skeleton.isEmpty()) plan.skeleton = settings.skeleton.toStdU16String();
   if (settings.ik_ratio) plan.ik_ratios = {*settings.ik_ratio};
-  plan.weighting = settings.weighting;
+  plan.settings.weighting = settings.weighting;
   return plan;
 }
 

@@ -128,7 +128,8 @@ void ClipFiles::open(const QString& path, const QString& skeleton) {
 void ClipFiles::openRow(const StudyRow& row) {
   const QString path = QString::fromStdString(row.clip);
   // Other settings for the clip that is open are no more than a slider does.
-  if (session_->isOpen(path) && !find_comparison_method(row.method)) return session_->openRow(row);
+  if (session_->isOpen(path) && !find_comparison_method(row.settings.method))
+    return session_->openRow(row);
   leave([=, this] { session_->openRow(row, rememberedSkeleton(path)); });
 }
 

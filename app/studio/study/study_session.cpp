@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 StudyPlan planOfRows(const std::vector<StudyRow>& rows) {
   StudyPlan plan;
   if (rows.empty()) return plan;
-  plan.weighting = rows.back().weighting;
-  plan.seed = rows.back().seed;
+  plan.settings.weighting = rows.back().settings.weighting;
+  plan.settings.seed = rows.back().settings.seed;
   return plan;
 }
 
@@ -29,8 +29,8 @@ std::vector<StudyRow> readStudy(const fs::path& folder) {
   if (!fs::exists(folder / kRowsSoFar)) return {};
   std::vector<StudyRow> rows = read_rows(folder / kRowsSoFar);
   if (rows.empty()) return rows;
-  const Weighting newest = rows.back().weighting;
-  std::erase_if(rows, [&](const StudyRow& row) { return row.weighting != newest; });
+  const Weighting newest = rows.back().settings.weighting;
+  std::erase_if(rows, [&](const StudyRow& row) { return row.settings.weighting != newest; });
   return rows;
 }
 

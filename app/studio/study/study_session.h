@@ -60,7 +60,7 @@ class StudySession : public QObject {
   const std::vector<StudyRow>& rows() const { return rows_; }
 
   /// Of the eps_x of the rows.
-  Weighting weighting() const { return plan_.weighting; }
+  Weighting weighting() const { return plan_.settings.weighting; }
 
   /// Paths of the clips of which all rows are there.
   std::set<std::string> completeClips() const;

@@ -101,7 +101,7 @@ TEST(Results, ClipsOfOneNameGoByTheirPaths) {
 TEST(Results, IkMakesASeriesOfItsOwn) {
   auto rows = known_rows();
   StudyRow with_ik = rows[4];  // at 40:1, nearest to the ratio of the table
-  with_ik.ik_ratio = 16;
+  with_ik.settings.correction = CorrectionSettings{.ratio = 16};
   rows.push_back(with_ik);
   const Results results(rows);
   ASSERT_EQ(results.series().size(), 3u);
@@ -118,7 +118,7 @@ TEST(ReportTables, SetFeetHeldAgainstTheSameSizeWithout) {
   with.measured->contacts = 3;
   with.measured->footskate_cm = 1;
   with.measured->knee_speed_ratio = 1.05;
-  with.ik_ratio = 16;
+  with.settings.correction = CorrectionSettings{.ratio = 16};
   EXPECT_EQ(held_feet_table(Results(rows)), "");
   rows.push_back(without);
   rows.push_back(with);
@@ -141,7 +141,7 @@ TEST(ReportTables, TellOfSlidingAContactBesideTheTotal) {
 TEST(ReportTables, TellByHowManyDegreesJointsHeadAndHandsAreTurned) {
   auto rows = known_rows();
   for (StudyRow& row : rows) {
-    row.measured->body.angle_rms_degrees = row.target.value / 10;
+    row.measured->body.angle_rms_degrees = row.settings.target.value / 10;
     row.measured->body.hand_degrees = 7.25;
   }
   const std::string table = angle_table(Results(rows));
@@ -170,7 +170,7 @@ TEST(ReportTables, PutThePapersFiguresBesideTheMeasuredOnes) {
 
 TEST(ReportTables, TimeIsAFrameAndBesideThePapers) {
   auto rows = known_rows();
-  rows[0].target.value = 30;
+  rows[0].settings.target.value = 30;
   rows[0].measured->iterations = 321;
   rows[0].measured->encode_seconds = 0.148;
   const std::string times = time_table(Results(rows));
@@ -180,7 +180,8 @@ TEST(ReportTables, TimeIsAFrameAndBesideThePapers) {
 }
 
 TEST(ReportTables, AreEmptyWithoutAnythingToShow) {
-  const Results nothing({StudyRow{.clip = "x.bvh", .method = "pca", .error = "not there"}});
+  const Results nothing(
+      {StudyRow{.clip = "x.bvh", .settings = {.method = "pca"}, .error = "not there"}});
   for (const auto& table : {mean_size_table(nothing), size_table(nothing), time_table(nothing),
                             footskate_table(nothing), clip_table(nothing), angle_table(nothing)})
     EXPECT_EQ(table, "");
@@ -189,7 +190,8 @@ TEST(ReportTables, AreEmptyWithoutAnythingToShow) {
 
 TEST(Report, IsWellFormedAndNeedsNothingElse) {
   auto rows = known_rows();
-  rows.push_back({.clip = "c.bvh", .method = "annealed", .error = "c.bvh: <broken> & gone"});
+  rows.push_back(
+      {.clip = "c.bvh", .settings = {.method = "annealed"}, .error = "c.bvh: <broken> & gone"});
   const std::string html = report_html(Results(rows), {});
   EXPECT_EQ(imbalance(html), "");
   EXPECT_EQ(test::misfit(html), "");
@@ -202,8 +204,8 @@ TEST(Report, IsWellFormedAndNeedsNothingElse) {
 }
 
 TEST(Report, OfNothingButFailuresIsAPage) {
-  const std::string html =
-      report_html(Results({{.clip = "c.bvh", .method = "annealed", .error = "gone"}}), {});
+  const std::string html = report_html(
+      Results({{.clip = "c.bvh", .settings = {.method = "annealed"}, .error = "gone"}}), {});
   EXPECT_EQ(imbalance(html), "");
   EXPECT_THAT(html, HasSubstr("gone"));
 }

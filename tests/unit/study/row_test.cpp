@@ -53,12 +53,12 @@ TEST(StudyRow, FromBeforeTheEyeLookedIsRead) {
 }
 
 TEST(StudyRow, WithoutAMeasurementSurvivesToo) {
-  StudyRow row{.clip = "x.bvh", .fingerprint = "", .method = "pca", .coding = std::nullopt};
+  StudyRow row{.clip = "x.bvh", .fingerprint = "", .settings = {.method = "pca"}};
   row.error = "x.bvh: line\nbreak, \xff and \"quotes\"";
   const auto again = parse_row(to_json_line(row));
   ASSERT_TRUE(again);
   EXPECT_FALSE(again->measured);
-  EXPECT_FALSE(again->coding);
+  EXPECT_FALSE(coding_of(again->settings));
   EXPECT_NE(again->error.find("line\nbreak"), std::string::npos);
 }
 
@@ -76,13 +76,13 @@ TEST(StudyRow, IsNotReadFromAnythingElse) {
 TEST(StudyRow, KeyTellsApartAllThatWasAskedAndTheMotion) {
   std::vector<StudyRow> rows(9, full_row());
   rows[1].fingerprint = "other";
-  rows[2].method = "standard";
-  rows[3].target.kind = Target::Kind::Ratio;
-  rows[4].target.value = 0.27;
-  rows[5].weighting = Weighting::BoneEnds;
-  rows[6].coding = Coding::Deflate;
-  rows[7].seed = 2;
-  rows[8].ik_ratio.reset();
+  rows[2].settings.method = "standard";
+  rows[3].settings.target.kind = Target::Kind::Ratio;
+  rows[4].settings.target.value = 0.27;
+  rows[5].settings.weighting = Weighting::BoneEnds;
+  rows[6].settings.coding = Coding::Deflate;
+  rows[7].settings.seed = 2;
+  rows[8].settings.correction.reset();
   std::vector<std::string> keys;
   for (const StudyRow& row : rows) keys.push_back(row.key());
   std::sort(keys.begin(), keys.end());
@@ -103,7 +103,7 @@ TEST(StudyRow, HasReachedARatioWithinTwoPercentAndABoundNotExceeded) {
   EXPECT_TRUE(point("a", "annealed", error, 20, 0.5).reached());
   EXPECT_FALSE(point("a", "annealed", error, 20, 0.501).reached());
   StudyRow other_weighting = point("a", "annealed", error, 20, 0.6);
-  other_weighting.weighting = Weighting::JointOrigins;  // 0.8 of it
+  other_weighting.settings.weighting = Weighting::JointOrigins;  // 0.8 of it
   EXPECT_TRUE(other_weighting.reached());
   EXPECT_FALSE(StudyRow{}.reached());
 }
@@ -111,7 +111,7 @@ TEST(StudyRow, HasReachedARatioWithinTwoPercentAndABoundNotExceeded) {
 TEST(RowsCsv, HasAHeaderAndAsManyFieldsInEachLine) {
   StudyRow plain = full_row();
   plain.clip = "walk.bvh";
-  StudyRow failed{.clip = "run.bvh", .method = "pca", .error = "no such file"};
+  StudyRow failed{.clip = "run.bvh", .settings = {.method = "pca"}, .error = "no such file"};
   const std::string text = rows_csv(std::vector{plain, failed});
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -143,7 +143,7 @@ TEST_F(RowsFileTest, GivesBackWhatWasAppended) {
   const RowsFile file(path_);
   ASSERT_EQ(file.rows().size(), 2u);
   EXPECT_EQ(file.rows()[0].measured, full_row().measured);
-  EXPECT_EQ(file.rows()[1].method, "pca");
+  EXPECT_EQ(file.rows()[1].settings.method, "pca");
 }
 
 TEST_F(RowsFileTest, DropsATornLastLineAndGoesOnAfterIt) {

@@ -60,12 +60,12 @@ TEST_F(Study, MeasuresEveryClipByEveryMethodAtEveryTargetInThatOrder) {
   for (std::size_t i = 0; i < 12; ++i) {
     const StudyRow& row = outcome.rows[i];
     EXPECT_EQ(row.clip, plan().clips[i / 6].path.string());
-    EXPECT_EQ(row.method, plan().methods[i / 3 % 2]);
-    EXPECT_TRUE(row.target == plan().clips[0].targets[i % 3]);
+    EXPECT_EQ(row.settings.method, plan().methods[i / 3 % 2]);
+    EXPECT_TRUE(row.settings.target == plan().clips[0].targets[i % 3]);
     ASSERT_TRUE(row.measured) << row.error;
     EXPECT_TRUE(row.reached()) << to_json_line(row);
     EXPECT_EQ(row.measured->frames, i < 6 ? 150 : 180);
-    EXPECT_EQ(row.measured->iterations.has_value(), row.method == "annealed");
+    EXPECT_EQ(row.measured->iterations.has_value(), row.settings.method == "annealed");
   }
 }
 

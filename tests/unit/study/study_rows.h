@@ -13,12 +13,12 @@ inline StudyRow full_row() {
   StudyRow row;
   row.clip = "clips/walk, \"slow\" <1>.bvh";
   row.fingerprint = "0123456789abcdef";
-  row.method = "annealed";
-  row.target = {Target::Kind::Error, 0.26};
-  row.weighting = Weighting::JointOrigins;
-  row.coding = Coding::Rle16;
-  row.seed = 18446744073709551615u;
-  row.ik_ratio = 16;
+  row.settings.method = "annealed";
+  row.settings.target = {Target::Kind::Error, 0.26};
+  row.settings.weighting = Weighting::JointOrigins;
+  row.settings.coding = Coding::Rle16;
+  row.settings.seed = 18446744073709551615u;
+  row.settings.correction = CorrectionSettings{.ratio = 16};
   row.jobs = 3;
   row.measured = Measurement{.frames = 600,
                              .channels = 62,
@@ -46,7 +46,9 @@ inline StudyRow full_row() {
 /// One measured point of a clip.
 inline StudyRow point(const std::string& clip, const std::string& method, const Target& target,
                       double ratio, double eps_cm) {
-  StudyRow row{.clip = clip, .fingerprint = clip, .method = method, .target = target};
+  StudyRow row{.clip = clip,
+               .fingerprint = clip,
+               .settings = {.method = method, .weighting = Weighting::BoneEnds, .target = target}};
   row.measured = Measurement{.frames = 240,
                              .channels = 62,
                              .sample_rate_hz = 120,
