@@ -144,7 +144,7 @@ SegmentDatabase::Cutting SegmentDatabase::cut(const std::vector<Eigen::MatrixXd>
       const int last = std::min(begin + length, motions[m].clip.frames() - 1);
       const auto fit = [&](const Eigen::MatrixXd& rows, const Eigen::RowVectorXd& scales) {
         const Eigen::MatrixXd segment = rows.middleRows(begin, last - begin + 1);
-        const Eigen::MatrixXd controls = fit_bezier(segment);
+        Eigen::MatrixXd controls = fit_bezier(segment);
         squared_error += ((bezier_curve(segment.row(0), controls, last - begin) -
                            segment.bottomRows(last - begin)) *
                           scales.asDiagonal())

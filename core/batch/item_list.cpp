@@ -79,7 +79,7 @@ BatchItem ItemList::operator[](std::size_t index) const {
   const Place& place = places_[index];
   const char* at = text_.data() + place.offset;
   const auto next = [&at] {
-    const std::string field(at);
+    std::string field(at);
     at += field.size() + 1;
     return field;
   };

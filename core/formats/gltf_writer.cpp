@@ -381,8 +381,8 @@ void remove_channels(const GltfFile& file, const std::vector<NodeTrack>& tracks,
                      GltfJson& animation) {
   std::unordered_set<std::size_t> nodes;
   for (const NodeTrack& track : tracks) nodes.insert(track.node);
-  const GltfJson channels = file.list(animation, "channels");
-  const GltfJson samplers = file.list(animation, "samplers");
+  GltfJson channels = file.list(animation, "channels");
+  GltfJson samplers = file.list(animation, "samplers");
   animation["channels"] = GltfJson::array();
   animation["samplers"] = GltfJson::array();
   std::unordered_map<std::size_t, std::size_t> new_index;

@@ -60,7 +60,7 @@ path find_skeleton(const path& amc) {
   const std::string subject = stem.substr(0, stem.find('_'));
   for (const std::string& name : {stem, subject})
     for (const char* extension : {".asf", ".ASF"}) {
-      const path candidate = amc.parent_path() / (name + extension);
+      path candidate = amc.parent_path() / (name + extension);
       std::error_code ignored;
       if (std::filesystem::exists(candidate, ignored)) return candidate;
     }

@@ -41,7 +41,7 @@ std::optional<double> parse_number(std::string_view text) {
   if (end == text.data() + text.size()) {
     if (error == std::errc()) return value;
     if (error == std::errc::result_out_of_range)
-      return text.find_first_of("eE") != text.npos && text.find("-", 1) != text.npos ? 0.0
+      return text.find_first_of("eE") != text.npos && text.find('-', 1) != text.npos ? 0.0
                                                                                      : kNotANumber;
   }
   if (text.starts_with('-')) text.remove_prefix(1);

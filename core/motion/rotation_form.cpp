@@ -37,7 +37,7 @@ Joint with_form(Joint joint, const RotationForm& form) {
 /// Of both solutions the one whose middle angle is within a right one, as most sources have it.
 Eigen::Vector3d first_angles(const std::array<int, 3>& axes, const Eigen::Matrix3d& rotation) {
   using std::numbers::pi;
-  const Eigen::Vector3d angles = three_angles(axes, rotation, Eigen::Vector3d::Zero());
+  Eigen::Vector3d angles = three_angles(axes, rotation, Eigen::Vector3d::Zero());
   if (std::abs(angles(1)) <= pi / 2) return angles;
   const auto turned = [](double angle) { return std::remainder(angle + pi, 2 * pi); };
   return {turned(angles(0)), std::remainder(pi - angles(1), 2 * pi), turned(angles(2))};

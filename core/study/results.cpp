@@ -16,7 +16,7 @@ std::string stem_of(const std::string& path) {
 }
 
 std::string title_of(const StudyRow& row) {
-  const std::string title(method_title(row.settings.method));
+  std::string title(method_title(row.settings.method));
   if (!row.ik_ratio()) return title;
   return title + " + IK " + significant_text(*row.ik_ratio(), 6) + ":1";
 }

@@ -74,7 +74,7 @@ TEST_F(StudyRowLoading, ChangesTheSettingsOfTheClipThatIsOpen) {
   const StudyRow bound = rowOf("one.bvh", "standard", {Target::Kind::Error, 2});
   settleAfter([&] { session_.openRow(bound); });
   expectShown(bound);
-  EXPECT_EQ(document_.options().target, bound.target);
+  EXPECT_EQ(document_.options().target, bound.settings.target);
   const int steps = session_.history()->count();
   settleAfter([&] { session_.openRow(bound); });
   EXPECT_EQ(session_.history()->count(), steps) << "nothing was changed";

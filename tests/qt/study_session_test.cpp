@@ -76,8 +76,8 @@ TEST_F(StudyInTheStudio, HandsOverEveryRowOnce) {
   EXPECT_EQ(session_.state(), State::Complete);
   EXPECT_EQ(arrived_, 8u);
   ASSERT_EQ(session_.rows().size(), 8u);
-  EXPECT_EQ(session_.rows()[0].method, "standard");
-  EXPECT_EQ(session_.rows()[7].method, "subsample");
+  EXPECT_EQ(session_.rows()[0].settings.method, "standard");
+  EXPECT_EQ(session_.rows()[7].settings.method, "subsample");
   EXPECT_EQ(session_.completeClips().size(), 2u);
   for (const StudyRow& row : session_.rows()) EXPECT_TRUE(row.measured) << row.error;
 }

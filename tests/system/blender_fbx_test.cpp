@@ -17,42 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class BlenderFbx : public CommandLine {
- protected:
-  void SetUp() override {
-    CommandLine::SetUp();
-    if (run_program({"sh", "-c", "command -v blender"}).exit_code != 0)
-      GTEST_SKIP() << "Blender is not installed";
-  }
-
-  /// What blender_fbx.py says of the files; null where Blender does not start.
-  nlohmann::json run(const std::vector<std::string>& files) {
-    const std::string out = file("places.json");
-    std::vector<std::string> words = {
-        "timeout",
-        "600",
-        "blender",
-        "-b",
-        "--factory-startup",
-        "--python-exit-code",
-        "1",
-        "-P",
-        std::string(MOCAPRESS_SOURCE_DIR) + "/tests/system/blender_fbx.py",
-        "--",
-        out};
-    words.insert(words.end(), files.begin(), files.end());
-    const Outcome outcome = run_program(words);
-    if (!fs::exists(out + ".started")) return {};
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-    return nlohmann::json::parse(read_text(out));
-  }
-};
+class BlenderFbx : public CommandLine {};
 
 TEST_F(BlenderFbx, WritesWhatIsReadBackInItsPlace) {
   const Motion walk =
       read_motion(fs::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/human_walk.amc").motion;
   const std::string bvh = write("walk.bvh", bvh_text(walk, {.cm_per_unit = 1}));
-  if (run({bvh}).is_null()) GTEST_SKIP() << "Blender does not start here";
+  if (run_blender("blender_fbx.py", {bvh}).is_null())
+    GTEST_SKIP() << "there is no Blender that starts";
   const Motion back = read_motion(bvh + ".fbx").motion;
   EXPECT_EQ(back.clip.sample_rate_hz, walk.clip.sample_rate_hz);
   ASSERT_EQ(back.clip.frames(), walk.clip.frames());
@@ -83,8 +55,8 @@ TEST_F(BlenderFbx, ReadsEveryFrameAsWeDo) {
   }
   std::vector<std::string> files;
   for (const auto& [file, motion] : ours) files.push_back(file);
-  const nlohmann::json all = run(files);
-  if (all.is_null()) GTEST_SKIP() << "Blender does not start here";
+  const nlohmann::json all = run_blender("blender_fbx.py", files);
+  if (all.is_null()) GTEST_SKIP() << "there is no Blender that starts";
   for (const auto& [file, read] : ours) {
     const Eigen::MatrixXd tracks = landmark_tracks(read.motion.skeleton, read.motion.clip);
     double largest = 0;

@@ -42,27 +42,11 @@ class Blender : public CommandLine {
 
   /// Where Blender puts the bones of each; empty where there is no Blender that starts.
   nlohmann::json positions() {
-    const std::string out = file("positions.json");
-    std::vector<std::string> words = {
-        "timeout",
-        "600",
-        "blender",
-        "-b",
-        "--factory-startup",
-        "--python-exit-code",
-        "1",
-        "-P",
-        std::string(MOCAPRESS_SOURCE_DIR) + "/tests/system/blender_positions.py",
-        "--",
-        out,
-        std::to_string(kSampledFrames)};
+    std::vector<std::string> arguments = {std::to_string(kSampledFrames)};
     for (std::size_t i = 0; i < exported_.size(); ++i)
-      words.push_back(write("clip" + std::to_string(i) + ".bvh",
-                            bvh_text(exported_[i].motion, exported_[i].style)));
-    const Outcome outcome = run_program(words);
-    if (!fs::exists(out + ".started")) return {};
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-    return fs::exists(out) ? nlohmann::json::parse(read_text(out)) : nlohmann::json::array();
+      arguments.push_back(write("clip" + std::to_string(i) + ".bvh",
+                                bvh_text(exported_[i].motion, exported_[i].style)));
+    return run_blender("blender_positions.py", arguments);
   }
 
   /// The farthest (cm) that Blender puts any joint's origin from where it is, and everything else

@@ -82,6 +82,10 @@ Outcome run_program(const std::vector<std::string>& words) {
   return outcome;
 }
 
+bool is_installed(const std::string& program) {
+  return run_program({"sh", "-c", "command -v " + program}).exit_code == 0;
+}
+
 bool comes_true(const std::function<bool()>& condition) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
@@ -103,6 +107,27 @@ CommandLine::~CommandLine() {
 std::string CommandLine::write(const std::string& name, const std::string& text) const {
   write_text(file(name), text);
   return file(name);
+}
+
+nlohmann::json CommandLine::run_blender(const std::string& script,
+                                        const std::vector<std::string>& arguments) {
+  const fs::path answer = file("answer.json");
+  std::vector<std::string> words = {"timeout",
+                                    "600",
+                                    "blender",
+                                    "-b",
+                                    "--factory-startup",
+                                    "--python-exit-code",
+                                    "1",
+                                    "-P",
+                                    MOCAPRESS_SOURCE_DIR "/tests/system/" + script,
+                                    "--",
+                                    answer};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const Outcome outcome = run_program(words);
+  if (!fs::exists(answer.string() + ".started")) return {};
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  return fs::exists(answer) ? nlohmann::json::parse(read_text(answer)) : nlohmann::json::array();
 }
 
 Outcome CommandLine::mocapress(const std::vector<std::string>& arguments) {

@@ -21,6 +21,8 @@ struct Outcome {
 /// Runs a program found like the shell does, words as they are.
 Outcome run_program(const std::vector<std::string>& words);
 
+bool is_installed(const std::string& program);
+
 /// Waits for what another process does, for as long as a slow machine may take.
 bool comes_true(const std::function<bool()>& condition);
 
@@ -39,6 +41,10 @@ class CommandLine : public testing::Test {
 
   /// The same, expecting success and nothing but one JSON value on standard output.
   static nlohmann::json json_of(const std::vector<std::string>& arguments);
+
+  /// What a script of this folder, run by Blender with a file for its answer and `arguments`, put
+  /// into that file; null where there is no Blender that starts.
+  nlohmann::json run_blender(const std::string& script, const std::vector<std::string>& arguments);
 
  private:
   std::filesystem::path folder_;

@@ -71,10 +71,6 @@ class GltfPeers : public CommandLine {
     return files;
   }
 
-  bool is_installed(const std::string& program) const {
-    return run_program({"sh", "-c", "command -v " + program}).exit_code == 0;
-  }
-
   std::vector<Given> given_;
 };
 
@@ -124,27 +120,11 @@ TEST_F(GltfPeers, TheKhronosValidatorFindsNoErrorAndNoWarning) {
 }
 
 TEST_F(GltfPeers, BlenderPutsEveryJointInItsPlace) {
-  if (!is_installed("blender")) GTEST_SKIP() << "Blender is not installed";
   give_all();
-  const std::string out = file("positions.json");
-  std::vector<std::string> words = {
-      "timeout",
-      "600",
-      "blender",
-      "-b",
-      "--factory-startup",
-      "--python-exit-code",
-      "1",
-      "-P",
-      std::string(MOCAPRESS_SOURCE_DIR) + "/tests/system/blender_gltf_positions.py",
-      "--",
-      out,
-      "12"};
-  for (const std::string& file : files()) words.push_back(file);
-  const Outcome outcome = run_program(words);
-  if (!fs::exists(out + ".started")) GTEST_SKIP() << "Blender does not start here";
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  const auto found = nlohmann::json::parse(read_text(out));
+  std::vector<std::string> arguments = {"12"};
+  for (const std::string& file : files()) arguments.push_back(file);
+  const nlohmann::json found = run_blender("blender_gltf_positions.py", arguments);
+  if (found.is_null()) GTEST_SKIP() << "there is no Blender that starts";
   ASSERT_EQ(found.size(), given_.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     const double move = largest_move(given_[i], found[i]);

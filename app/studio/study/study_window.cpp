@@ -319,8 +319,9 @@ void StudyWindow::load(int row) {
     note_->setText(QString::fromStdString(chosen.error));
     return;
   }
-  note_->setText(tr("In the studio: %1, %2, %3.")
-                     .arg(clipTitle(chosen), seriesTitle(chosen), targetText(chosen.target)));
+  note_->setText(
+      tr("In the studio: %1, %2, %3.")
+          .arg(clipTitle(chosen), seriesTitle(chosen), targetText(chosen.settings.target)));
   emit rowChosen(chosen);
 }
 

@@ -123,8 +123,10 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
   }
   // The search may have closed in on a jump: beside it chance has more to offer.
   const double middle = trials.best().scale;
-  for (int i = 1; i <= kMost && trials.may_go_on() && !trials.met(); ++i)
-    trials.try_scale(middle * (1 + (i % 2 == 0 ? -kBeside : kBeside) * ((i + 1) / 2)), work);
+  for (int i = 1; i <= kMost && trials.may_go_on() && !trials.met(); ++i) {
+    const int steps_away = i % 2 == 0 ? -(i / 2) : (i + 1) / 2;
+    trials.try_scale(middle * (1 + kBeside * steps_away), work);
+  }
 }
 
 /// A few more trials, each with more work, at scales where that should just meet the target. They

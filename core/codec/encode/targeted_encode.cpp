@@ -416,7 +416,7 @@ class TargetedEncode {
 
   Kept choose(Method method, Trial& trial) {
     if (method == Method::PerChannel) return keep_per_channel(basis().ranked, trial.count);
-    const Kept standard = basis().standard.keep(trial.count);
+    Kept standard = basis().standard.keep(trial.count);
     if (method == Method::Standard) return standard;
     const auto known = annealed_.find(trial.count);
     const AnnealingReport report =
