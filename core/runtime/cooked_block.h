@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/runtime/cooked_clip.h"
+
 namespace mocapress::runtime {
 
 /// Reserves bytes at the end of a cooked clip; without memory only counts them.
@@ -25,6 +27,10 @@ class CookedBlock {
   T* reserve_for(std::uint64_t count, std::uint32_t& offset, std::uint64_t alignment = alignof(T)) {
     offset = reserve(sizeof(T) * count, alignment);
     return memory_ != nullptr ? reinterpret_cast<T*>(memory_ + offset) : nullptr;
+  }
+  template <typename T>
+  T* reserve_for(std::uint64_t count, TableOffset& offset, std::uint64_t alignment = alignof(T)) {
+    return reserve_for<T>(count, offset.bytes, alignment);
   }
   std::byte* at(std::uint32_t offset) const {
     return memory_ != nullptr ? memory_ + offset : nullptr;

@@ -121,9 +121,11 @@ void CookedBuilder::lay_out_joints(CookedBlock& block, mcpr_cooked& head) {
       const JointModel& joint = clip_.joint_models()[j];
       Matrix3 rotation;
       Vector3 origin = joint.offset;
+      bool is_turned = false;
       if (joint.has_axes) rotation = joint.parent_from_axes;
       for (int c = 0; c < joint.channels; ++c) {
         const CookedColumns::Channel& channel = columns_.channel(joint.first_channel + c);
+        is_turned |= channel.changes && is_rotation(channel.kind);
         if (channel.changes) continue;
         if (is_rotation(channel.kind))
           turn_about(axis_of(channel.kind), channel.constant, rotation);
@@ -131,11 +133,14 @@ void CookedBuilder::lay_out_joints(CookedBlock& block, mcpr_cooked& head) {
           origin[axis_of(channel.kind)] += channel.constant;
       }
       if (joint.has_axes) rotation = rotation * joint.axes_from_joint;
+      if (is_turned) rotation = {};  // not used; equal tables are shared in a bank
       const Quaternion q = quaternion_from(rotation);
       for (int i = 0; i < 4; ++i) rest[j].rotation[i] = static_cast<float>(q.wxyz[i]);
       for (int i = 0; i < 3; ++i) rest[j].translation[i] = static_cast<float>(origin[i]);
       rest[j].translation[3] = 0;
     }
+    for (const MovingAxis& moving : columns_.moving())
+      rest[moving.joint].translation[moving.axis] = 0;
   }
   const int first_gathered = kGroup * columns_.row_groups();
   const auto gathered = static_cast<std::uint64_t>(kGroup * columns_.groups() - first_gathered);

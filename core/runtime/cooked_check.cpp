@@ -16,12 +16,14 @@ namespace {
 /// Looks at the tables and rows, one after the other; remembers whether one was wrong.
 class Checker {
  public:
-  explicit Checker(const mcpr_cooked& clip)
+  Checker(const mcpr_cooked& clip, const TableRange& tables)
       : clip_(clip),
+        tables_(tables),
         columns_(static_cast<std::uint32_t>(kGroup) * clip.groups),
         row_columns_(static_cast<std::uint32_t>(kGroup) * clip.row_groups) {}
 
   bool run() {
+    require(clip_.tables == tables_.from);
     require(clip_.wavelet <= Wavelet::Cubic && clip_.loop <= LoopKind::Follows);
     require(clip_.groups <= kMostColumns / kGroup && clip_.row_groups <= clip_.groups);
     require(clip_.joints >= 1 && clip_.joints <= kMostJoints);
@@ -52,9 +54,14 @@ class Checker {
     require(offset >= sizeof(mcpr_cooked) && offset % alignment == 0 &&
             offset + size * count <= clip_.bytes);
   }
+  void require_array(TableOffset offset, std::uint64_t size, std::uint64_t count,
+                     std::uint32_t alignment) {
+    require(offset.bytes >= tables_.first && offset.bytes % alignment == 0 &&
+            offset.bytes + size * count <= tables_.end);
+  }
   /// All of a table, if it is there.
   template <typename T, typename Check>
-  void each(std::uint32_t offset, std::uint32_t count, const Check& check) {
+  void each(TableOffset offset, std::uint32_t count, const Check& check) {
     require_array(offset, sizeof(T), count, alignof(T));
     for (std::uint32_t i = 0; i < count && sound_; ++i) check(clip_.at<T>(offset)[i]);
   }
@@ -64,7 +71,7 @@ class Checker {
       require(group.angles >= 1 && group.angles <= 3 && group.joints <= kGroup);
       for (int a = 0; a < group.angles && a < 3; ++a) require(group.vector[a] < clip_.groups);
       for (int i = 0; i < group.joints && i < kGroup; ++i) require(group.joint[i] < clip_.joints);
-      if (group.around != 0) require_array(group.around, sizeof(float), 8 * kGroup, 4);
+      if (group.around.bytes != 0) require_array(group.around, sizeof(float), 8 * kGroup, 4);
     });
     each<MovingAxis>(clip_.moving, clip_.moving_axes, [&](const MovingAxis& moving) {
       require(moving.joint < clip_.joints && moving.axis < 3 && moving.column < columns_);
@@ -75,7 +82,7 @@ class Checker {
     each<OtherTurn>(clip_.turns, clip_.other_turns, [&](const OtherTurn& turn) {
       require(turn.joint < clip_.joints && turn.axis <= OtherTurn::kConstant);
       if (turn.axis == OtherTurn::kConstant)
-        require_array(turn.column, sizeof(float), 4, 4);
+        require_array(TableOffset{turn.column}, sizeof(float), 4, 4);
       else
         require(turn.column < columns_);
     });
@@ -125,6 +132,7 @@ class Checker {
   }
 
   const mcpr_cooked& clip_;
+  const TableRange tables_;
   const std::uint32_t columns_;
   const std::uint32_t row_columns_;  // those that there are rows of
   bool sound_ = true;
@@ -151,11 +159,11 @@ mcpr_result check_cooked_head(const mcpr_cooked& clip, std::size_t size) {
   return kOk;
 }
 
-mcpr_result check_cooked(const mcpr_cooked& clip) {
+mcpr_result check_cooked(const mcpr_cooked& clip, const TableRange& tables) {
   if (checksum_of(clip) != clip.checksum)
     return failure(MCPR_DAMAGED, offsetof(mcpr_cooked, checksum),
                    "the cooked clip's checksum differs");
-  if (!Checker(clip).run()) return failure(MCPR_INVALID, 0, "an impossible cooked clip");
+  if (!Checker(clip, tables).run()) return failure(MCPR_INVALID, 0, "an impossible cooked clip");
   return kOk;
 }
 

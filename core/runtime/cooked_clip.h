@@ -83,6 +83,11 @@ struct CookedRows {
   std::uint32_t bands = 0;    // CookedBand of each kept one, the finest first
 };
 
+/// Where a table is that clips of a bank may share: bytes from `mcpr_cooked::tables` on.
+struct TableOffset {
+  std::uint32_t bytes = 0;
+};
+
 /// Eight joints that turn about up to three different axes each.
 struct RotorGroup {
   std::uint16_t joint[kGroup] = {};  // kNoJoint: none
@@ -94,8 +99,7 @@ struct RotorGroup {
   std::uint8_t first_axis[3] = {};   // a bit for each joint whose first axis is x, y, z
   std::uint8_t second_axis[3] = {};  // the same of the second; the third is what is left
   std::uint16_t padding = 0;
-  std::uint32_t around = 0;  // offset of 8 quaternions before, then 8 after (w x y z, each for
-                             // all); 0: identities
+  TableOffset around;  // 8 quaternions before, then 8 after (w x y z, each for all); 0: identities
   static constexpr std::uint16_t kNoJoint = 0xFFFF;
 };
 
@@ -115,7 +119,7 @@ struct AddedColumn {
 /// A factor of the rotation of a joint that is in no group: about an axis, or constant.
 struct OtherTurn {
   std::uint16_t joint = 0;
-  std::uint16_t axis = 0;  // 0 1 2: x y z; kConstant: `column` is the offset of a quaternion
+  std::uint16_t axis = 0;  // 0 1 2: x y z; kConstant: `column` is a TableOffset of a quaternion
   std::uint32_t column = 0;
   static constexpr std::uint16_t kConstant = 3;
 };
@@ -127,7 +131,7 @@ enum class ColumnKind : std::uint8_t { Straight, HalfAngle, Root };
 
 struct mcpr_cooked {
   static constexpr char kMagic[4] = {'M', 'C', 'P', 'C'};
-  static constexpr std::uint32_t kVersion = 1;
+  static constexpr std::uint32_t kVersion = 2;
   char magic[4];
   std::uint32_t checksum;  // CRC-32 of all that follows it
   std::uint64_t bytes;     // of all
@@ -149,21 +153,28 @@ struct mcpr_cooked {
   mocapress::runtime::Wavelet wavelet;
   mocapress::runtime::LoopKind loop;
   std::uint8_t end_reach[2];  // frames; 0: nothing is added at the ends
+  std::int64_t tables;  // where tables are counted from, as bytes from the clip: 0, but in a bank
+  mocapress::runtime::TableOffset rest;    // mcpr_transform of each joint: of what never changes
+  mocapress::runtime::TableOffset rotors;  // RotorGroup
+  mocapress::runtime::TableOffset moving;  // MovingAxis
+  mocapress::runtime::TableOffset added;   // AddedColumn
+  mocapress::runtime::TableOffset turns;   // OtherTurn
+  mocapress::runtime::TableOffset bases;   // floats: what the columns without rows begin with
+  mocapress::runtime::TableOffset part_table;    // CookedPart
+  mocapress::runtime::TableOffset column_kinds;  // ColumnKind; only of a loop whose first frame
+                                                 // follows the last
   // Offsets from the clip.
-  std::uint32_t rest;          // mcpr_transform of each joint: of what never changes
-  std::uint32_t rotors;        // RotorGroup
-  std::uint32_t moving;        // MovingAxis
-  std::uint32_t added;         // AddedColumn
-  std::uint32_t turns;         // OtherTurn
-  std::uint32_t bases;         // floats: what the columns without rows begin with
-  std::uint32_t part_table;    // CookedPart
-  std::uint32_t column_kinds;  // ColumnKind; only of a loop whose first frame follows the last
-  std::uint32_t ends;          // floats: what the first frame lacks in each column, then the last
-  std::uint32_t rows;          // CookedRows of each part, segment after segment
+  std::uint32_t ends;  // floats: what the first frame lacks in each column, then the last
+  std::uint32_t rows;  // CookedRows of each part, segment after segment
 
   template <typename T>
   const T* at(std::uint32_t offset) const {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
+  }
+  template <typename T>
+  const T* at(mocapress::runtime::TableOffset offset) const {
+    return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + tables +
+                                      offset.bytes);
   }
   mocapress::runtime::SegmentLayout layout() const {
     return {static_cast<int>(frames), static_cast<int>(segment_length),

@@ -201,7 +201,11 @@ mcpr_result mcpr_open_cooked(const void* memory, size_t size, int check,
     return runtime::failure(MCPR_DAMAGED, size, "the cooked clip is cut short");
   const auto* const clip = static_cast<const mcpr_cooked*>(memory);
   mcpr_result result = runtime::check_cooked_head(*clip, size);
-  if (!runtime::failed(result) && check != 0) result = runtime::check_cooked(*clip);
+  if (!runtime::failed(result) && clip->tables != 0)
+    result = runtime::failure(MCPR_INVALID, offsetof(mcpr_cooked, tables),
+                              "a clip of a bank: the bank is what is opened");
+  if (!runtime::failed(result) && check != 0)
+    result = runtime::check_cooked(*clip, runtime::TableRange::within(*clip));
   if (!runtime::failed(result)) *cooked = clip;
   return result;
 }

@@ -364,7 +364,7 @@ class Sampler {
     for (int g = 0; g < clip_.rotor_groups; ++g) {
       if (!is_wanted(groups[g])) continue;
       const float* const around =
-          groups[g].around != 0 ? clip_.at<float>(groups[g].around) : nullptr;
+          groups[g].around.bytes != 0 ? clip_.at<float>(groups[g].around) : nullptr;
       RotorQuaternions quaternions;
       kernels_.turn(groups[g], columns_, around, quaternions);
       if (all_as_they_are) {
@@ -402,7 +402,7 @@ class Sampler {
       for (; i < clip_.other_turns && turns[i].joint == joint; ++i) {
         double by[4] = {1, 0, 0, 0};
         if (turns[i].axis == OtherTurn::kConstant) {
-          for (int k = 0; k < 4; ++k) by[k] = clip_.at<float>(turns[i].column)[k];
+          for (int k = 0; k < 4; ++k) by[k] = clip_.at<float>(TableOffset{turns[i].column})[k];
         } else {
           const double half = columns_[turns[i].column];
           by[0] = std::cos(half);
