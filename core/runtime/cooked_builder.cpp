@@ -105,6 +105,7 @@ std::uint64_t CookedBuilder::lay_out(std::byte* memory) {
       if (rows != nullptr) rows[k * head.parts + p] = made;
     }
   }
+  block.reserve(2 * kEntriesBeyond, 2);
   block.round_up(8);
   head.bytes = block.used();
   if (memory == nullptr) return head.bytes;

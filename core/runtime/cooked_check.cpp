@@ -128,7 +128,7 @@ class Checker {
     if (!sound_) return;
     const auto* const begins = clip_.at<std::uint16_t>(band.entries);
     require(begins[0] == 0 && std::is_sorted(begins, begins + band.blocks + 1));
-    require_array(band.entries, 2, band.blocks + 1U + begins[band.blocks], 2);
+    require_array(band.entries, 2, band.blocks + 1U + begins[band.blocks] + kEntriesBeyond, 2);
   }
 
   const mcpr_cooked& clip_;

@@ -20,10 +20,11 @@ inline constexpr int kMostColumns = 4096;     // of a clip; sampling keeps them 
 inline constexpr int kDetailWindow = 8;       // rows of a band of details that meet at an instant
 inline constexpr int kCrumbWindow = 12;       // the same of crumbs, which lie four together
 inline constexpr int kSampleWindow = 6;       // rows of samples that meet
-inline constexpr int kMostKeptBands = 6;      // bands of details of a part
+inline constexpr int kMostKeptBands = 5;      // bands of details of a part
 // Of an entry that is added to a band's rows.
 inline constexpr int kColumnBits = 7;
 inline constexpr int kRowBits = 4;              // its row modulo 16
+inline constexpr int kEntriesBeyond = 7;        // read after the last of a band
 inline constexpr int kMostLog2RowsOfBlock = 2;  // of a block: those that meet have 14 rows at most
 
 /// How the rows of a band of details are kept: in 2, 4, 8 or 16 bits. Some rows lie in each other,

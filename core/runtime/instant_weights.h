@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What each coefficient contributes to a signal at one instant: the inverse transform read
-// backwards, from the samples of the two frames around the instant up to the coarser bands.
+// backwards, from the samples of the two frames around the instant up to the coarser bands. Where
+// no border is near, by tables: weights repeat with the places of frames between coarse samples.
 #pragma once
 
 #include <cstdint>
 
 #include "core/codec/format/bands.h"
 #include "core/codec/format/kinds.h"
+#include "core/runtime/cooked_clip.h"
+#include "core/runtime/pose_kernels.h"
 
 namespace mocapress::runtime {
 
@@ -17,9 +20,39 @@ struct RowWeights {
 };
 
 /// The weights of even samples and details that make up samples with these weights, six at most, of
-/// a signal of so many. Six evens, seven details.
-/// Returns whether no border is near.
-bool weigh_level(Wavelet wavelet, int length, const RowWeights& samples, RowWeights& evens,
+/// a signal of so many, at least 4. Six evens, seven details from an even row on.
+void weigh_level(Wavelet wavelet, int length, const RowWeights& samples, RowWeights& evens,
                  RowWeights& details);
+
+/// The weights of a band's rows as whole numbers.
+struct BandWeights {
+  int first_row;   // even
+  int first_used;  // the first that may not be zero, and the last
+  int last_used;
+  // Times 2^15 and, so that none gets lost, once more 2 for every second band from the finest.
+  // Zeros before and after them make up a window of crumbs, which begins at a fourth row.
+  alignas(16) std::int16_t of_row[2 + kDetailWindow + 4] = {};
+  // Times 2^17, each row's at its number modulo 16; the other rows of blocks have zeros.
+  alignas(32) std::int32_t of_entry[16];
+};
+
+struct SampleWeights {
+  int first_row;
+  float of_row[kSampleWindow];
+};
+
+/// What meets at an instant of a segment: of each band the weights of its details, the finest
+/// first, and of some numbers of bands left out those of the samples.
+struct InstantWeights {
+  BandWeights band[kMostKeptBands];
+  SampleWeights samples[kMostKeptBands + 1];
+  int levels = 0;
+  float unit = 1;  // the whole weights of all bands are to be multiplied by it once more
+
+  /// `share` on the way from a frame to the next, of a segment of so many; up to `kept` bands.
+  /// `wanted`: a bit for each number of bands whose samples are wanted; the highest always is.
+  void set(const PoseKernels& kernels, Wavelet wavelet, int length, int frame, float share,
+           int kept, unsigned wanted);
+};
 
 }  // namespace mocapress::runtime

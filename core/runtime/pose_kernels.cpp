@@ -179,6 +179,31 @@ struct Quadrants {
   }
 };
 
+void blend_whole(const std::int16_t* weights, std::int16_t share, std::int16_t* whole) {
+  for (int i = 0; i < kDetailWindow; ++i)
+    whole[i] = static_cast<std::int16_t>(weights[i] +
+                                         ((weights[kDetailWindow + i] * share + 0x4000) >> 15));
+}
+
+void place_entry_weights(const std::int16_t* whole, int first_row, int shift,
+                         std::int32_t* of_entry) {
+  std::memset(of_entry, 0, 16 * sizeof *of_entry);
+  for (int i = 0; i < kDetailWindow; ++i) of_entry[(first_row + i) & 15] = whole[i] * (1 << shift);
+}
+
+void add_entries(const EntryRun& run, std::int32_t* whole) {
+  constexpr unsigned kColumnMask = (1U << kColumnBits) - 1;
+  constexpr unsigned kRowMask = (1U << kRowBits) - 1;
+  for (int i = 0; i < run.count; ++i) {
+    const unsigned bits = run.entries[i];
+    const std::int32_t value = static_cast<std::int16_t>(bits) >> (kColumnBits + kRowBits);
+    std::int32_t& sum = whole[bits & kColumnMask];
+    sum = static_cast<std::int32_t>(
+        static_cast<std::uint32_t>(sum) +
+        static_cast<std::uint32_t>(run.weights[bits >> kColumnBits & kRowMask] * value));
+  }
+}
+
 void put_quaternions(const RotorGroup& group, const RotorQuaternions& quaternions, float* out,
                      std::ptrdiff_t stride) {
   for (int i = 0; i < group.joints; ++i)
@@ -194,9 +219,15 @@ void put_quaternions(const RotorGroup& group, const RotorQuaternions& quaternion
 
 namespace mocapress::runtime {
 
-const PoseKernels kPlainPoses = {plain_poses::add_rows, plain_poses::make_whole,
-                                 plain_poses::halve,    plain_poses::make_columns,
-                                 plain_poses::turn,     plain_poses::put_quaternions};
+const PoseKernels kPlainPoses = {.add_rows = plain_poses::add_rows,
+                                 .make_whole = plain_poses::make_whole,
+                                 .blend_whole = plain_poses::blend_whole,
+                                 .place_entry_weights = plain_poses::place_entry_weights,
+                                 .add_entries = plain_poses::add_entries,
+                                 .halve = plain_poses::halve,
+                                 .make_columns = plain_poses::make_columns,
+                                 .turn = plain_poses::turn,
+                                 .put_quaternions = plain_poses::put_quaternions};
 
 const PoseKernels* avx2_poses() {
 #if defined(__x86_64__) && defined(__GNUC__)

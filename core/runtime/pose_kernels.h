@@ -34,13 +34,11 @@ struct SampleRows {
   float* columns;
 };
 
-/// The weights of a band's rows, as they are used: as numbers of 16 bits, and of 32.
-struct WholeWeights {
-  const float* weights;  // kDetailWindow
-  float scale;           // of those of 16 bits
-  float entry_scale;     // of those of 32
-  std::int16_t* of_row;
-  std::int32_t* of_entry;
+/// Entries of a band, of blocks that lie one after the other.
+struct EntryRun {
+  const std::uint16_t* entries;
+  int count;
+  const std::int32_t* weights;  // of each row modulo 16
 };
 
 /// Quaternions of the eight joints of a group: w x y z, each of all eight.
@@ -50,7 +48,16 @@ struct RotorQuaternions {
 
 struct PoseKernels {
   void (*add_rows)(const DenseRows&, std::int32_t* whole);
-  void (*make_whole)(const WholeWeights&);
+  /// kDetailWindow weights times a scale, to the nearest.
+  void (*make_whole)(const float* weights, float scale, std::int16_t* whole);
+  /// kDetailWindow weights, and a share of 2^15 of as many that follow, which is added to them.
+  void (*blend_whole)(const std::int16_t* weights, std::int16_t share, std::int16_t* whole);
+  /// Those of rows from an even one on, times 2^shift, each at its row modulo 16 among zeros.
+  void (*place_entry_weights)(const std::int16_t* whole, int first_row, int shift,
+                              std::int32_t* of_entry);
+  /// Adds each entry's value times its row's weight to its column. Up to kEntriesBeyond entries
+  /// after the last are read, too.
+  void (*add_entries)(const EntryRun&, std::int32_t* whole);
   void (*halve)(std::int32_t* whole, int groups);
   void (*make_columns)(const SampleRows&);
   /// `around`: 8 quaternions before, 8 after; null: none.

@@ -148,6 +148,55 @@ struct Quadrants {
   }
 };
 
+MOCAPRESS_POSES_AVX2 void blend_whole(const std::int16_t* weights, std::int16_t share,
+                                      std::int16_t* whole) {
+  const auto* const from = reinterpret_cast<const __m128i*>(weights);
+  const __m128i more = _mm_mulhrs_epi16(_mm_loadu_si128(from + 1), _mm_set1_epi16(share));
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(whole), _mm_add_epi16(_mm_loadu_si128(from), more));
+}
+
+MOCAPRESS_POSES_AVX2 void place_entry_weights(const std::int16_t* whole, int first_row, int shift,
+                                              std::int32_t* of_entry) {
+  // Those that go on beyond row 15 go on at row 0.
+  alignas(32) std::int32_t rows[24];
+  auto* const to = reinterpret_cast<__m256i*>(rows);
+  for (int i = 0; i < 3; ++i) _mm256_store_si256(to + i, _mm256_setzero_si256());
+  const __m256i weights =
+      _mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(whole)));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(rows + (first_row & 15)),
+                      _mm256_sll_epi32(weights, _mm_cvtsi32_si128(shift)));
+  auto* const out = reinterpret_cast<__m256i*>(of_entry);
+  _mm256_store_si256(out, _mm256_or_si256(_mm256_load_si256(to), _mm256_load_si256(to + 2)));
+  _mm256_store_si256(out + 1, _mm256_load_si256(to + 1));
+}
+
+MOCAPRESS_POSES_AVX2 void add_entries(const EntryRun& run, std::int32_t* whole) {
+  static_assert(kColumnBits + kRowBits == 11 && kEntriesBeyond == 7);
+  const auto* const weights = reinterpret_cast<const __m256i*>(run.weights);
+  const __m256i low = _mm256_load_si256(weights);
+  const __m256i high = _mm256_load_si256(weights + 1);
+  const __m256i columns_of = _mm256_set1_epi32((1 << kColumnBits) - 1);
+  const __m256i place = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+  alignas(32) std::int32_t column[8];
+  alignas(32) std::int32_t product[8];
+  for (int i = 0; i < run.count; i += 8) {
+    const __m256i bits =
+        _mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(run.entries + i)));
+    const __m256i row = _mm256_srli_epi32(bits, kColumnBits);
+    const __m256 weight =
+        _mm256_blendv_ps(_mm256_castsi256_ps(_mm256_permutevar8x32_epi32(low, row)),
+                         _mm256_castsi256_ps(_mm256_permutevar8x32_epi32(high, row)),
+                         _mm256_castsi256_ps(_mm256_slli_epi32(bits, 32 - kColumnBits - kRowBits)));
+    const __m256i is_there = _mm256_cmpgt_epi32(_mm256_set1_epi32(run.count - i), place);
+    const __m256i value =
+        _mm256_and_si256(_mm256_srai_epi32(bits, kColumnBits + kRowBits), is_there);
+    _mm256_store_si256(reinterpret_cast<__m256i*>(column), _mm256_and_si256(bits, columns_of));
+    _mm256_store_si256(reinterpret_cast<__m256i*>(product),
+                       _mm256_mullo_epi32(_mm256_castps_si256(weight), value));
+    for (int k = 0; k < 8; ++k) whole[column[k]] += product[k];
+  }
+}
+
 MOCAPRESS_POSES_AVX2 void put_quaternions(const RotorGroup& group,
                                           const RotorQuaternions& quaternions, float* out,
                                           std::ptrdiff_t stride) {
@@ -172,9 +221,15 @@ MOCAPRESS_POSES_AVX2 void put_quaternions(const RotorGroup& group,
 
 namespace mocapress::runtime {
 
-const PoseKernels kAvx2Poses = {avx2_poses_of::add_rows, avx2_poses_of::make_whole,
-                                avx2_poses_of::halve,    avx2_poses_of::make_columns,
-                                avx2_poses_of::turn,     avx2_poses_of::put_quaternions};
+const PoseKernels kAvx2Poses = {.add_rows = avx2_poses_of::add_rows,
+                                .make_whole = avx2_poses_of::make_whole,
+                                .blend_whole = avx2_poses_of::blend_whole,
+                                .place_entry_weights = avx2_poses_of::place_entry_weights,
+                                .add_entries = avx2_poses_of::add_entries,
+                                .halve = avx2_poses_of::halve,
+                                .make_columns = avx2_poses_of::make_columns,
+                                .turn = avx2_poses_of::turn,
+                                .put_quaternions = avx2_poses_of::put_quaternions};
 
 }  // namespace mocapress::runtime
 

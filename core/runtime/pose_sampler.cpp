@@ -17,123 +17,13 @@ namespace {
 
 constexpr int kMostGroups = kMostColumns / kGroup;
 
-/// The weights of a band's rows as whole numbers.
-struct BandWeights {
-  int first_row;   // even
-  int first_used;  // the first that is not zero, and the last
-  int last_used;
-  // Times 2^15 and, so that none gets lost, once more 2 for every second band from the finest.
-  // Zeros before and after them make up a window of crumbs, which begins at a fourth row.
-  alignas(16) std::int16_t of_row[2 + kDetailWindow + 4];
-  // Times 2^17, each row's at its number modulo 16; the other rows of blocks have zeros. Then room
-  // for what goes on at the beginning.
-  alignas(32) std::int32_t of_entry[16 + kDetailWindow];
-};
-
-struct SampleWeights {
-  int first_row;
-  float of_row[kSampleWindow];
-};
-
-/// What meets at an instant of a segment: of each band the weights of its details, the finest
-/// first, and of each number of bands left out those of the samples.
-struct Weights {
-  BandWeights band[kMostKeptBands];
-  SampleWeights samples[kMostKeptBands + 1];
-  int levels = 0;
-  float unit = 1;  // the whole weights of all bands are to be multiplied by it once more
-
-  /// `share` on the way from a frame to the next, of a segment of so many; up to `kept` bands.
-  void set(const PoseKernels& kernels, Wavelet wavelet, int length, int frame, float share,
-           int kept);
-};
-
-constexpr float kMostWeight = 1.4F;  // times 2^14.5 it is less than 2^15
-
-/// The weights from another row on.
-RowWeights moved(const RowWeights& from, int first) {
-  RowWeights to;
-  to.first = first;
-  for (int i = 0; i < 8; ++i) {
-    const int k = i - (from.first - first);
-    to.weight[i] = k >= 0 && k < 8 ? from.weight[k] : 0;
-  }
-  return to;
-}
-
-void set_samples(const RowWeights& from, int rows, SampleWeights& to) {
-  const int first = std::clamp(from.first, 0, std::max(rows - kSampleWindow, 0));
-  to.first_row = first;
-  if (first == from.first)
-    std::copy_n(from.weight, kSampleWindow, to.of_row);
-  else
-    std::copy_n(moved(from, first).weight, kSampleWindow, to.of_row);
-}
-
-void set_band(const PoseKernels& kernels, const RowWeights& from, int rows, int depth, float unit,
-              BandWeights& to) {
-  // 2^15 * 2^((depth - 1) / 2) * 2^(-depth / 2), and 2^17 * 2^(-depth / 2)
-  constexpr float kScales[2] = {16384, 23170.475F};
-  constexpr float kEntryScales[kMostKeptBands] = {92681.9F, 65536,      46340.95F,
-                                                  32768,    23170.475F, 16384};
-  const int padded = std::max((rows + 1) / 2 * 2, kDetailWindow);
-  const int first = std::clamp(from.first & ~1, 0, padded - kDetailWindow);
-  to.first_row = first;
-  const RowWeights weights = first == from.first ? from : moved(from, first);
-  int used = 0;
-  while (used < kDetailWindow - 1 && weights.weight[used] == 0) ++used;
-  to.first_used = first + used;
-  used = kDetailWindow - 1;
-  while (used > 0 && weights.weight[used] == 0) --used;
-  to.last_used = first + used;
-  std::fill_n(to.of_row, std::size(to.of_row), std::int16_t{0});
-  std::fill_n(to.of_entry, std::size(to.of_entry), 0);
-  kernels.make_whole({.weights = weights.weight,
-                      .scale = kScales[depth % 2] / unit,
-                      .entry_scale = kEntryScales[depth - 1] / unit,
-                      .of_row = to.of_row + 2,
-                      .of_entry = to.of_entry + first % 16});
-  std::copy_n(to.of_entry + 16, std::max(first % 16 - kDetailWindow, 0), to.of_entry);
-}
-
-void Weights::set(const PoseKernels& kernels, Wavelet wavelet, int length, int frame, float share,
-                  int kept) {
-  RowWeights row;
-  row.first = frame;
-  row.weight[0] = 1 - share;
-  row.weight[1] = share;
-  set_samples(row, length, samples[0]);
-  RowWeights details[kMostKeptBands];
-  int rows[kMostKeptBands];
-  for (levels = 0; levels < kept && length >= kCoarsest; ++levels, length = evens_in(length)) {
-    RowWeights evens;
-    const bool inside = weigh_level(wavelet, length, row, evens, details[levels]);
-    rows[levels] = odds_in(length);
-    row = evens;
-    set_samples(row, evens_in(length), samples[levels + 1]);
-    // Only what goes on as a line after the last even sample weighs so much.
-    for (int i = 0; !inside && i < 8; ++i)
-      while (std::abs(details[levels].weight[i]) > kMostWeight * unit) unit *= 2;
-  }
-  for (int b = 0; b < levels; ++b) set_band(kernels, details[b], rows[b], b + 1, unit, band[b]);
-}
-
-/// Adds the entries of the blocks that the rows are in, times the rows' weights.
-void add_entries(const mcpr_cooked& clip, const CookedBand& band, const BandWeights& weights,
-                 std::int32_t* whole) {
-  constexpr unsigned kColumnMask = (1U << kColumnBits) - 1;
-  constexpr unsigned kRowMask = (1U << kRowBits) - 1;
+/// Those of the blocks that the rows are in.
+EntryRun entries_of(const mcpr_cooked& clip, const CookedBand& band, const BandWeights& weights) {
   const auto* const begins = clip.at<std::uint16_t>(band.entries);
-  const std::uint16_t* const entries = begins + band.blocks + 1;
-  const int first = weights.first_used >> band.log2_rows;
-  const int last = std::min(weights.last_used >> band.log2_rows, band.blocks - 1);
-  if (first > last) return;
-  const std::uint16_t* const end = entries + begins[last + 1];
-  for (const std::uint16_t* entry = entries + begins[first]; entry != end; ++entry) {
-    const unsigned bits = *entry;
-    const std::int32_t value = static_cast<std::int16_t>(bits) >> (kColumnBits + kRowBits);
-    whole[bits & kColumnMask] += weights.of_entry[bits >> kColumnBits & kRowMask] * value;
-  }
+  const int first = std::min(weights.first_used >> band.log2_rows, int{band.blocks});
+  const int end = std::min((weights.last_used >> band.log2_rows) + 1, int{band.blocks});
+  return {begins + band.blocks + 1 + begins[first], begins[std::max(first, end)] - begins[first],
+          weights.of_entry};
 }
 
 /// Groups of columns that are wanted, one after the other.
@@ -148,6 +38,7 @@ class Sampler {
       : clip_(clip), kernels_(kernels), request_(request) {
     for (int p = 0; p < clip.parts; ++p)
       kept_bands_ = std::max<int>(kept_bands_, clip.part(p).kept_bands);
+    for (int p = 0; p < clip.parts; ++p) wanted_samples_ |= 1U << clip.part(p).kept_bands;
   }
 
   void run(const PlaceInClip& place, float* out) {
@@ -203,7 +94,7 @@ class Sampler {
     return {first, end - first};
   }
 
-  void make_part(int segment, int p, const Weights& weights, float* columns) const {
+  void make_part(int segment, int p, const InstantWeights& weights, float* columns) const {
     const CookedPart& part = clip_.part(p);
     const Groups groups = groups_of(part);
     if (groups.count == 0) return;
@@ -213,7 +104,8 @@ class Sampler {
     alignas(32) std::int32_t whole[kGroup * kMostGroupsOfPart];
     std::fill_n(whole, kGroup * kMostGroupsOfPart, 0);
     for (int b = 0; b < kept; ++b)
-      if (bands[b].blocks > 0) add_entries(clip_, bands[b], weights.band[b], whole);
+      if (bands[b].blocks > 0)
+        kernels_.add_entries(entries_of(clip_, bands[b], weights.band[b]), whole);
     std::int32_t* const first = whole + kGroup * groups.first;
     for (int b = kMostKeptBands - 1; b >= 0; --b) {
       if (b < kept && bands[b].kind != RowKind::None) {
@@ -249,9 +141,9 @@ class Sampler {
 
   void make_segment(int segment, int frame, float share, float* columns) const {
     const SegmentLayout layout = clip_.layout();
-    Weights weights;
+    InstantWeights weights;
     weights.set(kernels_, clip_.wavelet, layout.frames_of(segment), frame - layout.first(segment),
-                share, kept_bands_);
+                share, kept_bands_, wanted_samples_);
     for (int p = 0; p < clip_.parts; ++p) make_part(segment, p, weights, columns);
   }
 
@@ -461,6 +353,7 @@ class Sampler {
   const PoseKernels& kernels_;
   const mcpr_sample_request& request_;
   int kept_bands_ = 0;
+  unsigned wanted_samples_ = 0;       // a bit for each number of bands that a part keeps
   std::bitset<kMostGroups> wanted_;   // where there is a list of joints
   std::uint16_t slots_[kMostJoints];  // likewise; of the joints that there are
   alignas(32) float columns_[kMostColumns];
