@@ -97,13 +97,13 @@ std::uint64_t CookedBuilder::lay_out(std::byte* memory) {
   }
   auto* const rows =
       block.reserve_for<CookedRows>(std::uint64_t{head.parts} * head.segments, head.rows);
+  const int entry_bands = head.entry_parts() * kMostKeptBands;
+  auto* const entries = block.reserve_for<CookedEntries>(
+      static_cast<std::uint64_t>(entry_bands) * head.segments, head.entries);
   for (int k = 0; k < head.segments; ++k) {
     coefficients_.load(k);
-    for (int p = 0; p < head.parts; ++p) {
-      const CookedRows made = lay_out_rows(block, columns_.parts()[static_cast<std::size_t>(p)],
-                                           columns_, coefficients_);
-      if (rows != nullptr) rows[k * head.parts + p] = made;
-    }
+    lay_out_rows(block, columns_, coefficients_, rows != nullptr ? rows + k * head.parts : nullptr,
+                 entries != nullptr ? entries + k * entry_bands : nullptr);
   }
   block.reserve(2 * kEntriesBeyond, 2);
   block.round_up(8);

@@ -97,9 +97,17 @@ class Checker {
     });
     require(groups == clip_.row_groups);
     require_array(clip_.rows, sizeof(CookedRows), std::uint64_t{clip_.parts} * clip_.segments, 4);
-    for (int k = 0; k < clip_.segments && sound_; ++k)
+    require_array(clip_.entries, sizeof(CookedEntries),
+                  std::uint64_t{kMostKeptBands} * static_cast<std::uint64_t>(clip_.entry_parts()) *
+                      clip_.segments,
+                  4);
+    for (int k = 0; k < clip_.segments && sound_; ++k) {
       for (int p = 0; p < clip_.parts && sound_; ++p)
         check_rows(clip_.part(p), clip_.rows_of(k, p), clip_.layout().frames_of(k));
+      for (int e = 0; e < clip_.entry_parts(); ++e)
+        for (int b = 0; b < kMostKeptBands && sound_; ++b)
+          check_entries(clip_.entries_of(k, e, b), row_columns_ - kGroup * kMostGroupsOfPart * e);
+    }
   }
 
   void check_rows(const CookedPart& part, const CookedRows& rows, int frames) {
@@ -118,17 +126,23 @@ class Checker {
 
   void check_band(const CookedPart& part, const CookedBand& band, int rows) {
     require(band.kind <= RowKind::Words);
-    require(band.log2_rows <= kMostLog2RowsOfBlock);
-    if (!sound_) return;
-    if (band.kind != RowKind::None)
+    if (sound_ && band.kind != RowKind::None)
       require_array(band.rows, bundle_bytes(band.kind) * part.groups,
                     static_cast<std::uint64_t>(bundles_of(band.kind, rows)), 1);
-    if (band.blocks == 0) return;
-    require_array(band.entries, 2, band.blocks + 1U, 2);
+  }
+
+  /// Of so many columns or more.
+  void check_entries(const CookedEntries& entries, std::uint32_t columns) {
+    if (entries.blocks == 0) return;
+    require(entries.log2_rows <= kMostLog2RowsOfBlock);
+    require_array(entries.begins, 2, entries.blocks + 1U, 2);
     if (!sound_) return;
-    const auto* const begins = clip_.at<std::uint16_t>(band.entries);
-    require(begins[0] == 0 && std::is_sorted(begins, begins + band.blocks + 1));
-    require_array(band.entries, 2, band.blocks + 1U + begins[band.blocks] + kEntriesBeyond, 2);
+    const auto* const begins = clip_.at<std::uint16_t>(entries.begins);
+    const std::uint16_t count = begins[entries.blocks];
+    require(begins[0] == 0 && std::is_sorted(begins, begins + entries.blocks + 1));
+    require_array(entries.begins, 2, entries.blocks + 1U + count + kEntriesBeyond, 2);
+    for (int i = 0; i < count && sound_; ++i)
+      require((begins[entries.blocks + 1 + i] & ((1U << kColumnBits) - 1)) < columns);
   }
 
   const mcpr_cooked& clip_;

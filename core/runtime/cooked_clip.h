@@ -25,7 +25,7 @@ inline constexpr int kMostKeptBands = 5;      // bands of details of a part
 inline constexpr int kColumnBits = 7;
 inline constexpr int kRowBits = 4;              // its row modulo 16
 inline constexpr int kEntriesBeyond = 7;        // read after the last of a band
-inline constexpr int kMostLog2RowsOfBlock = 2;  // of a block: those that meet have 14 rows at most
+inline constexpr int kMostLog2RowsOfBlock = 3;  // those that meet have 16 rows at most
 
 /// How the rows of a band of details are kept: in 2, 4, 8 or 16 bits. Some rows lie in each other,
 /// a number of the one beside that of the next, as the instructions that multiply pairs want them.
@@ -58,14 +58,21 @@ constexpr int bundles_of(RowKind kind, int rows) {
   return kind == RowKind::Crumbs ? (even + 7) / 4 : even / 2;
 }
 
-/// A band of details of one part: dense rows, and entries that are added to them. An entry has 16
-/// bits: from the lowest its column, its row modulo 16, and a value with sign.
+/// The dense rows of a band of details of one part.
 struct CookedBand {
+  std::uint32_t rows = 0;  // offset from the clip
   RowKind kind = RowKind::None;
-  std::uint8_t log2_rows = 0;  // of a block of entries
+  std::uint8_t padding[3] = {};
+};
+
+/// What is added to a band's dense rows, of up to kMostGroupsOfPart groups of columns: entries of
+/// 16 bits, from the lowest a column of these, its row modulo 16, and a value with sign.
+struct CookedEntries {
+  std::uint32_t begins = 0;    // offset from the clip: where each block of rows begins among the
+                               // entries, as u16, and the end; then the entries
   std::uint16_t blocks = 0;    // 0: there are no entries
-  std::uint32_t rows = 0;      // offsets from the clip
-  std::uint32_t entries = 0;   // where each block begins, as u16, and the end; then the entries
+  std::uint8_t log2_rows = 0;  // of a block
+  std::uint8_t padding = 0;
 };
 
 /// Columns that are worked on together.
@@ -165,8 +172,10 @@ struct mcpr_cooked {
   mocapress::runtime::TableOffset column_kinds;  // ColumnKind; only of a loop whose first frame
                                                  // follows the last
   // Offsets from the clip.
-  std::uint32_t ends;  // floats: what the first frame lacks in each column, then the last
-  std::uint32_t rows;  // CookedRows of each part, segment after segment
+  std::uint32_t ends;     // floats: what the first frame lacks in each column, then the last
+  std::uint32_t rows;     // CookedRows of each part, segment after segment
+  std::uint32_t entries;  // CookedEntries of each of kMostKeptBands, the finest first, of each
+                          // kMostGroupsOfPart groups, segment after segment
 
   template <typename T>
   const T* at(std::uint32_t offset) const {
@@ -186,6 +195,16 @@ struct mcpr_cooked {
   }
   const mocapress::runtime::CookedRows& rows_of(int segment, int p) const {
     return at<mocapress::runtime::CookedRows>(rows)[segment * parts + p];
+  }
+  /// How many times entries of up to kMostGroupsOfPart groups there are.
+  int entry_parts() const {
+    constexpr auto kMost = static_cast<std::uint32_t>(mocapress::runtime::kMostGroupsOfPart);
+    return static_cast<int>((row_groups + kMost - 1) / kMost);
+  }
+  const mocapress::runtime::CookedEntries& entries_of(int segment, int entry_part, int band) const {
+    return at<mocapress::runtime::CookedEntries>(
+        entries)[(segment * entry_parts() + entry_part) * mocapress::runtime::kMostKeptBands +
+                 band];
   }
   int turn_frames() const {
     if (loop == mocapress::runtime::LoopKind::None) return 0;

@@ -10,7 +10,7 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr std::uint64_t kMostPerBlock = 20;    // at most on average, if a block has several rows
+constexpr std::uint64_t kMostPerBlock = 20;    // on average, if a block has several rows
 constexpr std::uint64_t kMostEntries = 65535;  // of a band: where a block begins is 16 bits
 
 struct Limits {
@@ -49,62 +49,66 @@ constexpr std::uint64_t entries_for(std::int32_t value) {
                                               : (value + kMostOfEntry - 1) / kMostOfEntry);
 }
 
-/// The rows of a part in the segment that is loaded.
 class RowWriter {
  public:
-  RowWriter(CookedBlock& block, const CookedPart& part, const CookedColumns& columns,
-            CookedCoefficients& coefficients)
-      : block_(block), part_(part), columns_(columns), coefficients_(coefficients) {}
+  RowWriter(CookedBlock& block, const CookedColumns& columns, CookedCoefficients& coefficients)
+      : block_(block), columns_(columns), coefficients_(coefficients) {}
 
-  CookedRows put();
+  CookedRows put_part(const CookedPart& part);
+  /// After all parts.
+  CookedEntries put_entries(int first_group, int depth);
 
  private:
-  CookedBand put_band(int depth);
-  void put_dense(std::byte* rows, RowKind kind, int depth) const;
-  void put_entries(std::byte* memory, const CookedBand& band, int depth) const;
-  const CookedColumns::Column& column(int c) const {
-    return columns_.column(kGroup * part_.first_group + c);
-  }
+  CookedBand put_band(const CookedPart& part, int depth);
+  void put_dense(std::byte* rows, const CookedPart& part, RowKind kind, int depth) const;
   const Bands& bands() const { return coefficients_.bands(); }
   int rows_of(int depth) const { return bands()[bands().count - depth].size; }
-  std::int32_t value(int c, int depth, int row) const {
-    const std::int32_t channel = column(c).channel;
+  std::int32_t value(int column, int depth, int row) const {
+    const std::int32_t channel = columns_.column(column).channel;
     return channel < 0 ? 0 : coefficients_.value(channel, bands().count - depth, row);
+  }
+  bool may_have_entries(int depth) const {
+    return static_cast<std::uint64_t>(rows_of(depth)) >> kMostLog2RowsOfBlock < kMostEntries;
   }
 
   CookedBlock& block_;
-  const CookedPart& part_;
   const CookedColumns& columns_;
   CookedCoefficients& coefficients_;
+  // What was chosen for the bands of each group; not kept bands are neither dense nor entries.
+  struct Chosen {
+    RowKind kind = RowKind::None;
+    bool is_kept = false;
+  };
+  Chosen chosen_[kMostColumns / kGroup][kMostKeptBands];
 };
 
-CookedRows RowWriter::put() {
+CookedRows RowWriter::put_part(const CookedPart& part) {
   CookedRows rows;
-  const int columns = kGroup * part_.groups;
-  const int kept = std::min<int>(part_.kept_bands, bands().count - 1);
+  const int columns = kGroup * part.groups;
+  const int kept = std::min<int>(part.kept_bands, bands().count - 1);
   float* const scales =
       block_.reserve_for<float>(3 * static_cast<std::uint64_t>(columns), rows.scales);
   // Whole sums are times 2^15.
   for (int c = 0; scales != nullptr && c < columns; ++c) {
-    const CookedColumns::Column& from = column(c);
+    const CookedColumns::Column& from = columns_.column(kGroup * part.first_group + c);
     scales[c] = static_cast<float>(from.base);
     if (from.channel >= 0)
       scales[2 * columns + c] =
           static_cast<float>(coefficients_.step(from.channel) * from.factor * 0x1p-15);
   }
   const int samples = std::max(bands().length(bands().count - 1 - kept), kSampleWindow);
-  const std::size_t width = part_.wide_samples != 0 ? 4 : 2;
+  const std::size_t width = part.wide_samples != 0 ? 4 : 2;
   rows.samples =
       block_.reserve(width * static_cast<std::size_t>(columns) * static_cast<std::size_t>(samples));
   std::byte* const sample_rows = block_.at(rows.samples);
   for (int c = 0; sample_rows != nullptr && c < columns; ++c) {
-    const CookedColumns::Column& from = column(c);
+    const CookedColumns::Column& from = columns_.column(kGroup * part.first_group + c);
     if (from.channel < 0) continue;
     const std::span<double> own = coefficients_.samples_of(from.channel, kept);
     for (double& sample : own) sample *= from.factor;
     std::byte* to = sample_rows + width * static_cast<std::size_t>(c);
     const std::size_t row_bytes = width * static_cast<std::size_t>(columns);
-    if (part_.wide_samples != 0) {
+    if (part.wide_samples != 0) {
       scales[columns + c] = 1;
       for (const double value : own) {
         const auto sample = static_cast<float>(value);
@@ -124,55 +128,46 @@ CookedRows RowWriter::put() {
       to += row_bytes;
     }
   }
-  CookedBand* const bands = block_.reserve_for<CookedBand>(part_.kept_bands, rows.bands);
+  CookedBand* const bands = block_.reserve_for<CookedBand>(part.kept_bands, rows.bands);
   for (int depth = 1; depth <= kept; ++depth) {
-    const CookedBand band = put_band(depth);
+    const CookedBand band = put_band(part, depth);
     if (bands != nullptr) bands[depth - 1] = band;
   }
   return rows;
 }
 
 /// The smallest of all kinds, where a byte of entries, which take time one by one, counts as more.
-CookedBand RowWriter::put_band(int depth) {
+CookedBand RowWriter::put_band(const CookedPart& part, int depth) {
   constexpr std::uint64_t kEntryIsWorth = 3;  // bytes of dense rows
   const int rows = rows_of(depth);
-  const int columns = kGroup * part_.groups;
+  const int first = kGroup * part.first_group;
+  const int end = first + kGroup * part.groups;
   CookedBand best;
   std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t entries_of_best = 0;
   for (const RowKind kind :
        {RowKind::None, RowKind::Crumbs, RowKind::Nibbles, RowKind::Bytes, RowKind::Words}) {
-    CookedBand band{.kind = kind};
     std::uint64_t entries = 0;
-    for (int c = 0; c < columns; ++c)
+    for (int c = first; c < end; ++c)
       for (int i = 0; i < rows; ++i) entries += entries_for(left_by(kind, value(c, depth, i)));
-    while (band.log2_rows < kMostLog2RowsOfBlock &&
-           (entries << (band.log2_rows + 1)) / static_cast<std::uint64_t>(rows) <= kMostPerBlock)
-      ++band.log2_rows;
-    const std::uint64_t blocks =
-        entries == 0 ? 0 : static_cast<std::uint64_t>((rows - 1) >> band.log2_rows) + 1;
-    const std::uint64_t dense =
-        static_cast<std::uint64_t>(bundles_of(kind, rows)) * bundle_bytes(kind) * part_.groups;
-    const std::uint64_t cost = dense + kEntryIsWorth * entries + 2 * blocks;
-    if (cost >= least || entries > kMostEntries || blocks > kMostEntries) continue;
+    if (entries > (may_have_entries(depth) ? kMostEntries * part.groups / kMostGroupsOfPart : 0))
+      continue;
+    const std::uint64_t cost =
+        static_cast<std::uint64_t>(bundles_of(kind, rows)) * bundle_bytes(kind) * part.groups +
+        kEntryIsWorth * entries;
+    if (cost >= least) continue;
     least = cost;
-    band.blocks = static_cast<std::uint16_t>(blocks);
-    best = band;
-    entries_of_best = entries;
+    best.kind = kind;
   }
-  if (best.kind != RowKind::None) {
-    best.rows = block_.reserve(static_cast<std::uint64_t>(bundles_of(best.kind, rows)) *
-                               bundle_bytes(best.kind) * part_.groups);
-    if (std::byte* const memory = block_.at(best.rows)) put_dense(memory, best.kind, depth);
-  }
-  if (best.blocks > 0) {
-    best.entries = block_.reserve(2 * (std::uint64_t{best.blocks} + 1 + entries_of_best));
-    if (std::byte* const memory = block_.at(best.entries)) put_entries(memory, best, depth);
-  }
+  for (int g = 0; g < part.groups; ++g)
+    chosen_[part.first_group + g][depth - 1] = {best.kind, true};
+  if (best.kind == RowKind::None) return best;
+  best.rows = block_.reserve(static_cast<std::uint64_t>(bundles_of(best.kind, rows)) *
+                             bundle_bytes(best.kind) * part.groups);
+  if (std::byte* const memory = block_.at(best.rows)) put_dense(memory, part, best.kind, depth);
   return best;
 }
 
-void RowWriter::put_dense(std::byte* rows, RowKind kind, int depth) const {
+void RowWriter::put_dense(std::byte* rows, const CookedPart& part, RowKind kind, int depth) const {
   const int count = rows_of(depth);
   const int together = rows_together(kind);
   const Limits limits = limits_of(kind);
@@ -180,12 +175,14 @@ void RowWriter::put_dense(std::byte* rows, RowKind kind, int depth) const {
     for (int i = 0; i < bytes; ++i) *rows++ = static_cast<std::byte>(bits >> (8 * i));
   };
   for (int bundle = 0; bundle < bundles_of(kind, count); ++bundle)
-    for (int c = 0; c < kGroup * part_.groups; ++c) {
+    for (int c = 0; c < kGroup * part.groups; ++c) {
       unsigned bits = 0;
       for (int i = 0; i < together; ++i) {
         const int row = together * bundle + i;
         const std::int32_t number =
-            row < count ? std::clamp(value(c, depth, row), limits.least, limits.most) : 0;
+            row < count ? std::clamp(value(kGroup * part.first_group + c, depth, row), limits.least,
+                                     limits.most)
+                        : 0;
         if (kind == RowKind::Crumbs)
           bits |= static_cast<unsigned>(number + 2) << (2 * i);
         else if (kind == RowKind::Nibbles)
@@ -199,37 +196,66 @@ void RowWriter::put_dense(std::byte* rows, RowKind kind, int depth) const {
     }
 }
 
-void RowWriter::put_entries(std::byte* memory, const CookedBand& band, int depth) const {
-  const int count = rows_of(depth);
+CookedEntries RowWriter::put_entries(int first_group, int depth) {
+  const int groups = std::min(columns_.row_groups() - first_group, kMostGroupsOfPart);
+  const int rows = depth < bands().count ? rows_of(depth) : 0;
+  const auto each = [&](int first_row, int end_row, const auto& use) {
+    for (int row = first_row; row < end_row; ++row)
+      for (int c = 0; c < kGroup * groups; ++c) {
+        const Chosen& chosen = chosen_[first_group + c / kGroup][depth - 1];
+        if (!chosen.is_kept) continue;
+        use(row, c, left_by(chosen.kind, value(kGroup * first_group + c, depth, row)));
+      }
+  };
+  std::uint64_t count = 0;
+  each(0, rows, [&](int, int, std::int32_t left) { count += entries_for(left); });
+  CookedEntries made;
+  if (count == 0) return made;
+  const auto blocks = [&] { return static_cast<std::uint64_t>((rows - 1) >> made.log2_rows) + 1; };
+  while (made.log2_rows < kMostLog2RowsOfBlock &&
+         (2 * count <= kMostPerBlock * blocks() || blocks() > kMostEntries))
+    ++made.log2_rows;
+  made.blocks = static_cast<std::uint16_t>(blocks());
+  made.begins = block_.reserve(2 * (blocks() + 1 + count), 2);
+  std::byte* const memory = block_.at(made.begins);
+  if (memory == nullptr) return made;
   const auto put = [&](std::uint64_t at, std::uint16_t word) {
     std::memcpy(memory + 2 * at, &word, sizeof word);
   };
   std::uint64_t entries = 0;
-  for (int block = 0; block < band.blocks; ++block) {
+  for (int block = 0; block < made.blocks; ++block) {
     put(static_cast<std::uint64_t>(block), static_cast<std::uint16_t>(entries));
-    const int end = std::min(count, (block + 1) << band.log2_rows);
-    for (int row = block << band.log2_rows; row < end; ++row)
-      for (int c = 0; c < kGroup * part_.groups; ++c) {
-        std::int32_t left = left_by(band.kind, value(c, depth, row));
-        while (left != 0) {
-          const std::int32_t now = std::clamp(left, kLeastOfEntry, kMostOfEntry);
-          put(band.blocks + 1U + entries++,
-              static_cast<std::uint16_t>(static_cast<unsigned>(now) << (kColumnBits + kRowBits) |
-                                         (static_cast<unsigned>(row) & ((1U << kRowBits) - 1))
-                                             << kColumnBits |
-                                         static_cast<unsigned>(c)));
-          left -= now;
-        }
-      }
+    each(block << made.log2_rows, std::min(rows, (block + 1) << made.log2_rows),
+         [&](int row, int c, std::int32_t left) {
+           while (left != 0) {
+             const std::int32_t now = std::clamp(left, kLeastOfEntry, kMostOfEntry);
+             put(made.blocks + 1U + entries++,
+                 static_cast<std::uint16_t>(static_cast<unsigned>(now) << (kColumnBits + kRowBits) |
+                                            (static_cast<unsigned>(row) & ((1U << kRowBits) - 1))
+                                                << kColumnBits |
+                                            static_cast<unsigned>(c)));
+             left -= now;
+           }
+         });
   }
-  put(band.blocks, static_cast<std::uint16_t>(entries));
+  put(made.blocks, static_cast<std::uint16_t>(entries));
+  return made;
 }
 
 }  // namespace
 
-CookedRows lay_out_rows(CookedBlock& block, const CookedPart& part, const CookedColumns& columns,
-                        CookedCoefficients& coefficients) {
-  return RowWriter(block, part, columns, coefficients).put();
+void lay_out_rows(CookedBlock& block, const CookedColumns& columns,
+                  CookedCoefficients& coefficients, CookedRows* rows, CookedEntries* entries) {
+  RowWriter writer(block, columns, coefficients);
+  for (const CookedPart& part : columns.parts()) {
+    const CookedRows made = writer.put_part(part);
+    if (rows != nullptr) *rows++ = made;
+  }
+  for (int group = 0; group < columns.row_groups(); group += kMostGroupsOfPart)
+    for (int depth = 1; depth <= kMostKeptBands; ++depth) {
+      const CookedEntries made = writer.put_entries(group, depth);
+      if (entries != nullptr) *entries++ = made;
+    }
 }
 
 }  // namespace mocapress::runtime

@@ -8,9 +8,9 @@
 
 namespace mocapress::runtime {
 
-/// Writes the rows of a part of the columns, of the segment that is loaded: samples, and of each
-/// kept band dense rows and entries.
-CookedRows lay_out_rows(CookedBlock& block, const CookedPart& part, const CookedColumns& columns,
-                        CookedCoefficients& coefficients);
+/// Writes the rows of the segment that is loaded: of each part samples and dense rows, then the
+/// entries of all. Where only the size is measured, `rows` and `entries` are null.
+void lay_out_rows(CookedBlock& block, const CookedColumns& columns,
+                  CookedCoefficients& coefficients, CookedRows* rows, CookedEntries* entries);
 
 }  // namespace mocapress::runtime

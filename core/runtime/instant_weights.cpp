@@ -319,8 +319,12 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
       weight = static_cast<std::int16_t>(static_cast<float>(weight) / unit);
   for (int b = inside; b < levels; ++b)
     set_band(kernels, details[b], rows[b], b + 1, unit, band[b]);
-  for (int b = 0; b < levels; ++b)
-    kernels.place_entry_weights(band[b].of_row + 2, band[b].first_row, 2 - b / 2, band[b].of_entry);
+  for (int b = 0; b < levels; ++b) {
+    const std::int16_t* const whole = band[b].of_row + 2;
+    band[b].sum = 0;
+    for (int i = 0; i < kDetailWindow; ++i) band[b].sum += whole[i];
+    kernels.place_entry_weights(whole, band[b].first_row, 2 - b / 2, band[b].of_entry);
+  }
 }
 
 }  // namespace mocapress::runtime

@@ -32,6 +32,7 @@ struct BandWeights {
   // Times 2^15 and, so that none gets lost, once more 2 for every second band from the finest.
   // Zeros before and after them make up a window of crumbs, which begins at a fourth row.
   alignas(16) std::int16_t of_row[2 + kDetailWindow + 4] = {};
+  std::int32_t sum;  // of these
   // Times 2^17, each row's at its number modulo 16; the other rows of blocks have zeros.
   alignas(32) std::int32_t of_entry[16];
 };

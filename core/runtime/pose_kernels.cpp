@@ -215,16 +215,15 @@ void put_quaternions(const RotorGroup& group, const RotorQuaternions& quaternion
 
 #define MOCAPRESS_POSES plain_poses
 #define MOCAPRESS_POSES_TARGET
+#define MOCAPRESS_POSES_INLINE inline
 #include "core/runtime/pose_kernels_of.inc"
 
 namespace mocapress::runtime {
 
-const PoseKernels kPlainPoses = {.add_rows = plain_poses::add_rows,
-                                 .make_whole = plain_poses::make_whole,
+const PoseKernels kPlainPoses = {.make_whole = plain_poses::make_whole,
                                  .blend_whole = plain_poses::blend_whole,
                                  .place_entry_weights = plain_poses::place_entry_weights,
                                  .add_entries = plain_poses::add_entries,
-                                 .halve = plain_poses::halve,
                                  .make_columns = plain_poses::make_columns,
                                  .turn = plain_poses::turn,
                                  .put_quaternions = plain_poses::put_quaternions};

@@ -13,24 +13,26 @@ namespace mocapress::runtime {
 
 /// The rows of a dense band that meet at an instant, bundle by bundle, each of all groups.
 struct DenseRows {
-  RowKind kind;
-  const std::byte* rows;        // of the first bundle
-  std::ptrdiff_t stride;        // bytes of a bundle
-  const std::int16_t* weights;  // kDetailWindow, of crumbs kCrumbWindow
-  int groups;
+  RowKind kind = RowKind::None;
+  std::int32_t sum_of_weights = 0;
+  const std::byte* rows = nullptr;        // of the first bundle
+  std::ptrdiff_t stride = 0;              // bytes of a bundle
+  const std::int16_t* weights = nullptr;  // kDetailWindow, of crumbs kCrumbWindow
 };
 
-/// Columns from what was added up: offset + (sums of samples) * scale + whole * unit * step.
-struct SampleRows {
-  const std::byte* rows;  // of the first of kSampleWindow
-  std::ptrdiff_t stride;  // bytes of a row
-  const float* weights;   // kSampleWindow
-  const float* scales;    // offset of each column, then scale, then step, an array each
-  int columns_of_part;    // of each of these arrays
-  const std::int32_t* whole;
-  float unit;  // of them
+/// What the columns of a part are made of: offset + (sums of samples) * scale +
+/// (sums of details) * unit * step.
+struct PartRows {
+  DenseRows details[kMostKeptBands];  // the finest first
+  const std::int32_t* entries;        // what they add up to
+  const std::byte* samples;           // of the first of kSampleWindow
+  std::ptrdiff_t stride;              // bytes of a row of samples
+  const float* weights;               // kSampleWindow
+  const float* scales;                // offset of each column, then scale, then step, an array each
+  int columns_of_part;                // of each of these arrays
   int groups;
-  bool wide;  // floats, not 16 bits
+  float unit;
+  bool wide;  // samples are floats, not 16 bits
   float* columns;
 };
 
@@ -47,7 +49,6 @@ struct RotorQuaternions {
 };
 
 struct PoseKernels {
-  void (*add_rows)(const DenseRows&, std::int32_t* whole);
   /// kDetailWindow weights times a scale, to the nearest.
   void (*make_whole)(const float* weights, float scale, std::int16_t* whole);
   /// kDetailWindow weights, and a share of 2^15 of as many that follow, which is added to them.
@@ -58,8 +59,7 @@ struct PoseKernels {
   /// Adds each entry's value times its row's weight to its column. Up to kEntriesBeyond entries
   /// after the last are read, too.
   void (*add_entries)(const EntryRun&, std::int32_t* whole);
-  void (*halve)(std::int32_t* whole, int groups);
-  void (*make_columns)(const SampleRows&);
+  void (*make_columns)(const PartRows&);
   /// `around`: 8 quaternions before, 8 after; null: none.
   void (*turn)(const RotorGroup&, const float* columns, const float* around, RotorQuaternions& out);
   /// Writes one quaternion w x y z each to 4 floats, of as many joints of a group as there are:

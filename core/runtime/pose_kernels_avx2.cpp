@@ -217,16 +217,16 @@ MOCAPRESS_POSES_AVX2 void put_quaternions(const RotorGroup& group,
 
 #define MOCAPRESS_POSES avx2_poses_of
 #define MOCAPRESS_POSES_TARGET MOCAPRESS_POSES_AVX2
+// Not called: GCC 12 clears the upper halves of what such a function returns in a struct.
+#define MOCAPRESS_POSES_INLINE __attribute__((target("avx2"), always_inline)) inline
 #include "core/runtime/pose_kernels_of.inc"
 
 namespace mocapress::runtime {
 
-const PoseKernels kAvx2Poses = {.add_rows = avx2_poses_of::add_rows,
-                                .make_whole = avx2_poses_of::make_whole,
+const PoseKernels kAvx2Poses = {.make_whole = avx2_poses_of::make_whole,
                                 .blend_whole = avx2_poses_of::blend_whole,
                                 .place_entry_weights = avx2_poses_of::place_entry_weights,
                                 .add_entries = avx2_poses_of::add_entries,
-                                .halve = avx2_poses_of::halve,
                                 .make_columns = avx2_poses_of::make_columns,
                                 .turn = avx2_poses_of::turn,
                                 .put_quaternions = avx2_poses_of::put_quaternions};

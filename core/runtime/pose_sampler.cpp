@@ -18,11 +18,11 @@ namespace {
 constexpr int kMostGroups = kMostColumns / kGroup;
 
 /// Those of the blocks that the rows are in.
-EntryRun entries_of(const mcpr_cooked& clip, const CookedBand& band, const BandWeights& weights) {
-  const auto* const begins = clip.at<std::uint16_t>(band.entries);
-  const int first = std::min(weights.first_used >> band.log2_rows, int{band.blocks});
-  const int end = std::min((weights.last_used >> band.log2_rows) + 1, int{band.blocks});
-  return {begins + band.blocks + 1 + begins[first], begins[std::max(first, end)] - begins[first],
+EntryRun run_of(const mcpr_cooked& clip, const CookedEntries& entries, const BandWeights& weights) {
+  const auto* const begins = clip.at<std::uint16_t>(entries.begins);
+  const int first = std::min(weights.first_used >> entries.log2_rows, int{entries.blocks});
+  const int end = std::min((weights.last_used >> entries.log2_rows) + 1, int{entries.blocks});
+  return {begins + entries.blocks + 1 + begins[first], begins[std::max(first, end)] - begins[first],
           weights.of_entry};
 }
 
@@ -94,49 +94,54 @@ class Sampler {
     return {first, end - first};
   }
 
-  void make_part(int segment, int p, const InstantWeights& weights, float* columns) const {
+  /// What the entries of a segment add up to, column by column.
+  void add_entries(int segment, const InstantWeights& weights, std::int32_t* whole) const {
+    std::memset(whole, 0, sizeof *whole * kGroup * clip_.row_groups);
+    for (int e = 0; e < clip_.entry_parts(); ++e)
+      for (int b = 0; b < weights.levels; ++b) {
+        const CookedEntries& entries = clip_.entries_of(segment, e, b);
+        if (entries.blocks > 0)
+          kernels_.add_entries(run_of(clip_, entries, weights.band[b]),
+                               whole + kGroup * kMostGroupsOfPart * e);
+      }
+  }
+
+  void make_part(int segment, int p, const InstantWeights& weights, const std::int32_t* entries,
+                 float* columns) const {
     const CookedPart& part = clip_.part(p);
-    const Groups groups = groups_of(part);
+    const Groups groups = request_.joints == nullptr ? Groups{0, part.groups} : groups_of(part);
     if (groups.count == 0) return;
     const CookedRows& rows = clip_.rows_of(segment, p);
     const int kept = std::min<int>(part.kept_bands, weights.levels);
-    const auto* const bands = clip_.at<CookedBand>(rows.bands);
-    alignas(32) std::int32_t whole[kGroup * kMostGroupsOfPart];
-    std::fill_n(whole, kGroup * kMostGroupsOfPart, 0);
-    for (int b = 0; b < kept; ++b)
-      if (bands[b].blocks > 0)
-        kernels_.add_entries(entries_of(clip_, bands[b], weights.band[b]), whole);
-    std::int32_t* const first = whole + kGroup * groups.first;
-    for (int b = kMostKeptBands - 1; b >= 0; --b) {
-      if (b < kept && bands[b].kind != RowKind::None) {
-        const BandWeights& band = weights.band[b];
-        const RowKind kind = bands[b].kind;
-        const int together = rows_together(kind);
-        const auto bytes = static_cast<std::ptrdiff_t>(bundle_bytes(kind));
-        const std::ptrdiff_t stride = bytes * part.groups;
-        kernels_.add_rows({.kind = kind,
-                           .rows = clip_.at<std::byte>(bands[b].rows) +
-                                   stride * (band.first_row / together) + bytes * groups.first,
-                           .stride = stride,
-                           .weights = band.of_row + 2 - band.first_row % together,
-                           .groups = groups.count},
-                          first);
-      }
-      if (b == 4 || b == 2) kernels_.halve(first, groups.count);
-    }
     const SampleWeights& samples = weights.samples[kept];
     const std::ptrdiff_t bytes = kGroup * (part.wide_samples != 0 ? 4 : 2);
-    kernels_.make_columns({.rows = clip_.at<std::byte>(rows.samples) +
-                                   bytes * part.groups * samples.first_row + bytes * groups.first,
-                           .stride = bytes * part.groups,
-                           .weights = samples.of_row,
-                           .scales = clip_.at<float>(rows.scales) + kGroup * groups.first,
-                           .columns_of_part = kGroup * part.groups,
-                           .whole = first,
-                           .unit = weights.unit,
-                           .groups = groups.count,
-                           .wide = part.wide_samples != 0,
-                           .columns = columns + kGroup * (part.first_group + groups.first)});
+    const int first = kGroup * (part.first_group + groups.first);
+    PartRows sums{.entries = entries + first,
+                  .samples = clip_.at<std::byte>(rows.samples) +
+                             bytes * part.groups * samples.first_row + bytes * groups.first,
+                  .stride = bytes * part.groups,
+                  .weights = samples.of_row,
+                  .scales = clip_.at<float>(rows.scales) + kGroup * groups.first,
+                  .columns_of_part = kGroup * part.groups,
+                  .groups = groups.count,
+                  .unit = weights.unit,
+                  .wide = part.wide_samples != 0,
+                  .columns = columns + first};
+    for (int b = 0; b < kept; ++b) {
+      const CookedBand& band = clip_.at<CookedBand>(rows.bands)[b];
+      if (band.kind == RowKind::None) continue;
+      const BandWeights& from = weights.band[b];
+      const int together = rows_together(band.kind);
+      const auto bundle = static_cast<std::ptrdiff_t>(bundle_bytes(band.kind));
+      const std::ptrdiff_t stride = bundle * part.groups;
+      sums.details[b] = {.kind = band.kind,
+                         .sum_of_weights = from.sum,
+                         .rows = clip_.at<std::byte>(band.rows) +
+                                 stride * (from.first_row / together) + bundle * groups.first,
+                         .stride = stride,
+                         .weights = from.of_row + 2 - from.first_row % together};
+    }
+    kernels_.make_columns(sums);
   }
 
   void make_segment(int segment, int frame, float share, float* columns) const {
@@ -144,7 +149,9 @@ class Sampler {
     InstantWeights weights;
     weights.set(kernels_, clip_.wavelet, layout.frames_of(segment), frame - layout.first(segment),
                 share, kept_bands_, wanted_samples_);
-    for (int p = 0; p < clip_.parts; ++p) make_part(segment, p, weights, columns);
+    alignas(32) std::int32_t entries[kMostColumns];
+    add_entries(segment, weights, entries);
+    for (int p = 0; p < clip_.parts; ++p) make_part(segment, p, weights, entries, columns);
   }
 
   /// A frame that may be in two segments.
