@@ -1006,10 +1006,6 @@
         <translation>Cette méthode ignore l&apos;importance : choisissez %1 ou %2.</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
-        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
-    </message>
-    <message>
         <source>Weighting of the error, ends of the clip, and coding: seldom changed.</source>
         <translation>Pondération de l&apos;erreur, extrémités du clip et codage : rarement changés.</translation>
     </message>
@@ -1024,6 +1020,10 @@
     <message>
         <source>The first and the last pose, where clips are blended and looped. Even: no further off than the target, and those of a loop alike. Exact: a tenth of it, which takes some 4 % more. Free: whatever comes out.</source>
         <translation>La première et la dernière pose, où les clips sont fondus et bouclés. Égales : pas plus loin que la cible, et celles d&apos;une boucle pareilles. Exactes : un dixième de celle-ci, pour environ 4 % d&apos;octets de plus. Libres : ce qui vient.</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
     </message>
 </context>
 <context>
@@ -1787,6 +1787,29 @@
     </message>
 </context>
 <context>
+    <name>mocapress::KeptProject</name>
+    <message>
+        <source>%1 is open in another window of Mocapress. This is a new project.</source>
+        <translation>%1 est ouvert dans une autre fenêtre de Mocapress. Voici un nouveau projet.</translation>
+    </message>
+    <message>
+        <source>The last project</source>
+        <translation>Le dernier projet</translation>
+    </message>
+    <message>
+        <source>%1 cannot be changed where it is. This is a copy without a name.</source>
+        <translation>%1 ne peut pas être modifié à son emplacement. Voici une copie sans nom.</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window of Mocapress.</source>
+        <translation>%1 est ouvert dans une autre fenêtre de Mocapress.</translation>
+    </message>
+    <message>
+        <source>The project was not saved: %1</source>
+        <translation>Le projet n&apos;est pas enregistré : %1</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::LaunchOptions</name>
     <message>
         <source>Compress human motion capture clips with wavelets, and see what it does.</source>
@@ -1830,29 +1853,6 @@
     <message>
         <source>&lt; %1 mm</source>
         <translation>&lt; %1 mm</translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::KeptProject</name>
-    <message>
-        <source>%1 is open in another window of Mocapress. This is a new project.</source>
-        <translation>%1 est ouvert dans une autre fenêtre de Mocapress. Voici un nouveau projet.</translation>
-    </message>
-    <message>
-        <source>The last project</source>
-        <translation>Le dernier projet</translation>
-    </message>
-    <message>
-        <source>%1 cannot be changed where it is. This is a copy without a name.</source>
-        <translation>%1 ne peut pas être modifié à son emplacement. Voici une copie sans nom.</translation>
-    </message>
-    <message>
-        <source>%1 is open in another window of Mocapress.</source>
-        <translation>%1 est ouvert dans une autre fenêtre de Mocapress.</translation>
-    </message>
-    <message>
-        <source>The project was not saved: %1</source>
-        <translation>Le projet n&apos;est pas enregistré : %1</translation>
     </message>
 </context>
 <context>
@@ -2905,6 +2905,14 @@
         <source>Import Options</source>
         <translation>Options d’importation</translation>
     </message>
+    <message>
+        <source>Take</source>
+        <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>Personnage</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::SettingsField</name>
@@ -3699,6 +3707,14 @@ Cliquer pour le charger dans le studio.</translation>
     <message>
         <source>%L1 / %L2</source>
         <translation>%L1 / %L2</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Which of the animations in the file is read.</source>
+        <translation>L&apos;animation du fichier qui est lue.</translation>
     </message>
 </context>
 <context>

@@ -998,10 +998,6 @@
         <translation>この手法は重要度を考慮しません。%1か%2を選んでください。</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
-        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
-    </message>
-    <message>
         <source>Weighting of the error, ends of the clip, and coding: seldom changed.</source>
         <translation>誤差の重み付け、クリップの両端、符号化。めったに変えません。</translation>
     </message>
@@ -1016,6 +1012,10 @@
     <message>
         <source>The first and the last pose, where clips are blended and looped. Even: no further off than the target, and those of a loop alike. Exact: a tenth of it, which takes some 4 % more. Free: whatever comes out.</source>
         <translation>最初と最後のポーズ。クリップがブレンドされ、ループする所です。均等：目標より離れず、ループでは両端がそろいます。厳密：目標の十分の一で、約 4 % 大きくなります。自由：成り行きのまま。</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
     </message>
 </context>
 <context>
@@ -1776,6 +1776,29 @@
     </message>
 </context>
 <context>
+    <name>mocapress::KeptProject</name>
+    <message>
+        <source>%1 is open in another window of Mocapress. This is a new project.</source>
+        <translation>%1は別のMocapressのウィンドウで開かれています。これは新しいプロジェクトです。</translation>
+    </message>
+    <message>
+        <source>The last project</source>
+        <translation>前回のプロジェクト</translation>
+    </message>
+    <message>
+        <source>%1 cannot be changed where it is. This is a copy without a name.</source>
+        <translation>%1はその場所では変更できません。これは名前のないコピーです。</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window of Mocapress.</source>
+        <translation>%1は別のMocapressのウィンドウで開かれています。</translation>
+    </message>
+    <message>
+        <source>The project was not saved: %1</source>
+        <translation>プロジェクトが書き込まれていません: %1</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::LaunchOptions</name>
     <message>
         <source>Compress human motion capture clips with wavelets, and see what it does.</source>
@@ -1819,29 +1842,6 @@
     <message>
         <source>&lt; %1 mm</source>
         <translation>%1 mm 未満</translation>
-    </message>
-</context>
-<context>
-    <name>mocapress::KeptProject</name>
-    <message>
-        <source>%1 is open in another window of Mocapress. This is a new project.</source>
-        <translation>%1は別のMocapressのウィンドウで開かれています。これは新しいプロジェクトです。</translation>
-    </message>
-    <message>
-        <source>The last project</source>
-        <translation>前回のプロジェクト</translation>
-    </message>
-    <message>
-        <source>%1 cannot be changed where it is. This is a copy without a name.</source>
-        <translation>%1はその場所では変更できません。これは名前のないコピーです。</translation>
-    </message>
-    <message>
-        <source>%1 is open in another window of Mocapress.</source>
-        <translation>%1は別のMocapressのウィンドウで開かれています。</translation>
-    </message>
-    <message>
-        <source>The project was not saved: %1</source>
-        <translation>プロジェクトが書き込まれていません: %1</translation>
     </message>
 </context>
 <context>
@@ -2888,6 +2888,14 @@
         <source>Import Options</source>
         <translation>読み込みオプション</translation>
     </message>
+    <message>
+        <source>Take</source>
+        <translation>テイク</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>キャラクター</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::SettingsField</name>
@@ -3676,6 +3684,14 @@ Click to load it into the studio.</source>
     <message>
         <source>%L1 / %L2</source>
         <translation>%L1 / %L2</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>テイク</translation>
+    </message>
+    <message>
+        <source>Which of the animations in the file is read.</source>
+        <translation>ファイルのどのアニメーションを読むかを選びます。</translation>
     </message>
 </context>
 <context>

@@ -35,6 +35,7 @@ struct OriginalClip {
   bool states_rate = true;  // the file does
   Warnings warnings;
   std::shared_ptr<const Skin> skin;  // null: the file has none
+  Takes takes;
   std::shared_ptr<const Encoder> encoder;
 
   const Motion& motion() const { return encoder->motion(); }

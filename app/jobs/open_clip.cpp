@@ -44,6 +44,7 @@ OriginalPtr readOriginal(const OpenRequest& request) {
   original.states_rate = file.states_rate;
   original.warnings = std::move(file.warnings);
   original.skin = std::move(file.skin);
+  original.takes = std::move(file.takes);
   original.encoder = std::make_shared<const Encoder>(std::move(file.motion));
   // Here, off the GUI thread, and not where they are first shown.
   original.encoder->original_tracks();

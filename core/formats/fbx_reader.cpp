@@ -106,6 +106,7 @@ class FbxReader {
   const aiScene* scene_ = nullptr;
   std::unordered_map<std::string, const aiNodeAnim*> channels_;  // of the take, by node
   NodeTake take_;
+  Takes takes_;
   Warnings warnings_;
 };
 
@@ -139,6 +140,7 @@ MotionFile FbxReader::read() {
   sample(*animation);
   MotionFile result = motion_of(file_, take_, options_, SourceFormat::Kind::Fbx);
   result.warnings.insert(result.warnings.begin(), warnings_.begin(), warnings_.end());
+  result.takes = std::move(takes_);
   return result;
 }
 
@@ -161,6 +163,7 @@ const aiAnimation& FbxReader::chosen_take() {
         {scene_->mAnimations[a]->mName.C_Str(), scene_->mAnimations[a]->mNumChannels > 0});
   if (takes.empty()) refuse("holds no animation");
   const std::size_t chosen = choose_take(file_, takes, options_.take, warnings_);
+  takes_ = choices(takes, chosen);
   if (!options_.take && !takes[chosen].moves) refuse("holds no keys");
   return *scene_->mAnimations[chosen];
 }

@@ -220,10 +220,12 @@ void TakeReader::choose_animation() {
     if (name.empty()) name = "animation_" + std::to_string(takes.size() + 1);
     takes.push_back({std::move(name), moves_nodes(one)});
   }
-  result_.animation = choose_take(file_.name(), takes, options_.take, result_.warnings);
-  if (!takes[result_.animation].moves)
+  const std::size_t chosen = choose_take(file_.name(), takes, options_.take, result_.warnings);
+  result_.animation = chosen;
+  result_.takes = choices(takes, chosen);
+  if (!takes[chosen].moves)
     file_.fail("moves no node: its animation has only morph weights");
-  result_.take.name = takes[result_.animation].name;
+  result_.take.name = takes[chosen].name;
 }
 
 KeyCurve TakeReader::read_curve(const GltfJson& sampler, const Target& target) {
@@ -349,6 +351,7 @@ MotionFile read_gltf(const std::string& name, std::string_view bytes, const Read
   }
   MotionFile motion = motion_of(name, read.take, options, SourceFormat::Kind::Gltf);
   motion.warnings.insert(motion.warnings.begin(), read.warnings.begin(), read.warnings.end());
+  motion.takes = std::move(read.takes);
   return motion;
 }
 

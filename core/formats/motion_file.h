@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/motion/clip.h"
@@ -32,6 +33,12 @@ struct ReadOptions {
 /// stated: no frame is added or left out.
 using WriteOptions = ReadOptions;
 
+/// The animations of a file, by what ReadOptions::take has to be for each.
+struct Takes {
+  std::vector<std::string> keys;  // empty: files of its format hold one motion
+  std::size_t read = 0;           // which of them
+};
+
 /// A motion as read, with what had to be repaired or guessed.
 struct MotionFile {
   Motion motion;  // cm, Y up, radians (unwrapped), seconds
@@ -39,6 +46,7 @@ struct MotionFile {
   SourceFormat source;
   bool states_rate = true;  // false: the clip has the usual one of its format, or the one given
   std::shared_ptr<const Skin> skin;  // of motion.skeleton; null: the file has none
+  Takes takes;
 };
 
 /// The .asf beside an .amc, of the same name or of the part before '_' (09_01.amc: 09_01.asf,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/formats/motion_file.h"
 
 namespace mocapress {
 
@@ -20,5 +21,9 @@ struct TakeName {
 /// that moves a node, else 0. Those that are not read are named in a warning. Throws InputError.
 std::size_t choose_take(const std::string& file, const std::vector<TakeName>& takes,
                         const std::optional<std::string>& wanted, Warnings& warnings);
+
+/// What can be chosen: the takes that move a node, and the one that was `chosen`. Each by its name,
+/// or by its number where one before has the same name.
+Takes choices(const std::vector<TakeName>& takes, std::size_t chosen);
 
 }  // namespace mocapress

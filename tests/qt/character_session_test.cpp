@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "app/studio/document/session.h"
+#include "app/studio/library/library.h"
 #include "core/formats/motion_file.h"
 #include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
@@ -60,6 +61,67 @@ TEST_F(CharacterSession, PutsACharacterOnAClipWithoutOne) {
   write_motion(other.toStdU16String(), test::smooth_motion(40));
   open(other);
   EXPECT_FALSE(document_.skin());
+}
+
+TEST_F(CharacterSession, PuttingOneOnIsUndone) {
+  open(sample("human_walk.amc"));
+  QSignalSpy put(&session_, &Session::characterPut);
+  session_.putCharacter(sample("character.glb"));
+  ASSERT_TRUE(put.wait(kPatience));
+  session_.history()->undo();
+  EXPECT_FALSE(document_.skin());
+  EXPECT_TRUE(document_.character().path.isEmpty());
+  session_.history()->redo();
+  EXPECT_TRUE(document_.skin());
+}
+
+TEST_F(CharacterSession, ComesBackWithItsProject) {
+  const QString project = folder_.filePath(QStringLiteral("walkers.mocapress"));
+  {
+    Session session;
+    LibraryModel model;
+    Library library(&session, &model);
+    QSignalSpy settled(&session, &Session::settled);
+    session.open(sample("human_walk.amc"));
+    ASSERT_TRUE(settled.wait(kPatience));
+    QSignalSpy put(&session, &Session::characterPut);
+    session.putCharacter(sample("character.glb"));
+    ASSERT_TRUE(put.wait(kPatience));
+    library.setShowsSkin(false);
+    ASSERT_TRUE(library.saveAs(project));
+  }
+  Session session;
+  LibraryModel model;
+  Library library(&session, &model);
+  ASSERT_TRUE(library.open(project));
+  EXPECT_FALSE(library.showsSkin());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session.document().skin() != nullptr; }, kPatience));
+  EXPECT_EQ(session.document().character().path,
+            QFileInfo(sample("character.glb")).absoluteFilePath());
+
+  // Another project has none.
+  ASSERT_TRUE(library.startNew());
+  EXPECT_TRUE(session.document().character().path.isEmpty());
+  EXPECT_TRUE(library.showsSkin());
+}
+
+TEST_F(CharacterSession, WhoseFileIsGoneIsSaidOnceAndStaysTheProjects) {
+  const QString project = folder_.filePath(QStringLiteral("walkers.mocapress"));
+  Project kept;
+  kept.character = folder_.filePath(QStringLiteral("gone.glb"));
+  kept.clips = {{.path = sample("human_walk.amc")}};
+  kept.current = kept.clips[0].path;
+  writeProject(project, kept);
+  LibraryModel model;
+  Library library(&session_, &model);
+  QSignalSpy failed(&session_, &Session::characterFailed);
+  QSignalSpy settled(&session_, &Session::settled);
+  ASSERT_TRUE(library.open(project));
+  ASSERT_TRUE(settled.wait(kPatience));
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed.front().front().toString().contains(QStringLiteral("gone.glb")));
+  EXPECT_FALSE(document_.skin());
+  EXPECT_EQ(library.project().character, kept.character);
 }
 
 TEST_F(CharacterSession, SaysInOneSentenceWhichJointsAClipLacks) {

@@ -406,5 +406,28 @@ TEST(TransportBar, ScrubbingSeeksAndPlayingMovesTheSlider) {
   EXPECT_EQ(scrub->value(), 30);
 }
 
+TEST(TransportBar, OffersTheTakesOfAFileWhereThereAreSeveral) {
+  Playback playback;
+  QObject owner;
+  TransportBar bar(&playback, TransportBar::makeActions(&playback, &owner));
+  playback.setClip(50, 100);
+  const auto choosers = bar.findChildren<QComboBox*>();
+  const auto found = std::find_if(choosers.begin(), choosers.end(), [](const QComboBox* each) {
+    return each->accessibleName() == QStringLiteral("Take");
+  });
+  ASSERT_NE(found, choosers.end());
+  QComboBox* takes = *found;
+  QSignalSpy chosen(&bar, &TransportBar::takeChosen);
+  bar.setTakes({QStringLiteral("walk")}, 0);
+  EXPECT_TRUE(takes->isHidden());
+  bar.setTakes({QStringLiteral("walk"), QStringLiteral("run")}, 1);
+  EXPECT_FALSE(takes->isHidden());
+  EXPECT_EQ(takes->currentIndex(), 1);
+  EXPECT_TRUE(chosen.isEmpty());
+  QTest::keyClick(takes, Qt::Key_Up);
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen.front().front().toInt(), 0);
+}
+
 }  // namespace
 }  // namespace mocapress

@@ -57,6 +57,18 @@ TEST(ProjectFile, RemembersHowEachClipIsToBeRead) {
   EXPECT_EQ(back.clips[1].reading, ReadOptions());
 }
 
+TEST(ProjectFile, RemembersTheCharacterAndWhetherItIsShown) {
+  const QDir folder(QStringLiteral("/motions"));
+  Project project;
+  EXPECT_TRUE(parseProject(projectText(project, folder), folder).shows_skin);
+  project.character = QStringLiteral("/motions/knight.fbx");
+  project.shows_skin = false;
+  const Project moved =
+      parseProject(projectText(project, folder), QDir(QStringLiteral("/elsewhere")));
+  EXPECT_EQ(moved.character, QStringLiteral("/elsewhere/knight.fbx"));
+  EXPECT_FALSE(moved.shows_skin);
+}
+
 TEST(ProjectFile, OfBeforeThereWerePinsStillOpens) {
   const Project project = parseProject(
       R"({"format": "mocapress-project", "version": 1, "clips": [{"path": "walk.bvh"}]})",

@@ -14,6 +14,7 @@
 #include "core/baselines/compression_method.h"
 #include "core/formats/motion_file.h"
 #include "tests/qt/patience.h"
+#include "tests/support/small_gltf.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
@@ -200,6 +201,61 @@ TEST_F(Studio, ReadingAClipByOtherOptionsIsUndoneAmongItsOtherSteps) {
   EXPECT_EQ(document_.sampleRate(), 48);
   settleAfter([&] { session_.history()->redo(); });
   EXPECT_EQ(document_.options().target.value, 14);
+}
+
+/// A knee that turns for so many seconds in each of its animations.
+QString writeTakes(const QString& path, const std::vector<int>& seconds) {
+  test::SmallGltf gltf;
+  for (const int length : seconds) {
+    gltf.begin_animation("take " + std::to_string(length));
+    std::vector<float> times;
+    std::vector<float> turns;
+    for (int key = 0; key <= 30 * length; ++key) {
+      const double half = 0.3 * std::sin(0.2 * key);
+      times.push_back(static_cast<float>(key) / 30);
+      turns.insert(turns.end(),
+                   {static_cast<float>(std::sin(half)), 0, 0, static_cast<float>(std::cos(half))});
+    }
+    const std::size_t input = gltf.add("SCALAR", times);
+    gltf.move(1, "rotation", input, gltf.add("VEC4", turns));
+  }
+  write_text(path.toStdU16String(), gltf.glb());
+  return path;
+}
+
+TEST_F(Studio, ReadsAnotherTakeOfTheFileAndGoesBackToTheOneBefore) {
+  openAndSettle(writeTakes(path("takes.glb"), {3, 5}));
+  const Takes takes = document_.original()->takes;
+  EXPECT_EQ(takes.keys, (std::vector<std::string>{"take 3", "take 5"}));
+  EXPECT_EQ(takes.read, 0u);
+  EXPECT_EQ(document_.frames(), 91);
+  const auto settleAfter = [this](auto act) {
+    QSignalSpy settled(&session_, &Session::settled);
+    act();
+    ASSERT_TRUE(waitFor(settled));
+  };
+  settleAfter([&] { session_.setOptions(ratio(5)); });
+  settleAfter([&] { session_.chooseTake(1); });
+  EXPECT_EQ(document_.frames(), 151);
+  EXPECT_EQ(document_.original()->takes.read, 1u);
+  EXPECT_EQ(document_.original()->reading.take, "take 5");
+  EXPECT_EQ(document_.decoded()->compressed.frames, 151);
+  EXPECT_EQ(document_.options().target.value, 5);
+  settleAfter([&] { session_.setOptions(ratio(4)); });
+
+  settleAfter([&] { session_.history()->undo(); });
+  EXPECT_EQ(document_.options().target.value, 5);
+  EXPECT_EQ(session_.history()->undoText(), QStringLiteral("Take"));
+  settleAfter([&] {
+    session_.history()->undo();
+    session_.history()->undo();  // before the file is read
+  });
+  EXPECT_EQ(document_.frames(), 91);
+  EXPECT_EQ(document_.decoded()->compressed.frames, 91);
+  EXPECT_EQ(document_.options().target.value, 10);
+  settleAfter([&] { session_.history()->redo(); });
+  settleAfter([&] { session_.history()->redo(); });
+  EXPECT_EQ(document_.frames(), 151);
 }
 
 TEST_F(Studio, ReadingAClipInVainIsNoStep) {

@@ -18,6 +18,7 @@ namespace mocapress {
 namespace {
 
 constexpr int kJump = 10;  // frames
+constexpr int kTakeLetters = 14;
 constexpr std::array kSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
 QAction* makeAction(QObject* parent, const QString& icon, const QString& text,
@@ -106,6 +107,12 @@ TransportActions TransportBar::makeActions(Playback* playback, QObject* parent) 
 
 TransportBar::TransportBar(Playback* playback, const TransportActions& actions, QWidget* parent)
     : QWidget(parent), playback_(playback) {
+  takes_ = new QComboBox(this);
+  takes_->setAccessibleName(tr("Take"));
+  takes_->setToolTip(tr("Which of the animations in the file is read."));
+  takes_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  takes_->setMinimumContentsLength(kTakeLetters);
+  takes_->hide();
   scrub_ = new QSlider(Qt::Horizontal, this);
   scrub_->setAccessibleName(tr("Frame"));
   scrub_->setToolTip(tr("Drag to any frame."));
@@ -120,6 +127,7 @@ TransportBar::TransportBar(Playback* playback, const TransportActions& actions, 
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 4);
   row->setSpacing(4);
+  row->addWidget(takes_);
   for (QAction* action :
        {actions.first, actions.previous, actions.play, actions.next, actions.last})
     row->addWidget(makeButton(action, this));
@@ -136,9 +144,18 @@ TransportBar::TransportBar(Playback* playback, const TransportActions& actions, 
   connect(scrub_, &QSlider::valueChanged, playback, &Playback::seek);
   connect(speed_, &QComboBox::activated, playback,
           [=, this](int index) { playback->setSpeed(speed_->itemData(index).toDouble()); });
+  connect(takes_, &QComboBox::activated, this, &TransportBar::takeChosen);
   connect(playback, &Playback::clipChanged, this, &TransportBar::showClip);
   connect(playback, &Playback::frameChanged, this, &TransportBar::showFrame);
   showClip();
+}
+
+void TransportBar::setTakes(const QStringList& names, int current) {
+  const QSignalBlocker blocker(takes_);
+  takes_->clear();
+  takes_->addItems(names);
+  takes_->setCurrentIndex(current);
+  takes_->setVisible(names.size() > 1);
 }
 
 void TransportBar::showClip() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 
 class QAction;
@@ -40,11 +41,19 @@ class TransportBar : public QWidget {
 
   TransportBar(Playback* playback, const TransportActions& actions, QWidget* parent = nullptr);
 
+  /// The animations of the file, and which is played. Seen where there are several.
+  void setTakes(const QStringList& names, int current);
+
+ signals:
+  /// By the user; which one is still to be set.
+  void takeChosen(int take);
+
  private:
   void showClip();
   void showFrame(int frame);
 
   Playback* playback_;
+  QComboBox* takes_;
   QSlider* scrub_;
   QLabel* time_;
   QLabel* frame_;

@@ -16,6 +16,7 @@
 #include "widgets/panels/warnings_panel.h"
 #include "widgets/plots/error_graph.h"
 #include "widgets/timeline/playback.h"
+#include "widgets/timeline/transport_bar.h"
 #include "widgets/viewport/viewport.h"
 
 namespace mocapress {
@@ -53,6 +54,8 @@ Presenter::Presenter(Session* session, Playback* playback, const Models& models,
 void Presenter::connectDocument() {
   Document* document = &session_->document();
   connect(document, &Document::clipChanged, this, &Presenter::showClip);
+  // What was chosen and could not be read is not what is there.
+  connect(session_, &Session::openFailed, this, &Presenter::showTakes);
   connect(document, &Document::decodedChanged, this, &Presenter::showDecoded);
   connect(document, &Document::shownChanged, this, &Presenter::showShown);
   connect(document, &Document::skinChanged, this, &Presenter::showSkin);
@@ -97,6 +100,7 @@ void Presenter::connectViews() {
   connect(views_.footskate, &FootskatePanel::findingChosen, this, &Presenter::showFinding);
   connect(views_.footskate, &FootskatePanel::settingsChanged, session_,
           &Session::setContactSettings);
+  connect(views_.transport, &TransportBar::takeChosen, session_, &Session::chooseTake);
   connect(playback_, &Playback::frameChanged, views_.graph, &ErrorGraph::setFrame);
   connect(playback_, &Playback::frameChanged, views_.viewport, &Viewport::setFrame);
 }
@@ -119,9 +123,18 @@ void Presenter::showClip() {
   showOptions();
   models_.joints->setLandmarks(landmarks(skeleton));
   playback_->setClip(document.frames(), document.sampleRate());
+  showTakes();
   showDecoded();
   showShown();
   showCurrentJoint();
+}
+
+void Presenter::showTakes() {
+  const OriginalPtr& original = session_->document().original();
+  const Takes takes = original ? original->takes : Takes();
+  QStringList names;
+  for (const std::string& key : takes.keys) names << QString::fromStdString(key);
+  views_.transport->setTakes(names, static_cast<int>(takes.read));
 }
 
 void Presenter::showOptions() {

@@ -18,6 +18,7 @@ class JointsPanel;
 class Playback;
 class ResultPanel;
 class Session;
+class TransportBar;
 class Viewport;
 class WarningsPanel;
 
@@ -32,6 +33,7 @@ struct Views {
   ErrorGraph* graph = nullptr;
   WarningsPanel* warnings = nullptr;
   FootskatePanel* footskate = nullptr;
+  TransportBar* transport = nullptr;
 };
 
 /// What lists and tables show.
@@ -52,6 +54,7 @@ class Presenter : public QObject {
   void connectDocument();
   void connectViews();
   void showClip();
+  void showTakes();
   void showOptions();
   void showDecoded();
   void showErrors();

@@ -101,7 +101,7 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
   }
   if (!decoded_ && now.encode.correction)
     now.encode.correction->joints.clear();  // they were another skeleton's
-  now.encode.contacts = contactsBy(now.contacts);
+  for (ClipSettings& each : tuning_.both) each.encode.contacts = contactsBy(each.contacts);
   findSkin();
   emit clipChanged();
   emit optionsChanged();
@@ -196,21 +196,18 @@ Poses Document::shownPoses() const {
 
 void Document::findSkin() {
   skin_ = ownSkin();
-  if (!character_.skin || !skeleton()) return;
+  const auto& [skeleton_of_it, skin] = character_.character;
+  if (!skin || !skeleton()) return;
   try {
-    skin_ =
-        std::make_shared<const Skin>(bound_to(*character_.skin, character_.skeleton, *skeleton()));
+    skin_ = std::make_shared<const Skin>(bound_to(*skin, skeleton_of_it, *skeleton()));
   } catch (const Error&) {
     // It is of other joints: the clip keeps its own.
   }
 }
 
-void Document::setCharacter(Character character) {
-  std::shared_ptr<const Skin> skin = ownSkin();
-  if (character.skin && skeleton())
-    skin = std::make_shared<const Skin>(bound_to(*character.skin, character.skeleton, *skeleton()));
-  character_ = std::move(character);
-  skin_ = std::move(skin);
+void Document::setCharacter(const PutCharacter& character) {
+  character_ = character;
+  findSkin();
   emit skinChanged();
 }
 

@@ -28,6 +28,12 @@ struct Tuning {
   const ClipSettings& other() const { return both[static_cast<std::size_t>(1 - active)]; }
 };
 
+/// What was put on clips, and the file it came from.
+struct PutCharacter {
+  Character character;
+  QString path;  // empty: none was
+};
+
 /// What is open: values and their changes, no work and no widgets. Curves, current joint and
 /// options outlive the clip.
 class Document : public QObject {
@@ -117,9 +123,9 @@ class Document : public QObject {
 
   void setUncorrected(bool uncorrected);
 
-  /// It stays for the clips to come, as far as they have its joints. Throws Error that names what
-  /// this one lacks. Empty: each has its own again.
-  void setCharacter(Character character);
+  /// It is on all clips that have its joints, now and to come. Empty: each has its own again.
+  void setCharacter(const PutCharacter& character);
+  const PutCharacter& character() const { return character_; }
 
   void setCurves(const CurveSelection& curves);
   void setCurrentJoint(int joint);
@@ -152,7 +158,7 @@ class Document : public QObject {
   QString saved_path_;
   DecodedPtr saved_;
   bool touched_ = false;
-  Character character_;
+  PutCharacter character_;
   std::shared_ptr<const Skin> skin_;
   Tuning tuning_;
   bool uncorrected_ = false;

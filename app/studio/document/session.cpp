@@ -58,6 +58,8 @@ void Session::close() {
   leave();
   compressor_.setEncoder(nullptr);
   document_.setClip(nullptr, nullptr, {});
+  dressing_.abandon();
+  document_.setCharacter({});
   takeUp({}, false);
   slot_answers_ = {};
   emit slotsChanged();
@@ -86,13 +88,24 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
 }
 
 void Session::readAgain(const ReadOptions& reading) {
+  readAs(tr("Import Options"), reading);
+}
+
+void Session::chooseTake(int take) {
+  const OriginalPtr& original = document_.original();
+  if (!original || take == static_cast<int>(original->takes.read)) return;
+  ReadOptions reading = original->reading;
+  reading.take = original->takes.keys.at(static_cast<std::size_t>(take));
+  readAs(tr("Take"), reading);
+}
+
+void Session::readAs(const QString& step, const ReadOptions& reading) {
   const OriginalPtr& original = document_.original();
   if (!original || original->reading == reading) return;
   // A step only once it is read: it may turn out that the file is gone.
-  readBy(reading, [this, reading, before = original->reading] {
+  readBy(reading, [this, step, reading, before = original->reading] {
     history()->push(new EditStep(
-        tr("Import Options"), [this, reading] { readBy(reading); },
-        [this, before] { readBy(before); }));
+        step, [this, reading] { readBy(reading); }, [this, before] { readBy(before); }));
   });
 }
 
@@ -114,7 +127,10 @@ void Session::start(OpenRequest request, std::function<void()> then) {
                    show(opened, request);
                    if (then) then();
                  },
-                 [this, request](const QString& message) { emit openFailed(request, message); });
+                 [this, request](const QString& message) {
+                   emit openFailed(request, message);
+                   if (document_.original()) compressor_.request(document_.options());
+                 });
 }
 
 void Session::show(const OpenedClip& opened, const OpenRequest& request) {
@@ -122,6 +138,9 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   const QString saved_path = isCompressedFile(request.path) ? request.path
                              : together                     ? document_.savedPath()
                                                             : QString();
+  // The file that is open, read by other options: steps before that one can still be undone.
+  const bool again = opened.original && opened.original != document_.original() &&
+                     isOpen(opened.original->path);
   leave();
   compressor_.setEncoder(opened.original ? opened.original->encoder : nullptr);
   if (request.options) document_.loadOptions(*request.options);
@@ -129,8 +148,11 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   const std::optional<NamedSettings> remembered = rememberedOf(opened, request);
   document_.setClip(opened.original, opened.decoded, saved_path);
   if (remembered) document_.loadSettings(settingsFor(*remembered, opened.original->motion()));
-  takeUp(opened.original ? opened.original->path : request.path,
-         !opened.decoded && !request.options);
+  if (again && past_->joints == document_.skeleton()->joint_count())
+    emit historyChanged();
+  else
+    takeUp(opened.original ? opened.original->path : request.path,
+           !opened.decoded && !request.options);
   slot_answers_ = {};
   chooseCurves();
   emit slotsChanged();
@@ -255,7 +277,8 @@ void Session::apply(const Tuning& tuning) {
   emit slotsChanged();
   if (!document_.original()) return;
   emit recompressing();
-  compressor_.request(document_.options());
+  // Contacts may be those of the take that is being read: it is compressed once it is there.
+  if (!opening_.busy()) compressor_.request(document_.options());
 }
 
 void Session::answer(const DecodedPtr& decoded, bool final) {
@@ -311,17 +334,32 @@ void Session::exportMotion(const QString& path) {
 }
 
 void Session::putCharacter(const QString& path) {
-  dressing_.start([path](const Job&) { return read_character(path.toStdU16String()); },
-                  [this, path](Character character) {
-                    try {
-                      document_.setCharacter(std::move(character));
-                      emit characterPut(path);
-                    } catch (const Error& error) {
-                      emit characterFailed(QStringLiteral("%1: %2").arg(
-                          QFileInfo(path).fileName(), QString::fromUtf8(error.what())));
-                    }
-                  },
-                  [this](const QString& message) { emit characterFailed(message); });
+  readCharacter(path, [this](const PutCharacter& put) {
+    const auto& [character, file] = put;
+    try {
+      if (document_.skeleton())  // else nothing says that it does not fit
+        bound_to(*character.skin, character.skeleton, *document_.skeleton());
+    } catch (const Error& error) {
+      return emit characterFailed(QStringLiteral("%1: %2").arg(QFileInfo(file).fileName(),
+                                                               QString::fromUtf8(error.what())));
+    }
+    history()->push(new EditStep(
+        tr("Character"), [this, put] { document_.setCharacter(put); },
+        [this, before = document_.character()] { document_.setCharacter(before); }));
+    emit characterPut(file);
+  });
+}
+
+void Session::recallCharacter(const QString& path) {
+  readCharacter(path, [this](const PutCharacter& put) { document_.setCharacter(put); });
+}
+
+void Session::readCharacter(const QString& path, std::function<void(const PutCharacter&)> then) {
+  dressing_.start(
+      [path = absolute(path)](const Job&) {
+        return PutCharacter{read_character(path.toStdU16String()), path};
+      },
+      std::move(then), [this](const QString& message) { emit characterFailed(message); });
 }
 
 }  // namespace mocapress

@@ -33,7 +33,7 @@ class Session : public QObject {
   /// original, where that is open or is opened next.
   void open(const QString& path, const QString& skeleton = {});
 
-  /// Nothing is open any more, nor on its way.
+  /// Nothing is open any more, nor on its way, and no character is on anything.
   void close();
 
   /// Whether this is the motion that is open.
@@ -41,6 +41,9 @@ class Session : public QObject {
 
   /// Reads the motion that is open again, by other options. Its settings stand. Can be undone.
   void readAgain(const ReadOptions& reading);
+
+  /// Likewise: another animation of its file, by its place among OriginalClip::takes.
+  void chooseTake(int take);
 
   /// Opens the original of the .mcpr shown, and refuses another.
   void compareWith(const QString& path, const QString& skeleton = {});
@@ -93,8 +96,11 @@ class Session : public QObject {
   /// unit and axes of its source.
   void exportMotion(const QString& path);
 
-  /// Puts what another file's figure looks like on the joints of this clip.
+  /// Puts what another file's figure looks like on the joints of this clip. Can be undone.
   void putCharacter(const QString& path);
+
+  /// Has it again as a project has it: on the clips that have its joints.
+  void recallCharacter(const QString& path);
 
   /// An answer is on its way, or a better one.
   bool busy() const { return compressor_.busy(); }
@@ -139,7 +145,10 @@ class Session : public QObject {
     int joints = 0;
   };
 
+  void readAs(const QString& step, const ReadOptions& reading);
   void readBy(const ReadOptions& reading, std::function<void()> then = {});
+
+  void readCharacter(const QString& path, std::function<void(const PutCharacter&)> then);
 
   /// `then`: once it is open.
   void start(OpenRequest request, std::function<void()> then = {});

@@ -101,6 +101,7 @@ Library::Library(Session* session, LibraryModel* model, QObject* parent)
   connect(session, &Session::opened, this,
           [this](const OpenRequest& request) { noteOpened(request.path, request.skeleton); });
   connect(&session->document(), &Document::optionsChanged, this, &Library::noteSettings);
+  connect(&session->document(), &Document::skinChanged, this, &Library::noteCharacter);
   connect(session, &Session::settled, this, &Library::noteOutcome);
   connect(&folder_search_, &FolderSearch::found, this, &Library::add);
   connect(&folder_search_, &FolderSearch::failed, this, &Library::failed);
@@ -124,6 +125,7 @@ void Library::enter() {
   model_->setEntries(std::move(entries));
   readNextOutline();
   emit currentChanged();
+  if (!project_.character.isEmpty()) session_->recallCharacter(project_.character);
   if (const int row = currentRow(); row >= 0) openClip(row);
 }
 
@@ -322,6 +324,20 @@ void Library::noteSettings() {
   ProjectClip* clip = openNow();
   if (!clip) return;
   clip->settings = settingsNow();
+  touch();
+}
+
+/// One whose file is gone stays the project's: it may be back another day.
+void Library::noteCharacter() {
+  const QString& path = session_->document().character().path;
+  if (path == project_.character) return;
+  project_.character = path;
+  touch();
+}
+
+void Library::setShowsSkin(bool shows) {
+  if (shows == project_.shows_skin) return;
+  project_.shows_skin = shows;
   touch();
 }
 

@@ -70,6 +70,10 @@ class Library : public KeptProject {
   std::vector<Pin> pinsOf(const QString& path);
   void setPins(const QString& path, const std::vector<Pin>& pins);
 
+  /// Whether figures are their skin.
+  bool showsSkin() const { return project_.shows_skin; }
+  void setShowsSkin(bool shows);
+
   int currentRow() const;
 
   /// Clips with the settings they were tuned by, for a batch; no rows: all of them.
@@ -93,6 +97,7 @@ class Library : public KeptProject {
   void putBack(const ClipsByRow& clips);
   void noteOpened(const QString& path, const QString& skeleton);
   void noteSettings();
+  void noteCharacter();
   void noteOutcome();
   void show(const ProjectClip& clip);
   void showAsRead(const ProjectClip& clip, const OriginalClip& original);

@@ -102,6 +102,8 @@ Project projectFrom(const Json& json, const QDir& folder) {
     throw Error("the project was saved by a newer version of Mocapress");
   Project project;
   project.current = absoluteAt(json, "current", folder);
+  project.character = absoluteAt(json, "character", folder);
+  project.shows_skin = json.value("show_skin", true);
   for (const Json& clip : valueAt<Json>(json, "clips"))
     project.clips.push_back(clipFrom(clip, folder));
   return project;
@@ -123,6 +125,9 @@ QByteArray projectText(const Project& project, const QDir& folder) {
   Json json{{"format", kFormat}, {"version", kVersion}, {"clips", Json::array()}};
   if (!project.current.isEmpty())
     json["current"] = folder.relativeFilePath(project.current).toStdString();
+  if (!project.character.isEmpty())
+    json["character"] = folder.relativeFilePath(project.character).toStdString();
+  if (!project.shows_skin) json["show_skin"] = false;
   for (const ProjectClip& clip : project.clips) json["clips"].push_back(toJson(clip, folder));
   return QByteArray::fromStdString(dumped(json, 2) + '\n');
 }

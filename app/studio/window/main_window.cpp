@@ -160,6 +160,9 @@ void MainWindow::connectEditActions() {
 
 void MainWindow::connectWindowActions() {
   connectViewActions(actions_.view, panels_.views.viewport);
+  connect(actions_.view.skin, &QAction::toggled, library_, &Library::setShowsSkin);
+  connect(library_, &Library::entered, actions_.view.skin,
+          [this] { actions_.view.skin->setChecked(library_->showsSkin()); });
   connect(actions_.reset_layout, &QAction::triggered, this, [this] { layout_.reset(); });
   connect(actions_.guide, &QAction::triggered, this, [this] { showGuide(this); });
   connect(actions_.shortcuts, &QAction::triggered, this,

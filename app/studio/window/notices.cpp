@@ -43,24 +43,31 @@ void Notices::showSlowOpening() {
 void Notices::tellOfSession() {
   connect(session_, &Session::opening, this, [this](const QString& path) {
     opening_ = path;
+    is_opening_ = true;
     slow_opening_.start();
   });
   connect(session_, &Session::opened, this, [this] {
     slow_opening_.stop();
+    is_opening_ = false;
     bar_->hide();
     if (!kept_.isEmpty()) say(std::exchange(kept_, {}));
+    if (!kept_error_.isEmpty()) bar_->showError(std::exchange(kept_error_, {}));
   });
   connect(session_, &Session::openFailed, this, [this] {
     slow_opening_.stop();
+    is_opening_ = false;
     kept_.clear();
+    kept_error_.clear();
   });
   connect(session_, &Session::compressFailed, bar_,
           [this](const QString& message, bool out_of_reach) {
             if (!out_of_reach) bar_->showError(message);  // else it is said beside the target
           });
   connect(session_, &Session::characterPut, bar_, &MessageBar::hide);
-  connect(session_, &Session::characterFailed, bar_,
-          [this](const QString& message) { bar_->showError(message); });
+  connect(session_, &Session::characterFailed, this, [this](const QString& message) {
+    bar_->showError(message);
+    if (is_opening_) kept_error_ = message;
+  });
   connect(session_, &Session::saveFailed, bar_,
           [this](const QString& message) { bar_->showError(message); });
 }

@@ -40,7 +40,9 @@ class Notices : public QObject {
   MessageBar* bar_;
   QTimer slow_opening_;
   QString opening_;  // the file that is being read
-  QString kept_;     // said again once the clip of the project is open
+  bool is_opening_ = false;
+  QString kept_;        // said again once the clip of the project is open
+  QString kept_error_;  // likewise
 };
 
 }  // namespace mocapress

@@ -124,7 +124,8 @@ QWidget* makeCentre(Panels& panels, Playback* playback, const TransportActions& 
   column->addWidget(panels.views.warnings);
   column->addWidget(panels.views.viewport, 1);
   column->addWidget(panels.inspection.timeline);
-  column->addWidget(new TransportBar(playback, transport, centre));
+  panels.views.transport = new TransportBar(playback, transport, centre);
+  column->addWidget(panels.views.transport);
   return centre;
 }
 

@@ -159,6 +159,8 @@ TEST(FbxReader, ChoosesAmongTakes) {
   const MotionFile first = read_fbx("f", text);
   EXPECT_EQ(first.motion.clip.frames(), 11);
   EXPECT_THAT(texts(first), ElementsAre("take First is read; there are also Second"));
+  EXPECT_THAT(first.takes.keys, ElementsAre("First", "Second"));
+  EXPECT_EQ(first.takes.read, 0u);
   for (const char* take : {"Second", "2"}) {
     const MotionFile second = read_fbx("f", text, {.take = take});
     EXPECT_EQ(second.motion.clip.frames(), 4);

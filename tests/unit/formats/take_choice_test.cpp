@@ -41,5 +41,17 @@ TEST(TakeChoice, NamesOnlyTheFirstOfMany) {
             "file.glb: take t is read; there are also t, t, t, t, t, t, t, t and 11 more");
 }
 
+TEST(TakeChoice, OffersWhatMovesAndEachKeyChoosesItsOwn) {
+  const std::vector<TakeName> takes = {{"smile", false}, {"walk"}, {"jump"}, {"walk"}, {"jump"}};
+  const Takes offered = choices(takes, 3);
+  EXPECT_EQ(offered.keys, (std::vector<std::string>{"walk", "jump", "4", "5"}));
+  EXPECT_EQ(offered.read, 2u);
+  Warnings warnings;
+  std::vector<std::size_t> chosen;
+  for (const std::string& key : offered.keys)
+    chosen.push_back(choose_take("file.glb", takes, key, warnings));
+  EXPECT_EQ(chosen, (std::vector<std::size_t>{1, 2, 3, 4}));
+}
+
 }  // namespace
 }  // namespace mocapress
