@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   add_bench(app);
   add_study(app);
   add_batch(app);
+  add_bank(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

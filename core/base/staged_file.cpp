@@ -175,6 +175,17 @@ void StagedFile::write(std::string_view text) {
   if (!write_all(file_.number(), text)) fail(errno);
 }
 
+void StagedFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t put =
+        ::pwrite(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) fail(errno);
+    offset += static_cast<std::uint64_t>(put);
+    bytes = bytes.subspan(static_cast<std::size_t>(put));
+  }
+}
+
 std::vector<std::byte> StagedFile::read_back() const {
   struct stat now;
   if (::fstat(file_.number(), &now) != 0) fail(errno);

@@ -5,6 +5,7 @@
 
 #include <sys/types.h>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -79,6 +80,9 @@ class StagedFile {
 
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);
+
+  /// Over what was written before, from `offset` on.
+  void write_at(std::uint64_t offset, std::span<const std::byte> bytes);
 
   /// All that was written, as the file system gives it back.
   std::vector<std::byte> read_back() const;

@@ -48,8 +48,21 @@ void CookedBuilder::choose_bands() {
 
 std::uint64_t CookedBuilder::lay_out(std::byte* memory) {
   CookedBlock block(memory);
+  return lay_out(block, block, memory);
+}
+
+CookedBuilder::Size CookedBuilder::lay_out_apart(std::byte* memory, std::byte* tables) {
+  CookedBlock block(memory);
+  CookedBlock apart(tables);
+  apart.reserve(kAlignment);
+  const std::uint64_t size = lay_out(block, apart, memory);
+  return {size, apart.used()};
+}
+
+std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, std::byte* memory) {
   mcpr_cooked head{};
   block.reserve(sizeof head);
+  const std::uint64_t first_table = tables.used();
   std::memcpy(head.magic, mcpr_cooked::kMagic, sizeof head.magic);
   head.version = mcpr_cooked::kVersion;
   head.sample_rate = clip_.sample_rate;
@@ -63,14 +76,14 @@ std::uint64_t CookedBuilder::lay_out(std::byte* memory) {
   head.segments = static_cast<std::uint16_t>(clip_.segments.count());
   head.wavelet = clip_.motion(0).wavelet();
   head.loop = clip_.loop;
-  lay_out_joints(block, head);
-  lay_out_rotors(block, head);
-  if (auto* const parts = block.reserve_for<CookedPart>(head.parts, head.part_table))
+  lay_out_joints(tables, head);
+  lay_out_rotors(tables, head);
+  if (auto* const parts = tables.reserve_for<CookedPart>(head.parts, head.part_table))
     std::ranges::copy(columns_.parts(), parts);
   if (head.loop == LoopKind::Follows) {
     const int columns = kGroup * columns_.row_groups();
     if (auto* const kinds =
-            block.reserve_for<ColumnKind>(static_cast<std::uint64_t>(columns), head.column_kinds))
+            tables.reserve_for<ColumnKind>(static_cast<std::uint64_t>(columns), head.column_kinds))
       for (int c = 0; c < columns; ++c) {
         kinds[c] = ColumnKind::Straight;
         if (columns_.column(c).channel < 0) continue;
@@ -81,7 +94,7 @@ std::uint64_t CookedBuilder::lay_out(std::byte* memory) {
           kinds[c] = ColumnKind::HalfAngle;
       }
   }
-  head.skeleton_bytes = static_cast<std::uint32_t>(block.used() - sizeof head);
+  head.skeleton_bytes = static_cast<std::uint32_t>(tables.used() - first_table);
   if (clip_.end_reach[0] > 0) {
     std::copy_n(clip_.end_reach, 2, head.end_reach);
     const int columns = kGroup * columns_.row_groups();
@@ -115,8 +128,8 @@ std::uint64_t CookedBuilder::lay_out(std::byte* memory) {
   return head.bytes;
 }
 
-void CookedBuilder::lay_out_joints(CookedBlock& block, mcpr_cooked& head) {
-  auto* const rest = block.reserve_for<mcpr_transform>(head.joints, head.rest, kAlignment);
+void CookedBuilder::lay_out_joints(CookedBlock& tables, mcpr_cooked& head) {
+  auto* const rest = tables.reserve_for<mcpr_transform>(head.joints, head.rest, kAlignment);
   if (rest != nullptr) {
     for (std::uint32_t j = 0; j < head.joints; ++j) {
       const JointModel& joint = clip_.joint_models()[j];
@@ -145,17 +158,17 @@ void CookedBuilder::lay_out_joints(CookedBlock& block, mcpr_cooked& head) {
   }
   const int first_gathered = kGroup * columns_.row_groups();
   const auto gathered = static_cast<std::uint64_t>(kGroup * columns_.groups() - first_gathered);
-  if (auto* const bases = block.reserve_for<float>(gathered, head.bases))
+  if (auto* const bases = tables.reserve_for<float>(gathered, head.bases))
     for (int c = 0; c < static_cast<int>(gathered); ++c)
       bases[c] = static_cast<float>(columns_.column(first_gathered + c).base);
   head.moving_axes = static_cast<std::uint16_t>(columns_.moving().size());
-  if (auto* const moving = block.reserve_for<MovingAxis>(head.moving_axes, head.moving))
+  if (auto* const moving = tables.reserve_for<MovingAxis>(head.moving_axes, head.moving))
     std::ranges::copy(columns_.moving(), moving);
   head.added_columns = static_cast<std::uint16_t>(columns_.added().size());
-  if (auto* const added = block.reserve_for<AddedColumn>(head.added_columns, head.added))
+  if (auto* const added = tables.reserve_for<AddedColumn>(head.added_columns, head.added))
     std::ranges::copy(columns_.added(), added);
   head.other_turns = static_cast<std::uint16_t>(columns_.turns().size());
-  auto* turns = block.reserve_for<OtherTurn>(head.other_turns, head.turns);
+  auto* turns = tables.reserve_for<OtherTurn>(head.other_turns, head.turns);
   for (const CookedColumns::Turn& placed : columns_.turns()) {
     OtherTurn turn = placed.made;
     if (placed.channel >= 0)
@@ -164,16 +177,16 @@ void CookedBuilder::lay_out_joints(CookedBlock& block, mcpr_cooked& head) {
       const JointModel& joint = clip_.joint_models()[turn.joint];
       const Quaternion q =
           quaternion_from(placed.is_after ? joint.axes_from_joint : joint.parent_from_axes);
-      if (auto* const made = block.reserve_for<float>(4, turn.column))
+      if (auto* const made = tables.reserve_for<float>(4, turn.column))
         for (int i = 0; i < 4; ++i) made[i] = static_cast<float>(q.wxyz[i]);
     }
     if (turns != nullptr) *turns++ = turn;
   }
 }
 
-void CookedBuilder::lay_out_rotors(CookedBlock& block, mcpr_cooked& head) {
+void CookedBuilder::lay_out_rotors(CookedBlock& tables, mcpr_cooked& head) {
   head.rotor_groups = static_cast<std::uint16_t>((columns_.rotors().size() + kGroup - 1) / kGroup);
-  auto* const groups = block.reserve_for<RotorGroup>(head.rotor_groups, head.rotors);
+  auto* const groups = tables.reserve_for<RotorGroup>(head.rotor_groups, head.rotors);
   for (int g = 0; g < head.rotor_groups; ++g) {
     const std::span all = columns_.rotors().subspan(static_cast<std::size_t>(kGroup * g));
     const std::span rotors = all.first(std::min<std::size_t>(kGroup, all.size()));
@@ -198,7 +211,7 @@ void CookedBuilder::lay_out_rotors(CookedBlock& block, mcpr_cooked& head) {
       if ((axis[0] + 1) % 3 != axis[1]) group.is_odd |= bit;
     }
     if (has_axes) {
-      if (auto* const around = block.reserve_for<float>(8 * kGroup, group.around))
+      if (auto* const around = tables.reserve_for<float>(8 * kGroup, group.around))
         for (int side = 0; side < 2; ++side)
           for (int i = 0; i < kGroup; ++i) {
             Quaternion q;

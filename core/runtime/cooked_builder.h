@@ -23,7 +23,16 @@ class CookedBuilder {
   /// Makes the clip, after prepare(), in zeroed memory; without memory only its size.
   std::uint64_t lay_out(std::byte* memory);
 
+  /// The same with its tables elsewhere, where offset 0 is left free. How far away they are is not
+  /// known here: mcpr_cooked::tables.
+  struct Size {
+    std::uint64_t clip = 0;
+    std::uint64_t tables = 0;
+  };
+  Size lay_out_apart(std::byte* memory, std::byte* tables);
+
  private:
+  std::uint64_t lay_out(CookedBlock& block, CookedBlock& tables, std::byte* memory);
   void choose_bands();
   void lay_out_joints(CookedBlock& block, mcpr_cooked& head);
   void lay_out_rotors(CookedBlock& block, mcpr_cooked& head);

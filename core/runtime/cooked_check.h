@@ -9,7 +9,7 @@
 
 namespace mocapress::runtime {
 
-/// CRC-32 of all bytes after the checksum.
+/// As the head has it.
 std::uint32_t checksum_of(const mcpr_cooked& clip);
 
 /// Whether the head is a cooked clip's, of no more than so many bytes.

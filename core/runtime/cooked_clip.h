@@ -141,8 +141,10 @@ struct mcpr_cooked {
   static constexpr char kMagic[4] = {'M', 'C', 'P', 'C'};
   static constexpr std::uint32_t kVersion = 2;
   char magic[4];
-  std::uint32_t checksum;  // CRC-32 of all that follows it
+  std::uint32_t checksum;  // CRC-32 of `bytes` and all from `version` on
   std::uint64_t bytes;     // of all
+  std::int64_t tables;  // where tables are counted from, as bytes from the clip: 0, but in a bank;
+                        // not in the checksum
   std::uint32_t version;
   std::uint32_t skeleton_bytes;  // of them what does not depend on the motion's length
   double sample_rate;            // frames a second
@@ -160,8 +162,7 @@ struct mcpr_cooked {
   std::uint16_t other_turns;
   mocapress::runtime::Wavelet wavelet;
   mocapress::runtime::LoopKind loop;
-  std::uint8_t end_reach[2];  // frames; 0: nothing is added at the ends
-  std::int64_t tables;  // where tables are counted from, as bytes from the clip: 0, but in a bank
+  std::uint8_t end_reach[2];               // frames; 0: nothing is added at the ends
   mocapress::runtime::TableOffset rest;    // mcpr_transform of each joint: of what never changes
   mocapress::runtime::TableOffset rotors;  // RotorGroup
   mocapress::runtime::TableOffset moving;  // MovingAxis

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <new>
 
 #include "core/codec/format/coded_motion.h"
 #include "core/codec/format/double_precision_limits.h"
+#include "core/codec/format/joint_orders.h"
 #include "core/codec/format/joint_records.h"
 #include "core/codec/format/turned_axes.h"
 
@@ -67,8 +69,9 @@ FileLoader::FileLoader(Memory& memory, const FileSections& sections)
       limb_planner_(memory, static_cast<int>(sections.joints)) {}
 
 mcpr_result FileLoader::read() {
-  for (const auto step : {&FileLoader::read_joints, &FileLoader::turn_axes_of_joints,
-                          &FileLoader::plan_limbs, &FileLoader::read_motion}) {
+  for (const auto step :
+       {&FileLoader::read_joints, &FileLoader::order_angles_of_joints,
+        &FileLoader::turn_axes_of_joints, &FileLoader::plan_limbs, &FileLoader::read_motion}) {
     const mcpr_result result = (this->*step)();
     if (failed(result)) return result;
   }
@@ -88,6 +91,15 @@ mcpr_result FileLoader::read_joints() {
                                 channel_counts_[j] = record.model.channels;
                                 name_bytes_ += record.name_length + 1U;
                               });
+}
+
+mcpr_result FileLoader::order_angles_of_joints() {
+  if (sections_.joint_orders.size == 0) return kOk;
+  JointOrders orders(sections_.joint_orders);
+  for (std::uint32_t j = 0; j < sections_.joints; ++j)
+    if (turns_about_three_axes(joints_[j].kinds, joints_[j].channels))
+      set_order(orders.next(), joints_[j].kinds, joints_[j].channels);
+  return orders.finish();
 }
 
 mcpr_result FileLoader::turn_axes_of_joints() {
@@ -272,6 +284,48 @@ void FileLoader::lay_out_motion(Block& block, ClipBlock& head, std::byte* memory
     head.largest.double_precision_count =
         std::max(head.largest.double_precision_count, motion->shape().double_precision_count);
   }
+}
+
+/// The FileLoader itself, then what it takes.
+mcpr_result find_read_bytes(const FileSections& sections, const mcpr_limits& limits,
+                            std::uint64_t& bytes) {
+  if (!sections.is_adaptive())
+    return failure(MCPR_UNSUPPORTED, sections.motion.offset, "the coding is not adaptive");
+  Memory memory;
+  memory.take<FileLoader>(1);
+  const FileLoader measured(memory, sections);
+  bytes = memory.used();
+  if (bytes > limits.scratch_bytes)
+    return failure(MCPR_LIMIT, 0, "reading takes more scratch memory than the limits allow");
+  return kOk;
+}
+
+mcpr_info info_of(const FileSections& sections, std::uint64_t read_bytes) {
+  return {.sample_rate = sections.sample_rate,
+          .frames = sections.frames,
+          .joints = sections.joints,
+          .channels = sections.channels,
+          .effectors = sections.effectors,
+          .motion_bytes = sections.motion_bytes(),
+          .read_bytes = static_cast<std::size_t>(read_bytes)};
+}
+
+mcpr_result read_into(const FileSections& sections, std::uint64_t read_bytes,
+                      const mcpr_limits& limits, void* scratch, std::size_t scratch_size,
+                      std::size_t& resident_bytes) {
+  if (scratch == nullptr || reinterpret_cast<std::uintptr_t>(scratch) % kAlignment != 0 ||
+      scratch_size < read_bytes)
+    return failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
+  Memory memory(scratch, scratch_size);
+  auto* const opening = new (memory.take<FileLoader>(1)) FileLoader(memory, sections);
+  opening->solver_iterations = limits.solver_iterations;
+  const mcpr_result result = opening->read();
+  if (failed(result)) return result;
+  const std::uint64_t resident = opening->resident_size();
+  if (resident > limits.resident_bytes || resident > std::numeric_limits<std::uint32_t>::max())
+    return failure(MCPR_LIMIT, 0, "the resident form takes more memory than the limits allow");
+  resident_bytes = static_cast<std::size_t>(resident);
+  return kOk;
 }
 
 }  // namespace mocapress::runtime

@@ -37,6 +37,7 @@ class FileLoader {
 
  private:
   mcpr_result read_joints();
+  mcpr_result order_angles_of_joints();
   mcpr_result turn_axes_of_joints();
   mcpr_result plan_limbs();
   mcpr_result read_motion();
@@ -79,5 +80,17 @@ class FileLoader {
   LimbPlanner limb_planner_;
   EffectorEnds effectors_[kMostEffectors];
 };
+
+/// The scratch memory that reading takes: refused where the coding is not adaptive, or where it is
+/// more than the limits allow.
+mcpr_result find_read_bytes(const FileSections& sections, const mcpr_limits& limits,
+                            std::uint64_t& bytes);
+
+mcpr_info info_of(const FileSections& sections, std::uint64_t read_bytes);
+
+/// mcpr_read() of sections that take so much scratch memory.
+mcpr_result read_into(const FileSections& sections, std::uint64_t read_bytes,
+                      const mcpr_limits& limits, void* scratch, std::size_t scratch_size,
+                      std::size_t& resident_bytes);
 
 }  // namespace mocapress::runtime

@@ -25,26 +25,11 @@ bool is_aligned(const void* memory) {
   return reinterpret_cast<std::uintptr_t>(memory) % kAlignment == 0;
 }
 
-/// The scratch memory of reading: the FileLoader itself, then what it takes.
-std::uint64_t opening_bytes(const FileSections& sections) {
-  Memory memory;
-  memory.take<FileLoader>(1);
-  const FileLoader measured(memory, sections);
-  return memory.used();
-}
-
-mcpr_result check_file(const void* file, std::size_t size, const mcpr_limits* limits,
-                       FileSections& sections, std::uint64_t& bytes) {
+mcpr_result check_file(const void* file, std::size_t size, const mcpr_limits& limits,
+                       FileSections& sections, std::uint64_t& read_bytes) {
   if (file == nullptr && size > 0) return argument("no file");
-  const mcpr_limits applied = limits != nullptr ? *limits : mcpr_default_limits();
-  const mcpr_result result = read_sections(file, size, applied, sections);
-  if (failed(result)) return result;
-  if (!sections.is_adaptive())
-    return failure(MCPR_UNSUPPORTED, sections.motion.offset, "the coding is not adaptive");
-  bytes = opening_bytes(sections);
-  if (bytes > applied.scratch_bytes)
-    return failure(MCPR_LIMIT, 0, "reading takes more scratch memory than the limits allow");
-  return kOk;
+  const mcpr_result result = read_sections(file, size, limits, sections);
+  return failed(result) ? result : find_read_bytes(sections, limits, read_bytes);
 }
 
 bool is_clip(const mcpr_clip* clip) {
@@ -104,40 +89,23 @@ mcpr_limits mcpr_default_limits(void) {
 mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits,
                          mcpr_info* info) {
   if (info == nullptr) return argument("no place was given for what the file holds");
+  const mcpr_limits applied = limits != nullptr ? *limits : mcpr_default_limits();
   FileSections sections;
   std::uint64_t bytes = 0;
-  const mcpr_result result = check_file(file, size, limits, sections, bytes);
-  if (failed(result)) return result;
-  *info = {.sample_rate = sections.sample_rate,
-           .frames = sections.frames,
-           .joints = sections.joints,
-           .channels = sections.channels,
-           .effectors = sections.effectors,
-           .motion_bytes = sections.motion_bytes(),
-           .read_bytes = static_cast<std::size_t>(bytes)};
-  return kOk;
+  const mcpr_result result = check_file(file, size, applied, sections, bytes);
+  if (!failed(result)) *info = info_of(sections, bytes);
+  return result;
 }
 
 mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, void* scratch,
                       size_t scratch_size, size_t* resident_bytes) {
   if (resident_bytes == nullptr) return argument("no place was given for the size of the clip");
+  const mcpr_limits applied = limits != nullptr ? *limits : mcpr_default_limits();
   FileSections sections;
   std::uint64_t bytes = 0;
-  mcpr_result result = check_file(file, size, limits, sections, bytes);
+  const mcpr_result result = check_file(file, size, applied, sections, bytes);
   if (failed(result)) return result;
-  if (scratch == nullptr || !is_aligned(scratch) || scratch_size < bytes)
-    return failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
-  const mcpr_limits applied = limits != nullptr ? *limits : mcpr_default_limits();
-  Memory memory(scratch, scratch_size);
-  auto* const opening = new (memory.take<FileLoader>(1)) FileLoader(memory, sections);
-  opening->solver_iterations = applied.solver_iterations;
-  result = opening->read();
-  if (failed(result)) return result;
-  const std::uint64_t resident = opening->resident_size();
-  if (resident > applied.resident_bytes || resident > std::numeric_limits<std::uint32_t>::max())
-    return failure(MCPR_LIMIT, 0, "the resident form takes more memory than the limits allow");
-  *resident_bytes = static_cast<std::size_t>(resident);
-  return kOk;
+  return read_into(sections, bytes, applied, scratch, scratch_size, *resident_bytes);
 }
 
 mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident, size_t resident_size,

@@ -299,6 +299,63 @@ mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* re
 mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
                                uint32_t joint, double from, double to, mcpr_transform* out);
 
+/* ---------------------------------------------------------------- banks */
+
+/* Many clips in one file, .mcpk: their skeletons, tags and names stand once. In a packed bank each
+ * clip is read as its file would be, by mcpk_read; in a cooked one each is used as it lies there, by
+ * mcpk_cooked. The bank is the bytes of its file, aligned to MCPR_ALIGNMENT, in memory or mapped
+ * from disk; they stay there as long as it is used. Clips are numbered in the order of their names,
+ * byte by byte. Any number of threads may use a bank. */
+typedef struct mcpk_bank mcpk_bank;
+
+#define MCPK_NAME_BYTES 256 /* of a clip's name, with the zero at its end */
+
+/* Unchecked, only the head is looked at, however many clips there are, and the rest must be what
+ * `mocapress bank` made. `check`: every byte is, and whatever is no bank refused: for files from
+ * anywhere. */
+mcpr_result mcpk_open(const void* memory, size_t size, int check, const mcpk_bank** bank);
+
+typedef struct mcpk_info {
+  uint64_t bytes; /* all of it */
+  uint32_t clips;
+  uint32_t tags;      /* different ones */
+  uint32_t texts;     /* keys with a value */
+  int is_cooked;      /* 0: packed */
+  size_t table_bytes; /* of it what cooked clips have in common */
+} mcpk_info;
+
+/* All zero where there is no bank. */
+mcpk_info mcpk_describe(const mcpk_bank* bank);
+
+/* The clip of that name; -1: there is none. Compares about log2(clips) names. */
+int32_t mcpk_find(const mcpk_bank* bank, const char* name);
+
+/* Puts a clip's name where there is room for MCPK_NAME_BYTES. Its length; 0: there is no such clip. */
+size_t mcpk_name(const mcpk_bank* bank, uint32_t clip, char* name);
+
+/* A clip's tags, from number 0 on; null: it has no more. */
+const char* mcpk_tag(const mcpk_bank* bank, uint32_t clip, uint32_t number);
+
+/* The keys and values that the bank has, from number 0 on; null: there are no more. */
+const char* mcpk_key(const mcpk_bank* bank, uint32_t number);
+const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
+
+/* Of a packed bank: as mcpr_inspect and mcpr_read, whose place they take; mcpr_build follows. */
+mcpr_result mcpk_inspect(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
+                         mcpr_info* info);
+mcpr_result mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
+                      void* scratch, size_t scratch_size, size_t* resident_bytes);
+
+/* Of a cooked bank: the clip where it lies, for mcpr_sample. */
+mcpr_result mcpk_cooked(const mcpk_bank* bank, uint32_t clip, const mcpr_cooked** cooked);
+
+/* Of a cooked bank: a joint of a clip's skeleton, parents before children; without channels. The
+ * name is in the bank. */
+mcpr_result mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint, mcpr_joint* out);
+
+/* As mcpr_find_joint. */
+int32_t mcpk_find_joint(const mcpk_bank* bank, uint32_t clip, const char* name);
+
 #ifdef __cplusplus
 }
 #endif

@@ -35,6 +35,7 @@ class Cursor {
     return taken;
   }
 
+  void fail() { failed_ = true; }
   bool failed() const { return failed_; }
   bool at_end() const { return at_ == size_; }
   std::size_t left() const { return size_ - at_; }

@@ -27,13 +27,31 @@ class SectionsReader {
       if (!failed(result)) result = take(section);
       if (failed(result)) return result;
     }
-    if (next_ < Expected::Correction)
-      return failure(MCPR_INVALID, file.offset(), "a section is missing");
-    if (!file.at_end()) return failure(MCPR_INVALID, file.offset(), "bytes after the last section");
-    return check_room();
+    return check_end(file.offset(), file.left());
+  }
+
+  mcpr_result read(PackedSections packed) {
+    std::uint16_t count = 0;
+    if (const mcpr_result result = packed.begin(count); failed(result)) return result;
+    sections_.joint_orders = packed.orders();
+    file_bytes_ = kFileHead + (packed.orders().size > 0 ? kReorderedRoom : 0);
+    for (int left = count; left > 0; --left) {
+      Section section;
+      mcpr_result result = packed.next(section);
+      file_bytes_ += kSectionHead + section.payload.size;
+      if (!failed(result)) result = take(section);
+      if (failed(result)) return result;
+    }
+    return check_end(packed.offset(), packed.left());
   }
 
  private:
+  mcpr_result check_end(std::size_t offset, std::size_t bytes_left) const {
+    if (next_ < Expected::Correction) return failure(MCPR_INVALID, offset, "a section is missing");
+    if (bytes_left > 0) return failure(MCPR_INVALID, offset, "bytes after the last section");
+    return check_room();
+  }
+
   enum class Expected { Joints, Clip, Segments, Motion, Correction, Ends, Axes, Nothing };
 
   /// Sections stand in a fixed order; optional ones anywhere.
@@ -257,6 +275,11 @@ mcpr_result read_sections(const void* file, std::size_t size, const mcpr_limits&
                           FileSections& sections) {
   return SectionsReader(limits, sections)
       .read(Cursor(static_cast<const std::uint8_t*>(file), size));
+}
+
+mcpr_result read_sections(const mcpk_bank& bank, const BankEntry& entry, const mcpr_limits& limits,
+                          FileSections& sections) {
+  return SectionsReader(limits, sections).read(PackedSections(bank, entry));
 }
 
 }  // namespace mocapress::runtime

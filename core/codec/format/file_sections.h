@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/codec/format/kinds.h"
+#include "core/codec/format/packed_clip.h"
 #include "core/codec/format/result.h"
 #include "core/codec/format/section.h"
 #include "core/codec/format/segment_layout.h"
@@ -26,6 +27,7 @@ struct FileSections {
   std::uint32_t channels = 0;      // as JNTS promises
   std::uint32_t joint_bytes = 0;   // of the skeleton, decoded
   Bytes coded_joints;              // what a range coder made of them
+  Bytes joint_orders;              // of a packed clip: joint_orders.h
   Bytes motion;                    // MOTN, or COMP
   SegmentLayout segments;          // SEGS, or one
   Bytes segment_sizes;             // u32 of each in MOTN; none where there is no SEGS
@@ -70,6 +72,10 @@ mcpr_result read_ends(const Bytes& payload, FileSections& sections);
 
 /// Reads and checks all sections.
 mcpr_result read_sections(const void* file, std::size_t size, const mcpr_limits& limits,
+                          FileSections& sections);
+
+/// The same of a clip of a packed bank.
+mcpr_result read_sections(const mcpk_bank& bank, const BankEntry& entry, const mcpr_limits& limits,
                           FileSections& sections);
 
 }  // namespace mocapress::runtime

@@ -26,6 +26,10 @@ std::uint32_t crc_of(std::uint32_t crc, const std::uint8_t* bytes, std::size_t s
 
 }  // namespace
 
+std::uint32_t crc32(const std::uint8_t* bytes, std::size_t size) {
+  return ~crc_of(~0U, bytes, size);
+}
+
 std::uint32_t section_checksum(const std::uint8_t (&tag_and_size)[8], const std::uint8_t* payload,
                                std::size_t size) {
   return ~crc_of(crc_of(~0U, tag_and_size, sizeof tag_and_size), payload, size);

@@ -13,6 +13,7 @@ namespace mocapress::runtime {
 
 inline constexpr char kMagic[] = {'M', 'C', 'P', 'R'};
 inline constexpr std::uint16_t kVersion = 1;
+inline constexpr std::size_t kFileHead = 8;      // magic, version, number of sections
 inline constexpr std::size_t kSectionHead = 12;  // tag, size, checksum
 
 /// A part of the file.
@@ -32,6 +33,9 @@ struct Section {
   bool is(const char* name) const { return std::memcmp(tag, name, 4) == 0; }
   bool is_optional() const { return tag[0] >= 'a' && tag[0] <= 'z'; }
 };
+
+/// CRC-32 as zlib has it.
+std::uint32_t crc32(const std::uint8_t* bytes, std::size_t size);
 
 /// The checksum of a section: CRC-32 as zlib has it, of its tag and size, then of its payload.
 std::uint32_t section_checksum(const std::uint8_t (&tag_and_size)[8], const std::uint8_t* payload,

@@ -62,11 +62,14 @@ std::vector<std::byte> joint_bytes(const Skeleton& skeleton) {
 }
 
 std::vector<std::byte> write_joints(const Skeleton& skeleton) {
-  std::vector<std::byte> bytes = joint_bytes(skeleton);
+  return write_joints(joint_bytes(skeleton), skeleton.joint_count(), skeleton.channel_count());
+}
+
+std::vector<std::byte> write_joints(std::vector<std::byte> bytes, int joints, int channels) {
   ByteWriter writer;
   writer.write(static_cast<std::uint32_t>(bytes.size()));
-  writer.write(static_cast<std::uint16_t>(skeleton.joint_count()));
-  writer.write(static_cast<std::uint16_t>(skeleton.channel_count()));
+  writer.write(static_cast<std::uint16_t>(joints));
+  writer.write(static_cast<std::uint16_t>(channels));
   RangeEncoder bits;
   OwnMemory<runtime::JointByteCoder>()->run(bits, reinterpret_cast<std::uint8_t*>(bytes.data()),
                                             static_cast<std::uint32_t>(bytes.size()));

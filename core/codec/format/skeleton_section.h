@@ -16,6 +16,9 @@ std::vector<std::byte> joint_bytes(const Skeleton& skeleton);
 /// The payload of JNTS.
 std::vector<std::byte> write_joints(const Skeleton& skeleton);
 
+/// The same of joints as bytes.
+std::vector<std::byte> write_joints(std::vector<std::byte> joint_bytes, int joints, int channels);
+
 /// Throws FormatError.
 Skeleton read_joints(const runtime::FileSections& sections);
 

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/bank/bank.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/cli/report.h"
+#include "app/cli/terminal.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+
+namespace mocapress::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "key=value"
+std::string wrong_pair(const std::string& text) {
+  return text.find('=') == std::string::npos || text.front() == '='
+             ? "'" + text + "' is not key=value"
+             : std::string();
+}
+
+struct BankFilling {
+  std::string bank;
+  std::vector<std::string> inputs;
+  std::vector<std::string> tags;
+  std::vector<std::string> texts;
+  bool cooked = false;
+
+  void add_options(CLI::App& command) {
+    command.add_option("bank", bank, "A .mcpk file")->required()->type_name("BANK.mcpk");
+    command
+        .add_option("input", inputs,
+                    ".mcpr files, folders of them, or packed banks; later ones do not replace "
+                    "earlier ones of the same name")
+        ->required()
+        ->type_name("INPUT...");
+    command.add_option("--tag", tags, "A tag of all these clips; may be given again")
+        ->type_name("TAG")
+        ->expected(1)
+        ->take_all();
+    command.add_option("--meta", texts, "A text of the bank; may be given again")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all()
+        ->check(wrong_pair);
+  }
+
+  void run(bool make) const {
+    BankOptions options;
+    options.form = cooked ? runtime::BankForm::Cooked : runtime::BankForm::Packed;
+    options.tags = tags;
+    for (const std::string& text : texts) {
+      const std::size_t at = text.find('=');
+      options.texts.emplace_back(text.substr(0, at), text.substr(at + 1));
+    }
+    const StopOnSignals stop;
+    ProgressLine line(false);
+    const auto show = [&](const BankProgress& progress) {
+      if (line.due())
+        line.show(std::to_string(progress.done) + " of " + std::to_string(progress.clips) +
+                  " clips");
+      return stop_signal == 0;
+    };
+    std::vector<BankSource> sources = find_bank_sources({inputs.begin(), inputs.end()});
+    (make ? make_bank : add_to_bank)(bank, std::move(sources), options, show);
+    line.clear();
+    if (stop_signal != 0) throw EndedWith{128 + stop_signal};
+    const BankFile made(bank);
+    std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", bank.c_str(), made.clips(),
+                 static_cast<unsigned long long>(made.bank().bytes),
+                 made.is_cooked() ? "cooked" : "packed");
+  }
+};
+
+Json to_json(const BankClip& clip) {
+  return {{"name", clip.name},
+          {"bytes", clip.bytes},
+          {"motion_bytes", clip.motion_bytes > 0 ? Json(clip.motion_bytes) : Json()},
+          {"sample_rate_hz", clip.sample_rate_hz},
+          {"frames", clip.frames},
+          {"joints", clip.joints},
+          {"tags", clip.tags}};
+}
+
+void list_bank(const std::string& path, bool json) {
+  const BankFile bank(path);
+  if (!json) {
+    for (const auto& [key, value] : bank.texts())
+      std::fprintf(stderr, "%s: %s\n", key.c_str(), value.c_str());
+    for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) {
+      const BankClip described = bank.describe(clip);
+      std::string tags;
+      for (const std::string& tag : described.tags) tags += "  " + tag;
+      std::fprintf(stderr, "%-32s %9llu bytes %7d frames at %g Hz%s\n", described.name.c_str(),
+                   static_cast<unsigned long long>(described.bytes), described.frames,
+                   described.sample_rate_hz, tags.c_str());
+    }
+    return;
+  }
+  Json texts = Json::object();
+  for (const auto& [key, value] : bank.texts()) texts[key] = value;
+  Json clips = Json::array();
+  for (std::uint32_t clip = 0; clip < bank.clips(); ++clip)
+    clips.push_back(to_json(bank.describe(clip)));
+  print(Json{{"bank", path},
+             {"form", bank.is_cooked() ? "cooked" : "packed"},
+             {"bytes", bank.bank().bytes},
+             {"meta", texts},
+             {"clips", clips}});
+}
+
+void extract_from_bank(const std::string& path, const std::vector<std::string>& names,
+                       const std::string& folder) {
+  const BankFile bank(path);
+  std::vector<std::uint32_t> clips;
+  for (const std::string& name : names) {
+    const std::int64_t clip = runtime::find_clip(bank.bank(), name.data(), name.size());
+    if (clip < 0) throw InputError(path, 0, 0, "holds no clip '" + name + "'");
+    clips.push_back(static_cast<std::uint32_t>(clip));
+  }
+  for (std::uint32_t clip = 0; names.empty() && clip < bank.clips(); ++clip) clips.push_back(clip);
+  for (const std::uint32_t clip : clips) {
+    const runtime::BankEntry entry = bank.entry(clip);
+    const fs::path below = fs::path(std::string(entry.name) + ".mcpr").lexically_normal();
+    if (below.is_absolute() || *below.begin() == "..")
+      throw InputError(path, 0, 0, std::string("the clip '") + entry.name + "' leaves the folder");
+    const fs::path file = fs::path(folder) / below;
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    write_bytes(file, bank.extract(entry));
+  }
+}
+
+void verify_bank(const std::string& path) {
+  const BankFile bank(path);
+  std::uint32_t unplayed = 0;
+  for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) unplayed += bank.play(clip) ? 0 : 1;
+  std::fprintf(stderr, "%s: %u clips are whole and play\n", path.c_str(), bank.clips() - unplayed);
+  if (unplayed > 0)
+    std::fprintf(stderr, "%u are whole, but of a coding that no engine plays\n", unplayed);
+}
+
+void add_bank_argument(CLI::App& command, std::string& bank) {
+  command.add_option("bank", bank, "A .mcpk file")->required()->type_name("BANK.mcpk");
+}
+
+}  // namespace
+
+void add_bank(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("bank", "Keep many clips in one file");
+  command->require_subcommand(1);
+  CLI::App* make = command->add_subcommand("make", "Make a bank of .mcpr files");
+  const auto making = std::make_shared<BankFilling>();
+  making->add_options(*make);
+  make->add_flag("--cooked", making->cooked,
+                 "Lay clips out to be sampled as they lie in the file, with their IK correction");
+  make->callback([making] { making->run(true); });
+  CLI::App* add = command->add_subcommand("add", "Add clips to a bank, or replace them by name");
+  const auto adding = std::make_shared<BankFilling>();
+  adding->add_options(*add);
+  add->callback([adding] { adding->run(false); });
+
+  struct Listing {
+    std::string bank;
+    bool json = false;
+  };
+  CLI::App* list = command->add_subcommand("list", "Say what a bank holds");
+  const auto listing = std::make_shared<Listing>();
+  add_bank_argument(*list, listing->bank);
+  list->add_flag("--json", listing->json, "Print one JSON object");
+  list->callback([listing] { list_bank(listing->bank, listing->json); });
+
+  struct Extraction {
+    std::string bank;
+    std::vector<std::string> names;
+    std::string folder = ".";
+  };
+  CLI::App* extract =
+      command->add_subcommand("extract", "Write clips of a packed bank as the files they were");
+  const auto extraction = std::make_shared<Extraction>();
+  add_bank_argument(*extract, extraction->bank);
+  extract->add_option("name", extraction->names, "Clips [all]")->type_name("NAME...");
+  extract->add_option("-o,--output", extraction->folder, "Where files go [.]")->type_name("DIR");
+  extract->callback(
+      [extraction] { extract_from_bank(extraction->bank, extraction->names, extraction->folder); });
+
+  CLI::App* verify =
+      command->add_subcommand("verify", "Check every byte of a bank, play each clip");
+  const auto verified = std::make_shared<std::string>();
+  add_bank_argument(*verify, *verified);
+  verify->callback([verified] { verify_bank(*verified); });
+}
+
+}  // namespace mocapress::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Banks on disk: made, added to, unpacked. The bytes are core/codec/format/bank.h's.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/bank/bank_file.h"
+#include "core/bank/bank_writer.h"
+#include "core/base/progress.h"
+
+namespace mocapress {
+
+/// A clip to be put into a bank: a .mcpr file, or a clip of a packed bank.
+struct BankSource {
+  std::string name;  // in the new bank
+  std::filesystem::path file;
+  std::string of_bank;  // its name in there; empty: the file is a .mcpr
+};
+
+/// Files as they are, named by their stems; every .mcpr below folders, named by its path from there
+/// without extension; every clip of a packed bank, by its name. Throws InputError for what holds
+/// none.
+std::vector<BankSource> find_bank_sources(const std::vector<std::filesystem::path>& inputs);
+
+struct BankOptions {
+  runtime::BankForm form = runtime::BankForm::Packed;
+  std::vector<std::string> tags;  // of the clips that are put in
+  BankTexts texts;                // of the bank; a key that is there gets the new value
+};
+
+/// Clips done, of so many.
+struct BankProgress {
+  std::size_t done = 0;
+  std::size_t clips = 0;
+};
+
+/// Makes a bank, which takes its place whole or not at all. Throws InputError, WriteError, and
+/// Error where two clips have one name.
+void make_bank(const std::filesystem::path& bank, std::vector<BankSource> sources,
+               const BankOptions& options, const Observer<BankProgress>& observer = {});
+
+/// The same with what the bank holds already, in its form: a clip of a name that is there takes its
+/// place.
+void add_to_bank(const std::filesystem::path& bank, std::vector<BankSource> sources,
+                 const BankOptions& options, const Observer<BankProgress>& observer = {});
+
+}  // namespace mocapress

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "core/bank/bank_file.h"
+
+#include "core/base/error.h"
+#include "core/codec/format/file_sections.h"
+#include "core/codec/format/own_memory.h"
+#include "core/codec/format/packed_clip_writer.h"
+#include "core/runtime/bank_check.h"
+
+namespace mocapress {
+
+BankFile::BankFile(const std::filesystem::path& path) : path_(path.string()), file_(path) {
+  if (file_.bytes().empty()) throw InputError(path_, 0, 0, "not a bank of clips");
+  require_of(mcpk_open(file_.bytes().data(), file_.bytes().size(), 1, &bank_));
+  if (bank_->bytes != file_.bytes().size())
+    throw InputError(path_, 0, 0, "bytes after the end of the bank");
+}
+
+void BankFile::require_of(const mcpr_result& result) const {
+  if (runtime::failed(result))
+    throw InputError(path_, 0, 0, FormatError(result.offset, result.message).what());
+}
+
+runtime::BankEntry BankFile::entry(std::uint32_t clip) const {
+  runtime::BankEntry entry;
+  if (!runtime::read_entry(*bank_, clip, entry)) throw Error(path_ + ": no such clip");
+  return entry;
+}
+
+std::vector<std::string> BankFile::tags(const runtime::BankEntry& entry) const {
+  std::vector<std::string> tags;
+  runtime::Cursor numbers = bank_->item(runtime::BankItem::TagSet, entry.tag_set).cursor();
+  while (!numbers.at_end())
+    tags.emplace_back(bank_->text(runtime::BankItem::Tag, numbers.read<std::uint32_t>()));
+  return tags;
+}
+
+BankTexts BankFile::texts() const {
+  BankTexts texts;
+  for (std::uint32_t t = 0; t < mcpk_describe(bank_).texts; ++t)
+    texts.emplace_back(mcpk_key(bank_, t), mcpk_value(bank_, t));
+  return texts;
+}
+
+BankClip BankFile::describe(std::uint32_t clip) const {
+  const runtime::BankEntry found = entry(clip);
+  BankClip described{found.name, tags(found), found.place.bytes};
+  if (is_cooked()) {
+    const mcpr_cooked* cooked = nullptr;
+    require_of(runtime::cooked_clip_of(*bank_, found, cooked));
+    const mcpr_cooked_info info = mcpr_cooked_describe(cooked);
+    described.sample_rate_hz = info.sample_rate;
+    described.frames = static_cast<int>(info.frames);
+    described.joints = static_cast<int>(info.joints);
+    return described;
+  }
+  runtime::FileSections sections;
+  require_of(runtime::read_sections(*bank_, found, mcpr_default_limits(), sections));
+  described.sample_rate_hz = sections.sample_rate;
+  described.frames = static_cast<int>(sections.frames);
+  described.joints = static_cast<int>(sections.joints);
+  described.motion_bytes = sections.motion_bytes();
+  return described;
+}
+
+std::vector<std::byte> BankFile::extract(const runtime::BankEntry& entry) const {
+  if (is_cooked())
+    throw InputError(path_, 0, 0, "the bank is cooked, and holds no .mcpr files to extract");
+  try {
+    return unpack_clip(*bank_, entry);
+  } catch (const FormatError& error) {
+    throw InputError(path_, 0, 0, error.what());
+  }
+}
+
+bool BankFile::play(std::uint32_t clip) const {
+  if (is_cooked()) {
+    const mcpr_cooked* cooked = nullptr;
+    require_of(mcpk_cooked(bank_, clip, &cooked));
+    const mcpr_sample_request request{};
+    std::vector<float> pose(mcpr_sample_values(cooked, &request));
+    for (const double at : {0.0, mcpr_cooked_describe(cooked).frames - 1.0})
+      require_of(mcpr_sample(cooked, &request, at, pose.data()));
+    return true;
+  }
+  mcpr_info info{};
+  mcpr_result result = mcpk_inspect(bank_, clip, nullptr, &info);
+  if (result.status == MCPR_UNSUPPORTED) return false;
+  require_of(result);
+  const AlignedBytes scratch(info.read_bytes);
+  std::size_t resident_bytes = 0;
+  require_of(mcpk_read(bank_, clip, nullptr, scratch.data(), scratch.size(), &resident_bytes));
+  const AlignedBytes resident(resident_bytes);
+  const mcpr_clip* played = nullptr;
+  require_of(mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &played));
+  const mcpr_request request{.output = MCPR_LOCAL};
+  const AlignedBytes working(mcpr_scratch_bytes(played, &request));
+  std::vector<float> pose(mcpr_frame_values(played, &request));
+  for (const double at : {0.0, info.frames - 1.0})
+    if (info.frames > 0)
+      require_of(
+          mcpr_decode_moment(played, &request, at, pose.data(), working.data(), working.size()));
+  return true;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/bank/bank_writer.h"
+#include "core/base/mapped_file.h"
+#include "core/codec/format/bank.h"
+
+namespace mocapress {
+
+/// What a bank says of a clip.
+struct BankClip {
+  std::string name;
+  std::vector<std::string> tags;
+  std::uint64_t bytes = 0;  // beside what clips share
+  double sample_rate_hz = 0;
+  int frames = 0;
+  int joints = 0;
+  std::uint64_t motion_bytes = 0;  // packed: as a ratio counts them; cooked: 0
+};
+
+/// A bank on disk, every byte of which was checked.
+class BankFile {
+ public:
+  /// Throws InputError.
+  explicit BankFile(const std::filesystem::path& path);
+
+  const mcpk_bank& bank() const { return *bank_; }
+  std::uint32_t clips() const { return bank_->clips; }
+  bool is_cooked() const { return bank_->is_cooked(); }
+  runtime::BankEntry entry(std::uint32_t clip) const;
+  BankClip describe(std::uint32_t clip) const;
+  std::vector<std::string> tags(const runtime::BankEntry& entry) const;
+  BankTexts texts() const;
+
+  /// The .mcpr that was put in, byte for byte. Throws Error for a clip of a cooked bank.
+  std::vector<std::byte> extract(const runtime::BankEntry& entry) const;
+
+  /// Plays a clip through the runtime decoder, the first frame and the last. Throws InputError
+  /// where it cannot be played. False: no engine plays it (the paper's codings, comparison
+  /// methods).
+  bool play(std::uint32_t clip) const;
+
+ private:
+  void require_of(const mcpr_result& result) const;
+
+  std::string path_;
+  MappedFile file_;
+  const mcpk_bank* bank_ = nullptr;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "core/bank/bank_writer.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/base/error.h"
+#include "core/codec/format/own_memory.h"
+#include "core/codec/format/packed_clip_writer.h"
+#include "core/runtime/cooked_clip.h"
+
+namespace mocapress {
+namespace {
+
+constexpr std::uint64_t kMostRegionBytes = 0xFFFFFFFFU;
+constexpr std::size_t kTableAlignment = 32;
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text));
+}
+
+template <typename T>
+void append_value(std::vector<std::byte>& to, T value) {
+  const auto bytes = std::as_bytes(std::span(&value, 1));
+  to.insert(to.end(), bytes.begin(), bytes.end());
+}
+
+std::string key_of(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+std::uint32_t InternedBytes::intern(std::span<const std::byte> bytes) {
+  const auto [at, is_new] =
+      numbers_.try_emplace(key_of(bytes), static_cast<std::uint32_t>(all_.size()));
+  if (is_new) all_.push_back(&at->first);
+  return at->second;
+}
+
+std::uint32_t SharedTables::intern(std::span<const std::byte> table) {
+  const std::size_t place =
+      (bytes_.size() + kTableAlignment - 1) / kTableAlignment * kTableAlignment;
+  if (place + table.size() > kMostRegionBytes)
+    throw WriteError("the tables of the bank would take more than 4 GiB");
+  const auto [at, is_new] = places_.try_emplace(key_of(table), static_cast<std::uint32_t>(place));
+  if (!is_new) return at->second;
+  bytes_.resize(place);
+  bytes_.insert(bytes_.end(), table.begin(), table.end());
+  return at->second;
+}
+
+BankWriter::BankWriter(const std::filesystem::path& path, runtime::BankForm form)
+    : file_(path), form_(form) {
+  write(std::vector<std::byte>(sizeof(mcpk_bank)));
+}
+
+std::uint32_t BankWriter::intern(runtime::BankItem kind, std::span<const std::byte> bytes) {
+  return items_[static_cast<int>(kind)].intern(bytes);
+}
+
+void BankWriter::write(std::span<const std::byte> bytes) {
+  file_.write(bytes);
+  written_ += bytes.size();
+}
+
+void BankWriter::align(std::uint64_t alignment) {
+  write(std::vector<std::byte>((alignment - written_ % alignment) % alignment));
+}
+
+std::uint32_t BankWriter::tag_set(std::vector<std::string> tags) {
+  std::vector<std::uint32_t> numbers;
+  for (std::string& tag : tags) {
+    if (tag.empty() || tag.size() > runtime::kMostTextOfBank || tag.find('\0') != std::string::npos)
+      throw InputError(tag, 0, 0, "a tag has 1 to 65535 bytes, and no zero");
+    tag += '\0';
+    numbers.push_back(intern(runtime::BankItem::Tag, bytes_of(tag)));
+  }
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return intern(runtime::BankItem::TagSet, std::as_bytes(std::span(numbers)));
+}
+
+void BankWriter::add(const std::string& name, std::uint32_t kind, std::uint32_t checksum,
+                     std::span<const std::byte> bytes, std::vector<std::string> tags) {
+  if (name.empty() || name.size() > runtime::kMostNameOfClip ||
+      name.find('\0') != std::string::npos)
+    throw InputError(name, 0, 0, "a clip of a bank needs a name of 1 to 255 bytes");
+  if (count_ == runtime::kMostClipsOfBank)
+    throw InputError(name, 0, 0, "a bank has at most 2^24 clips");
+  const bool follows =
+      runtime::compare_names(last_name_.data(), last_name_.size(), name.data(), name.size()) < 0;
+  if (count_ > 0 && !follows) throw InputError(name, 0, 0, "two clips of this name");
+  if (form_ == runtime::BankForm::Cooked) {
+    align(runtime::kCookedAlignment);
+    clips_.push_back(written_);
+  }
+  std::size_t kept = 0;
+  if (count_ % runtime::kClipsOfBlock == 0) {
+    append_value(blocks_, written_);
+    append_value(blocks_, static_cast<std::uint32_t>(entries_.size()));
+  } else {
+    while (kept < last_name_.size() && kept < name.size() && name[kept] == last_name_[kept]) ++kept;
+  }
+  entries_.push_back(static_cast<std::byte>(kept));
+  entries_.push_back(static_cast<std::byte>(name.size() - kept));
+  const auto rest = bytes_of(name).subspan(kept);
+  entries_.insert(entries_.end(), rest.begin(), rest.end());
+  write_varint(entries_, bytes.size());
+  write_varint(entries_, kind);
+  write_varint(entries_, tag_set(std::move(tags)));
+  append_value(entries_, checksum);
+  write(bytes);
+  last_name_ = name;
+  ++count_;
+}
+
+runtime::BankRegion BankWriter::write_region(std::span<const std::byte> bytes,
+                                             std::uint64_t alignment, std::uint32_t& checksum) {
+  align(alignment);
+  if (bytes.size() > kMostRegionBytes)
+    throw WriteError("what clips share, or the index, would take more than 4 GiB");
+  checksum = runtime::bank_checksum(bytes.data(), bytes.size());
+  const runtime::BankRegion region{written_, bytes.size()};
+  write(bytes);
+  return region;
+}
+
+std::vector<std::byte> BankWriter::item_bytes(const BankTexts& texts, mcpk_bank& head) {
+  std::vector<const std::string*> all;
+  for (int k = 0; k < runtime::kBankItems - 1; ++k) {
+    const auto& items = items_[k].all();
+    head.item_counts[k] = static_cast<std::uint32_t>(items.size());
+    all.insert(all.end(), items.begin(), items.end());
+  }
+  std::vector<std::string> written;
+  for (const auto& [key, value] : texts)
+    for (const std::string& text : {key, value}) written.push_back(text + '\0');
+  for (const std::string& text : written) all.push_back(&text);
+  head.item_counts[runtime::kBankItems - 1] = static_cast<std::uint32_t>(written.size());
+  std::vector<std::byte> bytes;
+  std::size_t end = 4 * (all.size() + 1);
+  append_value(bytes, static_cast<std::uint32_t>(end));
+  for (const std::string* item : all) {
+    end += item->size();
+    append_value(bytes, static_cast<std::uint32_t>(std::min<std::size_t>(end, kMostRegionBytes)));
+  }
+  bytes.reserve(end);
+  for (const std::string* item : all) {
+    const auto own = bytes_of(*item);
+    bytes.insert(bytes.end(), own.begin(), own.end());
+  }
+  return bytes;
+}
+
+void BankWriter::finish(const BankTexts& texts) {
+  mcpk_bank head{};
+  std::memcpy(head.magic, mcpk_bank::kMagic, sizeof head.magic);
+  head.version = mcpk_bank::kVersion;
+  head.form = form_;
+  head.clips = count_;
+  head.items = write_region(item_bytes(texts, head), 4, head.items_checksum);
+  std::vector<std::byte> index;
+  for (std::size_t block = 0; block < blocks_.size(); block += runtime::kBlockBytes) {
+    std::uint32_t entry = 0;
+    const auto first = blocks_.begin() + static_cast<std::ptrdiff_t>(block);
+    std::memcpy(&entry, &*first + 8, sizeof entry);
+    index.insert(index.end(), first, first + 8);
+    append_value(index, entry + static_cast<std::uint32_t>(blocks_.size()));
+  }
+  index.insert(index.end(), entries_.begin(), entries_.end());
+  head.index = write_region(index, 1, head.index_checksum);
+  const bool is_cooked = form_ == runtime::BankForm::Cooked;
+  head.tables = write_region(is_cooked ? std::span(tables_.bytes()) : std::span<const std::byte>(),
+                             runtime::kCookedAlignment, head.tables_checksum);
+  for (const std::uint64_t clip : clips_) {
+    const auto distance = static_cast<std::int64_t>(head.tables.offset - clip);
+    file_.write_at(clip + offsetof(mcpr_cooked, tables), std::as_bytes(std::span(&distance, 1)));
+  }
+  head.bytes = written_;
+  head.checksum = runtime::bank_checksum(&head, offsetof(mcpk_bank, checksum));
+  file_.write_at(0, std::as_bytes(std::span(&head, 1)));
+  const std::vector<std::byte> written = file_.read_back();
+  const AlignedBytes aligned(written.size());
+  std::ranges::copy(written, aligned.data());
+  const mcpk_bank* bank = nullptr;
+  const mcpr_result result = mcpk_open(aligned.data(), aligned.size(), 1, &bank);
+  if (runtime::failed(result))
+    throw WriteError(file_.path().string() + ": does not read back: " + result.message);
+  file_.commit();
+}
+
+}  // namespace mocapress

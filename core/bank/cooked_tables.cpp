@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "core/bank/cooked_tables.h"
+
+#include <cstring>
+#include <string>
+
+#include "core/codec/format/format_error.h"
+#include "core/codec/format/own_memory.h"
+#include "core/runtime/bank_skeleton.h"
+#include "core/runtime/cooked_builder.h"
+#include "core/runtime/cooked_check.h"
+
+namespace mocapress {
+namespace {
+
+using runtime::TableOffset;
+
+/// Copies the tables of a clip to where a bank has them.
+class TableMover {
+ public:
+  TableMover(const mcpr_cooked& from, SharedTables& to) : from_(from), to_(to) {}
+
+  /// Tells the head where they are then.
+  void move(mcpr_cooked& head) {
+    const std::uint32_t columns = runtime::kGroup * from_.groups;
+    const std::uint32_t row_columns = runtime::kGroup * from_.row_groups;
+    head.rest = put(all_of<mcpr_transform>(from_.rest, from_.joints));
+    std::vector rotors = all_of<runtime::RotorGroup>(from_.rotors, from_.rotor_groups);
+    for (runtime::RotorGroup& group : rotors)
+      if (group.around.bytes != 0)
+        group.around = put(all_of<float>(group.around, 8 * runtime::kGroup));
+    head.rotors = put(rotors);
+    head.moving = put(all_of<runtime::MovingAxis>(from_.moving, from_.moving_axes));
+    head.added = put(all_of<runtime::AddedColumn>(from_.added, from_.added_columns));
+    std::vector turns = all_of<runtime::OtherTurn>(from_.turns, from_.other_turns);
+    for (runtime::OtherTurn& turn : turns)
+      if (turn.axis == runtime::OtherTurn::kConstant)
+        turn.column = put(all_of<float>(TableOffset{turn.column}, 4)).bytes;
+    head.turns = put(turns);
+    head.bases = put(all_of<float>(from_.bases, columns - row_columns));
+    head.part_table = put(all_of<runtime::CookedPart>(from_.part_table, from_.parts));
+    if (from_.loop == runtime::LoopKind::Follows)
+      head.column_kinds = put(all_of<runtime::ColumnKind>(from_.column_kinds, row_columns));
+  }
+
+ private:
+  template <typename T>
+  std::vector<T> all_of(TableOffset offset, std::size_t count) const {
+    const T* const first = from_.at<T>(offset);
+    return {first, first + count};
+  }
+  template <typename T>
+  TableOffset put(const std::vector<T>& table) {
+    return {to_.intern(std::as_bytes(std::span(table)))};
+  }
+
+  const mcpr_cooked& from_;
+  SharedTables& to_;
+};
+
+BankedClip moved(const mcpr_cooked& clip, SharedTables& tables) {
+  const auto* const first = reinterpret_cast<const std::byte*>(&clip);
+  // What is read as a clip has to lie as one: in memory that is aligned.
+  const AlignedBytes copy(static_cast<std::size_t>(clip.bytes));
+  std::memcpy(copy.data(), first, copy.size());
+  auto* const head = reinterpret_cast<mcpr_cooked*>(copy.data());
+  TableMover(clip, tables).move(*head);
+  head->tables = 0;
+  head->checksum = runtime::checksum_of(*head);
+  return {{copy.data(), copy.data() + copy.size()}, {}, head->checksum};
+}
+
+std::vector<std::byte> skeleton_of(const mcpr_clip* clip) {
+  const std::uint32_t joints = mcpr_clip_describe(clip).joints;
+  std::vector<runtime::BankJoint> made(joints);
+  std::string names;
+  const std::size_t first_name = sizeof joints + joints * sizeof(runtime::BankJoint);
+  for (std::uint32_t j = 0; j < joints; ++j) {
+    mcpr_joint joint{};
+    require(mcpr_clip_joint(clip, j, &joint));
+    made[j].parent = joint.parent;
+    made[j].name = static_cast<std::uint32_t>(first_name + names.size());
+    std::memcpy(made[j].offset, joint.offset, sizeof joint.offset);
+    made[j].has_end_site = joint.has_end_site;
+    if (joint.has_end_site != 0)
+      std::memcpy(made[j].end_site, joint.end_site, sizeof joint.end_site);
+    names.append(joint.name, std::strlen(joint.name) + 1);
+  }
+  std::vector<std::byte> item(first_name + names.size());
+  std::memcpy(item.data(), &joints, sizeof joints);
+  std::memcpy(item.data() + sizeof joints, made.data(), first_name - sizeof joints);
+  std::memcpy(item.data() + first_name, names.data(), names.size());
+  return item;
+}
+
+}  // namespace
+
+BankedClip cook_for_bank(std::span<const std::byte> file, SharedTables& tables) {
+  mcpr_info info{};
+  require(mcpr_inspect(file.data(), file.size(), nullptr, &info));
+  const AlignedBytes scratch(info.read_bytes);
+  std::size_t bytes = 0;
+  require(mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &bytes));
+  const AlignedBytes resident(bytes);
+  const mcpr_clip* clip = nullptr;
+  require(mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &clip));
+  OwnMemory<runtime::CookedBuilder> builder(*clip, true);
+  require(builder->prepare());
+  const runtime::CookedBuilder::Size size = builder->lay_out_apart(nullptr, nullptr);
+  const AlignedBytes cooked(static_cast<std::size_t>(size.clip));
+  const AlignedBytes apart(static_cast<std::size_t>(size.tables));
+  std::memset(cooked.data(), 0, cooked.size());
+  std::memset(apart.data(), 0, apart.size());
+  builder->lay_out_apart(cooked.data(), apart.data());
+  auto* const made = reinterpret_cast<mcpr_cooked*>(cooked.data());
+  made->tables = apart.data() - cooked.data();
+  BankedClip banked = moved(*made, tables);
+  banked.skeleton = skeleton_of(clip);
+  return banked;
+}
+
+BankedClip copy_to_bank(const mcpr_cooked& clip, std::span<const std::byte> skeleton,
+                        SharedTables& tables) {
+  BankedClip banked = moved(clip, tables);
+  banked.skeleton.assign(skeleton.begin(), skeleton.end());
+  return banked;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// After mmap(2).
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <utility>
+
+namespace mocapress {
+
+/// A file as it lies on disk, read where it is used. What replaces the file leaves this one as it
+/// was.
+class MappedFile {
+ public:
+  /// Throws InputError.
+  explicit MappedFile(const std::filesystem::path& path);
+  MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
+  MappedFile& operator=(MappedFile&& other) noexcept {
+    std::swap(bytes_, other.bytes_);
+    return *this;
+  }
+  ~MappedFile();
+
+  std::span<const std::byte> bytes() const { return bytes_; }
+
+ private:
+  std::span<const std::byte> bytes_;
+};
+
+}  // namespace mocapress

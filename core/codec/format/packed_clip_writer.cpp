@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/format/packed_clip_writer.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "core/base/byte_cursor.h"
+#include "core/codec/format/container.h"
+#include "core/codec/format/format_error.h"
+#include "core/codec/format/joint_orders.h"
+#include "core/codec/format/joint_records.h"
+#include "core/codec/format/own_memory.h"
+#include "core/codec/format/section_writer.h"
+#include "core/codec/format/skeleton_section.h"
+
+namespace mocapress {
+namespace {
+
+std::span<const std::byte> span_of(const runtime::Bytes& bytes) {
+  return {reinterpret_cast<const std::byte*>(bytes.data), bytes.size};
+}
+
+void append(std::vector<std::byte>& to, std::span<const std::byte> bytes) {
+  to.insert(to.end(), bytes.begin(), bytes.end());
+}
+
+template <typename T>
+void append_number(std::vector<std::byte>& to, T number) {
+  append(to, std::as_bytes(std::span(&number, 1)));
+}
+
+std::vector<std::byte> part_of(const runtime::Section& section,
+                               std::span<const std::byte> payload) {
+  std::vector<std::byte> part;
+  append(part, std::as_bytes(std::span(section.tag)));
+  append(part, payload);
+  return part;
+}
+
+/// The joints of a JNTS as bytes, in which rotations can be put into other orders.
+class JointText {
+ public:
+  explicit JointText(const runtime::FileSections& sections)
+      : bytes_(sections.joint_bytes),
+        joints_(static_cast<int>(sections.joints)),
+        channels_(static_cast<int>(sections.channels)) {
+    require(runtime::decode_joint_bytes(sections, *OwnMemory<runtime::JointByteCoder>(),
+                                        reinterpret_cast<std::uint8_t*>(bytes_.data())));
+  }
+
+  /// The kinds of the channels of each joint that turns freely.
+  template <typename Visit>
+  void visit(const Visit& visit) {
+    auto* const first = reinterpret_cast<std::uint8_t*>(bytes_.data());
+    runtime::Cursor cursor(first, bytes_.size());
+    for (int j = 0; j < joints_; ++j) {
+      runtime::JointRecord record;
+      require(runtime::read_joint(cursor, j, record));
+      const int channels = record.model.channels;
+      std::uint8_t* const kinds = first + cursor.offset() - channels;
+      if (runtime::turns_about_three_axes(kinds, channels)) visit(kinds, channels);
+    }
+  }
+
+  std::vector<std::byte> payload() const { return write_joints(bytes_, joints_, channels_); }
+
+ private:
+  std::vector<std::byte> bytes_;
+  int joints_;
+  int channels_;
+};
+
+int order_of(const std::uint8_t* kinds, int channels) {
+  std::uint8_t axes[3] = {};
+  int turns = 0;
+  for (int c = 0; c < channels; ++c)
+    if (runtime::is_rotation(kinds[c]))
+      axes[turns++] = static_cast<std::uint8_t>(runtime::axis_of(kinds[c]));
+  int order = 0;
+  while (!std::equal(axes, axes + 3, runtime::kAxesOfOrder[order])) ++order;
+  return order;
+}
+
+/// Takes the orders out of a skeleton. Unset where it would not come back byte for byte.
+std::optional<std::vector<std::byte>> take_orders(std::span<const std::byte> payload,
+                                                  JointText& joints) {
+  if (!std::ranges::equal(joints.payload(), payload)) return std::nullopt;
+  std::vector<std::byte> orders;
+  int factor = 1;
+  joints.visit([&](std::uint8_t* kinds, int channels) {
+    if (factor == 1) orders.push_back({});
+    orders.back() = static_cast<std::byte>(std::to_integer<int>(orders.back()) +
+                                           factor * order_of(kinds, channels));
+    factor = factor == 36 ? 1 : 6 * factor;
+    runtime::set_order(0, kinds, channels);
+  });
+  return orders;
+}
+
+}  // namespace
+
+void write_varint(std::vector<std::byte>& bytes, std::uint64_t value) {
+  for (; value >= 0x80; value >>= 7) bytes.push_back(static_cast<std::byte>(value | 0x80));
+  bytes.push_back(static_cast<std::byte>(value));
+}
+
+PackedClip pack_clip(std::span<const std::byte> file, const InternItem& intern) {
+  const runtime::FileSections sections = sections_of(file);
+  runtime::Cursor cursor(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());
+  std::uint16_t count = 0;
+  require(runtime::read_head(cursor, count));
+  std::vector<std::byte> list;
+  std::vector<std::byte> sizes;
+  std::vector<std::byte> orders;
+  std::vector<std::byte> payloads;
+  std::span<const std::byte> description;
+  for (int s = 0; s < count; ++s) {
+    runtime::Section section;
+    require(runtime::read_section(cursor, section));
+    const std::span<const std::byte> payload = span_of(section.payload);
+    std::uint32_t part = runtime::kOwnPart;
+    if (section.is("JNTS")) {
+      JointText joints(sections);
+      const auto taken = take_orders(payload, joints);
+      if (taken) orders = *taken;
+      const std::vector<std::byte> ordered =
+          orders.empty() ? std::vector(payload.begin(), payload.end()) : joints.payload();
+      part = intern(runtime::BankItem::Part, part_of(section, ordered));
+    } else if (section.is("CLIP")) {
+      description = payload;
+      std::vector<std::byte> common(payload.begin(), payload.end());
+      std::fill_n(common.begin() + runtime::kFramesAt, 4, std::byte{});
+      std::fill_n(common.begin() + runtime::kErrorsAt, 8, std::byte{});
+      part = intern(runtime::BankItem::Part, part_of(section, common));
+    } else if (section.is_optional()) {
+      part = intern(runtime::BankItem::Part, part_of(section, payload));
+    } else {
+      if (runtime::has_told_size(section)) write_varint(sizes, payload.size());
+      append(payloads, payload);
+    }
+    append(list, std::as_bytes(std::span(section.tag)));
+    append_number(list, part);
+  }
+  std::vector<std::byte> outline;
+  append_number(outline, count);
+  append_number(outline, static_cast<std::uint16_t>(orders.size()));
+  append(outline, list);
+  PackedClip packed{intern(runtime::BankItem::Outline, outline), {}};
+  append(packed.bytes, description.subspan(runtime::kErrorsAt, 8));
+  write_varint(packed.bytes, sections.frames);
+  append(packed.bytes, sizes);
+  append(packed.bytes, orders);
+  append(packed.bytes, payloads);
+  return packed;
+}
+
+std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEntry& entry) {
+  runtime::FileSections sections;
+  require(runtime::read_sections(bank, entry, mcpr_default_limits(), sections));
+  runtime::PackedSections packed(bank, entry);
+  std::uint16_t count = 0;
+  require(packed.begin(count));
+  ByteWriter file;
+  write_head(file, count);
+  for (int s = 0; s < count; ++s) {
+    runtime::Section section;
+    require(packed.next(section));
+    const std::string_view tag(section.tag, sizeof section.tag);
+    if (!section.is("JNTS") || packed.orders().size == 0) {
+      write_section(file, tag, span_of(section.payload));
+      continue;
+    }
+    JointText joints(sections);
+    runtime::JointOrders orders(packed.orders());
+    joints.visit([&](std::uint8_t* kinds, int channels) {
+      runtime::set_order(orders.next(), kinds, channels);
+    });
+    require(orders.finish());
+    write_section(file, tag, joints.payload());
+  }
+  return file.release();
+}
+
+std::uint32_t copy_outline(const mcpk_bank& bank, std::uint32_t outline, const InternItem& intern) {
+  const std::span<const std::byte> from = span_of(bank.item(runtime::BankItem::Outline, outline));
+  std::vector<std::byte> copy(from.begin(), from.end());
+  for (std::size_t at = runtime::kOutlineHead; at + runtime::kOutlineSection <= copy.size();
+       at += runtime::kOutlineSection) {
+    std::uint32_t part = 0;
+    std::memcpy(&part, copy.data() + at + 4, sizeof part);
+    if (part == runtime::kOwnPart) continue;
+    part = intern(runtime::BankItem::Part, span_of(bank.item(runtime::BankItem::Part, part)));
+    std::memcpy(copy.data() + at + 4, &part, sizeof part);
+  }
+  return intern(runtime::BankItem::Outline, copy);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "core/bank/bank.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/random.h"
+#include "core/codec/encode/encoder.h"
+#include "core/codec/format/container.h"
+#include "core/codec/format/own_memory.h"
+#include "tests/support/cooked_clip.h"
+#include "tests/support/opened_clip.h"
+#include "tests/support/segmented_clip.h"
+#include "tests/support/test_motion.h"
+#include "tests/support/turned_forms.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+using test::CookedClip;
+using test::OpenedClip;
+
+std::vector<std::byte> encoded(const Motion& motion, EncodeOptions options = {}) {
+  options.method = Method::ClosedLoop;
+  return write_container(Encoder(motion).encode(options).compressed);
+}
+
+/// In orders of its own, so that the skeleton of the file is not that of the others.
+std::vector<std::byte> encoded_in_order(const Motion& motion, RotationOrder order) {
+  RotationForms forms = rotation_forms(motion.skeleton);
+  for (RotationForm& form : forms) form.order = order;
+  CompressedClip clip =
+      test::segmented_clip(with_forms(motion, forms), SegmentLayout::whole(motion.clip.frames()));
+  clip.skeleton = motion.skeleton;
+  clip.forms = forms;
+  return write_container(clip);
+}
+
+class BankTest : public testing::Test {
+ protected:
+  BankTest()
+      : folder_(fs::temp_directory_path() /
+                ("mocapress-bank-" +
+                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "clips/walks");
+    const Motion motion = test::smooth_motion(60);
+    put("plain", encoded(motion));
+    put("exact", encoded(motion, {.ends = Ends::Exact}));
+    put("rle", encoded(motion, {.coding = Coding::Rle16}));
+    put("walks/zyx", encoded_in_order(motion, RotationOrder::Zyx));
+    put("walks/yxz", encoded_in_order(motion, RotationOrder::Yxz));
+    put("still",
+        write_container(test::segmented_clip(test::smooth_motion(1), SegmentLayout::whole(1))));
+    put("long",
+        write_container(test::segmented_clip(test::smooth_motion(700), {700, 300, 50}, true)));
+    CompressedClip turned = test::segmented_clip(test::smooth_motion(50), SegmentLayout::whole(50));
+    turned.forms = test::turned_forms(turned.skeleton);
+    put("turned", write_container(turned));
+  }
+  ~BankTest() override { fs::remove_all(folder_); }
+
+  void put(const std::string& name, const std::vector<std::byte>& bytes) {
+    write_bytes(folder_ / "clips" / (name + ".mcpr"), bytes);
+  }
+  std::vector<std::byte> file(const std::string& name) const {
+    return read_bytes(folder_ / "clips" / (name + ".mcpr"));
+  }
+  fs::path bank() const { return folder_ / "bank.mcpk"; }
+
+  void make(const BankOptions& options = {}) {
+    // No engine plays it: it is for packed banks alone.
+    if (options.form == runtime::BankForm::Cooked) fs::remove(folder_ / "clips/rle.mcpr");
+    make_bank(bank(), find_bank_sources({folder_ / "clips"}), options);
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(BankTest, GivesEveryFileBackByteForByte) {
+  make();
+  const BankFile made(bank());
+  ASSERT_EQ(made.clips(), 8U);
+  for (std::uint32_t clip = 0; clip < made.clips(); ++clip) {
+    const runtime::BankEntry entry = made.entry(clip);
+    EXPECT_EQ(made.extract(entry), file(entry.name)) << entry.name;
+  }
+}
+
+TEST_F(BankTest, SkeletonsThatDifferInOrdersStandOnce) {
+  make();
+  const std::uint32_t all = BankFile(bank()).bank().count(runtime::BankItem::Part);
+  put("walks/xzy", encoded_in_order(test::smooth_motion(60), RotationOrder::Xzy));
+  make();
+  // Another skeleton would be a part, and so is what its source's orders are.
+  EXPECT_EQ(BankFile(bank()).bank().count(runtime::BankItem::Part), all);
+}
+
+TEST_F(BankTest, PlaysAsItsFilesDo) {
+  make();
+  const BankFile made(bank());
+  for (std::uint32_t clip = 0; clip < made.clips(); ++clip) {
+    const std::string name = made.entry(clip).name;
+    const OpenedClip alone(file(name));
+    mcpr_info info{};
+    const mcpr_result result = mcpk_inspect(&made.bank(), clip, nullptr, &info);
+    EXPECT_EQ(result.status, alone.result.status) << name;
+    if (result.status != MCPR_OK) continue;
+    EXPECT_EQ(info.motion_bytes, alone.info.motion_bytes);
+    OpenedClip banked(std::vector<std::byte>{});
+    const AlignedBytes scratch(info.read_bytes);
+    std::size_t size = 0;
+    ASSERT_EQ(mcpk_read(&made.bank(), clip, nullptr, scratch.data(), scratch.size(), &size).status,
+              MCPR_OK);
+    banked.resident.emplace(size);
+    ASSERT_EQ(
+        mcpr_build(scratch.data(), scratch.size(), banked.resident->data(), size, &banked.clip)
+            .status,
+        MCPR_OK);
+    for (const mcpr_output output : {MCPR_CHANNELS, MCPR_LOCAL, MCPR_POSITIONS}) {
+      const mcpr_request request{.output = output, .apply_ik = 1};
+      EXPECT_EQ(banked.frames(request, 0, info.frames), alone.frames(request, 0, info.frames))
+          << name;
+    }
+  }
+}
+
+TEST_F(BankTest, CookedClipsGiveThePosesOfClipsCookedAlone) {
+  make({.form = runtime::BankForm::Cooked});
+  const BankFile made(bank());
+  ASSERT_EQ(made.clips(), 7U);
+  for (std::uint32_t clip = 0; clip < made.clips(); ++clip) {
+    const std::string name = made.entry(clip).name;
+    const OpenedClip opened(file(name));
+    const CookedClip alone(opened.clip, {.apply_ik = 1});
+    const mcpr_cooked* cooked = nullptr;
+    ASSERT_EQ(mcpk_cooked(&made.bank(), clip, &cooked).status, MCPR_OK) << name;
+    const mcpr_cooked_info info = mcpr_cooked_describe(cooked);
+    EXPECT_LT(info.bytes, alone.bytes->size());
+    for (const mcpr_layout layout : {MCPR_TRANSFORMS, MCPR_ARRAYS})
+      for (double frame = 0; frame < info.frames; frame += 0.7) {
+        const mcpr_sample_request request{.layout = layout};
+        std::vector<float> pose(mcpr_sample_values(cooked, &request));
+        ASSERT_EQ(mcpr_sample(cooked, &request, frame, pose.data()).status, MCPR_OK);
+        ASSERT_EQ(pose, alone.sample(request, frame)) << name << " at " << frame;
+      }
+    for (std::uint32_t j = 0; j < info.joints; ++j) {
+      mcpr_joint expected{};
+      mcpr_joint joint{};
+      ASSERT_EQ(mcpr_clip_joint(opened.clip, j, &expected).status, MCPR_OK);
+      ASSERT_EQ(mcpk_joint(&made.bank(), clip, j, &joint).status, MCPR_OK);
+      EXPECT_STREQ(joint.name, expected.name);
+      EXPECT_EQ(joint.parent, expected.parent);
+      EXPECT_TRUE(std::equal(joint.offset, joint.offset + 3, expected.offset));
+      EXPECT_EQ(mcpk_find_joint(&made.bank(), clip, expected.name),
+                mcpr_find_joint(opened.clip, expected.name));
+    }
+  }
+}
+
+TEST_F(BankTest, FindsEveryNameAndNoOther) {
+  const std::vector<std::byte> plain = file("plain");
+  fs::remove_all(folder_ / "clips");
+  fs::create_directories(folder_ / "clips/a");
+  std::vector<std::string> names = {"a/\xC3\xA9t\xC3\xA9", "zz", std::string(200, 'n')};
+  for (int i = 0; i < 100; ++i) names.push_back("a/" + std::to_string(i));
+  for (const std::string& name : names) put(name, plain);
+  make();
+  const BankFile made(bank());
+  ASSERT_EQ(made.clips(), names.size());
+  for (const std::string& name : names) {
+    const std::int32_t clip = mcpk_find(&made.bank(), name.c_str());
+    ASSERT_GE(clip, 0) << name;
+    char found[MCPK_NAME_BYTES];
+    EXPECT_EQ(mcpk_name(&made.bank(), static_cast<std::uint32_t>(clip), found), name.size());
+    EXPECT_EQ(found, name);
+    EXPECT_EQ(mcpk_find(&made.bank(), (name + "0000").c_str()), -1);
+    EXPECT_EQ(mcpk_find(&made.bank(), ("!" + name).c_str()), -1);
+  }
+  EXPECT_EQ(mcpk_find(&made.bank(), ""), -1);
+}
+
+TEST_F(BankTest, KeepsTagsAndTexts) {
+  make({.tags = {"walk", "take=2", "walk"}, .texts = {{"licence", "CC0"}, {"by", ""}}});
+  add_to_bank(bank(), {{"other", folder_ / "clips/plain.mcpr", {}}},
+              {.tags = {"run"}, .texts = {{"by", "us"}}});
+  const BankFile made(bank());
+  EXPECT_EQ(made.texts(), (BankTexts{{"licence", "CC0"}, {"by", "us"}}));
+  const auto plain = static_cast<std::uint32_t>(mcpk_find(&made.bank(), "plain"));
+  const auto other = static_cast<std::uint32_t>(mcpk_find(&made.bank(), "other"));
+  EXPECT_EQ(made.describe(plain).tags.size(), 2U);
+  EXPECT_STREQ(mcpk_tag(&made.bank(), other, 0), "run");
+  EXPECT_EQ(mcpk_tag(&made.bank(), other, 1), nullptr);
+  EXPECT_STREQ(mcpk_key(&made.bank(), 0), "licence");
+  EXPECT_STREQ(mcpk_value(&made.bank(), 0), "CC0");
+  EXPECT_EQ(mcpk_key(&made.bank(), 2), nullptr);
+}
+
+class BothForms : public BankTest, public testing::WithParamInterface<runtime::BankForm> {};
+
+TEST_P(BothForms, AddingOneByOneMakesTheBytesOfMakingAllAtOnce) {
+  make({.form = GetParam()});
+  const std::vector<std::byte> at_once = read_bytes(bank());
+  std::vector<BankSource> sources = find_bank_sources({folder_ / "clips"});
+  std::ranges::sort(sources, {}, &BankSource::name);
+  make_bank(bank(), {sources.front()}, {.form = GetParam()});
+  for (const BankSource& source : sources) add_to_bank(bank(), {source}, {});
+  EXPECT_EQ(read_bytes(bank()), at_once);
+}
+
+TEST_P(BothForms, AddingReplacesByName) {
+  make({.form = GetParam()});
+  const std::uint32_t clips = BankFile(bank()).clips();
+  add_to_bank(bank(), {{"plain", folder_ / "clips/still.mcpr", {}}}, {});
+  const BankFile made(bank());
+  EXPECT_EQ(made.clips(), clips);
+  const auto plain = static_cast<std::uint32_t>(mcpk_find(&made.bank(), "plain"));
+  EXPECT_EQ(made.describe(plain).frames, 1);
+  EXPECT_TRUE(made.play(plain));
+}
+
+TEST_P(BothForms, WhatFailsLeavesTheOldBank) {
+  make({.form = GetParam()});
+  const std::vector<std::byte> before = read_bytes(bank());
+  write_text(folder_ / "wrong.mcpr", "no clip");
+  EXPECT_THROW(add_to_bank(bank(), {{"a", folder_ / "wrong.mcpr", {}}}, {}), InputError);
+  EXPECT_THROW(
+      make_bank(bank(),
+                {{"a", folder_ / "clips/plain.mcpr", {}}, {"a", folder_ / "clips/still.mcpr", {}}},
+                {.form = GetParam()}),
+      InputError);
+  EXPECT_EQ(read_bytes(bank()), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 3);
+}
+
+/// A bank in memory whose bytes are changed.
+class HostileBank : public BothForms {
+ protected:
+  HostileBank() {
+    for (const char* const name : {"exact", "turned", "long", "walks/zyx"})
+      fs::remove(folder_ / "clips" / (std::string(name) + ".mcpr"));
+    make({.form = GetParam(), .tags = {"t"}, .texts = {{"k", "v"}}});
+    bytes_ = read_bytes(bank());
+  }
+
+  static mcpr_status open(const std::vector<std::byte>& bytes, int check) {
+    const AlignedBytes memory(std::max<std::size_t>(bytes.size(), 1));
+    std::ranges::copy(bytes, memory.data());
+    const mcpk_bank* bank = nullptr;
+    return mcpk_open(memory.data(), bytes.size(), check, &bank).status;
+  }
+
+  std::vector<std::byte> bytes_;
+};
+
+TEST_P(HostileBank, EveryTruncationIsRefused) {
+  for (std::size_t size = 0; size < bytes_.size(); ++size) {
+    const std::vector<std::byte> cut(bytes_.begin(),
+                                     bytes_.begin() + static_cast<std::ptrdiff_t>(size));
+    EXPECT_NE(open(cut, 0), MCPR_OK) << size;
+  }
+}
+
+TEST_P(HostileBank, EveryFlippedBitIsRefused) {
+  ASSERT_EQ(open(bytes_, 1), MCPR_OK);
+  for (std::size_t i = 0; i < bytes_.size(); ++i) {
+    const std::byte flip{static_cast<unsigned char>(1U << (i % 8))};
+    bytes_[i] ^= flip;
+    EXPECT_NE(open(bytes_, 1), MCPR_OK) << i;
+    bytes_[i] ^= flip;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, BothForms,
+                         testing::Values(runtime::BankForm::Packed, runtime::BankForm::Cooked));
+INSTANTIATE_TEST_SUITE_P(Forms, HostileBank,
+                         testing::Values(runtime::BankForm::Packed, runtime::BankForm::Cooked));
+
+}  // namespace
+}  // namespace mocapress
