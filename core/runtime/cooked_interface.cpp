@@ -11,6 +11,7 @@
 #include "core/runtime/cooked_builder.h"
 #include "core/runtime/cooked_check.h"
 #include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/pose_cursor.h"
 #include "core/runtime/pose_sampler.h"
 
 namespace mocapress::runtime {
@@ -72,6 +73,16 @@ mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_requ
       return refused("a joint that the clip does not have, or one twice");
     seen[joint] = true;
   }
+  return kOk;
+}
+
+mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* request, double time,
+                           float* out, mcpr_cursor* cursor) {
+  const mcpr_result result = check_sample_request(clip, request);
+  if (failed(result)) return result;
+  if (!std::isfinite(time) || out == nullptr) return refused("no finite instant, or no output");
+  sample(*clip, *poses_of(request->path), place_in_clip(*clip, *request, time), *request, out,
+         cursor);
   return kOk;
 }
 
@@ -228,13 +239,32 @@ size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* 
 
 mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request, double time,
                         float* out) {
-  const mcpr_result result = runtime::check_sample_request(cooked, request);
-  if (runtime::failed(result)) return result;
-  if (!std::isfinite(time) || out == nullptr)
-    return runtime::refused("no finite instant, or no output");
-  runtime::sample(*cooked, *runtime::poses_of(request->path),
-                  runtime::place_in_clip(*cooked, *request, time), *request, out);
+  return runtime::sample_checked(cooked, request, time, out, nullptr);
+}
+
+size_t mcpr_cursor_bytes(const mcpr_cooked* cooked) {
+  return cooked != nullptr ? mcpr_cursor::bytes_for(*cooked) : 0;
+}
+
+mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t size,
+                             mcpr_cursor** cursor) {
+  if (cooked == nullptr || cursor == nullptr)
+    return runtime::refused("no cooked clip, or no place was given for the cursor");
+  if (!runtime::suits_alignment(memory) || size < mcpr_cursor::bytes_for(*cooked))
+    return runtime::failure(MCPR_MEMORY, 0, "too little memory for the cursor, or not aligned");
+  *cursor = new (memory)
+      mcpr_cursor{.clip = cooked,
+                  .first = 0,
+                  .count = 0,
+                  .capacity = mcpr_cursor::capacity_for(*cooked),
+                  .columns = runtime::kGroup * static_cast<std::int32_t>(cooked->row_groups)};
   return runtime::kOk;
+}
+
+mcpr_result mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request, double time,
+                             float* out) {
+  if (cursor == nullptr) return runtime::refused("no cursor");
+  return runtime::sample_checked(cursor->clip, request, time, out, cursor);
 }
 
 mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,

@@ -128,8 +128,8 @@ struct Fold {
 /// Away from the borders. The frames of a table's rows begin at a multiple of its length.
 struct InnerTables {
   struct Band {
-    std::int16_t at_frame[kDetailWindow];
-    std::int16_t to_next[kDetailWindow];  // what the next frame's have more
+    float at_frame[kDetailWindow];  // times scale_of_band()
+    float to_next[kDetailWindow];   // what the next frame's have more
   };
   struct Samples {
     float at_frame[8];
@@ -152,10 +152,6 @@ struct InnerTables {
   std::int8_t used[kBandRows][2] = {};  // the first row of the window that is not zero, the last
   alignas(32) Samples samples[kSampleRows] = {};
 };
-
-constexpr std::int16_t rounded(float value) {
-  return static_cast<std::int16_t>(value + (value < 0 ? -0.5F : 0.5F));
-}
 
 constexpr InnerTables inner_tables(Wavelet wavelet) {
   InnerTables tables;
@@ -181,9 +177,8 @@ constexpr InnerTables inner_tables(Wavelet wavelet) {
       int last = 0;
       for (int i = 0; i < kDetailWindow; ++i) {
         const float scale = scale_of_band(depth + 1);
-        band.at_frame[i] = rounded(details[0].weight[i] * scale);
-        band.to_next[i] =
-            static_cast<std::int16_t>(rounded(details[1].weight[i] * scale) - band.at_frame[i]);
+        band.at_frame[i] = details[0].weight[i] * scale;
+        band.to_next[i] = details[1].weight[i] * scale - band.at_frame[i];
         if (band.at_frame[i] == 0 && band.to_next[i] == 0) continue;
         first = std::min(first, i);
         last = i;
@@ -275,7 +270,6 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
   const InnerTables* const tables = wavelet == Wavelet::Haar     ? nullptr
                                     : wavelet == Wavelet::Linear ? &kLinearTables
                                                                  : &kCubicTables;
-  const auto share_bits = static_cast<std::int16_t>(std::min(share * 32768 + 0.5F, 32767.0F));
   unit = 1;
   RowWeights row;
   row.first = frame;
@@ -301,7 +295,7 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
       to.first_row = middle - 2 - (middle & 1);
       to.first_used = to.first_row + tables->used[at][0];
       to.last_used = to.first_row + tables->used[at][1];
-      kernels.blend_whole(tables->band[at].at_frame, share_bits, to.of_row + 2);
+      kernels.blend_whole(tables->band[at].at_frame, share, to.of_row + 2);
       row.first = middle - 1;
       ++inside;
       continue;

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstring>
 
+#include "core/codec/format/interpolation.h"
+
 namespace mocapress::runtime::plain_poses {
 namespace {
 
@@ -135,6 +137,25 @@ struct PairWeights {
   }
 };
 
+/// A row of those that lie in each other, with its bias.
+template <RowKind kKind>
+Wholes row_of(const std::byte* bundle, int row) {
+  Wholes out;
+  for (int i = 0; i < kGroup; ++i) {
+    std::int32_t value;
+    if constexpr (kKind == RowKind::Crumbs)
+      value = std::to_integer<std::int32_t>(bundle[i]) >> (2 * row) & 3;
+    else if constexpr (kKind == RowKind::Nibbles)
+      value = std::to_integer<std::int32_t>(bundle[i]) >> (4 * row) & 15;
+    else if constexpr (kKind == RowKind::Bytes)
+      value = read_as<std::int8_t>(bundle + 2 * i + row);
+    else
+      value = read_as<std::int16_t>(bundle + 4 * i + 2 * row);
+    out.lane[i] = static_cast<std::uint32_t>(value);
+  }
+  return out;
+}
+
 /// The bits of floats less a number.
 Wholes bits_less(const Floats& floats, std::uint32_t less) {
   Wholes out;
@@ -179,12 +200,6 @@ struct Quadrants {
   }
 };
 
-void blend_whole(const std::int16_t* weights, std::int16_t share, std::int16_t* whole) {
-  for (int i = 0; i < kDetailWindow; ++i)
-    whole[i] = static_cast<std::int16_t>(weights[i] +
-                                         ((weights[kDetailWindow + i] * share + 0x4000) >> 15));
-}
-
 void place_entry_weights(const std::int16_t* whole, int first_row, int shift,
                          std::int32_t* of_entry) {
   std::memset(of_entry, 0, 16 * sizeof *of_entry);
@@ -225,6 +240,7 @@ const PoseKernels kPlainPoses = {.make_whole = plain_poses::make_whole,
                                  .place_entry_weights = plain_poses::place_entry_weights,
                                  .add_entries = plain_poses::add_entries,
                                  .make_columns = plain_poses::make_columns,
+                                 .lift = plain_poses::lift,
                                  .turn = plain_poses::turn,
                                  .put_quaternions = plain_poses::put_quaternions};
 

@@ -43,6 +43,40 @@ struct EntryRun {
   const std::int32_t* weights;  // of each row modulo 16
 };
 
+struct RowRange {
+  int first = 0;
+  int end = 0;
+};
+
+/// A step of the inverse transform: samples from evens and details, in these ranges.
+struct LiftLevel {
+  Wavelet wavelet = Wavelet::Haar;
+  int even_count = 0;  // of the whole signal
+  int odd_count = 0;
+  RowRange samples;
+  RowRange evens;
+  RowRange details;
+  const std::int32_t* entries = nullptr;  // what they add to the details, rows of all columns
+};
+
+inline constexpr int kMostLiftedFrames = 32;
+
+/// Frames in a row of the columns of a part.
+struct LiftPart {
+  const LiftLevel* levels;  // the finest first
+  int level_count;
+  const CookedBand* bands;   // of these levels
+  const std::byte* clip;     // which their offsets are from
+  const std::byte* samples;  // of row 0
+  RowRange sample_rows;
+  const float* scales;  // as of PartRows
+  int groups;
+  bool wide;
+  int first_column;  // in `frames` and rows of entries
+  int row_columns;   // of these
+  float* frames;
+};
+
 /// Quaternions of the eight joints of a group: w x y z, each of all eight.
 struct RotorQuaternions {
   float of[4][kGroup];
@@ -51,8 +85,8 @@ struct RotorQuaternions {
 struct PoseKernels {
   /// kDetailWindow weights times a scale, to the nearest.
   void (*make_whole)(const float* weights, float scale, std::int16_t* whole);
-  /// kDetailWindow weights, and a share of 2^15 of as many that follow, which is added to them.
-  void (*blend_whole)(const std::int16_t* weights, std::int16_t share, std::int16_t* whole);
+  /// kDetailWindow weights and a share of as many that follow, to the nearest.
+  void (*blend_whole)(const float* weights, float share, std::int16_t* whole);
   /// Those of rows from an even one on, times 2^shift, each at its row modulo 16 among zeros.
   void (*place_entry_weights)(const std::int16_t* whole, int first_row, int shift,
                               std::int32_t* of_entry);
@@ -60,6 +94,7 @@ struct PoseKernels {
   /// after the last are read, too.
   void (*add_entries)(const EntryRun&, std::int32_t* whole);
   void (*make_columns)(const PartRows&);
+  void (*lift)(const LiftPart&);
   /// `around`: 8 quaternions before, 8 after; null: none.
   void (*turn)(const RotorGroup&, const float* columns, const float* around, RotorQuaternions& out);
   /// Writes one quaternion w x y z each to 4 floats, of as many joints of a group as there are:

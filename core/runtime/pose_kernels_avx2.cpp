@@ -8,6 +8,8 @@
 
 #include <cstring>
 
+#include "core/codec/format/interpolation.h"
+
 #define MOCAPRESS_POSES_AVX2 __attribute__((target("avx2")))
 
 namespace mocapress::runtime::avx2_poses_of {
@@ -109,6 +111,25 @@ struct PairWeights {
   }
 };
 
+/// A row of those that lie in each other, with its bias.
+template <RowKind kKind>
+__attribute__((target("avx2"), always_inline)) inline Wholes row_of(const std::byte* bundle,
+                                                                    int row) {
+  if constexpr (kKind == RowKind::Crumbs || kKind == RowKind::Nibbles) {
+    constexpr int kBits = kKind == RowKind::Crumbs ? 2 : 4;
+    const __m256i bytes =
+        _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(bundle)));
+    return {_mm256_and_si256(_mm256_srl_epi32(bytes, _mm_cvtsi32_si128(kBits * row)),
+                             _mm256_set1_epi32((1 << kBits) - 1))};
+  } else {
+    const __m256i both =
+        kKind == RowKind::Bytes
+            ? _mm256_cvtepi8_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(bundle)))
+            : _mm256_loadu_si256(reinterpret_cast<const __m256i*>(bundle));
+    return {_mm256_srai_epi32(_mm256_sll_epi32(both, _mm_cvtsi32_si128(16 - 16 * row)), 16)};
+  }
+}
+
 MOCAPRESS_POSES_AVX2 inline Wholes bits_less(const Floats& floats, std::uint32_t less) {
   return {_mm256_sub_epi32(_mm256_castps_si256(floats.lanes),
                            _mm256_set1_epi32(static_cast<int>(less)))};
@@ -147,13 +168,6 @@ struct Quadrants {
     return sign_of(_mm256_castsi256_ps(_mm256_slli_epi32(quarters, 30)));
   }
 };
-
-MOCAPRESS_POSES_AVX2 void blend_whole(const std::int16_t* weights, std::int16_t share,
-                                      std::int16_t* whole) {
-  const auto* const from = reinterpret_cast<const __m128i*>(weights);
-  const __m128i more = _mm_mulhrs_epi16(_mm_loadu_si128(from + 1), _mm_set1_epi16(share));
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(whole), _mm_add_epi16(_mm_loadu_si128(from), more));
-}
 
 MOCAPRESS_POSES_AVX2 void place_entry_weights(const std::int16_t* whole, int first_row, int shift,
                                               std::int32_t* of_entry) {
@@ -228,6 +242,7 @@ const PoseKernels kAvx2Poses = {.make_whole = avx2_poses_of::make_whole,
                                 .place_entry_weights = avx2_poses_of::place_entry_weights,
                                 .add_entries = avx2_poses_of::add_entries,
                                 .make_columns = avx2_poses_of::make_columns,
+                                .lift = avx2_poses_of::lift,
                                 .turn = avx2_poses_of::turn,
                                 .put_quaternions = avx2_poses_of::put_quaternions};
 

@@ -10,6 +10,7 @@
 #include "core/codec/format/end_poses.h"
 #include "core/codec/format/joint_model.h"
 #include "core/runtime/instant_weights.h"
+#include "core/runtime/pose_cursor.h"
 #include "core/runtime/row_kernels.h"
 
 namespace mocapress::runtime {
@@ -34,8 +35,9 @@ struct Groups {
 
 class Sampler {
  public:
-  Sampler(const mcpr_cooked& clip, const PoseKernels& kernels, const mcpr_sample_request& request)
-      : clip_(clip), kernels_(kernels), request_(request) {
+  Sampler(const mcpr_cooked& clip, const PoseKernels& kernels, const mcpr_sample_request& request,
+          mcpr_cursor* cursor)
+      : clip_(clip), kernels_(kernels), request_(request), cursor_(cursor) {
     for (int p = 0; p < clip.parts; ++p)
       kept_bands_ = std::max<int>(kept_bands_, clip.part(p).kept_bands);
     for (int p = 0; p < clip.parts; ++p) wanted_samples_ |= 1U << clip.part(p).kept_bands;
@@ -178,11 +180,12 @@ class Sampler {
     const SegmentLayout layout = clip_.layout();
     const int before = std::min(static_cast<int>(frame), layout.frames - 1);
     const float share = before + 1 < layout.frames ? static_cast<float>(frame - before) : 0.0F;
-    if (clip_.segments == 1) {
-      make_segment(0, before, share, columns_);
-    } else if (const SegmentLayout::Stretch stretch = layout.stretch_at(before);
-               stretch.shared < 0 && (share == 0 || stretch.frames > 1)) {
-      make_segment(stretch.segment, before, share, columns_);
+    if (const SegmentLayout::Stretch stretch = layout.stretch_at(before);
+        stretch.shared < 0 && (share == 0 || stretch.frames > 1)) {
+      if (cursor_ != nullptr && cursor_->keep(kernels_, before, share > 0))
+        blend_kept(before, share);
+      else
+        make_segment(stretch.segment, before, share, columns_);
     } else {
       make_frame(before, columns_);
       if (share > 0) {
@@ -192,6 +195,17 @@ class Sampler {
       }
     }
     add_ends(before, share);
+  }
+
+  void blend_kept(int frame, float share) {
+    const float* const at = cursor_->frame(frame);
+    if (share == 0) {
+      std::memcpy(columns_, at, sizeof *at * kGroup * clip_.row_groups);
+      return;
+    }
+    const float* const next = cursor_->frame(frame + 1);
+    for (std::uint32_t c = 0; c < kGroup * clip_.row_groups; ++c)
+      columns_[c] = at[c] + share * (next[c] - at[c]);
   }
 
   /// How much of what an end lacks goes to a frame.
@@ -359,6 +373,7 @@ class Sampler {
   const mcpr_cooked& clip_;
   const PoseKernels& kernels_;
   const mcpr_sample_request& request_;
+  mcpr_cursor* const cursor_;
   int kept_bands_ = 0;
   unsigned wanted_samples_ = 0;       // a bit for each number of bands that a part keeps
   std::bitset<kMostGroups> wanted_;   // where there is a list of joints
@@ -404,8 +419,8 @@ std::size_t values_of_joint(mcpr_layout layout) {
 }
 
 void sample(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInClip& place,
-            const mcpr_sample_request& request, float* out) {
-  Sampler(clip, kernels, request).run(place, out);
+            const mcpr_sample_request& request, float* out, mcpr_cursor* cursor) {
+  Sampler(clip, kernels, request, cursor).run(place, out);
 }
 
 }  // namespace mocapress::runtime

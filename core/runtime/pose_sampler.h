@@ -22,7 +22,8 @@ PlaceInClip place_in_clip(const mcpr_cooked& clip, const mcpr_sample_request& re
 std::size_t values_of_joint(mcpr_layout layout);
 
 /// `out`: of all joints of the clip or, where there is a list, of those in it.
+/// `cursor`: of the clip, or null.
 void sample(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInClip& place,
-            const mcpr_sample_request& request, float* out);
+            const mcpr_sample_request& request, float* out, mcpr_cursor* cursor = nullptr);
 
 }  // namespace mocapress::runtime

@@ -108,8 +108,8 @@ std::pair<double, double> median_us(int calls, const Theirs& theirs, const Ours&
   return {middle(of_theirs), middle(of_ours)};
 }
 
-/// Local transforms of all joints, one thread: at a random instant, forwards at 60 Hz; and opening
-/// what lies in memory. ACL at a precision, ours at equal shell RMS.
+/// Local transforms of all joints, one thread: at a random instant, forwards at 60 Hz (ours through
+/// a cursor); and opening what lies in memory. ACL at a precision, ours at equal shell RMS.
 Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
   constexpr int kInstants = 500;
   const Encoding encoding = encode(encoder, Weighting::Shell, {Target::Kind::Error, shell_rms});
@@ -127,17 +127,20 @@ Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
   std::vector<double> forwards(kInstants);
   for (int i = 0; i < kInstants; ++i)
     forwards[static_cast<std::size_t>(i)] = std::fmod(i / 60.0, duration);
-  const auto of_both = [&](const std::vector<double>& instants) {
+  const AlignedBytes cursor_memory(mcpr_cursor_bytes(cooked.clip));
+  mcpr_cursor* cursor = nullptr;
+  mcpr_make_cursor(cooked.clip, cursor_memory.data(), cursor_memory.size(), &cursor);
+  const auto of_both = [&](const std::vector<double>& instants, const auto& ours) {
+    const auto at = [&](int i) { return instants[static_cast<std::size_t>(i)]; };
     return median_us(
-        kInstants,
-        [&](int i) { acl.sample(static_cast<float>(instants[static_cast<std::size_t>(i)])); },
-        [&](int i) {
-          mcpr_sample(cooked.clip, &request, instants[static_cast<std::size_t>(i)], out.data());
-        });
+        kInstants, [&](int i) { acl.sample(static_cast<float>(at(i))); },
+        [&](int i) { ours(at(i)); });
   };
   acl.open();
-  const auto [acl_pose, pose] = of_both(at_random);
-  const auto [acl_play, play] = of_both(forwards);
+  const auto [acl_pose, pose] =
+      of_both(at_random, [&](double at) { mcpr_sample(cooked.clip, &request, at, out.data()); });
+  const auto [acl_play, play] =
+      of_both(forwards, [&](double at) { mcpr_sample_next(cursor, &request, at, out.data()); });
   const mcpr_cooked* clip = nullptr;
   const auto [acl_open, open] = median_us(
       kInstants, [&](int) { acl.open(); },

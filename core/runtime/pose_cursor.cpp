@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "core/runtime/pose_cursor.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/codec/format/interpolation.h"
+
+namespace mocapress::runtime {
+namespace {
+
+/// What samples of a signal of so many come from, going backwards through a level.
+LiftLevel level_below(Wavelet wavelet, int length, RowRange samples) {
+  LiftLevel level{.wavelet = wavelet,
+                  .even_count = evens_in(length),
+                  .odd_count = odds_in(length),
+                  .samples = samples};
+  const RowRange odds{samples.first >> 1, samples.end >> 1};
+  RowRange evens{(samples.first + 1) >> 1, (samples.end + 1) >> 1};
+  if (odds.first < odds.end) {
+    const Neighbours first = neighbours_of(wavelet, odds.first, level.even_count);
+    const Neighbours last = neighbours_of(wavelet, odds.end - 1, level.even_count);
+    evens = {std::min(evens.first, first.first), std::max(evens.end, last.first + last.count)};
+  }
+  level.evens = evens;
+  level.details = {std::clamp(std::min(odds.first, evens.first - 1), 0, level.odd_count - 1),
+                   std::min(std::max(odds.end, evens.end), level.odd_count)};
+  return level;
+}
+
+/// The entries of a band in rows of their own.
+void spread_entries(const mcpr_cooked& clip, const CookedEntries& entries, RowRange rows,
+                    int row_columns, std::int32_t* out) {
+  const auto* const begins = clip.at<std::uint16_t>(entries.begins);
+  const std::uint16_t* const all = begins + entries.blocks + 1;
+  const int end = std::min(((rows.end - 1) >> entries.log2_rows) + 1, int{entries.blocks});
+  for (int block = rows.first >> entries.log2_rows; block < end; ++block) {
+    const int first = block << entries.log2_rows;
+    for (int i = begins[block]; i < begins[block + 1]; ++i) {
+      const int bits = static_cast<std::int16_t>(all[i]);
+      const int row = first + (((bits >> kColumnBits) - first) & ((1 << kRowBits) - 1));
+      if (row < rows.first || row >= rows.end) continue;
+      out[(row - rows.first) * row_columns + (bits & ((1 << kColumnBits) - 1))] +=
+          bits >> (kColumnBits + kRowBits);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mocapress::runtime
+
+namespace runtime = mocapress::runtime;
+
+int mcpr_cursor::capacity_for(const mcpr_cooked& clip) {
+  const int columns = runtime::kGroup * static_cast<int>(clip.row_groups);
+  if (columns == 0) return 0;
+  const int fitting = static_cast<int>(kMostBytes - 32) / (4 * columns);
+  return fitting < kFewestFrames ? 0 : std::min(fitting, runtime::kMostLiftedFrames);
+}
+
+std::size_t mcpr_cursor::bytes_for(const mcpr_cooked& clip) {
+  return 32 + sizeof(float) * static_cast<std::size_t>(runtime::kGroup) * clip.row_groups *
+                  static_cast<std::size_t>(capacity_for(clip));
+}
+
+bool mcpr_cursor::keep(const runtime::PoseKernels& kernels, int number, bool and_next) {
+  const int end = number + (and_next ? 2 : 1);
+  if (number >= first && end <= first + count) return true;
+  if (capacity == 0) return false;
+  const runtime::SegmentLayout layout = clip->layout();
+  const runtime::SegmentLayout::Stretch stretch = layout.stretch_at(number);
+  // Backwards from frames that are kept it goes on before them.
+  const bool is_backwards = count > 0 && number < first && number + capacity > first;
+  const int first_of_stretch =
+      layout.first(stretch.segment) + (stretch.segment > 0 ? layout.overlap : 0);
+  first = is_backwards ? std::max(end - capacity, first_of_stretch) : number;
+  count = std::min(capacity, number + stretch.frames - first);
+  fill(kernels, stretch.segment);
+  return true;
+}
+
+void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment) {
+  using namespace runtime;
+  const SegmentLayout layout = clip->layout();
+  LiftLevel levels[kMostKeptBands];
+  // Rows of entries of all levels: half of the frames, half of these ..., and some around them.
+  constexpr int kMostEntryValues =
+      static_cast<int>(kMostBytes / 4) +
+      6 * kMostKeptBands * static_cast<int>(kMostBytes / 4 / kFewestFrames);
+  alignas(32) std::int32_t entries[kMostEntryValues];
+  std::int32_t* next = entries;
+  int length = layout.frames_of(segment);
+  int level_count = 0;
+  RowRange range{first - layout.first(segment), first - layout.first(segment) + count};
+  RowRange samples[kMostKeptBands + 1] = {range};
+  for (; level_count < kMostKeptBands && length >= kCoarsest; length = evens_in(length)) {
+    LiftLevel& level = levels[level_count];
+    level = level_below(clip->wavelet, length, samples[level_count]);
+    const int values = (level.details.end - level.details.first) * columns;
+    level.entries = next;
+    std::fill_n(next, values, 0);
+    for (int e = 0; e < clip->entry_parts(); ++e) {
+      const CookedEntries& band = clip->entries_of(segment, e, level_count);
+      if (band.blocks > 0)
+        spread_entries(*clip, band, level.details, columns, next + kGroup * kMostGroupsOfPart * e);
+    }
+    next += values;
+    samples[++level_count] = level.evens;
+  }
+  float* const frames = const_cast<float*>(frame(first));
+  for (int p = 0; p < clip->parts; ++p) {
+    const CookedPart& part = clip->part(p);
+    const CookedRows& rows = clip->rows_of(segment, p);
+    const int kept = std::min<int>(part.kept_bands, level_count);
+    LiftPart lift{.levels = levels,
+                  .level_count = kept,
+                  .bands = clip->at<CookedBand>(rows.bands),
+                  .clip = clip->at<std::byte>(std::uint32_t{0}),
+                  .samples = clip->at<std::byte>(rows.samples),
+                  .sample_rows = samples[kept],
+                  .scales = clip->at<float>(rows.scales),
+                  .groups = part.groups,
+                  .wide = part.wide_samples != 0,
+                  .first_column = kGroup * part.first_group,
+                  .row_columns = columns,
+                  .frames = frames};
+    kernels.lift(lift);
+  }
+}

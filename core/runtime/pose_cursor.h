@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// For forward play: the columns of some frames in a row, made by the inverse transform itself. What
+// comes out is a function of the frame alone, whatever was asked for before.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/runtime/cooked_clip.h"
+#include "core/runtime/pose_kernels.h"
+
+struct mcpr_cursor {
+  static constexpr std::size_t kMostBytes = 4096;
+  static constexpr int kFewestFrames = 4;  // for fewer it is not worth it
+
+  const mcpr_cooked* clip;
+  std::int32_t first;     // frame that is kept
+  std::int32_t count;     // of frames that are kept
+  std::int32_t capacity;  // frames; 0: none is kept
+  std::int32_t columns;   // of each
+  // Then floats, frame after frame, 32 bytes from the beginning.
+
+  /// Frames that fit.
+  static int capacity_for(const mcpr_cooked& clip);
+  static std::size_t bytes_for(const mcpr_cooked& clip);
+
+  const float* frame(int number) const {
+    return reinterpret_cast<const float*>(reinterpret_cast<const std::byte*>(this) + 32) +
+           std::ptrdiff_t{number - first} * columns;
+  }
+
+  /// Sees to it that a frame is kept, and the next one if it is wanted too. They are not among
+  /// those that two segments share. False: it keeps none.
+  bool keep(const mocapress::runtime::PoseKernels& kernels, int number, bool and_next);
+
+ private:
+  void fill(const mocapress::runtime::PoseKernels& kernels, int segment);
+};
