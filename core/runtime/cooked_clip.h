@@ -107,7 +107,8 @@ struct RotorGroup {
   std::uint8_t first_axis[3] = {};   // a bit for each joint whose first axis is x, y, z
   std::uint8_t second_axis[3] = {};  // the same of the second; the third is what is left
   std::uint16_t padding = 0;
-  TableOffset around;  // 8 quaternions before, then 8 after (w x y z, each for all); 0: identities
+  // 8 quaternions before, then 8 after (w x y z, each for all); 0: identities
+  TableOffset around = {};
   static constexpr std::uint16_t kNoJoint = 0xFFFF;
 };
 

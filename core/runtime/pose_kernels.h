@@ -23,13 +23,13 @@ struct DenseRows {
 /// What the columns of a part are made of: offset + (sums of samples) * scale +
 /// (sums of details) * unit * step.
 struct PartRows {
-  DenseRows details[kMostKeptBands];  // the finest first
-  const std::int32_t* entries;        // what they add up to
-  const std::byte* samples;           // of the first of kSampleWindow
-  std::ptrdiff_t stride;              // bytes of a row of samples
-  const float* weights;               // kSampleWindow
-  const float* scales;                // offset of each column, then scale, then step, an array each
-  int columns_of_part;                // of each of these arrays
+  DenseRows details[kMostKeptBands] = {};  // the finest first
+  const std::int32_t* entries;             // what they add up to
+  const std::byte* samples;                // of the first of kSampleWindow
+  std::ptrdiff_t stride;                   // bytes of a row of samples
+  const float* weights;                    // kSampleWindow
+  const float* scales;  // offset of each column, then scale, then step, an array each
+  int columns_of_part;  // of each of these arrays
   int groups;
   float unit;
   bool wide;  // samples are floats, not 16 bits
@@ -53,9 +53,9 @@ struct LiftLevel {
   Wavelet wavelet = Wavelet::Haar;
   int even_count = 0;  // of the whole signal
   int odd_count = 0;
-  RowRange samples;
-  RowRange evens;
-  RowRange details;
+  RowRange samples = {};
+  RowRange evens = {};
+  RowRange details = {};
   const std::int32_t* entries = nullptr;  // what they add to the details, rows of all columns
 };
 
