@@ -12,6 +12,7 @@
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/number_text.h"
 
 namespace mocapress::cli {
 namespace {
@@ -97,9 +98,9 @@ void list_bank(const std::string& path, bool json) {
       const BankClip described = bank.describe(clip);
       std::string tags;
       for (const std::string& tag : described.tags) tags += "  " + tag;
-      std::fprintf(stderr, "%-32s %9llu bytes %7d frames at %g Hz%s\n", described.name.c_str(),
+      std::fprintf(stderr, "%-32s %9llu bytes %7d frames at %s Hz%s\n", described.name.c_str(),
                    static_cast<unsigned long long>(described.bytes), described.frames,
-                   described.sample_rate_hz, tags.c_str());
+                   significant_text(described.sample_rate_hz, 6).c_str(), tags.c_str());
     }
     return;
   }
