@@ -319,8 +319,8 @@ mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_requ
 /* ---------------------------------------------------------------- banks */
 
 /* Many clips in one file, .mcpk: their skeletons, tags and names stand once. In a packed bank each
- * clip is read as its file would be, by mcpk_read; in a cooked one each is used as it lies there, by
- * mcpk_cooked. The bank is the bytes of its file, aligned to MCPR_ALIGNMENT, in memory or mapped
+ * clip is read as its file would be, by mcpk_read; in a cooked one each is used as it lies there,
+ * by mcpk_cooked. The bank is the bytes of its file, aligned to MCPR_ALIGNMENT, in memory or mapped
  * from disk; they stay there as long as it is used. Clips are numbered in the order of their names,
  * byte by byte. Any number of threads may use a bank. */
 typedef struct mcpk_bank mcpk_bank;
@@ -347,7 +347,8 @@ mcpk_info mcpk_describe(const mcpk_bank* bank);
 /* The clip of that name; -1: there is none. Compares about log2(clips) names. */
 int32_t mcpk_find(const mcpk_bank* bank, const char* name);
 
-/* Puts a clip's name where there is room for MCPK_NAME_BYTES. Its length; 0: there is no such clip. */
+/* Puts a clip's name where there is room for MCPK_NAME_BYTES. Its length; 0: there is no such clip.
+ */
 size_t mcpk_name(const mcpk_bank* bank, uint32_t clip, char* name);
 
 /* A clip's tags, from number 0 on; null: it has no more. */

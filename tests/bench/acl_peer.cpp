@@ -178,6 +178,25 @@ void AclClip::open() {
   if (parts_->writer.joints.empty()) parts_->writer.joints = parts_->bind;
 }
 
+struct AclPlayer::State {
+  AclClip::Parts::Context context;
+  PoseWriter writer;
+};
+
+AclPlayer::AclPlayer(const AclClip& clip) : state_(std::make_unique<State>()) {
+  if (!state_->context.initialize(*clip.parts_->compressed))
+    throw Error("ACL: cannot open what it wrote");
+  state_->writer.joints = clip.parts_->bind;
+}
+
+AclPlayer::AclPlayer(AclPlayer&&) noexcept = default;
+AclPlayer::~AclPlayer() = default;
+
+void AclPlayer::sample(float seconds) {
+  state_->context.seek(seconds, acl::sample_rounding_policy::none);
+  state_->context.decompress_tracks(state_->writer);
+}
+
 void AclClip::sample(float seconds) {
   parts_->context->seek(seconds, acl::sample_rounding_policy::none);
   parts_->context->decompress_tracks(parts_->writer);

@@ -31,8 +31,23 @@ class AclClip {
   void sample(float seconds);
 
  private:
+  friend class AclPlayer;
   struct Parts;
   std::unique_ptr<Parts> parts_;
+};
+
+/// Samples a clip for one thread, with a context that is kept; the clip must outlive it.
+class AclPlayer {
+ public:
+  explicit AclPlayer(const AclClip& clip);
+  AclPlayer(AclPlayer&&) noexcept;
+  ~AclPlayer();
+
+  void sample(float seconds);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace mocapress

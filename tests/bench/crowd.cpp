@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// A crowd: characters that each play a clip of a bank, at an instant of their own, on all cores.
+// Local transforms of all joints, beside ACL with the same clips at precision 0.1 cm, ours at equal
+// shell RMS and in one cooked bank that is mapped from disk. Both take turns in this run, so that
+// what else the machine does slows both down; medians are printed. ACL has a context for each clip
+// and thread that is made beforehand and not counted; ours needs none.
+// Then ours by the level of detail: all joints of those within 10 m, without the outermost ones
+// within 30 m, beyond that only those with four joints below them. Characters stand anywhere in a
+// square of 100 m.
+// Usage: mocapress-crowd CLIP|FOLDER... [--every N] [--characters N] [--rounds N]
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/bank/bank.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/random.h"
+#include "core/codec/encode/encoder.h"
+#include "core/codec/format/container.h"
+#include "core/formats/motion_file.h"
+#include "core/metrics/distortion.h"
+#include "core/motion/body_tracks.h"
+#include "tests/bench/acl_peer.h"
+#include "tests/bench/study_clips.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr double kPrecision = 0.1;  // cm, ACL's
+
+struct Character {
+  std::uint32_t clip = 0;
+  float seconds = 0;
+  int detail = 0;  // 0: all joints
+};
+
+/// Which joints of a clip are sampled at each level of detail.
+struct Detail {
+  std::vector<std::uint16_t> joints[3];
+};
+
+/// Joints below each, itself counted.
+Detail detail_of(const mcpk_bank* bank, std::uint32_t clip, std::uint32_t joints) {
+  std::vector<int> below(joints, 1);
+  std::vector<int> parents(joints);
+  for (std::uint32_t j = 0; j < joints; ++j) {
+    mcpr_joint joint{};
+    mcpk_joint(bank, clip, j, &joint);
+    parents[j] = joint.parent;
+  }
+  for (std::uint32_t j = joints; j-- > 0;)
+    if (parents[j] >= 0) below[static_cast<std::size_t>(parents[j])] += below[j];
+  Detail detail;
+  constexpr int kFewest[] = {1, 2, 5};
+  for (int level = 0; level < 3; ++level)
+    for (std::uint32_t j = 0; j < joints; ++j)
+      if (below[j] >= kFewest[level]) detail.joints[level].push_back(static_cast<std::uint16_t>(j));
+  return detail;
+}
+
+/// All characters once, on all cores: seconds.
+template <typename Pose>
+double pose_all(const std::vector<Character>& crowd, unsigned threads, const Pose& pose) {
+  constexpr std::size_t kAtATime = 64;
+  std::atomic<std::size_t> next{0};
+  const auto work = [&](unsigned thread) {
+    for (std::size_t first; (first = next.fetch_add(kAtATime)) < crowd.size();)
+      for (std::size_t c = first; c < std::min(first + kAtATime, crowd.size()); ++c)
+        pose(thread, crowd[c]);
+  };
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<std::thread> workers;
+  for (unsigned t = 1; t < threads; ++t) workers.emplace_back(work, t);
+  work(0);
+  for (std::thread& worker : workers) worker.join();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double middle(std::vector<double> values) {
+  std::ranges::nth_element(values, values.begin() + std::ssize(values) / 2);
+  return values[values.size() / 2];
+}
+
+struct Crowd {
+  std::vector<fs::path> clips;
+  int every = 1;
+  std::size_t characters = 10000;
+  int rounds = 25;
+
+  Json run() const;
+};
+
+Json Crowd::run() const {
+  const fs::path folder = fs::temp_directory_path() / "mocapress-crowd";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  std::vector<std::unique_ptr<AclClip>> theirs;
+  std::vector<BankSource> sources;
+  std::vector<double> durations;
+  std::size_t acl_bytes = 0;
+  for (const fs::path& path : clips) {
+    const Motion motion = thinned(read_motion(path).motion, every);
+    if (motion.clip.frames() < 2) continue;
+    const Encoder encoder(motion);
+    auto acl = std::make_unique<AclClip>(motion, kPrecision);
+    const double shell_rms =
+        measure(motion.skeleton, encoder.original_body(), acl->tracks(motion.skeleton)).shell.rms;
+    const Encoding encoding = encoder.encode({.method = Method::ClosedLoop,
+                                              .weighting = Weighting::Shell,
+                                              .target = {Target::Kind::Error, shell_rms}});
+    acl_bytes += acl->bytes();
+    theirs.push_back(std::move(acl));
+    char name[16];
+    std::snprintf(name, sizeof name, "%06zu", sources.size());
+    sources.push_back({name, folder / (std::string(name) + ".mcpr"), {}});
+    write_bytes(sources.back().file, write_container(encoding.compressed));
+    durations.push_back((motion.clip.frames() - 1) / motion.clip.sample_rate_hz);
+  }
+  make_bank(folder / "packed.mcpk", sources, {});
+  make_bank(folder / "cooked.mcpk", sources,
+            {.form = runtime::BankForm::Cooked, .tags = {}, .texts = {}});
+  const BankFile packed(folder / "packed.mcpk");
+  const MappedFile file(folder / "cooked.mcpk");
+  const mcpk_bank* bank = nullptr;
+  if (mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank).status != MCPR_OK)
+    throw Error("the bank does not open");
+
+  std::vector<const mcpr_cooked*> ours(sources.size());
+  std::vector<Detail> details;
+  std::size_t most_joints = 0;
+  for (std::uint32_t c = 0; c < ours.size(); ++c) {
+    mcpk_cooked(bank, c, &ours[c]);
+    const std::uint32_t joints = mcpr_cooked_describe(ours[c]).joints;
+    details.push_back(detail_of(bank, c, joints));
+    most_joints = std::max<std::size_t>(most_joints, joints);
+  }
+  const unsigned threads = std::max(std::thread::hardware_concurrency(), 1U);
+  std::vector<std::vector<AclPlayer>> players(threads);
+  for (auto& of_thread : players)
+    for (const auto& clip : theirs) of_thread.emplace_back(*clip);
+  std::vector<std::vector<float>> poses(threads, std::vector<float>(8 * most_joints));
+
+  std::vector<double> acl_seconds;
+  std::vector<double> our_seconds;
+  std::vector<double> detail_seconds;
+  double sampled_joints[2] = {};
+  Random random(16);
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<Character> crowd(characters);
+    for (Character& character : crowd) {
+      character.clip = static_cast<std::uint32_t>(random.below(ours.size()));
+      character.seconds = static_cast<float>(durations[character.clip] * random.unit());
+      const double away = 100 * std::hypot(random.unit() - 0.5, random.unit() - 0.5);  // m
+      character.detail = away < 10 ? 0 : away < 30 ? 1 : 2;
+      sampled_joints[0] += static_cast<double>(details[character.clip].joints[0].size());
+      sampled_joints[1] +=
+          static_cast<double>(details[character.clip].joints[character.detail].size());
+    }
+    acl_seconds.push_back(pose_all(crowd, threads, [&](unsigned t, const Character& c) {
+      players[t][c.clip].sample(c.seconds);
+    }));
+    our_seconds.push_back(pose_all(crowd, threads, [&](unsigned t, const Character& c) {
+      const mcpr_sample_request request{.unit = MCPR_SECONDS};
+      mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data());
+    }));
+    detail_seconds.push_back(pose_all(crowd, threads, [&](unsigned t, const Character& c) {
+      mcpr_sample_request request{.unit = MCPR_SECONDS};
+      if (c.detail > 0) {
+        request.joints = details[c.clip].joints[c.detail].data();
+        request.joint_count = static_cast<std::uint32_t>(details[c.clip].joints[c.detail].size());
+      }
+      mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data());
+    }));
+  }
+  const auto per_second = [&](const std::vector<double>& seconds) {
+    return static_cast<double>(characters) / middle(seconds);
+  };
+  const auto count = static_cast<double>(characters);
+  return {
+      {"clips", ours.size()},
+      {"characters", characters},
+      {"threads", threads},
+      {"rounds", rounds},
+      {"acl_poses_per_second", per_second(acl_seconds)},
+      {"poses_per_second", per_second(our_seconds)},
+      {"poses_to_acl", per_second(our_seconds) / per_second(acl_seconds)},
+      {"detail_poses_per_second", per_second(detail_seconds)},
+      {"detail_joints_share", sampled_joints[1] / sampled_joints[0]},
+      {"acl_bytes", acl_bytes},
+      {"cooked_bytes", bank->bytes},
+      {"packed_bytes", packed.bank().bytes},
+      {"acl_bytes_a_character", static_cast<double>(acl_bytes) / count},
+      {"cooked_bytes_a_character", static_cast<double>(bank->bytes) / count},
+      {"cooked_to_acl_bytes", static_cast<double>(bank->bytes) / static_cast<double>(acl_bytes)}};
+}
+
+}  // namespace
+}  // namespace mocapress
+
+int main(int argc, char** argv) {
+  mocapress::Crowd crowd;
+  for (int a = 1; a < argc; ++a) {
+    const std::string word = argv[a];
+    if (word == "--every" && a + 1 < argc)
+      crowd.every = std::atoi(argv[++a]);
+    else if (word == "--characters" && a + 1 < argc)
+      crowd.characters = static_cast<std::size_t>(std::atoi(argv[++a]));
+    else if (word == "--rounds" && a + 1 < argc)
+      crowd.rounds = std::atoi(argv[++a]);
+    else
+      for (const auto& clip : mocapress::clips_of(word)) crowd.clips.push_back(clip);
+  }
+  if (crowd.clips.empty() || crowd.every < 1 || crowd.characters < 1 || crowd.rounds < 1) {
+    std::fprintf(stderr,
+                 "mocapress-crowd CLIP|FOLDER... [--every N] [--characters N] [--rounds N]\n");
+    return 2;
+  }
+  try {
+    std::cout << crowd.run().dump(1) << std::endl;
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "mocapress-crowd: %s\n", error.what());
+    return 1;
+  }
+}
