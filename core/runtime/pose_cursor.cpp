@@ -23,8 +23,9 @@ LiftLevel level_below(Wavelet wavelet, int length, RowRange samples) {
     evens = {std::min(evens.first, first.first), std::max(evens.end, last.first + last.count)};
   }
   level.evens = evens;
-  level.details = {std::clamp(std::min(odds.first, evens.first - 1), 0, level.odd_count - 1),
-                   std::min(std::max(odds.end, evens.end), level.odd_count)};
+  // From an even row to an odd one.
+  level.details = {std::clamp(std::min(odds.first, evens.first - 1), 0, level.odd_count - 1) & ~1,
+                   (std::min(std::max(odds.end, evens.end), level.odd_count) + 1) & ~1};
   return level;
 }
 
@@ -86,14 +87,17 @@ void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment) {
   // Rows of entries of all levels: half of the frames, half of these ..., and some around them.
   constexpr int kMostEntryValues =
       static_cast<int>(kMostBytes / 4) +
-      6 * kMostKeptBands * static_cast<int>(kMostBytes / 4 / kFewestFrames);
+      8 * kMostKeptBands * static_cast<int>(kMostBytes / 4 / kFewestFrames);
   alignas(32) std::int32_t entries[kMostEntryValues];
   std::int32_t* next = entries;
   int length = layout.frames_of(segment);
   int level_count = 0;
   RowRange range{first - layout.first(segment), first - layout.first(segment) + count};
   RowRange samples[kMostKeptBands + 1] = {range};
-  for (; level_count < kMostKeptBands && length >= kCoarsest; length = evens_in(length)) {
+  int most_levels = 0;
+  for (int p = 0; p < clip->parts; ++p)
+    most_levels = std::max<int>(most_levels, clip->part(p).kept_bands);
+  for (; level_count < most_levels && length >= kCoarsest; length = evens_in(length)) {
     LiftLevel& level = levels[level_count];
     level = level_below(clip->wavelet, length, samples[level_count]);
     const int values = (level.details.end - level.details.first) * columns;

@@ -137,21 +137,33 @@ struct PairWeights {
   }
 };
 
-/// A row of those that lie in each other, with its bias.
+struct RowPair {
+  Wholes first;
+  Wholes second;
+};
+
+/// Two rows of those that lie in each other, with their bias; of crumbs from a bit on.
 template <RowKind kKind>
-Wholes row_of(const std::byte* bundle, int row) {
-  Wholes out;
+RowPair pair_of(const std::byte* bundle, int bit) {
+  RowPair out;
   for (int i = 0; i < kGroup; ++i) {
-    std::int32_t value;
-    if constexpr (kKind == RowKind::Crumbs)
-      value = std::to_integer<std::int32_t>(bundle[i]) >> (2 * row) & 3;
-    else if constexpr (kKind == RowKind::Nibbles)
-      value = std::to_integer<std::int32_t>(bundle[i]) >> (4 * row) & 15;
-    else if constexpr (kKind == RowKind::Bytes)
-      value = read_as<std::int8_t>(bundle + 2 * i + row);
-    else
-      value = read_as<std::int16_t>(bundle + 4 * i + 2 * row);
-    out.lane[i] = static_cast<std::uint32_t>(value);
+    std::int32_t first;
+    std::int32_t second;
+    if constexpr (kKind == RowKind::Crumbs || kKind == RowKind::Nibbles) {
+      constexpr int kBits = kKind == RowKind::Crumbs ? 2 : 4;
+      constexpr std::int32_t kMask = (1 << kBits) - 1;
+      const std::int32_t bits = std::to_integer<std::int32_t>(bundle[i]) >> bit;
+      first = bits & kMask;
+      second = bits >> kBits & kMask;
+    } else if constexpr (kKind == RowKind::Bytes) {
+      first = read_as<std::int8_t>(bundle + 2 * i);
+      second = read_as<std::int8_t>(bundle + 2 * i + 1);
+    } else {
+      first = read_as<std::int16_t>(bundle + 4 * i);
+      second = read_as<std::int16_t>(bundle + 4 * i + 2);
+    }
+    out.first.lane[i] = static_cast<std::uint32_t>(first);
+    out.second.lane[i] = static_cast<std::uint32_t>(second);
   }
   return out;
 }

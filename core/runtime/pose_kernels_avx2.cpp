@@ -111,22 +111,28 @@ struct PairWeights {
   }
 };
 
-/// A row of those that lie in each other, with its bias.
+struct RowPair {
+  Wholes first;
+  Wholes second;
+};
+
+/// Two rows of those that lie in each other, with their bias; of crumbs from a bit on.
 template <RowKind kKind>
-__attribute__((target("avx2"), always_inline)) inline Wholes row_of(const std::byte* bundle,
-                                                                    int row) {
+__attribute__((target("avx2"), always_inline)) inline RowPair pair_of(const std::byte* bundle,
+                                                                      int bit) {
   if constexpr (kKind == RowKind::Crumbs || kKind == RowKind::Nibbles) {
     constexpr int kBits = kKind == RowKind::Crumbs ? 2 : 4;
-    const __m256i bytes =
-        _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(bundle)));
-    return {_mm256_and_si256(_mm256_srl_epi32(bytes, _mm_cvtsi32_si128(kBits * row)),
-                             _mm256_set1_epi32((1 << kBits) - 1))};
+    const __m256i mask = _mm256_set1_epi32((1 << kBits) - 1);
+    __m256i bits = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(bundle)));
+    if constexpr (kKind == RowKind::Crumbs) bits = _mm256_srl_epi32(bits, _mm_cvtsi32_si128(bit));
+    return {{_mm256_and_si256(bits, mask)},
+            {_mm256_and_si256(_mm256_srli_epi32(bits, kBits), mask)}};
   } else {
     const __m256i both =
         kKind == RowKind::Bytes
             ? _mm256_cvtepi8_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(bundle)))
             : _mm256_loadu_si256(reinterpret_cast<const __m256i*>(bundle));
-    return {_mm256_srai_epi32(_mm256_sll_epi32(both, _mm_cvtsi32_si128(16 - 16 * row)), 16)};
+    return {{_mm256_srai_epi32(_mm256_slli_epi32(both, 16), 16)}, {_mm256_srai_epi32(both, 16)}};
   }
 }
 
