@@ -20,6 +20,12 @@ constexpr float scale_of_band(int depth) {
   return depth % 2 == 0 ? 16384 : 23170.475F;
 }
 
+/// From the weights of a band's rows to those of its entries, which are added before sums are
+/// halved at every second band.
+constexpr int entry_shift(int depth) {
+  return 2 - (depth - 1) / 2;
+}
+
 /// Samples of a level, as the step backwards wants them: three odd ones from 2 * middle + 1 on,
 /// four even ones from 2 * middle on.
 struct Split {
@@ -232,7 +238,10 @@ void set_band(const PoseKernels& kernels, const RowWeights& from, int rows, int 
   used = kDetailWindow - 1;
   while (used > 0 && weights.weight[used] == 0) --used;
   to.last_used = first + used;
-  kernels.make_whole(weights.weight, scale_of_band(depth) / unit, to.of_row + 2);
+  float scaled[2 * kDetailWindow] = {};
+  for (int i = 0; i < kDetailWindow; ++i)
+    scaled[i] = weights.weight[i] * (scale_of_band(depth) / unit);
+  kernels.set_band(scaled, 0, entry_shift(depth), to);
 }
 
 }  // namespace
@@ -295,7 +304,7 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
       to.first_row = middle - 2 - (middle & 1);
       to.first_used = to.first_row + tables->used[at][0];
       to.last_used = to.first_row + tables->used[at][1];
-      kernels.blend_whole(tables->band[at].at_frame, share, to.of_row + 2);
+      kernels.set_band(tables->band[at].at_frame, share, entry_shift(levels + 1), to);
       row.first = middle - 1;
       ++inside;
       continue;
@@ -308,17 +317,14 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
     for (const float weight : details[levels].weight)
       while (std::abs(weight) > kMostWeight * unit) unit *= 2;
   }
-  for (int b = 0; b < inside && unit > 1; ++b)
-    for (std::int16_t& weight : band[b].of_row)
-      weight = static_cast<std::int16_t>(static_cast<float>(weight) / unit);
+  for (int b = 0; b < inside && unit > 1; ++b) {
+    float weights[2 * kDetailWindow] = {};
+    for (int i = 0; i < kDetailWindow; ++i)
+      weights[i] = static_cast<float>(band[b].of_row[2 + i]) / unit;
+    kernels.set_band(weights, 0, entry_shift(b + 1), band[b]);
+  }
   for (int b = inside; b < levels; ++b)
     set_band(kernels, details[b], rows[b], b + 1, unit, band[b]);
-  for (int b = 0; b < levels; ++b) {
-    const std::int16_t* const whole = band[b].of_row + 2;
-    band[b].sum = 0;
-    for (int i = 0; i < kDetailWindow; ++i) band[b].sum += whole[i];
-    kernels.place_entry_weights(whole, band[b].first_row, 2 - b / 2, band[b].of_entry);
-  }
 }
 
 }  // namespace mocapress::runtime

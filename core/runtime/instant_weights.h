@@ -24,19 +24,6 @@ struct RowWeights {
 void weigh_level(Wavelet wavelet, int length, const RowWeights& samples, RowWeights& evens,
                  RowWeights& details);
 
-/// The weights of a band's rows as whole numbers.
-struct BandWeights {
-  int first_row;   // even
-  int first_used;  // the first that may not be zero, and the last
-  int last_used;
-  // Times 2^15 and, so that none gets lost, once more 2 for every second band from the finest.
-  // Zeros before and after them make up a window of crumbs, which begins at a fourth row.
-  alignas(16) std::int16_t of_row[2 + kDetailWindow + 4] = {};
-  std::int32_t sum;  // of these
-  // Times 2^17, each row's at its number modulo 16; the other rows of blocks have zeros.
-  alignas(32) std::int32_t of_entry[16];
-};
-
 struct SampleWeights {
   int first_row;
   float of_row[kSampleWindow];

@@ -89,11 +89,16 @@ struct Wholes {
     for (int i = 0; i < kGroup; ++i)
       to[i] = static_cast<std::int16_t>(static_cast<std::int32_t>(lane[i]));
   }
-  Wholes halved() const {
+  Wholes halved(int times) const {
     Wholes out;
     for (int i = 0; i < kGroup; ++i)
-      out.lane[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(lane[i]) >> 1);
+      out.lane[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(lane[i]) >> times);
     return out;
+  }
+  std::int32_t sum() const {
+    std::uint32_t sum = 0;
+    for (const std::uint32_t value : lane) sum += value;
+    return static_cast<std::int32_t>(sum);
   }
   Floats to_floats() const {
     Floats out;
@@ -106,6 +111,13 @@ inline Wholes operator+(const Wholes& a, const Wholes& b) {
   Wholes out;
   for (int i = 0; i < kGroup; ++i) out.lane[i] = a.lane[i] + b.lane[i];
   return out;
+}
+
+/// Each at its row modulo 16 among zeros.
+void place_entry_weights(const Wholes& whole, int first_row, int shift, std::int32_t* of_entry) {
+  std::memset(of_entry, 0, 16 * sizeof *of_entry);
+  for (int i = 0; i < kDetailWindow; ++i)
+    of_entry[(first_row + i) & 15] = static_cast<std::int32_t>(whole.lane[i] << shift);
 }
 
 struct PairWeights {
@@ -212,12 +224,6 @@ struct Quadrants {
   }
 };
 
-void place_entry_weights(const std::int16_t* whole, int first_row, int shift,
-                         std::int32_t* of_entry) {
-  std::memset(of_entry, 0, 16 * sizeof *of_entry);
-  for (int i = 0; i < kDetailWindow; ++i) of_entry[(first_row + i) & 15] = whole[i] * (1 << shift);
-}
-
 void add_entries(const EntryRun& run, std::int32_t* whole) {
   constexpr unsigned kColumnMask = (1U << kColumnBits) - 1;
   constexpr unsigned kRowMask = (1U << kRowBits) - 1;
@@ -247,9 +253,7 @@ void put_quaternions(const RotorGroup& group, const RotorQuaternions& quaternion
 
 namespace mocapress::runtime {
 
-const PoseKernels kPlainPoses = {.make_whole = plain_poses::make_whole,
-                                 .blend_whole = plain_poses::blend_whole,
-                                 .place_entry_weights = plain_poses::place_entry_weights,
+const PoseKernels kPlainPoses = {.set_band = plain_poses::set_band,
                                  .add_entries = plain_poses::add_entries,
                                  .make_columns = plain_poses::make_columns,
                                  .lift = plain_poses::lift,

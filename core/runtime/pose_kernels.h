@@ -11,6 +11,19 @@
 
 namespace mocapress::runtime {
 
+/// The weights of a band's rows as whole numbers.
+struct BandWeights {
+  int first_row;   // even
+  int first_used;  // the first that may not be zero, and the last
+  int last_used;
+  std::int32_t sum;  // of `of_row`
+  // Times 2^15 and, so that none gets lost, once more 2 for every second band from the finest.
+  // Zeros before and after them make up a window of crumbs, which begins at a fourth row.
+  alignas(16) std::int16_t of_row[2 + kDetailWindow + 4] = {};
+  // Times 2^17, each row's at its number modulo 16; the other rows of blocks have zeros.
+  alignas(32) std::int32_t of_entry[16];
+};
+
 /// The rows of a dense band that meet at an instant, bundle by bundle, each of all groups.
 struct DenseRows {
   RowKind kind = RowKind::None;
@@ -83,13 +96,9 @@ struct RotorQuaternions {
 };
 
 struct PoseKernels {
-  /// kDetailWindow weights times a scale, to the nearest.
-  void (*make_whole)(const float* weights, float scale, std::int16_t* whole);
-  /// kDetailWindow weights and a share of as many that follow, to the nearest.
-  void (*blend_whole)(const float* weights, float share, std::int16_t* whole);
-  /// Those of rows from an even one on, times 2^shift, each at its row modulo 16 among zeros.
-  void (*place_entry_weights)(const std::int16_t* whole, int first_row, int shift,
-                              std::int32_t* of_entry);
+  /// A band's weights and a share of as many that follow, times the scale of the band; its rows are
+  /// set already. Those of entries are times 2^shift.
+  void (*set_band)(const float* weights, float share, int shift, BandWeights&);
   /// Adds each entry's value times its row's weight to its column. Up to kEntriesBeyond entries
   /// after the last are read, too.
   void (*add_entries)(const EntryRun&, std::int32_t* whole);

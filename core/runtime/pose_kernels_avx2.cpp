@@ -75,12 +75,35 @@ struct Wholes {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to),
                      _mm_packs_epi32(low, _mm256_extracti128_si256(lanes, 1)));
   }
-  MOCAPRESS_POSES_AVX2 Wholes halved() const { return {_mm256_srai_epi32(lanes, 1)}; }
+  MOCAPRESS_POSES_AVX2 Wholes halved(int times) const {
+    return {_mm256_sra_epi32(lanes, _mm_cvtsi32_si128(times))};
+  }
+  MOCAPRESS_POSES_AVX2 std::int32_t sum() const {
+    __m128i sums = _mm_add_epi32(_mm256_castsi256_si128(lanes), _mm256_extracti128_si256(lanes, 1));
+    sums = _mm_add_epi32(sums, _mm_shuffle_epi32(sums, 0x4E));
+    return _mm_cvtsi128_si32(_mm_add_epi32(sums, _mm_shuffle_epi32(sums, 0xB1)));
+  }
   MOCAPRESS_POSES_AVX2 Floats to_floats() const { return {_mm256_cvtepi32_ps(lanes)}; }
 };
 
 MOCAPRESS_POSES_AVX2 inline Wholes operator+(const Wholes& a, const Wholes& b) {
   return {_mm256_add_epi32(a.lanes, b.lanes)};
+}
+
+/// Each at its row modulo 16 among zeros.
+MOCAPRESS_POSES_AVX2 inline void place_entry_weights(const Wholes& whole, int first_row, int shift,
+                                                     std::int32_t* of_entry) {
+  const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+  const __m256i first = _mm256_set1_epi32(first_row & 7);
+  const __m256i turned =  // beginning at that lane
+      _mm256_permutevar8x32_epi32(_mm256_sll_epi32(whole.lanes, _mm_cvtsi32_si128(shift)),
+                                  _mm256_sub_epi32(lane, first));
+  const __m256i is_next = _mm256_cmpgt_epi32(first, lane);  // eight rows further
+  const int half = first_row & 8;
+  _mm256_store_si256(reinterpret_cast<__m256i*>(of_entry + half),
+                     _mm256_andnot_si256(is_next, turned));
+  _mm256_store_si256(reinterpret_cast<__m256i*>(of_entry + (half ^ 8)),
+                     _mm256_and_si256(is_next, turned));
 }
 
 /// The weights of two rows, side by side in each lane.
@@ -175,21 +198,6 @@ struct Quadrants {
   }
 };
 
-MOCAPRESS_POSES_AVX2 void place_entry_weights(const std::int16_t* whole, int first_row, int shift,
-                                              std::int32_t* of_entry) {
-  // Those that go on beyond row 15 go on at row 0.
-  alignas(32) std::int32_t rows[24];
-  auto* const to = reinterpret_cast<__m256i*>(rows);
-  for (int i = 0; i < 3; ++i) _mm256_store_si256(to + i, _mm256_setzero_si256());
-  const __m256i weights =
-      _mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(whole)));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(rows + (first_row & 15)),
-                      _mm256_sll_epi32(weights, _mm_cvtsi32_si128(shift)));
-  auto* const out = reinterpret_cast<__m256i*>(of_entry);
-  _mm256_store_si256(out, _mm256_or_si256(_mm256_load_si256(to), _mm256_load_si256(to + 2)));
-  _mm256_store_si256(out + 1, _mm256_load_si256(to + 1));
-}
-
 MOCAPRESS_POSES_AVX2 void add_entries(const EntryRun& run, std::int32_t* whole) {
   static_assert(kColumnBits + kRowBits == 11 && kEntriesBeyond == 7);
   const auto* const weights = reinterpret_cast<const __m256i*>(run.weights);
@@ -213,6 +221,7 @@ MOCAPRESS_POSES_AVX2 void add_entries(const EntryRun& run, std::int32_t* whole) 
     _mm256_store_si256(reinterpret_cast<__m256i*>(column), _mm256_and_si256(bits, columns_of));
     _mm256_store_si256(reinterpret_cast<__m256i*>(product),
                        _mm256_mullo_epi32(_mm256_castps_si256(weight), value));
+#pragma GCC unroll 8
     for (int k = 0; k < 8; ++k) whole[column[k]] += product[k];
   }
 }
@@ -220,15 +229,28 @@ MOCAPRESS_POSES_AVX2 void add_entries(const EntryRun& run, std::int32_t* whole) 
 MOCAPRESS_POSES_AVX2 void put_quaternions(const RotorGroup& group,
                                           const RotorQuaternions& quaternions, float* out,
                                           std::ptrdiff_t stride) {
+  alignas(16) float joints[kGroup][4];
   for (int half = 0; half < 8; half += 4) {
     __m128 w = _mm_loadu_ps(quaternions.of[0] + half);
     __m128 x = _mm_loadu_ps(quaternions.of[1] + half);
     __m128 y = _mm_loadu_ps(quaternions.of[2] + half);
     __m128 z = _mm_loadu_ps(quaternions.of[3] + half);
     _MM_TRANSPOSE4_PS(w, x, y, z);
-    const __m128 rows[4] = {w, x, y, z};
-    for (int i = 0; i < 4 && half + i < group.joints; ++i)
-      _mm_storeu_ps(out + stride * group.joint[half + i], rows[i]);
+    if (half + 4 <= group.joints) {
+      const std::uint16_t* const joint = group.joint + half;
+      _mm_storeu_ps(out + stride * joint[0], w);
+      _mm_storeu_ps(out + stride * joint[1], x);
+      _mm_storeu_ps(out + stride * joint[2], y);
+      _mm_storeu_ps(out + stride * joint[3], z);
+      continue;
+    }
+    _mm_store_ps(joints[half], w);
+    _mm_store_ps(joints[half + 1], x);
+    _mm_store_ps(joints[half + 2], y);
+    _mm_store_ps(joints[half + 3], z);
+    for (int i = half; i < group.joints; ++i)
+      _mm_storeu_ps(out + stride * group.joint[i], _mm_load_ps(joints[i]));
+    return;
   }
 }
 
@@ -243,9 +265,7 @@ MOCAPRESS_POSES_AVX2 void put_quaternions(const RotorGroup& group,
 
 namespace mocapress::runtime {
 
-const PoseKernels kAvx2Poses = {.make_whole = avx2_poses_of::make_whole,
-                                .blend_whole = avx2_poses_of::blend_whole,
-                                .place_entry_weights = avx2_poses_of::place_entry_weights,
+const PoseKernels kAvx2Poses = {.set_band = avx2_poses_of::set_band,
                                 .add_entries = avx2_poses_of::add_entries,
                                 .make_columns = avx2_poses_of::make_columns,
                                 .lift = avx2_poses_of::lift,

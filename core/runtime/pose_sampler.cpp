@@ -261,10 +261,8 @@ class Sampler {
   void add_columns() {
     std::copy_n(clip_.at<float>(clip_.bases), kGroup * (clip_.groups - clip_.row_groups),
                 columns_ + kGroup * clip_.row_groups);
-    for (int i = 0; i < clip_.added_columns; ++i) {
-      const AddedColumn& added = clip_.at<AddedColumn>(clip_.added)[i];
-      columns_[added.to] += columns_[added.from];
-    }
+    const auto* const added = clip_.at<AddedColumn>(clip_.added);
+    for (int i = 0; i < clip_.added_columns; ++i) columns_[added[i].to] += columns_[added[i].from];
   }
 
   void put_out(float* out) {
@@ -291,6 +289,12 @@ class Sampler {
       }
     }
     put_other_turns(out);
+    if (all_as_they_are) {
+      const auto* const moving = clip_.at<MovingAxis>(clip_.moving);
+      for (int i = 0; i < clip_.moving_axes; ++i)
+        out[8U * moving[i].joint + 4U + moving[i].axis] = columns_[moving[i].column];
+      return;
+    }
     for (int i = 0; i < clip_.moving_axes; ++i) {
       const MovingAxis& moving = clip_.at<MovingAxis>(clip_.moving)[i];
       put_translation(moving.joint, moving.axis, columns_[moving.column], out);
