@@ -102,7 +102,7 @@ void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment) {
     level = level_below(clip->wavelet, length, samples[level_count]);
     const int values = (level.details.end - level.details.first) * columns;
     level.entries = next;
-    for (int i = 0; i < values; i += kGroup) std::fill_n(next + i, kGroup, 0);
+    kernels.clear(next, values);
     for (int e = 0; e < clip->entry_parts(); ++e) {
       const CookedEntries& band = clip->entries_of(segment, e, level_count);
       if (band.blocks > 0)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/pose_kernels.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include "core/codec/format/interpolation.h"
 
@@ -256,6 +258,7 @@ namespace mocapress::runtime {
 const PoseKernels kPlainPoses = {.set_band = plain_poses::set_band,
                                  .add_entries = plain_poses::add_entries,
                                  .make_columns = plain_poses::make_columns,
+                                 .clear = plain_poses::clear,
                                  .lift = plain_poses::lift,
                                  .turn = plain_poses::turn,
                                  .put_quaternions = plain_poses::put_quaternions};

@@ -103,6 +103,7 @@ struct PoseKernels {
   /// after the last are read, too.
   void (*add_entries)(const EntryRun&, std::int32_t* whole);
   void (*make_columns)(const PartRows&);
+  void (*clear)(std::int32_t* values, int count);  // of a multiple of eight
   void (*lift)(const LiftPart&);
   /// `around`: 8 quaternions before, 8 after; null: none.
   void (*turn)(const RotorGroup&, const float* columns, const float* around, RotorQuaternions& out);

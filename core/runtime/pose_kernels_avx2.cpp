@@ -6,7 +6,9 @@
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
 
+#include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "core/codec/format/interpolation.h"
 
@@ -268,6 +270,7 @@ namespace mocapress::runtime {
 const PoseKernels kAvx2Poses = {.set_band = avx2_poses_of::set_band,
                                 .add_entries = avx2_poses_of::add_entries,
                                 .make_columns = avx2_poses_of::make_columns,
+                                .clear = avx2_poses_of::clear,
                                 .lift = avx2_poses_of::lift,
                                 .turn = avx2_poses_of::turn,
                                 .put_quaternions = avx2_poses_of::put_quaternions};

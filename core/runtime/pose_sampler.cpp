@@ -178,8 +178,12 @@ class Sampler {
 
   void make_columns(double frame) {
     const SegmentLayout layout = clip_.layout();
-    const int before = std::min(static_cast<int>(frame), layout.frames - 1);
-    const float share = before + 1 < layout.frames ? static_cast<float>(frame - before) : 0.0F;
+    int before = std::min(static_cast<int>(frame), layout.frames - 1);
+    float share = before + 1 < layout.frames ? static_cast<float>(frame - before) : 0.0F;
+    if (share == 1) {  // rounded: all but the next frame
+      ++before;
+      share = 0;
+    }
     if (const SegmentLayout::Stretch stretch = layout.stretch_at(before);
         stretch.shared < 0 && (share == 0 || stretch.frames > 1)) {
       if (cursor_ != nullptr && cursor_->keep(kernels_, before, share > 0))
