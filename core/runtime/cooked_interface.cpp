@@ -257,7 +257,9 @@ mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t siz
                   .first = 0,
                   .count = 0,
                   .capacity = mcpr_cursor::capacity_for(*cooked),
-                  .columns = runtime::kGroup * static_cast<std::int32_t>(cooked->row_groups)};
+                  .columns = runtime::kGroup * static_cast<std::int32_t>(cooked->row_groups),
+                  .step = 1,
+                  .last = 0};
   return runtime::kOk;
 }
 

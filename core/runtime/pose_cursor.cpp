@@ -2,7 +2,8 @@
 #include "core/runtime/pose_cursor.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cstdlib>
+#include <utility>
 
 #include "core/codec/format/interpolation.h"
 
@@ -10,12 +11,13 @@ namespace mocapress::runtime {
 namespace {
 
 /// What samples of a signal of so many come from, going backwards through a level.
-LiftLevel level_below(Wavelet wavelet, int length, RowRange samples) {
+LiftLevel level_below(Wavelet wavelet, int length, RowRange samples, bool only_evens) {
   LiftLevel level{.wavelet = wavelet,
                   .even_count = evens_in(length),
                   .odd_count = odds_in(length),
+                  .only_evens = only_evens,
                   .samples = samples};
-  const RowRange odds{samples.first >> 1, samples.end >> 1};
+  const RowRange odds{samples.first >> 1, only_evens ? samples.first >> 1 : samples.end >> 1};
   RowRange evens{(samples.first + 1) >> 1, (samples.end + 1) >> 1};
   if (odds.first < odds.end) {
     const Neighbours first = neighbours_of(wavelet, odds.first, level.even_count);
@@ -55,27 +57,32 @@ namespace runtime = mocapress::runtime;
 int mcpr_cursor::capacity_for(const mcpr_cooked& clip) {
   const int columns = runtime::kGroup * static_cast<int>(clip.row_groups);
   if (columns == 0) return 0;
-  const int fitting = static_cast<int>(kMostBytes - 32) / (4 * columns);
+  const int fitting = static_cast<int>(kMostBytes - kHead) / (4 * columns);
   return fitting < kFewestFrames ? 0 : std::min(fitting, runtime::kMostLiftedFrames);
 }
 
 std::size_t mcpr_cursor::bytes_for(const mcpr_cooked& clip) {
-  return 32 + sizeof(float) * static_cast<std::size_t>(runtime::kGroup) * clip.row_groups *
-                  static_cast<std::size_t>(capacity_for(clip));
+  return kHead + sizeof(float) * static_cast<std::size_t>(runtime::kGroup) * clip.row_groups *
+                     static_cast<std::size_t>(capacity_for(clip));
 }
 
 bool mcpr_cursor::keep(const runtime::PoseKernels& kernels, int number, bool and_next) {
-  const int end = number + (and_next ? 2 : 1);
-  if (number >= first && end <= first + count) return true;
   if (capacity == 0) return false;
+  const int before = std::exchange(last, number);
+  if (has(number) && (!and_next || has(number + 1))) return true;
   const runtime::SegmentLayout layout = clip->layout();
   const runtime::SegmentLayout::Stretch stretch = layout.stretch_at(number);
-  // Backwards from frames that are kept it goes on before them.
-  const bool is_backwards = count > 0 && number < first && number + capacity > first;
   const int first_of_stretch =
       layout.first(stretch.segment) + (stretch.segment > 0 ? layout.overlap : 0);
-  first = is_backwards ? std::max(end - capacity, first_of_stretch) : number;
-  count = std::min(capacity, number + stretch.frames - first);
+  // Even frames need no odd ones.
+  const bool is_even = (number - layout.first(stretch.segment)) % 2 == 0;
+  step = is_even && !and_next && std::abs(number - before) == 2 ? 2 : 1;
+  // Backwards it goes on before what is kept.
+  first = number;
+  if (number < before)
+    first -=
+        std::min(number - first_of_stretch, step * (capacity - (and_next ? 2 : 1))) / step * step;
+  count = std::min(capacity, (number + stretch.frames - 1 - first) / step + 1);
   fill(kernels, stretch.segment);
   return true;
 }
@@ -86,20 +93,20 @@ void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment) {
   LiftLevel levels[kMostKeptBands];
   // Rows of entries of all levels: half of the frames, half of these ..., and some around them.
   constexpr int kMostEntryValues =
-      static_cast<int>(kMostBytes / 4) +
+      2 * static_cast<int>(kMostBytes / 4) +
       8 * kMostKeptBands * static_cast<int>(kMostBytes / 4 / kFewestFrames);
   alignas(32) std::int32_t entries[kMostEntryValues];
   std::int32_t* next = entries;
   int length = layout.frames_of(segment);
   int level_count = 0;
-  RowRange range{first - layout.first(segment), first - layout.first(segment) + count};
-  RowRange samples[kMostKeptBands + 1] = {range};
+  const int first_sample = first - layout.first(segment);
+  RowRange samples[kMostKeptBands + 1] = {{first_sample, first_sample + step * (count - 1) + 1}};
   int most_levels = 0;
   for (int p = 0; p < clip->parts; ++p)
     most_levels = std::max<int>(most_levels, clip->part(p).kept_bands);
   for (; level_count < most_levels && length >= kCoarsest; length = evens_in(length)) {
     LiftLevel& level = levels[level_count];
-    level = level_below(clip->wavelet, length, samples[level_count]);
+    level = level_below(clip->wavelet, length, samples[level_count], step == 2 && level_count == 0);
     const int values = (level.details.end - level.details.first) * columns;
     level.entries = next;
     kernels.clear(next, values);
@@ -122,6 +129,7 @@ void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment) {
                   .clip = clip->at<std::byte>(std::uint32_t{0}),
                   .samples = clip->at<std::byte>(rows.samples),
                   .sample_rows = samples[kept],
+                  .sample_step = kept == 0 ? step : 1,
                   .scales = clip->at<float>(rows.scales),
                   .groups = part.groups,
                   .wide = part.wide_samples != 0,

@@ -11,6 +11,7 @@
 
 struct mcpr_cursor {
   static constexpr std::size_t kMostBytes = 4096;
+  static constexpr std::size_t kHead = 64;
   static constexpr int kFewestFrames = 4;  // for fewer it is not worth it
 
   const mcpr_cooked* clip;
@@ -18,15 +19,17 @@ struct mcpr_cursor {
   std::int32_t count;     // of frames that are kept
   std::int32_t capacity;  // frames; 0: none is kept
   std::int32_t columns;   // of each
-  // Then floats, frame after frame, 32 bytes from the beginning.
+  std::int32_t step;      // 2: every second frame is kept, as is asked for in play at half the rate
+  std::int32_t last;      // frame that was asked for
+  // Then floats, frame after frame, kHead bytes from the beginning.
 
   /// Frames that fit.
   static int capacity_for(const mcpr_cooked& clip);
   static std::size_t bytes_for(const mcpr_cooked& clip);
 
   const float* frame(int number) const {
-    return reinterpret_cast<const float*>(reinterpret_cast<const std::byte*>(this) + 32) +
-           std::ptrdiff_t{number - first} * columns;
+    return reinterpret_cast<const float*>(reinterpret_cast<const std::byte*>(this) + kHead) +
+           std::ptrdiff_t{(number - first) / step} * columns;
   }
 
   /// Sees to it that a frame is kept, and the next one if it is wanted too. They are not among
@@ -34,5 +37,9 @@ struct mcpr_cursor {
   bool keep(const mocapress::runtime::PoseKernels& kernels, int number, bool and_next);
 
  private:
+  bool has(int number) const {
+    const int after = number - first;
+    return after >= 0 && after < step * count && after % step == 0;
+  }
   void fill(const mocapress::runtime::PoseKernels& kernels, int segment);
 };

@@ -66,6 +66,7 @@ struct LiftLevel {
   Wavelet wavelet = Wavelet::Haar;
   int even_count = 0;  // of the whole signal
   int odd_count = 0;
+  bool only_evens = false;  // of the samples the even ones
   RowRange samples = {};
   RowRange evens = {};
   RowRange details = {};
@@ -82,6 +83,7 @@ struct LiftPart {
   const std::byte* clip;     // which their offsets are from
   const std::byte* samples;  // of row 0
   RowRange sample_rows;
+  int sample_step;      // from one that is wanted to the next
   const float* scales;  // as of PartRows
   int groups;
   bool wide;
