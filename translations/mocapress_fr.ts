@@ -1022,8 +1022,8 @@
         <translation>La première et la dernière pose, où les clips sont fondus et bouclés. Égales : pas plus loin que la cible, et celles d&apos;une boucle pareilles. Exactes : un dixième de celle-ci, pour environ 4 % d&apos;octets de plus. Libres : ce qui vient.</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
-        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh, where the file has one. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Peau : des points du maillage, si le fichier en a un. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
     </message>
 </context>
 <context>
@@ -1778,6 +1778,18 @@
         <source>The joint&apos;s worst, as a multiple of what people notice: up to 1 is not visible, up to 2 borderline.</source>
         <translation>Le pire de l&apos;articulation, en multiples de ce que l&apos;on remarque : jusqu&apos;à 1 invisible, jusqu&apos;à 2 limite.</translation>
     </message>
+    <message>
+        <source>RMS %1</source>
+        <translation>RMS %1</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Peau</translation>
+    </message>
+    <message>
+        <source>Greatest distance of the mesh that this joint carries most of, at any frame.</source>
+        <translation>La plus grande distance du maillage que cette articulation porte pour l&apos;essentiel, sur toutes les images.</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::JointsPanel</name>
@@ -2150,6 +2162,10 @@
     <message>
         <source>Shell</source>
         <translation>Coque</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Peau</translation>
     </message>
 </context>
 <context>
@@ -2897,6 +2913,19 @@
     <message>
         <source>%1, %2/frame</source>
         <translation>%1, %2/image</translation>
+    </message>
+    <message>
+        <source>On the skin: worst / RMS</source>
+        <translation>Sur la peau : pire / RMS</translation>
+    </message>
+    <message>
+        <source>Distances of points spread evenly over the mesh, at any frame.</source>
+        <translation>Distances de points répartis régulièrement sur le maillage, sur toutes les images.</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>skin</comment>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>

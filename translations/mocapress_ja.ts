@@ -1014,8 +1014,8 @@
         <translation>最初と最後のポーズ。クリップがブレンドされ、ループする所です。均等：目標より離れず、ループでは両端がそろいます。厳密：目標の十分の一で、約 4 % 大きくなります。自由：成り行きのまま。</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
-        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh, where the file has one. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。スキン：ファイルにメッシュがある場合、その上の点。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
     </message>
 </context>
 <context>
@@ -1767,6 +1767,18 @@
         <source>The joint&apos;s worst, as a multiple of what people notice: up to 1 is not visible, up to 2 borderline.</source>
         <translation>関節の最悪値。人が気付く大きさの何倍かで示します。1 までは見えず、2 までは境界です。</translation>
     </message>
+    <message>
+        <source>RMS %1</source>
+        <translation>RMS %1</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>スキン</translation>
+    </message>
+    <message>
+        <source>Greatest distance of the mesh that this joint carries most of, at any frame.</source>
+        <translation>この関節が主に動かすメッシュの、全フレーム中の最大距離です。</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::JointsPanel</name>
@@ -2137,6 +2149,10 @@
     <message>
         <source>Shell</source>
         <translation>シェル</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>スキン</translation>
     </message>
 </context>
 <context>
@@ -2880,6 +2896,19 @@
     <message>
         <source>%1, %2/frame</source>
         <translation>%1、%2/フレーム</translation>
+    </message>
+    <message>
+        <source>On the skin: worst / RMS</source>
+        <translation>スキン上：最大 / RMS</translation>
+    </message>
+    <message>
+        <source>Distances of points spread evenly over the mesh, at any frame.</source>
+        <translation>メッシュ上に均等に置いた点の、全フレームでの距離です。</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>skin</comment>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>

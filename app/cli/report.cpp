@@ -146,6 +146,7 @@ void print(const Report& report) {
   const BodyFigures body = body_figures(report.original->skeleton, distortion);
   print("surface", body.surface);
   print("shell", body.shell);
+  if (body.skin) print("skin", *body.skin);
   std::cerr << "  joints turned by " << degrees(body.angle_rms_degrees);
   if (body.head_degrees) std::cerr << ", the head by " << degrees(*body.head_degrees);
   if (body.hand_degrees) std::cerr << ", hands by " << degrees(*body.hand_degrees);

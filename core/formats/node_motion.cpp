@@ -12,6 +12,7 @@
 #include "core/formats/text_writer.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/rotation_form.h"
+#include "core/motion/skin_points.h"
 
 namespace mocapress {
 namespace {
@@ -272,6 +273,9 @@ MotionFile MotionBuilder::build() {
   if (channels_.empty()) throw InputError(file_, 0, 0, "no joint moves or is turned");
   warn_of_scale();
   add_skin();
+  if (skin_)
+    if (SkinPoints points = points_on(*skin_); !points.empty())
+      skeleton_.set_skin(std::make_shared<const SkinPoints>(std::move(points)));
   Motion motion{std::move(skeleton_), {take_.sample_rate_hz, {}}};
   motion.clip.channels.resize(take_.frames, static_cast<Eigen::Index>(channels_.size()));
   for (std::size_t c = 0; c < channels_.size(); ++c)

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -67,13 +68,25 @@ double Distortion::eps(Weighting weighting) const {
       return surface.rms;
     case Weighting::Shell:
       return shell.rms;
+    case Weighting::Skin:
+      return skin ? skin->rms : 0;
   }
   return 0;
 }
 
-const WorstPoint& Distortion::worst(Weighting weighting) const {
-  if (is_on_bones(weighting)) return max;
-  return weighting == Weighting::Surface ? surface.max : shell.max;
+WorstPoint Distortion::worst(Weighting weighting) const {
+  switch (weighting) {
+    case Weighting::BoneEnds:
+    case Weighting::JointOrigins:
+      return max;
+    case Weighting::Surface:
+      return surface.max;
+    case Weighting::Shell:
+      return shell.max;
+    case Weighting::Skin:
+      return skin ? skin->max : WorstPoint();
+  }
+  return {};
 }
 
 double Distortion::degrees(const std::vector<int>& joints) const {
@@ -81,8 +94,46 @@ double Distortion::degrees(const std::vector<int>& joints) const {
   return std::sqrt(joint_degrees(joints).squaredNorm() / static_cast<double>(joints.size()));
 }
 
+namespace {
+
+/// The points of the skin themselves, not what stands for them where errors are modelled.
+MeasuredPoints points_of(const Skeleton& skeleton, Weighting weighting) {
+  MeasuredPoints measured = measured_points(skeleton, weighting);
+  if (weighting != Weighting::Skin) return measured;
+  const SkinPoints& skin = *skeleton.skin();
+  measured.points.clear();
+  for (const SkinPoint& point : skin)
+    measured.points.push_back(
+        {point.front().joint, point.front().in_joint, skeleton.joint(point.front().joint).name});
+  measured.weights =
+      Eigen::VectorXd::Constant(std::ssize(skin), 1 / static_cast<double>(skin.size()));
+  return measured;
+}
+
+/// cm^2, frames x points.
+Eigen::MatrixXd squared_on(const SkinPoints& skin, const JointErrors& errors, Eigen::Index frames) {
+  std::map<int, Eigen::Matrix<double, Eigen::Dynamic, 12>> of_joints;
+  Eigen::MatrixXd squared(frames, std::ssize(skin));
+  Eigen::MatrixX3d moved(frames, 3);
+  for (std::size_t p = 0; p < skin.size(); ++p) {
+    moved.setZero();
+    for (const auto& [joint, in_joint, weight] : skin[p]) {
+      auto found = of_joints.find(joint);
+      if (found == of_joints.end()) found = of_joints.emplace(joint, errors.of(joint)).first;
+      const auto& of_joint = found->second;
+      moved += weight * of_joint.leftCols<3>();
+      for (Eigen::Index axis = 0; axis < 3; ++axis)
+        moved += (weight * in_joint(axis)) * of_joint.middleCols<3>(3 + 3 * axis);
+    }
+    squared.col(static_cast<Eigen::Index>(p)) = moved.rowwise().squaredNorm();
+  }
+  return squared;
+}
+
+}  // namespace
+
 PointErrors::PointErrors(const Skeleton& skeleton, Weighting weighting)
-    : skeleton_(skeleton), weighting_(weighting), measured_(measured_points(skeleton, weighting)) {}
+    : skeleton_(skeleton), weighting_(weighting), measured_(points_of(skeleton, weighting)) {}
 
 Eigen::MatrixXd PointErrors::squared(const TrackRows& original, const TrackRows& decoded) const {
   const std::vector<Landmark>& points = measured_.points;
@@ -94,6 +145,7 @@ Eigen::MatrixXd PointErrors::squared(const TrackRows& original, const TrackRows&
     return squared;
   }
   const JointErrors errors(skeleton_, original, decoded);
+  if (weighting_ == Weighting::Skin) return squared_on(*skeleton_.skin(), errors, original.rows());
   Eigen::Matrix<double, Eigen::Dynamic, 12> of_joint;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (p == 0 || points[p].joint != points[p - 1].joint) of_joint = errors.of(points[p].joint);
@@ -101,6 +153,12 @@ Eigen::MatrixXd PointErrors::squared(const TrackRows& original, const TrackRows&
   }
   return squared;
 }
+
+namespace {
+
+constexpr std::size_t kSkinSet = 3;  // after landmarks, surface and shell
+
+}  // namespace
 
 DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail detail,
                                  Weighting weighting)
@@ -111,6 +169,7 @@ DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail de
   const auto look_at = [&](Weighting points) {
     Set set{.errors = PointErrors(skeleton, points)};
     set.squares = Eigen::VectorXd::Zero(set.errors.measured().weights.size());
+    set.greatest = set.squares;
     sets_.push_back(std::move(set));
   };
   if (detail == Detail::Means) {
@@ -119,6 +178,7 @@ DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail de
   }
   for (const Weighting all : {Weighting::BoneEnds, Weighting::Surface, Weighting::Shell})
     look_at(all);
+  if (skeleton.skin()) look_at(Weighting::Skin);
   if (detail != Detail::Distances) return;
   distances_.resize(frames, sets_.front().squares.size());
   turns_.resize(frames, distances_.cols());
@@ -126,7 +186,10 @@ DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail de
 
 void DistortionMeter::add(Set& set, int first_frame, const Eigen::MatrixXd& squared) const {
   if (squared.size() == 0) return;
-  for (Eigen::Index p = 0; p < squared.cols(); ++p) set.squares(p) += squared.col(p).sum();
+  for (Eigen::Index p = 0; p < squared.cols(); ++p) {
+    set.squares(p) += squared.col(p).sum();
+    set.greatest(p) = std::max(set.greatest(p), squared.col(p).maxCoeff());
+  }
   Eigen::Index frame = 0;
   Eigen::Index point = 0;
   const double worst = squared.maxCoeff(&frame, &point);
@@ -186,6 +249,25 @@ Spread DistortionMeter::spread(std::size_t set) const {
   return {eps(set), counts.percentile(0.95), counts.percentile(0.99), sets_[set].worst};
 }
 
+Eigen::MatrixX2d DistortionMeter::skin_of_joints() const {
+  const Set& skin = sets_[kSkinSet];
+  Eigen::VectorXi counts = Eigen::VectorXi::Zero(skeleton_.joint_count());
+  Eigen::MatrixX2d found = Eigen::MatrixX2d::Zero(counts.size(), 2);
+  for (Eigen::Index p = 0; p < skin.squares.size(); ++p) {
+    const int joint = skin.errors.measured().points[static_cast<std::size_t>(p)].joint;
+    ++counts(joint);
+    found(joint, 0) += skin.squares(p);
+    found(joint, 1) = std::max(found(joint, 1), skin.greatest(p));
+  }
+  const auto frames = static_cast<double>(std::max<Eigen::Index>(frames_, 1));
+  for (Eigen::Index j = 0; j < counts.size(); ++j)
+    if (counts(j) > 0)
+      found.row(j) << std::sqrt(found(j, 0) / (frames * counts(j))), std::sqrt(found(j, 1));
+    else
+      found.row(j).setConstant(-1);
+  return found;
+}
+
 Distortion DistortionMeter::distortion() const {
   assert(detail_ != Detail::Means);
   Distortion distortion{
@@ -198,6 +280,10 @@ Distortion DistortionMeter::distortion() const {
       .joint_degrees = squared_turns_,
       .turns = turns_,
       .ends = ends_.errors()};
+  if (skeleton_.skin()) {
+    distortion.skin = spread(kSkinSet);
+    distortion.skin_of_joints = skin_of_joints();
+  }
   if (frames_ > 0)
     distortion.joint_degrees = (squared_turns_ / static_cast<double>(frames_)).cwiseSqrt();
   if (detail_ == Detail::Distances) {
@@ -258,6 +344,7 @@ BodyFigures body_figures(const Skeleton& skeleton, const Distortion& distortion)
   std::iota(all.begin(), all.end(), 0);
   return {.surface = distortion.surface,
           .shell = distortion.shell,
+          .skin = distortion.skin,
           .head_degrees = degrees(head_joints(skeleton)),
           .hand_degrees = degrees(joints_of(skeleton, BodyPart::Hands)),
           .angle_rms_degrees = distortion.degrees(all),

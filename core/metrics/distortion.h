@@ -61,13 +61,18 @@ struct Distortion {
   Eigen::MatrixXf distances;  // frames x landmarks; empty where only figures were asked for
   Spread surface;             // of the points of these weightings
   Spread shell;
+  std::optional<Spread> skin;  // unset: the skeleton has none
+  // RMS and greatest distance of the points of the skin that each joint carries most of, joints x
+  // 2; -1: there are none. No rows without a skin.
+  Eigen::MatrixX2d skin_of_joints;
   Eigen::VectorXd joint_degrees;  // how far each joint is turned in the world, RMS over the frames
   Eigen::MatrixXf turns;          // as distances: by how many degrees a landmark's joint is turned
   double p99_degrees = 0;         // over all of them
   EndErrors ends;
 
+  /// On the skin 0 where there is none.
   double eps(Weighting weighting) const;
-  const WorstPoint& worst(Weighting weighting) const;
+  WorstPoint worst(Weighting weighting) const;
 
   /// RMS of joint_degrees over some joints. 0 for none.
   double degrees(const std::vector<int>& joints) const;
@@ -88,6 +93,7 @@ class PointErrors {
   /// cm^2, frames x points, of rows of body_tracks() of both clips.
   Eigen::MatrixXd squared(const TrackRows& original, const TrackRows& decoded) const;
 
+  /// Of the skin: each by the joint that carries most of it.
   const MeasuredPoints& measured() const { return measured_; }
   Weighting weighting() const { return weighting_; }
 
@@ -119,6 +125,7 @@ class DistortionMeter {
   struct Set {
     PointErrors errors;
     Eigen::VectorXd squares;   // cm^2, the sum over the frames so far of each point
+    Eigen::VectorXd greatest;  // cm^2, likewise the greatest
     double worst_square = -1;  // cm^2
     WorstPoint worst;
     DistanceCounts counts;
@@ -128,10 +135,11 @@ class DistortionMeter {
   double eps(std::size_t set) const { return eps(set, sets_[set].errors.measured().weights); }
   double eps(std::size_t set, const Eigen::VectorXd& weights) const;
   Spread spread(std::size_t set) const;
+  Eigen::MatrixX2d skin_of_joints() const;
 
   Skeleton skeleton_;
   Detail detail_;
-  std::vector<Set> sets_;  // landmarks, surface, shell; of means one alone
+  std::vector<Set> sets_;  // landmarks, surface, shell, skin if there is one; of means one alone
   Eigen::Index frames_ = 0;
   Eigen::MatrixXf distances_;
   Eigen::MatrixXf turns_;          // degrees
@@ -158,6 +166,7 @@ double exact_eps(const Skeleton& skeleton, const Eigen::MatrixXd& original_track
 struct BodyFigures {
   Spread surface;  // cm
   Spread shell;
+  std::optional<Spread> skin;          // unset: there is no mesh
   std::optional<double> head_degrees;  // how far they are turned in the world, RMS; unset: none is
   std::optional<double> hand_degrees;  // known by its name
   double angle_rms_degrees = 0;        // over all joints

@@ -34,6 +34,7 @@ EncodeOptions encode_options(const Settings& settings, const Skeleton& skeleton)
                         .importance = importance_for(settings.importance, skeleton),
                         .ends = settings.ends,
                         .loop = settings.loop};
+  require_measurable(skeleton, settings.weighting);
   if (const CompressionMethod* compression_method = find_compression_method(settings.method))
     choose_wavelets(*compression_method, options);
   if (settings.contacts) options.contacts = contacts_for(*settings.contacts, skeleton);

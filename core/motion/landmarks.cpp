@@ -4,9 +4,11 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/motion/body.h"
 #include "core/motion/forward_kinematics.h"
+#include "core/motion/skin_points.h"
 
 namespace mocapress {
 
@@ -35,6 +37,8 @@ std::string_view name(Weighting weighting) {
       return "surface";
     case Weighting::Shell:
       return "shell";
+    case Weighting::Skin:
+      return "skin";
   }
   return "unknown";
 }
@@ -125,8 +129,17 @@ std::vector<Landmark> shell_points(const Skeleton& skeleton) {
   return points;
 }
 
+void require_measurable(const Skeleton& skeleton, Weighting weighting) {
+  if (weighting == Weighting::Skin && !skeleton.skin())
+    throw Error("the weighting skin needs a clip with a mesh on its joints");
+}
+
 MeasuredPoints measured_points(const Skeleton& skeleton, Weighting weighting) {
   if (is_on_bones(weighting)) return {landmarks(skeleton), landmark_weights(skeleton, weighting)};
+  if (weighting == Weighting::Skin) {
+    require_measurable(skeleton, weighting);
+    return carried_points(*skeleton.skin(), skeleton);
+  }
   if (weighting == Weighting::Surface)
     if (MeasuredPoints surface = surface_points(skeleton); !surface.points.empty()) return surface;
   return evenly(shell_points(skeleton));

@@ -35,12 +35,16 @@ enum class Weighting : std::uint8_t {
   JointOrigins = 1,  // a joint's origin carries the length of the segments it drives: the paper's
   Surface = 2,       // points on the body, which every turn of a joint moves: what people see
   Shell = 3,         // three points 3 cm from each joint, all alike: ACL's
+  Skin = 4,          // points on a character's mesh, which has to be there
 };
 
-inline constexpr std::initializer_list<Weighting> kWeightings = {
+inline constexpr std::initializer_list<Weighting> kWeightingsWithoutMesh = {
     Weighting::Surface, Weighting::Shell, Weighting::BoneEnds, Weighting::JointOrigins};
+inline constexpr std::initializer_list<Weighting> kWeightings = {
+    Weighting::Surface, Weighting::Skin, Weighting::Shell, Weighting::BoneEnds,
+    Weighting::JointOrigins};
 
-/// "bone-ends", "joint-origins", "surface", "shell".
+/// "bone-ends", "joint-origins", "surface", "shell", "skin".
 std::string_view name(Weighting weighting);
 
 /// One weight for each of landmarks(skeleton), summing to 1. Requires is_on_bones(weighting).
@@ -70,8 +74,12 @@ inline constexpr double kShellRadius = 3;  // cm, as ACL has it for characters
 /// - on bones: landmarks(), weighted by landmark_weights();
 /// - on the surface: four points for each stretch of the body. They have the mean and the second
 ///   moments of a cylinder's surface, so that their error is that of all the skin there;
-/// - on the shell: three points for each joint, along its axes.
+/// - on the shell: three points for each joint, along its axes;
+/// - on the skin: carried_points(); see require_measurable().
 MeasuredPoints measured_points(const Skeleton& skeleton, Weighting weighting);
+
+/// Throws Error where a weighting finds nothing to look at.
+void require_measurable(const Skeleton& skeleton, Weighting weighting);
 
 /// Whether a weighting looks at landmarks() and nothing else.
 constexpr bool is_on_bones(Weighting weighting) {

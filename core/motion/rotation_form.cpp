@@ -157,6 +157,7 @@ Skeleton with_forms(const Skeleton& skeleton, const RotationForms& forms) {
     const Joint& joint = skeleton.joints()[j];
     result.add(turns_freely(joint) ? with_form(joint, forms[j]) : joint);
   }
+  result.set_skin(skeleton.skin());  // joints turn as they did
   return result;
 }
 

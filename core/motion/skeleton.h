@@ -3,9 +3,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace mocapress {
@@ -78,6 +80,16 @@ struct Segment {
   double length;                 // cm
 };
 
+/// A point of a character's surface, by what carries it: it is where the weighted mean of its
+/// shares is. Weights sum to 1; the largest comes first.
+struct SkinPointShare {
+  int joint;
+  Eigen::Vector3d in_joint;  // cm
+  double weight;
+};
+using SkinPoint = std::vector<SkinPointShare>;
+using SkinPoints = std::vector<SkinPoint>;
+
 /// Joints in parent-first order, so that one forward loop visits every parent before its children.
 class Skeleton {
  public:
@@ -106,6 +118,10 @@ class Skeleton {
   /// Every segment, in the order of the driving joints.
   std::vector<Segment> segments() const;
 
+  /// What its joints carry, by which Weighting::Skin measures. Null: nobody knows.
+  const std::shared_ptr<const SkinPoints>& skin() const { return skin_; }
+  void set_skin(std::shared_ptr<const SkinPoints> skin) { skin_ = std::move(skin); }
+
   /// Summed length (cm) of the segments each joint drives.
   std::vector<double> driven_lengths() const;
 
@@ -114,6 +130,7 @@ class Skeleton {
   std::vector<JointAxes> axes_;
   std::vector<int> first_channels_;
   std::vector<int> channel_joints_;
+  std::shared_ptr<const SkinPoints> skin_;
 };
 
 }  // namespace mocapress

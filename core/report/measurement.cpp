@@ -13,13 +13,25 @@ double Measurement::eps_cm(Weighting weighting) const {
       return body.surface.rms;
     case Weighting::Shell:
       return body.shell.rms;
+    case Weighting::Skin:
+      return body.skin ? body.skin->rms : 0;
   }
   return 0;
 }
 
 double Measurement::max_cm(Weighting weighting) const {
-  if (is_on_bones(weighting)) return max_error_cm;
-  return (weighting == Weighting::Surface ? body.surface : body.shell).max.cm;
+  switch (weighting) {
+    case Weighting::BoneEnds:
+    case Weighting::JointOrigins:
+      return max_error_cm;
+    case Weighting::Surface:
+      return body.surface.max.cm;
+    case Weighting::Shell:
+      return body.shell.max.cm;
+    case Weighting::Skin:
+      return body.skin ? body.skin->max.cm : 0;
+  }
+  return 0;
 }
 
 double Measurement::quantity(Target::Kind kind, Weighting weighting) const {

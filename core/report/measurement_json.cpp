@@ -25,8 +25,10 @@ BodyFigures body_figures_of(const Json& json) {
     json.at(of + "_max_cm").get_to(found.max.cm);
     return found;
   };
+  const bool has_skin = json.contains("skin_rms_cm") && !json.at("skin_rms_cm").is_null();
   return {.surface = spread("surface"),
           .shell = spread("shell"),
+          .skin = has_skin ? std::optional(spread("skin")) : std::nullopt,
           .head_degrees = optional_at<double>(json, "head_degrees"),
           .hand_degrees = optional_at<double>(json, "hand_degrees"),
           .angle_rms_degrees = json.at("angle_rms_degrees").get<double>(),

@@ -13,14 +13,19 @@ namespace mocapress {
 /// Calls `add(key, value)` for each figure.
 template <typename Add>
 void add_body_figures(const BodyFigures& figures, const Add& add) {
-  const auto add_spread = [&](const std::string& of, const Spread& spread) {
-    add((of + "_rms_cm").c_str(), Json(spread.rms));
-    add((of + "_p95_cm").c_str(), Json(spread.p95));
-    add((of + "_p99_cm").c_str(), Json(spread.p99));
-    add((of + "_max_cm").c_str(), Json(spread.max.cm));
+  const auto add_spread = [&](const std::string& of, const std::optional<Spread>& spread) {
+    const auto put = [&](const char* what, double cm) {
+      add((of + what).c_str(), spread ? Json(cm) : Json());
+    };
+    const Spread all = spread.value_or(Spread());
+    put("_rms_cm", all.rms);
+    put("_p95_cm", all.p95);
+    put("_p99_cm", all.p99);
+    put("_max_cm", all.max.cm);
   };
   add_spread("surface", figures.surface);
   add_spread("shell", figures.shell);
+  add_spread("skin", figures.skin);  // null where there is no mesh
   add("head_degrees", or_null(figures.head_degrees));
   add("hand_degrees", or_null(figures.hand_degrees));
   add("angle_rms_degrees", Json(figures.angle_rms_degrees));

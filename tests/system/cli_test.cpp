@@ -79,6 +79,10 @@ const std::set<std::string> kNumberKeys = {"sample_rate_hz",
 const std::set<std::string> kEncodingKeys = {"coefficient_ratio", "iterations", "encode_seconds"};
 // Null: the clip has neither feet nor hands.
 const std::set<std::string> kNullKeys = {"hand_degrees",
+                                         "skin_rms_cm",
+                                         "skin_p95_cm",
+                                         "skin_p99_cm",
+                                         "skin_max_cm",
                                          "ik_ratio",
                                          "ik_bytes",
                                          "footskate_cm",
@@ -427,6 +431,28 @@ TEST_F(Cli, DecompressPutsAMotionOntoTheGltfItCameFrom) {
   EXPECT_EQ(onto(output, "3").exit_code, 3);
   EXPECT_THAT(onto(file("back.bvh"), "walk").err,
               testing::HasSubstr("only a .glb or .gltf can be written onto another"));
+}
+
+TEST_F(Cli, MeasuresOnTheSkinOfAClipWithAMesh) {
+  const std::string character =
+      std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/character.glb";
+  if (!std::filesystem::exists(character)) GTEST_SKIP() << "no sample character";
+  const json report = json_of({"compress", character, "-o", packed_, "--weighting", "skin",
+                               "--target-error", "0.3", "--json"});
+  EXPECT_EQ(report["weighting"], "skin");
+  EXPECT_EQ(report["eps_x_cm"], report["skin_rms_cm"]);
+  EXPECT_LE(report["skin_rms_cm"], 0.3);
+  EXPECT_GT(report["skin_max_cm"], report["skin_rms_cm"]);
+  const json measured = json_of({"measure", character, packed_, "--json"});
+  EXPECT_NEAR(measured["skin_max_cm"].get<double>(), report["skin_max_cm"].get<double>(), 1e-6);
+
+  const json bounded = json_of(
+      {"compress", character, "-o", packed_, "--weighting", "skin", "--max-error", "1", "--json"});
+  EXPECT_LE(bounded["skin_max_cm"], 1);
+
+  const auto refused = mocapress({"compress", clip_, "-o", packed_, "--weighting", "skin"});
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_THAT(refused.err, testing::HasSubstr("the weighting skin needs a clip with a mesh"));
 }
 
 TEST_F(Cli, DecompressedCsvHasALineForEachFrame) {

@@ -192,6 +192,8 @@ QString displayName(Weighting weighting) {
       return Names::tr("Surface");
     case Weighting::Shell:
       return Names::tr("Shell");
+    case Weighting::Skin:
+      return Names::tr("Skin");
   }
   return {};
 }

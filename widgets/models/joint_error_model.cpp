@@ -15,6 +15,7 @@ void JointErrorModel::setLandmarks(std::vector<Landmark> points) {
   distances_.resize(0, 2);
   joint_degrees_.resize(0);
   times_noticed_.resize(0);
+  skin_.resize(0, 2);
   endResetModel();
 }
 
@@ -25,6 +26,7 @@ void JointErrorModel::setErrors(const Distortion* errors, const SightTable* sigh
   if (!errors || errors->distances.size() == 0) {
     distances_.resize(0, 2);
     joint_degrees_.resize(0);
+    skin_.resize(0, 2);
   } else {
     const Eigen::MatrixXf& distances = errors->distances;
     assert(distances.cols() == rowCount());
@@ -32,8 +34,9 @@ void JointErrorModel::setErrors(const Distortion* errors, const SightTable* sigh
     distances_.col(0) = distances.colwise().mean().transpose();
     distances_.col(1) = distances.colwise().maxCoeff().transpose();
     joint_degrees_ = errors->joint_degrees;
+    skin_ = errors->skin_of_joints;
   }
-  if (rowCount() > 0) emit dataChanged(index(0, Mean), index(rowCount() - 1, Seen));
+  if (rowCount() > 0) emit dataChanged(index(0, Mean), index(rowCount() - 1, SkinMax));
 }
 
 void JointErrorModel::setSelection(const CurveSelection& selection) {
@@ -81,6 +84,8 @@ QVariant JointErrorModel::errorData(int row, int column, int role) const {
   if (role == kSortRole) return error.value_or(-1);
   if (role == Qt::DecorationRole && column == Seen && error) return sightColour(sight_of(*error));
   if (role == Qt::ToolTipRole && column == Seen && error) return displayName(sight_of(*error));
+  if (role == Qt::ToolTipRole && column == SkinMax && error)
+    return tr("RMS %1").arg(errorText(skin_(jointOf(row), 0), ErrorQuantity::Distance));
   if (role != Qt::DisplayRole) return {};
   if (!error) return QStringLiteral("–");
   if (column == Seen) return QStringLiteral("%L1×").arg(*error, 0, 'f', 2);
@@ -94,6 +99,10 @@ std::optional<double> JointErrorModel::errorAt(int row, int column) const {
                : std::nullopt;
   if (distances_.rows() == 0) return std::nullopt;
   if (column == Angle) return joint_degrees_(jointOf(row));
+  if (column == SkinMax) {
+    const bool carries = skin_.rows() > 0 && skin_(jointOf(row), 1) >= 0;
+    return carries ? std::optional(skin_(jointOf(row), 1)) : std::nullopt;
+  }
   return static_cast<double>(distances_(row, column - Mean));
 }
 
@@ -106,6 +115,10 @@ std::pair<QString, QString> JointErrorModel::headerTexts(int column) {
       return {tr("Mean"), tr("Distance in the world from the original, averaged over the clip.")};
     case Max:
       return {tr("Max"), tr("Greatest distance in the world from the original, at any frame.")};
+    case SkinMax:
+      return {tr("Skin"),
+              tr("Greatest distance of the mesh that this joint carries most of, at any "
+                 "frame.")};
     case Seen:
       return {tr("Seen"), tr("The joint's worst, as a multiple of what people notice: up to 1 is "
                              "not visible, up to 2 borderline.")};

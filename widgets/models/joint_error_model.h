@@ -13,12 +13,13 @@
 namespace mocapress {
 
 /// One row a landmark: its name, checkable, its mean and greatest distance from the original (cm),
-/// by how much it is turned (degrees) and whether the eye sees it.
+/// by how much it is turned (degrees), whether the eye sees it, and the greatest distance of the
+/// skin that its joint carries.
 class JointErrorModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { Name, Mean, Max, Angle, Seen, kColumns };
+  enum Column { Name, Mean, Max, Angle, Seen, SkinMax, kColumns };
   static constexpr int kSortRole = Qt::UserRole;
 
   using QAbstractTableModel::QAbstractTableModel;
@@ -28,6 +29,9 @@ class JointErrorModel : public QAbstractTableModel {
 
   /// Of those landmarks; null: unknown.
   void setErrors(const Distortion* errors, const SightTable* sight);
+
+  /// Whether there is a skin to be measured.
+  bool hasSkin() const { return skin_.rows() > 0; }
 
   void setSelection(const CurveSelection& selection);
 
@@ -55,6 +59,7 @@ class JointErrorModel : public QAbstractTableModel {
   Eigen::MatrixX2f distances_;     // cm: mean, max; no rows: unknown
   Eigen::VectorXd joint_degrees_;  // by joint, RMS
   Eigen::VectorXf times_noticed_;  // by joint, at worst; empty: unknown
+  Eigen::MatrixX2d skin_;          // as Distortion::skin_of_joints
   CurveSelection selection_;
 };
 

@@ -136,11 +136,12 @@ void CompressionPanel::makeChoices() {
   ends_->setAccessibleName(tr("Ends"));
   importance_->setAccessibleName(tr("Importance"));
   importance_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  addChoices(weighting_, kWeightings);
+  addChoices(weighting_, kWeightingsWithoutMesh);
   weighting_->setAccessibleName(tr("Weighting"));
   weighting_->setToolTip(
       tr("Which points the error eps_x counts. Surface: the body's skin, so that turned heads and "
-         "hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint "
+         "hands count. Skin: points on the mesh, where the file has one. Shell: three points 3 cm "
+         "from every joint, as ACL does. Bone ends and joint "
          "origins: points on the bones, by bone length; the latter are the paper's."));
   addChoices(coding_, {Coding::Deflate, Coding::Rle16, Coding::Adaptive});
   coding_->setAccessibleName(tr("Coding"));
@@ -199,6 +200,12 @@ void CompressionPanel::setOptions(const EncodeOptions& options) {
 void CompressionPanel::setSkeleton(const Skeleton& skeleton) {
   skeleton_ = skeleton;
   correction_->setSkeleton(skeleton);
+  weighting_->clear();
+  if (skeleton.skin())
+    addChoices(weighting_, kWeightings);
+  else
+    addChoices(weighting_, kWeightingsWithoutMesh);
+  choose(weighting_, options_.weighting);
   showWhatApplies();
 }
 

@@ -49,9 +49,14 @@ JointsPanel::JointsPanel(JointErrorModel* model, QWidget* parent)
   view_->sortByColumn(JointErrorModel::Name, Qt::AscendingOrder);
   view_->header()->setStretchLastSection(false);
   view_->header()->setSectionResizeMode(JointErrorModel::Name, QHeaderView::Stretch);
-  for (const int column :
-       {JointErrorModel::Mean, JointErrorModel::Max, JointErrorModel::Angle, JointErrorModel::Seen})
+  for (int column = JointErrorModel::Mean; column < JointErrorModel::kColumns; ++column)
     view_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+  const auto show_skin = [this] {
+    view_->setColumnHidden(JointErrorModel::SkinMax, !model_->hasSkin());
+  };
+  connect(model, &QAbstractItemModel::modelReset, this, show_skin);
+  connect(model, &QAbstractItemModel::dataChanged, this, show_skin);
+  show_skin();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(view_);

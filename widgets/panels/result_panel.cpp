@@ -78,6 +78,8 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   p99_ = addRow(tr("99 % of points within"),
                 tr("99th percentile of the distance over all joints and frames, unweighted."));
   max_ = addRow(tr("Worst point"), tr("Greatest distance of any joint at any frame."));
+  skin_ = addRow(tr("On the skin: worst / RMS"),
+                 tr("Distances of points spread evenly over the mesh, at any frame."));
   seen_ = addRow(tr("To the eye"), seenExplanation());
   footskate_ = addRow(tr("Footskate"), tr("Distance of the feet over the ground while they stand, "
                                           "beyond the original's own, summed over the clip."));
@@ -138,6 +140,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   if (!figures) {
     eps_name_->setText(tr("eps_x"));
     setEnds({});
+    for (QLabel* label : {nameOf(skin_), skin_}) label->hide();
     for (QLabel* label : {ratio_, eps_, bytes_, p95_, p99_, max_, seen_, coefficient_ratio_, bits_,
                           footskate_, slide_, correction_, knee_})
       label->setText(kUnknown);
@@ -152,6 +155,10 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   p95_->setText(distance(figures->p95_cm));
   p99_->setText(distance(figures->p99_cm));
   max_->setText(distance(figures->max_cm));
+  if (figures->skin)
+    skin_->setText(tr("%1 / %2", "skin")
+                       .arg(lengthText(figures->skin->max.cm), lengthText(figures->skin->rms)));
+  for (QLabel* label : {nameOf(skin_), skin_}) label->setVisible(figures->skin.has_value());
   seen_->setText(figures->seen ? displayName(figures->seen->sight) : kUnknown);
   seen_->setToolTip(figures->seen ? reasonText(*figures->seen) : seenExplanation());
   coefficient_ratio_->setText(figures->coefficient_ratio

@@ -34,6 +34,7 @@ struct ResultFigures {
   std::optional<double> p95_cm;
   std::optional<double> p99_cm;
   double max_cm = 0;
+  std::optional<Spread> skin;  // unset: there is no mesh, or no original to compare it with
   std::optional<SeenFigures> seen;
   std::optional<double> coefficient_ratio;
   double bits_per_joint_sample = 0;
@@ -77,6 +78,7 @@ class ResultPanel : public QWidget {
   QLabel* p95_;
   QLabel* p99_;
   QLabel* max_;
+  QLabel* skin_;
   QLabel* seen_;
   QLabel* coefficient_ratio_;
   QLabel* bits_;

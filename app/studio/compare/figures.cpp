@@ -51,6 +51,7 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
     figures.p95_cm = decoded.distortion->p95;
     figures.p99_cm = decoded.distortion->p99;
     figures.max_cm = decoded.distortion->max.cm;
+    figures.skin = decoded.distortion->skin;
     figures.ends = decoded.distortion->ends;
     figures.is_loop = decoded.compressed.loop != Loop::None;
   }

@@ -101,7 +101,11 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
   }
   if (!decoded_ && now.encode.correction)
     now.encode.correction->joints.clear();  // they were another skeleton's
-  for (ClipSettings& each : tuning_.both) each.encode.contacts = contactsBy(each.contacts);
+  for (ClipSettings& each : tuning_.both) {
+    each.encode.contacts = contactsBy(each.contacts);
+    if (skeleton() && !skeleton()->skin() && each.encode.weighting == Weighting::Skin)
+      each.encode.weighting = Weighting::Surface;  // the clip before had a mesh
+  }
   findSkin();
   emit clipChanged();
   emit optionsChanged();

@@ -154,6 +154,8 @@ NamedSettings fitting(NamedSettings settings, const Motion& motion) {
                           [&](const Landmark& point) { return point.name == contact.point; });
     });
   }
+  if (preset.weighting == Weighting::Skin && !skeleton.skin())
+    preset.weighting = Settings().weighting;
   if (preset.target.kind == Target::Kind::CoefficientRatio) preset.target = {};
   return settings;
 }

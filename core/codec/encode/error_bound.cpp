@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/motion/forward_kinematics.h"
+#include "core/motion/skin_points.h"
 
 namespace mocapress {
 namespace {
@@ -21,7 +22,9 @@ Eigen::MatrixX3d cross(const Eigen::MatrixX3d& a, const Eigen::MatrixX3d& b) {
 std::vector<Landmark> bounded_points(const Skeleton& skeleton, Weighting weighting) {
   if (is_on_bones(weighting)) return landmarks(skeleton);
   std::vector<Landmark> points = joint_origins(skeleton);
-  const std::vector<Landmark> measured = measured_points(skeleton, weighting).points;
+  const std::vector<Landmark> measured = weighting == Weighting::Skin && skeleton.skin()
+                                             ? corners_of(*skeleton.skin(), skeleton)
+                                             : measured_points(skeleton, weighting).points;
   points.insert(points.end(), measured.begin(), measured.end());
   return points;
 }

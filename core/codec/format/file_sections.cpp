@@ -144,7 +144,7 @@ class SectionsReader {
       return failure(MCPR_INVALID, at, "a basis where there are no wavelets");
     if ((method == 0) != (coding == kComparison) || method > 4)
       return failure(MCPR_INVALID, at + 2, "unknown method");
-    if (weighting > 3) return failure(MCPR_INVALID, at + 3, "unknown weighting");
+    if (weighting > 4) return failure(MCPR_INVALID, at + 3, "unknown weighting");
     if (sections_.frames > limits_.frames)
       return failure(MCPR_LIMIT, at - 4, "more frames than the limits allow");
     sections_.wavelet = static_cast<Wavelet>(basis);

@@ -27,7 +27,7 @@ class ErrorModelOf : public testing::TestWithParam<Weighting> {
   const ErrorModel model_{motion_.skeleton, motion_.clip, GetParam()};
 };
 
-INSTANTIATE_TEST_SUITE_P(Weightings, ErrorModelOf, testing::ValuesIn(kWeightings));
+INSTANTIATE_TEST_SUITE_P(Weightings, ErrorModelOf, testing::ValuesIn(kWeightingsWithoutMesh));
 
 TEST_P(ErrorModelOf, CurvatureIsTheDiagonalOfTheBruteForceForm) {
   for (const int t : {0, 64, 149})
