@@ -22,12 +22,92 @@ Joint joint(int parent, const Eigen::Vector3d& offset,
 
 std::vector<Capsule> posed(const FigureShape& shape, const Eigen::MatrixXd& tracks, int frame,
                            int selected_joint) {
-  std::vector<Capsule> capsules(static_cast<std::size_t>(shape.capsuleCount()));
-  shape.pose(tracks, frame, {selected_joint, {}, {}}, capsules);
-  return capsules;
+  return shape.posed(tracks, frame, {selected_joint, {}, {}});
 }
 
-TEST(FigureShape, LaysACapsuleAlongEverySegmentAndABallOnEveryJoint) {
+/// A human of 180 cm with arms down, without hands' and head's ends; `floor`: a game's, whose root
+/// stays on the ground.
+Skeleton human(bool floor) {
+  Skeleton skeleton;
+  const auto add = [&](const std::string& name, int parent, double x, double y, double z) {
+    Joint each = joint(parent, {x, y, z});
+    each.name = name;
+    if (name == "Hips") each.channels = {ChannelKind::TranslationX, ChannelKind::TranslationY};
+    return skeleton.add(each);
+  };
+  const int root = floor ? add("root", -1, 0, 0, 0) : -1;
+  const int hips = add("Hips", root, 0, 95, 0);
+  const int spine = add("Spine", hips, 0, 12, 0);
+  const int chest = add("Chest", spine, 0, 25, 0);
+  const int neck = add("Neck", chest, 0, 16, 0);
+  add("Head", neck, 0, 10, 2);
+  for (const double side : {1.0, -1.0}) {
+    const std::string name = side > 0 ? "Left" : "Right";
+    const int collar = add(name + "Shoulder", chest, 4 * side, 12, 0);
+    const int arm = add(name + "Arm", collar, 14 * side, 0, 0);
+    const int forearm = add(name + "ForeArm", arm, 0, -30, 0);
+    add(name + "Hand", forearm, 0, -26, 0);
+    const int thigh = add(name + "UpLeg", hips, 9 * side, -4, 0);
+    const int shin = add(name + "Leg", thigh, 0, -43, 0);
+    const int foot = add(name + "Foot", shin, 0, -41, 0);
+    add(name + "ToeBase", foot, 0, -6, 14);
+  }
+  return skeleton;
+}
+
+/// How far a point is from the surface of the nearest capsule, cm; negative: within.
+double outside(const std::vector<Capsule>& capsules, const QVector3D& point) {
+  double nearest = 1e9;
+  for (const Capsule& each : capsules) {
+    const QVector3D span = each.end - each.start;
+    const float length = span.lengthSquared();
+    const float along =
+        length > 0
+            ? std::clamp(QVector3D::dotProduct(point - each.start, span) / length, 0.0f, 1.0f)
+            : 0;
+    const float radius = each.start_radius + along * (each.end_radius - each.start_radius);
+    nearest = std::min(
+        nearest, static_cast<double>(point.distanceToPoint(each.start + along * span) - radius));
+  }
+  return nearest;
+}
+
+TEST(FigureShape, OfAHumanIsABody) {
+  for (const bool floor : {false, true}) {
+    const Skeleton skeleton = human(floor);
+    const Eigen::MatrixXd tracks =
+        landmark_tracks(skeleton, {.channels = Eigen::MatrixXd::Zero(1, skeleton.channel_count())});
+    const std::vector<Capsule> body = posed(FigureShape(skeleton), tracks, 0, -1);
+    const double ground = 0;
+    // A skull above the joint of the head, as high as a human is.
+    EXPECT_LT(outside(body, {0, 168, 2}), 0);
+    EXPECT_GT(outside(body, {0, 184, 2}), 0);
+    EXPECT_LT(outside(body, {6, 169, 2}), 0);
+    // A trunk with volume between its bones, which ends before the arms.
+    EXPECT_LT(outside(body, {9, 135, 0}), 0);
+    EXPECT_LT(outside(body, {6, 135, 7}), 0);
+    EXPECT_GT(outside(body, {0, 135, 20}), 0);
+    EXPECT_LT(outside(body, {8, 108, 0}), 0);
+    // Hands that no joint ends, and heels.
+    for (const float side : {18.0f, -18.0f}) EXPECT_LT(outside(body, {side, 80, 0}), 0);
+    for (const float side : {9.0f, -9.0f}) EXPECT_LT(outside(body, {side, 4, 0}), 0);
+    // Nothing lies on the ground but feet, nor between the legs.
+    EXPECT_GT(outside(body, {0, static_cast<float>(ground), 0}), 2);
+    EXPECT_GT(outside(body, {0, 50, 0}), 0);
+  }
+}
+
+TEST(FigureShape, IsTheSameOnBothSides) {
+  const Skeleton skeleton = human(false);
+  const Eigen::MatrixXd tracks =
+      landmark_tracks(skeleton, {.channels = Eigen::MatrixXd::Zero(1, skeleton.channel_count())});
+  const std::vector<Capsule> body = posed(FigureShape(skeleton), tracks, 0, -1);
+  for (float y = 0; y < 180; y += 7)
+    for (float x = 0; x < 40; x += 5)
+      EXPECT_NEAR(outside(body, {x, y, 3}), outside(body, {-x, y, 3}), 1e-3) << x << ' ' << y;
+}
+
+TEST(FigureShape, OfWhatIsNoHumanIsACapsuleAlongEverySegmentAndABallOnEveryJoint) {
   const Motion motion = test::smooth_motion(4);
   const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
   const FigureShape shape(motion.skeleton);
@@ -106,7 +186,7 @@ TEST(FigureShape, TheBodyBeginsWhereSomethingWalksAwayFromTheFloor) {
   clip.channels = Eigen::RowVector2d(900, 0);
   const Eigen::MatrixXd tracks = landmark_tracks(game, clip);
   EXPECT_GT(shape.centre(tracks, 0).x(), 850);
-  EXPECT_EQ(shape.body(tracks, 0).size(), 3u);
+  for (const QVector3D& point : shape.body(tracks, 0)) EXPECT_GT(point.x(), 850);
 
   EXPECT_EQ(FigureShape(test::small_skeleton()).bodyRoot(), 0);
 }

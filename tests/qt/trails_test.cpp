@@ -39,7 +39,7 @@ TEST(GhostTrail, IsThePosesOfThoseFramesFadingWithTheirDistance) {
   const TrailPoses poses{50, 10, 3};
   const std::vector<int> frames = poses.frames(kTrailFrames);
   const std::vector<Capsule> trail = ghostTrail(shape, tracks, poses, kColours);
-  const auto each = static_cast<std::size_t>(shape.boneCount());
+  const auto each = static_cast<std::size_t>(shape.partCount());
   ASSERT_EQ(trail.size(), frames.size() * each);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     EXPECT_EQ(trail[i * each].start,

@@ -39,13 +39,6 @@ Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
   hide();
 }
 
-void Figure::show(const FigureShape& shape, const Eigen::MatrixXd& tracks, int frame,
-                  const FigureMarks& marks) {
-  std::vector<Capsule> capsules(static_cast<std::size_t>(shape.capsuleCount()));
-  shape.pose(tracks, frame, marks, capsules);
-  show(capsules);
-}
-
 void Figure::show(std::span<const Capsule> capsules) {
   capsules_->setData(QByteArray(reinterpret_cast<const char*>(capsules.data()),
                                 static_cast<qsizetype>(capsules.size_bytes())));

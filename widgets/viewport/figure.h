@@ -20,10 +20,6 @@ class Figure : public Qt3DCore::QEntity {
 
   Figure(Look look, QNode* parent);
 
-  /// Shows the figure, in the pose of a frame.
-  void show(const FigureShape& shape, const Eigen::MatrixXd& tracks, int frame,
-            const FigureMarks& marks);
-
   /// Shows these alone.
   void show(std::span<const Capsule> capsules);
   void hide();

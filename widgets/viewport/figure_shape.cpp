@@ -1,21 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Based on: D. A. Winter, "Biomechanics and Motor Control of Human Movement" (proportions).
 #include "widgets/viewport/figure_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
+#include "core/motion/body.h"
+#include "core/motion/body_part.h"
 #include "core/motion/landmarks.h"
 
 namespace mocapress {
 namespace {
 
-// Thickness grows with the root of the length, so that neither fingers vanish nor thighs swell.
+// Of what is no human. Thickness grows with the root of the length, so that neither fingers vanish
+// nor thighs swell.
 constexpr float kRadiusPerRoot = 0.034f;  // of length x size of the figure
 constexpr float kThinnest = 0.003f;       // radius per size of the figure
 constexpr float kTaper = 0.6f;            // a bone's end radius, per start radius
-constexpr float kBallPerBone = 1.22f;     // a joint's ball, per thickest bone it starts
 constexpr float kSelectedGrowth = 1.5f;
+constexpr float kMostThickness = 0.4f;  // of a bone's length, its radius
+
+// Of a human, per stature.
+constexpr float kLegOfStature = 0.491f;  // from hip to ankle
+constexpr float kSkull = 0.049f;         // its radius
+constexpr float kJaw = 0.036f;
+constexpr float kJawAbove = 0.03f;  // of the joint that the head turns about, along the head
+constexpr float kSkullAbove = 0.063f;
+constexpr float kNeckRadius = 0.031f;
+constexpr float kChest = 0.059f;
+constexpr float kWaist = 0.05f;
+constexpr float kPelvis = 0.056f;
+constexpr float kShoulder = 0.033f;
+constexpr float kPalm = 0.017f;
+constexpr float kHandLength = 0.1f;
+constexpr float kFinger = 0.0062f;
+constexpr float kHeel = 0.019f;
+constexpr float kHeelBelow = 0.02f;  // of the ankle
+constexpr float kToes = 0.013f;
+constexpr float kFootLength = 0.1f;  // from the ankle
 
 Eigen::MatrixXd restTracks(const Skeleton& skeleton) {
   Clip rest;
@@ -73,6 +97,289 @@ QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark) {
   return {at(0), at(1), at(2)};
 }
 
+/// What a body is made of, put together part by part.
+class FigureShape::Builder {
+ public:
+  Builder(const Skeleton& skeleton, FigureShape& shape)
+      : skeleton_(skeleton),
+        shape_(shape),
+        rest_(restTracks(skeleton)),
+        regions_(body_regions(skeleton)),
+        is_finger_(static_cast<std::size_t>(skeleton.joint_count()), false) {
+    for (const int joint : joints_of(skeleton, BodyPart::Fingers))
+      is_finger_[static_cast<std::size_t>(joint)] = true;
+  }
+
+  void build() {
+    findBones();
+    if (regions_.empty() || !findHuman()) return addBones();
+    addTrunk();
+    addHead();
+    for (const Bone& bone : bones_) addLimb(bone);
+    for (const int joint : tops(BodyRegion::Hand)) addPalm(joint);
+    for (const int joint : tops(BodyRegion::Foot)) addFoot(joint);
+  }
+
+ private:
+  struct Bone {
+    int joint;
+    int start, end;  // landmarks
+    float length;    // cm
+    float radius;    // cm, in the middle
+  };
+
+  BodyRegion region(int joint) const { return regions_[static_cast<std::size_t>(joint)]; }
+  QVector3D rest(const Place& place) const { return at(place, rest_, 0); }
+  float distance(const Place& a, const Place& b) const { return rest(a).distanceToPoint(rest(b)); }
+
+  /// `share` of the way from one place to another; beyond it where more than 1.
+  static Place between(const Place& from, const Place& to, float share) {
+    Place place;
+    for (const auto& [landmark, weight] : from) place.emplace_back(landmark, (1 - share) * weight);
+    for (const auto& [landmark, weight] : to) place.emplace_back(landmark, share * weight);
+    return place;
+  }
+  static Place on(int landmark) { return {{landmark, 1.0f}}; }
+
+  /// So many cm beyond `to`, seen from another place.
+  Place beyond(const Place& from, const Place& to, float cm) const {
+    const float length = distance(from, to);
+    return length > 0 ? between(from, to, 1 + cm / length) : to;
+  }
+
+  void add(const Place& start, float start_radius, const Place& end, float end_radius) {
+    shape_.parts_.push_back({start, start_radius, end, end_radius});
+  }
+
+  /// A ball that fills the joint.
+  void fill(int joint, float radius) {
+    float& ball = shape_.ball_radii_[static_cast<std::size_t>(joint)];
+    ball = std::max(ball, radius);
+  }
+
+  /// Those that a body has: not from a root on the floor to the hips.
+  void findBones() {
+    const std::vector<BodyLimb> limbs = body_limbs(skeleton_);
+    int end_site = skeleton_.joint_count();
+    for (const Segment& segment : skeleton_.segments()) {
+      const int end = segment.child >= 0 ? segment.child : end_site++;
+      const auto limb = std::find_if(limbs.begin(), limbs.end(), [&](const BodyLimb& each) {
+        return each.joint == segment.joint && each.axis_in_joint == segment.end_in_joint;
+      });
+      if (limb != limbs.end())
+        bones_.push_back({segment.joint, segment.joint, end, static_cast<float>(segment.length),
+                          static_cast<float>(limb->radius)});
+    }
+  }
+
+  void addBones() {
+    for (const Bone& bone : bones_) {
+      const float radius = std::max(std::min(kRadiusPerRoot * std::sqrt(bone.length * shape_.size_),
+                                             kMostThickness * bone.length),
+                                    kThinnest * shape_.size_);
+      add(on(bone.start), radius, on(bone.end), kTaper * radius);
+      fill(bone.joint, radius);
+    }
+  }
+
+  /// The uppermost joints of a region.
+  std::vector<int> tops(BodyRegion wanted) const {
+    std::vector<int> found;
+    for (int j = 0; j < skeleton_.joint_count(); ++j) {
+      const int parent = skeleton_.joint(j).parent;
+      if (region(j) == wanted && (parent < 0 || region(parent) != wanted)) found.push_back(j);
+    }
+    return found;
+  }
+
+  bool findHuman() {
+    hips_ = tops(BodyRegion::Thigh);
+    shoulders_ = tops(BodyRegion::UpperArm);
+    if (hips_.size() != 2 || shoulders_.size() != 2) return false;
+    stature_ = 0;
+    for (const int hip : hips_) stature_ += legBelow(hip) / 2 / kLegOfStature;
+    if (!(stature_ > 0)) return false;
+    // Sides go by who is nearer.
+    if (distance(on(shoulders_[0]), on(hips_[0])) + distance(on(shoulders_[1]), on(hips_[1])) >
+        distance(on(shoulders_[0]), on(hips_[1])) + distance(on(shoulders_[1]), on(hips_[0])))
+      std::swap(shoulders_[0], shoulders_[1]);
+    return true;
+  }
+
+  /// From hip to knee to ankle, however many joints lie between.
+  float legBelow(int hip) const {
+    const auto is_below = [&](int joint) {
+      while (joint > hip) joint = skeleton_.joint(joint).parent;
+      return joint == hip;
+    };
+    int knee = hip;
+    int ankle = hip;
+    for (const int joint : tops(BodyRegion::LowerLeg))
+      if (is_below(joint)) knee = joint;
+    for (const int joint : tops(BodyRegion::Foot))
+      if (is_below(joint)) ankle = joint;
+    return distance(on(hip), on(knee)) + distance(on(knee), on(ankle));
+  }
+
+  /// Two columns that bend with shoulders and hips, narrower at the waist.
+  void addTrunk() {
+    const Place between_shoulders = between(on(shoulders_[0]), on(shoulders_[1]), 0.5f);
+    const Place between_hips = between(on(hips_[0]), on(hips_[1]), 0.5f);
+    const float trunk = distance(between_shoulders, between_hips);
+    const float wide = distance(on(shoulders_[0]), on(shoulders_[1]));
+    // Ribs are no wider than the arms leave room for.
+    const float chest = std::min({kChest * stature_, 0.32f * wide, 0.4f * trunk});
+    const float waist = chest * kWaist / kChest;
+    const float pelvis = chest * kPelvis / kChest;
+    const float shoulder = std::min(kShoulder * stature_, chest);
+    const Place middle = between(between_shoulders, between_hips, 0.62f);
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Place ribs =
+          between(between(between_shoulders, on(shoulders_[side]), 0.4f), between_hips, 0.2f);
+      const Place flank = between(middle, on(hips_[side]), 0.27f);
+      const Place hip = between(between_hips, on(hips_[side]), 0.62f);
+      add(ribs, chest, flank, waist);
+      add(flank, waist, hip, pelvis);
+      shoulder_of_[side] = shoulder;
+      add(between(between_shoulders, on(shoulders_[side]), 0.25f), 0.85f * shoulder,
+          on(shoulders_[side]), shoulder);
+      add(ribs, 0.8f * chest, between(between_shoulders, on(shoulders_[side]), 0.78f), shoulder);
+    }
+    add(between(between_shoulders, between_hips, 0.18f), chest, middle, waist);
+    add(middle, waist, between_hips, pelvis);
+    neck_base_ = between(between_shoulders, between_hips, 0.04f);
+    for (int j = shape_.body_root_; j < skeleton_.joint_count(); ++j)
+      if (region(j) == BodyRegion::Trunk) fill(j, 0.8f * waist);
+  }
+
+  void addHead() {
+    for (const int head : tops(BodyRegion::Head)) {
+      const Place base = on(head);
+      // A face has joints too, but the crown lies furthest from the neck.
+      Place top = beyond(neck_base_, base, 0.1f * stature_);
+      const QVector3D up = (rest(base) - rest(neck_base_)).normalized();
+      float highest = 0.05f * stature_;
+      for (const Bone& bone : bones_) {
+        if (bone.joint != head) continue;
+        const float height = QVector3D::dotProduct(rest(on(bone.end)) - rest(base), up);
+        if (height <= highest) continue;
+        highest = height;
+        top = on(bone.end);
+      }
+      const float length = distance(base, top);
+      const auto along = [&](float per_stature) {
+        return length > 0 ? between(base, top, per_stature * stature_ / length) : base;
+      };
+      add(neck_base_, 1.1f * kNeckRadius * stature_, along(0.02f), kNeckRadius * stature_);
+      add(along(kJawAbove), kJaw * stature_, along(kSkullAbove), kSkull * stature_);
+      fill(head, kNeckRadius * stature_);
+      // What slopes from the neck to the shoulders.
+      for (std::size_t side = 0; side < 2; ++side)
+        add(between(neck_base_, base, 0.4f), 0.95f * kNeckRadius * stature_,
+            between(neck_base_, on(shoulders_[side]), 0.8f), 0.85f * shoulder_of_[side]);
+    }
+    for (const int neck : tops(BodyRegion::Neck)) fill(neck, kNeckRadius * stature_);
+  }
+
+  void addLimb(const Bone& bone) {
+    // What leads from one limb into another is thick as flesh, not as bone.
+    const auto add_tapered = [&](float start, float end) {
+      const float radius = std::min(bone.radius, kMostThickness * bone.length);
+      add(on(bone.start), start * radius, on(bone.end), end * radius);
+      fill(bone.joint, start * radius);
+    };
+    switch (region(bone.joint)) {
+      case BodyRegion::UpperArm:
+        return add_tapered(1.2f, 0.95f);
+      case BodyRegion::Forearm:
+        return add_tapered(1.15f, 0.8f);
+      case BodyRegion::Thigh:
+        return add_tapered(1.25f, 0.85f);
+      case BodyRegion::LowerLeg:
+        return add_tapered(1.2f, 0.75f);
+      case BodyRegion::Hand:
+        if (!is_finger_[static_cast<std::size_t>(bone.joint)]) break;
+        add(on(bone.start), kFinger * stature_, on(bone.end), 0.85f * kFinger * stature_);
+        fill(bone.joint, kFinger * stature_);
+        break;
+      default:
+        break;
+    }
+  }
+
+  /// Where what hangs on a joint in its own region ends.
+  std::vector<int> endsBelow(int joint, bool also_fingers) const {
+    std::vector<int> ends;
+    for (const Bone& bone : bones_) {
+      int above = bone.joint;
+      while (above > joint) above = skeleton_.joint(above).parent;
+      const bool is_of_finger = is_finger_[static_cast<std::size_t>(bone.joint)];
+      if (above == joint && (also_fingers || !is_of_finger)) ends.push_back(bone.end);
+    }
+    return ends;
+  }
+
+  /// Wide where fingers begin; as long as a hand is where there are none.
+  void addPalm(int wrist) {
+    const Place base = on(wrist);
+    const float palm = kPalm * stature_;
+    bool has_fingers = false;
+    for (const int end : endsBelow(wrist, false)) {
+      const bool is_knuckle =
+          end < skeleton_.joint_count() && is_finger_[static_cast<std::size_t>(end)];
+      has_fingers = has_fingers || is_knuckle;
+      const bool is_short = distance(base, on(end)) < 0.02f * stature_;
+      if (!is_short) add(base, 0.8f * palm, on(end), is_knuckle ? 0.55f * palm : 0.7f * palm);
+    }
+    fill(wrist, 0.85f * palm);
+    float reach = 0;
+    for (const int end : endsBelow(wrist, true)) reach = std::max(reach, distance(base, on(end)));
+    if (has_fingers || reach > 0.06f * stature_) return;
+    const int elbow = skeleton_.joint(wrist).parent;
+    const Place tip = beyond(on(elbow), base, kHandLength * stature_);
+    add(between(base, tip, 0.25f), palm, between(base, tip, 0.85f), 0.75f * palm);
+  }
+
+  /// A heel below the ankle, the instep and the toes.
+  void addFoot(int ankle) {
+    const Place base = on(ankle);
+    const int knee = skeleton_.joint(ankle).parent;
+    const Place heel = beyond(on(knee), base, kHeelBelow * stature_);
+    float reach = 0;
+    int ball = -1;  // the first joint or end away from the ankle
+    int tip = -1;   // the one furthest away
+    for (const int end : endsBelow(ankle, true)) {
+      const float away = distance(base, on(end));
+      if (ball < 0 && away > 0.03f * stature_) ball = end;
+      if (away > reach) tip = end;
+      reach = std::max(reach, away);
+    }
+    fill(ankle, kHeel * stature_);
+    add(base, kHeel * stature_, heel, kHeel * stature_);
+    if (ball < 0) return;
+    const float instep = 1.05f * kHeel * stature_;
+    add(base, instep, on(ball), 1.15f * kToes * stature_);
+    add(heel, 0.9f * kHeel * stature_, on(ball), 1.15f * kToes * stature_);
+    fill(ball < skeleton_.joint_count() ? ball : ankle, kToes * stature_);
+    const Place end = tip != ball || reach > 0.9f * kFootLength * stature_
+                          ? on(tip)
+                          : beyond(base, on(ball), 0.35f * reach);
+    add(on(ball), 1.15f * kToes * stature_, end, 0.8f * kToes * stature_);
+  }
+
+  const Skeleton& skeleton_;
+  FigureShape& shape_;
+  Eigen::MatrixXd rest_;
+  std::vector<BodyRegion> regions_;  // empty: no human
+  std::vector<bool> is_finger_;
+  std::vector<Bone> bones_;
+  std::vector<int> hips_;               // joints where legs begin, left and right or right and left
+  std::vector<int> shoulders_;          // likewise arms, on the same sides
+  float stature_ = 0;                   // cm
+  std::array<float, 2> shoulder_of_{};  // their radii, cm
+  Place neck_base_;
+};
+
 FigureShape::FigureShape(const Skeleton& skeleton)
     : ball_radii_(static_cast<std::size_t>(skeleton.joint_count())),
       body_root_(bodyRootOf(skeleton)) {
@@ -80,17 +387,26 @@ FigureShape::FigureShape(const Skeleton& skeleton)
       skeleton.joint_count() > 0 ? longestSide(boxAround(restTracks(skeleton), 0, body_root_)) : 0;
   if (size_ <= 0) size_ = 100;  // a lone point is still drawn as a ball to see and to click
   std::fill(ball_radii_.begin(), ball_radii_.end(), kThinnest * size_);
+  Builder(skeleton, *this).build();
+}
 
-  int end_site = skeleton.joint_count();
-  for (const Segment& segment : skeleton.segments()) {
-    const int end = segment.child >= 0 ? segment.child : end_site++;
-    if (segment.length <= 0) continue;
-    const float radius = std::max(
-        kRadiusPerRoot * std::sqrt(static_cast<float>(segment.length) * size_), kThinnest * size_);
-    bones_.push_back({segment.joint, end, radius});
-    float& ball = ball_radii_[static_cast<std::size_t>(segment.joint)];
-    ball = std::max(ball, kBallPerBone * radius);
-  }
+QVector3D FigureShape::at(const Place& place, const Eigen::MatrixXd& tracks, int frame) {
+  QVector3D mean;
+  for (const auto& [landmark, weight] : place) mean += weight * landmarkAt(tracks, frame, landmark);
+  return mean;
+}
+
+int FigureShape::nearestLandmark(const Place& place) {
+  return std::max_element(place.begin(), place.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+std::vector<Capsule> FigureShape::posed(const Eigen::MatrixXd& tracks, int frame,
+                                        const FigureMarks& marks) const {
+  std::vector<Capsule> capsules(static_cast<std::size_t>(capsuleCount()));
+  pose(tracks, frame, marks, capsules);
+  return capsules;
 }
 
 void FigureShape::pose(const Eigen::MatrixXd& tracks, int frame, const FigureMarks& marks,
@@ -113,21 +429,26 @@ void FigureShape::pose(const Eigen::MatrixXd& tracks, int frame, const FigureMar
     *capsule++ = {centre,     radius,    centre,   radius, selected ? 1.0f : 0.0f,
                   alertOf(j), tintAt(j), tintAt(j)};
   }
-  for (const Bone& bone : bones_)
-    *capsule++ = {landmarkAt(tracks, frame, bone.start),
-                  bone.radius,
-                  landmarkAt(tracks, frame, bone.end),
-                  kTaper * bone.radius,
+  for (const Part& part : parts_) {
+    const int start = nearestLandmark(part.start);
+    const int end = nearestLandmark(part.end);
+    *capsule++ = {at(part.start, tracks, frame),
+                  part.start_radius,
+                  at(part.end, tracks, frame),
+                  part.end_radius,
                   0,
-                  std::max(alertOf(bone.start), alertOf(bone.end)),
-                  tintAt(bone.start),
-                  tintAt(bone.end)};
+                  std::max(alertOf(start), alertOf(end)),
+                  tintAt(start),
+                  tintAt(end)};
+  }
 }
 
 std::vector<QVector3D> FigureShape::body(const Eigen::MatrixXd& tracks, int frame) const {
   std::vector<QVector3D> points;
   for (int p = body_root_; p < tracks.cols() / 3; ++p)
     points.push_back(landmarkAt(tracks, frame, p));
+  for (const Part& part : parts_)
+    points.push_back(at(part.end, tracks, frame) + QVector3D(0, part.end_radius, 0));
   return points;
 }
 

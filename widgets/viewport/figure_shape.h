@@ -6,6 +6,7 @@
 #include <QVector3D>
 #include <QVector4D>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/motion/skeleton.h"
@@ -38,17 +39,20 @@ struct FigureMarks {
 /// A point of a frame of landmark_tracks().
 QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark);
 
-/// The body of a skeleton: a tapered capsule a bone, a ball a joint. Knows thicknesses, which stay,
-/// and not the pose, which comes with every frame.
+/// The body of a skeleton, in tapered capsules. That of a human has a skull, a trunk with volume,
+/// limbs of human proportions, hands and feet, whatever joints carry it; that of anything else has
+/// bones as thick as what hangs on them. It follows from places of landmarks alone. Knows
+/// thicknesses, which stay, and not the pose, which comes with every frame.
 class FigureShape {
  public:
   explicit FigureShape(const Skeleton& skeleton);
 
   int jointCount() const { return static_cast<int>(ball_radii_.size()); }
-  int capsuleCount() const { return static_cast<int>(bones_.size() + ball_radii_.size()); }
+  int capsuleCount() const { return static_cast<int>(parts_.size() + ball_radii_.size()); }
 
-  /// Of those the bones, which come last. They are round at their ends.
-  int boneCount() const { return static_cast<int>(bones_.size()); }
+  /// Of those the parts of the body, which come last. They are round at their ends. The others are
+  /// balls within it, one a joint, of which the selected one stands out.
+  int partCount() const { return static_cast<int>(parts_.size()); }
 
   /// The first joint that carries the body. A game's root on the floor does not: the hips walk away
   /// from it. Landmarks from here on are the body's.
@@ -57,23 +61,35 @@ class FigureShape {
   /// The longest side (cm) of the box around the rest pose.
   float size() const { return size_; }
 
-  /// Fills capsuleCount() capsules, joint j the j-th of them, bones after the joints.
+  /// All capsules at a frame of landmark_tracks().
+  std::vector<Capsule> posed(const Eigen::MatrixXd& tracks, int frame,
+                             const FigureMarks& marks) const;
+
+  /// Fills capsuleCount() capsules, joint j the j-th of them, parts after the joints.
   void pose(const Eigen::MatrixXd& tracks, int frame, const FigureMarks& marks,
             std::span<Capsule> capsules) const;
 
-  /// The body's landmarks at a frame.
+  /// The body's landmarks at a frame, and how high its parts reach.
   std::vector<QVector3D> body(const Eigen::MatrixXd& tracks, int frame) const;
 
   /// The centre of the box around them.
   QVector3D centre(const Eigen::MatrixXd& tracks, int frame) const;
 
  private:
-  struct Bone {
-    int start;  // landmarks
-    int end;
-    float radius;  // cm, at its start
+  /// A mean of landmarks, with weights that sum to 1. Negative ones lead beyond the others.
+  using Place = std::vector<std::pair<int, float>>;
+  struct Part {
+    Place start;
+    float start_radius;  // cm
+    Place end;
+    float end_radius;
   };
-  std::vector<Bone> bones_;
+  class Builder;
+
+  static QVector3D at(const Place& place, const Eigen::MatrixXd& tracks, int frame);
+  static int nearestLandmark(const Place& place);
+
+  std::vector<Part> parts_;
   std::vector<float> ball_radii_;  // cm, one a joint
   int body_root_;
   float size_;

@@ -129,6 +129,8 @@ Scene::Scene(OpenGl open_gl) {
   shell_ = new Figure(Figure::Look::Ghost, root);
   body_skin_ = new SkinFigure(false, root);
   shell_skin_ = new SkinFigure(true, root);
+  body_shadow_ = new Shadow(root);
+  shell_shadow_ = new Shadow(root);
   body_path_ = new Figure(Figure::Look::Solid, root);
   shell_path_ = new Figure(Figure::Look::Solid, root);
   trails_ = new Figure(Figure::Look::Solid, root);
@@ -141,6 +143,7 @@ Scene::Scene(OpenGl open_gl) {
     figure = new Figure(Figure::Look::Solid, root);
     figure->setThickness(thickness -= kThinnerEach);
   }
+  for (SkinFigure*& skin : pinned_skins_) skin = new SkinFigure(false, root);
   overlay_ = new Overlay(root);
   auto* frame_action = new Qt3DLogic::QFrameAction(root);
   root->addComponent(frame_action);
@@ -168,6 +171,8 @@ void Scene::makeFrameGraph(Qt3DCore::QEntity* backdrop) {
   step({backdrop}, "shade");
   step({body_, body_skin_, body_path_, shell_path_, trails_, discs_}, "shade");
   addStep(camera_selector, pinned_, QStringLiteral("shade"));
+  addStep(camera_selector, pinned_skins_, QStringLiteral("shade"));
+  step({body_shadow_, shell_shadow_}, "shade");
   addStep(camera_selector, grounds_, QStringLiteral("shade"));
   for (Qt3DCore::QEntity* translucent :
        std::initializer_list<Qt3DCore::QEntity*>{ghosts_, shell_, shell_skin_})

@@ -11,6 +11,7 @@
 #include "widgets/viewport/orbit_camera.h"
 #include "widgets/viewport/overlay.h"
 #include "widgets/viewport/shader_material.h"
+#include "widgets/viewport/shadow.h"
 #include "widgets/viewport/skin_figure.h"
 #include "widgets/viewport/view_arrangement.h"
 
@@ -54,12 +55,15 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Figure& shell() { return *shell_; }
   SkinFigure& bodySkin() { return *body_skin_; }
   SkinFigure& shellSkin() { return *shell_skin_; }
+  Shadow& bodyShadow() { return *body_shadow_; }
+  Shadow& shellShadow() { return *shell_shadow_; }
   Figure& bodyPath() { return *body_path_; }
   Figure& shellPath() { return *shell_path_; }
   Figure& trails() { return *trails_; }
   Figure& discs() { return *discs_; }
   Figure& ghosts() { return *ghosts_; }  // poses before and after now
   Figure& pinned(std::size_t index) { return *pinned_[index]; }
+  SkinFigure& pinnedSkin(std::size_t index) { return *pinned_skins_[index]; }
   Overlay& overlay() { return *overlay_; }
   void setCell(float cell);  // cm, of the ground
 
@@ -87,12 +91,15 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Figure* shell_;
   SkinFigure* body_skin_;
   SkinFigure* shell_skin_;
+  Shadow* body_shadow_;
+  Shadow* shell_shadow_;
   Figure* body_path_;
   Figure* shell_path_;
   Figure* trails_;
   Figure* discs_;
   Figure* ghosts_;
   std::array<Figure*, kMostPinned> pinned_;
+  std::array<SkinFigure*, kMostPinned> pinned_skins_;
   std::array<Ground*, kMostPanes> grounds_;  // one a pane
   Overlay* overlay_;
   ShaderMaterial* backdrop_;

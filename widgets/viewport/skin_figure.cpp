@@ -4,6 +4,7 @@
 #include <Qt3DCore/QGeometry>
 #include <Qt3DRender/QGeometryRenderer>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/viewport/mesh.h"
 
@@ -118,8 +119,11 @@ SkinFigure::SkinFigure(bool may_be_ghost, QNode* parent) : QEntity(parent) {
 
 void SkinFigure::setSkin(std::shared_ptr<const Skin> skin) {
   skin_ = std::move(skin);
+  is_uploaded_ = false;
   hide();
-  if (!skin_) return;
+}
+
+void SkinFigure::upload() {
   ghost_swell_ = kSwellPerSize * sizeOf(*skin_);
   vertices_->setData(bytesOf(verticesOf(*skin_)));
   triangles_->setData(bytesOf(skin_->triangles));
@@ -129,6 +133,7 @@ void SkinFigure::setSkin(std::shared_ptr<const Skin> skin) {
 }
 
 void SkinFigure::show(const Pose& pose, const std::vector<QVector4D>& covers) {
+  if (!std::exchange(is_uploaded_, true)) upload();
   const std::vector<Eigen::Affine3d> transforms = world_from_bind(*skin_, pose);
   std::vector<BoneRows> rows(Skin::kMostBones);
   for (std::size_t b = 0; b < transforms.size(); ++b) {

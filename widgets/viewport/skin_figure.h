@@ -42,7 +42,10 @@ class SkinFigure : public Qt3DCore::QEntity {
   void setColour(const QColor& colour);
 
  private:
+  void upload();
+
   std::shared_ptr<const Skin> skin_;
+  bool is_uploaded_ = false;  // which waits until it is shown: of pinned results few are
   Qt3DCore::QBuffer* vertices_;
   Qt3DCore::QBuffer* triangles_;
   Qt3DCore::QBuffer* bones_;

@@ -60,10 +60,10 @@ std::vector<int> TrailPoses::frames(int clip_frames) const {
 std::vector<Capsule> ghostTrail(const FigureShape& shape, const Eigen::MatrixXd& tracks,
                                 const TrailPoses& poses, const TrailColours& colours) {
   const std::vector<int> frames = poses.frames(static_cast<int>(tracks.rows()));
-  const auto bones = static_cast<std::size_t>(shape.boneCount());
+  const auto parts = static_cast<std::size_t>(shape.partCount());
   const auto reach = static_cast<float>((poses.count + 1) * poses.step);
   std::vector<Capsule> trail;
-  trail.reserve(frames.size() * bones);
+  trail.reserve(frames.size() * parts);
   std::vector<Capsule> body(static_cast<std::size_t>(shape.capsuleCount()));
   FigureMarks marks;
   for (const int frame : frames) {
@@ -72,7 +72,7 @@ std::vector<Capsule> ghostTrail(const FigureShape& shape, const Eigen::MatrixXd&
     marks.tints.assign(static_cast<std::size_t>(tracks.cols() / 3),
                        tintOf(between(near, colours.far, std::min(away, 1.0f))));
     shape.pose(tracks, frame, marks, body);
-    trail.insert(trail.end(), body.end() - shape.boneCount(), body.end());
+    trail.insert(trail.end(), body.end() - shape.partCount(), body.end());
   }
   return trail;
 }

@@ -4,10 +4,13 @@
 #include <Eigen/Core>
 #include <QColor>
 #include <QStringList>
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace mocapress {
+
+struct Pose;
 
 /// How the original and the compressed figure are set against each other.
 enum class ViewMode {
@@ -79,6 +82,7 @@ struct PinnedFigure {
   std::shared_ptr<const Eigen::MatrixXd> tracks;  // frames x 3 * landmarks, cm
   QColor colour;
   QStringList title;  // in one line where there is room, else one below the other
+  std::function<void(int frame, Pose& pose)> poses;  // as its skin needs them; empty: it has none
 };
 
 }  // namespace mocapress

@@ -100,8 +100,10 @@ void Viewport::setSkeleton(const Skeleton& skeleton) {
 void Viewport::setSkin(std::shared_ptr<const Skin> skin) {
   if (skin == skin_) return;
   skin_ = std::move(skin);
-  if (scene_)
+  if (scene_) {
     for (SkinFigure* figure : {&scene_->bodySkin(), &scene_->shellSkin()}) figure->setSkin(skin_);
+    for (std::size_t i = 0; i < kMostPinned; ++i) scene_->pinnedSkin(i).setSkin(skin_);
+  }
   // As long as nobody has looked elsewhere, the whole of it is in sight.
   camera_is_framed_ = camera_is_framed_ && !camera_is_as_framed_;
   showFigures();
@@ -223,8 +225,9 @@ void Viewport::showFigures() {
   const bool turned = arrangement_.compressed.ghost;
   FigureMarks plain;
   plain.selected_joint = selected_joint_;
-  const Parts body{scene_->body(), scene_->bodySkin(), scene_->bodyPath()};
-  const Parts shell{scene_->shell(), scene_->shellSkin(), scene_->shellPath()};
+  const Parts body{scene_->body(), scene_->bodySkin(), scene_->bodyShadow(), scene_->bodyPath()};
+  const Parts shell{scene_->shell(), scene_->shellSkin(), scene_->shellShadow(),
+                    scene_->shellPath()};
   showFigure(turned ? body : shell, original, plain);
   showFigure(turned ? shell : body, compressed, compressedMarks());
   showMarks();
@@ -234,11 +237,14 @@ void Viewport::showFigures() {
 }
 
 void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMarks& marks) {
-  const auto& [figure, skin, path] = parts;
+  const auto& [figure, skin, shadow, path] = parts;
   const bool shown = role.tracks && role.placement.shown;
   const bool as_skin = shown && hasSkin(role.poses);
   if (!shown || as_skin) figure.hide();
   if (!as_skin) skin.hide();
+  // That of a ghost would be taken for the other's.
+  const bool has_shadow = shown && !role.placement.ghost;
+  if (!has_shadow) shadow.hide();
   if (!shown || !options_.path) path.hide();
   if (!shown) return;
   const int frame = frameOf(*role.tracks);
@@ -247,17 +253,23 @@ void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMark
     each->setPane(role.placement.pane);
     each->setOffset(offset());
   }
+  const std::vector<Capsule> capsules = shape_->posed(*role.tracks, frame, marks);
+  if (has_shadow) {
+    shadow.setPane(role.placement.pane);
+    shadow.setOffset(offset());
+    shadow.show(std::span(capsules).last(static_cast<std::size_t>(shape_->partCount())));
+  }
   if (as_skin) {
     Pose pose;
     role.poses(frame, pose);
     skin.setColour(role.skin_colour);
     skin.setPane(role.placement.pane);
     skin.setOffset(offset());
-    skin.setGhost(role.placement.ghost);
     skin.show(pose, jointCovers(marks, shape_->jointCount(), colours_.selected, colours_.alert));
+    skin.setGhost(role.placement.ghost);
   } else {
     figure.setGhost(role.placement.ghost);
-    figure.show(*shape_, *role.tracks, frame, marks);
+    figure.show(capsules);
   }
   if (!options_.path) return;
   const auto reach = std::max(1, static_cast<int>(kPathSeconds * sample_rate_hz_));
@@ -268,16 +280,26 @@ void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMark
 void Viewport::showPinned() {
   for (std::size_t i = 0; i < kMostPinned; ++i) {
     Figure& figure = scene_->pinned(i);
+    SkinFigure& skin = scene_->pinnedSkin(i);
     const bool shown = shape_ && i < pinned_.size() && arrangement_.pinned[i].shown;
-    if (!shown) {
-      figure.hide();
+    const bool as_skin = shown && hasSkin(pinned_[i].poses);
+    if (!shown || as_skin) figure.hide();
+    if (!as_skin) skin.hide();
+    if (!shown) continue;
+    const PinnedFigure& pinned = pinned_[i];
+    if (as_skin) {
+      Pose pose;
+      pinned.poses(frameOf(*pinned.tracks), pose);
+      skin.setColour(pinned.colour);
+      skin.setPane(arrangement_.pinned[i].pane);
+      skin.setOffset(offset());
+      skin.show(pose, {});
       continue;
     }
-    const PinnedFigure& pinned = pinned_[i];
     figure.setColours(pinned.colour, colours_.selected, colours_.alert);
     figure.setPane(arrangement_.pinned[i].pane);
     figure.setOffset(offset());
-    figure.show(*shape_, *pinned.tracks, frameOf(*pinned.tracks), {});
+    figure.show(shape_->posed(*pinned.tracks, frameOf(*pinned.tracks), {}));
   }
 }
 

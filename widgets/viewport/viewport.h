@@ -26,6 +26,7 @@ namespace mocapress {
 
 class Figure;
 class Scene;
+class Shadow;
 class SkinFigure;
 
 /// Chooses Qt3D's OpenGL renderer and the surface format. Call before QApplication is made.
@@ -129,6 +130,7 @@ class Viewport : public QWidget {
   struct Parts {
     Figure& figure;
     SkinFigure& skin;
+    Shadow& shadow;
     Figure& path;
   };
 

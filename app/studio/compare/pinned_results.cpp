@@ -153,7 +153,8 @@ void PinnedResults::show() {
     figures.push_back(
         {decoded->tracks,
          pin.colour,
-         {pin.name, tr("%L1 : 1").arg(entry.ratio, 0, 'f', 1), lengthText(entry.eps_cm)}});
+         {pin.name, tr("%L1 : 1").arg(entry.ratio, 0, 'f', 1), lengthText(entry.eps_cm)},
+         posesOf(decoded)});
     entries.push_back(std::move(entry));
   }
   model_->setEntries(std::move(entries));
