@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QImage>
 #include <QLineF>
 #include <QList>
 #include <QString>
@@ -14,10 +15,11 @@ struct ClipOutline {
   int frames = 0;
   double sample_rate_hz = 0;
   QList<QLineF> bones;  // of a pose, in a square from 0 to 1, y down
+  QImage skin;          // of the same pose; null: the clip has none
 };
 
-/// The pose in the middle, seen from where it is widest.
-ClipOutline outlineOf(const Motion& motion);
+/// The pose in the middle, seen from where it is widest. `skin` may be null.
+ClipOutline outlineOf(const Motion& motion, const Skin* skin);
 
 /// Reads a motion or a compressed clip. Throws what the readers throw.
 ClipOutline readOutline(const QString& path, const QString& skeleton,

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "app/jobs/clip_outline.h"
 #include "core/base/error.h"
 #include "core/baselines/compared_file.h"
 #include "core/codec/encode/encoder.h"
@@ -36,6 +37,7 @@ struct OriginalClip {
   Warnings warnings;
   std::shared_ptr<const Skin> skin;  // null: the file has none
   Takes takes;
+  ClipOutline outline;
   std::shared_ptr<const Encoder> encoder;
 
   const Motion& motion() const { return encoder->motion(); }

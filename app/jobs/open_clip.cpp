@@ -45,8 +45,9 @@ OriginalPtr readOriginal(const OpenRequest& request) {
   original.warnings = std::move(file.warnings);
   original.skin = std::move(file.skin);
   original.takes = std::move(file.takes);
-  original.encoder = std::make_shared<const Encoder>(std::move(file.motion));
   // Here, off the GUI thread, and not where they are first shown.
+  original.outline = outlineOf(file.motion, original.skin.get());
+  original.encoder = std::make_shared<const Encoder>(std::move(file.motion));
   original.encoder->original_tracks();
   original.encoder->contacts();
   return std::make_shared<const OriginalClip>(std::move(original));

@@ -3,6 +3,7 @@
 
 #include <QAbstractListModel>
 #include <QHash>
+#include <QImage>
 #include <QLineF>
 #include <QList>
 #include <QString>
@@ -31,6 +32,7 @@ struct LibraryEntry {
   int frames = 0;  // 0: not read yet
   double sample_rate_hz = 0;
   QList<QLineF> outline;  // a pose in a square from 0 to 1, y down
+  QImage skin;            // the same pose, where the clip has a skin
   QString trouble;        // why it could not be read; empty: it could, or was not tried
   std::optional<Outcome> outcome;
   Verdict verdict = Verdict::None;

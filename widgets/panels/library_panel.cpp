@@ -101,6 +101,10 @@ class RowPainter : public QStyledItemDelegate {
     painter.setPen(Qt::NoPen);
     painter.setBrush(plate);
     painter.drawRoundedRect(place, 3, 3);
+    if (!entry.skin.isNull()) {
+      painter.setRenderHint(QPainter::SmoothPixmapTransform);
+      return painter.drawImage(place.adjusted(2, 2, -2, -2), entry.skin);
+    }
     painter.setPen(QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap));
     const QRect inner = place.adjusted(3, 3, -3, -3);
     const auto at = [&](const QPointF& point) {

@@ -301,11 +301,12 @@ void Library::noteOpened(const QString& path, const QString& skeleton) {
 }
 
 void Library::showAsRead(const ProjectClip& clip, const OriginalClip& original) {
-  const ClipOutline outline = outlineOf(original.motion());
+  const ClipOutline& outline = original.outline;
   LibraryEntry read;
   read.frames = outline.frames;
   read.sample_rate_hz = outline.sample_rate_hz;
   read.outline = outline.bones;
+  read.skin = outline.skin;
   model_->setEntry(entryOf(clip, read));
 }
 
@@ -376,6 +377,7 @@ void Library::readNextOutline() {
       entry.frames = outline.frames;
       entry.sample_rate_hz = outline.sample_rate_hz;
       entry.outline = outline.bones;
+      entry.skin = outline.skin;
       entry.trouble = trouble;
       model_->setEntry(entry);
     }
