@@ -78,7 +78,6 @@ TEST(FigureShape, OfAHumanIsABody) {
     const Eigen::MatrixXd tracks =
         landmark_tracks(skeleton, {.channels = Eigen::MatrixXd::Zero(1, skeleton.channel_count())});
     const std::vector<Capsule> body = posed(FigureShape(skeleton), tracks, 0, -1);
-    const double ground = 0;
     // A skull above the joint of the head, as high as a human is.
     EXPECT_LT(outside(body, {0, 168, 2}), 0);
     EXPECT_GT(outside(body, {0, 184, 2}), 0);
@@ -92,7 +91,7 @@ TEST(FigureShape, OfAHumanIsABody) {
     for (const float side : {18.0f, -18.0f}) EXPECT_LT(outside(body, {side, 80, 0}), 0);
     for (const float side : {9.0f, -9.0f}) EXPECT_LT(outside(body, {side, 4, 0}), 0);
     // Nothing lies on the ground but feet, nor between the legs.
-    EXPECT_GT(outside(body, {0, static_cast<float>(ground), 0}), 2);
+    EXPECT_GT(outside(body, {0, 3, 0}), 2);
     EXPECT_GT(outside(body, {0, 50, 0}), 0);
   }
 }
