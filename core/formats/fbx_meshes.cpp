@@ -3,12 +3,16 @@
 
 #include <assimp/material.h>
 #include <assimp/mesh.h>
+#include <assimp/texture.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
 #include <string>
 #include <unordered_set>
 
-#include "core/formats/material_colour.h"
+#include "core/base/file.h"
 
 namespace mocapress {
 namespace {
@@ -25,12 +29,63 @@ Eigen::Affine3d affine_of(const aiMatrix4x4& m) {
   return Eigen::Affine3d(matrix);
 }
 
-Eigen::Vector3f colour_of(const aiScene& scene, const aiMesh& mesh) {
-  aiColor3D diffuse;
-  if (mesh.mMaterialIndex >= scene.mNumMaterials ||
-      scene.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_COLOR_DIFFUSE, diffuse) != AI_SUCCESS)
-    return kPlainSkin;
-  return material_colour({diffuse.r, diffuse.g, diffuse.b});
+/// Pictures of a scene by the paths that its materials say, each read once.
+class PictureReader {
+ public:
+  PictureReader(const aiScene& scene, const FbxPictures& pictures)
+      : scene_(scene), pictures_(pictures) {}
+
+  /// Null: there is none, or it is not there, which a warning says.
+  std::shared_ptr<const SkinPicture> of(const aiMaterial& material) {
+    aiString path;
+    if (material.GetTexture(aiTextureType_DIFFUSE, 0, &path) != AI_SUCCESS &&
+        material.GetTexture(aiTextureType_BASE_COLOR, 0, &path) != AI_SUCCESS)
+      return nullptr;
+    const std::string stated = path.C_Str();
+    if (const auto known = known_.find(stated); known != known_.end()) return known->second;
+    return known_[stated] = read(stated);
+  }
+
+ private:
+  std::shared_ptr<const SkinPicture> read(const std::string& stated) {
+    if (const aiTexture* texture = scene_.GetEmbeddedTexture(stated.c_str());
+        texture != nullptr && texture->mHeight == 0)
+      return picture_of(
+          pictures_.file, stated,
+          std::string(reinterpret_cast<const char*>(texture->pcData), texture->mWidth),
+          pictures_.warnings);
+    // Paths are those of another machine: what counts is the name.
+    const std::string name = stated.substr(stated.find_last_of("/\\") + 1);
+    const std::filesystem::path folder = std::filesystem::path(pictures_.file).parent_path();
+    const std::filesystem::path beside = (folder.empty() ? "." : folder) / name;
+    std::error_code error;
+    const bool is_there = !name.empty() && std::filesystem::is_regular_file(beside, error) &&
+                          std::filesystem::canonical(beside, error).parent_path() ==
+                              std::filesystem::canonical(beside.parent_path(), error);
+    if (is_there) return picture_of(pictures_.file, name, read_text(beside), pictures_.warnings);
+    pictures_.warnings.push_back(
+        {pictures_.file, 0, "the picture " + name + " is not shown: it is not beside the file"});
+    return nullptr;
+  }
+
+  const aiScene& scene_;
+  const FbxPictures& pictures_;
+  std::map<std::string, std::shared_ptr<const SkinPicture>> known_;
+};
+
+void add_material(const aiScene& scene, const aiMesh& mesh, PictureReader& pictures,
+                  NodeMesh& result) {
+  if (mesh.mMaterialIndex >= scene.mNumMaterials) return;
+  const aiMaterial& material = *scene.mMaterials[mesh.mMaterialIndex];
+  if (mesh.HasTextureCoords(0)) result.picture = pictures.of(material);
+  if (result.picture)
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v)  // which begin at the lower left corner
+      result.in_picture.emplace_back(mesh.mTextureCoords[0][v].x,
+                                     1 - static_cast<double>(mesh.mTextureCoords[0][v].y));
+  aiColor3D diffuse(1, 1, 1);
+  // What a picture is multiplied by is seldom meant: programs write any grey there.
+  if (!result.picture && material.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse) != AI_SUCCESS) return;
+  result.colour = material_colour({diffuse.r, diffuse.g, diffuse.b}, result.picture != nullptr);
 }
 
 /// A polygon becomes a fan of triangles; points and lines are left out.
@@ -69,9 +124,9 @@ void add_bones(const aiMesh& mesh, const std::unordered_map<std::string, int>& n
   }
 }
 
-NodeMesh mesh_of(const aiScene& scene, const aiMesh& mesh) {
+NodeMesh mesh_of(const aiScene& scene, const aiMesh& mesh, PictureReader& pictures) {
   NodeMesh result;
-  result.colour = colour_of(scene, mesh);
+  add_material(scene, mesh, pictures, result);
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     result.positions.push_back(point_of(mesh.mVertices[v]));
     if (mesh.HasNormals()) result.normals.push_back(point_of(mesh.mNormals[v]));
@@ -83,7 +138,9 @@ NodeMesh mesh_of(const aiScene& scene, const aiMesh& mesh) {
 }  // namespace
 
 std::vector<NodeMesh> fbx_meshes(const aiScene& scene, const std::vector<AnimatedNode>& nodes,
-                                 const std::unordered_map<const aiNode*, int>& index_of) {
+                                 const std::unordered_map<const aiNode*, int>& index_of,
+                                 const FbxPictures& pictures) {
+  PictureReader picture_reader(scene, pictures);
   std::unordered_map<std::string, int> node_named;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     node_named.emplace(nodes[n].name, static_cast<int>(n));  // of one name the first
@@ -98,7 +155,7 @@ std::vector<NodeMesh> fbx_meshes(const aiScene& scene, const std::vector<Animate
       if (node.mMeshes[m] >= scene.mNumMeshes) continue;
       const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
       if (mesh.HasBones() && !with_bones.insert(node.mMeshes[m]).second) continue;
-      NodeMesh result = mesh_of(scene, mesh);
+      NodeMesh result = mesh_of(scene, mesh, picture_reader);
       result.file_from_mesh = file_from(node);
       if (mesh.HasBones())
         add_bones(mesh, node_named, result);

@@ -148,7 +148,7 @@ void FbxReader::load(bool with_helpers) {
   importer_ = std::make_unique<Assimp::Importer>();
   importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, with_helpers);
   importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_MATERIALS, true);
-  importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_TEXTURES, false);
+  importer_->SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_TEXTURES, true);
   importer_->SetPropertyBool(AI_CONFIG_IMPORT_REMOVE_EMPTY_BONES, false);
   scene_ = importer_->ReadFileFromMemory(bytes_.data(), bytes_.size(), 0, "fbx");
   if (scene_ != nullptr && scene_->mRootNode != nullptr) return;
@@ -206,7 +206,7 @@ void FbxReader::read_nodes() {
   std::unordered_map<const aiNode*, int> index_of;
   for (std::size_t i = 0; i < sources.size(); ++i)
     index_of.emplace(sources[i], static_cast<int>(i));
-  take_.meshes = fbx_meshes(*scene_, take_.nodes, index_of);
+  take_.meshes = fbx_meshes(*scene_, take_.nodes, index_of, {file_, warnings_});
 }
 
 /// The bones of skins and what carries them; without skins, whatever is not Null, mesh, camera or

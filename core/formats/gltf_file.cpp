@@ -353,6 +353,16 @@ const std::string& GltfFile::buffer(std::size_t index) {
   return buffers_.emplace(index, std::move(data)).first->second;
 }
 
+std::string GltfFile::bytes_of_view(std::size_t index) {
+  const GltfJson& stated = list("bufferViews")[index];
+  const std::string& bytes = buffer(required_index(stated, "buffer", "buffers"));
+  const std::size_t begin = size(stated, "byteOffset", 0);
+  const std::size_t length = size(stated, "byteLength", 0);
+  if (begin > bytes.size() || length > bytes.size() - begin)
+    fail("bufferView " + std::to_string(index) + " reaches beyond its buffer");
+  return bytes.substr(begin, length);
+}
+
 GltfFile::View GltfFile::view(const GltfJson& object, std::size_t count, std::size_t components,
                               bool normalised) {
   View view{.count = count,
@@ -388,7 +398,11 @@ std::vector<double> GltfFile::values(std::size_t accessor, std::string_view type
   const std::string which = "accessor " + std::to_string(accessor);
   const GltfJson& stated = list("accessors")[accessor];
   if (text(stated, "type") != type) fail(which + " is not " + std::string(type));
-  const std::size_t components = type == "MAT4" ? 16 : type == "VEC4" ? 4 : type == "VEC3" ? 3 : 1;
+  const std::size_t components = type == "MAT4"   ? 16
+                                 : type == "VEC4" ? 4
+                                 : type == "VEC3" ? 3
+                                 : type == "VEC2" ? 2
+                                                  : 1;
   const std::size_t count = size(stated, "count", 0);
   // One without bytes, which is all zero, may state any count.
   if (count > (kMostNumbers - values_read_) / components ||

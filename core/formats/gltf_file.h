@@ -69,9 +69,12 @@ class GltfFile {
   /// What a `uri` stands for: a data URI, or a file in this one's folder or below.
   std::string resource(const std::string& uri) const;
 
+  /// The bytes of a bufferView, one after another.
+  std::string bytes_of_view(std::size_t index);
+
   /// An accessor's elements one after another, as numbers: normalised ones from -1 or 0 to 1,
-  /// sparse ones filled in. `type` is what it has to be: "SCALAR", "VEC3", "VEC4",
-  /// "MAT4".
+  /// sparse ones filled in. `type` is what it has to be: "SCALAR", "VEC2", "VEC3",
+  /// "VEC4", "MAT4".
   std::vector<double> values(std::size_t accessor, std::string_view type);
 
  private:

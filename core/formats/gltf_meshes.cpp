@@ -4,8 +4,8 @@
 #include "core/formats/gltf_meshes.h"
 
 #include <algorithm>
-
-#include "core/formats/material_colour.h"
+#include <map>
+#include <memory>
 
 namespace mocapress {
 namespace {
@@ -34,7 +34,7 @@ std::vector<Vector3d> points_of(const std::vector<double>& values) {
 
 class MeshReader {
  public:
-  MeshReader(GltfFile& file, const GltfTake& take);
+  MeshReader(GltfFile& file, const GltfTake& take, Warnings& warnings);
 
   std::vector<NodeMesh> read();
 
@@ -44,16 +44,21 @@ class MeshReader {
   NodeMesh mesh_of(const GltfJson& primitive, std::vector<NodeMesh::Bone> bones, bool skinned);
   void read_triangles(const GltfJson& primitive, NodeMesh& mesh);
   void read_weights(const GltfJson& attributes, NodeMesh& mesh);
-  Eigen::Vector3f colour_of(const GltfJson& primitive) const;
+  void read_material(const GltfJson& primitive, NodeMesh& mesh);
+  void lay_picture(const GltfJson& texture, const GltfJson& attributes, NodeMesh& mesh);
+  std::shared_ptr<const SkinPicture> picture(std::size_t image);
 
   const GltfJson& node(std::size_t number) const { return file_.list("nodes")[number]; }
 
   GltfFile& file_;
   std::vector<int> parents_;        // of the file's nodes
   std::vector<int> index_in_take_;  // of the file's nodes; -1: it is not there
+  Warnings& warnings_;
+  std::map<std::size_t, std::shared_ptr<const SkinPicture>> pictures_;  // those asked for
 };
 
-MeshReader::MeshReader(GltfFile& file, const GltfTake& take) : file_(file) {
+MeshReader::MeshReader(GltfFile& file, const GltfTake& take, Warnings& warnings)
+    : file_(file), warnings_(warnings) {
   const std::size_t count = file.list("nodes").size();
   parents_.assign(count, -1);
   index_in_take_.assign(count, -1);
@@ -114,7 +119,6 @@ NodeMesh MeshReader::mesh_of(const GltfJson& primitive, std::vector<NodeMesh::Bo
                              bool skinned) {
   NodeMesh mesh;
   mesh.bones = std::move(bones);
-  mesh.colour = colour_of(primitive);
   const auto attributes = primitive.find("attributes");
   if (attributes == primitive.end() || !attributes->is_object()) return mesh;
   const auto position = file_.index(*attributes, "POSITION", "accessors");
@@ -125,6 +129,7 @@ NodeMesh MeshReader::mesh_of(const GltfJson& primitive, std::vector<NodeMesh::Bo
   if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
     file_.fail("has a mesh with more or fewer normals than positions");
   read_triangles(primitive, mesh);
+  read_material(primitive, mesh);
   if (skinned) read_weights(*attributes, mesh);
   return mesh;
 }
@@ -166,21 +171,63 @@ void MeshReader::read_weights(const GltfJson& attributes, NodeMesh& mesh) {
   }
 }
 
-Eigen::Vector3f MeshReader::colour_of(const GltfJson& primitive) const {
+void MeshReader::read_material(const GltfJson& primitive, NodeMesh& mesh) {
   const GltfJson& materials = file_.list(file_.json(), "materials");
   const auto index = file_.index(primitive, "material", "materials");
-  if (!index) return kPlainSkin;
+  if (!index) return;
   const auto surface = materials[*index].find("pbrMetallicRoughness");
-  if (surface == materials[*index].end() || !surface->is_object()) return kPlainSkin;
+  if (surface == materials[*index].end() || !surface->is_object()) return;
+  if (const auto texture = surface->find("baseColorTexture");
+      texture != surface->end() && texture->is_object())
+    lay_picture(*texture, primitive.at("attributes"), mesh);
   const auto factor = file_.numbers(*surface, "baseColorFactor", 4);
-  if (!factor) return kPlainSkin;
-  return material_colour(Eigen::Map<const Vector3d>(factor->data()).cast<float>());
+  if (factor || mesh.picture)
+    mesh.colour = material_colour(factor ? Eigen::Map<const Vector3d>(factor->data()).cast<float>()
+                                         : Eigen::Vector3f::Ones().eval(),
+                                  mesh.picture != nullptr);
+}
+
+void MeshReader::lay_picture(const GltfJson& texture, const GltfJson& attributes, NodeMesh& mesh) {
+  const std::size_t textures = file_.list("textures").size();
+  const std::size_t index = file_.size(texture, "index", textures);
+  const std::string set = "TEXCOORD_" + std::to_string(file_.size(texture, "texCoord", 0));
+  const auto places = file_.index(attributes, set.c_str(), "accessors");
+  if (index >= textures || !places) return;
+  const auto image = file_.index(file_.list("textures")[index], "source", "images");
+  if (!image) return;
+  mesh.picture = picture(*image);
+  if (!mesh.picture) return;
+  const std::vector<double> values = file_.values(*places, "VEC2");
+  if (values.size() != 2 * mesh.positions.size())
+    file_.fail("has a mesh with more or fewer places in its picture than positions");
+  for (std::size_t i = 0; i < values.size(); i += 2)
+    mesh.in_picture.emplace_back(values[i], values[i + 1]);
+}
+
+std::shared_ptr<const SkinPicture> MeshReader::picture(std::size_t number) {
+  if (const auto known = pictures_.find(number); known != pictures_.end()) return known->second;
+  std::shared_ptr<const SkinPicture>& found = pictures_[number];
+  const GltfJson& image = file_.list("images")[number];
+  const std::string uri = file_.text(image, "uri");
+  std::string name = file_.text(image, "name");
+  if (name.empty()) name = uri.empty() || is_data_uri(uri) ? std::to_string(number) : uri;
+  try {
+    found = picture_of(
+        file_.name(), name,
+        uri.empty() ? file_.bytes_of_view(file_.required_index(image, "bufferView", "bufferViews"))
+                    : file_.resource(uri),
+        warnings_);
+  } catch (const Error& error) {  // no reason to refuse the mesh
+    warnings_.push_back(
+        {file_.name(), 0, "the picture " + name + " is not shown: " + error.what()});
+  }
+  return found;
 }
 
 }  // namespace
 
-std::vector<NodeMesh> gltf_meshes(GltfFile& file, const GltfTake& take) {
-  return MeshReader(file, take).read();
+std::vector<NodeMesh> gltf_meshes(GltfFile& file, const GltfTake& take, Warnings& warnings) {
+  return MeshReader(file, take, warnings).read();
 }
 
 }  // namespace mocapress

@@ -8,7 +8,8 @@
 
 namespace mocapress {
 
-/// The triangles that the nodes of a file draw, bound to the nodes of its take. Throws InputError.
-std::vector<NodeMesh> gltf_meshes(GltfFile& file, const GltfTake& take);
+/// The triangles that the nodes of a file draw, bound to the nodes of its take. A warning names
+/// pictures that are not there. Throws InputError.
+std::vector<NodeMesh> gltf_meshes(GltfFile& file, const GltfTake& take, Warnings& warnings);
 
 }  // namespace mocapress

@@ -223,8 +223,7 @@ void TakeReader::choose_animation() {
   const std::size_t chosen = choose_take(file_.name(), takes, options_.take, result_.warnings);
   result_.animation = chosen;
   result_.takes = choices(takes, chosen);
-  if (!takes[chosen].moves)
-    file_.fail("moves no node: its animation has only morph weights");
+  if (!takes[chosen].moves) file_.fail("moves no node: its animation has only morph weights");
   result_.take.name = takes[chosen].name;
 }
 
@@ -344,7 +343,7 @@ MotionFile read_gltf(const std::string& name, std::string_view bytes, const Read
   GltfFile file(name, bytes);
   GltfTake read = read_gltf_take(file, options);
   try {
-    read.take.meshes = gltf_meshes(file, read);
+    read.take.meshes = gltf_meshes(file, read, read.warnings);
   } catch (const InputError& error) {  // no reason to refuse the motion
     const std::string reason = std::string(error.what()).substr(file.name().size() + 2);
     read.warnings.push_back({name, 0, "its character is not read: " + reason});
@@ -359,7 +358,7 @@ Character read_gltf_character(const std::string& name, std::string_view bytes) {
   GltfFile file(name, bytes);
   const ReadOptions as_it_says;
   GltfTake rest = TakeReader(file, as_it_says).read_rest();
-  rest.take.meshes = gltf_meshes(file, rest);
+  rest.take.meshes = gltf_meshes(file, rest, rest.warnings);
   return character_of(name, rest.take);
 }
 

@@ -25,7 +25,7 @@ Character read_gltf_character(const std::string& file, std::string_view bytes);
 /// One animation of a glTF, as read_gltf() reads it.
 struct GltfTake {
   NodeTake take;
-  std::size_t animation = 0;                // its index in the file
+  std::size_t animation = 0;  // its index in the file
   Takes takes;
   std::vector<std::size_t> number_of_node;  // of each of take.nodes: its index in the file
   Warnings warnings;

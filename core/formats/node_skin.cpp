@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <unordered_map>
 
 namespace mocapress {
@@ -18,6 +19,7 @@ using Eigen::Vector3d;
 constexpr double kSameBind = 1e-4;       // of matrices
 constexpr double kFlat = 1e-12;          // a determinant that leaves no inverse
 constexpr double kFarthestVertex = 1e9;  // cm
+constexpr std::size_t kMostPictureBytes = std::size_t{64} << 20;
 
 bool same_bind(const Affine3d& a, const Affine3d& b) {
   return (a.matrix() - b.matrix()).norm() <= kSameBind * (1 + a.matrix().norm());
@@ -62,6 +64,7 @@ class SkinBuilder {
   }
   Affine3d place_bound(const NodeMesh& mesh);
   std::optional<std::uint8_t> bone_of(const SkinBone& bone);
+  int picture_at(const std::shared_ptr<const SkinPicture>& picture);
 
   const std::vector<NodeJoint>& nodes_;
   const Affine3d& world_from_file_;
@@ -99,6 +102,14 @@ std::optional<std::uint8_t> SkinBuilder::bone_of(const SkinBone& bone) {
   return static_cast<std::uint8_t>(index);
 }
 
+int SkinBuilder::picture_at(const std::shared_ptr<const SkinPicture>& picture) {
+  auto& all = skin_.pictures;
+  const auto known = std::find(all.begin(), all.end(), picture);
+  const auto index = static_cast<int>(known - all.begin());
+  if (known == all.end()) all.push_back(picture);
+  return index;
+}
+
 bool SkinBuilder::add(const NodeMesh& mesh) {
   const Affine3d bind_from_mesh = place_bound(mesh);
   const Affine3d mesh_from_bind = bind_from_mesh.inverse();
@@ -115,6 +126,11 @@ bool SkinBuilder::add(const NodeMesh& mesh) {
   const auto carrying = std::find_if(bones.begin(), bones.end(), [](const auto& b) { return !!b; });
   if (carrying == bones.end()) return true;
 
+  const bool is_pictured =
+      mesh.picture && mesh.in_picture.size() == mesh.positions.size() &&
+      std::all_of(mesh.in_picture.begin(), mesh.in_picture.end(),
+                  [](const Eigen::Vector2d& place) { return place.allFinite(); });
+  const int picture = is_pictured ? picture_at(mesh.picture) : -1;
   const std::vector<Vector3d> normals = mesh.normals.empty() ? normals_of(mesh) : mesh.normals;
   const Eigen::Matrix3d turn_normal = bind_from_mesh.linear().inverse().transpose();
   const auto first = static_cast<std::uint32_t>(skin_.vertices.size());
@@ -129,7 +145,9 @@ bool SkinBuilder::add(const NodeMesh& mesh) {
     skin_.vertices.push_back(
         {(bind_from_mesh * mesh.positions[v]).cast<float>(),
          length > 0 ? Eigen::Vector3f((normal / length).cast<float>()) : Eigen::Vector3f::UnitY(),
-         mesh.colour, largest_weights(std::move(weights))});
+         mesh.colour, largest_weights(std::move(weights)),
+         is_pictured ? Eigen::Vector2f(mesh.in_picture[v].cast<float>()) : Eigen::Vector2f::Zero(),
+         picture});
   }
   for (const auto& [a, b, c] : mesh.triangles)
     skin_.triangles.push_back({first + a, first + b, first + c});
@@ -147,6 +165,30 @@ bool is_possible(const Skin& skin) {
 }
 
 }  // namespace
+
+Eigen::Vector3f material_colour(const Eigen::Vector3f& linear, bool has_picture) {
+  constexpr float kWhite = 0.99F;
+  if (!linear.allFinite() || (!has_picture && linear.minCoeff() >= kWhite)) return kPlainSkin;
+  // IEC 61966-2-1.
+  return linear.unaryExpr([](float value) {
+    const float in_range = std::clamp(value, 0.0F, 1.0F);
+    return in_range <= 0.0031308F ? 12.92F * in_range
+                                  : 1.055F * std::pow(in_range, 1 / 2.4F) - 0.055F;
+  });
+}
+
+std::shared_ptr<const SkinPicture> picture_of(const std::string& file, const std::string& name,
+                                              std::string bytes, Warnings& warnings) {
+  const auto leave_out = [&](const char* why) {
+    warnings.push_back({file, 0, "the picture " + name + " is not shown: " + why});
+    return nullptr;
+  };
+  const std::string_view all = bytes;
+  if (!all.starts_with("\x89PNG\r\n\x1A\n") && !all.starts_with("\xFF\xD8\xFF"))
+    return leave_out("it is neither PNG nor JPEG");
+  if (all.size() > kMostPictureBytes) return leave_out("it has more than 64 MiB");
+  return std::make_shared<const SkinPicture>(SkinPicture{name, std::move(bytes)});
+}
 
 std::shared_ptr<const Skin> skin_of(const std::string& file, const std::vector<NodeMesh>& meshes,
                                     const std::vector<NodeJoint>& nodes,

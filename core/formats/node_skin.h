@@ -35,7 +35,17 @@ struct NodeMesh {
   // its bones rests.
   std::optional<Eigen::Affine3d> file_from_mesh;
   Eigen::Vector3f colour = kPlainSkin;  // as screens have it
+  std::shared_ptr<const SkinPicture> picture;
+  std::vector<Eigen::Vector2d> in_picture;  // as Skin::Vertex has it; empty: no picture is laid on
 };
+
+/// The colour of a material as screens have it (sRGB), from linear red, green and blue. Pure white
+/// is what files say where a picture has the colours: that becomes kPlainSkin where it has none.
+Eigen::Vector3f material_colour(const Eigen::Vector3f& linear, bool has_picture);
+
+/// Null, with a warning of `file`, unless the bytes may be those of a PNG or JPEG.
+std::shared_ptr<const SkinPicture> picture_of(const std::string& file, const std::string& name,
+                                              std::string bytes, Warnings& warnings);
 
 /// Which joint carries a node.
 struct NodeJoint {

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,12 @@ struct BoneWeights {
   std::array<float, 4> weights{};
 };
 
+/// A picture that a mesh has its colours from: a PNG or JPEG as it is in the file.
+struct SkinPicture {
+  std::string name;
+  std::string bytes;
+};
+
 /// A triangle mesh in the pose in which it was bound to the joints of a skeleton.
 struct Skin {
   // Bones have bytes as indices, and so many fit into what every graphics driver gives a shader.
@@ -38,11 +45,15 @@ struct Skin {
     Eigen::Vector3f normal;   // unit, likewise
     Eigen::Vector3f colour;   // red, green, blue as screens have them, 0 ... 1
     BoneWeights carried_by;
+    // Where in its picture: from the upper left corner, 1 is its width and height; it repeats.
+    Eigen::Vector2f in_picture = Eigen::Vector2f::Zero();
+    int picture = -1;  // of `pictures`, multiplied by the colour; -1: the colour alone
   };
 
   std::vector<Vertex> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<SkinBone> bones;
+  std::vector<std::shared_ptr<const SkinPicture>> pictures;
 
   bool empty() const { return triangles.empty(); }
 };

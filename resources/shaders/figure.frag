@@ -6,6 +6,13 @@ in vec3 normalInView;
 in vec3 surface;  // its colour before it is lit
 in vec2 sideways;
 
+#ifdef PICTURED
+in vec3 pictured;
+in vec3 inPicture;
+uniform sampler2D pictures;  // one below the other
+uniform float pictureCount;
+#endif
+
 uniform mat4 viewMatrix;
 uniform vec3 pane;
 uniform float opacity;  // facing the eye; the rim of a translucent figure is denser, like glass
@@ -21,11 +28,21 @@ void main() {
   vec3 toEye = normalize(-positionInView);
   vec3 up = mat3(viewMatrix) * vec3(0.0, 1.0, 0.0);
 
+  vec3 base = surface;
+#ifdef PICTURED
+  if (inPicture.z > -0.5) {
+    vec2 within = fract(inPicture.xy);
+    // Qt hands the uppermost row over last.
+    vec2 at = vec2(within.x, 1.0 - (floor(inPicture.z + 0.5) + within.y) / pictureCount);
+    base += pictured * (texture(pictures, at).rgb - 1.0);
+  }
+#endif
+
   float ambient = mix(0.4, 0.64, 0.5 + 0.5 * dot(normal, up));
   float key = pow(0.5 + 0.5 * dot(normal, kKeyInView), 2.0);
   float gloss = pow(max(dot(normal, normalize(kKeyInView + toEye)), 0.0), 48.0);
   float rim = pow(1.0 - max(dot(normal, toEye), 0.0), 2.0);
 
-  vec3 lit = surface * (ambient + 0.62 * key) + 0.22 * gloss + 0.12 * rim * (0.5 + 0.5 * surface);
+  vec3 lit = base * (ambient + 0.62 * key) + 0.22 * gloss + 0.12 * rim * (0.5 + 0.5 * base);
   fragment = vec4(lit, mix(opacity, 1.0, 0.75 * rim));
 }

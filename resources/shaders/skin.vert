@@ -7,6 +7,7 @@ in vec3 vertexNormal;
 in vec3 vertexColour;
 in vec4 bones;           // indices
 in vec4 weights;         // summing to 1
+in vec3 place;           // in a picture: rightwards, downwards, which; -1: in none
 
 // Of each bone the rows of its world_from_bind, then what covers the skin: rgb, and how much of it.
 layout(std140) uniform Bones { vec4 rows[4 * 256]; };
@@ -21,6 +22,8 @@ uniform vec3 pane;     // sideways shift, left and right end, in normalised devi
 out vec3 positionInView;
 out vec3 normalInView;
 out vec3 surface;
+out vec3 pictured;  // the part of `surface` that a picture is multiplied with
+out vec3 inPicture;
 out vec2 sideways;  // x and w in clip space
 
 // The depth pass and the shading pass of the ghost must agree to the last bit.
@@ -48,6 +51,8 @@ void main() {
   positionInView = vec3(viewMatrix * position);
   normalInView = mat3(viewMatrix) * outwards;
   surface = (1.0 - cover.a) * mix(vertexColour, colour.rgb, colour.a) + cover.rgb;
+  pictured = (1.0 - cover.a) * (1.0 - colour.a) * vertexColour;
+  inPicture = place;
   gl_Position = viewProjectionMatrix * position;
   gl_Position.x += pane.x * gl_Position.w;
   sideways = gl_Position.xw;

@@ -18,9 +18,13 @@
 namespace mocapress {
 namespace {
 
-Qt3DRender::QShaderProgram* makeProgram(const QString& vertex, const QString& fragment) {
-  const auto source = [](const QString& file) {
-    return Qt3DRender::QShaderProgram::loadSource(QUrl("qrc:/shaders/" + file));
+Qt3DRender::QShaderProgram* makeProgram(const QString& vertex, const QString& fragment,
+                                        const QByteArray& defined) {
+  const auto source = [&defined](const QString& file) {
+    QByteArray text = Qt3DRender::QShaderProgram::loadSource(QUrl("qrc:/shaders/" + file));
+    if (!defined.isEmpty())  // after the line with the version
+      text.insert(text.indexOf('\n') + 1, "#define " + defined + '\n');
+    return text;
   };
   auto* program = new Qt3DRender::QShaderProgram;
   program->setVertexShaderCode(source(vertex + ".vert"));
@@ -59,7 +63,8 @@ std::vector<ShaderPass> ghostPasses() {
 }
 
 ShaderMaterial::ShaderMaterial(const QString& vertex, const QString& fragment,
-                               const std::vector<ShaderPass>& passes, QNode* parent)
+                               const std::vector<ShaderPass>& passes, QNode* parent,
+                               const QByteArray& defined)
     : QMaterial(parent) {
   auto* technique = new Qt3DRender::QTechnique;
   Qt3DRender::QGraphicsApiFilter* api = technique->graphicsApiFilter();
@@ -67,7 +72,7 @@ ShaderMaterial::ShaderMaterial(const QString& vertex, const QString& fragment,
   api->setMajorVersion(3);
   api->setMinorVersion(2);
   api->setProfile(Qt3DRender::QGraphicsApiFilter::CoreProfile);
-  Qt3DRender::QShaderProgram* program = makeProgram(vertex, fragment);
+  Qt3DRender::QShaderProgram* program = makeProgram(vertex, fragment, defined);
   for (const ShaderPass& pass : passes) technique->addRenderPass(makePass(pass, program));
 
   auto* effect = new Qt3DRender::QEffect;

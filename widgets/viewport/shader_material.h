@@ -28,8 +28,10 @@ inline constexpr float kGhostOpacity = 0.26f;
 /// A material for OpenGL 3 of `:/shaders/<vertex>.vert` and `<fragment>.frag`.
 class ShaderMaterial : public Qt3DRender::QMaterial {
  public:
+  /// `defined`: what #ifdef asks there; empty: nothing.
   ShaderMaterial(const QString& vertex, const QString& fragment,
-                 const std::vector<ShaderPass>& passes, QNode* parent);
+                 const std::vector<ShaderPass>& passes, QNode* parent,
+                 const QByteArray& defined = {});
   ShaderMaterial(const QString& both, const std::vector<ShaderPass>& passes, QNode* parent)
       : ShaderMaterial(both, both, passes, parent) {}
 

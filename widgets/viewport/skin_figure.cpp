@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "widgets/viewport/mesh.h"
+#include "widgets/viewport/skin_pictures.h"
 
 namespace mocapress {
 namespace {
@@ -23,8 +24,9 @@ struct SkinVertex {
   std::array<float, 3> colour;
   std::array<float, 4> bones;
   std::array<float, 4> weights;
+  std::array<float, 3> place;  // in which of the pictures, the last; -1: in none
 };
-static_assert(sizeof(SkinVertex) == 17 * sizeof(float));
+static_assert(sizeof(SkinVertex) == 20 * sizeof(float));
 
 /// Four vectors of the uniform block `Bones`.
 struct BoneRows {
@@ -42,12 +44,14 @@ std::vector<SkinVertex> verticesOf(const Skin& skin) {
   vertices.reserve(skin.vertices.size());
   for (const Skin::Vertex& vertex : skin.vertices) {
     const auto& bones = vertex.carried_by.bones;
-    vertices.push_back({floatsOf(vertex.in_bind),
-                        floatsOf(vertex.normal),
-                        floatsOf(vertex.colour),
-                        {static_cast<float>(bones[0]), static_cast<float>(bones[1]),
-                         static_cast<float>(bones[2]), static_cast<float>(bones[3])},
-                        vertex.carried_by.weights});
+    vertices.push_back(
+        {floatsOf(vertex.in_bind),
+         floatsOf(vertex.normal),
+         floatsOf(vertex.colour),
+         {static_cast<float>(bones[0]), static_cast<float>(bones[1]), static_cast<float>(bones[2]),
+          static_cast<float>(bones[3])},
+         vertex.carried_by.weights,
+         {vertex.in_picture.x(), vertex.in_picture.y(), static_cast<float>(vertex.picture)}});
   }
   return vertices;
 }
@@ -95,6 +99,7 @@ SkinFigure::SkinFigure(bool may_be_ghost, QNode* parent) : QEntity(parent) {
   perVertex("vertexColour", 3, offsetof(SkinVertex, colour));
   perVertex("bones", 4, offsetof(SkinVertex, bones));
   perVertex("weights", 4, offsetof(SkinVertex, weights));
+  perVertex("place", 3, offsetof(SkinVertex, place));
   corners_ = new Qt3DCore::QAttribute(geometry);
   corners_->setAttributeType(Qt3DCore::QAttribute::IndexAttribute);
   corners_->setVertexBaseType(Qt3DCore::QAttribute::UnsignedInt);
@@ -102,12 +107,15 @@ SkinFigure::SkinFigure(bool may_be_ghost, QNode* parent) : QEntity(parent) {
   geometry->addAttribute(corners_);
   mesh->setGeometry(geometry);
 
-  material_ =
-      new ShaderMaterial("skin", "figure", may_be_ghost ? ghostPasses() : solidPasses(), this);
+  material_ = new ShaderMaterial("skin", "figure", may_be_ghost ? ghostPasses() : solidPasses(),
+                                 this, "PICTURED");
+  pictures_ = makePictureTexture(this);
+  material_->set("pictures", QVariant::fromValue(pictures_));
   bones_ = new Qt3DCore::QBuffer(this);
   bones_->setUsage(Qt3DCore::QBuffer::DynamicDraw);
   bones_->setData(bytesOf(std::vector<BoneRows>(Skin::kMostBones)));
   material_->set("Bones", QVariant::fromValue(bones_));
+  material_->set("pictureCount", 1.0f);
   setGhost(may_be_ghost);
   setPane({});
   setOffset({});
@@ -125,6 +133,9 @@ void SkinFigure::setSkin(std::shared_ptr<const Skin> skin) {
 
 void SkinFigure::upload() {
   ghost_swell_ = kSwellPerSize * sizeOf(*skin_);
+  showPictures(pictures_, skin_);
+  material_->set("pictureCount",
+                 static_cast<float>(std::max<std::size_t>(1, skin_->pictures.size())));
   vertices_->setData(bytesOf(verticesOf(*skin_)));
   triangles_->setData(bytesOf(skin_->triangles));
   for (Qt3DCore::QAttribute* attribute : of_vertices_)

@@ -6,6 +6,7 @@
 #include <Qt3DCore/QAttribute>
 #include <Qt3DCore/QBuffer>
 #include <Qt3DCore/QEntity>
+#include <Qt3DRender/QTexture>
 #include <memory>
 #include <vector>
 
@@ -52,6 +53,7 @@ class SkinFigure : public Qt3DCore::QEntity {
   std::vector<Qt3DCore::QAttribute*> of_vertices_;
   Qt3DCore::QAttribute* corners_;
   ShaderMaterial* material_;
+  Qt3DRender::QTexture2D* pictures_;
   float ghost_swell_ = 0;  // cm
 };
 

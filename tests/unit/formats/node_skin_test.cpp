@@ -9,7 +9,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/formats/material_colour.h"
 #include "core/formats/node_motion.h"
 
 namespace mocapress {
@@ -197,8 +196,9 @@ TEST(NodeSkin, SaysWhenThereAreTooManyBones) {
 }
 
 TEST(MaterialColour, IsAsScreensHaveItAndPlainWhereThereIsNone) {
-  EXPECT_NEAR(material_colour({0.5F, 0.2F, 0}).x(), 0.735, 1e-3);
-  EXPECT_EQ(material_colour({1, 1, 1}), kPlainSkin);
+  EXPECT_NEAR(material_colour({0.5F, 0.2F, 0}, false).x(), 0.735, 1e-3);
+  EXPECT_EQ(material_colour({1, 1, 1}, false), kPlainSkin);
+  EXPECT_NEAR(material_colour({1, 1, 1}, true).minCoeff(), 1, 1e-6);
 }
 
 }  // namespace
