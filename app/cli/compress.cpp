@@ -12,6 +12,7 @@
 #include "core/baselines/comparison_method.h"
 #include "core/baselines/compression_method.h"
 #include "core/batch/verification.h"
+#include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"
 #include "core/mocapress/encode_options.h"
 
@@ -61,7 +62,7 @@ struct Compress {
     options.contacts = contacts.spans(encoder.wavelets().motion());
     options.figures_only = true;
     Compression made = encoder.compress(*find_compression_method(asked.method), options);
-    made.file = with_source(made.file, file.source);
+    made.file = with_tracks(with_source(made.file, file.source), file.tracks, asked.track_error);
     Verification found = write(made.file, encoder.wavelets(), *options.contacts);
     const Report report{
         .input = input,
@@ -81,7 +82,8 @@ struct Compress {
         .correction = std::move(made.correction),
         .coefficient_ratio = made.coefficient_ratio,
         .iterations = made.iterations,
-        .encode_seconds = made.seconds};
+        .encode_seconds = made.seconds,
+        .tracks = track_figures(file.tracks, made.file)};
     json ? print(to_json(report)) : print(report);
   }
 
@@ -132,6 +134,10 @@ void add_compress(CLI::App& app) {
       ->transform(one_of({Ends::Free, Ends::Even, Ends::Exact}));
   command->add_option("--loop", call->settings.loop, "Whether the clip is a loop [found]")
       ->transform(one_of({Loop::None, Loop::Repeats, Loop::Follows}));
+  command
+      ->add_option("--track-error", call->settings.track_error,
+                   "How far values of morph weights, properties and scales may be off")
+      ->capture_default_str();
   command->add_option("--seed", call->settings.seed,
                       "Seed of the annealing: same seed, same bytes");
   command->add_flag("--json", call->json, "Print one JSON object");

@@ -5,7 +5,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
+#include "core/base/file.h"
 #include "core/baselines/compared_file.h"
+#include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/source_section.h"
 #include "core/formats/motion_file.h"
 
@@ -42,10 +44,12 @@ void add_decompress(CLI::App& app) {
     const OpenedMcpr opened = open_mcpr(call->input);
     const Motion motion{opened.compressed.skeleton, opened.decoded};
     const SourceFormat source = load_source(call->input);
+    const ScalarTracks tracks = tracks_of(read_bytes(call->input));
     if (call->onto)
-      write_motion_onto(call->output, motion, *call->onto, source, call->target.options);
+      write_motion_onto(call->output, motion, *call->onto, source, call->target.options, tracks);
     else
-      write_motion(call->output, motion, call->skeleton_output, source, call->target.options);
+      print_warnings(write_motion(call->output, motion, call->skeleton_output, source,
+                                  call->target.options, tracks));
   });
 }
 

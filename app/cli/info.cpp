@@ -10,7 +10,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
+#include "core/base/file.h"
 #include "core/baselines/compared_file.h"
+#include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/source_section.h"
 #include "core/formats/bvh.h"
 #include "core/metrics/rate.h"
@@ -55,9 +57,21 @@ Json describe_bvh_names(const Skeleton& skeleton) {
   const std::vector<std::string> words = bvh_names(skeleton);
   Json renamed = Json::object();
   for (int j = 0; j < skeleton.joint_count(); ++j)
-    if (const std::string& word = words[static_cast<std::size_t>(j)]; word != skeleton.joint(j).name)
+    if (const std::string& word = words[static_cast<std::size_t>(j)];
+        word != skeleton.joint(j).name)
       renamed[word] = skeleton.joint(j).name;
   return renamed;
+}
+
+/// Every track by what has it and its name.
+Json describe_tracks(const ScalarTracks& tracks) {
+  Json described = Json::array();
+  for (const ScalarTrack& track : tracks)
+    described.push_back({{"kind", name(track.kind)},
+                         {"node", track.node},
+                         {"name", track.name},
+                         {"steps", track.steps}});
+  return described;
 }
 
 Json describe_motion(const std::string& path, const MotionFile& file) {
@@ -73,11 +87,13 @@ Json describe_motion(const std::string& path, const MotionFile& file) {
           {"loop", name(find_loop(file.motion))},
           {"raw_bytes", raw_bytes(clip)},
           {"source", describe(file.source)},
+          {"tracks", describe_tracks(file.tracks)},
           {"warnings", warnings}};
 }
 
 Json describe_compressed(const std::string& path) {
   const OpenedMcpr opened = open_mcpr(path);
+  const std::vector<std::byte> bytes = read_bytes(path);
   const CompressedClip& clip = opened.compressed;
   const auto of_wavelets = [&](const Json& value) { return opened.of_wavelets ? value : Json(); };
   const int channels = clip.skeleton.channel_count();
@@ -102,6 +118,8 @@ Json describe_compressed(const std::string& path) {
           {"eps_x_cm", clip.provenance.eps_cm},
           {"max_error_cm", clip.provenance.max_error_cm},
           {"source", describe(load_source(path))},
+          {"tracks", describe_tracks(tracks_of(bytes))},
+          {"track_bytes", track_bytes_of(bytes)},
           {"bvh_names", describe_bvh_names(clip.skeleton)}};
 }
 
@@ -109,6 +127,10 @@ void print_lines(const Json& description) {
   std::fprintf(stderr, "%s\n", description["input"].get<std::string>().c_str());
   for (const auto& [key, value] : description.items()) {
     if (key == "input" || key == "warnings" || key == "bvh_names") continue;
+    if (key == "tracks") {
+      std::fprintf(stderr, "  %-16s %zu\n", key.c_str(), value.size());
+      continue;
+    }
     std::fprintf(stderr, "  %-16s %s\n", key.c_str(),
                  value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
   }

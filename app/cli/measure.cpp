@@ -6,6 +6,7 @@
 #include "app/cli/contacts.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
+#include "core/base/file.h"
 #include "core/baselines/compared_file.h"
 
 namespace mocapress::cli {
@@ -19,7 +20,8 @@ struct Measure {
   bool json = false;
 
   void run() const {
-    const Motion motion = source.read(original);
+    const MotionFile file = source.read_file(original);
+    const Motion& motion = file.motion;
     const OpenedMcpr opened = open_mcpr(compressed);
     const Clip& decoded = opened.decoded;
     if (decoded.channels.rows() != motion.clip.channels.rows() ||
@@ -50,7 +52,8 @@ struct Measure {
         .contacts = contacts.size(),
         .correction_bytes = opened.compressed.correction
                                 ? std::optional(opened.compressed.correction_bytes())
-                                : std::nullopt};
+                                : std::nullopt,
+        .tracks = track_figures(file.tracks, read_bytes(compressed))};
     json ? print(to_json(report)) : print(report);
   }
 };

@@ -6,6 +6,7 @@
 
 #include "core/base/number_text.h"
 #include "core/baselines/compression_method.h"
+#include "core/codec/decode/track_decoding.h"
 #include "core/feet/footskate.h"
 #include "core/metrics/rate.h"
 #include "core/report/measurement_json.h"
@@ -79,6 +80,12 @@ void print(const CorrectionResult& correction) {
 
 }  // namespace
 
+TrackFigures track_figures(const ScalarTracks& original, std::span<const std::byte> mcpr) {
+  const ScalarTracks found = tracks_of(mcpr);
+  if (found.empty()) return {};
+  return {found.size(), track_bytes_of(mcpr), track_error(original, found)};
+}
+
 Json to_json(const Report& report) {
   const Clip& clip = report.original->clip;
   const auto slide = slide_per_contact(report.footskate, report.contacts);
@@ -121,6 +128,9 @@ Json to_json(const Report& report) {
        report.correction ? or_null(report.correction->slide_without_cm) : Json()},
       {"footskate_mean_cm", slide ? Json(slide->mean_cm) : Json()},
       {"footskate_worst_cm", slide ? Json(slide->worst_cm) : Json()},
+      {"tracks", report.tracks.count},
+      {"track_bytes", report.tracks.bytes},
+      {"track_max_error", report.tracks.count > 0 ? Json(report.tracks.max_error) : Json()},
       {"verified_by", report.verified_by},
   });
   return json;
@@ -167,6 +177,10 @@ void print(const Report& report) {
   if (report.correction_bytes)
     std::cerr << "  IK correction: " << *report.correction_bytes << " bytes\n";
   if (report.correction) print(*report.correction);
+  if (report.tracks.count > 0)
+    std::cerr << "  " << report.tracks.count
+              << " tracks of weights, properties and scales: " << report.tracks.bytes
+              << " bytes, off by " << significant_text(report.tracks.max_error, 3) << " at most\n";
 }
 
 void print(const Json& json) {

@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/codec/encode/encoder.h"
 #include "core/metrics/distortion.h"
 #include "core/motion/loop.h"
+#include "core/motion/scalar_track.h"
 #include "core/report/json_value.h"
 
 namespace mocapress::cli {
+
+/// Morph weights, properties, scales.
+struct TrackFigures {
+  std::size_t count = 0;
+  std::size_t bytes = 0;  // of the file
+  double max_error = 0;
+};
+
+/// Throws Error where the file has other tracks.
+TrackFigures track_figures(const ScalarTracks& original, std::span<const std::byte> mcpr);
 
 /// What `compress` and `measure` print: one compressed clip against its original.
 struct Report {
@@ -31,6 +44,7 @@ struct Report {
   std::optional<double> coefficient_ratio;      // unset: not known to this command
   std::optional<int> iterations;
   std::optional<double> encode_seconds;
+  TrackFigures tracks;
 };
 
 /// Stable keys: scripts depend on them. Null where a value does not apply.

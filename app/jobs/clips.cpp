@@ -132,11 +132,15 @@ DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original) {
   return std::make_shared<const DecodedClip>(std::move(result));
 }
 
+std::vector<std::byte> savedFile(const DecodedClip& decoded, const OriginalClip* original) {
+  if (!original || !decoded.coefficient_ratio) return with_source(decoded.file, decoded.source);
+  return with_coded_tracks(with_source(decoded.file, original->source), original->scalars);
+}
+
 void saveClip(const QString& path, const DecodedClip& decoded, const OriginalClip* original) {
   const bool was_encoded_here = decoded.coefficient_ratio.has_value();
   StagedFile file(std::filesystem::path(path.toStdU16String()));
-  file.write(
-      with_source(decoded.file, original && was_encoded_here ? original->source : decoded.source));
+  file.write(savedFile(decoded, original));
   if (original && was_encoded_here)
     verify(file.read_back(), *original->encoder);
   else

@@ -16,6 +16,7 @@
 #include "core/base/error.h"
 #include "core/baselines/compared_file.h"
 #include "core/codec/encode/encoder.h"
+#include "core/codec/format/tracks_section.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/glitches.h"
 
@@ -38,6 +39,7 @@ struct OriginalClip {
   std::shared_ptr<const Skin> skin;  // null: the file has none
   Takes takes;
   ClipOutline outline;
+  CodedTracks scalars;               // morph weights and the like, as a .mcpr keeps them
   std::shared_ptr<const Encoder> encoder;
 
   const Motion& motion() const { return encoder->motion(); }
@@ -74,6 +76,9 @@ struct DecodedClip {
 
 using OriginalPtr = std::shared_ptr<const OriginalClip>;
 using DecodedPtr = std::shared_ptr<const DecodedClip>;
+
+/// The .mcpr that saving writes.
+std::vector<std::byte> savedFile(const DecodedClip& decoded, const OriginalClip* original);
 
 /// With its correction.
 Poses posesOf(const DecodedPtr& decoded);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/baselines/compression_method.h"
+#include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"
 #include "core/formats/motion_file.h"
 #include "core/study/row.h"
@@ -45,6 +46,7 @@ OriginalPtr readOriginal(const OpenRequest& request) {
   original.warnings = std::move(file.warnings);
   original.skin = std::move(file.skin);
   original.takes = std::move(file.takes);
+  original.scalars = encode_tracks(file.tracks, kUsualTrackError);
   // Here, off the GUI thread, and not where they are first shown.
   original.outline = outlineOf(file.motion, original.skin.get());
   original.encoder = std::make_shared<const Encoder>(std::move(file.motion));

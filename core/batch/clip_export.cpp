@@ -9,6 +9,8 @@
 #include "core/base/number_text.h"
 #include "core/base/staged_file.h"
 #include "core/batch/verification.h"
+#include "core/codec/decode/track_decoding.h"
+#include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"
 #include "core/formats/amc.h"
 #include "core/formats/asf.h"
@@ -163,7 +165,8 @@ class Export {
               observer_, ClipProgress{ClipProgress::Stage::Encoding, encoding_fraction(progress)});
         });
     if (!made.complete) throw Stopped{};
-    made.file = with_source(made.file, clip.source());
+    made.file =
+        with_tracks(with_source(made.file, clip.source()), clip.tracks(), preset_.track_error);
     report(ClipProgress::Stage::Verifying, 0.85);
     // It is measured whether it is among the outputs or not.
     StagedFile mcpr = staged(item_.output + ".mcpr", made.file);
@@ -171,7 +174,8 @@ class Export {
     std::vector<StagedFile> files;
     for (const OutputFormat format : batch_.formats) {
       if (format != OutputFormat::Mcpr) {
-        stage(format, {clip.motion().skeleton, made.decoded}, clip.source(), files);
+        stage(format, {clip.motion().skeleton, made.decoded}, tracks_of(made.file), clip.source(),
+              files);
         continue;
       }
       row_.files.push_back({item_.output + ".mcpr", made.file.size(), hash_of_bytes(made.file)});
@@ -219,8 +223,8 @@ class Export {
     return target_text(found);
   }
 
-  void stage(OutputFormat format, const Motion& motion, const SourceFormat& source,
-             std::vector<StagedFile>& files) {
+  void stage(OutputFormat format, const Motion& motion, const ScalarTracks& tracks,
+             const SourceFormat& source, std::vector<StagedFile>& files) {
     const WriteOptions& writing = batch_.writing;
     const Motion exported = exported_motion(motion, source, writing);
     ReadOptions as_written{.sample_rate_hz = exported.clip.sample_rate_hz,
@@ -229,7 +233,7 @@ class Export {
       case OutputFormat::Mcpr:
         return;  // staged already
       case OutputFormat::Csv:
-        return stage_file(".csv", bytes_of(csv_text(exported)), files);
+        return stage_file(".csv", bytes_of(csv_text(exported, tracks)), files);
       case OutputFormat::Bvh: {
         const BvhStyle style = bvh_style(source, writing);
         const std::string text = bvh_text(exported, style);
@@ -241,7 +245,7 @@ class Export {
         return;
       }
       case OutputFormat::Glb: {
-        const std::string glb = gltf_bytes(motion, GltfContainer::Glb, source, writing);
+        const std::string glb = gltf_bytes(motion, GltfContainer::Glb, source, writing, tracks);
         stage_file(".glb", bytes_of(glb), files);
         const SourceFormat as = gltf_format(source, writing);
         as_written.cm_per_unit = as.cm_per_unit;

@@ -9,13 +9,16 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/codec/format/format_limits.h"
 #include "core/formats/fbx.h"
 #include "core/formats/fbx_meshes.h"
 #include "core/formats/fbx_structure.h"
@@ -93,6 +96,8 @@ class FbxReader {
   void still_helpers();
   void settle_axes();
   void sample(const aiAnimation& animation);
+  void sample_weights(const aiAnimation& animation, const SampleTimes& times);
+  const aiMesh* mesh_of(const aiMeshMorphAnim& weights) const;
   void sample_node(const aiNodeAnim& channel, const SampleTimes& times, double ticks_per_second,
                    AnimatedNode& node) const;
 
@@ -276,15 +281,76 @@ void FbxReader::sample(const aiAnimation& animation) {
     add_times(channel.mapped()->mRotationKeys, channel.mapped()->mNumRotationKeys);
     add_times(channel.mapped()->mScalingKeys, channel.mapped()->mNumScalingKeys);
   }
+  for (unsigned m = 0; m < animation.mNumMorphMeshChannels; ++m) {
+    std::vector<double> of_weights;
+    const aiMeshMorphAnim& weights = *animation.mMorphMeshChannels[m];
+    for (unsigned k = 0; k < weights.mNumKeys; ++k)
+      if (const double time = weights.mKeys[k].mTime / stated_hz; std::isfinite(time))
+        of_weights.push_back(time);
+    keys_s = merged_times(keys_s, std::move(of_weights));
+  }
   if (keys_s.empty()) refuse("its take " + std::string(animation.mName.C_Str()) + " moves no node");
+  std::size_t morphs = 0;
+  for (unsigned m = 0; m < animation.mNumMorphMeshChannels; ++m)
+    if (const aiMesh* const mesh = mesh_of(*animation.mMorphMeshChannels[m]))
+      morphs += mesh->mNumAnimMeshes;
   const SampleTimes times = sample_times(
       file_, keys_s, stated_hz > kMetadataSaysDefault ? std::optional(stated_hz) : std::nullopt,
-      options_.sample_rate_hz, moving.size());
+      options_.sample_rate_hz, moving.size() + morphs);
   if (!times.warning.empty()) warn(times.warning);
   take_.name = animation.mName.C_Str();
   take_.frames = times.frames;
   take_.sample_rate_hz = times.rate_hz;
   for (const auto& [node, channel] : moving) sample_node(*channel, times, stated_hz, *node);
+  sample_weights(animation, times);
+}
+
+/// The channel is named after the node and the number of its mesh: "Face*0".
+const aiMesh* FbxReader::mesh_of(const aiMeshMorphAnim& weights) const {
+  const std::string name = weights.mName.C_Str();
+  const std::size_t star = name.rfind('*');
+  const aiNode* const node = scene_->mRootNode->FindNode(name.substr(0, star).c_str());
+  const unsigned long number = star == name.npos ? 0 : std::strtoul(&name[star + 1], nullptr, 10);
+  if (node == nullptr || number >= node->mNumMeshes) return nullptr;
+  return scene_->mMeshes[node->mMeshes[number]];
+}
+
+/// Morph weights. A key has those that were keyed at its time. Curves of other properties are not
+/// to be had from assimp.
+void FbxReader::sample_weights(const aiAnimation& animation, const SampleTimes& times) {
+  for (unsigned m = 0; m < animation.mNumMorphMeshChannels; ++m) {
+    const aiMeshMorphAnim& channel = *animation.mMorphMeshChannels[m];
+    const aiMesh* const mesh = mesh_of(channel);
+    if (mesh == nullptr) continue;
+    const std::string name = channel.mName.C_Str();
+    std::map<unsigned, std::vector<aiVectorKey>> keys;  // of each weight, in x
+    for (unsigned k = 0; k < channel.mNumKeys; ++k)
+      for (unsigned w = 0; w < channel.mKeys[k].mNumValuesAndWeights; ++w)
+        keys[channel.mKeys[k].mValues[w]].emplace_back(
+            channel.mKeys[k].mTime,
+            aiVector3D(static_cast<ai_real>(channel.mKeys[k].mWeights[w]), 0, 0));
+    for (const auto& [target, of_target] : keys) {
+      if (target >= mesh->mNumAnimMeshes) continue;
+      ScalarTrack track{.kind = TrackKind::MorphWeight,
+                        .node = name.substr(0, name.rfind('*')),
+                        .name = mesh->mAnimMeshes[target]->mName.C_Str(),
+                        .values = {}};
+      unsigned key = 0;
+      for (int t = 0; t < times.frames; ++t) {
+        const double ticks = times.at(t) * animation.mTicksPerSecond;
+        track.values.push_back(static_cast<float>(
+            sampled(of_target.data(), static_cast<unsigned>(of_target.size()), key, ticks, straight)
+                .x()));
+      }
+      const auto is_weight = [](float v) { return std::abs(v) <= 1e9F; };
+      if (!std::all_of(track.values.begin(), track.values.end(), is_weight))
+        refuse("has a morph weight that is not finite, or beyond 1e9");
+      if (std::max(track.node.size(), track.name.size()) > runtime::kMostNameBytes ||
+          take_.tracks.size() == runtime::kMostTracks)
+        refuse("has too many morph weights, or names too long for them");
+      take_.tracks.push_back(std::move(track));
+    }
+  }
 }
 
 void FbxReader::sample_node(const aiNodeAnim& channel, const SampleTimes& times,

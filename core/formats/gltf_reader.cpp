@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "core/codec/format/format_limits.h"
 #include "core/formats/gltf_meshes.h"
 #include "core/formats/key_times.h"
 #include "core/formats/take_choice.h"
@@ -25,13 +26,15 @@ constexpr double kMostPlacements = 2e9;  // of nodes, over all frames
 constexpr double kShortest = 1e-12;      // a quaternion, or an axis of a matrix, without direction
 constexpr double kSnap = 0.01;           // frames: times are floats
 
-enum class Path { Translation, Rotation, Scale };
+enum class Path { Translation, Rotation, Scale, Weights };
 enum class Interpolation { Step, Linear, CubicSpline };
 
-/// How one property of one node moves: a channel with its sampler.
+/// How one property of one node moves: a channel with its sampler. Of weights one.
 struct KeyCurve {
   std::size_t node = 0;  // its index in the file
   Path path = Path::Translation;
+  std::size_t target = 0;  // of weights: which
+  std::string name;        // of it
   Interpolation interpolation = Interpolation::Linear;
   std::size_t input = 0;       // the accessor of its times
   std::vector<double> times;   // s, not falling
@@ -43,7 +46,13 @@ class KeyCurveReader {
  public:
   /// A time within `snap` (s) of a key is that key's.
   KeyCurveReader(const KeyCurve& curve, double snap)
-      : curve_(curve), snap_(snap), width_(curve.path == Path::Rotation ? 4 : 3) {}
+      : curve_(curve), snap_(snap), width_(width_of(curve.path)) {}
+
+  static std::size_t width_of(Path path) {
+    return path == Path::Rotation ? 4 : path == Path::Weights ? 1 : 3;
+  }
+
+  double weight(double time) { return at(time)(0); }
 
   void apply(double time, LocalTransform& local) {
     const Eigen::Vector4d value = at(time);
@@ -136,14 +145,21 @@ class TakeReader {
   void find_tree();
   void choose_animation();
   std::optional<Target> target_of(const GltfJson& channel) const;
-  bool moves_nodes(const GltfJson& animation) const;
+  bool has_channel(const GltfJson& animation, bool of_weights) const;
   void read_curves();
   KeyCurve read_curve(const GltfJson& sampler, const Target& target);
+  void read_weights(const GltfJson& sampler, const Target& target);
+  std::vector<std::string> target_names(std::size_t node) const;
   LocalTransform rest_of(const GltfJson& node) const;
   void add_nodes();
   void sample();
+  void sample_weights(const SampleTimes& times);
 
   const GltfJson& node(std::size_t number) const { return file_.list("nodes")[number]; }
+  std::string name_of(std::size_t number) const {
+    const std::string name = file_.text(node(number), "name");
+    return name.empty() ? "node_" + std::to_string(number) : name;
+  }
 
   GltfFile& file_;
   const ReadOptions& options_;
@@ -151,6 +167,7 @@ class TakeReader {
   std::vector<int> parents_;        // of the file's nodes, by their index there
   std::vector<std::size_t> order_;  // of them, parents first
   std::vector<KeyCurve> curves_;
+  std::vector<KeyCurve> weights_;
 };
 
 void TakeReader::find_tree() {
@@ -191,7 +208,7 @@ LocalTransform TakeReader::rest_of(const GltfJson& node) const {
   return local;
 }
 
-/// What a channel moves; nothing for morph weights and what extensions add.
+/// What a channel moves; nothing for what extensions add.
 std::optional<TakeReader::Target> TakeReader::target_of(const GltfJson& channel) const {
   const auto target = channel.find("target");
   if (target == channel.end() || !target->is_object())
@@ -202,13 +219,17 @@ std::optional<TakeReader::Target> TakeReader::target_of(const GltfJson& channel)
   if (path == "translation") return Target{*node, Path::Translation};
   if (path == "rotation") return Target{*node, Path::Rotation};
   if (path == "scale") return Target{*node, Path::Scale};
+  if (path == "weights") return Target{*node, Path::Weights};
   return std::nullopt;
 }
 
-bool TakeReader::moves_nodes(const GltfJson& animation) const {
+/// Whether any of its channels is such a one.
+bool TakeReader::has_channel(const GltfJson& animation, bool of_weights) const {
   const GltfJson& channels = file_.list(animation, "channels");
-  return std::any_of(channels.begin(), channels.end(),
-                     [&](const GltfJson& channel) { return target_of(channel).has_value(); });
+  return std::any_of(channels.begin(), channels.end(), [&](const GltfJson& channel) {
+    const auto target = target_of(channel);
+    return target && (target->path == Path::Weights) == of_weights;
+  });
 }
 
 void TakeReader::choose_animation() {
@@ -218,12 +239,15 @@ void TakeReader::choose_animation() {
   for (const GltfJson& one : animations) {
     std::string name = file_.text(one, "name");
     if (name.empty()) name = "animation_" + std::to_string(takes.size() + 1);
-    takes.push_back({std::move(name), moves_nodes(one)});
+    takes.push_back({std::move(name), has_channel(one, false)});
   }
+  // One of weights alone, a face perhaps, only where nothing moves.
+  if (std::none_of(takes.begin(), takes.end(), [](const TakeName& take) { return take.moves; }))
+    for (std::size_t a = 0; a < takes.size(); ++a)
+      takes[a].moves = has_channel(animations[a], true);
   const std::size_t chosen = choose_take(file_.name(), takes, options_.take, result_.warnings);
   result_.animation = chosen;
   result_.takes = choices(takes, chosen);
-  if (!takes[chosen].moves) file_.fail("moves no node: its animation has only morph weights");
   result_.take.name = takes[chosen].name;
 }
 
@@ -238,15 +262,19 @@ KeyCurve TakeReader::read_curve(const GltfJson& sampler, const Target& target) {
     file_.fail("has an unknown interpolation, \"" + interpolation + '"');
   curve.input = file_.required_index(sampler, "input", "accessors");
   curve.times = file_.values(curve.input, "SCALAR");
+  const bool of_weights = target.path == Path::Weights;
   curve.values = file_.values(file_.required_index(sampler, "output", "accessors"),
-                              target.path == Path::Rotation ? "VEC4" : "VEC3");
+                              target.path == Path::Rotation ? "VEC4"
+                              : of_weights                  ? "SCALAR"
+                                                            : "VEC3");
   const std::size_t keys = curve.times.size();
-  const std::size_t width = target.path == Path::Rotation ? 4 : 3;
+  const std::size_t width =
+      of_weights ? target_names(target.node).size() : KeyCurveReader::width_of(target.path);
   const bool cubic = curve.interpolation == Interpolation::CubicSpline;
   if (keys == 0) file_.fail("has an animation without keys");
   if (curve.values.size() != width * keys * (cubic ? 3 : 1))
     file_.fail("has an animation with " + std::to_string(keys) + " key times, but " +
-               std::to_string(curve.values.size() / width) + " values");
+               std::to_string(curve.values.size() / std::max<std::size_t>(width, 1)) + " values");
   if (!std::is_sorted(curve.times.begin(), curve.times.end()))
     file_.fail("has an animation whose key times go back");
   if (target.path == Path::Rotation)
@@ -264,7 +292,64 @@ void TakeReader::read_curves() {
     if (!target) continue;
     const std::size_t sampler = file_.size(channel, "sampler", samplers.size());
     if (sampler >= samplers.size()) file_.fail("has an animation channel without a sampler");
-    curves_.push_back(read_curve(samplers[sampler], *target));
+    if (target->path != Path::Weights) {
+      curves_.push_back(read_curve(samplers[sampler], *target));
+      continue;
+    }
+    try {
+      read_weights(samplers[sampler], *target);
+    } catch (const InputError& error) {  // no reason to refuse the motion
+      const std::string reason = std::string(error.what()).substr(file_.name().size() + 2);
+      result_.warnings.push_back(
+          {file_.name(), 0, "morph weights are not read: the file " + reason});
+    }
+  }
+  if (curves_.empty() && weights_.empty())
+    file_.fail("moves neither nodes nor morph weights that can be read");
+}
+
+/// Of each morph target of the node's mesh, as the file names it.
+std::vector<std::string> TakeReader::target_names(std::size_t number) const {
+  const auto mesh = file_.index(node(number), "mesh", "meshes");
+  if (!mesh) file_.fail("has morph weights of a node without a mesh");
+  const GltfJson& of = file_.list("meshes")[*mesh];
+  const GltfJson& primitives = file_.list(of, "primitives");
+  const std::size_t count =
+      primitives.empty() ? 0 : file_.list(primitives.front(), "targets").size();
+  if (count > runtime::kMostTracks) file_.fail("has too many morph targets");
+  std::vector<std::string> names;
+  const GltfJson extras = of.value("extras", GltfJson());
+  const GltfJson given = extras.is_object() ? extras.value("targetNames", GltfJson()) : GltfJson();
+  for (std::size_t t = 0; t < count; ++t)
+    names.push_back(given.is_array() && t < given.size() && given[t].is_string()
+                        ? given[t].get<std::string>()
+                        : "target_" + std::to_string(t));
+  return names;
+}
+
+/// A curve for each target: values of one key stand side by side.
+void TakeReader::read_weights(const GltfJson& sampler, const Target& target) {
+  if (std::any_of(weights_.begin(), weights_.end(),
+                  [&](const KeyCurve& one) { return one.node == target.node; }))
+    file_.fail("has an animation that moves the morph weights of a node twice");
+  KeyCurve all = read_curve(sampler, target);
+  const std::vector<std::string> names = target_names(target.node);
+  const std::size_t targets = names.size();
+  for (std::size_t t = 0; t < targets; ++t) {
+    if (weights_.size() == runtime::kMostTracks) file_.fail("has too many morph weights");
+    if (std::max(name_of(all.node).size(), names[t].size()) > runtime::kMostNameBytes)
+      file_.fail("has a name of more than " + std::to_string(runtime::kMostNameBytes) + " bytes");
+    KeyCurve one{.node = all.node,
+                 .path = Path::Weights,
+                 .target = t,
+                 .name = names[t],
+                 .interpolation = all.interpolation,
+                 .input = all.input,
+                 .times = all.times,
+                 .values = {}};
+    for (std::size_t at = t; at < all.values.size(); at += targets)
+      one.values.push_back(all.values[at]);
+    weights_.push_back(std::move(one));
   }
 }
 
@@ -274,6 +359,8 @@ void TakeReader::add_nodes() {
   std::vector<bool> is_joint(count);
   for (const GltfJson& skin : file_.list("skins"))
     for (const std::size_t joint : file_.indices(skin, "joints", "nodes")) is_joint[joint] = true;
+  if (curves_.empty() && file_.list("skins").empty())  // or else nothing would be a joint
+    for (const KeyCurve& weight : weights_) is_joint[weight.node] = true;
   std::vector<bool> is_wanted = is_joint;
   for (const KeyCurve& curve : curves_) is_wanted[curve.node] = true;
   std::vector<bool> draws(count);
@@ -294,8 +381,7 @@ void TakeReader::add_nodes() {
     if (!is_wanted[number]) continue;
     index_of[number] = static_cast<int>(result_.take.nodes.size());
     const int parent = parents_[number];
-    std::string name = file_.text(node(number), "name");
-    if (name.empty()) name = "node_" + std::to_string(number);
+    std::string name = name_of(number);
     result_.number_of_node.push_back(number);
     result_.take.nodes.push_back(
         {.name = std::move(name),
@@ -316,9 +402,12 @@ void TakeReader::sample() {
       keys_s.insert(keys_s.end(), curve.times.begin(), curve.times.end());
     moving.insert(curve.node);
   }
+  for (const KeyCurve& weight : weights_)
+    if (inputs.insert(weight.input).second)
+      keys_s.insert(keys_s.end(), weight.times.begin(), weight.times.end());
   keys_s = merged_times({}, std::move(keys_s));
-  const SampleTimes times =
-      sample_times(file_.name(), keys_s, std::nullopt, options_.sample_rate_hz, moving.size());
+  const SampleTimes times = sample_times(file_.name(), keys_s, std::nullopt,
+                                         options_.sample_rate_hz, moving.size() + weights_.size());
   if (static_cast<double>(times.frames) * static_cast<double>(take.nodes.size()) > kMostPlacements)
     file_.fail("has too many nodes for so many frames");
   if (!times.warning.empty()) result_.warnings.push_back({file_.name(), 0, times.warning});
@@ -330,6 +419,22 @@ void TakeReader::sample() {
     KeyCurveReader reader(curve, kSnap / times.rate_hz);
     for (int f = 0; f < times.frames; ++f)
       reader.apply(times.at(f), node.frames[static_cast<std::size_t>(f)]);
+  }
+  sample_weights(times);
+}
+
+void TakeReader::sample_weights(const SampleTimes& times) {
+  for (const KeyCurve& weight : weights_) {
+    KeyCurveReader reader(weight, kSnap / times.rate_hz);
+    ScalarTrack track{.kind = TrackKind::MorphWeight,
+                      .node = name_of(weight.node),
+                      .name = weight.name,
+                      .steps = weight.interpolation == Interpolation::Step,
+                      .values = {}};
+    for (int f = 0; f < times.frames; ++f)
+      track.values.push_back(static_cast<float>(reader.weight(times.at(f))));
+    result_.take.tracks.push_back(std::move(track));
+    result_.weights.push_back({weight.node, weight.target});
   }
 }
 

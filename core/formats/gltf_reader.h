@@ -28,6 +28,11 @@ struct GltfTake {
   std::size_t animation = 0;  // its index in the file
   Takes takes;
   std::vector<std::size_t> number_of_node;  // of each of take.nodes: its index in the file
+  struct Weight {                           // of each of take.tracks
+    std::size_t node;                       // its index in the file
+    std::size_t target;                     // its index in the mesh
+  };
+  std::vector<Weight> weights;
   Warnings warnings;
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
@@ -47,6 +48,48 @@ struct NodeTrack {
   std::vector<Vector3d> translation;
   std::vector<Quaterniond> rotation;
   std::optional<Vector3d> scale;  // where it is another than at rest
+  std::vector<Vector3d> scales;   // where it changes
+};
+
+/// The scales that tracks have of joints.
+class JointScales {
+ public:
+  JointScales(const ScalarTracks& tracks, const Skeleton& skeleton)
+      : of_joint_(static_cast<std::size_t>(skeleton.joint_count())) {
+    for (const ScalarTrack& track : tracks) {
+      const int joint = is_scale(track.kind) ? skeleton.find(track.node) : -1;
+      if (joint < 0) continue;
+      const auto axis =
+          static_cast<std::size_t>(track.kind) - static_cast<std::size_t>(TrackKind::ScaleX);
+      of_joint_[static_cast<std::size_t>(joint)][axis] = &track;
+      any_ = true;
+    }
+  }
+
+  bool any() const { return any_; }
+  bool has(std::size_t joint) const {
+    const auto& of = of_joint_[joint];
+    return std::any_of(of.begin(), of.end(), [](const auto* track) { return track != nullptr; });
+  }
+  /// Along axes without a track it is 1.
+  Vector3d at(std::size_t joint, int frame) const {
+    Vector3d scale = Vector3d::Ones();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (const ScalarTrack* const track = of_joint_[joint][axis])
+        scale(static_cast<Eigen::Index>(axis)) =
+            static_cast<double>(track->values[static_cast<std::size_t>(frame)]);
+    return scale;
+  }
+
+ private:
+  std::vector<std::array<const ScalarTrack*, 3>> of_joint_;
+  bool any_ = false;
+};
+
+/// All morph weights of a node.
+struct WeightsTrack {
+  std::size_t node = 0;  // its index in the file
+  std::vector<const ScalarTrack*> of_target;
 };
 
 /// What is on its way into one buffer.
@@ -120,9 +163,12 @@ class AnimationWriter {
       return 1 - std::abs(rotation.dot(track.rest.rotation)) > kSameTurn * kSameTurn;
     };
     if (std::any_of(track.translation.begin(), track.translation.end(), moves))
-      add_channel(track.node, "translation", times_, buffer_.add("VEC3", 3, places(track)));
+      add_channel(track.node, "translation", times_,
+                  buffer_.add("VEC3", 3, vectors(track.translation)));
     if (always || std::any_of(track.rotation.begin(), track.rotation.end(), turns))
       add_channel(track.node, "rotation", times_, buffer_.add("VEC4", 4, turnings(track)));
+    if (!track.scales.empty())
+      add_channel(track.node, "scale", times_, buffer_.add("VEC3", 3, vectors(track.scales)));
     if (track.scale) {
       if (!start_) start_ = buffer_.add("SCALAR", 1, {0.0F}, true);
       const Eigen::Vector3f scale = track.scale->cast<float>();
@@ -131,11 +177,21 @@ class AnimationWriter {
     }
   }
 
- private:
-  static std::vector<float> places(const NodeTrack& track) {
+  void add(const WeightsTrack& weights) {
     std::vector<float> values;
-    for (const Vector3d& place : track.translation)
-      for (const double value : place) values.push_back(static_cast<float>(value));
+    for (std::size_t t = 0; t < weights.of_target.front()->values.size(); ++t)
+      for (const ScalarTrack* const track : weights.of_target) values.push_back(track->values[t]);
+    const bool steps = std::all_of(weights.of_target.begin(), weights.of_target.end(),
+                                   [](const ScalarTrack* track) { return track->steps; });
+    add_channel(weights.node, "weights", times_, buffer_.add("SCALAR", 1, values),
+                steps ? "STEP" : "LINEAR");
+  }
+
+ private:
+  static std::vector<float> vectors(const std::vector<Vector3d>& track) {
+    std::vector<float> values;
+    for (const Vector3d& vector : track)
+      for (const double value : vector) values.push_back(static_cast<float>(value));
     return values;
   }
 
@@ -151,9 +207,10 @@ class AnimationWriter {
     return values;
   }
 
-  void add_channel(std::size_t node, const char* path, std::size_t input, std::size_t output) {
+  void add_channel(std::size_t node, const char* path, std::size_t input, std::size_t output,
+                   const char* interpolation = "LINEAR") {
     GltfJson& samplers = animation_["samplers"];
-    samplers.push_back({{"input", input}, {"output", output}, {"interpolation", "LINEAR"}});
+    samplers.push_back({{"input", input}, {"output", output}, {"interpolation", interpolation}});
     animation_["channels"].push_back(
         {{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
   }
@@ -229,8 +286,31 @@ LocalTransform local_of(const Skeleton& skeleton, const Pose& pose, int joint, d
   return local;
 }
 
+/// How the joints of a pose are placed one below the other, where some are scaled.
+std::vector<LocalTransform> scaled_locals(const Skeleton& skeleton, const Pose& pose,
+                                          const JointScales& scales, int frame,
+                                          double cm_per_unit) {
+  std::vector<LocalTransform> locals(static_cast<std::size_t>(skeleton.joint_count()));
+  std::vector<NodePlacement> placements(locals.size());
+  const NodePlacement world = file_placement(cm_per_unit, UpAxis::Y);
+  for (std::size_t j = 0; j < locals.size(); ++j) {
+    const int above = skeleton.joint(static_cast<int>(j)).parent;
+    const NodePlacement& parent = above < 0 ? world : placements[static_cast<std::size_t>(above)];
+    LocalTransform& local = locals[j];
+    local.translation = parent.world_from_node.inverse() * (pose.origin[j] - parent.origin);
+    local.rotation =
+        (parent.rotation.conjugate() * Quaterniond(pose.world_from_joint[j])).normalized();
+    local.scale = scales.at(j, frame);
+    if (!local.translation.allFinite())
+      throw WriteError("a joint is scaled to nothing: what hangs from it has no place in a glTF");
+    placements[j] = below(parent, local);
+  }
+  return locals;
+}
+
 /// The tracks of all joints; the nodes are numbered as they are.
-std::vector<NodeTrack> tracks_of(const Motion& motion, const Pose& rest, double cm_per_unit) {
+std::vector<NodeTrack> tracks_of(const Motion& motion, const Pose& rest, double cm_per_unit,
+                                 const JointScales& scales) {
   const Skeleton& skeleton = motion.skeleton;
   std::vector<NodeTrack> tracks(static_cast<std::size_t>(skeleton.joint_count()));
   for (int j = 0; j < skeleton.joint_count(); ++j) {
@@ -238,9 +318,23 @@ std::vector<NodeTrack> tracks_of(const Motion& motion, const Pose& rest, double 
     track.node = static_cast<std::size_t>(j);
     track.rest = local_of(skeleton, rest, j, cm_per_unit);
   }
+  if (scales.any()) {
+    const std::vector<LocalTransform> rests = scaled_locals(skeleton, rest, scales, 0, cm_per_unit);
+    for (std::size_t j = 0; j < tracks.size(); ++j) tracks[j].rest = rests[j];
+  }
   Pose pose;
   for (int t = 0; t < motion.clip.frames(); ++t) {
     compute_pose(skeleton, motion.clip.channels.row(t), pose);
+    if (scales.any()) {
+      const std::vector<LocalTransform> locals =
+          scaled_locals(skeleton, pose, scales, t, cm_per_unit);
+      for (std::size_t j = 0; j < tracks.size(); ++j) {
+        tracks[j].translation.push_back(locals[j].translation);
+        tracks[j].rotation.push_back(locals[j].rotation);
+        if (scales.has(j)) tracks[j].scales.push_back(locals[j].scale);
+      }
+      continue;
+    }
     for (int j = 0; j < skeleton.joint_count(); ++j) {
       const LocalTransform local = local_of(skeleton, pose, j, cm_per_unit);
       tracks[static_cast<std::size_t>(j)].translation.push_back(local.translation);
@@ -279,6 +373,20 @@ GltfJson nodes_of(const Skeleton& skeleton, const std::vector<NodeTrack>& tracks
                   double cm_per_unit) {
   const std::vector<std::string> names = gltf_names(skeleton);
   GltfJson nodes = GltfJson::array();
+  // What the scales of a joint and of those above it do to where its bone ends.
+  std::vector<NodePlacement> placements;
+  const auto in_joint = [&](int j, const Vector3d& end_site) -> Vector3d {
+    if (std::all_of(tracks.begin(), tracks.end(), [](const auto& t) { return t.scales.empty(); }))
+      return end_site / cm_per_unit;
+    const NodePlacement& placement = placements[static_cast<std::size_t>(j)];
+    return placement.world_from_node.inverse() * (placement.rotation * end_site);
+  };
+  for (std::size_t j = 0; j < tracks.size(); ++j) {
+    const int above = skeleton.joint(static_cast<int>(j)).parent;
+    placements.push_back(below(above < 0 ? file_placement(cm_per_unit, UpAxis::Y)
+                                         : placements[static_cast<std::size_t>(above)],
+                               tracks[j].rest));
+  }
   for (const NodeTrack& track : tracks) {
     nodes.push_back({{"name", names[track.node]}});
     set_transform(nodes.back(), track.rest);
@@ -289,7 +397,7 @@ GltfJson nodes_of(const Skeleton& skeleton, const std::vector<NodeTrack>& tracks
     if (!joint.end_site) continue;
     nodes[static_cast<std::size_t>(j)]["children"].push_back(nodes.size());
     nodes.push_back({{"name", names[static_cast<std::size_t>(j)] + "_end"},
-                     {"translation", json_of(*joint.end_site / cm_per_unit)}});
+                     {"translation", json_of(in_joint(j, *joint.end_site))}});
   }
   return nodes;
 }
@@ -306,18 +414,20 @@ class SourceTracks {
   }
 
   /// The tracks of the nodes that are joints of `motion`, one for each.
-  std::vector<NodeTrack> follow(const Motion& motion, const ReadOptions& options) {
+  std::vector<NodeTrack> follow(const Motion& motion, const ReadOptions& options,
+                                const JointScales& scales) {
     find_nodes(motion.skeleton, options);
     Pose pose;
     for (int t = 0; t < motion.clip.frames(); ++t) {
       compute_pose(motion.skeleton, motion.clip.channels.row(t), pose);
-      place(pose);
+      place(pose, scales, t);
     }
     std::vector<NodeTrack> tracks;
     for (std::size_t n = 0; n < tracks_.size(); ++n) {
       if (joint_of_node_[n] < 0) continue;
-      // Scale that changed over time has gone into the places of joints; what is left is one size.
-      if (const Vector3d scale = still(n).scale; !scale.isApprox(tracks_[n].rest.scale, 1e-6))
+      // Where a changing scale is not known, joints are in their places all the same.
+      if (const Vector3d scale = still(n).scale;
+          tracks_[n].scales.empty() && !scale.isApprox(tracks_[n].rest.scale, 1e-6))
         tracks_[n].scale = scale;
       tracks.push_back(std::move(tracks_[n]));
     }
@@ -348,7 +458,7 @@ class SourceTracks {
   }
 
   /// A node that follows has what is left between its place in the world and that of its parent.
-  void place(const Pose& pose) {
+  void place(const Pose& pose, const JointScales& scales, int frame) {
     placements_.resize(tracks_.size());
     for (std::size_t n = 0; n < tracks_.size(); ++n) {
       const int above = take_.nodes[n].parent;
@@ -363,6 +473,10 @@ class SourceTracks {
           file_.fail("scales " + take_.nodes[n].name + " to nothing: it cannot follow a motion");
         tracks_[n].translation.push_back(local.translation);
         tracks_[n].rotation.push_back(local.rotation);
+        if (scales.has(j)) {
+          local.scale = scales.at(j, frame);
+          tracks_[n].scales.push_back(local.scale);
+        }
       }
       placements_[n] = below(parent, local);
     }
@@ -376,11 +490,36 @@ class SourceTracks {
   NodePlacement above_all_;
 };
 
+/// The weights of nodes of which tracks have all. Of tracks of one name, each is taken once.
+std::vector<WeightsTrack> weights_of(const GltfTake& take, const ScalarTracks& tracks) {
+  std::unordered_set<const ScalarTrack*> taken;
+  std::map<std::size_t, WeightsTrack> of_node;
+  for (std::size_t w = 0; w < take.weights.size(); ++w) {
+    const ScalarTrack& wanted = take.take.tracks[w];
+    const auto found = std::find_if(tracks.begin(), tracks.end(), [&](const ScalarTrack& track) {
+      return track.kind == wanted.kind && track.node == wanted.node && track.name == wanted.name &&
+             !taken.contains(&track);
+    });
+    WeightsTrack& weights = of_node[take.weights[w].node];
+    weights.node = take.weights[w].node;
+    weights.of_target.push_back(found == tracks.end() ? nullptr : &*found);
+    if (found != tracks.end()) taken.insert(&*found);
+  }
+  std::vector<WeightsTrack> all;
+  for (auto& [node, weights] : of_node)
+    if (std::find(weights.of_target.begin(), weights.of_target.end(), nullptr) ==
+        weights.of_target.end())
+      all.push_back(std::move(weights));
+  return all;
+}
+
 /// Leaves out what moves the nodes of `tracks`: channels, and the samplers that only these had.
 void remove_channels(const GltfFile& file, const std::vector<NodeTrack>& tracks,
-                     GltfJson& animation) {
+                     const std::vector<WeightsTrack>& weights, GltfJson& animation) {
   std::unordered_set<std::size_t> nodes;
   for (const NodeTrack& track : tracks) nodes.insert(track.node);
+  std::unordered_set<std::size_t> morphed;
+  for (const WeightsTrack& track : weights) morphed.insert(track.node);
   GltfJson channels = file.list(animation, "channels");
   GltfJson samplers = file.list(animation, "samplers");
   animation["channels"] = GltfJson::array();
@@ -389,7 +528,8 @@ void remove_channels(const GltfFile& file, const std::vector<NodeTrack>& tracks,
   for (GltfJson channel : channels) {
     const GltfJson& target = channel["target"];
     const auto node = file.index(target, "node", "nodes");
-    if (node && nodes.contains(*node) && file.text(target, "path") != "weights") continue;
+    const bool of_weights = file.text(target, "path") == "weights";
+    if (node && (of_weights ? morphed : nodes).contains(*node)) continue;
     const std::size_t sampler = file.size(channel, "sampler", samplers.size());
     if (sampler >= samplers.size()) file.fail("has an animation channel without a sampler");
     const auto [at, is_new] = new_index.emplace(sampler, animation["samplers"].size());
@@ -495,13 +635,14 @@ std::vector<std::string> gltf_names(const Skeleton& skeleton) {
 }
 
 std::string gltf_bytes(const Motion& given, GltfContainer container, const SourceFormat& source,
-                       const WriteOptions& options) {
+                       const WriteOptions& options, const ScalarTracks& scalars) {
   const SourceFormat format = gltf_format(source, options);
   const double cm_per_unit = format.cm_per_unit;
   const Motion motion = exported_motion(given, format, options);
   const Skeleton& skeleton = motion.skeleton;
   const Pose rest = resting_pose(motion, source);
-  const std::vector<NodeTrack> tracks = tracks_of(motion, rest, cm_per_unit);
+  const std::vector<NodeTrack> tracks =
+      tracks_of(motion, rest, cm_per_unit, JointScales(scalars, skeleton));
 
   GltfJson nodes = nodes_of(skeleton, tracks, cm_per_unit);
   GltfJson joints = GltfJson::array();
@@ -533,13 +674,16 @@ std::string gltf_bytes(const Motion& given, GltfContainer container, const Sourc
 
 std::string gltf_bytes_onto(const fs::path& onto, const Motion& motion, GltfContainer container,
                             const fs::path& folder, const SourceFormat& source,
-                            const WriteOptions& options) {
+                            const WriteOptions& options, const ScalarTracks& scalars) {
   GltfFile file(onto, read_text(onto));
   const SourceFormat format = gltf_format(source, options);
   const ReadOptions reading{
       .cm_per_unit = format.cm_per_unit, .up = format.up, .take = options.take};
   const GltfTake take = read_gltf_take(file, reading);
-  const std::vector<NodeTrack> tracks = SourceTracks(file, take, reading).follow(motion, reading);
+  const std::vector<NodeTrack> tracks =
+      SourceTracks(file, take, reading)
+          .follow(motion, reading, JointScales(scalars, motion.skeleton));
+  const std::vector<WeightsTrack> weights = weights_of(take, scalars);
 
   GltfJson json = file.json();
   for (const NodeTrack& track : tracks) {
@@ -559,10 +703,11 @@ std::string gltf_bytes_onto(const fs::path& onto, const Motion& motion, GltfCont
   BufferWriter writer(json, buffer, std::move(data));
   embed_images(file, json, moves_away, is_glb ? &writer : nullptr);
   GltfJson animation = json["animations"][take.animation];
-  remove_channels(file, tracks, animation);
+  remove_channels(file, tracks, weights, animation);
   AnimationWriter animator(writer, animation, motion.clip.frames(),
                            options.sample_rate_hz.value_or(motion.clip.sample_rate_hz));
   for (const NodeTrack& track : tracks) animator.add(track, false);
+  for (const WeightsTrack& track : weights) animator.add(track);
   if (animation["channels"].empty() && !tracks.empty()) animator.add(tracks.front(), true);
   json["animations"][take.animation] = std::move(animation);
   std::vector<GlbChunk> others = file.chunks();

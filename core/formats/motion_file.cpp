@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/formats/motion_file.h"
 
+#include <algorithm>
+
 #include "core/base/file.h"
 #include "core/formats/amc.h"
 #include "core/formats/asf.h"
@@ -11,6 +13,7 @@
 #include "core/formats/gltf_reader.h"
 #include "core/formats/gltf_writer.h"
 #include "core/formats/text_cursor.h"
+#include "core/formats/text_writer.h"
 #include "core/motion/clip.h"
 
 namespace mocapress {
@@ -100,14 +103,28 @@ Motion exported_motion(const Motion& motion, const SourceFormat& source,
   return exported;
 }
 
-void write_motion(const path& file, const Motion& motion, const std::optional<path>& skeleton_path,
-                  const SourceFormat& source, const WriteOptions& options) {
-  if (const auto container = gltf_container(file))
-    return write_text(file, gltf_bytes(motion, *container, source, options));
+Warnings write_motion(const path& file, const Motion& motion,
+                      const std::optional<path>& skeleton_path, const SourceFormat& source,
+                      const WriteOptions& options, const ScalarTracks& tracks) {
+  const auto lost = [&](const auto& is_lost) -> Warnings {
+    const auto count = std::count_if(tracks.begin(), tracks.end(), is_lost);
+    if (count == 0) return {};
+    return {{file.string(), 0, "has no place for " + counted(count, "track") + " of the clip"}};
+  };
+  const auto any = [](const ScalarTrack&) { return true; };
+  if (const auto container = gltf_container(file)) {
+    write_text(file, gltf_bytes(motion, *container, source, options, tracks));
+    return lost([](const ScalarTrack& track) { return !is_scale(track.kind); });
+  }
   const Motion exported = exported_motion(motion, source, options);
-  if (has_extension(file, ".bvh"))
-    return write_text(file, bvh_text(exported, bvh_style(source, options)));
-  if (has_extension(file, ".csv")) return write_text(file, csv_text(exported));
+  if (has_extension(file, ".bvh")) {
+    write_text(file, bvh_text(exported, bvh_style(source, options)));
+    return lost(any);
+  }
+  if (has_extension(file, ".csv")) {
+    write_text(file, csv_text(exported, tracks));
+    return {};
+  }
   if (!has_extension(file, ".amc"))
     throw Error(file.string() +
                 ": cannot be written: its extension is none of .bvh, .glb, .gltf, .amc, .csv");
@@ -116,14 +133,17 @@ void write_motion(const path& file, const Motion& motion, const std::optional<pa
   write_text(skeleton_path.value_or(path(file).replace_extension(".asf")),
              asf_text(acclaim.skeleton, cm_per_unit));
   write_text(file, amc_text(acclaim, cm_per_unit));
+  return lost(any);
 }
 
 void write_motion_onto(const path& file, const Motion& motion, const path& onto,
-                       const SourceFormat& source, const WriteOptions& options) {
+                       const SourceFormat& source, const WriteOptions& options,
+                       const ScalarTracks& tracks) {
   const auto container = gltf_container(file);
   if (!container || !gltf_container(onto))
     throw Error(file.string() + ": only a .glb or .gltf can be written onto another");
-  write_text(file, gltf_bytes_onto(onto, motion, *container, file.parent_path(), source, options));
+  write_text(
+      file, gltf_bytes_onto(onto, motion, *container, file.parent_path(), source, options, tracks));
 }
 
 }  // namespace mocapress

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/motion/clip.h"
+#include "core/motion/scalar_track.h"
 #include "core/motion/skin.h"
 #include "core/motion/source_format.h"
 
@@ -47,6 +48,7 @@ struct MotionFile {
   bool states_rate = true;  // false: the clip has the usual one of its format, or the one given
   std::shared_ptr<const Skin> skin;  // of motion.skeleton; null: the file has none
   Takes takes;
+  ScalarTracks tracks;               // of as many frames as the clip
 };
 
 /// The .asf beside an .amc, of the same name or of the part before '_' (09_01.amc: 09_01.asf,
@@ -70,18 +72,20 @@ Character read_character(const std::filesystem::path& path);
 /// Writes .bvh, .glb, .gltf, .csv, or .amc with the skeleton at `skeleton_path` (by default beside
 /// the .amc, same name, extension .asf), by the extension of `path`: in the axes and, of its
 /// source's kind, the unit and root convention that `source` had, unless `options` ask for others.
-/// A glTF has Y up and is in metres, but where its source was a glTF in another unit. Throws
-/// WriteError; Error on an unknown extension.
-void write_motion(const std::filesystem::path& path, const Motion& motion,
-                  const std::optional<std::filesystem::path>& skeleton_path = {},
-                  const SourceFormat& source = {}, const WriteOptions& options = {});
+/// A glTF has Y up and is in metres, but where its source was a glTF in another unit. Of `tracks` a
+/// .csv has all, a glTF the scales. What had no place is said. Throws WriteError; Error on an
+/// unknown extension.
+Warnings write_motion(const std::filesystem::path& path, const Motion& motion,
+                      const std::optional<std::filesystem::path>& skeleton_path = {},
+                      const SourceFormat& source = {}, const WriteOptions& options = {},
+                      const ScalarTracks& tracks = {});
 
 /// Writes the .glb or .gltf `onto` once more, to `path`, with this motion in place of the animation
 /// that it was read from: gltf_bytes_onto(). Throws InputError, WriteError; Error on an extension
 /// that is neither.
 void write_motion_onto(const std::filesystem::path& path, const Motion& motion,
                        const std::filesystem::path& onto, const SourceFormat& source = {},
-                       const WriteOptions& options = {});
+                       const WriteOptions& options = {}, const ScalarTracks& tracks = {});
 
 /// The motion in the axes and at the rate of a file to be written.
 Motion exported_motion(const Motion& motion, const SourceFormat& source,

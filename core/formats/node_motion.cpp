@@ -224,6 +224,7 @@ class MotionBuilder {
 
  private:
   void build_skeleton();
+  void hold_still();
   void check();
   void number_joints();
   NodePlacement placed(std::size_t node, const LocalTransform& local,
@@ -233,6 +234,7 @@ class MotionBuilder {
   void add_skin();
   void name_joints();
   void add_joint(std::size_t joint);
+  void add_scales();
   void warn_of_scale();
   void warn(std::string message) { warnings_.push_back({file_, 0, std::move(message)}); }
 
@@ -245,6 +247,7 @@ class MotionBuilder {
   std::vector<std::size_t> node_of_joint_;
   std::vector<int> joint_of_node_;  // -1: none
   std::vector<Track> tracks_;       // of joints
+  ScalarTracks tracks_of_clip_;
   std::vector<NodePlacement> first_placements_;
   std::shared_ptr<const Skin> skin_;
   Skeleton skeleton_;
@@ -259,6 +262,17 @@ void MotionBuilder::build_skeleton() {
   for (std::size_t j = 0; j < joints_.size(); ++j) add_joint(j);
 }
 
+/// A clip of tracks alone has joints that do not move. The first of them is turned by nothing.
+void MotionBuilder::hold_still() {
+  if (take_.tracks.empty()) throw InputError(file_, 0, 0, "no joint moves or is turned");
+  for (int axis = 0; axis < 3; ++axis) {
+    joints_.front().channels.push_back(rotation_about(axis));
+    channels_.push_back(Eigen::VectorXd::Zero(take_.frames));
+  }
+  skeleton_ = {};
+  for (const Joint& joint : joints_) skeleton_.add(joint);
+}
+
 Character MotionBuilder::build_character() {
   build_skeleton();
   add_skin();
@@ -270,8 +284,9 @@ Character MotionBuilder::build_character() {
 
 MotionFile MotionBuilder::build() {
   build_skeleton();
-  if (channels_.empty()) throw InputError(file_, 0, 0, "no joint moves or is turned");
+  if (channels_.empty()) hold_still();
   warn_of_scale();
+  add_scales();
   add_skin();
   if (skin_)
     if (SkinPoints points = points_on(*skin_); !points.empty())
@@ -283,7 +298,8 @@ MotionFile MotionBuilder::build() {
   return {.motion = std::move(motion),
           .warnings = std::move(warnings_),
           .source = source_,
-          .skin = std::move(skin_)};
+          .skin = std::move(skin_),
+          .tracks = std::move(tracks_of_clip_)};
 }
 
 void MotionBuilder::number_joints() {
@@ -440,6 +456,22 @@ void MotionBuilder::add_skin() {
                   world_from(file_placement(source_.cm_per_unit, source_.up)), warnings_);
 }
 
+/// Those of joints that change.
+void MotionBuilder::add_scales() {
+  tracks_of_clip_ = take_.tracks;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const std::size_t node = node_of_joint_[j];
+    if (!tree_.changes_scale(node)) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      ScalarTrack track{
+          .kind = scale_along(axis), .node = joints_[j].name, .name = {}, .values = {}};
+      for (int t = 0; t < take_.frames; ++t)
+        track.values.push_back(static_cast<float>(tree_.local(node, t).scale(axis)));
+      tracks_of_clip_.push_back(std::move(track));
+    }
+  }
+}
+
 void MotionBuilder::warn_of_scale() {
   int changing = 0;
   int uneven = 0;
@@ -453,8 +485,8 @@ void MotionBuilder::warn_of_scale() {
   }
   if (changing > 0)
     warn(counted(changing, "node") +
-         " whose scale changes over time: joints are in their places, but a skin has the scales "
-         "of the first frame");
+         " whose scale changes over time: joints are in their places, those of joints are kept as "
+         "tracks, but errors are measured on a skin with the scales of the first frame");
   if (uneven > 0)
     warn(counted(uneven, "node") + " scaled unevenly, first " + first_uneven +
          ": joints are in their places, but a skin has the scales of the first frame");

@@ -38,6 +38,7 @@ struct NodeTake {
   double cm_per_unit = 1;
   UpAxis up = UpAxis::Y;
   std::vector<NodeMesh> meshes;
+  ScalarTracks tracks;  // of as many frames, but for scales, which the nodes have
 };
 
 /// Where a node is in the world, in cm with Y up. `rotation` leaves out what its scale and those
@@ -65,8 +66,8 @@ void check_take_size(const std::string& file, std::size_t moving_nodes, double f
 /// joints are marked, a still leaf below one, alone there, is the end of its bone.
 ///
 /// A joint has no scale: the places of joints are kept exactly, by offsets and, where they change
-/// against the parent, by translation channels. The skin has the scales of the first frame; a
-/// warning says where these change. Throws InputError.
+/// against the parent, by translation channels. The skin has the scales of the first frame; where
+/// these change, they are tracks, and a warning says so. Throws InputError.
 MotionFile motion_of(const std::string& file, const NodeTake& take, const ReadOptions& options,
                      SourceFormat::Kind kind);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/mocapress/encode.h"
 
+#include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"
 #include "core/mocapress/encode_options.h"
 #include "core/report/loaded_clip.h"
@@ -25,7 +26,8 @@ Encoded ClipEncoder::encode(const Settings& settings, const Observer<EncodeProgr
       *find_compression_method(settings.method), options, [&](const EncodeProgress& progress) {
         return !stop.stop_requested() && should_continue(observer, progress);
       });
-  made.file = with_source(made.file, clip_->source());
+  made.file =
+      with_tracks(with_source(made.file, clip_->source()), clip_->tracks(), settings.track_error);
   std::optional<std::size_t> edited;
   if (options.contacts) edited = options.contacts->size();
   const Measurement measurement = clip_->measure(made, edited);

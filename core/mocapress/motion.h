@@ -4,6 +4,7 @@
 // - MotionFile: what read_motion() and parse_motion() give: a Motion, warnings, its source format.
 // - Motion: a Skeleton and a Clip.
 // - Clip: frames x channels, in centimetres and radians.
+// - ScalarTrack: a morph weight, a property or a scale over time, of a MotionFile.
 // - ContactSpan: what find_foot_contacts(motion) gives: a foot on the ground for some frames.
 //
 // Everything in memory is in centimetres, radians and seconds, right-handed, y up, whatever the

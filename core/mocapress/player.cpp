@@ -6,6 +6,7 @@
 
 #include "core/baselines/compared_file.h"
 #include "core/codec/decode/runtime_clip.h"
+#include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/source_section.h"
 
 namespace mocapress {
@@ -14,6 +15,7 @@ struct Player::Parts {
   RuntimeClip clip;
   mcpr_clip_info info;
   Skeleton skeleton;
+  ScalarTracks tracks;
 
   /// One instant, into as many floats as the output has.
   void decode(mcpr_output output, double seconds, AtEnds at_ends, float* out) const {
@@ -41,7 +43,7 @@ Player::Player(std::span<const std::byte> file) {
   const mcpr_clip_info info = clip.info();
   if (info.frames == 0) throw Error("the clip has no frames");
   parts_ = std::make_unique<const Parts>(
-      Parts{std::move(clip), info, read_coded_mcpr(file).compressed.skeleton});
+      Parts{std::move(clip), info, read_coded_mcpr(file).compressed.skeleton, tracks_of(file)});
 }
 
 Player::~Player() = default;
@@ -80,10 +82,36 @@ Eigen::Matrix3Xf Player::positions(double seconds, AtEnds at_ends) const {
   return places;
 }
 
+const ScalarTracks& Player::tracks() const {
+  return parts_->tracks;
+}
+
+Eigen::VectorXf Player::track_values(double seconds, AtEnds at_ends) const {
+  if (!std::isfinite(seconds)) throw Error("an instant that is not finite");
+  if (at_ends == AtEnds::Loop && !is_loop()) throw Error("the clip is not a loop");
+  double frame = seconds * sample_rate_hz();
+  if (at_ends == AtEnds::Loop) {
+    const double turn = parts_->info.loop_frames;
+    frame -= turn * std::floor(frame / turn);
+    if (frame >= turn) frame = 0;  // rounded up from just below zero
+  } else {
+    frame = std::clamp(frame, 0.0, frames() - 1.0);
+  }
+  const mcpr_track_request all{};
+  Eigen::VectorXf values(static_cast<Eigen::Index>(tracks().size()));
+  if (tracks().empty()) return values;
+  const AlignedBytes scratch(mcpr_track_scratch_bytes(parts_->clip.get(), &all));
+  const mcpr_result result = mcpr_track_moment(parts_->clip.get(), &all, frame, values.data(),
+                                               scratch.data(), scratch.size());
+  if (result.status != MCPR_OK) throw Error(result.message);
+  return values;
+}
+
 MotionFile decompress(std::span<const std::byte> file) {
   OpenedMcpr opened = read_mcpr(file);
   return {.motion = {std::move(opened.compressed.skeleton), std::move(opened.decoded)},
-          .source = source_of(file)};
+          .source = source_of(file),
+          .tracks = tracks_of(file)};
 }
 
 }  // namespace mocapress

@@ -50,6 +50,12 @@ class Player {
   /// The joints' origins in the world at that instant: 3 x joints, cm.
   Eigen::Matrix3Xf positions(double seconds, AtEnds at_ends = AtEnds::Hold) const;
 
+  /// Morph weights, properties and scales, with their values at all frames.
+  const ScalarTracks& tracks() const;
+
+  /// The value of each at that instant: linear between frames, or in steps.
+  Eigen::VectorXf track_values(double seconds, AtEnds at_ends = AtEnds::Hold) const;
+
  private:
   struct Parts;
   std::unique_ptr<const Parts> parts_;

@@ -72,6 +72,8 @@ void check(const Settings& settings) {
     refuse("has a target that is not above 0");
   if (!of_wavelets && settings.target.kind == Target::Kind::CoefficientRatio)
     refuse("has a coefficient ratio, a target of wavelet methods only");
+  if (!std::isfinite(settings.track_error) || settings.track_error <= 0)
+    refuse("has a track error that is not above 0");
   if (settings.effort == Effort::Draft)
     refuse("has the effort draft, which does not promise its target");
   const auto check_factor = [&](double factor, const std::string& of) {

@@ -18,6 +18,7 @@
 #include "core/ik/correction_kind.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/loop.h"
+#include "core/motion/scalar_track.h"
 
 namespace mocapress {
 
@@ -56,6 +57,7 @@ struct Settings {
   NamedImportance importance;                // what more care is taken of
   Ends ends = Ends::Even;                    // what is promised of the first and the last pose
   std::optional<Loop> loop;                  // unset: the encoder finds whether the clip is one
+  double track_error = kUsualTrackError;     // no value of a track is further off
   std::optional<CorrectionSettings> correction;         // unset: without IK correction
   std::optional<std::vector<ContactSetting>> contacts;  // edited ones, of the one clip they are
                                                         // for; unset: found
@@ -72,7 +74,8 @@ void check(const Settings& settings);
 ///    "target": {"kind": "error", "value": 0.5}, "seed": 1,
 ///    "ik": {"ratio": "auto", "effectors": [], "solver": "nearest-pose", "at": "every-frame"},
 ///    "effort": "best", "importance": {"feet": 4, "lwrist": 2, "contacts": 20}, "ends": "even",
-///    "loop": "none", "contacts": [{"joint": "lfoot", "first_frame": 10, "last_frame": 25}]}
+///    "loop": "none", "track_error": 0.001, "contacts": [{"joint": "lfoot", "first_frame": 10,
+///    "last_frame": 25}]}
 std::string settings_to_json(const Settings& settings);
 
 /// The inverse. Keys that are left out have the values of Settings{}; "ik": null is no correction.

@@ -194,6 +194,7 @@ Settings read_settings(const Json& json) {
   settings.ends = keys.word("ends", settings.ends, {Ends::Free, Ends::Even, Ends::Exact});
   if (const Json* loop = keys.take("loop"); loop && !loop->is_null())
     settings.loop = keys.word("loop", Loop::None, {Loop::None, Loop::Repeats, Loop::Follows});
+  settings.track_error = keys.number("track_error", settings.track_error);
   if (const Json* importance = keys.take("importance"))
     settings.importance = importance_from(*importance, keys);
   if (const Json* contacts = keys.take(kContacts))
@@ -216,6 +217,7 @@ Json to_json(const Settings& settings) {
   if (!settings.importance.is_even()) json["importance"] = to_json(settings.importance);
   if (settings.ends != Ends::Even) json["ends"] = name(settings.ends);
   if (settings.loop) json["loop"] = name(*settings.loop);
+  if (settings.track_error != kUsualTrackError) json["track_error"] = settings.track_error;
   if (settings.contacts) json[kContacts] = to_json(*settings.contacts);
   return json;
 }

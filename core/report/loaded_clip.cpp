@@ -21,6 +21,7 @@ std::string fingerprint(const Motion& motion) {
 LoadedClip::LoadedClip(MotionFile file)
     : warnings_(std::move(file.warnings)),
       source_(file.source),
+      tracks_(std::move(file.tracks)),
       fingerprint_(mocapress::fingerprint(file.motion)),
       encoder_(std::move(file.motion)) {}
 

@@ -28,6 +28,7 @@ class LoadedClip {
   const std::string& fingerprint() const { return fingerprint_; }
   const Warnings& warnings() const { return warnings_; }
   const SourceFormat& source() const { return source_; }
+  const ScalarTracks& tracks() const { return tracks_; }
 
   /// Spans in which a foot is planted, in the original.
   const std::vector<ContactSpan>& contacts() const { return encoder_.wavelets().contacts(); }
@@ -39,6 +40,7 @@ class LoadedClip {
  private:
   Warnings warnings_;
   SourceFormat source_;
+  ScalarTracks tracks_;
   std::string fingerprint_;
   MethodEncoder encoder_;
 };

@@ -23,6 +23,26 @@ struct ResidentLimb {
   std::uint32_t turn;
 };
 
+/// A track in the block.
+struct ResidentTrack {
+  std::uint32_t node;  // where its name is among the names of tracks, and the track's own
+  std::uint32_t name;
+  std::uint32_t first;  // its number among the curves, or that of its first run
+  std::uint32_t run_count;
+  std::uint8_t kind;
+  bool is_curve;
+  bool steps;
+};
+
+struct TrackBlock {
+  std::uint32_t count = 0;
+  std::uint32_t curve_count = 0;
+  std::uint32_t tracks = 0;  // offsets from the clip
+  std::uint32_t names = 0;
+  std::uint32_t runs = 0;    // TrackRun
+  std::uint32_t curves = 0;  // ResidentSignals, where there are curves
+};
+
 struct ClipBlock {
   static constexpr std::uint32_t kMark = 0x7263704D;  // tells a clip from other memory
   std::uint32_t mark = kMark;
@@ -43,6 +63,7 @@ struct ClipBlock {
   std::uint32_t limbs = 0;
   std::uint32_t ends = 0;     // what the first frame lacks in each channel, then the last
   std::uint32_t motions = 0;  // of each segment: the offset of its signals
+  TrackBlock tracks;
   SegmentLayout segments;
   SignalsShape largest;  // no segment's is larger in any way
 

@@ -19,28 +19,6 @@ constexpr std::uint64_t kBudget = 20;  // tenths of the motion in the file, for 
 
 }  // namespace
 
-/// Places things at the end of a block, or only measures it.
-class FileLoader::Block {
- public:
-  explicit Block(std::byte* memory) : memory_(memory) {}
-
-  std::uint32_t reserve(std::uint64_t bytes) {
-    used_ = (used_ + 7) / 8 * 8;
-    const std::uint64_t at = used_;
-    used_ += bytes;
-    return static_cast<std::uint32_t>(at);
-  }
-  template <typename T>
-  T* at(std::uint32_t offset) const {
-    return memory_ == nullptr ? nullptr : reinterpret_cast<T*>(memory_ + offset);
-  }
-  std::uint64_t used() const { return used_; }
-
- private:
-  std::byte* memory_;
-  std::uint64_t used_ = 0;
-};
-
 FileLoader::FileLoader(Memory& memory, const FileSections& sections)
     : sections_(sections),
       joint_bytes_(memory.take<std::uint8_t>(sections.joint_bytes)),
@@ -66,12 +44,13 @@ FileLoader::FileLoader(Memory& memory, const FileSections& sections)
       neighbour_finder_(memory, static_cast<int>(sections.joints)),
       coder_notes_(memory, Bands(sections.segments.length),
                    static_cast<int>(sections.signal_count())),
-      limb_planner_(memory, static_cast<int>(sections.joints)) {}
+      limb_planner_(memory, static_cast<int>(sections.joints)),
+      tracks_(memory, sections, joint_coder_) {}
 
 mcpr_result FileLoader::read() {
   for (const auto step :
        {&FileLoader::read_joints, &FileLoader::order_angles_of_joints,
-        &FileLoader::turn_axes_of_joints, &FileLoader::plan_limbs, &FileLoader::read_motion}) {
+        &FileLoader::turn_axes_of_joints, &FileLoader::plan_limbs, &FileLoader::read_tracks, &FileLoader::read_motion}) {
     const mcpr_result result = (this->*step)();
     if (failed(result)) return result;
   }
@@ -212,7 +191,7 @@ const mcpr_clip* FileLoader::build(std::byte* memory) {
 }
 
 std::uint64_t FileLoader::lay_out(std::byte* memory) {
-  Block block(memory);
+  BlockLayout block(memory);
   block.reserve(sizeof(mcpr_clip));
   ClipBlock head;
   head.joint_count = sections_.joints;
@@ -264,13 +243,14 @@ std::uint64_t FileLoader::lay_out(std::byte* memory) {
     head.ends = block.reserve(values * sizeof(float));
     if (memory != nullptr) std::copy_n(ends_, values, block.at<float>(head.ends));
   }
+  head.tracks = tracks_.lay_out(block);
   lay_out_motion(block, head, memory);
   head.total_bytes = block.used();
   if (memory != nullptr) new (memory) mcpr_clip{head};
   return block.used();
 }
 
-void FileLoader::lay_out_motion(Block& block, ClipBlock& head, std::byte* memory) {
+void FileLoader::lay_out_motion(BlockLayout& block, ClipBlock& head, std::byte* memory) {
   head.segments = sections_.segments;
   head.largest = {sections_.segments.length, static_cast<int>(sections_.signal_count()), 0};
   const auto segments = static_cast<std::uint64_t>(sections_.segments.count());

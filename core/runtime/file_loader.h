@@ -12,6 +12,7 @@
 #include "core/codec/format/signal_neighbours.h"
 #include "core/runtime/clip.h"
 #include "core/runtime/limb_planner.h"
+#include "core/runtime/track_loader.h"
 
 namespace mocapress::runtime {
 
@@ -40,10 +41,10 @@ class FileLoader {
   mcpr_result order_angles_of_joints();
   mcpr_result turn_axes_of_joints();
   mcpr_result plan_limbs();
+  mcpr_result read_tracks() { return tracks_.read(); }
   mcpr_result read_motion();
-  class Block;
   std::uint64_t lay_out(std::byte* memory);
-  void lay_out_motion(Block& block, ClipBlock& head, std::byte* memory);
+  void lay_out_motion(BlockLayout& block, ClipBlock& head, std::byte* memory);
   mcpr_result read_segment(int segment);
   mcpr_result decode_segment(int segment, const Bytes& coded);
   void find_double_precision_limits();
@@ -78,6 +79,7 @@ class FileLoader {
   NeighbourFinder neighbour_finder_;
   CoderNotes coder_notes_;
   LimbPlanner limb_planner_;
+  TrackLoader tracks_;
   EffectorEnds effectors_[kMostEffectors];
 };
 

@@ -134,7 +134,8 @@ mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip) {
           .bands = static_cast<std::uint32_t>(block.motion(0).band_count() - 1),
           .resident_bytes = static_cast<std::size_t>(block.total_bytes),
           .skeleton_bytes = static_cast<std::size_t>(block.skeleton_bytes),
-          .loop_frames = static_cast<std::uint32_t>(block.turn_frames())};
+          .loop_frames = static_cast<std::uint32_t>(block.turn_frames()),
+          .tracks = block.tracks.count};
 }
 
 mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out) {

@@ -68,11 +68,11 @@ const char* mcpr_status_message(mcpr_status status);
 typedef struct mcpr_limits {
   uint32_t frames;
   uint32_t joints;
-  uint32_t channels;     /* of all joints together */
-  uint64_t values;       /* frames * (channels + 3 * effectors); frames that two segments of a long
-                            clip share count twice */
-  size_t scratch_bytes;  /* of mcpr_info.read_bytes */
-  size_t resident_bytes; /* of the resident form */
+  uint32_t channels;    /* of all joints together */
+  uint64_t values;      /* frames * (channels + 3 * effectors + tracks that are curves); frames that
+                           two segments of a long clip share count twice */
+  size_t scratch_bytes; /* of mcpr_info.read_bytes */
+  size_t resident_bytes;      /* of the resident form */
   uint32_t solver_iterations; /* of an IK solver, for a limb at a frame; the format's solvers take
                                  60 or 12 */
 } mcpr_limits;
@@ -127,6 +127,7 @@ typedef struct mcpr_clip_info {
   size_t skeleton_bytes; /* of them the skeleton's: names, offsets, axes */
   uint32_t loop_frames;  /* of one turn of a loop: one less than frames where the last frame shows
                             the first pose again; 0: the clip is no loop */
+  uint32_t tracks;       /* morph weights, properties, scales: see below */
 } mcpr_clip_info;
 
 /* All zero if `clip` is no clip. */
@@ -208,6 +209,55 @@ mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* reques
  */
 mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request, double frame,
                                float* out, void* scratch, size_t scratch_size);
+
+/* ---------------------------------------------------------------- tracks */
+
+/* What moves besides joints: one number without a unit, over time. */
+typedef enum mcpr_track_kind {
+  MCPR_TRACK_PROPERTY = 0,     /* custom properties, IK and event curves */
+  MCPR_TRACK_MORPH_WEIGHT = 1, /* 0: not at all, 1: all of the shape */
+  MCPR_TRACK_SCALE_X = 2,      /* of a joint against its parent. What MCPR_LOCAL decodes to has the
+                                  places that it gives to the joints below: it is for the skin */
+  MCPR_TRACK_SCALE_Y = 3,
+  MCPR_TRACK_SCALE_Z = 4
+} mcpr_track_kind;
+
+typedef struct mcpr_track {
+  const char* node; /* what has it: a joint, or the node of a mesh; empty: the clip */
+  const char* name; /* of the property or the morph target; empty: a scale. Both are UTF-8, end with
+                       a zero, and are in the clip's memory */
+  mcpr_track_kind kind;
+  int steps; /* 1: between two frames it has the value of the first; 0: it is linear */
+} mcpr_track;
+
+mcpr_result mcpr_clip_track(const mcpr_clip* clip, uint32_t track, mcpr_track* out);
+
+/* The first track of that kind, node and name, compared byte for byte; a null node or name is any.
+ * -1: there is none. It searches all tracks: call it once, not at every frame. */
+int32_t mcpr_find_track(const mcpr_clip* clip, mcpr_track_kind kind, const char* node,
+                        const char* name);
+
+/* Which tracks, in any order, none twice; null: all. */
+typedef struct mcpr_track_request {
+  const uint16_t* tracks;
+  uint32_t track_count; /* of `tracks`; 0 where that is null */
+} mcpr_track_request;
+
+/* Floats in a frame: one for each track; 0 for a request that the clip cannot fulfil. */
+size_t mcpr_track_values(const mcpr_clip* clip, const mcpr_track_request* request);
+
+/* Scratch memory of the next two. 0: none, null will do. */
+size_t mcpr_track_scratch_bytes(const mcpr_clip* clip, const mcpr_track_request* request);
+
+/* Decodes frames first .. first + count - 1, row after row, each of mcpr_track_values() floats. */
+mcpr_result mcpr_track_frames(const mcpr_clip* clip, const mcpr_track_request* request,
+                              uint32_t first, uint32_t count, float* out, void* scratch,
+                              size_t scratch_size);
+
+/* One instant, in frames from the first, 0 .. frames - 1. In a loop whose first frame follows upon
+ * the last, instants up to frames are between these two. */
+mcpr_result mcpr_track_moment(const mcpr_clip* clip, const mcpr_track_request* request,
+                              double frame, float* out, void* scratch, size_t scratch_size);
 
 /* ---------------------------------------------------------------- poses at any instant */
 

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/codec/decode/decoder.h"
+#include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/source_section.h"
 #include "tests/fuzz/file_sections.h"
@@ -23,6 +24,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         Eigen::Index{clip.frames} * (clip.skeleton.channel_count() + 96) > kMostValues)
       return 0;
     mocapress::decode(clip);
+    const mocapress::CodedTracks tracks = mocapress::coded_tracks_of(file);
+    if (tracks.curves.values.size() > kMostValues) return 0;
+    mocapress::decode_tracks(tracks);
+    // What a file holds can be written, though it may not have been written so.
+    if (mocapress::coded_tracks_of(mocapress::with_coded_tracks(file, tracks)).tracks !=
+        tracks.tracks)
+      std::abort();
   } catch (const mocapress::FormatError&) {
   }
   return 0;

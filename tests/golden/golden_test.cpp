@@ -13,6 +13,7 @@
 #include "core/formats/csv.h"
 #include "tests/golden/golden_motion.h"
 #include "tests/support/opened_clip.h"
+#include "tests/support/some_tracks.h"
 
 namespace mocapress::test {
 namespace {
@@ -188,6 +189,31 @@ TEST(GoldenSource, TheWriterStillMakesTheSameFile) {
               read_bytes(golden("v1_source.mcpr")));
 }
 
+std::vector<std::byte> golden_tracks_file() {
+  const CompressedClip clip = golden_adaptive_clip();
+  return with_coded_tracks(write_container(clip), some_coded_tracks(clip.frames));
+}
+
+/// All tracks at all frames, as the runtime decoder has them.
+std::vector<std::byte> played_tracks(const std::vector<std::byte>& file) {
+  const OpenedClip clip(file);
+  EXPECT_NE(clip.clip, nullptr) << clip.result.message;
+  if (clip.clip == nullptr) return {};
+  const std::vector<float> frames = clip.tracks(0, clip.info.frames);
+  const auto bytes = std::as_bytes(std::span(frames));
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST(GoldenTracks, Version1PlaysToTheSameBits) {
+  const std::vector<std::byte> file = read_bytes(golden("v1_tracks.mcpr"));
+  EXPECT_TRUE(played_tracks(file) == read_bytes(golden("v1_tracks_expected.f32")));
+  EXPECT_TRUE(played(file) == read_bytes(golden("v1_joints_expected.f32")));
+}
+
+TEST(GoldenTracks, TheWriterStillMakesTheSameFile) {
+  EXPECT_TRUE(golden_tracks_file() == read_bytes(golden("v1_tracks.mcpr")));
+}
+
 TEST(GoldenBytes, TheWriterStillMakesTheSameRle16Files) {
   EXPECT_TRUE(write_container(golden_clip(Coding::Rle16)) == read_bytes(golden("v1_rle16.mcpr")));
   EXPECT_TRUE(write_container(golden_corrected_clip()) == read_bytes(golden("v1_correction.mcpr")));
@@ -205,6 +231,8 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
   write_bytes(golden("v1_joints_expected.f32"), played(write_container(golden_adaptive_clip())));
   write_bytes(golden("v1_source.mcpr"),
               with_source(write_container(golden_adaptive_clip()), kGoldenSource));
+  write_bytes(golden("v1_tracks.mcpr"), golden_tracks_file());
+  write_bytes(golden("v1_tracks_expected.f32"), played_tracks(golden_tracks_file()));
   save_mcpr(golden("v1_ends.mcpr"), golden_ends_clip());
   write_bytes(golden("v1_ends_expected.f32"), played(write_container(golden_ends_clip())));
   save_mcpr(golden("v1_axes.mcpr"), golden_turned_clip());

@@ -39,6 +39,17 @@ struct OpenedClip {
     return out;
   }
 
+  /// All tracks, row after row; empty where that was refused.
+  std::vector<float> tracks(std::uint32_t first, std::uint32_t count) const {
+    const mcpr_track_request all{};
+    const AlignedBytes scratch(mcpr_track_scratch_bytes(clip, &all));
+    std::vector<float> out(count * mcpr_track_values(clip, &all));
+    if (mcpr_track_frames(clip, &all, first, count, out.data(), scratch.data(), scratch.size())
+            .status != MCPR_OK)
+      out.clear();
+    return out;
+  }
+
   std::vector<float> moment(const mcpr_request& request, double frame) const {
     const AlignedBytes scratch(mcpr_scratch_bytes(clip, &request));
     std::vector<float> out(mcpr_frame_values(clip, &request));

@@ -39,8 +39,9 @@ std::set<std::string> keys_of(const json& object) {
 const std::set<std::string> kStringKeys = {
     "input",       "method",     "weighting",         "coding",
     "verified_by", "visibility", "visibility_reason", "loop"};
-const std::set<std::string> kIntegerKeys = {"frames",       "channels",   "joints",  "raw_bytes",
-                                            "motion_bytes", "file_bytes", "contacts"};
+const std::set<std::string> kIntegerKeys = {"frames",    "channels",     "joints",
+                                            "raw_bytes", "motion_bytes", "file_bytes",
+                                            "contacts",  "tracks",       "track_bytes"};
 const std::set<std::string> kNumberKeys = {"sample_rate_hz",
                                            "ratio",
                                            "eps_x_cm",
@@ -77,12 +78,13 @@ const std::set<std::string> kNumberKeys = {"sample_rate_hz",
                                            "head_worst_degrees",
                                            "root_flight_cm_per_s"};
 const std::set<std::string> kEncodingKeys = {"coefficient_ratio", "iterations", "encode_seconds"};
-// Null: the clip has neither feet nor hands.
+// Null: the clip has neither feet nor hands, and no tracks.
 const std::set<std::string> kNullKeys = {"hand_degrees",
                                          "skin_rms_cm",
                                          "skin_p95_cm",
                                          "skin_p99_cm",
                                          "skin_max_cm",
+                                         "track_max_error",
                                          "ik_ratio",
                                          "ik_bytes",
                                          "footskate_cm",
@@ -453,6 +455,49 @@ TEST_F(Cli, MeasuresOnTheSkinOfAClipWithAMesh) {
   const auto refused = mocapress({"compress", clip_, "-o", packed_, "--weighting", "skin"});
   EXPECT_NE(refused.exit_code, 0);
   EXPECT_THAT(refused.err, testing::HasSubstr("the weighting skin needs a clip with a mesh"));
+}
+
+TEST_F(Cli, KeepsMorphWeightsWithinTheirOwnBound) {
+  SmallGltf gltf = bending_knee();
+  gltf.json["nodes"].push_back({{"name", "Face"}, {"mesh", 0}});
+  gltf.json["scenes"][0]["nodes"].push_back(3);
+  gltf.json["meshes"] = json::array(
+      {{{"primitives",
+         {{{"attributes", json::object()}, {"targets", {json::object(), json::object()}}}}},
+        {"extras", {{"targetNames", {"smile", "blink"}}}}}});
+  std::vector<float> weights;
+  for (int key = 0; key < 11; ++key)
+    weights.insert(weights.end(),
+                   {std::sin(0.4F * static_cast<float>(key)), key > 5 ? 1.0F : 0.0F});
+  gltf.move(3, "weights", 0, gltf.add("SCALAR", weights));
+  const std::string source = write("face.glb", gltf.glb());
+  const json made = json_of({"compress", source, "-o", packed_, "--track-error", "0.01", "--json"});
+  EXPECT_EQ(made["tracks"], 2);
+  EXPECT_GT(made["track_bytes"], 30);
+  EXPECT_LE(made["track_max_error"], 0.01);
+  const json measured = json_of({"measure", source, packed_, "--json"});
+  for (const char* key : {"tracks", "track_bytes", "track_max_error"})
+    EXPECT_EQ(measured[key], made[key]) << key;
+  const json info = json_of({"info", source, packed_, "--json"});
+  EXPECT_EQ(info[0]["tracks"], info[1]["tracks"]);
+  EXPECT_EQ(
+      info[1]["tracks"][1],
+      (json{{"kind", "morph-weight"}, {"node", "Face"}, {"name", "blink"}, {"steps", false}}));
+  EXPECT_EQ(info[1]["track_bytes"], made["track_bytes"]);
+
+  const std::string back = file("back.glb");
+  ASSERT_EQ(mocapress({"decompress", packed_, "-o", back, "--onto", source}).exit_code, 0);
+  const MotionFile again = read_motion(back);
+  ASSERT_EQ(again.tracks.size(), 2u);
+  for (std::size_t key = 0; key < 11; ++key) {
+    EXPECT_NEAR(again.tracks[0].values[key], weights[2 * key], 0.0101);
+    EXPECT_EQ(again.tracks[1].values[key], weights[2 * key + 1]) << "a switch is exact";
+  }
+  EXPECT_THAT(mocapress({"decompress", packed_, "-o", file("back.bvh")}).err,
+              testing::HasSubstr("back.bvh: has no place for 2 tracks of the clip"));
+  ASSERT_EQ(mocapress({"decompress", packed_, "-o", file("back.csv")}).exit_code, 0);
+  EXPECT_THAT(read_text(file("back.csv")), testing::HasSubstr(",Face.smile,Face.blink\n"));
+  EXPECT_EQ(mocapress({"compress", source, "--track-error", "0"}).exit_code, 2);
 }
 
 TEST_F(Cli, DecompressedCsvHasALineForEachFrame) {

@@ -5,9 +5,10 @@
 Slow and without limits: for tests only. Names and numbers of sections are FORMAT.md's; the tables
 of its appendix are read from it.
 
-Usage: format_reader.py FORMAT.md CLIP.mcpr EXPECTED.f32|EXPECTED.csv [--positions]
+Usage: format_reader.py FORMAT.md CLIP.mcpr EXPECTED.f32|EXPECTED.csv [--positions|--tracks]
        compares the channels with 32-bit floats, frame after frame (equal to the bit), or with the
-       rows of a .csv (equal to 1e-4); or the joints' places in the world (equal to 1e-4)
+       rows of a .csv (equal to 1e-4); or the joints' places in the world (equal to 1e-4); or the
+       values of scalar tracks (equal to the bit)
 """
 import math
 import re
@@ -164,11 +165,11 @@ class Joint:
     pass
 
 
-def decode_joint_bytes(bits, size):
+def decode_joint_bytes(bits, size, fields=None):
     contexts = [{} for _ in range(5)]
     weights = [[26214] * 5 for _ in range(19)]
     data = bytearray()
-    for field in joint_fields(data):
+    for field in (fields or joint_fields)(data):
         if len(data) == size:
             break
         b1, b2, b3 = (data[-n] if len(data) >= n else 0 for n in (1, 2, 3))
@@ -697,6 +698,105 @@ def read_words(cursor, length, count):
             refuse("a run passes the end of its channel")
         signals.append(values + [0] * (length - len(values)))
     return signals, [f32(math.ldexp(1.0, exponent)) for exponent in exponents]
+
+
+# ---------------------------------------------------------------- 4, trks
+
+
+def number(bits, more):
+    count = 0
+    while count < 24 and bit_in_one(bits, more[count]):
+        count += 1
+    value = 1 if count else 0
+    for _ in range(count - 1):
+        value = 2 * value + bits.bit(32768)
+    return value
+
+
+def track_fields(data):
+    while True:
+        for length in (0, 2):
+            yield length
+            for _ in range(data[-1]):
+                yield length + 1
+        yield 4
+        yield 5
+
+
+class Track:
+    pass
+
+
+def read_track_records(data, count):
+    cursor, tracks = Cursor(data), []
+    for _ in range(count):
+        track = Track()
+        track.node = cursor.take(cursor.read("B")).decode()
+        track.name = cursor.take(cursor.read("B")).decode()
+        track.kind, track.flags = cursor.read("BB")
+        if track.kind > 4 or track.flags > 3:
+            refuse("an unknown kind of track")
+        tracks.append(track)
+    if cursor.rest():
+        refuse("bytes after the last track")
+    return tracks
+
+
+class Runs:
+    """Decodes held tracks, one after the other."""
+
+    def __init__(self, bits):
+        self.bits, self.count = bits, 0
+        self.is_last = [Context(), Context()]
+        self.length = [Context() for _ in range(24)]
+        self.place = [[Context() for _ in range(24)] for _ in range(2)]
+        self.recent = [0.0, 1.0] + [0.0] * 14
+
+    def next(self, frames):
+        values = []
+        while len(values) < frames:
+            later = 1 if values else 0
+            length = frames - len(values)
+            if not bit_in_one(self.bits, self.is_last[later]):
+                length = 1 + number(self.bits, self.length)
+                if length >= frames - len(values):
+                    refuse("a run that is too long")
+            place = number(self.bits, self.place[later])
+            if place > 16:
+                refuse("no such recent value")
+            if place == 16:
+                pattern = 0
+                for _ in range(32):
+                    pattern = pattern << 1 | self.bits.bit(32768)
+                value = struct.unpack("<f", struct.pack("<I", pattern))[0]
+            else:
+                value = self.recent[place]
+            self.recent.pop(min(place, 15))
+            self.recent.insert(0, value)
+            values += [value] * length
+            self.count += 1
+        return values
+
+
+def read_tracks(payload, frames, tables):
+    cursor = Cursor(payload)
+    count, curves, basis, size, runs, stream_bytes = cursor.read("HHBIII")
+    stream = cursor.take(stream_bytes)
+    bits = RangeDecoder(cursor.rest())
+    tracks = read_track_records(decode_joint_bytes(bits, size, track_fields), count)
+    held = Runs(bits)
+    for track in tracks:
+        if not track.flags & 1:
+            track.values = held.next(frames)
+    bits.expect_end()
+    coded = [track for track in tracks if track.flags & 1]
+    if held.count != runs or len(coded) != curves:
+        refuse("other tracks than was promised")
+    if coded:
+        decoded = Stream(stream, frames, [(s - 1, -1) for s in range(curves)], tables)
+        for track, values, step in zip(coded, decoded.values, decoded.steps()):
+            track.values = inverse_transform(values, step, basis, 8)
+    return tracks
 
 
 # ---------------------------------------------------------------- 7
@@ -1228,12 +1328,7 @@ class Clip:
         for end in range(2):
             steps = self.steps[0 if end == 0 else -1]
             for c in range(self.channels):
-                count = 0
-                while count < 24 and bit_in_one(bits, more[count]):
-                    count += 1
-                value = 1 if count else 0
-                for _ in range(count - 1):
-                    value = 2 * value + bits.bit(32768)
+                value = number(bits, more)
                 if value and bits.bit(32768):
                     value = -value
                 step = f32(math.ldexp(steps[c], -(exponents[end] >> 1)))
@@ -1248,6 +1343,10 @@ class Clip:
                     share = f32(left * left)
                     for c in range(self.channels):
                         row[c] = f32(row[c] + f32(share * lacking[end * self.channels + c]))
+
+    def track_rows(self):
+        tracks = read_tracks(self.sections["trks"], self.frames, self.tables)
+        return [[track.values[t] for track in tracks] for t in range(self.frames)]
 
     def positions(self):
         return [[x for place in pose(self.joints, row) for x in place[0]] for row in self.rows]
@@ -1268,6 +1367,8 @@ def main():
     page, clip_path, expected_path = [a for a in sys.argv[1:] if not a.startswith("--")]
     clip = Clip(open(clip_path, "rb").read(), Tables(open(page, encoding="utf-8").read()))
     rows = clip.positions() if "--positions" in options else clip.rows
+    if "--tracks" in options:
+        rows = clip.track_rows()
     expected, near = expected_rows(expected_path, len(rows[0]))
     if "--positions" in options:
         near = 1e-4

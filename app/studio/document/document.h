@@ -6,7 +6,6 @@
 #include <array>
 
 #include "app/jobs/clips.h"
-#include "core/codec/format/source_section.h"
 #include "widgets/models/curve_selection.h"
 
 namespace mocapress {
@@ -56,7 +55,7 @@ class Document : public QObject {
   const QString& savedPath() const { return saved_path_; }
 
   /// The .mcpr that saving writes; wants a decoded().
-  std::vector<std::byte> file() const { return with_source(decoded_->file, source()); }
+  std::vector<std::byte> file() const { return savedFile(*decoded_, original_.get()); }
 
   /// How the file that the clip was read from puts motion into numbers.
   SourceFormat source() const;

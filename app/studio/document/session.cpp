@@ -11,6 +11,7 @@
 #include "app/studio/document/named_settings.h"
 #include "app/studio/document/settings_field.h"
 #include "core/base/error.h"
+#include "core/codec/decode/track_decoding.h"
 #include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"
 
@@ -324,9 +325,9 @@ void Session::exportMotion(const QString& path) {
   const DecodedPtr decoded = document_.decoded();
   if (!decoded) return;
   exporting_.start(
-      [decoded, source = document_.source(), path](const Job&) {
+      [decoded, file = document_.file(), source = document_.source(), path](const Job&) {
         write_motion(path.toStdU16String(), {decoded->compressed.skeleton, decoded->clip}, {},
-                     source);
+                     source, {}, tracks_of(file));
         return path;
       },
       [this](const QString& written) { emit exported(written); },

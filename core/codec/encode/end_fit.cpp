@@ -85,7 +85,7 @@ class End {
   Eigen::VectorXi rounded(const std::vector<float>& steps, int step_exponent) const {
     Eigen::VectorXi whole(lacking_.size());
     for (Eigen::Index c = 0; c < whole.size(); ++c) {
-      constexpr double kMost = (1 << runtime::kMostEndDigits) - 1;
+      constexpr double kMost = (1 << runtime::DigitCoder::kMostDigits) - 1;
       const double step = runtime::end_value(1, steps[static_cast<std::size_t>(c)], step_exponent);
       whole(c) = static_cast<int>(std::lround(std::clamp(lacking_(c) / step, -kMost, kMost)));
     }

@@ -20,7 +20,6 @@ namespace {
 constexpr std::string_view kEnds = "ENDS";
 constexpr std::string_view kLoop = "loop";
 constexpr std::string_view kOrders = "ordr";
-constexpr std::size_t kSections = 6;  // where the file has their number
 
 constexpr auto kNoCoding = static_cast<Coding>(0);  // of a comparison method
 constexpr auto kNoMethod = static_cast<Method>(0);
@@ -139,18 +138,6 @@ std::uint64_t sample_count(const CompressedClip& clip) {
          static_cast<std::uint64_t>(std::max(signals, 1));
 }
 
-/// Makes a file as long as its samples ask for: FORMAT.md, Limits.
-std::vector<std::byte> with_room(ByteWriter file, std::uint64_t samples) {
-  const std::size_t size = file.bytes().size();
-  if (samples <= runtime::most_values_of(size)) return file.release();
-  std::size_t zeros = 0;
-  while (samples > runtime::most_values_of(size + runtime::kSectionHead + zeros)) ++zeros;
-  write_section(file, "room", std::vector<std::byte>(zeros));
-  std::vector<std::byte> bytes = file.release();
-  bytes[kSections] = static_cast<std::byte>(std::to_integer<int>(bytes[kSections]) + 1);
-  return bytes;
-}
-
 }  // namespace
 
 std::vector<std::byte> write_container(const CompressedClip& clip) {
@@ -176,7 +163,7 @@ std::vector<std::byte> write_container(const Container& container) {
   if (clip.loop != Loop::None)
     write_section(file, kLoop, std::vector{static_cast<std::byte>(clip.loop)});
   if (reorders(clip)) write_section(file, kOrders, write_orders(clip.skeleton));
-  return with_room(std::move(file), sample_count(clip));
+  return with_room(file.release(), sample_count(clip));
 }
 
 namespace {

@@ -3,13 +3,11 @@
 // coefficients give: FORMAT.md, ENDS. The same walk for writing and reading.
 #pragma once
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
-#include "core/codec/format/mixed_bit.h"
+#include "core/codec/format/digit_coder.h"
 #include "core/codec/format/range_decoder.h"
 #include "core/codec/format/section.h"
 
@@ -17,7 +15,6 @@ namespace mocapress::runtime {
 
 inline constexpr int kLeastEndStepExponent = -16;
 inline constexpr int kMostEndStepExponent = 48;
-inline constexpr int kMostEndDigits = 24;  // of a number of steps, so that a float holds it
 
 /// How much of what an end lacks goes to a frame so many frames from it, less than `reach`.
 inline float end_share(int frames_away, int reach) {
@@ -32,32 +29,18 @@ inline float end_value(std::int32_t steps, float step_of_channel, int step_expon
   return static_cast<float>(steps) * (step_exponent % 2 == 0 ? whole : whole * 0x1.6a09e6p-1F);
 }
 
-/// Codes whole numbers by how many digits they have. `Bits` as of CoefficientCoder.
+/// Codes whole numbers, with signs. `Bits` as of CoefficientCoder.
 class EndCoder {
  public:
   template <typename Bits>
   std::int32_t code(Bits& bits, std::int32_t steps) {
-    const int wanted = std::bit_width(static_cast<std::uint32_t>(std::abs(steps)));
-    int digits = 0;
-    while (digits < kMostEndDigits && code_more(bits, digits, digits < wanted)) ++digits;
-    if (digits == 0) return 0;
-    std::int32_t magnitude = 1;
-    for (int d = digits - 2; d >= 0; --d)
-      magnitude = 2 * magnitude + (bits.code((std::abs(steps) >> d & 1) != 0, kEvenOdds) ? 1 : 0);
+    const std::int32_t magnitude = magnitude_.code(bits, std::abs(steps));
+    if (magnitude == 0) return 0;
     return bits.code(steps < 0, kEvenOdds) ? -magnitude : magnitude;
   }
 
  private:
-  template <typename Bits>
-  bool code_more(Bits& bits, int digits, bool more) {
-    constexpr Probability kLeast = 64;
-    AdaptiveBit& believed = has_more_[digits];
-    more = bits.code(more, std::clamp<Probability>(believed.one, kLeast, 65536 - kLeast));
-    believed.follow(more);
-    return more;
-  }
-
-  AdaptiveBit has_more_[kMostEndDigits];
+  DigitCoder magnitude_;
 };
 
 /// Reads the coded numbers of ENDS: those of the first frame, channel by channel, then the last.

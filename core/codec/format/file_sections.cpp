@@ -46,9 +46,11 @@ class SectionsReader {
   }
 
  private:
-  mcpr_result check_end(std::size_t offset, std::size_t bytes_left) const {
+  mcpr_result check_end(std::size_t offset, std::size_t bytes_left) {
     if (next_ < Expected::Correction) return failure(MCPR_INVALID, offset, "a section is missing");
     if (bytes_left > 0) return failure(MCPR_INVALID, offset, "bytes after the last section");
+    if (tracks_.data != nullptr)
+      if (const mcpr_result result = read_tracks(tracks_); failed(result)) return result;
     return check_room();
   }
 
@@ -94,6 +96,7 @@ class SectionsReader {
     if (section.is("loop")) return read_loop(section.payload);
     if (section.is("ordr")) return keep(section.payload, sections_.orders);
     if (section.is("srce")) return keep(section.payload, sections_.source);
+    if (section.is("trks")) return keep(section.payload, tracks_);
     if (section.is_optional()) return kOk;
     return failure(MCPR_INVALID, section.start, "a section that is not expected here");
   }
@@ -191,9 +194,7 @@ class SectionsReader {
 
   /// What is decoded, and the time that takes, grows with the file: FORMAT.md, Limits.
   mcpr_result check_room() const {
-    const auto samples = static_cast<std::uint64_t>(sections_.segments.coded_frames()) *
-                         std::max(sections_.signal_count(), 1U);
-    if (samples > most_values_of(file_bytes_))
+    if (sections_.room_values() > most_values_of(file_bytes_))
       return failure(MCPR_INVALID, sections_.motion.offset,
                      "too many samples for so few coded bytes");
     return kOk;
@@ -205,6 +206,34 @@ class SectionsReader {
     if (sections_.value_count() > limits_.values)
       return failure(MCPR_LIMIT, offset, "more values than the limits allow");
     return kOk;
+  }
+
+  mcpr_result read_tracks(const Bytes& payload) {
+    constexpr std::uint32_t kMostRecord = 2 * (1 + 255) + 2;
+    Cursor cursor = payload.cursor();
+    TracksHead& head = sections_.tracks;
+    head.tracks = cursor.read<std::uint16_t>();
+    head.curves = cursor.read<std::uint16_t>();
+    const auto wavelet = cursor.read<std::uint8_t>();
+    head.record_bytes = cursor.read<std::uint32_t>();
+    head.runs = cursor.read<std::uint32_t>();
+    const auto stream_bytes = cursor.read<std::uint32_t>();
+    const std::size_t stream_offset = cursor.offset();
+    head.stream = {cursor.take(stream_bytes), stream_bytes, stream_offset};
+    if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "trks is too short");
+    if (sections_.frames == 0 || head.tracks == 0 || head.tracks > kMostTracks ||
+        head.curves > head.tracks || head.record_bytes > kMostRecord * head.tracks ||
+        head.runs > std::uint64_t{head.tracks - head.curves} * sections_.frames)
+      return failure(MCPR_INVALID, payload.offset, "the tracks have an impossible size");
+    if (wavelet > 2) return failure(MCPR_INVALID, payload.offset + 4, "unknown basis of tracks");
+    if (head.curves == 0 && stream_bytes > 0)
+      return failure(MCPR_INVALID, stream_offset, "bytes of curves where there are none");
+    head.wavelet = static_cast<Wavelet>(wavelet);
+    const std::size_t offset = cursor.offset();
+    const std::size_t size = cursor.left();
+    head.bits = {cursor.take(size), size, offset};
+    head.bytes = kSectionHead + payload.size;
+    return check_values(payload.offset);
   }
 
   mcpr_result read_correction(const Bytes& payload) {
@@ -240,6 +269,7 @@ class SectionsReader {
   const mcpr_limits& limits_;
   FileSections& sections_;
   std::size_t file_bytes_ = 0;
+  Bytes tracks_;  // which may stand before CLIP
   Expected next_ = Expected::Joints;
 };
 

@@ -2,6 +2,7 @@
 // The container of a .mcpr file, version 1: FORMAT.md. Every reader of one begins here.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/codec/format/kinds.h"
@@ -11,6 +12,18 @@
 #include "core/codec/format/segment_layout.h"
 
 namespace mocapress::runtime {
+
+/// What trks says before anything is decoded.
+struct TracksHead {
+  std::uint32_t tracks = 0;  // 0: there are none
+  std::uint32_t curves = 0;  // of them: the others are held
+  Wavelet wavelet = Wavelet::Cubic;
+  std::uint32_t record_bytes = 0;  // decoded
+  std::uint32_t runs = 0;          // of what is held
+  Bytes stream;                    // of the curves
+  Bytes bits;                      // of records and runs
+  std::size_t bytes = 0;           // of the section, its head and all
+};
 
 /// What the sections say before anything is decoded, all of it checked against the limits.
 struct FileSections {
@@ -48,14 +61,26 @@ struct FileSections {
   Bytes axes;                       // AXES
   Bytes orders;                     // ordr
   Bytes source;                     // srce
+  TracksHead tracks;                // trks
 
   bool is_adaptive() const { return coding == kAdaptive; }
 
   std::uint32_t signal_count() const { return channels + 3 * effectors; }
 
-  /// Of all segments.
+  /// Of all segments, and of tracks.
   std::uint64_t value_count() const {
-    return static_cast<std::uint64_t>(segments.coded_frames()) * signal_count();
+    return static_cast<std::uint64_t>(segments.coded_frames()) * signal_count() + track_values();
+  }
+
+  /// What the length of the file has to allow: a clip without signals counts as one.
+  std::uint64_t room_values() const {
+    return static_cast<std::uint64_t>(segments.coded_frames()) * std::max(signal_count(), 1U) +
+           track_values();
+  }
+
+  /// Samples of curves, and two for each run.
+  std::uint64_t track_values() const {
+    return std::uint64_t{tracks.curves} * frames + std::uint64_t{2} * tracks.runs;
   }
 
   /// What the file has of the motion.

@@ -22,15 +22,19 @@ inline constexpr std::uint32_t kMostChannels = kMostChannelsOfJoint * kMostJoint
 /// A name's length is a byte.
 inline constexpr std::size_t kMostNameBytes = 255;
 
-/// Of a joint in JNTS, before it is coded: its name, parent, offset, flags, axes, end site and channels.
+/// Of a joint in JNTS, before it is coded: its name, parent, offset, flags, axes, end site and
+/// channels.
 inline constexpr std::size_t kMostBytesOfJoint =
     (1 + kMostNameBytes) + 2 + 3 * 4 + 1 + 4 * 4 + 3 * 4 + (1 + kMostChannelsOfJoint);
 
 /// Ten hours at 120 Hz.
 inline constexpr std::uint32_t kMostFrames = std::uint32_t{1} << 22;
 
-/// Samples of all signals (channels and IKCO's), frames that two segments share counted twice: two
-/// hours and a half of 62 channels at 120 Hz.
+/// Scalar tracks: faces have some hundred.
+inline constexpr std::uint32_t kMostTracks = 4096;
+
+/// Samples of all signals (channels and IKCO's), frames that two segments share counted twice, and
+/// of curves of tracks: two hours and a half of 62 channels at 120 Hz.
 inline constexpr std::uint64_t kMostValues = std::uint64_t{1} << 26;
 
 /// A still clip takes next to no bytes, but what a file of so many bytes may keep a reader busy

@@ -77,20 +77,26 @@ class JointFields {
   std::uint8_t flags_ = 0;
 };
 
-/// Codes bytes of joints, each bit by what followed upon the same field and the bytes before it.
-class JointByteCoder {
+/// Codes bytes of records, each bit by what followed upon the same field and the bytes before it.
+/// `Fields` say, byte by byte, what the next one belongs to.
+template <typename Fields>
+class RecordByteCoder {
  public:
   static constexpr int kOrders = 5;
   static constexpr std::uint32_t kSlots = 1 << 14;  // of each order
 
-  explicit JointByteCoder(Memory& memory) : slots_(memory.take<AdaptiveBit>(kOrders * kSlots)) {}
+  explicit RecordByteCoder(Memory& memory) : slots_(memory.take<AdaptiveBit>(kOrders * kSlots)) {}
+
+  /// In the slots of another, which is done with them.
+  explicit RecordByteCoder(AdaptiveBit* slots) : slots_(slots) {}
+  AdaptiveBit* slots() const { return slots_; }
 
   /// Codes `count` bytes, which are there beforehand or afterwards. `Bits` as of CoefficientCoder.
   template <typename Bits>
   void run(Bits& bits, std::uint8_t* bytes, std::uint32_t count) {
     std::fill_n(slots_, kOrders * kSlots, AdaptiveBit());
     for (MixingWeights& set : weights_) set.of.fill(kFirstWeight);
-    JointFields fields;
+    Fields fields;
     for (std::uint32_t i = 0; i < count && !bits.failed(); ++i) {
       const auto before = [&](std::uint32_t back) { return i >= back ? bytes[i - back] : 0U; };
       const auto field = static_cast<std::uint32_t>(fields.field());
@@ -130,7 +136,9 @@ class JointByteCoder {
   }
 
   AdaptiveBit* slots_;
-  std::array<MixingWeights, JointFields::kCount> weights_;
+  std::array<MixingWeights, Fields::kCount> weights_;
 };
+
+using JointByteCoder = RecordByteCoder<JointFields>;
 
 }  // namespace mocapress::runtime

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/format/section_writer.h"
 
+#include "core/codec/format/format_error.h"
+#include "core/codec/format/format_limits.h"
 #include "core/codec/format/section.h"
 
 namespace mocapress {
@@ -20,6 +22,39 @@ void write_section(ByteWriter& file, std::string_view tag, std::span<const std::
   file.write(runtime::section_checksum(head, reinterpret_cast<const std::uint8_t*>(payload.data()),
                                        payload.size()));
   file.append(payload);
+}
+
+std::vector<std::byte> with_section(std::span<const std::byte> mcpr, std::string_view tag,
+                                    const std::optional<std::vector<std::byte>>& payload) {
+  runtime::Cursor file(reinterpret_cast<const std::uint8_t*>(mcpr.data()), mcpr.size());
+  std::uint16_t count = 0;
+  require(runtime::read_head(file, count));
+  std::uint16_t kept = 0;
+  ByteWriter sections;
+  for (int left = count; left > 0; --left) {
+    runtime::Section section;
+    require(runtime::read_section(file, section));
+    if (std::string_view(section.tag, 4) == tag) continue;
+    sections.append(mcpr.subspan(section.start, file.offset() - section.start));
+    ++kept;
+  }
+  if (!file.at_end()) throw FormatError(file.offset(), "bytes after the last section");
+  if (payload) {
+    write_section(sections, tag, *payload);
+    ++kept;
+  }
+  ByteWriter whole;
+  write_head(whole, kept);
+  whole.append(sections.bytes());
+  return whole.release();
+}
+
+std::vector<std::byte> with_room(std::vector<std::byte> mcpr, std::uint64_t values) {
+  if (values <= runtime::most_values_of(mcpr.size())) return mcpr;
+  const std::size_t size = with_section(mcpr, "room", std::nullopt).size();
+  std::size_t zeros = 0;
+  while (values > runtime::most_values_of(size + runtime::kSectionHead + zeros)) ++zeros;
+  return with_section(mcpr, "room", std::vector<std::byte>(zeros));
 }
 
 }  // namespace mocapress

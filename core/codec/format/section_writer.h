@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/base/byte_cursor.h"
 
@@ -14,5 +17,13 @@ void write_head(ByteWriter& file, std::uint16_t sections);
 
 /// Appends a section: FORMAT.md. runtime::read_section() reads it.
 void write_section(ByteWriter& file, std::string_view tag, std::span<const std::byte> payload);
+
+/// A whole file with an optional section at its end, in place of one it had; without a payload,
+/// without the section. Throws FormatError.
+std::vector<std::byte> with_section(std::span<const std::byte> mcpr, std::string_view tag,
+                                    const std::optional<std::vector<std::byte>>& payload);
+
+/// A whole file, made as long as so many values ask for: FORMAT.md, Limits.
+std::vector<std::byte> with_room(std::vector<std::byte> mcpr, std::uint64_t values);
 
 }  // namespace mocapress

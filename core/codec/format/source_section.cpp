@@ -49,27 +49,10 @@ SourceFormat read_payload(const runtime::Bytes& payload) {
 }  // namespace
 
 std::vector<std::byte> with_source(std::span<const std::byte> mcpr, const SourceFormat& source) {
-  runtime::Cursor file(reinterpret_cast<const std::uint8_t*>(mcpr.data()), mcpr.size());
-  std::uint16_t count = 0;
-  require(runtime::read_head(file, count));
-  std::uint16_t kept = 0;
-  ByteWriter sections;
-  for (int left = count; left > 0; --left) {
-    runtime::Section section;
-    require(runtime::read_section(file, section));
-    if (section.is(kTag)) continue;
-    sections.append(mcpr.subspan(section.start, file.offset() - section.start));
-    ++kept;
-  }
-  if (!file.at_end()) throw FormatError(file.offset(), "bytes after the last section");
-  if (source.kind != SourceFormat::Kind::None && is_possible_unit(source.cm_per_unit)) {
-    write_section(sections, kTag, payload_of(source));
-    ++kept;
-  }
-  ByteWriter whole;
-  write_head(whole, kept);
-  whole.append(sections.bytes());
-  return whole.release();
+  std::optional<std::vector<std::byte>> payload;
+  if (source.kind != SourceFormat::Kind::None && is_possible_unit(source.cm_per_unit))
+    payload = payload_of(source);
+  return with_section(mcpr, kTag, payload);
 }
 
 SourceFormat source_of(std::span<const std::byte> mcpr) {

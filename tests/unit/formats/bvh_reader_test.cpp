@@ -44,7 +44,7 @@ std::string quarter_turns(const std::string& channels) {
 }
 
 TEST(Bvh, ReadsASmallFileAsItStands) {
-  const auto [motion, warnings, source, states_rate, skin, takes] = read(kSmallBvh);
+  const auto [motion, warnings, source, states_rate, skin, takes, tracks] = read(kSmallBvh);
   EXPECT_TRUE(warnings.empty());
   ASSERT_EQ(motion.skeleton.joint_count(), 2);
   EXPECT_EQ(motion.skeleton.joint(0).name, "Hips");
@@ -107,7 +107,7 @@ TEST(Bvh, ReadsTheSameFileInOtherClothes) {
         replaced(kSmallBvh, "Frames: 2", "FRAMES :2"), "\xEF\xBB\xBF" + kSmallBvh,
         replaced(kSmallBvh, "rotation", "ROTATION"), kSmallBvh + "\n\n  \n",
         kSmallBvh.substr(0, kSmallBvh.size() - 1), replaced(kSmallBvh, "10 20 30", "10\n20\n30")}) {
-    const auto [motion, warnings, source, states_rate, skin, takes] = read(text);
+    const auto [motion, warnings, source, states_rate, skin, takes, tracks] = read(text);
     EXPECT_TRUE(warnings.empty()) << text;
     EXPECT_EQ(motion.skeleton.joint(0).name, "Hips") << text;
     EXPECT_TRUE(motion.clip.channels.isApprox(plain.clip.channels, kRounding)) << text;
@@ -118,7 +118,7 @@ TEST(Bvh, ReadsJointsWithoutChannelsOrEndSitesAndSeveralRoots) {
   const std::string text =
       "HIERARCHY\nROOT a b { CHANNELS 2 Yposition Zrotation JOINT fixed { OFFSET 0 170 0 } }\n"
       "ROOT prop { OFFSET 1 1 1 }\nMOTION\nFrames: 1\nFrame Time: 0.01\n7 90\n";
-  const auto [motion, warnings, source, states_rate, skin, takes] = read(text);
+  const auto [motion, warnings, source, states_rate, skin, takes, tracks] = read(text);
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(motion.skeleton.joint(0).name, "a b");
   EXPECT_EQ(motion.skeleton.joint(2).parent, -1);
@@ -176,7 +176,7 @@ TEST(Bvh, RefusesJunkWithItsPlace) {
 
 TEST(Bvh, RepairsValuesThatAreNoNumbers) {
   const std::string text = replaced(kSmallBvh, "4 5 6 11", "-nan 1e300 1.#QNAN 11");
-  const auto [motion, warnings, source, states_rate, skin, takes] = read(text);
+  const auto [motion, warnings, source, states_rate, skin, takes, tracks] = read(text);
   EXPECT_EQ(motion.clip.channels(1, 0), motion.clip.channels(0, 0));
   EXPECT_EQ(motion.clip.channels(1, 1), motion.clip.channels(0, 1));
   EXPECT_EQ(motion.clip.channels(1, 2), motion.clip.channels(0, 2));
@@ -199,7 +199,7 @@ TEST(Bvh, GuessesARateWhereFrameTimeIsNonsense) {
 TEST(Bvh, GuessesTheUnitFromTheHeightUnlessTold) {
   const std::string metres = replaced(
       replaced(replaced(kSmallBvh, "0 90 0", "0 0 0"), "0 40 0", "0 .7 0"), "0 60 0", "0 1 0");
-  const auto [motion, warnings, source, states_rate, skin, takes] = read(metres);
+  const auto [motion, warnings, source, states_rate, skin, takes, tracks] = read(metres);
   EXPECT_NEAR(motion.skeleton.joint(1).offset.y(), 70, kRounding);
   EXPECT_NEAR(motion.clip.channels(0, 0), 100, kRounding);
   ASSERT_EQ(warnings.size(), 1u);
@@ -214,7 +214,7 @@ TEST(Bvh, GuessesTheUnitFromTheHeightUnlessTold) {
 TEST(Bvh, TakesTranslationsThatRepeatTheOffsetForAbsolute) {
   const std::string absolute =
       replaced(replaced(kSmallBvh, "1 2 3 10", "1 91 3 10"), "4 5 6 11", "4 95 6 11");
-  const auto [motion, warnings, source, states_rate, skin, takes] = read(absolute);
+  const auto [motion, warnings, source, states_rate, skin, takes, tracks] = read(absolute);
   EXPECT_NEAR(motion.clip.channels(0, 1), 1, kRounding);
   EXPECT_NEAR(motion.clip.channels(1, 1), 5, kRounding);
   ASSERT_EQ(warnings.size(), 1u);

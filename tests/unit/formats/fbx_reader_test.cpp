@@ -93,6 +93,31 @@ std::string fbx_text(const std::vector<Take>& takes, const std::string& of_knee 
   return text + "}\nConnections: {\n" + connections + "}\n";
 }
 
+/// The same with a face, whose smile goes from 0 to 50 % in the first take.
+std::string with_smile(std::string text) {
+  const std::string connections = "}\nConnections: {\n";
+  text.insert(
+      text.find(connections),
+      "Geometry: 20, \"Geometry::Mesh\", \"Mesh\" {\n" +
+          list("Vertices", {"0", "0", "0", "1", "0", "0", "0", "1", "0"}) +
+          list("PolygonVertexIndex", {"0", "1", "-3"}) +
+          "}\nGeometry: 21, \"Geometry::smile\", \"Shape\" {\nVersion: 100\n" +
+          list("Indexes", {"0"}) + list("Vertices", {"0", "1", "0"}) +
+          list("Normals", {"0", "0", "0"}) +
+          "}\nDeformer: 22, \"Deformer::\", \"BlendShape\" {\nVersion: 100\n}\n"
+          "Deformer: 23, \"SubDeformer::smile\", \"BlendShapeChannel\" {\nVersion: 100\n"
+          "DeformPercent: 0\n" +
+          list("FullWeights", {"100"}) +
+          "}\nModel: 24, \"Model::Face\", \"Mesh\" {\nVersion: 232\n}\n"
+          "AnimationCurveNode: 105, \"AnimCurveNode::DeformPercent\", \"\" {\nProperties70: {\n" +
+          property("d|DeformPercent", "Number", "0") + "}\n}\n" + curve(106, {.degrees = 50}));
+  text.insert(text.find(connections) + connections.size(),
+              "C: \"OO\",20,24\nC: \"OO\",24,0\nC: \"OO\",22,20\nC: \"OO\",23,22\nC: \"OO\",21,23\n"
+              "C: \"OO\",105,101\nC: \"OP\",105,23, \"DeformPercent\"\n"
+              "C: \"OP\",106,105, \"d|DeformPercent\"\n");
+  return text;
+}
+
 std::vector<std::string> texts(const MotionFile& file) {
   std::vector<std::string> texts;
   for (const Warning& warning : file.warnings) texts.push_back(warning.message);
@@ -132,6 +157,17 @@ TEST(FbxReader, ReadsAsciiInItsUnitWithItsRate) {
   const Eigen::Matrix3d wanted =
       axis_rotation(2, std::numbers::pi / 2) * axis_rotation(0, angle(7));
   EXPECT_LT((turned - wanted).norm(), 1e-5);
+}
+
+TEST(FbxReader, ReadsMorphWeights) {
+  const MotionFile file = read_fbx("f", with_smile(fbx_text({{}})));
+  ASSERT_EQ(file.tracks.size(), 1u);
+  EXPECT_EQ(label(file.tracks[0]), "Face.smile");
+  EXPECT_EQ(file.tracks[0].kind, TrackKind::MorphWeight);
+  ASSERT_EQ(file.tracks[0].values.size(), 11u);
+  for (std::size_t t = 0; t < 11; ++t)
+    EXPECT_NEAR(file.tracks[0].values[t], 0.05 * static_cast<double>(t), 1e-6);
+  EXPECT_TRUE(read_fbx("f", fbx_text({{}})).tracks.empty());
 }
 
 TEST(FbxReader, TurnsAJointAboutItsPivot) {

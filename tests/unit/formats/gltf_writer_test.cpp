@@ -212,6 +212,58 @@ TEST_F(GltfOnto, LeavesEverythingElseAsItWas) {
   EXPECT_EQ(kept, (std::vector<std::string>{"translation", "weights"}));
 }
 
+TEST_F(GltfOnto, WritesMorphWeightsAndScalesOfTheTracks) {
+  SmallGltf gltf = elaborate();
+  gltf.json["meshes"] = GltfJson::array(
+      {{{"primitives", {{{"attributes", GltfJson::object()}, {"targets", {GltfJson::object()}}}}},
+        {"extras", {{"targetNames", {"smile"}}}}}});
+  const std::size_t input = gltf.add<float>("SCALAR", {0, 1});
+  gltf.json["animations"][0]["samplers"].push_back(
+      {{"input", input},
+       {"output", gltf.add<float>("VEC3", {1, 1, 1, 2, 1, 0.5F})},
+       {"interpolation", "LINEAR"}});
+  gltf.json["animations"][0]["channels"].push_back(
+      {{"sampler", gltf.json["animations"][0]["samplers"].size() - 1},
+       {"target", {{"node", 1}, {"path", "scale"}}}});
+  const std::string source = write_source(gltf);
+  MotionFile file = read_motion(source);
+  ASSERT_EQ(file.tracks.size(), 4u);  // a weight, three scales of the knee
+  for (ScalarTrack& track : file.tracks)
+    for (float& value : track.values) value = 0.5F * value + 0.25F;
+  const std::string written = gltf_bytes_onto(source, file.motion, GltfContainer::Glb, folder_,
+                                              file.source, {}, file.tracks);
+  const MotionFile again = read_gltf((folder_ / "again").string(), written);
+  ASSERT_EQ(again.tracks.size(), file.tracks.size());
+  for (std::size_t t = 0; t < file.tracks.size(); ++t) {
+    EXPECT_EQ(label(again.tracks[t]), label(file.tracks[t]));
+    for (std::size_t f = 0; f < file.tracks[t].values.size(); ++f)
+      EXPECT_NEAR(again.tracks[t].values[f], file.tracks[t].values[f], 1e-6);
+  }
+  std::vector<std::string> names;
+  for (const Joint& joint : file.motion.skeleton.joints()) names.push_back(joint.name);
+  EXPECT_LT(test::largest_move(file.motion, again.motion, names), 10 * kMove);
+}
+
+TEST(GltfWriter, GivesBackScalesWithoutMovingJoints) {
+  const Motion motion = test::smooth_motion(40);
+  const std::string joint = motion.skeleton.joint(2).name;
+  ScalarTracks tracks;
+  for (int axis = 0; axis < 3; ++axis) {
+    tracks.push_back({.kind = scale_along(axis), .node = joint, .values = {}});
+    for (int t = 0; t < 40; ++t)
+      tracks.back().values.push_back(1 + 0.01F * static_cast<float>(t * (axis + 1)));
+  }
+  const MotionFile again =
+      read_gltf("again.glb", gltf_bytes(motion, GltfContainer::Glb, {}, {}, tracks));
+  EXPECT_LT(
+      test::largest_move(motion, again.motion, without_namespace(gltf_names(motion.skeleton))),
+      10 * kMove);
+  ASSERT_EQ(again.tracks.size(), 3u);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t t = 0; t < 40; ++t)
+      EXPECT_NEAR(again.tracks[axis].values[t], tracks[axis].values[t], 1e-5);
+}
+
 TEST_F(GltfOnto, TakesFilesAlongToAnotherFolder) {
   const std::string source = write_source(elaborate());
   const MotionFile file = read_motion(source);

@@ -158,6 +158,22 @@ TEST(NodeMotion, KeepsPlacesWhereScaleChangesAndSaysSo) {
   EXPECT_THAT(texts(file), ElementsAre(HasSubstr("1 node whose scale changes over time")));
   EXPECT_EQ(channels(file.motion, "Foot"), 6);
   expect_exact(take, file.motion);
+  ASSERT_EQ(file.tracks.size(), 3u);
+  EXPECT_EQ(label(file.tracks[1]), "Knee.scale-y");
+  for (const ScalarTrack& track : file.tracks)
+    for (int t = 0; t < kFrames; ++t)
+      EXPECT_NEAR(track.values[static_cast<std::size_t>(t)], 1 + 0.02 * t, 1e-6);
+}
+
+TEST(NodeMotion, AClipOfTracksAloneHasAJointThatStandsStill) {
+  NodeTake take = take_of({still("Head", -1, {{0, 1, 0}}, true)});
+  EXPECT_THROW(read(take), InputError);
+  take.tracks = {{.name = "smile", .values = std::vector<float>(kFrames, 0.5F)}};
+  const MotionFile file = read(take);
+  EXPECT_EQ(file.tracks, take.tracks);
+  EXPECT_EQ(channels(file.motion, "Head"), 3);
+  EXPECT_TRUE(file.motion.clip.channels.isZero(0));
+  expect_exact(take, file.motion);
 }
 
 TEST(NodeMotion, KeepsPlacesBelowUnevenScaleAndMirrors) {

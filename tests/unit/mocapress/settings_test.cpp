@@ -27,6 +27,7 @@ Settings unusual_preset() {
           .seed = 0xffffffffffffffff,
           .effort = Effort::Best,
           .importance = {.factors = {{"feet", 4}, {"lhand", 0.5}}, .contacts = 20},
+          .track_error = 0.0125,
           .correction = CorrectionSettings{.ratio = 12.5,
                                            .effectors = {"lhand", "rhand"},
                                            .solver = IkSolver::CyclicDescent,

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace mocapress::runtime {
+
+/// Places things at the end of a block, or only measures it.
+class BlockLayout {
+ public:
+  explicit BlockLayout(std::byte* memory) : memory_(memory) {}
+
+  /// The offset of so many bytes.
+  std::uint32_t reserve(std::uint64_t bytes) {
+    used_ = (used_ + 7) / 8 * 8;
+    const std::uint64_t at = used_;
+    used_ += bytes;
+    return static_cast<std::uint32_t>(at);
+  }
+
+  /// Null when it only measures.
+  template <typename T>
+  T* at(std::uint32_t offset) const {
+    return memory_ == nullptr ? nullptr : reinterpret_cast<T*>(memory_ + offset);
+  }
+  std::uint64_t used() const { return used_; }
+
+ private:
+  std::byte* memory_;
+  std::uint64_t used_ = 0;
+};
+
+}  // namespace mocapress::runtime

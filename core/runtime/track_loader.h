@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// From the section trks of a file to the tracks of a clip: as FileLoader, in two steps.
+#pragma once
+
+#include "core/codec/format/coefficient_coder.h"
+#include "core/codec/format/file_sections.h"
+#include "core/codec/format/memory.h"
+#include "core/codec/format/track_records.h"
+#include "core/runtime/block_layout.h"
+#include "core/runtime/clip.h"
+
+namespace mocapress::runtime {
+
+class TrackLoader {
+ public:
+  /// With measuring memory only to know how much. Works in the memory of what is `done_with`.
+  TrackLoader(Memory& memory, const FileSections& sections, const JointByteCoder& done_with);
+
+  /// Decodes all tracks. The file is not needed afterwards.
+  mcpr_result read();
+
+  /// Puts them into a block.
+  TrackBlock lay_out(BlockLayout& block) const;
+
+ private:
+  mcpr_result read_curves();
+  QuantisedSource source() const;
+
+  TracksHead head_;
+  std::uint32_t frames_;
+  std::uint8_t* records_;
+  TrackRun* runs_;
+  SignalNeighbours* neighbours_;
+  AdaptiveBit* contexts_;
+  std::int32_t* step_exponents_;
+  std::int32_t* values_;
+  float* steps_;
+  float* double_precision_limits_;
+  std::uint8_t* notes_;
+  Bands bands_;
+  CoderNotes coder_notes_;
+  TrackByteCoder byte_coder_;
+};
+
+}  // namespace mocapress::runtime

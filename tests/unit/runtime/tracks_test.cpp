@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// The C interface to tracks.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "core/base/random.h"
+#include "core/codec/decode/track_decoding.h"
+#include "core/codec/encode/track_encoder.h"
+#include "core/codec/format/container.h"
+#include "core/runtime/mocapress_runtime.h"
+#include "tests/fuzz/file_sections.h"
+#include "tests/support/opened_clip.h"
+#include "tests/support/segmented_clip.h"
+#include "tests/support/some_tracks.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+using test::OpenedClip;
+
+constexpr int kTrackFrames = 700;  // more than two segments of 256
+
+class RuntimeTracks : public testing::Test {
+ protected:
+  static std::vector<std::byte> file(Loop loop = Loop::None) {
+    CompressedClip clip =
+        test::segmented_clip(test::smooth_motion(kTrackFrames), {kTrackFrames, 300, 20});
+    clip.loop = loop;
+    return with_tracks(write_container(clip), test::some_tracks(kTrackFrames), 0.002);
+  }
+
+  static std::vector<float> frames(const OpenedClip& clip, const mcpr_track_request& request,
+                                   std::uint32_t first, std::uint32_t count) {
+    const AlignedBytes scratch(mcpr_track_scratch_bytes(clip.clip, &request));
+    std::vector<float> out(count * mcpr_track_values(clip.clip, &request));
+    EXPECT_EQ(mcpr_track_frames(clip.clip, &request, first, count, out.data(), scratch.data(),
+                                scratch.size())
+                  .status,
+              MCPR_OK);
+    return out;
+  }
+
+  static std::vector<float> moment(const OpenedClip& clip, const mcpr_track_request& request,
+                                   double frame) {
+    const AlignedBytes scratch(mcpr_track_scratch_bytes(clip.clip, &request));
+    std::vector<float> out(mcpr_track_values(clip.clip, &request));
+    if (mcpr_track_moment(clip.clip, &request, frame, out.data(), scratch.data(), scratch.size())
+            .status != MCPR_OK)
+      out.clear();
+    return out;
+  }
+};
+
+TEST_F(RuntimeTracks, AreListedAndFound) {
+  const OpenedClip clip(file());
+  ASSERT_NE(clip.clip, nullptr) << clip.result.message;
+  const ScalarTracks tracks = test::some_tracks(kTrackFrames);
+  ASSERT_EQ(mcpr_clip_describe(clip.clip).tracks, tracks.size());
+  for (std::uint32_t t = 0; t < tracks.size(); ++t) {
+    mcpr_track track;
+    ASSERT_EQ(mcpr_clip_track(clip.clip, t, &track).status, MCPR_OK);
+    EXPECT_EQ(track.node, tracks[t].node);
+    EXPECT_EQ(track.name, tracks[t].name);
+    EXPECT_EQ(static_cast<int>(track.kind), static_cast<int>(tracks[t].kind));
+    EXPECT_EQ(track.steps != 0, tracks[t].steps);
+  }
+  EXPECT_EQ(mcpr_find_track(clip.clip, MCPR_TRACK_MORPH_WEIGHT, "Face", "frown"), 3);
+  EXPECT_EQ(mcpr_find_track(clip.clip, MCPR_TRACK_MORPH_WEIGHT, nullptr, "frown"), 3);
+  EXPECT_EQ(mcpr_find_track(clip.clip, MCPR_TRACK_SCALE_Y, "spine", nullptr), 4);
+  EXPECT_EQ(mcpr_find_track(clip.clip, MCPR_TRACK_PROPERTY, "Face", "frown"), -1);
+  EXPECT_EQ(mcpr_find_track(clip.clip, MCPR_TRACK_PROPERTY, "Face", nullptr), -1);
+}
+
+TEST_F(RuntimeTracks, EveryFrameIsTheLibrarysToTheBit) {
+  const OpenedClip clip(file());
+  const ScalarTracks tracks = tracks_of(file());
+  const std::vector<float> all = frames(clip, {}, 0, kTrackFrames);
+  for (std::size_t t = 0; t < tracks.size(); ++t)
+    for (std::size_t f = 0; f < kTrackFrames; ++f)
+      ASSERT_EQ(all[f * tracks.size() + t], tracks[t].values[f]) << label(tracks[t]) << ' ' << f;
+  // In any pieces, and of any tracks.
+  const std::uint16_t some[] = {4, 1, 0};
+  for (const auto& [first, count] : {std::pair{0U, 1U}, {699U, 1U}, {250U, 200U}, {17U, 3U}}) {
+    const std::vector<float> part = frames(clip, {some, 3}, first, count);
+    for (std::uint32_t f = 0; f < count; ++f)
+      for (std::size_t i = 0; i < 3; ++i)
+        ASSERT_EQ(part[3 * f + i], all[(first + f) * tracks.size() + some[i]]);
+  }
+}
+
+TEST_F(RuntimeTracks, BetweenFramesTheyAreLinearOrStep) {
+  const OpenedClip clip(file());
+  const std::vector<float> two = frames(clip, {}, 84, 2);  // where the switch goes on
+  const std::vector<float> between = moment(clip, {}, 84.25);
+  for (std::size_t t = 0; t < 5; ++t) {
+    const float linear = two[t] + 0.25F * (two[5 + t] - two[t]);
+    EXPECT_EQ(between[t], t == 0 ? two[0] : linear) << t;
+  }
+  EXPECT_NE(two[0], two[5]);
+  EXPECT_EQ(moment(clip, {}, 84), std::vector<float>(two.begin(), two.begin() + 5));
+  for (const double outside : {-0.01, kTrackFrames - 0.99, std::nan("")})
+    EXPECT_TRUE(moment(clip, {}, outside).empty());
+  EXPECT_FALSE(moment(clip, {}, kTrackFrames - 1).empty());
+}
+
+TEST_F(RuntimeTracks, GoRoundInALoopWhoseFirstFrameFollows) {
+  const OpenedClip clip(file(Loop::Follows));
+  const std::vector<float> last = frames(clip, {}, kTrackFrames - 1, 1);
+  const std::vector<float> first = frames(clip, {}, 0, 1);
+  const std::vector<float> across = moment(clip, {}, kTrackFrames - 0.5);
+  for (std::size_t t = 1; t < 5; ++t) EXPECT_EQ(across[t], last[t] + 0.5F * (first[t] - last[t]));
+  EXPECT_TRUE(moment(clip, {}, kTrackFrames).empty());
+}
+
+TEST_F(RuntimeTracks, ImpossibleCallsAreRefused) {
+  const OpenedClip clip(file());
+  std::vector<float> out(5);
+  const AlignedBytes scratch(1 << 20);
+  const auto status = [&](const mcpr_track_request& request, std::uint32_t first,
+                          std::size_t size) {
+    return mcpr_track_frames(clip.clip, &request, first, 1, out.data(), scratch.data(), size)
+        .status;
+  };
+  const std::uint16_t twice[] = {1, 1};
+  const std::uint16_t beyond[] = {5};
+  EXPECT_EQ(status({twice, 2}, 0, scratch.size()), MCPR_ARGUMENT);
+  EXPECT_EQ(status({beyond, 1}, 0, scratch.size()), MCPR_ARGUMENT);
+  EXPECT_EQ(status({nullptr, 1}, 0, scratch.size()), MCPR_ARGUMENT);
+  EXPECT_EQ(status({}, kTrackFrames, scratch.size()), MCPR_ARGUMENT);
+  const mcpr_track_request all{};
+  EXPECT_EQ(status(all, 0, mcpr_track_scratch_bytes(clip.clip, &all) - 1), MCPR_MEMORY);
+  EXPECT_EQ(status(all, 0, mcpr_track_scratch_bytes(clip.clip, &all)), MCPR_OK);
+  mcpr_track track;
+  EXPECT_EQ(mcpr_clip_track(clip.clip, 5, &track).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_clip_track(nullptr, 0, &track).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_find_track(nullptr, MCPR_TRACK_PROPERTY, nullptr, nullptr), -1);
+}
+
+TEST_F(RuntimeTracks, EveryChangedByteIsRefusedOrPlays) {
+  const CompressedClip clip =
+      test::segmented_clip(test::smooth_motion(60), SegmentLayout::whole(60));
+  const std::vector<std::byte> plain = write_container(clip);
+  const std::vector<std::byte> whole = with_coded_tracks(plain, test::some_coded_tracks(60));
+  Random random(9);
+  int refused = 0;
+  for (std::size_t at = plain.size(); at < whole.size(); ++at) {
+    std::vector<std::byte> changed = whole;
+    changed[at] ^= static_cast<std::byte>(1 + random.below(255));
+    test::mend_checksums(changed);
+    const OpenedClip opened(changed);
+    if (opened.clip == nullptr) {
+      ++refused;
+      continue;
+    }
+    const std::uint32_t tracks = mcpr_clip_describe(opened.clip).tracks;
+    EXPECT_EQ(opened.tracks(30, 30).size(), 30 * tracks);
+  }
+  EXPECT_GT(refused, 20);
+}
+
+TEST_F(RuntimeTracks, AClipWithoutHasNone) {
+  const OpenedClip clip(
+      write_container(test::segmented_clip(test::smooth_motion(50), SegmentLayout::whole(50))));
+  const mcpr_track_request all{};
+  EXPECT_EQ(mcpr_clip_describe(clip.clip).tracks, 0u);
+  EXPECT_EQ(mcpr_track_values(clip.clip, &all), 0u);
+  EXPECT_EQ(mcpr_track_scratch_bytes(clip.clip, &all), 0u);
+}
+
+}  // namespace
+}  // namespace mocapress
