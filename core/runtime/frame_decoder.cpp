@@ -49,6 +49,43 @@ JointPlace place_in_parent(const JointModel& joint, const float* row) {
   return place;
 }
 
+/// q times another quaternion, w x y z.
+void append_turn(const double (&turn)[4], double (&q)[4]) {
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  q[0] = w * turn[0] - x * turn[1] - y * turn[2] - z * turn[3];
+  q[1] = w * turn[1] + x * turn[0] + y * turn[3] - z * turn[2];
+  q[2] = w * turn[2] - x * turn[3] + y * turn[0] + z * turn[1];
+  q[3] = w * turn[3] + x * turn[2] - y * turn[1] + z * turn[0];
+}
+
+void append_turn(const Matrix3& rotation, double (&q)[4]) {
+  double turn[4];
+  quaternion_of(rotation, turn);
+  append_turn(turn, q);
+}
+
+/// A joint's frame within its parent's as seven floats. The quaternion is a product of half angles,
+/// so that it goes on over time as these do and never changes its sign.
+void put_place_in_parent(const JointModel& joint, const float* row, float* out) {
+  double q[4] = {1, 0, 0, 0};
+  Vector3 origin = joint.offset;
+  if (joint.has_axes) append_turn(joint.parent_from_axes, q);
+  for (int c = 0; c < joint.channels; ++c) {
+    const double value = row[joint.first_channel + c];
+    const int axis = axis_of(joint.kinds[c]);
+    if (is_rotation(joint.kinds[c])) {
+      double turn[4] = {std::cos(0.5 * value), 0, 0, 0};
+      turn[1 + axis] = std::sin(0.5 * value);
+      append_turn(turn, q);
+    } else {
+      origin[axis] += value;
+    }
+  }
+  if (joint.has_axes) append_turn(joint.axes_from_joint, q);
+  for (int i = 0; i < 4; ++i) out[i] = static_cast<float>(q[i]);
+  for (int i = 0; i < 3; ++i) out[4 + i] = static_cast<float>(origin[i]);
+}
+
 /// Whether they are the clip's, and none stands there twice.
 bool are_channels_of(const ClipBlock& clip, const std::uint16_t* channels, std::uint32_t count) {
   if (count > clip.channel_count) return false;
@@ -229,13 +266,8 @@ void FrameDecoder::put_out(float* row, const EndShares& shares, float* out) {
 }
 
 void FrameDecoder::put_out_local(const float* row, float* out) const {
-  for (std::uint32_t j = 0; j < clip_.joint_count; ++j, out += 7) {
-    const JointPlace place = place_in_parent(clip_.joint_models()[j], row);
-    double wxyz[4];
-    quaternion_of(place.world_from_joint, wxyz);
-    for (int i = 0; i < 4; ++i) out[i] = static_cast<float>(wxyz[i]);
-    for (int i = 0; i < 3; ++i) out[4 + i] = static_cast<float>(place.origin[i]);
-  }
+  for (std::uint32_t j = 0; j < clip_.joint_count; ++j, out += 7)
+    put_place_in_parent(clip_.joint_models()[j], row, out);
 }
 
 void FrameDecoder::put_out_positions(const float* row, float* out) const {
