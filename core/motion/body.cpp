@@ -230,6 +230,27 @@ std::vector<BodyLimb> bones(const Skeleton& skeleton, const std::vector<bool>& s
   return bones;
 }
 
+/// Bones of joints whose turning moves no other: what is below them slides, as it does where a
+/// scale changes.
+void add_unseen(const Skeleton& skeleton, double stature, std::vector<BodyLimb>& limbs) {
+  std::vector<bool> seen(static_cast<std::size_t>(skeleton.joint_count()), false);
+  const auto mark_from = [&](int joint) {
+    for (int j = joint; j >= 0; j = skeleton.joint(j).parent)
+      seen[static_cast<std::size_t>(j)] = true;
+  };
+  for (const BodyLimb& limb : limbs) mark_from(limb.joint);
+  for (int j = skeleton.joint_count() - 1; j >= 0; --j) {
+    const Joint& joint = skeleton.joint(j);
+    const bool turns = std::any_of(joint.channels.begin(), joint.channels.end(), is_rotation);
+    if (seen[static_cast<std::size_t>(j)] || !turns) continue;
+    const double before = joint.offset.norm();
+    const Eigen::Vector3d along =
+        before > 0 ? Eigen::Vector3d(joint.offset / before) : Eigen::Vector3d::UnitY();
+    limbs.push_back({j, kLongestExtent * stature * along, 0, 0});
+    mark_from(j);
+  }
+}
+
 }  // namespace
 
 std::vector<BodyRegion> body_regions(const Skeleton& skeleton) {
@@ -243,6 +264,7 @@ std::vector<BodyLimb> body_limbs(const Skeleton& skeleton) {
   const std::vector<bool> slides = sliding_joints(skeleton);
   const double stature = is_human ? anatomy.stature() : kStatureOfReach * reach(skeleton, slides);
   std::vector<BodyLimb> limbs = bones(skeleton, slides, stature);
+  if (!is_human && !limbs.empty()) add_unseen(skeleton, stature, limbs);
   const auto regions = is_human ? anatomy.regions() : std::vector<BodyRegion>();
   const auto sides = is_human ? anatomy.sides() : std::vector<int>();
   // What is one piece of skin.

@@ -28,7 +28,9 @@ struct BodyLimb {
 /// The body around a skeleton; its shares sum to 1. Each region of a human has a known share of the
 /// surface. The region's bones divide it by their lengths, and that gives their thickness. In other
 /// skeletons every centimetre of bone has the same share. A joint that drives no bone extends the
-/// bone before it. A joint that translates ends no bone. Empty if nothing has a length.
+/// bone before it. A joint that translates ends no bone; where a
+/// joint's turning would be seen nowhere for that, it has a short bone of its own. Empty if nothing
+/// has a length.
 std::vector<BodyLimb> body_limbs(const Skeleton& skeleton);
 
 }  // namespace mocapress

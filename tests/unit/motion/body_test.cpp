@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <set>
 
 #include "resources/samples/generator/human_skeleton.h"
 #include "tests/support/test_motion.h"
@@ -126,6 +127,23 @@ TEST(Body, HelpersOfTheSameNamesAtTheRootAreNoLimbs) {
   for (const char* name : {"ik_foot_l", "ik_foot_r", "ik_hand_l"})
     skeleton.add({.name = name, .parent = 0, .offset = {1, 0, 0}, .channels = {RotationX}});
   EXPECT_FALSE(body_regions(skeleton).empty());
+}
+
+TEST(Body, SeesEveryJointThatTurnsThoughAllBelowItSlides) {
+  Skeleton skeleton;
+  skeleton.add({.name = "base", .channels = {RotationX}});
+  skeleton.add({.name = "bend", .parent = 0, .offset = {0, 100, 0}, .channels = {RotationX}});
+  skeleton.add(
+      {.name = "tip", .parent = 1, .offset = {0, 100, 0}, .channels = {TranslationY, RotationX}});
+  std::set<int> seen;
+  double shares = 0;
+  for (const BodyLimb& limb : body_limbs(skeleton)) {
+    seen.insert(limb.joint);
+    shares += limb.share;
+    EXPECT_GT(limb.radius, 0);
+  }
+  EXPECT_EQ(seen, (std::set<int>{0, 2}));  // what tip turns, bend turns as well
+  EXPECT_NEAR(shares, 1, 1e-12);
 }
 
 TEST(Body, OfAPointIsNothing) {
