@@ -39,7 +39,7 @@ struct OriginalClip {
   std::shared_ptr<const Skin> skin;  // null: the file has none
   Takes takes;
   ClipOutline outline;
-  CodedTracks scalars;               // morph weights and the like, as a .mcpr keeps them
+  CodedTracks scalars;  // morph weights and the like, as a .mcpr keeps them
   std::shared_ptr<const Encoder> encoder;
 
   const Motion& motion() const { return encoder->motion(); }

@@ -48,7 +48,7 @@ struct MotionFile {
   bool states_rate = true;  // false: the clip has the usual one of its format, or the one given
   std::shared_ptr<const Skin> skin;  // of motion.skeleton; null: the file has none
   Takes takes;
-  ScalarTracks tracks;               // of as many frames as the clip
+  ScalarTracks tracks;  // of as many frames as the clip
 };
 
 /// The .asf beside an .amc, of the same name or of the part before '_' (09_01.amc: 09_01.asf,

@@ -53,9 +53,8 @@ Takes choices(const std::vector<TakeName>& takes, std::size_t chosen) {
   for (std::size_t i = 0; i < takes.size(); ++i) {
     if (!takes[i].moves && i != chosen) continue;
     const auto here = takes.begin() + static_cast<std::ptrdiff_t>(i);
-    const bool is_first = std::none_of(takes.begin(), here, [&](const TakeName& before) {
-      return before.name == here->name;
-    });
+    const bool is_first = std::none_of(
+        takes.begin(), here, [&](const TakeName& before) { return before.name == here->name; });
     if (i == chosen) result.read = result.keys.size();
     result.keys.push_back(is_first ? here->name : std::to_string(i + 1));
   }

@@ -119,10 +119,9 @@ mcpr_result check_index(const mcpk_bank& bank) {
     const std::uint32_t first = kClipsOfBlock * block;
     for (std::uint32_t clip = first; clip < bank.clips && clip < first + kClipsOfBlock; ++clip) {
       const bool is_there = walk.next(entry);
-      const bool follows =
-          is_there && is_padding(bank, clips_end, entry.place.offset) &&
-          (clip == 0 || compare_names(before.name, before.name_length, entry.name,
-                                      entry.name_length) < 0);
+      const bool follows = is_there && is_padding(bank, clips_end, entry.place.offset) &&
+                           (clip == 0 || compare_names(before.name, before.name_length, entry.name,
+                                                       entry.name_length) < 0);
       if (!follows || std::memchr(entry.name, 0, entry.name_length) != nullptr)
         return refuse(walk.offset());
       if (const mcpr_result result = check_clip(bank, entry); failed(result)) return result;

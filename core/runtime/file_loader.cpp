@@ -48,9 +48,9 @@ FileLoader::FileLoader(Memory& memory, const FileSections& sections)
       tracks_(memory, sections, joint_coder_) {}
 
 mcpr_result FileLoader::read() {
-  for (const auto step :
-       {&FileLoader::read_joints, &FileLoader::order_angles_of_joints,
-        &FileLoader::turn_axes_of_joints, &FileLoader::plan_limbs, &FileLoader::read_tracks, &FileLoader::read_motion}) {
+  for (const auto step : {&FileLoader::read_joints, &FileLoader::order_angles_of_joints,
+                          &FileLoader::turn_axes_of_joints, &FileLoader::plan_limbs,
+                          &FileLoader::read_tracks, &FileLoader::read_motion}) {
     const mcpr_result result = (this->*step)();
     if (failed(result)) return result;
   }

@@ -344,9 +344,9 @@ mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* re
                         float* out);
 
 /* A cursor remembers some frames of a clip around the last instant: play through it, forwards or
- * backwards, takes less time. It is for one who plays; the clip may have any number. Any instant may
- * be asked for at any time, and what comes out depends on the instant alone. From mcpr_sample it
- * differs by rounding: each is within 5e-4 radians and 2e-3 cm of mcpr_decode_moment. */
+ * backwards, takes less time. It is for one who plays; the clip may have any number. Any instant
+ * may be asked for at any time, and what comes out depends on the instant alone. From mcpr_sample
+ * it differs by rounding: each is within 5e-4 radians and 2e-3 cm of mcpr_decode_moment. */
 typedef struct mcpr_cursor mcpr_cursor;
 
 /* Memory of a cursor: 4096 bytes at most. 0: there is no clip. */

@@ -41,8 +41,7 @@ struct SmallGltf {
   template <typename T>
   std::size_t add(const std::string& type, const std::vector<T>& values, int component_type = 5126,
                   bool normalised = false) {
-    const std::size_t components =
-        type == "VEC4" ? 4 : type == "VEC3" ? 3 : type == "VEC2" ? 2 : 1;
+    const std::size_t components = type == "VEC4" ? 4 : type == "VEC3" ? 3 : type == "VEC2" ? 2 : 1;
     const std::size_t view = add_view(values);
     json["accessors"].push_back({{"bufferView", view},
                                  {"componentType", component_type},

@@ -140,8 +140,8 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
                              : together                     ? document_.savedPath()
                                                             : QString();
   // The file that is open, read by other options: steps before that one can still be undone.
-  const bool again = opened.original && opened.original != document_.original() &&
-                     isOpen(opened.original->path);
+  const bool again =
+      opened.original && opened.original != document_.original() && isOpen(opened.original->path);
   leave();
   compressor_.setEncoder(opened.original ? opened.original->encoder : nullptr);
   if (request.options) document_.loadOptions(*request.options);

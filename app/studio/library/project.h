@@ -26,8 +26,8 @@ struct ProjectClip {
 
 /// Clips that belong together.
 struct Project {
-  QString current;        // path of the clip that is open; empty: none
-  QString character;      // path of what was put on the clips; empty: each has its own
+  QString current;    // path of the clip that is open; empty: none
+  QString character;  // path of what was put on the clips; empty: each has its own
   bool shows_skin = true;
   std::vector<ProjectClip> clips;
 

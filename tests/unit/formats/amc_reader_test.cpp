@@ -103,7 +103,8 @@ TEST(Amc, UnwrapsAngles) {
 TEST(Amc, DropsALastFrameCutAnywhere) {
   const std::size_t third = kSmallAmc.find("3\nshin");
   for (std::size_t size = third + 1; size < kSmallAmc.size() - 3; ++size) {
-    const auto [motion, warnings, source, states_rate, skin, takes, tracks] = read(kSmallAmc.substr(0, size));
+    const auto [motion, warnings, source, states_rate, skin, takes, tracks] =
+        read(kSmallAmc.substr(0, size));
     EXPECT_EQ(motion.clip.frames(), 2) << kSmallAmc.substr(third, size - third);
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_EQ(warnings[0].text(),

@@ -131,7 +131,8 @@ double degrees_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
 TEST_F(Corpus, EveryFileReadsAsTheTableSays) {
   for (const Row& row : kTable) {
     SCOPED_TRACE(row.file);
-    const auto [motion, warnings, source, states_rate, skin, takes, tracks] = read_motion(folder_ / row.file);
+    const auto [motion, warnings, source, states_rate, skin, takes, tracks] =
+        read_motion(folder_ / row.file);
     EXPECT_EQ(motion.clip.frames(), row.frames);
     EXPECT_EQ(motion.skeleton.channel_count(), row.channels);
     EXPECT_EQ(motion.skeleton.joint_count(), row.joints);
@@ -166,7 +167,8 @@ TEST_F(Corpus, EveryMotionComesBackThroughBvh) {
   for (const Row& row : kTable) {
     const Motion motion = read(row.file);
     const std::vector<std::string> names = bvh_names(motion.skeleton);
-    const auto [reread, warnings, source, states_rate, skin, takes, tracks] = read_bvh("f", bvh_text(motion));
+    const auto [reread, warnings, source, states_rate, skin, takes, tracks] =
+        read_bvh("f", bvh_text(motion));
     EXPECT_LT(test::largest_move(motion, reread, names), kMove) << row.file;
     EXPECT_EQ(reread.clip.sample_rate_hz, row.rate) << row.file;
   }
