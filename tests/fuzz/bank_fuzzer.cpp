@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Banks and cooked clips on any bytes: opens them, checksums mended, and plays what opens.
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "core/codec/format/bank.h"
+#include "core/codec/format/own_memory.h"
+#include "core/runtime/cooked_check.h"
+
+namespace {
+
+using mocapress::AlignedBytes;
+namespace runtime = mocapress::runtime;
+
+void sample(const mcpr_cooked* clip) {
+  const mcpr_cooked_info info = mcpr_cooked_describe(clip);
+  for (const mcpr_wrap wrap : {MCPR_CLAMP, MCPR_LOOP}) {
+    const mcpr_sample_request request{.wrap = wrap};
+    std::vector<float> pose(mcpr_sample_values(clip, &request));
+    for (const double at : {0.0, 0.5, 0.5 * info.frames, info.frames - 1.0})
+      if (!pose.empty()) mcpr_sample(clip, &request, at, pose.data());
+  }
+}
+
+/// Makes a checksum right where what it is of lies within the bytes.
+void mend(std::byte* bytes, std::size_t size, const runtime::BankRegion& region,
+          std::uint32_t& checksum) {
+  if (region.offset <= size && region.bytes <= size - region.offset)
+    checksum =
+        runtime::bank_checksum(bytes + region.offset, static_cast<std::size_t>(region.bytes));
+}
+
+void mend_bank(std::byte* bytes, std::size_t size) {
+  auto* const head = reinterpret_cast<mcpk_bank*>(bytes);
+  mend(bytes, size, head->index, head->index_checksum);
+  mend(bytes, size, head->items, head->items_checksum);
+  mend(bytes, size, head->tables, head->tables_checksum);
+  head->checksum = runtime::bank_checksum(head, offsetof(mcpk_bank, checksum));
+}
+
+void read_packed(const mcpk_bank* bank, std::uint32_t clip) {
+  mcpr_limits limits = mcpr_default_limits();
+  limits.values = 1U << 16;
+  limits.scratch_bytes = std::size_t{16} << 20;
+  limits.resident_bytes = std::size_t{8} << 20;
+  mcpr_info info{};
+  if (mcpk_inspect(bank, clip, &limits, &info).status != MCPR_OK) return;
+  const AlignedBytes scratch(info.read_bytes);
+  std::size_t bytes = 0;
+  if (mcpk_read(bank, clip, &limits, scratch.data(), scratch.size(), &bytes).status != MCPR_OK)
+    return;
+  const AlignedBytes resident(bytes);
+  const mcpr_clip* made = nullptr;
+  mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &made);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const AlignedBytes bytes(std::max({size, sizeof(mcpk_bank), sizeof(mcpr_cooked)}));
+  std::memset(bytes.data(), 0, bytes.size());
+  if (size > 0) std::memcpy(bytes.data(), data, size);
+  if (size >= sizeof(mcpr_cooked)) {
+    auto* const cooked = reinterpret_cast<mcpr_cooked*>(bytes.data());
+    if (runtime::check_cooked_head(*cooked, size).status == MCPR_OK)
+      cooked->checksum = runtime::checksum_of(*cooked);
+    const mcpr_cooked* clip = nullptr;
+    if (mcpr_open_cooked(bytes.data(), size, 1, &clip).status == MCPR_OK) sample(clip);
+  }
+  if (size >= sizeof(mcpk_bank)) mend_bank(bytes.data(), size);
+  const mcpk_bank* bank = nullptr;
+  // The head alone: the index and packed clips may be anything then.
+  if (mcpk_open(bytes.data(), size, 0, &bank).status == MCPR_OK) {
+    char name[MCPK_NAME_BYTES];
+    for (std::uint32_t clip = 0; clip < std::min(bank->clips, 20U); ++clip) {
+      if (mcpk_name(bank, clip, name) > 0) mcpk_find(bank, name);
+      mcpk_tag(bank, clip, 0);
+      mcpk_find_joint(bank, clip, "hips");
+      if (!bank->is_cooked()) read_packed(bank, clip);
+    }
+    mcpk_key(bank, 0);
+    mcpk_value(bank, 0);
+  }
+  if (mcpk_open(bytes.data(), size, 1, &bank).status != MCPR_OK || !bank->is_cooked()) return 0;
+  for (std::uint32_t clip = 0; clip < std::min(bank->clips, 20U); ++clip) {
+    const mcpr_cooked* cooked = nullptr;
+    if (mcpk_cooked(bank, clip, &cooked).status == MCPR_OK) sample(cooked);
+  }
+  return 0;
+}
