@@ -10,7 +10,7 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr std::uint64_t kMostPerBlock = 12;    // on average, if a block has several rows
+constexpr std::uint64_t kMostPerBlock = 20;    // on average, if a block has several rows
 constexpr std::uint64_t kMostEntries = 65535;  // of a band: where a block begins is 16 bits
 
 struct Limits {
