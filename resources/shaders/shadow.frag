@@ -20,5 +20,5 @@ void main() {
   float shade = (1.0 - smoothstep(0.0, 1.0, away)) * mix(dark.x, dark.y, along);
   // Many faint spots in 8 bits would leave rings.
   float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-  fragment = vec4(0.0, 0.0, 0.0, shade + (noise - 0.5) / 160.0 * step(1e-4, shade));
+  fragment = vec4(0.0, 0.0, 0.0, shade + (noise - 0.5) / 255.0 * step(1e-4, shade));
 }
