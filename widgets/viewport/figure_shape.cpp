@@ -19,8 +19,9 @@ namespace {
 constexpr float kRadiusPerRoot = 0.034f;  // of length x size of the figure
 constexpr float kThinnest = 0.003f;       // radius per size of the figure
 constexpr float kTaper = 0.6f;            // a bone's end radius, per start radius
-constexpr float kSelectedGrowth = 1.5f;
-constexpr float kMostThickness = 0.4f;  // of a bone's length, its radius
+constexpr float kSelectedGrowth = 1.5f;   // of a joint's ball
+constexpr float kSelectedAbove = 1.15f;   // of how deep below the skin the joint is
+constexpr float kMostThickness = 0.4f;    // of a bone's length, its radius
 
 // Of a human, per stature.
 constexpr float kLegOfStature = 0.491f;  // from hip to ankle
@@ -388,6 +389,26 @@ FigureShape::FigureShape(const Skeleton& skeleton)
   if (size_ <= 0) size_ = 100;  // a lone point is still drawn as a ball to see and to click
   std::fill(ball_radii_.begin(), ball_radii_.end(), kThinnest * size_);
   Builder(skeleton, *this).build();
+  const Eigen::MatrixXd rest = restTracks(skeleton);
+  for (int j = 0; j < jointCount(); ++j)
+    selected_radii_.push_back(std::max(kSelectedGrowth * ball_radii_[static_cast<std::size_t>(j)],
+                                       kSelectedAbove * depth(landmarkAt(rest, 0, j), rest)));
+}
+
+float FigureShape::depth(const QVector3D& point, const Eigen::MatrixXd& tracks) const {
+  float deepest = 0;
+  for (const Part& part : parts_) {
+    const QVector3D start = at(part.start, tracks, 0);
+    const QVector3D axis = at(part.end, tracks, 0) - start;
+    const float length_squared = axis.lengthSquared();
+    const float share =
+        length_squared > 0
+            ? std::clamp(QVector3D::dotProduct(point - start, axis) / length_squared, 0.0f, 1.0f)
+            : 0.0f;
+    const float radius = (1 - share) * part.start_radius + share * part.end_radius;
+    deepest = std::max(deepest, radius - point.distanceToPoint(start + share * axis));
+  }
+  return deepest;
 }
 
 QVector3D FigureShape::at(const Place& place, const Eigen::MatrixXd& tracks, int frame) {
@@ -424,8 +445,7 @@ void FigureShape::pose(const Eigen::MatrixXd& tracks, int frame, const FigureMar
   for (int j = 0; j < jointCount(); ++j) {
     const bool selected = j == marks.selected_joint;
     const QVector3D centre = landmarkAt(tracks, frame, j);
-    const float radius =
-        ball_radii_[static_cast<std::size_t>(j)] * (selected ? kSelectedGrowth : 1);
+    const float radius = (selected ? selected_radii_ : ball_radii_)[static_cast<std::size_t>(j)];
     *capsule++ = {centre,     radius,    centre,   radius, selected ? 1.0f : 0.0f,
                   alertOf(j), tintAt(j), tintAt(j)};
   }

@@ -89,8 +89,12 @@ class FigureShape {
   static QVector3D at(const Place& place, const Eigen::MatrixXd& tracks, int frame);
   static int nearestLandmark(const Place& place);
 
+  /// How deep (cm) below the surface of the body a point of the first frame is; 0: outside.
+  float depth(const QVector3D& point, const Eigen::MatrixXd& tracks) const;
+
   std::vector<Part> parts_;
-  std::vector<float> ball_radii_;  // cm, one a joint
+  std::vector<float> ball_radii_;      // cm, one a joint
+  std::vector<float> selected_radii_;  // of its ball when it is selected
   int body_root_;
   float size_;
 };
