@@ -172,15 +172,15 @@ class Export {
     StagedFile mcpr = staged(item_.output + ".mcpr", made.file);
     verify(clip, mcpr.read_back(), options.contacts.value_or(clip.contacts()), made);
     std::vector<StagedFile> files;
-    for (const OutputFormat format : batch_.formats) {
-      if (format != OutputFormat::Mcpr) {
-        stage(format, {clip.motion().skeleton, made.decoded}, tracks_of(made.file), clip.source(),
-              files);
-        continue;
-      }
+    const std::vector<OutputFormat>& formats = batch_.formats;
+    if (std::find(formats.begin(), formats.end(), OutputFormat::Mcpr) != formats.end()) {
       row_.files.push_back({item_.output + ".mcpr", made.file.size(), hash_of_bytes(made.file)});
       files.push_back(std::move(mcpr));
     }
+    for (const OutputFormat format : formats)
+      if (format != OutputFormat::Mcpr)
+        stage(format, {clip.motion().skeleton, made.decoded}, tracks_of(made.file), clip.source(),
+              files);
     report(ClipProgress::Stage::Verifying, 0.95);
     put_in_place(files);
   }
