@@ -36,13 +36,12 @@ struct Worst {
   double shift = 0;  // cm
 };
 
-/// How far a sample is from what mcpr_decode_looped, of a loop, or mcpr_decode_moment give.
-void compare(const OpenedClip& opened, const CookedClip& cooked, const mcpr_sample_request& request,
+/// How far transforms are from what mcpr_decode_looped, of a loop, or mcpr_decode_moment give.
+void compare(const OpenedClip& opened, const std::vector<float>& made, mcpr_wrap wrap,
              const mcpr_request& decoded, double frame, Worst& worst) {
-  const std::vector<float> made = cooked.sample(request, frame);
   std::vector<float> expected(mcpr_frame_values(opened.clip, &decoded));
   const AlignedBytes scratch(mcpr_scratch_bytes(opened.clip, &decoded));
-  const auto decode = request.wrap == MCPR_LOOP ? mcpr_decode_looped : mcpr_decode_moment;
+  const auto decode = wrap == MCPR_LOOP ? mcpr_decode_looped : mcpr_decode_moment;
   ASSERT_EQ(
       decode(opened.clip, &decoded, frame, expected.data(), scratch.data(), scratch.size()).status,
       MCPR_OK);
@@ -76,7 +75,12 @@ void expect_as_decoded(const CompressedClip& clip, bool apply_ik = false) {
   ASSERT_EQ(check.status, MCPR_OK) << check.message;
   const mcpr_request decoded{.output = MCPR_LOCAL, .apply_ik = apply_ik ? 1 : 0};
   const double last = clip.frames - 1;
-  Worst worst;
+  const AlignedBytes memory(mcpr_cursor_bytes(cooked.clip));
+  mcpr_cursor* cursor = nullptr;
+  ASSERT_EQ(mcpr_make_cursor(cooked.clip, memory.data(), memory.size(), &cursor).status, MCPR_OK);
+  const mcpr_sample_request request{};
+  Worst sampled;
+  Worst played;
   Random random(static_cast<std::uint64_t>(clip.frames));
   for (int i = 0; i < 300; ++i) {
     double frame = last * random.unit();
@@ -84,10 +88,15 @@ void expect_as_decoded(const CompressedClip& clip, bool apply_ik = false) {
     if (apply_ik) frame = std::floor(frame);  // between frames both are linear, but not alike
     if (i < 6) frame = std::min<double>(i, last);
     if (i >= 6 && i < 12) frame = std::max(last - (i - 6), 0.0);
-    compare(opened, cooked, {}, decoded, frame, worst);
+    compare(opened, cooked.sample({}, frame), MCPR_CLAMP, decoded, frame, sampled);
+    std::vector<float> next(mcpr_sample_values(cooked.clip, &request));
+    ASSERT_EQ(mcpr_sample_next(cursor, &request, frame, next.data()).status, MCPR_OK);
+    compare(opened, next, MCPR_CLAMP, decoded, frame, played);
   }
-  EXPECT_LT(worst.turn, kMostTurn) << clip.frames;
-  EXPECT_LT(worst.shift, kMostShift) << clip.frames;
+  for (const Worst& worst : {sampled, played}) {
+    EXPECT_LT(worst.turn, kMostTurn) << clip.frames;
+    EXPECT_LT(worst.shift, kMostShift) << clip.frames;
+  }
 }
 
 TEST(CookedClip, GivesTheDecodersPoses) {
@@ -221,9 +230,11 @@ TEST(CookedLoop, GivesTheDecodersPosesAcrossTheSeam) {
     ASSERT_NE(cooked.clip, nullptr) << cooked.result.message;
     Worst worst;
     for (double frame = -200; frame < 300; frame += 0.37)
-      compare(opened, cooked, {.wrap = MCPR_LOOP}, {.output = MCPR_LOCAL}, frame, worst);
+      compare(opened, cooked.sample({.wrap = MCPR_LOOP}, frame), MCPR_LOOP, {.output = MCPR_LOCAL},
+              frame, worst);
     for (double frame = 88; frame < 91; frame += 0.125)
-      compare(opened, cooked, {.wrap = MCPR_LOOP}, {.output = MCPR_LOCAL}, frame, worst);
+      compare(opened, cooked.sample({.wrap = MCPR_LOOP}, frame), MCPR_LOOP, {.output = MCPR_LOCAL},
+              frame, worst);
     EXPECT_LT(worst.turn, kMostTurn);
     EXPECT_LT(worst.shift, kMostShift);
   }
