@@ -9,7 +9,7 @@
 
 namespace mocapress {
 
-/// Codes tracks so that no decoded value is further off than `bound`. ScalarTracks that stay where
+/// Codes tracks so that no decoded value is further off than `bound`. Tracks that stay where
 /// they are, or jump now and then, come back bit for bit, and so do those that no wavelet brings
 /// within the bound.
 CodedTracks encode_tracks(const ScalarTracks& tracks, double bound);
