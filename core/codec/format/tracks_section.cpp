@@ -2,8 +2,8 @@
 #include "core/codec/format/tracks_section.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "core/base/byte_cursor.h"
 #include "core/base/error.h"
@@ -28,7 +28,9 @@ std::vector<SignalNeighbours> track_neighbours(int curves) {
 std::vector<runtime::TrackRun> runs_of(const std::vector<float>& values) {
   std::vector<runtime::TrackRun> runs;
   for (std::size_t t = 0; t < values.size(); ++t) {
-    const bool is_new = t == 0 || std::memcmp(&values[t], &values[t - 1], sizeof(float)) != 0;
+    // Told apart by their bits: -0 comes back, too.
+    const bool is_new = t == 0 || std::bit_cast<std::uint32_t>(values[t]) !=
+                                      std::bit_cast<std::uint32_t>(values[t - 1]);
     if (is_new) runs.push_back({0, values[t]});
     runs.back().end = static_cast<std::uint32_t>(t) + 1;
   }
