@@ -32,8 +32,7 @@ void main() {
 #ifdef PICTURED
   if (inPicture.z > -0.5) {
     vec2 within = fract(inPicture.xy);
-    // Qt hands the uppermost row over last.
-    vec2 at = vec2(within.x, 1.0 - (floor(inPicture.z + 0.5) + within.y) / pictureCount);
+    vec2 at = vec2(within.x, (floor(inPicture.z + 0.5) + within.y) / pictureCount);
     base += pictured * (texture(pictures, at).rgb - 1.0);
   }
 #endif
