@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/error.h"
-#include "core/formats/fbx.h"
+#include "core/formats/fbx_reader.h"
 
 namespace mocapress {
 

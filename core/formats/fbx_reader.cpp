@@ -19,8 +19,8 @@
 #include <unordered_set>
 
 #include "core/codec/format/format_limits.h"
-#include "core/formats/fbx.h"
 #include "core/formats/fbx_meshes.h"
+#include "core/formats/fbx_reader.h"
 #include "core/formats/fbx_structure.h"
 #include "core/formats/key_times.h"
 #include "core/formats/node_motion.h"

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/formats/fbx.h"
+#include "core/formats/fbx_reader.h"
 
 // Assimp does not give back what it has read of a file that it then refuses.
 extern "C" const char* __lsan_default_suppressions() {

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "core/base/file.h"
-#include "core/formats/fbx.h"
+#include "core/formats/fbx_reader.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/landmarks.h"
 #include "tests/support/corpus.h"

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "core/formats/gltf_animation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mocapress {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+std::vector<float> vectors_of(const std::vector<Vector3d>& track) {
+  std::vector<float> values;
+  for (const Vector3d& vector : track)
+    for (const double value : vector) values.push_back(static_cast<float>(value));
+  return values;
+}
+
+/// Every quaternion on the side of the one before: from one to the next the way is short.
+std::vector<float> turnings_of(const NodeTrack& track) {
+  std::vector<float> values;
+  Quaterniond last = track.rest.rotation;
+  for (const Quaterniond& rotation : track.rotation) {
+    const double side = rotation.dot(last) < 0 ? -1 : 1;
+    last = Quaterniond(side * rotation.normalized().coeffs());
+    for (const double value : last.coeffs()) values.push_back(static_cast<float>(value));
+  }
+  return values;
+}
+
+GltfJson json_of(const Quaterniond& rotation) {
+  return {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
+}
+
+}  // namespace
+
+JointScales::JointScales(const ScalarTracks& tracks, const Skeleton& skeleton)
+    : of_joint_(static_cast<std::size_t>(skeleton.joint_count())) {
+  for (const ScalarTrack& track : tracks) {
+    const int joint = is_scale(track.kind) ? skeleton.find(track.node) : -1;
+    if (joint < 0) continue;
+    const auto axis =
+        static_cast<std::size_t>(track.kind) - static_cast<std::size_t>(TrackKind::ScaleX);
+    of_joint_[static_cast<std::size_t>(joint)][axis] = &track;
+    any_ = true;
+  }
+}
+
+bool JointScales::has(std::size_t joint) const {
+  const auto& of = of_joint_[joint];
+  return std::any_of(of.begin(), of.end(), [](const auto* track) { return track != nullptr; });
+}
+
+Vector3d JointScales::at(std::size_t joint, int frame) const {
+  Vector3d scale = Vector3d::Ones();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (const ScalarTrack* const track = of_joint_[joint][axis])
+      scale(static_cast<Eigen::Index>(axis)) =
+          static_cast<double>(track->values[static_cast<std::size_t>(frame)]);
+  return scale;
+}
+
+AnimationWriter::AnimationWriter(BufferWriter& buffer, GltfJson& animation, int frames,
+                                 double sample_rate_hz)
+    : buffer_(buffer), animation_(animation) {
+  std::vector<float> times;
+  for (int t = 0; t < frames; ++t) times.push_back(static_cast<float>(t / sample_rate_hz));
+  times_ = buffer_.add("SCALAR", 1, times, true);
+}
+
+void AnimationWriter::add(const NodeTrack& track, bool always) {
+  constexpr double kSamePlace = 1e-8;  // m
+  constexpr double kSameTurn = 1e-8;
+  const auto moves = [&](const Vector3d& place) {
+    return (place - track.rest.translation).norm() > kSamePlace;
+  };
+  const auto turns = [&](const Quaterniond& rotation) {
+    return 1 - std::abs(rotation.dot(track.rest.rotation)) > kSameTurn * kSameTurn;
+  };
+  if (std::any_of(track.translation.begin(), track.translation.end(), moves))
+    add_channel(track.node, "translation", times_,
+                buffer_.add("VEC3", 3, vectors_of(track.translation)));
+  if (always || std::any_of(track.rotation.begin(), track.rotation.end(), turns))
+    add_channel(track.node, "rotation", times_, buffer_.add("VEC4", 4, turnings_of(track)));
+  if (!track.scales.empty())
+    add_channel(track.node, "scale", times_, buffer_.add("VEC3", 3, vectors_of(track.scales)));
+  if (track.scale) {
+    if (!start_) start_ = buffer_.add("SCALAR", 1, {0.0F}, true);
+    const Eigen::Vector3f scale = track.scale->cast<float>();
+    add_channel(track.node, "scale", *start_,
+                buffer_.add("VEC3", 3, {scale.x(), scale.y(), scale.z()}));
+  }
+}
+
+void AnimationWriter::add(const WeightsTrack& weights) {
+  std::vector<float> values;
+  for (std::size_t t = 0; t < weights.of_target.front()->values.size(); ++t)
+    for (const ScalarTrack* const track : weights.of_target) values.push_back(track->values[t]);
+  const bool steps = std::all_of(weights.of_target.begin(), weights.of_target.end(),
+                                 [](const ScalarTrack* track) { return track->steps; });
+  add_channel(weights.node, "weights", times_, buffer_.add("SCALAR", 1, values),
+              steps ? "STEP" : "LINEAR");
+}
+
+void AnimationWriter::add_channel(std::size_t node, const char* path, std::size_t input,
+                                  std::size_t output, const char* interpolation) {
+  GltfJson& samplers = animation_["samplers"];
+  samplers.push_back({{"input", input}, {"output", output}, {"interpolation", interpolation}});
+  animation_["channels"].push_back(
+      {{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
+}
+
+GltfJson json_of(const Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+void set_transform(GltfJson& node, const LocalTransform& local) {
+  if (!local.translation.isZero(0)) node["translation"] = json_of(local.translation);
+  if (!local.rotation.coeffs().isApprox(Quaterniond::Identity().coeffs(), 1e-12))
+    node["rotation"] = json_of(local.rotation);
+  if (local.scale != Vector3d::Ones()) node["scale"] = json_of(local.scale);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// A motion put into a glTF file that is there already, in place of an animation.
+#include <Eigen/LU>
+#include <algorithm>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/formats/gltf_animation.h"
+#include "core/formats/gltf_reader.h"
+#include "core/formats/gltf_writer.h"
+#include "core/formats/text_writer.h"
+#include "core/motion/forward_kinematics.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+/// A source file's nodes as they are to move.
+class SourceTracks {
+ public:
+  SourceTracks(const GltfFile& file, const GltfTake& take, const ReadOptions& options)
+      : file_(file), take_(take.take), joint_of_node_(take_.nodes.size(), -1) {
+    for (const std::size_t number : take.number_of_node) tracks_.push_back({.node = number});
+    for (std::size_t n = 0; n < tracks_.size(); ++n) tracks_[n].rest = take_.nodes[n].rest;
+    above_all_ = file_placement(options.cm_per_unit.value_or(take_.cm_per_unit),
+                                options.up.value_or(take_.up));
+  }
+
+  /// The tracks of the nodes that are joints of `motion`, one for each.
+  std::vector<NodeTrack> follow(const Motion& motion, const ReadOptions& options,
+                                const JointScales& scales) {
+    find_nodes(motion.skeleton, options);
+    Pose pose;
+    for (int t = 0; t < motion.clip.frames(); ++t) {
+      compute_pose(motion.skeleton, motion.clip.channels.row(t), pose);
+      place(pose, scales, t);
+    }
+    std::vector<NodeTrack> tracks;
+    for (std::size_t n = 0; n < tracks_.size(); ++n) {
+      if (joint_of_node_[n] < 0) continue;
+      // Where a changing scale is not known, joints are in their places all the same.
+      if (const Vector3d scale = still(n).scale;
+          tracks_[n].scales.empty() && !scale.isApprox(tracks_[n].rest.scale, 1e-6))
+        tracks_[n].scale = scale;
+      tracks.push_back(std::move(tracks_[n]));
+    }
+    return tracks;
+  }
+
+ private:
+  void find_nodes(const Skeleton& skeleton, const ReadOptions& options) {
+    const std::vector<std::size_t> nodes = nodes_of_joints(file_.name(), take_);
+    const Skeleton own =
+        motion_of(file_.name(), take_, options, SourceFormat::Kind::Gltf).motion.skeleton;
+    std::unordered_map<std::string, std::size_t> node_of_name;
+    for (int j = 0; j < own.joint_count(); ++j)
+      node_of_name.emplace(own.joint(j).name, nodes[static_cast<std::size_t>(j)]);
+    const std::vector<std::string> names = without_namespace(gltf_names(skeleton));
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      const auto found = node_of_name.find(names[j]);
+      if (found == node_of_name.end())
+        file_.fail("has no joint " + names[j] + ", which the motion has");
+      joint_of_node_[found->second] = static_cast<int>(j);
+    }
+  }
+
+  /// How a node that does not follow the motion stands, as the reader took it.
+  const LocalTransform& still(std::size_t node) const {
+    const AnimatedNode& of = take_.nodes[node];
+    return of.frames.empty() ? of.rest : of.frames.front();
+  }
+
+  /// A node that follows has what is left between its place in the world and that of its parent.
+  void place(const Pose& pose, const JointScales& scales, int frame) {
+    placements_.resize(tracks_.size());
+    for (std::size_t n = 0; n < tracks_.size(); ++n) {
+      const int above = take_.nodes[n].parent;
+      const NodePlacement& parent =
+          above < 0 ? above_all_ : placements_[static_cast<std::size_t>(above)];
+      LocalTransform local = still(n);
+      if (joint_of_node_[n] >= 0) {
+        const auto j = static_cast<std::size_t>(joint_of_node_[n]);
+        local.translation = parent.world_from_node.inverse() * (pose.origin[j] - parent.origin);
+        local.rotation = parent.rotation.conjugate() * Quaterniond(pose.world_from_joint[j]);
+        if (!local.translation.allFinite())
+          file_.fail("scales " + take_.nodes[n].name + " to nothing: it cannot follow a motion");
+        tracks_[n].translation.push_back(local.translation);
+        tracks_[n].rotation.push_back(local.rotation);
+        if (scales.has(j)) {
+          local.scale = scales.at(j, frame);
+          tracks_[n].scales.push_back(local.scale);
+        }
+      }
+      placements_[n] = below(parent, local);
+    }
+  }
+
+  const GltfFile& file_;
+  const NodeTake& take_;
+  std::vector<int> joint_of_node_;  // -1: it does not follow
+  std::vector<NodeTrack> tracks_;   // of every node
+  std::vector<NodePlacement> placements_;
+  NodePlacement above_all_;
+};
+
+/// The weights of nodes of which tracks have all. Of tracks of one name, each is taken once.
+std::vector<WeightsTrack> weights_of(const GltfTake& take, const ScalarTracks& tracks) {
+  std::unordered_set<const ScalarTrack*> taken;
+  std::map<std::size_t, WeightsTrack> of_node;
+  for (std::size_t w = 0; w < take.weights.size(); ++w) {
+    const ScalarTrack& wanted = take.take.tracks[w];
+    const auto found = std::find_if(tracks.begin(), tracks.end(), [&](const ScalarTrack& track) {
+      return track.kind == wanted.kind && track.node == wanted.node && track.name == wanted.name &&
+             !taken.contains(&track);
+    });
+    WeightsTrack& weights = of_node[take.weights[w].node];
+    weights.node = take.weights[w].node;
+    weights.of_target.push_back(found == tracks.end() ? nullptr : &*found);
+    if (found != tracks.end()) taken.insert(&*found);
+  }
+  std::vector<WeightsTrack> all;
+  for (auto& [node, weights] : of_node)
+    if (std::find(weights.of_target.begin(), weights.of_target.end(), nullptr) ==
+        weights.of_target.end())
+      all.push_back(std::move(weights));
+  return all;
+}
+
+/// Leaves out what moves the nodes of `tracks`: channels, and the samplers that only these had.
+void remove_channels(const GltfFile& file, const std::vector<NodeTrack>& tracks,
+                     const std::vector<WeightsTrack>& weights, GltfJson& animation) {
+  std::unordered_set<std::size_t> nodes;
+  for (const NodeTrack& track : tracks) nodes.insert(track.node);
+  std::unordered_set<std::size_t> morphed;
+  for (const WeightsTrack& track : weights) morphed.insert(track.node);
+  GltfJson channels = file.list(animation, "channels");
+  GltfJson samplers = file.list(animation, "samplers");
+  animation["channels"] = GltfJson::array();
+  animation["samplers"] = GltfJson::array();
+  std::unordered_map<std::size_t, std::size_t> new_index;
+  for (GltfJson channel : channels) {
+    const GltfJson& target = channel["target"];
+    const auto node = file.index(target, "node", "nodes");
+    const bool of_weights = file.text(target, "path") == "weights";
+    if (node && (of_weights ? morphed : nodes).contains(*node)) continue;
+    const std::size_t sampler = file.size(channel, "sampler", samplers.size());
+    if (sampler >= samplers.size()) file.fail("has an animation channel without a sampler");
+    const auto [at, is_new] = new_index.emplace(sampler, animation["samplers"].size());
+    if (is_new) animation["samplers"].push_back(samplers[sampler]);
+    channel["sampler"] = at->second;
+    animation["channels"].push_back(std::move(channel));
+  }
+}
+
+/// By its first bytes; empty for what is no image that a glTF may hold.
+std::string image_type(std::string_view bytes) {
+  if (bytes.starts_with("\x89PNG")) return "image/png";
+  if (bytes.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
+  if (bytes.starts_with("\xABKTX 20")) return "image/ktx2";
+  if (bytes.substr(0, 12).ends_with("WEBP")) return "image/webp";
+  return "";
+}
+
+/// Joins all buffers into the first, for the chunk of a .glb, and returns its bytes.
+std::string joined_buffers(GltfFile& file, GltfJson& json) {
+  std::string bytes;
+  std::vector<std::size_t> begins;
+  for (std::size_t b = 0; b < file.list("buffers").size(); ++b) {
+    bytes.resize((bytes.size() + 3) / 4 * 4);
+    begins.push_back(bytes.size());
+    bytes += file.buffer(b);
+  }
+  if (begins.empty()) return bytes;
+  for (GltfJson& view : json["bufferViews"]) {
+    const std::size_t buffer = file.required_index(view, "buffer", "buffers");
+    if (buffer == 0) continue;
+    view["byteOffset"] = file.size(view, "byteOffset", 0) + begins[buffer];
+    view["buffer"] = 0;
+  }
+  GltfJson first = json["buffers"][0];
+  first.erase("uri");
+  json["buffers"] = GltfJson::array({std::move(first)});
+  return bytes;
+}
+
+/// Puts the buffers that are files of their own, or the chunk of a .glb, into a .gltf.
+void embed_buffers(GltfFile& file, GltfJson& json, bool with_files) {
+  for (std::size_t b = 0; b < file.list("buffers").size(); ++b) {
+    const std::string uri = file.text(file.list("buffers")[b], "uri");
+    if (uri.empty() || (with_files && !is_data_uri(uri)))
+      json["buffers"][b]["uri"] = data_uri(kBufferType, file.buffer(b));
+  }
+}
+
+/// Puts images that are files of their own into the file. A .glb has them in its chunk, and those
+/// of data URIs too. What is not there, or elsewhere, stays a reference.
+void embed_images(const GltfFile& file, GltfJson& json, bool with_files, BufferWriter* chunk) {
+  if (!json.contains("images")) return;
+  GltfJson images = json["images"];  // apart: add_view() adds to `json`
+  for (GltfJson& image : images) {
+    const std::string uri = file.text(image, "uri");
+    if (uri.empty() || (is_data_uri(uri) ? chunk == nullptr : !with_files)) continue;
+    try {
+      const std::string bytes = file.resource(uri);
+      const std::string type = image_type(bytes);
+      if (type.empty()) continue;
+      if (chunk != nullptr) {
+        image.erase("uri");
+        image["mimeType"] = type;
+        image["bufferView"] = chunk->add_view(bytes);
+      } else {
+        image["uri"] = data_uri(type, bytes);
+      }
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  json["images"] = std::move(images);
+}
+
+bool same_folder(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return fs::equivalent(a.empty() ? "." : a, b.empty() ? "." : b, error);
+}
+
+}  // namespace
+
+std::string gltf_bytes_onto(const fs::path& onto, const Motion& motion, GltfContainer container,
+                            const fs::path& folder, const SourceFormat& source,
+                            const WriteOptions& options, const ScalarTracks& scalars) {
+  GltfFile file(onto, read_text(onto));
+  const SourceFormat format = gltf_format(source, options);
+  const ReadOptions reading{
+      .cm_per_unit = format.cm_per_unit, .up = format.up, .take = options.take};
+  const GltfTake take = read_gltf_take(file, reading);
+  const std::vector<NodeTrack> tracks =
+      SourceTracks(file, take, reading)
+          .follow(motion, reading, JointScales(scalars, motion.skeleton));
+  const std::vector<WeightsTrack> weights = weights_of(take, scalars);
+
+  GltfJson json = file.json();
+  for (const NodeTrack& track : tracks) {
+    GltfJson& node = json["nodes"][track.node];
+    // A node that an animation moves may have no matrix.
+    if (node.erase("matrix") > 0) set_transform(node, track.rest);
+  }
+  // A .glb has one buffer, its chunk; a .gltf gets one more.
+  const bool is_glb = container == GltfContainer::Glb;
+  const bool moves_away = !same_folder(onto.parent_path(), folder);
+  std::string data;
+  if (is_glb)
+    data = joined_buffers(file, json);
+  else
+    embed_buffers(file, json, moves_away);
+  const std::size_t buffer = is_glb ? 0 : file.list("buffers").size();
+  BufferWriter writer(json, buffer, std::move(data));
+  embed_images(file, json, moves_away, is_glb ? &writer : nullptr);
+  GltfJson animation = json["animations"][take.animation];
+  remove_channels(file, tracks, weights, animation);
+  AnimationWriter animator(writer, animation, motion.clip.frames(),
+                           options.sample_rate_hz.value_or(motion.clip.sample_rate_hz));
+  for (const NodeTrack& track : tracks) animator.add(track, false);
+  for (const WeightsTrack& track : weights) animator.add(track);
+  if (animation["channels"].empty() && !tracks.empty()) animator.add(tracks.front(), true);
+  json["animations"][take.animation] = std::move(animation);
+  std::vector<GlbChunk> others = file.chunks();
+  if (!others.empty() && others.front().type == kGlbDataChunk) others.erase(others.begin());
+  return in_container(std::move(json), container, buffer, writer.release(), others);
+}
+
+}  // namespace mocapress
