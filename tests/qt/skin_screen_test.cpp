@@ -2,6 +2,8 @@
 // Characters in the 3D view: needs an X display with OpenGL (Xvfb will do).
 #include <gtest/gtest.h>
 
+#include <QBuffer>
+#include <QImage>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -60,6 +62,27 @@ std::shared_ptr<const Skin> box() {
     add_face(sign * x, y);
     add_face(sign * y, z);
     add_face(sign * z, x);
+  }
+  return std::make_shared<const Skin>(std::move(skin));
+}
+
+/// The box in a picture whose upper half is red and whose lower half is blue.
+std::shared_ptr<const Skin> pictured_box() {
+  QImage image(16, 16, QImage::Format_RGB32);
+  image.fill(Qt::blue);
+  for (int y = 0; y < image.height() / 2; ++y)
+    for (int x = 0; x < image.width(); ++x) image.setPixel(x, y, qRgb(255, 0, 0));
+  QByteArray png;
+  QBuffer file(&png);
+  file.open(QIODevice::WriteOnly);
+  image.save(&file, "PNG");
+
+  Skin skin = *box();
+  skin.pictures = {std::make_shared<SkinPicture>(SkinPicture{"red above blue", png.toStdString()})};
+  for (Skin::Vertex& vertex : skin.vertices) {
+    vertex.colour = {1, 1, 1};
+    vertex.in_picture = {0.5F, vertex.in_bind.y() > 60 ? 0.05F : 0.95F};
+    vertex.picture = 0;
   }
   return std::make_shared<const Skin>(std::move(skin));
 }
@@ -175,6 +198,14 @@ TEST_F(SkinScreen, StandsBesideTheOther) {
         ASSERT_GE(x, both.width() / 2 - 1);
       }
   EXPECT_GT(blue, 1000);
+}
+
+TEST_F(SkinScreen, HasThePictureOfItsMeshTheRightWayUp) {
+  viewport_.setOriginal(nullptr);
+  viewport_.setSkin(pictured_box());
+  const QImage pictured = picture();
+  EXPECT_TRUE(isReddish(front(pictured, compressed_at_, 100)));
+  EXPECT_TRUE(isBlue(front(pictured, compressed_at_, 20)));
 }
 
 TEST_F(SkinScreen, IsASkeletonWithoutASkin) {
