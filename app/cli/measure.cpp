@@ -8,6 +8,7 @@
 #include "app/cli/report.h"
 #include "core/base/file.h"
 #include "core/baselines/compared_file.h"
+#include "core/motion/body_tracks.h"
 
 namespace mocapress::cli {
 namespace {
@@ -23,18 +24,8 @@ struct Measure {
     const MotionFile file = source.read_file(original);
     const Motion& motion = file.motion;
     const OpenedMcpr opened = open_mcpr(compressed);
-    const Clip& decoded = opened.decoded;
-    if (decoded.channels.rows() != motion.clip.channels.rows() ||
-        decoded.channels.cols() != motion.clip.channels.cols())
-      throw InputError(compressed, 0, 0,
-                       "is not a compressed form of " + original + ": it has " +
-                           std::to_string(decoded.frames()) + " frames of " +
-                           std::to_string(decoded.channels.cols()) + " channels, the original " +
-                           std::to_string(motion.clip.frames()) + " of " +
-                           std::to_string(motion.clip.channels.cols()));
-    const Eigen::MatrixXd tracks = body_tracks(motion.skeleton, motion.clip);
-    const Eigen::MatrixXd found = body_tracks(motion.skeleton, decoded);
     const std::vector<ContactSpan> contacts = contact_input.spans(motion);
+    const Comparison found = compared(motion, opened.decoded, contacts);
     const Report report{
         .input = original,
         .original = &motion,
@@ -45,16 +36,24 @@ struct Measure {
         .motion_bytes = opened.compressed.motion_bytes(),
         .file_bytes = std::filesystem::file_size(compressed),
         .verified_by = "library",
-        .distortion = mocapress::measure(motion.skeleton, tracks, found),
-        .footskate = measure_footskate(contacts, tracks, found, decoded.sample_rate_hz),
-        .visibility =
-            measure_visibility(motion.skeleton, tracks, found, decoded.sample_rate_hz, contacts),
+        .distortion = found.distortion,
+        .footskate = found.footskate,
+        .visibility = found.visibility,
         .contacts = contacts.size(),
         .correction_bytes = opened.compressed.correction
                                 ? std::optional(opened.compressed.correction_bytes())
                                 : std::nullopt,
         .tracks = track_figures(file.tracks, read_bytes(compressed))};
     json ? print(to_json(report)) : print(report);
+  }
+
+  Comparison compared(const Motion& motion, const Clip& decoded,
+                      const std::vector<ContactSpan>& contacts) const {
+    try {
+      return compare(motion, body_tracks(motion.skeleton, motion.clip), decoded, contacts);
+    } catch (const Error& error) {
+      throw InputError(compressed, 0, 0, error.what());
+    }
   }
 };
 

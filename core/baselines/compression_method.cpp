@@ -237,11 +237,7 @@ Compression MethodEncoder::compress(const CompressionMethod& compression_method,
 
   Compression compression;
   compression.decoded = search.decode(best.motion);
-  compression.distortion = measure(motion.skeleton, body, compression.decoded);
-  const Eigen::MatrixXd decoded = body_tracks(motion.skeleton, compression.decoded);
-  compression.footskate = measure_footskate(contacts, body, decoded, motion.clip.sample_rate_hz);
-  compression.visibility =
-      measure_visibility(motion.skeleton, body, decoded, motion.clip.sample_rate_hz, contacts);
+  static_cast<Comparison&>(compression) = compare(motion, body, compression.decoded, contacts);
   compression.motion_bytes = best.motion.size();
   compression.complete = complete;
   CompressedClip clip;

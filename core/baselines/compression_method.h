@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/codec/encode/encoder.h"
+#include "core/metrics/comparison.h"
 
 namespace mocapress {
 
@@ -33,14 +34,12 @@ std::string_view method_title(std::string_view name);
 bool choose_wavelets(const CompressionMethod& compression_method, EncodeOptions& options);
 
 /// A motion compressed by a method, decoded again and measured.
-/// EncodeOptions::figures_only is heeded by wavelets.
-struct Compression {
+/// EncodeOptions::figures_only is heeded by wavelets. Contacts are Encoder::contacts(), or edited
+/// ones.
+struct Compression : Comparison {
   std::vector<std::byte> file;   // the .mcpr
   std::size_t motion_bytes = 0;  // what the ratio counts
   Clip decoded;
-  Distortion distortion;
-  Footskate footskate;                         // against Encoder::contacts(), or edited ones
-  Visibility visibility;                       // as footskate
   std::optional<CorrectionResult> correction;  // of wavelets
   std::optional<double> coefficient_ratio;     // of wavelets
   std::optional<int> iterations;               // of annealing

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/feet/contact_spans.h"
+#include "core/feet/footskate.h"
+#include "core/metrics/distortion.h"
+#include "core/metrics/visibility.h"
+#include "core/motion/clip.h"
+
+namespace mocapress {
+
+/// A decoded motion against its original.
+struct Comparison {
+  Distortion distortion;
+  Footskate footskate;  // beyond the original's own
+  Visibility visibility;
+};
+
+/// `original_body` is body_tracks() of the original, `contacts` those of its feet. Throws Error if
+/// `decoded` has other channels or another number of frames.
+Comparison compare(const Motion& original, const Eigen::MatrixXd& original_body,
+                   const Clip& decoded, const std::vector<ContactSpan>& contacts);
+
+}  // namespace mocapress
