@@ -74,8 +74,7 @@ struct BankFilling {
     if (stop_signal != 0) throw EndedWith{128 + stop_signal};
     const BankFile made(bank);
     std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", bank.c_str(), made.clips(),
-                 static_cast<unsigned long long>(made.bank().bytes),
-                 made.is_cooked() ? "cooked" : "packed");
+                 static_cast<unsigned long long>(made.bank().bytes), name(made.bank().form).data());
   }
 };
 
@@ -110,7 +109,7 @@ void list_bank(const std::string& path, bool json) {
   for (std::uint32_t clip = 0; clip < bank.clips(); ++clip)
     clips.push_back(to_json(bank.describe(clip)));
   print(Json{{"bank", path},
-             {"form", bank.is_cooked() ? "cooked" : "packed"},
+             {"form", name(bank.bank().form)},
              {"bytes", bank.bank().bytes},
              {"meta", texts},
              {"clips", clips}});

@@ -10,6 +10,7 @@
 #include "app/cli/motion_input.h"
 #include "app/cli/preset_arguments.h"
 #include "app/cli/terminal.h"
+#include "core/bank/bank.h"
 #include "core/base/file.h"
 #include "core/batch/batch_folder.h"
 #include "core/batch/queue_json.h"
@@ -44,6 +45,7 @@ struct BatchCommand {
   std::string folder;
   PresetArguments preset;
   std::vector<std::string> formats = {"mcpr"};
+  std::string bank;
   std::string names = kUsualNames;
   std::string shard = "1/1";
   int jobs = 0;
@@ -80,6 +82,12 @@ struct BatchCommand {
     for (const std::string& format : formats)
       if (std::count(batch.formats.begin(), batch.formats.end(), *output_format(format)) == 0)
         batch.formats.push_back(*output_format(format));
+    if (!bank.empty()) batch.bank = bank_form(bank);
+    try {
+      check(batch);
+    } catch (const Error& error) {
+      throw CLI::ValidationError("--bank", error.what());
+    }
     const std::vector<SourceClip> sources = find_sources(inputs);
     if (std::all_of(sources.begin(), sources.end(),
                     [](const SourceClip& clip) { return !clip.problem.empty(); }))
@@ -177,6 +185,13 @@ void add_batch(CLI::App& app) {
   command->add_option("--format", call->formats, "Output formats, comma-separated [mcpr]")
       ->delimiter(',')
       ->check(CLI::IsMember({"mcpr", "bvh", "amc", "csv", "glb"}));
+  CLI::Option* const bank =
+      command
+          ->add_option("--bank", call->bank,
+                       "Also put all .mcpr files into DIR/bank.mcpk: packed, the smallest form, or "
+                       "cooked, which engines sample as it lies")
+          ->type_name("FORM")
+          ->check(CLI::IsMember({"packed", "cooked"}));
   command
       ->add_option("--name", call->names,
                    "Output names: {folder}, {stem}, {type}, {preset}, {method} [{folder}/{stem}]")
@@ -192,6 +207,7 @@ void add_batch(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   command->add_option("--shard", call->shard, "Do only the i-th of n parts")
       ->type_name("i/n")
+      ->excludes(bank)
       ->check(parsed_by(&parse_shard));
   command->add_flag("--resume", call->resume, "Continue DIR's batch; redo what failed or changed");
   command->add_flag("--overwrite", call->overwrite, "Replace files that are there");
@@ -202,6 +218,7 @@ void add_batch(CLI::App& app) {
   command
       ->add_option("--write-slurm", call->slurm_file,
                    "Write a script for sbatch instead, and DIR/queue.json for it")
+      ->excludes(bank)
       ->type_name("FILE");
   command->add_option("--slurm-tasks", call->slurm_tasks, "Shards of that script [8]")
       ->type_name("N")

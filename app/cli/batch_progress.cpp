@@ -6,6 +6,7 @@
 
 #include "app/cli/motion_input.h"
 #include "core/base/number_text.h"
+#include "core/batch/batch_folder.h"
 #include "core/mocapress/settings_json.h"
 
 #include <nlohmann/json.hpp>
@@ -37,6 +38,10 @@ Json counts_json(const BatchCounts& counts, const std::optional<double>& seconds
           {"seconds_left", seconds_left ? Json(*seconds_left) : Json()}};
 }
 
+std::string bank_beside(const std::filesystem::path& report) {
+  return (report.parent_path() / kBankOfBatch).string();
+}
+
 }  // namespace
 
 BatchReporter::BatchReporter(const Batch& batch, bool json)
@@ -52,6 +57,7 @@ void BatchReporter::begin(const std::filesystem::path& folder, const Shard& shar
 }
 
 void BatchReporter::tell(const BatchProgress& progress) {
+  if (progress.bank) return tell(*progress.bank);
   const bool ended = progress.row != nullptr;
   time_left_.update(progress.counts, line_.elapsed_seconds());
   if (json_) {
@@ -77,6 +83,17 @@ void BatchReporter::tell(const BatchProgress& progress) {
   line_.show(std::to_string(progress.counts.done) + " of " + std::to_string(progress.counts.clips) +
              ", " + clock_text(now) + (left ? ", about " + clock_text(*left) + " left" : "") +
              "   " + last_);
+}
+
+void BatchReporter::tell(const BankProgress& bank) {
+  if (json_) {
+    const double now = line_.elapsed_seconds();
+    if (bank.done < bank.clips && now < next_step_) return;
+    next_step_ = now + kStepInterval;
+    print_line({{"event", "bank-step"}, {"done", bank.done}, {"clips", bank.clips}});
+  } else if (line_.due()) {
+    line_.show("bank: " + std::to_string(bank.done) + " of " + std::to_string(bank.clips));
+  }
 }
 
 void BatchReporter::print_step(const BatchProgress& progress) {
@@ -112,7 +129,8 @@ void BatchReporter::end(const BatchOutcome& outcome, const std::filesystem::path
   if (json_) {
     print_line({{"event", outcome.complete ? "end" : "stopped"},
                 {"batch", counts_json(counts, time_left_.seconds())},
-                {"report", outcome.complete ? Json(report.string()) : Json()}});
+                {"report", outcome.complete ? Json(report.string()) : Json()},
+                {"bank", outcome.has_bank ? Json(bank_beside(report)) : Json()}});
     return;
   }
   std::fprintf(stderr, "%zu of %zu clips done", counts.done - counts.failed, counts.clips);
@@ -121,6 +139,7 @@ void BatchReporter::end(const BatchOutcome& outcome, const std::filesystem::path
   if (counts.failed > 0) std::fprintf(stderr, "; %zu failed", counts.failed);
   std::fprintf(stderr, "\n");
   if (outcome.complete) std::fprintf(stderr, "%s\n", report.c_str());
+  if (outcome.has_bank) std::fprintf(stderr, "%s\n", bank_beside(report).c_str());
 }
 
 }  // namespace mocapress::cli

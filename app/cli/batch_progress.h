@@ -16,6 +16,7 @@ class BatchReporter {
   void end(const BatchOutcome& outcome, const std::filesystem::path& report) const;
 
  private:
+  void tell(const BankProgress& bank);
   void print_step(const BatchProgress& progress);
   void print_row(const BatchProgress& progress);
 

@@ -15,6 +15,7 @@ class BatchReporter {
   explicit BatchReporter(Send send) : send_(std::move(send)) {}
 
   void add(const BatchProgress& progress) {
+    if (progress.bank) return;  // the last of all steps, and a short one
     BatchStep& step = steps_[progress.index];
     step.index = progress.index;
     step.progress = progress.clip;

@@ -160,6 +160,16 @@ void write_bank(const fs::path& path, const BankFile* old, std::vector<BankSourc
 
 }  // namespace
 
+std::string_view name(runtime::BankForm form) {
+  return form == runtime::BankForm::Packed ? "packed" : "cooked";
+}
+
+std::optional<runtime::BankForm> bank_form(std::string_view name) {
+  for (const runtime::BankForm form : {runtime::BankForm::Packed, runtime::BankForm::Cooked})
+    if (mocapress::name(form) == name) return form;
+  return std::nullopt;
+}
+
 std::vector<BankSource> find_bank_sources(const std::vector<fs::path>& inputs) {
   std::vector<BankSource> sources;
   for (const fs::path& input : inputs) {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/bank/bank_file.h"
@@ -11,6 +13,12 @@
 #include "core/base/progress.h"
 
 namespace mocapress {
+
+/// "packed", "cooked".
+std::string_view name(runtime::BankForm form);
+
+/// Unset when it is neither.
+std::optional<runtime::BankForm> bank_form(std::string_view name);
 
 /// A clip to be put into a bank: a .mcpr file, or a clip of a packed bank.
 struct BankSource {

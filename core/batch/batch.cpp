@@ -129,6 +129,11 @@ void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t
                            .problem = source.problem});
 }
 
+void check(const Batch& batch) {
+  if (batch.bank && std::ranges::find(batch.formats, OutputFormat::Mcpr) == batch.formats.end())
+    throw Error("a bank is made of .mcpr files, which are not among the formats");
+}
+
 void mark_collisions(Batch& batch) {
   std::unordered_map<std::uint64_t, std::size_t> first;  // index of an item, by its output's hash
   const auto place = [&](const std::string& output, std::size_t index) {

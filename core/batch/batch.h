@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/batch/item_list.h"
+#include "core/codec/format/bank.h"
 #include "core/formats/motion_file.h"
 #include "core/mocapress/settings.h"
 
@@ -44,7 +45,8 @@ struct Batch {
   std::vector<Settings> presets;
   std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
   ReadOptions reading;
-  WriteOptions writing;  // of formats other than .mcpr
+  WriteOptions writing;                   // of formats other than .mcpr
+  std::optional<runtime::BankForm> bank;  // made of the .mcpr files when all are done
   ItemList items;
 
   const ReadOptions& reading_of(const BatchItem& item) const {
@@ -63,6 +65,9 @@ std::string output_name(std::string_view pattern, const SourceClip& source, cons
 /// An item of each, with the preset of that index.
 void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t preset,
                std::string_view pattern);
+
+/// Throws Error for what cannot be made: a bank without .mcpr files.
+void check(const Batch& batch);
 
 /// Gives every item that would be written where an earlier one is a problem that says so, and
 /// another output: no two items have the same.

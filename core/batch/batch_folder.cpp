@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "core/bank/bank.h"
 #include "core/base/error.h"
 #include "core/batch/journal.h"
 #include "core/batch/report.h"
@@ -26,6 +27,36 @@ Journal::Start start_of(const BatchRunOptions& options) {
   return options.overwrite ? Journal::Start::Anew : Journal::Start::New;
 }
 
+/// Before any work.
+void check_bank(const fs::path& folder, const Batch& batch, const BatchRunOptions& options) {
+  if (!batch.bank) return;
+  if (options.shard.count > 1)
+    throw Error(
+        "a shard has not all clips of a bank: make it of the .mcpr files when all are done");
+  const fs::path bank = folder / kBankOfBatch;
+  const bool own = options.resumed && fs::exists(folder / journal_name(options.shard));
+  if (fs::exists(bank) && !own && !options.overwrite)
+    throw WriteError(bank.string() + " exists: not overwritten");
+}
+
+/// False: there was no clip to put in, or it was ended early.
+bool make_bank_of(const fs::path& folder, runtime::BankForm form, JournalReader& reader,
+                  BatchControl& control, BatchProgress progress,
+                  const Observer<BatchProgress>& observer) {
+  std::vector<BankSource> sources;
+  reader.for_each([&](const BatchRow& row) {
+    if (row.done()) sources.push_back({row.output, folder / (row.output + ".mcpr"), {}});
+  });
+  if (sources.empty()) return false;
+  make_bank(folder / kBankOfBatch, std::move(sources), {.form = form},
+            [&](const BankProgress& bank) {
+              progress.bank = bank;
+              if (!should_continue(observer, progress)) control.cancel();
+              return control.may_continue();
+            });
+  return !control.cancelled();
+}
+
 }  // namespace
 
 std::string journal_name(const Shard& shard) {
@@ -39,6 +70,8 @@ std::string report_name(const Shard& shard) {
 BatchOutcome run_batch_in(const fs::path& folder, const Batch& batch,
                           const BatchRunOptions& options, BatchControl& control,
                           const Observer<BatchProgress>& observer) {
+  check(batch);
+  check_bank(folder, batch, options);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw WriteError(folder.string() + ": cannot be made: " + error.message());
@@ -53,6 +86,11 @@ BatchOutcome run_batch_in(const fs::path& folder, const Batch& batch,
   JournalReader reader(journal_path);
   write_batch_report(
       folder, suffix_of(options.shard), [&](const auto& visit) { reader.for_each(visit); }, 0);
+  if (batch.bank) {
+    outcome.has_bank =
+        make_bank_of(folder, *batch.bank, reader, control, {.counts = outcome.counts}, observer);
+    outcome.complete = !control.cancelled();
+  }
   return outcome;
 }
 

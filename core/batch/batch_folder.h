@@ -14,9 +14,13 @@ namespace mocapress {
 std::string journal_name(const Shard& shard);
 std::string report_name(const Shard& shard);
 
-/// run_batch() with the journal in `folder`, which is made, and the reports when nothing is waiting
-/// any more. Throws WriteError, also where the folder holds a journal and options neither resume
-/// nor overwrite.
+/// Of all clips, by the names of their outputs.
+inline constexpr const char* kBankOfBatch = "bank.mcpk";
+
+/// run_batch() with the journal in `folder`, which is made, and the reports and the bank when
+/// nothing is waiting any more. Throws WriteError, also where the folder holds a journal or a bank
+/// and options neither resume nor overwrite; and Error for what check() refuses, and for the bank
+/// of a shard, which has not all clips.
 BatchOutcome run_batch_in(const std::filesystem::path& folder, const Batch& batch,
                           const BatchRunOptions& options, BatchControl& control,
                           const Observer<BatchProgress>& observer = {});

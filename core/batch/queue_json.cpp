@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/queue_json.h"
 
+#include "core/bank/bank.h"
 #include "core/base/error.h"
 #include "core/batch/format_options_json.h"
 #include "core/mocapress/settings_json.h"
@@ -39,6 +40,7 @@ std::string queue_text(const Batch& batch) {
   put(json, batch.writing, "out_");
   for (const Settings& preset : batch.presets) json["presets"].push_back(to_json(preset));
   for (const OutputFormat format : batch.formats) json["formats"].push_back(name(format));
+  if (batch.bank) json["bank"] = name(*batch.bank);
   for (const BatchItem item : batch.items) {
     Json reading;
     if (item.reading) put(reading = Json::object(), *item.reading);
@@ -66,6 +68,11 @@ Batch parse_queue(const std::string& file, const std::string& text) {
       if (!known) throw Error("has an unknown format: " + format.get<std::string>());
       batch.formats.push_back(*known);
     }
+    if (const std::string form = text_at(json, "bank"); !form.empty()) {
+      batch.bank = bank_form(form);
+      if (!batch.bank) throw Error("has an unknown form of bank: " + form);
+    }
+    check(batch);
     batch.reading = format_options(json);
     batch.writing = format_options(json, "out_");
     for (const Json& clip : json.at("clips"))

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/bank/bank.h"
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/batch/clip_export.h"
@@ -56,13 +57,14 @@ struct BatchCounts {
   double bytes_under_way = 0;  // of clips that are being worked on, as far as they are
 };
 
-/// One step of one clip.
+/// One step of one clip, or of the bank that is made of all.
 struct BatchProgress {
   BatchCounts counts;
-  std::size_t index = 0;          // of the clip in the batch
-  ClipProgress clip;              // while it is being worked on
-  const BatchRow* row = nullptr;  // when it has ended
-  bool kept = false;              // by an earlier run
+  std::optional<BankProgress> bank;  // then what follows says nothing
+  std::size_t index = 0;             // of the clip in the batch
+  ClipProgress clip;                 // while it is being worked on
+  const BatchRow* row = nullptr;     // when it has ended
+  bool kept = false;                 // by an earlier run
 };
 
 struct BatchRunOptions {
@@ -77,6 +79,7 @@ struct BatchOutcome {
   BatchCounts counts;
   bool complete = true;  // false: some clips are still waiting
   Warnings warnings;     // of the journal; those of clips are in their rows
+  bool has_bank = false;
 };
 
 /// Does the clips of a shard into `folder`, each on one thread while there are others to do, the

@@ -14,6 +14,7 @@
 #include "app/studio/batch/batch_memory.h"
 #include "app/studio/batch/batch_window.h"
 #include "app/studio/document/preset_shelf.h"
+#include "core/bank/bank_file.h"
 #include "core/base/file.h"
 #include "core/batch/queue_json.h"
 #include "core/formats/motion_file.h"
@@ -178,6 +179,9 @@ TEST_F(BatchInTheStudio, GoesAwayWhilePausedWithoutWaitingForEver) {
 TEST_F(BatchInTheStudio, TheQueueOutlivesTheProgram) {
   addClips(3);
   session_.queue()->setOwn({2}, built_in_presets()[3]);
+  BatchSettings settings = session_.settings();
+  settings.bank = runtime::BankForm::Cooked;
+  session_.setSettings(settings);
   session_.start();  // remembers at once, whatever happens then
   const BatchSession later(path("memory.json"), &presets_);
   ASSERT_EQ(later.queue()->rowCount(), 3);
@@ -347,6 +351,19 @@ TEST_F(BatchInTheStudio, WritesItsQueueAndAScriptForSlurm) {
   ASSERT_EQ(queue.items.size(), 3u);
   EXPECT_EQ(queue.presets[queue.items[1].preset], built_in_presets()[3]);
   EXPECT_EQ(queue.presets[queue.items[2].preset], session_.queue()->common());
+}
+
+TEST_F(BatchInTheStudio, MakesABankOfItsCompressedFilesAndOfNothingElse) {
+  addClips(2);
+  BatchSettings settings = session_.settings();
+  settings.bank = runtime::BankForm::Packed;
+  session_.setSettings(settings);
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(BankFile(path("out/bank.mcpk").toStdString()).clips(), 2u);
+  settings.formats = {OutputFormat::Bvh};
+  session_.setSettings(settings);
+  EXPECT_FALSE(session_.obstacle().isEmpty());
 }
 
 TEST_F(BatchInTheStudio, WhileItRunsClipsAreRefusedAloud) {

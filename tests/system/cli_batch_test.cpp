@@ -213,6 +213,21 @@ TEST_F(CliBatch, WritesTheFormatsAndNamesAskedFor) {
   EXPECT_EQ(info.exit_code, 0) << info.err;
 }
 
+TEST_F(CliBatch, PutsItsFilesIntoABank) {
+  write_clips(2);
+  const Outcome made = mocapress(batch("out", {"--bank", "packed", "--json-progress"}));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr(R"("event":"bank-step")"));
+  EXPECT_THAT(made.out, HasSubstr("bank.mcpk"));
+  const Outcome listed = mocapress({"bank", "list", file("out/bank.mcpk"), "--json"});
+  EXPECT_THAT(listed.out, HasSubstr(R"("name": "in/clip_100")"));
+  const Outcome cooked = mocapress(batch("out", {"--bank", "cooked", "--resume"}));
+  ASSERT_EQ(cooked.exit_code, 0) << cooked.err;
+  EXPECT_THAT(cooked.err, HasSubstr("2 of 2 clips done, 2 of them before"));
+  EXPECT_THAT(mocapress({"bank", "list", file("out/bank.mcpk"), "--json"}).out,
+              HasSubstr(R"("form": "cooked")"));
+}
+
 TEST_F(CliBatch, ShardsAndTheirMergeAreAsOneRun) {
   write_clips(6);
   ASSERT_EQ(mocapress(batch("whole")).exit_code, 0);
@@ -246,6 +261,9 @@ TEST_F(CliBatch, WrongUseIsTwoAndNoInputThree) {
   EXPECT_EQ(mocapress(batch("out", {"--shard", "3/2"})).exit_code, 2);
   EXPECT_EQ(mocapress(batch("out", {"--format", "exe"})).exit_code, 2);
   EXPECT_EQ(mocapress(batch("out", {"--name", "{nothing}"})).exit_code, 2);
+  EXPECT_EQ(mocapress(batch("out", {"--bank", "raw"})).exit_code, 2);
+  EXPECT_EQ(mocapress(batch("out", {"--bank", "packed", "--format", "bvh"})).exit_code, 2);
+  EXPECT_EQ(mocapress(batch("out", {"--bank", "packed", "--shard", "1/2"})).exit_code, 2);
   EXPECT_EQ(mocapress(batch("out", {"--coding", "deflate"})).exit_code, 2);
   EXPECT_EQ(mocapress(batch("out", {"--ratio", "2", "--max-error", "1"})).exit_code, 2);
   EXPECT_EQ(mocapress(batch("out", {"--preset", "nothing"})).exit_code, 3);

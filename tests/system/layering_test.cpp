@@ -57,7 +57,7 @@ const std::map<std::string, RoomRules> kRooms = {
        "core/metrics", "core/feet", "core/baselines", "core/report", "core/mocapress"}}},
     {"core/bank", {{"core/base", "core/codec/format", "core/runtime"}}},
     {"core/batch",
-     {{"core/base", "core/motion", "core/formats", "core/codec/format", "core/codec/decode",
+     {{"core/base", "core/bank", "core/motion", "core/formats", "core/codec/format", "core/codec/decode",
        "core/codec/encode", "core/metrics", "core/feet", "core/baselines", "core/report",
        "core/mocapress"}}},
     {"resources", {{"core"}}},

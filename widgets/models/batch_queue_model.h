@@ -20,6 +20,7 @@ struct BatchSettings {
   QString folder;  // empty: not chosen yet
   QString names = QString::fromUtf8(kUsualNames);
   std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
+  std::optional<runtime::BankForm> bank;
   bool overwrite = false;
 
   bool operator==(const BatchSettings&) const = default;

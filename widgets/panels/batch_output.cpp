@@ -2,6 +2,7 @@
 #include "widgets/panels/batch_output.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QFormLayout>
 #include <QGridLayout>
@@ -18,6 +19,7 @@ BatchOutput::BatchOutput(QWidget* parent)
       folder_(new QPushButton(this)),
       names_(new QLineEdit(this)),
       example_(new QLabel(this)),
+      bank_(new QComboBox(this)),
       overwrite_(new QCheckBox(tr("Replace files that are there"), this)) {
   names_->setAccessibleName(tr("Pattern of the names"));
   names_->setToolTip(
@@ -50,6 +52,13 @@ BatchOutput::BatchOutput(QWidget* parent)
     ++i;
     connect(box, &QCheckBox::clicked, this, &BatchOutput::change);
   }
+  bank_->setAccessibleName(tr("Bank of all clips"));
+  bank_->addItem(tr("None"));
+  bank_->addItem(tr("Packed"), static_cast<int>(runtime::BankForm::Packed));
+  bank_->addItem(tr("Cooked"), static_cast<int>(runtime::BankForm::Cooked));
+  bank_->setToolTip(
+      tr("<p>All compressed files in one, bank.mcpk, beside them.<br>Packed: the smallest, for "
+         "shipping.<br>Cooked: engines sample clips as they lie in it.</p>"));
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setHorizontalSpacing(10);
@@ -59,9 +68,11 @@ BatchOutput::BatchOutput(QWidget* parent)
   form->addRow(tr("Names"), names_);
   form->addRow(QString(), example_);
   form->addRow(tr("Files"), grid);
+  form->addRow(tr("Bank"), bank_);
   form->addRow(QString(), overwrite_);
   connect(folder_, &QPushButton::clicked, this, &BatchOutput::folderRequested);
   connect(names_, &QLineEdit::textEdited, this, &BatchOutput::change);
+  connect(bank_, &QComboBox::activated, this, &BatchOutput::change);
   connect(overwrite_, &QCheckBox::clicked, this, &BatchOutput::change);
   setSettings({});
 }
@@ -78,6 +89,7 @@ void BatchOutput::setSettings(const BatchSettings& settings) {
   for (const auto& [format, box] : formats_)
     box->setChecked(std::find(settings.formats.begin(), settings.formats.end(), format) !=
                     settings.formats.end());
+  bank_->setCurrentIndex(settings.bank ? bank_->findData(static_cast<int>(*settings.bank)) : 0);
   overwrite_->setChecked(settings.overwrite);
 }
 
@@ -94,6 +106,9 @@ void BatchOutput::change() {
   settings_.formats.clear();
   for (const auto& [format, box] : formats_)
     if (box->isChecked()) settings_.formats.push_back(format);
+  const QVariant bank = bank_->currentData();
+  settings_.bank.reset();
+  if (bank.isValid()) settings_.bank = static_cast<runtime::BankForm>(bank.toInt());
   settings_.overwrite = overwrite_->isChecked();
   emit settingsChanged(settings_);
 }

@@ -7,6 +7,7 @@
 #include "widgets/models/batch_queue_model.h"
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -29,6 +30,7 @@ class BatchOutput : public QWidget {
   QPushButton* folder() const { return folder_; }
   QLineEdit* names() const { return names_; }
   QCheckBox* format(OutputFormat format) const { return formats_.at(format); }
+  QComboBox* bank() const { return bank_; }
   QCheckBox* overwrite() const { return overwrite_; }
 
  signals:
@@ -43,6 +45,7 @@ class BatchOutput : public QWidget {
   QLineEdit* names_;
   QLabel* example_;
   std::map<OutputFormat, QCheckBox*> formats_;
+  QComboBox* bank_;
   QCheckBox* overwrite_;
 };
 

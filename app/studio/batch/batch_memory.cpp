@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "core/bank/bank.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/batch/format_options_json.h"
@@ -52,6 +53,8 @@ BatchSettings settingsFrom(const Json& json) {
   for (const Json& format : json.at("formats"))
     if (const auto known = output_format(format.get<std::string>()))
       settings.formats.push_back(*known);
+  if (const auto bank = json.find("bank"); bank != json.end() && bank->is_string())
+    settings.bank = bank_form(bank->get<std::string>());
   return settings;
 }
 
@@ -79,6 +82,7 @@ void rememberBatch(const QString& file, const RememberedBatch& batch) {
                   {"names", batch.settings.names.toStdString()},
                   {"overwrite", batch.settings.overwrite},
                   {"formats", formats},
+                  {"bank", batch.settings.bank ? Json(name(*batch.settings.bank)) : Json()},
                   {"common", to_json(batch.common)},
                   {"clips", clips}};
   QDir().mkpath(QFileInfo(file).absolutePath());

@@ -287,7 +287,7 @@ std::vector<int> BatchSession::includedRows() const {
 
 /// The common preset first, then those of locked clips.
 Batch BatchSession::batch() const {
-  Batch batch{.presets = {queue_.common()}, .formats = settings_.formats};
+  Batch batch{.presets = {queue_.common()}, .formats = settings_.formats, .bank = settings_.bank};
   const std::string names = settings_.names.toStdString();
   for (const int row : includedRows()) {
     const QueuedClip& clip = queue_.clips()[static_cast<std::size_t>(row)];
@@ -334,6 +334,9 @@ QString BatchSession::obstacle() const {
     return tr("Every clip is left out. Tick those to export.");
   if (settings_.folder.isEmpty()) return tr("Choose the folder the files go to.");
   if (settings_.formats.empty()) return tr("Choose at least one kind of file.");
+  if (settings_.bank &&
+      std::ranges::find(settings_.formats, OutputFormat::Mcpr) == settings_.formats.end())
+    return tr("A bank is made of compressed files: choose these too.");
   return wrong ? example : QString();
 }
 
@@ -426,6 +429,10 @@ QString BatchSession::report() const {
 }
 
 void BatchSession::writeSlurm(const QString& path, int tasks) {
+  if (settings_.bank) {
+    emit noted(tr("No task has all clips of a bank: choose none to write a script."));
+    return;
+  }
   try {
     const QString queue = QDir(settings_.folder).filePath(QStringLiteral("queue.json"));
     const QString beside =

@@ -142,7 +142,8 @@ TEST(Queue, ComesBackFromItsFileAsItWas) {
   Batch batch{.presets = {built_in_presets().begin(), built_in_presets().end()},
               .formats = {OutputFormat::Bvh, OutputFormat::Mcpr},
               .reading = {.sample_rate_hz = 60.0, .bvh_root = TranslationConvention::Replaces},
-              .writing = {.cm_per_unit = 2.54, .up = UpAxis::Z}};
+              .writing = {.cm_per_unit = 2.54, .up = UpAxis::Z},
+              .bank = runtime::BankForm::Cooked};
   batch.items = {{.input = "/a/ü \"x\".bvh", .output = "a/x", .preset = 2},
                  {.input = "/b.amc",
                   .skeleton = "/c.asf",
@@ -153,6 +154,7 @@ TEST(Queue, ComesBackFromItsFileAsItWas) {
   const Batch read = parse_queue("", queue_text(batch));
   EXPECT_EQ(read.presets, batch.presets);
   EXPECT_EQ(read.formats, batch.formats);
+  EXPECT_EQ(read.bank, batch.bank);
   EXPECT_TRUE(read.items == batch.items);
   EXPECT_EQ(read.reading, batch.reading);
   EXPECT_EQ(read.writing, batch.writing);
@@ -163,6 +165,10 @@ TEST(Queue, ThatIsNoneOrLeavesItsFolderIsRefused) {
   EXPECT_THROW(parse_queue("", queue_text(batch)), InputError);
   for (const char* text : {"", "{}", "[]", R"({"mocapress_queue": 1})",
                            R"({"mocapress_queue": 1, "presets": [], "formats": ["exe"]})",
+                           R"({"mocapress_queue": 1, "presets": [], "formats": ["mcpr"],
+                               "bank": "raw", "clips": []})",
+                           R"({"mocapress_queue": 1, "presets": [], "formats": ["bvh"],
+                               "bank": "packed", "clips": []})",
                            R"({"mocapress_queue": 1, "presets": [], "formats": [],
                                "clips": [{"input": "a", "output": "b", "preset": 0}]})"})
     EXPECT_THROW(parse_queue("", text), InputError) << text;

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <thread>
 
+#include "core/bank/bank_file.h"
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/baselines/compared_file.h"
@@ -120,6 +121,56 @@ TEST_F(BatchRun, WantsToBeToldToResumeOrToBeginAnew) {
   EXPECT_THROW(run(batch()), WriteError);
   EXPECT_EQ(run(batch(), {.resumed = true}).counts.kept, 3u);
   EXPECT_EQ(run(batch(), {.overwrite = true}).counts.kept, 0u);
+}
+
+TEST_F(BatchRun, PutsAllFilesIntoABankByTheNamesOfTheirOutputs) {
+  Batch asked = batch();
+  for (const auto form : {runtime::BankForm::Packed, runtime::BankForm::Cooked}) {
+    asked.bank = form;
+    EXPECT_TRUE(run(asked, {.resumed = true}).has_bank);
+    const BankFile bank(out() / kBankOfBatch);
+    EXPECT_EQ(bank.bank().form, form);
+    ASSERT_EQ(bank.clips(), 3u);
+    EXPECT_EQ(bank.describe(0).name, "in/more/three");
+    EXPECT_TRUE(bank.play(0));
+    if (form == runtime::BankForm::Packed) {
+      EXPECT_EQ(bank.extract(bank.entry(1)), read_bytes(out() / "in/one.mcpr"));
+    }
+  }
+}
+
+TEST_F(BatchRun, LeavesWhatFailedOutOfTheBank) {
+  write_text(folder_ / "in/broken.bvh", "HIERARCHY");
+  Batch asked = batch();
+  asked.bank = runtime::BankForm::Packed;
+  EXPECT_EQ(run(asked).counts.failed, 1u);
+  EXPECT_EQ(BankFile(out() / kBankOfBatch).clips(), 3u);
+}
+
+TEST_F(BatchRun, MakesNoBankWhereItMayNotOrCannot) {
+  Batch asked = batch();
+  asked.bank = runtime::BankForm::Packed;
+  EXPECT_THROW(run(asked, {.shard = {1, 2}}), Error);
+  Batch without_files = asked;
+  without_files.formats = {OutputFormat::Bvh};
+  EXPECT_THROW(run(without_files), Error);
+  fs::create_directories(out());
+  write_text(out() / kBankOfBatch, "somebody's");
+  for (const bool resumed : {false, true})
+    EXPECT_THROW(run(asked, {.resumed = resumed}), WriteError);
+  EXPECT_EQ(read_text(out() / kBankOfBatch), "somebody's");
+}
+
+TEST_F(BatchRun, CancelledAtTheBankLeavesNoneAndMakesItWhenResumed) {
+  Batch asked = batch();
+  asked.bank = runtime::BankForm::Packed;
+  const BatchOutcome stopped =
+      run(asked, {}, [](const BatchProgress& progress) { return !progress.bank; });
+  EXPECT_FALSE(stopped.complete);
+  EXPECT_FALSE(fs::exists(out() / kBankOfBatch));
+  const BatchOutcome resumed = run(asked, {.resumed = true});
+  EXPECT_EQ(resumed.counts.kept, 3u);
+  EXPECT_TRUE(resumed.complete && resumed.has_bank);
 }
 
 TEST_F(BatchRun, CancelledAtAnyStepAndResumedIsAsIfUndisturbed) {
