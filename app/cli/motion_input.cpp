@@ -50,12 +50,21 @@ void MotionInput::add_options(CLI::App& command) {
   add_format_options(command, "", ", whatever the file says", options);
 }
 
+void MotionInput::add_character_option(CLI::App& command) {
+  command
+      .add_option("--character", character,
+                  "An .fbx or glTF whose mesh the clip's joints carry, of the same names: what "
+                  "--weighting skin measures")
+      ->type_name("FILE");
+}
+
 void MotionOutput::add_options(CLI::App& command) {
   add_format_options(command, "out-", " of what is written [as its source had it]", options);
 }
 
 MotionFile MotionInput::read_file(const std::string& path) const {
   MotionFile file = read_motion(path, skeleton, options);
+  if (character) put_character(*character, file);
   print_warnings(file.warnings);
   return file;
 }

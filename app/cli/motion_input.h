@@ -12,9 +12,13 @@ namespace mocapress::cli {
 /// How to read the source motion of a command: the options several commands share.
 struct MotionInput {
   std::optional<std::string> skeleton;
+  std::optional<std::string> character;
   ReadOptions options;
 
   void add_options(CLI::App& command);
+
+  /// Of commands that measure.
+  void add_character_option(CLI::App& command);
 
   /// Reads the file and says on standard error what was repaired or guessed.
   MotionFile read_file(const std::string& path) const;

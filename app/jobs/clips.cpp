@@ -13,6 +13,7 @@
 #include "core/codec/format/source_section.h"
 #include "core/metrics/rate.h"
 #include "core/motion/forward_kinematics.h"
+#include "core/motion/skin_points.h"
 
 namespace mocapress {
 
@@ -130,6 +131,39 @@ DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original) {
       measure(original.motion().skeleton, original.encoder->original_body(), result.clip);
   findArtifacts(result, *original.encoder, original.encoder->contacts());
   return std::make_shared<const DecodedClip>(std::move(result));
+}
+
+DecodedPtr measuredAgain(const DecodedClip& decoded, const OriginalClip& original) {
+  DecodedClip result = decoded;
+  result.distortion =
+      measure(original.motion().skeleton, original.encoder->original_body(), result.clip);
+  return std::make_shared<const DecodedClip>(std::move(result));
+}
+
+void dress(Skeleton& skeleton, const PutCharacter& put, const Skin* own) {
+  measure_on(own, skeleton);
+  const auto& [skeleton_of_it, skin] = put.character;
+  if (!skin) return;
+  try {
+    const Skin bound = bound_to(*skin, skeleton_of_it, skeleton);
+    measure_on(&bound, skeleton);
+  } catch (const Error&) {
+    // It is of other joints: the clip keeps its own.
+  }
+}
+
+OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character) {
+  OriginalClip result = original;
+  Motion motion = original.motion();
+  dress(motion.skeleton, character, original.skin.get());
+  if (character.character.skin)
+    result.character = character.path;
+  else
+    result.character.clear();
+  result.encoder = std::make_shared<const Encoder>(std::move(motion));
+  result.encoder->original_tracks();
+  result.encoder->contacts();
+  return std::make_shared<const OriginalClip>(std::move(result));
 }
 
 std::vector<std::byte> savedFile(const DecodedClip& decoded, const OriginalClip* original) {

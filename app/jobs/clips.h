@@ -28,6 +28,12 @@ using Poses = std::function<void(int frame, Pose& pose)>;
 /// World positions as landmark_tracks() gives them: frames x 3 * landmarks, cm.
 using Tracks = std::shared_ptr<const Eigen::MatrixXd>;
 
+/// What was put on clips, and the file it came from.
+struct PutCharacter {
+  Character character;
+  QString path;  // empty: none was
+};
+
 /// A motion as read from a file, ready to be compressed.
 struct OriginalClip {
   QString path;
@@ -37,6 +43,7 @@ struct OriginalClip {
   bool states_rate = true;  // the file does
   Warnings warnings;
   std::shared_ptr<const Skin> skin;  // null: the file has none
+  QString character;  // path of the one that was put on it, also of one that does not fit
   Takes takes;
   ClipOutline outline;
   CodedTracks scalars;  // morph weights and the like, as a .mcpr keeps them
@@ -97,6 +104,16 @@ DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original,
 
 /// The same clip, measured against its original.
 DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original);
+
+/// The same clip, with the errors of its skin, as the original has it now.
+DecodedPtr measuredAgain(const DecodedClip& decoded, const OriginalClip& original);
+
+/// Puts the character on the joints, where it fits: Weighting::Skin measures on it. Else, or where
+/// none was put on, on the skin of the file.
+void dress(Skeleton& skeleton, const PutCharacter& character, const Skin* own);
+
+/// The same clip with another character on it.
+OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character);
 
 /// Writes a compressed clip. What the disk gives back is verified before it takes its place:
 /// against its original where it was encoded here, else by being read. Throws Error.

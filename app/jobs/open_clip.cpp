@@ -28,11 +28,24 @@ OpenedClip openCompressed(const OpenRequest& request) {
           decodedClip(std::move(opened), original.get(), load_source(toPath(request.path)))};
 }
 
+PutCharacter characterOf(const OpenRequest& request) {
+  PutCharacter put = request.character;
+  if (put.path.isEmpty() || put.character.skin) return put;
+  try {
+    put.character = read_character(toPath(put.path));
+  } catch (const Error&) {
+    // Session::recallCharacter() says why not.
+  }
+  return put;
+}
+
 OriginalPtr readOriginal(const OpenRequest& request) {
   const ReadOptions reading = request.reading.value_or(ReadOptions());
   if (request.original && request.original->path == request.path &&
       request.original->reading == reading)
-    return request.original;
+    return request.original->character == request.character.path
+               ? request.original
+               : dressed(*request.original, characterOf(request));
   std::optional<std::filesystem::path> skeleton;
   if (!request.skeleton.isEmpty()) skeleton = toPath(request.skeleton);
   MotionFile file = read_motion(toPath(request.path), skeleton, reading);
@@ -49,6 +62,10 @@ OriginalPtr readOriginal(const OpenRequest& request) {
   original.scalars = encode_tracks(file.tracks, kUsualTrackError);
   // Here, off the GUI thread, and not where they are first shown.
   original.outline = outlineOf(file.motion, original.skin.get());
+  if (const PutCharacter put = characterOf(request); put.character.skin) {
+    original.character = put.path;
+    dress(file.motion.skeleton, put, original.skin.get());
+  }
   original.encoder = std::make_shared<const Encoder>(std::move(file.motion));
   original.encoder->original_tracks();
   original.encoder->contacts();

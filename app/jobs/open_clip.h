@@ -23,6 +23,7 @@ struct OpenRequest {
 
   /// By what to compress it; unset: as the last clip was.
   std::optional<EncodeOptions> options;
+  PutCharacter character;  // to put on it; a path alone: it is read, and none if it cannot be
   std::optional<ReadOptions> reading;  // of a motion; unset: as the clip was read last
   std::string comparison;  // of a motion: the comparison method to show, by `options`; else empty
 };

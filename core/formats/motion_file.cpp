@@ -15,6 +15,7 @@
 #include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
 #include "core/motion/clip.h"
+#include "core/motion/skin_points.h"
 
 namespace mocapress {
 namespace {
@@ -94,6 +95,18 @@ Character read_character(const path& file) {
   const std::string bytes = read_text(file);
   return is_fbx ? read_fbx_character(file.string(), bytes)
                 : read_gltf_character(file.string(), bytes);
+}
+
+void put_character(const path& file, MotionFile& clip) {
+  const Character character = read_character(file);
+  Skeleton& skeleton = clip.motion.skeleton;
+  try {
+    clip.skin =
+        std::make_shared<const Skin>(bound_to(*character.skin, character.skeleton, skeleton));
+  } catch (const Error& error) {
+    throw InputError(file.string(), 0, 0, std::string("cannot be put on: ") + error.what());
+  }
+  measure_on(clip.skin.get(), skeleton);
 }
 
 Motion exported_motion(const Motion& motion, const SourceFormat& source,

@@ -69,6 +69,10 @@ MotionFile read_motion(const std::filesystem::path& path,
 /// What the figure of a .fbx, .gltf or .glb looks like. It needs no animation. Throws InputError.
 Character read_character(const std::filesystem::path& path);
 
+/// Puts a character on the clip in place of its own, if it has one: what it looks like, and what
+/// Weighting::Skin measures. Throws InputError that names the joint that the clip lacks.
+void put_character(const std::filesystem::path& character, MotionFile& clip);
+
 /// Writes .bvh, .glb, .gltf, .csv, or .amc with the skeleton at `skeleton_path` (by default beside
 /// the .amc, same name, extension .asf), by the extension of `path`: in the axes and, of its
 /// source's kind, the unit and root convention that `source` had, unless `options` ask for others.

@@ -288,9 +288,7 @@ MotionFile MotionBuilder::build() {
   warn_of_scale();
   add_scales();
   add_skin();
-  if (skin_)
-    if (SkinPoints points = points_on(*skin_); !points.empty())
-      skeleton_.set_skin(std::make_shared<const SkinPoints>(std::move(points)));
+  measure_on(skin_.get(), skeleton_);
   Motion motion{std::move(skeleton_), {take_.sample_rate_hz, {}}};
   motion.clip.channels.resize(take_.frames, static_cast<Eigen::Index>(channels_.size()));
   for (std::size_t c = 0; c < channels_.size(); ++c)

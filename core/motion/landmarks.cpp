@@ -131,7 +131,9 @@ std::vector<Landmark> shell_points(const Skeleton& skeleton) {
 
 void require_measurable(const Skeleton& skeleton, Weighting weighting) {
   if (weighting == Weighting::Skin && !skeleton.skin())
-    throw Error("the weighting skin needs a clip with a mesh on its joints");
+    throw Error(
+        "the weighting skin needs a clip with a mesh on its joints, or a character that is put on "
+        "it");
 }
 
 MeasuredPoints measured_points(const Skeleton& skeleton, Weighting weighting) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace mocapress {
 namespace {
@@ -86,6 +87,13 @@ SkinPoints points_on(const Skin& skin) {
     points.push_back(point_in(skin, triangle, {1 - u - v, u, v}));
   }
   return points;
+}
+
+void measure_on(const Skin* skin, Skeleton& skeleton) {
+  SkinPoints points;
+  if (skin) points = points_on(*skin);
+  skeleton.set_skin(points.empty() ? nullptr
+                                   : std::make_shared<const SkinPoints>(std::move(points)));
 }
 
 MeasuredPoints carried_points(const SkinPoints& skin, const Skeleton& skeleton) {

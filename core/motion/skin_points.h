@@ -14,6 +14,10 @@ namespace mocapress {
 /// same for the same mesh. Empty for a mesh without area.
 SkinPoints points_on(const Skin& skin);
 
+/// From now on Weighting::Skin measures this skin on the skeleton's joints. Null, or without area:
+/// none.
+void measure_on(const Skin* skin, Skeleton& skeleton);
+
 /// A squared error of all points, as one of points that are fixed to joints, which is what an
 /// ErrorModel takes. Each share of a point stands alone there: where joints that carry a point move
 /// apart, its error is overrated, as the square of a mean is less than the mean of squares. What

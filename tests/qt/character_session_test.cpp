@@ -75,6 +75,55 @@ TEST_F(CharacterSession, PuttingOneOnIsUndone) {
   EXPECT_TRUE(document_.skin());
 }
 
+TEST_F(CharacterSession, IsMeasuredOnWhereItWasPutOn) {
+  const auto settle = [&](const auto& act) {
+    QSignalSpy settled(&session_, &Session::settled);
+    act();
+    ASSERT_TRUE(settled.wait(kPatience));
+  };
+  settle([&] { session_.open(sample("human_walk.amc")); });
+  EXPECT_FALSE(document_.decoded()->distortion->skin);
+  const std::vector<std::byte> file = document_.decoded()->file;
+
+  // The clip is not compressed again for it.
+  settle([&] { session_.putCharacter(sample("character.glb")); });
+  ASSERT_TRUE(document_.skeleton()->skin());
+  EXPECT_TRUE(document_.decoded()->distortion->skin);
+  EXPECT_EQ(document_.decoded()->file, file);
+
+  // It can be: by the mesh.
+  EncodeOptions by_skin = document_.options();
+  by_skin.weighting = Weighting::Skin;
+  by_skin.target = {Target::Kind::Error, 0.4};
+  settle([&] { session_.setOptions(by_skin); });
+  EXPECT_LE(document_.decoded()->distortion->eps(Weighting::Skin), 0.4);
+  const QString saved = folder_.filePath(QStringLiteral("walk.mcpr"));
+  QSignalSpy written(&session_, &Session::saved);
+  session_.save(saved);
+  ASSERT_TRUE(written.wait(kPatience));
+
+  // The next clip has it from the beginning.
+  settle([&] { session_.open(sample("human_run.amc")); });
+  EXPECT_TRUE(document_.skeleton()->skin());
+  settle([&] { session_.open(sample("human_walk.amc")); });
+  EXPECT_EQ(document_.options().weighting, Weighting::Skin);
+
+  // Without it there is nothing to measure on.
+  settle([&] {
+    session_.history()->undo();
+    session_.history()->undo();
+  });
+  EXPECT_FALSE(document_.skeleton()->skin());
+  EXPECT_EQ(document_.options().weighting, Weighting::Surface);
+  EXPECT_FALSE(document_.decoded()->distortion->skin);
+  settle([&] {
+    session_.history()->redo();
+    session_.history()->redo();
+  });
+  EXPECT_EQ(document_.options().weighting, Weighting::Skin);
+  EXPECT_TRUE(document_.decoded()->distortion->skin);
+}
+
 TEST_F(CharacterSession, ComesBackWithItsProject) {
   const QString project = folder_.filePath(QStringLiteral("walkers.mocapress"));
   {
@@ -84,9 +133,11 @@ TEST_F(CharacterSession, ComesBackWithItsProject) {
     QSignalSpy settled(&session, &Session::settled);
     session.open(sample("human_walk.amc"));
     ASSERT_TRUE(settled.wait(kPatience));
-    QSignalSpy put(&session, &Session::characterPut);
     session.putCharacter(sample("character.glb"));
-    ASSERT_TRUE(put.wait(kPatience));
+    ASSERT_TRUE(settled.wait(kPatience));
+    EncodeOptions by_skin = session.document().options();
+    by_skin.weighting = Weighting::Skin;
+    session.setOptions(by_skin);
     library.setShowsSkin(false);
     ASSERT_TRUE(library.saveAs(project));
   }
@@ -95,9 +146,13 @@ TEST_F(CharacterSession, ComesBackWithItsProject) {
   Library library(&session, &model);
   ASSERT_TRUE(library.open(project));
   EXPECT_FALSE(library.showsSkin());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session.document().skin() != nullptr; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return session.document().skin() && session.document().original(); }, kPatience));
   EXPECT_EQ(session.document().character().path,
             QFileInfo(sample("character.glb")).absoluteFilePath());
+
+  EXPECT_EQ(session.document().options().weighting, Weighting::Skin);
+  EXPECT_TRUE(session.document().skeleton()->skin());
 
   // Another project has none.
   ASSERT_TRUE(library.startNew());

@@ -457,6 +457,23 @@ TEST_F(Cli, MeasuresOnTheSkinOfAClipWithAMesh) {
   EXPECT_THAT(refused.err, testing::HasSubstr("the weighting skin needs a clip with a mesh"));
 }
 
+TEST_F(Cli, MeasuresOnTheSkinOfACharacterThatIsPutOn) {
+  const std::string samples = std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/";
+  const std::string character = samples + "character.glb";
+  if (!std::filesystem::exists(character)) GTEST_SKIP() << "no sample character";
+  const std::string walk = samples + "human_walk.amc";
+  const json report = json_of({"compress", walk, "-o", packed_, "--character", character,
+                               "--weighting", "skin", "--target-error", "0.3", "--json"});
+  EXPECT_EQ(report["eps_x_cm"], report["skin_rms_cm"]);
+  EXPECT_LE(report["skin_rms_cm"], 0.3);
+  const json measured = json_of({"measure", walk, packed_, "--character", character, "--json"});
+  EXPECT_NEAR(measured["skin_max_cm"].get<double>(), report["skin_max_cm"].get<double>(), 1e-6);
+
+  const auto refused = mocapress({"compress", clip_, "--character", character});
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_THAT(refused.err, testing::HasSubstr("cannot be put on: the clip has no joint"));
+}
+
 TEST_F(Cli, KeepsMorphWeightsWithinTheirOwnBound) {
   SmallGltf gltf = bending_knee();
   gltf.json["nodes"].push_back({{"name", "Face"}, {"mesh", 0}});

@@ -58,7 +58,10 @@ void Presenter::connectDocument() {
   connect(session_, &Session::openFailed, this, &Presenter::showTakes);
   connect(document, &Document::decodedChanged, this, &Presenter::showDecoded);
   connect(document, &Document::shownChanged, this, &Presenter::showShown);
-  connect(document, &Document::skinChanged, this, &Presenter::showSkin);
+  connect(document, &Document::skinChanged, this, [this] {
+    showSkin();
+    showSkeleton();
+  });
   connect(document, &Document::curvesChanged, this, &Presenter::showCurves);
   connect(document, &Document::currentJointChanged, this, &Presenter::showCurrentJoint);
   connect(document, &Document::optionsChanged, this, &Presenter::showOptions);
@@ -113,11 +116,9 @@ void Presenter::showClip() {
   views_.viewport->setSkeleton(skeleton);
   views_.viewport->setSampleRate(document.sampleRate());
   showSkin();
-  views_.viewport->setOriginal(original ? original->tracks() : nullptr,
-                               original ? original->poses() : Poses());
   views_.warnings->setWarnings(original ? original->warnings : Warnings());
   views_.compression->setEnabled(original != nullptr);
-  views_.compression->setSkeleton(skeleton);
+  showSkeleton();
   views_.importance->setEnabled(original != nullptr);
   views_.importance->setSkeleton(skeleton);
   showOptions();
@@ -127,6 +128,15 @@ void Presenter::showClip() {
   showDecoded();
   showShown();
   showCurrentJoint();
+}
+
+/// With what a character that was put on lets be chosen.
+void Presenter::showSkeleton() {
+  const Document& document = session_->document();
+  const OriginalPtr& original = document.original();
+  views_.compression->setSkeleton(document.skeleton() ? *document.skeleton() : Skeleton());
+  views_.viewport->setOriginal(original ? original->tracks() : nullptr,
+                               original ? original->poses() : Poses());
 }
 
 void Presenter::showTakes() {

@@ -101,17 +101,32 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
   }
   if (!decoded_ && now.encode.correction)
     now.encode.correction->joints.clear();  // they were another skeleton's
-  for (ClipSettings& each : tuning_.both) {
-    each.encode.contacts = contactsBy(each.contacts);
-    if (skeleton() && !skeleton()->skin() && each.encode.weighting == Weighting::Skin)
-      each.encode.weighting = Weighting::Surface;  // the clip before had a mesh
-  }
+  for (ClipSettings& each : tuning_.both) each.encode.contacts = contactsBy(each.contacts);
+  leaveMissingSkin();
   findSkin();
   emit clipChanged();
   emit optionsChanged();
   emit decodedChanged();
   emit shownChanged();
   emit titleChanged();
+}
+
+/// The clip before had a mesh, or a character that was taken off.
+void Document::leaveMissingSkin() {
+  if (!skeleton() || skeleton()->skin()) return;
+  for (ClipSettings& each : tuning_.both)
+    if (each.encode.weighting == Weighting::Skin) each.encode.weighting = Weighting::Surface;
+}
+
+void Document::setDressed(OriginalPtr original, DecodedPtr decoded) {
+  original_ = std::move(original);
+  if (saved_ == decoded_) saved_ = decoded;
+  decoded_ = std::move(decoded);
+  leaveMissingSkin();
+  emit skinChanged();
+  emit optionsChanged();
+  emit decodedChanged();
+  emit shownChanged();
 }
 
 void Document::setDecoded(DecodedPtr decoded, bool final) {

@@ -27,12 +27,6 @@ struct Tuning {
   const ClipSettings& other() const { return both[static_cast<std::size_t>(1 - active)]; }
 };
 
-/// What was put on clips, and the file it came from.
-struct PutCharacter {
-  Character character;
-  QString path;  // empty: none was
-};
-
 /// What is open: values and their changes, no work and no widgets. Curves, current joint and
 /// options outlive the clip.
 class Document : public QObject {
@@ -105,6 +99,9 @@ class Document : public QObject {
 
   void setDecoded(DecodedPtr decoded, bool final);
 
+  /// The clip that is open, with another character on it. It was decoded and measured on that.
+  void setDressed(OriginalPtr original, DecodedPtr decoded);
+
   /// To these options no answer will come.
   void setUnanswered();
 
@@ -147,6 +144,7 @@ class Document : public QObject {
  private:
   std::shared_ptr<const Skin> ownSkin() const { return original_ ? original_->skin : nullptr; }
   void findSkin();
+  void leaveMissingSkin();
 
   Importance importanceIn(const Skeleton& next) const;
 

@@ -60,6 +60,8 @@ void Session::close() {
   compressor_.setEncoder(nullptr);
   document_.setClip(nullptr, nullptr, {});
   dressing_.abandon();
+  wearing_.abandon();
+  recalled_character_.clear();
   document_.setCharacter({});
   takeUp({}, false);
   slot_answers_ = {};
@@ -122,6 +124,8 @@ void Session::readBy(const ReadOptions& reading, std::function<void()> then) {
 
 void Session::start(OpenRequest request, std::function<void()> then) {
   if (!request.reading && reading_memory_) request.reading = reading_memory_(request.path);
+  request.character =
+      recalled_character_.isEmpty() ? document_.character() : PutCharacter{{}, recalled_character_};
   emit opening(request.path);
   opening_.start([request](const Job& job) { return openClip(request, job); },
                  [this, request, then = std::move(then)](const OpenedClip& opened) {
@@ -162,6 +166,7 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
     emit settled();
   else
     compressor_.request(document_.options());
+  wear();
 }
 
 /// What was done to the clip that is open is there again when it is opened again.
@@ -279,7 +284,8 @@ void Session::apply(const Tuning& tuning) {
   if (!document_.original()) return;
   emit recompressing();
   // Contacts may be those of the take that is being read: it is compressed once it is there.
-  if (!opening_.busy()) compressor_.request(document_.options());
+  // Its skin may be that of a character that is being put on.
+  if (!opening_.busy() && !wearing_.busy()) compressor_.request(document_.options());
 }
 
 void Session::answer(const DecodedPtr& decoded, bool final) {
@@ -345,14 +351,54 @@ void Session::putCharacter(const QString& path) {
                                                                QString::fromUtf8(error.what())));
     }
     history()->push(new EditStep(
-        tr("Character"), [this, put] { document_.setCharacter(put); },
-        [this, before = document_.character()] { document_.setCharacter(before); }));
+        tr("Character"), [this, put] { setCharacter(put); },
+        [this, before = document_.character()] { setCharacter(before); }));
     emit characterPut(file);
   });
 }
 
 void Session::recallCharacter(const QString& path) {
-  readCharacter(path, [this](const PutCharacter& put) { document_.setCharacter(put); });
+  recalled_character_ = absolute(path);
+  readCharacter(path, [this](const PutCharacter& put) { setCharacter(put); });
+}
+
+void Session::setCharacter(const PutCharacter& character) {
+  recalled_character_.clear();
+  document_.setCharacter(character);
+  wear();
+}
+
+void Session::wear() {
+  wearing_.abandon();
+  const OriginalPtr original = document_.original();
+  const PutCharacter& character = document_.character();
+  // What is being opened gets it there, or once it is open.
+  if (!original || opening_.busy() || !recalled_character_.isEmpty() ||
+      original->character == character.path)
+    return;
+  struct Worn {
+    OriginalPtr original;
+    DecodedPtr decoded;
+  };
+  const DecodedPtr decoded = document_.decoded();
+  wearing_.start(
+      [original, decoded, character](const Job&) {
+        Worn worn{dressed(*original, character), nullptr};
+        if (decoded) worn.decoded = measuredAgain(*decoded, *worn.original);
+        return worn;
+      },
+      [this, decoded, key = settingsKey(document_.options())](const Worn& worn) {
+        // Only errors on the skin are others, unless that is what was compressed by.
+        const bool stands = decoded && document_.final() && document_.decoded() == decoded &&
+                            document_.options().weighting != Weighting::Skin &&
+                            settingsKey(document_.options()) == key;
+        compressor_.setEncoder(worn.original->encoder);
+        slot_answers_ = {};
+        document_.setDressed(worn.original, stands ? worn.decoded : document_.decoded());
+        emit slotsChanged();
+        stands ? emit settled() : compressor_.request(document_.options());
+      },
+      [this](const QString& message) { emit characterFailed(message); });
 }
 
 void Session::readCharacter(const QString& path, std::function<void(const PutCharacter&)> then) {
@@ -360,7 +406,11 @@ void Session::readCharacter(const QString& path, std::function<void(const PutCha
       [path = absolute(path)](const Job&) {
         return PutCharacter{read_character(path.toStdU16String()), path};
       },
-      std::move(then), [this](const QString& message) { emit characterFailed(message); });
+      std::move(then),
+      [this](const QString& message) {
+        recalled_character_.clear();
+        emit characterFailed(message);
+      });
 }
 
 }  // namespace mocapress

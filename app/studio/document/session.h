@@ -103,7 +103,7 @@ class Session : public QObject {
   void recallCharacter(const QString& path);
 
   /// An answer is on its way, or a better one.
-  bool busy() const { return compressor_.busy(); }
+  bool busy() const { return compressor_.busy() || wearing_.busy(); }
   bool refining() const { return compressor_.refining(); }
 
  signals:
@@ -148,6 +148,10 @@ class Session : public QObject {
   void readAs(const QString& step, const ReadOptions& reading);
   void readBy(const ReadOptions& reading, std::function<void()> then = {});
 
+  void setCharacter(const PutCharacter& character);
+
+  /// Measures on the document's character what is open; sees to it that nothing else is.
+  void wear();
   void readCharacter(const QString& path, std::function<void(const PutCharacter&)> then);
 
   /// `then`: once it is open.
@@ -174,6 +178,8 @@ class Session : public QObject {
   JobRunner saving_;
   JobRunner exporting_;
   JobRunner dressing_;
+  JobRunner wearing_;
+  QString recalled_character_;  // on its way; empty: none is
 };
 
 }  // namespace mocapress

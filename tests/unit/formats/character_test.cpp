@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The sample character, which glTF and FBX hold alike and two readers read.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/formats/motion_file.h"
 #include "tests/support/corpus.h"
+#include "tests/support/test_motion.h"
 
 namespace mocapress {
 namespace {
@@ -83,6 +85,27 @@ TEST_F(Character, IsPutOntoAnAcclaimClip) {
                 0.05)
           << name;
   }
+}
+
+TEST_F(Character, ThatIsPutOnIsWhatTheWeightingSkinMeasures) {
+  MotionFile amc = read_motion(folder_ / "human_walk.amc");
+  EXPECT_FALSE(amc.motion.skeleton.skin());
+  put_character(folder_ / "character.glb", amc);
+  ASSERT_TRUE(amc.motion.skeleton.skin());
+  const MotionFile own = read_motion(folder_ / "character.glb");
+  EXPECT_EQ(amc.motion.skeleton.skin()->size(), own.motion.skeleton.skin()->size());
+}
+
+TEST_F(Character, IsNotPutOntoJointsOfOtherNames) {
+  MotionFile other{.motion = test::smooth_motion(10)};
+  try {
+    put_character(folder_ / "character.glb", other);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("character.glb: cannot be put on: the clip has "
+                                                 "no joint"));
+  }
+  EXPECT_FALSE(other.skin);
 }
 
 TEST_F(Character, ComesWithoutItsMotion) {
