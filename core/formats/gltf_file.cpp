@@ -376,8 +376,9 @@ GltfFile::View GltfFile::view(const GltfJson& object, std::size_t count, std::si
   const std::string which = "bufferView " + std::to_string(*index_of_view);
   const GltfJson& stated = list("bufferViews")[*index_of_view];
   const GltfJson* extensions = member(stated, "extensions");
-  if (extensions && extensions->is_object() && extensions->contains("EXT_meshopt_compression"))
-    fail(which + " is compressed by EXT_meshopt_compression, which is not read");
+  for (const char* packed : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+    if (extensions && extensions->is_object() && extensions->contains(packed))
+      fail(which + " is compressed by " + packed + ", which is not read");
   const std::string& bytes = buffer(required_index(stated, "buffer", "buffers"));
   const std::size_t view_begin = size(stated, "byteOffset", 0);
   const std::size_t view_bytes = size(stated, "byteLength", 0);

@@ -32,6 +32,35 @@ std::vector<Vector3d> points_of(const std::vector<double>& values) {
   return points;
 }
 
+/// KHR_texture_transform: where in the picture a place in it is looked up.
+class PlaceInPicture {
+ public:
+  PlaceInPicture(const GltfFile& file, const GltfJson& texture)
+      : set_(file.size(texture, "texCoord", 0)) {
+    const auto extensions = texture.find("extensions");
+    if (extensions == texture.end() || !extensions->is_object()) return;
+    const auto stated = extensions->find("KHR_texture_transform");
+    if (stated == extensions->end() || !stated->is_object()) return;
+    set_ = file.size(*stated, "texCoord", set_);
+    if (const auto offset = file.numbers(*stated, "offset", 2))
+      moved_.translate(Eigen::Vector2d(offset->data()));
+    // Counter-clockwise, where the second coordinate points down.
+    if (const auto angle = stated->find("rotation"); angle != stated->end() && angle->is_number())
+      moved_.rotate(-angle->get<double>());
+    if (const auto scale = file.numbers(*stated, "scale", 2))
+      moved_.scale(Eigen::Vector2d(scale->data()));
+  }
+
+  std::string attribute() const { return "TEXCOORD_" + std::to_string(set_); }
+  Eigen::Vector2d operator()(double across, double down) const {
+    return moved_ * Eigen::Vector2d(across, down);
+  }
+
+ private:
+  std::size_t set_;
+  Eigen::Affine2d moved_ = Eigen::Affine2d::Identity();
+};
+
 class MeshReader {
  public:
   MeshReader(GltfFile& file, const GltfTake& take, Warnings& warnings);
@@ -39,6 +68,7 @@ class MeshReader {
   std::vector<NodeMesh> read();
 
  private:
+  bool is_left_out(const GltfJson& mesh, const GltfJson& primitive);
   std::vector<NodeMesh::Bone> bones_of(std::size_t node);
   std::vector<NodeMesh::Bone> bones_of_skin(std::size_t skin);
   NodeMesh mesh_of(const GltfJson& primitive, std::vector<NodeMesh::Bone> bones, bool skinned);
@@ -79,10 +109,42 @@ std::vector<NodeMesh> MeshReader::read() {
     const std::vector<NodeMesh::Bone> bones = skin ? bones_of_skin(*skin) : bones_of(n);
     if (bones.empty()) continue;
     for (const GltfJson& primitive : file_.list(stated[mesh], "primitives"))
-      if (file_.size(primitive, "mode", kTriangles) == kTriangles)
+      if (file_.size(primitive, "mode", kTriangles) == kTriangles &&
+          !is_left_out(stated[mesh], primitive))
         meshes.push_back(mesh_of(primitive, bones, skin.has_value()));
   }
   return meshes;
+}
+
+/// With a warning: bytes that only an extension can unpack are no reason to refuse the motion.
+bool MeshReader::is_left_out(const GltfJson& mesh, const GltfJson& primitive) {
+  std::string extension;
+  const auto note = [&](const GltfJson& object) {
+    const auto extensions = object.find("extensions");
+    if (extensions == object.end() || !extensions->is_object()) return;
+    for (const char* one :
+         {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"})
+      if (extensions->contains(one)) extension = one;
+  };
+  const auto note_view = [&](const GltfJson& object, const char* key) {
+    if (const auto accessor = file_.index(object, key, "accessors"))
+      if (const auto view =
+              file_.index(file_.list("accessors")[*accessor], "bufferView", "bufferViews"))
+        note(file_.list("bufferViews")[*view]);
+  };
+  note(primitive);
+  note_view(primitive, "indices");
+  if (const auto attributes = primitive.find("attributes");
+      attributes != primitive.end() && attributes->is_object())
+    for (const auto& [key, accessor] : attributes->items()) note_view(*attributes, key.c_str());
+  if (extension.empty()) return false;
+  const std::string name = file_.text(mesh, "name");
+  const std::string what = (name.empty() ? "a mesh" : "the mesh " + name) +
+                           " is not read: it is compressed by " + extension;
+  if (std::none_of(warnings_.begin(), warnings_.end(),
+                   [&](const Warning& warning) { return warning.message == what; }))
+    warnings_.push_back({file_.name(), 0, what});
+  return true;
 }
 
 /// The node of the take that carries what a node draws.
@@ -190,8 +252,8 @@ void MeshReader::read_material(const GltfJson& primitive, NodeMesh& mesh) {
 void MeshReader::lay_picture(const GltfJson& texture, const GltfJson& attributes, NodeMesh& mesh) {
   const std::size_t textures = file_.list("textures").size();
   const std::size_t index = file_.size(texture, "index", textures);
-  const std::string set = "TEXCOORD_" + std::to_string(file_.size(texture, "texCoord", 0));
-  const auto places = file_.index(attributes, set.c_str(), "accessors");
+  const PlaceInPicture place(file_, texture);
+  const auto places = file_.index(attributes, place.attribute().c_str(), "accessors");
   if (index >= textures || !places) return;
   const auto image = file_.index(file_.list("textures")[index], "source", "images");
   if (!image) return;
@@ -201,7 +263,7 @@ void MeshReader::lay_picture(const GltfJson& texture, const GltfJson& attributes
   if (values.size() != 2 * mesh.positions.size())
     file_.fail("has a mesh with more or fewer places in its picture than positions");
   for (std::size_t i = 0; i < values.size(); i += 2)
-    mesh.in_picture.emplace_back(values[i], values[i + 1]);
+    mesh.in_picture.push_back(place(values[i], values[i + 1]));
 }
 
 std::shared_ptr<const SkinPicture> MeshReader::picture(std::size_t number) {

@@ -463,7 +463,10 @@ Character read_gltf_character(const std::string& name, std::string_view bytes) {
   GltfFile file(name, bytes);
   const ReadOptions as_it_says;
   GltfTake rest = TakeReader(file, as_it_says).read_rest();
-  rest.take.meshes = gltf_meshes(file, rest, rest.warnings);
+  Warnings left_out;
+  rest.take.meshes = gltf_meshes(file, rest, left_out);
+  if (rest.take.meshes.empty() && !left_out.empty())
+    throw InputError(name, 0, 0, left_out.back().message);
   return character_of(name, rest.take);
 }
 

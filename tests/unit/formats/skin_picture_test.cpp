@@ -6,9 +6,12 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <numbers>
 #include <string>
+#include <utility>
 
 #include "core/base/file.h"
+#include "core/formats/gltf_reader.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/small_gltf.h"
 
@@ -51,6 +54,15 @@ void expect_painted(const MotionFile& file) {
   EXPECT_NEAR(file.skin->vertices[0].colour.minCoeff(), 1, 1e-6);
 }
 
+/// Where the second and the third vertex look into the picture.
+std::pair<Eigen::Vector2f, Eigen::Vector2f> places_moved_by(const GltfJson& transform) {
+  SmallGltf gltf = painted_knee({{"uri", "data:image/png;base64,iVBORw0KGgo="}});
+  gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
+      {"KHR_texture_transform", transform}};
+  const MotionFile file = read(gltf);
+  return {file.skin->vertices.at(1).in_picture, file.skin->vertices.at(2).in_picture};
+}
+
 void expect_plain(const MotionFile& file, const char* why) {
   ASSERT_TRUE(file.skin);
   EXPECT_TRUE(file.skin->pictures.empty());
@@ -83,6 +95,67 @@ TEST(SkinPicture, IsPngOrJpeg) {
   expect_plain(read(painted_knee({{"uri", "data:image/gif;base64,R0lGODlh"}})),
                "it is neither PNG nor JPEG");
   expect_plain(read(painted_knee({{"name", "coat"}})), "the picture coat is not shown");
+}
+
+TEST(SkinPicture, IsMovedTurnedAndScaledByATextureTransform) {
+  // Of (0.5, 0) and (0, 2).
+  const auto [scaled, down] = places_moved_by({{"scale", {2, 0.25}}, {"offset", {0.125, 0.5}}});
+  EXPECT_TRUE(scaled.isApprox(Eigen::Vector2f(1.125F, 0.5F)));
+  EXPECT_TRUE(down.isApprox(Eigen::Vector2f(0.125F, 1)));
+  // Counter-clockwise as one sees the picture: what is to the right goes up.
+  const auto [right, below] =
+      places_moved_by({{"rotation", std::numbers::pi / 2}, {"scale", {2, 1}}, {"offset", {0, 1}}});
+  EXPECT_LT(right.norm(), 1e-6F);
+  EXPECT_TRUE(below.isApprox(Eigen::Vector2f(2, 1)));
+}
+
+TEST(SkinPicture, IsLookedUpByTheCoordinatesThatATextureTransformNames) {
+  SmallGltf gltf = painted_knee({{"uri", "data:image/png;base64,iVBORw0KGgo="}});
+  const std::size_t second = gltf.add("VEC2", std::vector<float>{0, 0, 0.25F, 0, 0, 0.75F});
+  gltf.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = second;
+  gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
+      {"KHR_texture_transform", {{"texCoord", 1}}}};
+  EXPECT_EQ(read(gltf).skin->vertices.at(2).in_picture, Eigen::Vector2f(0, 0.75F));
+}
+
+/// The motion is read, and one sentence says what is not.
+void expect_left_out(const SmallGltf& gltf, const std::string& extension) {
+  const MotionFile file = read(gltf);
+  EXPECT_FALSE(file.skin);
+  EXPECT_GT(file.motion.clip.frames(), 1);
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_EQ(file.warnings[0].message,
+            "the mesh shin is not read: it is compressed by " + extension);
+  try {
+    read_gltf_character("small.glb", gltf.glb());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the mesh shin is not read"));
+  }
+}
+
+TEST(CompressedMesh, OfDracoIsLeftOutInOneSentence) {
+  SmallGltf gltf = painted_knee({{"uri", "data:image/png;base64,iVBORw0KGgo="}});
+  gltf.json["meshes"][0]["name"] = "shin";
+  gltf.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  GltfJson& primitive = gltf.json["meshes"][0]["primitives"][0];
+  primitive["extensions"] = {
+      {"KHR_draco_mesh_compression", {{"bufferView", 0}, {"attributes", {{"POSITION", 0}}}}}};
+  const std::size_t position = primitive["attributes"]["POSITION"];
+  gltf.json["accessors"][position].erase("bufferView");  // its values are in the packed bytes
+  gltf.json["meshes"][0]["primitives"].push_back(primitive);
+  expect_left_out(gltf, "KHR_draco_mesh_compression");
+}
+
+TEST(CompressedMesh, OfMeshoptIsLeftOutInOneSentence) {
+  for (const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    SmallGltf gltf = painted_knee({{"uri", "data:image/png;base64,iVBORw0KGgo="}});
+    gltf.json["meshes"][0]["name"] = "shin";
+    const std::size_t position = gltf.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+    const std::size_t view = gltf.json["accessors"][position]["bufferView"];
+    gltf.json["bufferViews"][view]["extensions"] = {{extension, {{"buffer", 0}}}};
+    expect_left_out(gltf, extension);
+  }
 }
 
 }  // namespace
