@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/motion/body_part.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/landmarks.h"
 
@@ -124,6 +125,32 @@ double rest_height(const Skeleton& skeleton) {
     high = high.cwiseMax(point);
   }
   return (high - low).maxCoeff();
+}
+
+bool stands_along_z(const Motion& motion) {
+  const std::vector<int> heads = head_joints(motion.skeleton);
+  const std::vector<int> feet = joints_of(motion.skeleton, BodyPart::Feet);
+  if (heads.empty() || feet.empty()) return false;
+  const auto mean = [](const std::vector<int>& joints, const Pose& pose) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int joint : joints) sum += pose.origin[static_cast<std::size_t>(joint)];
+    return Eigen::Vector3d(sum / static_cast<double>(joints.size()));
+  };
+  const auto stands = [&](const Eigen::Vector3d& feet_to_head) {
+    constexpr double kUpright = 0.85;  // the cosine of some 30 degrees
+    return feet_to_head.z() > kUpright * feet_to_head.norm();
+  };
+  Pose pose = rest_pose(motion.skeleton);
+  if (!stands(mean(heads, pose) - mean(feet, pose))) return false;
+  constexpr int kLooks = 32;
+  const int frames = motion.clip.frames();
+  const int step = std::max(1, frames / kLooks);
+  Eigen::Vector3d over_time = Eigen::Vector3d::Zero();
+  for (int frame = 0; frame < frames; frame += step) {
+    compute_pose(motion.skeleton, motion.clip.channels.row(frame), pose);
+    over_time += mean(heads, pose) - mean(feet, pose);
+  }
+  return stands(over_time);
 }
 
 double guess_cm_per_unit(double height) {

@@ -35,6 +35,10 @@ void subtract_offsets(const Skeleton& skeleton, bool of_roots, Clip& clip);
 /// The largest side of the box around the rest pose: the height of a figure that stands or lies.
 double rest_height(const Skeleton& skeleton);
 
+/// Whether the figure evidently stands along Z and not along Y, in its rest pose and on average
+/// over time: its head above its feet. False where no names tell them.
+bool stands_along_z(const Motion& motion);
+
 /// 1 when `height`, in file units, is a person's in centimetres (80 to 260); else whichever of
 /// metre, millimetre, inch, decimetre and CMU's 0.45 units to the inch makes it nearest to 170 cm.
 double guess_cm_per_unit(double height);

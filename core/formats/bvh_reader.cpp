@@ -89,6 +89,10 @@ MotionFile BvhReader::read() {
   Motion motion = motion_in_file_units();
   settle_rate(motion.clip);
   settle_translation(motion);
+  if (!options_.up && stands_along_z(motion))
+    warn(0,
+         "the figure stands along Z, but Y is taken to point up: --up z, or the import options of "
+         "the studio, read it upright");
   motion = with_up_axis(in_centimetres(motion), source_.up, UpAxis::Y);
   unwrap_angles(motion.skeleton, motion.clip);
   return {std::move(motion), std::move(warnings_), source_};

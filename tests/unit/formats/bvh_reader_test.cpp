@@ -255,6 +255,30 @@ TEST(Bvh, StandsUpWhereZIsUp) {
   }
 }
 
+/// Hips, head and feet: at rest along `up`, and turned as the root's rotation about X says.
+std::string figure(const std::string& up, const std::string& degrees_about_x) {
+  const auto offset = [&](const char* length) {
+    return "OFFSET " +
+           (up == "z" ? "0 0 " + std::string(length) : "0 " + std::string(length) + " 0");
+  };
+  return "HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 3 Xrotation Yrotation Zrotation"
+         " JOINT Head { " +
+         offset("70") + " CHANNELS 1 Yrotation End Site { " + offset("20") +
+         " } } JOINT LeftFoot { " + offset("-85") + " CHANNELS 1 Yrotation End Site { " +
+         offset("-5") + " } } } MOTION Frames: 2 Frame Time: 0.01\n" + degrees_about_x +
+         " 0 0 0 0\n" + degrees_about_x + " 0 0 1 1\n";
+}
+
+TEST(Bvh, SaysHowAFigureThatStandsAlongZIsReadUpright) {
+  EXPECT_NE(warning_of(figure("z", "0")).find("--up z"), std::string::npos);
+  EXPECT_TRUE(read_bvh("f", figure("z", "0"), {.up = UpAxis::Z}).warnings.empty());
+  EXPECT_TRUE(read_bvh("f", figure("z", "0"), {.up = UpAxis::Y}).warnings.empty());  // as told
+  // Along Y; along Z at rest alone; lying down.
+  EXPECT_TRUE(read(figure("y", "0")).warnings.empty());
+  EXPECT_TRUE(read(figure("z", "-90")).warnings.empty());
+  EXPECT_TRUE(read(figure("y", "90")).warnings.empty());
+}
+
 TEST(Bvh, KeepsDuplicateNamesWithAWarning) {
   EXPECT_NE(
       warning_of(replaced(kSmallBvh, "JOINT Spine", "JOINT Hips")).find("1 joint with the name"),

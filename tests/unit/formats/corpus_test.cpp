@@ -32,6 +32,7 @@ struct Row {
 };
 
 const std::string kCut = "ends within its last frame";
+const std::string kAlongZ = "stands along Z";
 
 const std::vector<Row> kTable = {
     {"bvh/11_01.amc", 597, 62, 31, 120, {}},
@@ -40,7 +41,7 @@ const std::vector<Row> kTable = {
     {"bvh/cmu_12_01_walk.bvh", 524, 96, 31, 120, {"5.6444 cm to the unit"}},
     {"bvh/iclone_006_05_60hz_100joints.bvh", 192, 303, 100, 60, {}},
     {"odd/Boxing_Toes_extra_row.bvh", 3070, 66, 21, 100, {"says 3069 frames, 3070 follow"}},
-    {"odd/bvh_test1.bvh", 75, 75, 24, 30, {"2.54 cm to the unit"}},
+    {"odd/bvh_test1.bvh", 75, 75, 24, 30, {kAlongZ, "2.54 cm to the unit"}},
     {"odd/bvh_test3.bvh", 100, 183, 60, 120, {"2.54 cm to the unit"}},
     {"odd/cmu07_12_TRUNCATED_last_frame.amc", 244, 62, 31, 120, {kCut}},
     {"odd/cmu135_FORCE-ALL-JOINTS-BE-3DOF_truncated.amc",
@@ -60,8 +61,8 @@ const std::vector<Row> kTable = {
      891,
      163,
      24,
-     {"10 cm to the unit"}},
-    {"odd/makehuman_walk_XYZ_fingers.bvh", 14, 228, 75, 24, {"10 cm to the unit"}},
+     {kAlongZ, "10 cm to the unit"}},
+    {"odd/makehuman_walk_XYZ_fingers.bvh", 14, 228, 75, 24, {kAlongZ, "10 cm to the unit"}},
     {"study/01_14.amc", 2338, 62, 31, 120, {}},
     {"study/02_01.amc", 343, 62, 31, 120, {}},
     {"study/02_05.amc", 1854, 62, 31, 120, {}},
