@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHeaderView>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QProgressBar>
@@ -15,10 +16,14 @@
 #include <QTest>
 #include <QToolButton>
 #include <QToolTip>
+#include <QTreeView>
 #include <cmath>
 
+#include "tests/support/test_motion.h"
+#include "widgets/models/joint_error_model.h"
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/compression_panel.h"
+#include "widgets/panels/joints_panel.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/number_fields.h"
 #include "widgets/panels/result_panel.h"
@@ -138,6 +143,20 @@ TEST(CompressionPanel, ShowsOptionsSilentlyAndTellsOfChoices) {
   EXPECT_EQ(chosen[0].coding, Coding::Rle16);
   EXPECT_EQ(chosen[0].seed, 9U);
   EXPECT_NEAR(chosen[0].target.value, 2, 1e-9);
+}
+
+TEST(JointsPanel, LeavesRoomForNamesHoweverNarrowItIs) {
+  JointErrorModel model;
+  JointsPanel panel(&model);
+  model.setLandmarks(landmarks(test::small_skeleton()));
+  panel.resize(260, 300);
+  panel.show();
+  QApplication::processEvents();
+  const auto* view = panel.findChild<QTreeView*>();
+  EXPECT_GE(view->columnWidth(JointErrorModel::Name), view->fontMetrics().averageCharWidth() * 12);
+  panel.resize(900, 300);
+  QApplication::processEvents();
+  EXPECT_EQ(view->header()->length(), view->viewport()->width());
 }
 
 TEST(CompressionPanel, EveryControlHasANameAndAnExplanation) {

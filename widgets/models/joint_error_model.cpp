@@ -66,6 +66,7 @@ QVariant JointErrorModel::nameData(int row, int role) const {
   const QString name = nameOf(row);
   switch (role) {
     case Qt::DisplayRole:
+    case Qt::ToolTipRole:  // where there is not room enough for it
       return name;
     case kSortRole:
       return row;  // the skeleton's order

@@ -5,15 +5,20 @@
 #include <QKeyEvent>
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
+#include <QStyle>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/models/joint_error_model.h"
 
 namespace mocapress {
 namespace {
 
-/// Keeps Space for its check boxes, where the window would play and pause.
+constexpr int kLeastNameLetters = 12;
+
+/// Keeps Space for its check boxes, where the window would play and pause. The first column takes
+/// the room that the others leave, but never so little that nobody can read it.
 class CheckList : public QTreeView {
  public:
   using QTreeView::QTreeView;
@@ -26,6 +31,16 @@ class CheckList : public QTreeView {
       return true;
     }
     return QTreeView::event(event);
+  }
+  void updateGeometries() override {
+    int others = 0;
+    for (int column = 1; column < header()->count(); ++column)
+      others += header()->sectionSize(column);
+    const int beside = style()->pixelMetric(QStyle::PM_IndicatorWidth, nullptr, this) +
+                       iconSize().width() + 4 * style()->pixelMetric(QStyle::PM_FocusFrameHMargin);
+    const int least = beside + kLeastNameLetters * fontMetrics().averageCharWidth();
+    header()->resizeSection(0, std::max(least, viewport()->width() - others));
+    QTreeView::updateGeometries();
   }
 };
 
@@ -48,7 +63,7 @@ JointsPanel::JointsPanel(JointErrorModel* model, QWidget* parent)
   view_->setSortingEnabled(true);
   view_->sortByColumn(JointErrorModel::Name, Qt::AscendingOrder);
   view_->header()->setStretchLastSection(false);
-  view_->header()->setSectionResizeMode(JointErrorModel::Name, QHeaderView::Stretch);
+  view_->setTextElideMode(Qt::ElideMiddle);  // what tells joints apart is often at the end
   for (int column = JointErrorModel::Mean; column < JointErrorModel::kColumns; ++column)
     view_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   const auto show_skin = [this] {
