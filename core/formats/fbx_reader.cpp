@@ -170,7 +170,12 @@ const aiAnimation& FbxReader::chosen_take() {
   const std::size_t chosen = choose_take(file_, takes, options_.take, warnings_);
   takes_ = choices(takes, chosen);
   if (!options_.take && !takes[chosen].moves) refuse("holds no keys");
-  return *scene_->mAnimations[chosen];
+  const aiAnimation& animation = *scene_->mAnimations[chosen];
+  const std::vector<std::string> layered = layered_fbx_takes(bytes_);
+  if (std::find(layered.begin(), layered.end(), animation.mName.C_Str()) != layered.end())
+    refuse("its take " + std::string(animation.mName.C_Str()) +
+           " moves the same node in several animation layers: bake them into one");
+  return animation;
 }
 
 void FbxReader::map_channels(const aiAnimation& animation) {

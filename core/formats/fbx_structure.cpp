@@ -24,6 +24,9 @@ constexpr int kMostNodes = 1 << 16;
 struct Structure {
   std::unordered_set<std::int64_t> nodes;
   std::unordered_multimap<std::int64_t, std::int64_t> children;
+  std::unordered_map<std::int64_t, std::string> takes;  // their names
+  std::unordered_set<std::int64_t> layers;
+  std::unordered_set<std::int64_t> curves;
   std::size_t deepest_record = 0;
 };
 
@@ -69,6 +72,7 @@ class BinaryRecords {
 
  private:
   static constexpr std::size_t kVersionAt = 23;
+  static constexpr std::size_t kLongestName = 1024;
 
   template <typename Number>
   bool take(std::size_t at, Number& value) const {
@@ -91,6 +95,15 @@ class BinaryRecords {
   void note(std::string_view name, std::size_t at) {
     if (name == "Model") {
       if (const auto node = id(at)) found_.nodes.insert(*node);
+    } else if (name == "AnimationLayer" || name == "AnimationCurve") {
+      if (const auto object = id(at))
+        (name == "AnimationLayer" ? found_.layers : found_.curves).insert(*object);
+    } else if (name == "AnimationStack") {  // number; 'S', length, name and 0 1 "AnimStack"
+      const std::size_t text_at = at + 1 + 8;
+      const std::size_t length = number(text_at + 1, 4);
+      if (const auto take = id(at); take && text_at + 5 <= bytes_.size())
+        found_.takes[*take] =
+            std::string(bytes_.substr(text_at + 5, std::min(length, kLongestName)));
     } else if (name == "C") {  // 'S', length and "OO"; child; parent
       const std::size_t child_at = at + 1 + 4 + number(at + 1, 4);
       const auto child = id(child_at);
@@ -135,20 +148,75 @@ Structure ascii_structure(std::string_view text) {
     if (kBetween.find(c) != kBetween.npos || c == ';') continue;
     if (const auto number = id(word)) {
       if (before[0] == "Model:") found.nodes.insert(*number);
+      if (before[0] == "AnimationLayer:") found.layers.insert(*number);
+      if (before[0] == "AnimationCurve:") found.curves.insert(*number);
       const auto child = id(before[0]);
       if (before[2] == "C:" && child) found.children.emplace(*number, *child);
     }
+    if (const auto take = id(before[0]); take && before[1] == "AnimationStack:")
+      found.takes[*take] = std::string(word);
     before = {word, before[0], before[1]};
   }
   return found;
 }
 
+Structure structure_of(std::string_view bytes) {
+  return bytes.starts_with("Kaydara FBX Binary") ? BinaryRecords(bytes).read()
+                                                 : ascii_structure(bytes);
+}
+
+/// "AnimStack::walk" of ASCII in its quotes, "walk" 0 1 "AnimStack" of binary files: walk.
+std::string take_name(std::string name) {
+  std::erase(name, '"');
+  if (const std::size_t colons = name.find("::"); colons != name.npos) name.erase(0, colons + 2);
+  return name.substr(0, name.find('\0'));
+}
+
 }  // namespace
+
+std::vector<std::string> layered_fbx_takes(std::string_view bytes) {
+  const Structure structure = structure_of(bytes);
+  const auto& children = structure.children;
+  const auto is_moved = [&](std::int64_t curve_node) {
+    const auto [first, end] = children.equal_range(curve_node);
+    return std::any_of(first, end,
+                       [&](const auto& child) { return structure.curves.contains(child.second); });
+  };
+  std::unordered_multimap<std::int64_t, std::int64_t> layers_of;  // of curve nodes with curves
+  std::vector<std::string> layered;
+  for (const std::int64_t layer : structure.layers) {
+    const auto [first, end] = children.equal_range(layer);
+    for (auto child = first; child != end; ++child)
+      if (is_moved(child->second)) layers_of.emplace(child->second, layer);
+  }
+  std::unordered_map<std::int64_t, std::vector<std::int64_t>> layers_that_move;  // each node
+  for (const auto& [parent, child] : children) {
+    if (!structure.nodes.contains(parent)) continue;
+    const auto [first, end] = layers_of.equal_range(child);
+    for (auto layer = first; layer != end; ++layer)
+      layers_that_move[parent].push_back(layer->second);
+  }
+  for (const auto& [take, name] : structure.takes) {
+    std::unordered_set<std::int64_t> own;
+    const auto [first, end] = children.equal_range(take);
+    for (auto child = first; child != end; ++child)
+      if (structure.layers.contains(child->second)) own.insert(child->second);
+    if (own.size() < 2) continue;
+    const bool twice = std::any_of(layers_that_move.begin(), layers_that_move.end(),
+                                   [&](const auto& node_and_layers) {
+                                     std::unordered_set<std::int64_t> moving;
+                                     for (const std::int64_t layer : node_and_layers.second)
+                                       if (own.contains(layer)) moving.insert(layer);
+                                     return moving.size() > 1;
+                                   });
+    if (twice) layered.push_back(take_name(name));
+  }
+  return layered;
+}
 
 void check_fbx_structure(const std::string& file, std::string_view bytes) {
   const auto refuse = [&](const std::string& what) { throw InputError(file, 0, 0, what); };
-  const Structure structure = bytes.starts_with("Kaydara FBX Binary") ? BinaryRecords(bytes).read()
-                                                                      : ascii_structure(bytes);
+  const Structure structure = structure_of(bytes);
   if (structure.deepest_record > kDeepestRecord)
     refuse("nests records deeper than " + std::to_string(kDeepestRecord));
   struct Visit {

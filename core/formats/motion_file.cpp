@@ -47,14 +47,31 @@ struct SkeletonText {
   std::string text;
 };
 
-MotionFile parse(const path& file, std::string_view text, const SkeletonText& asf,
-                 const ReadOptions& options) {
+/// As of a clip of differences to another, which has rotations alone.
+bool is_without_lengths(const Skeleton& skeleton) {
+  const std::vector<double> lengths = skeleton.driven_lengths();
+  return skeleton.joint_count() > 1 &&
+         std::all_of(lengths.begin(), lengths.end(), [](double length) { return length == 0; });
+}
+
+MotionFile parse_by_extension(const path& file, std::string_view text, const SkeletonText& asf,
+                              const ReadOptions& options) {
   require_motion(file);
   if (has_extension(file, ".bvh")) return read_bvh(file.string(), text, options);
   if (has_extension(file, ".fbx")) return read_fbx(file.string(), text, options);
   if (gltf_container(file)) return read_gltf(file.string(), text, options);
   const AsfSkeleton skeleton = read_asf(asf.file.string(), asf.text, options.cm_per_unit);
   return read_amc(file.string(), text, skeleton, options);
+}
+
+MotionFile parse(const path& file, std::string_view text, const SkeletonText& asf,
+                 const ReadOptions& options) {
+  MotionFile read = parse_by_extension(file, text, asf, options);
+  if (is_without_lengths(read.motion.skeleton))
+    read.warnings.push_back({file.string(), 0,
+                             "no bone has a length: errors are measured on three points 3 cm "
+                             "from each joint"});
+  return read;
 }
 
 }  // namespace

@@ -118,6 +118,19 @@ std::string with_smile(std::string text) {
   return text;
 }
 
+/// The same with a second layer in the first take, which moves that node by a curve of its own.
+std::string with_layer(std::string text, const std::string& node) {
+  const std::string connections = "}\nConnections: {\n";
+  text.insert(text.find(connections),
+              "AnimationLayer: 110, \"AnimLayer::Added\", \"\" {\n}\n"
+              "AnimationCurveNode: 111, \"AnimCurveNode::R\", \"\" {\nProperties70: {\n" +
+                  property("d|X", "Number", "0") + "}\n}\n" + curve(112, {.degrees = 20}));
+  text.insert(text.find(connections) + connections.size(),
+              "C: \"OO\",110,100\nC: \"OO\",111,110\nC: \"OP\",111," + node +
+                  ", \"Lcl Rotation\"\nC: \"OP\",112,111, \"d|X\"\n");
+  return text;
+}
+
 std::vector<std::string> texts(const MotionFile& file) {
   std::vector<std::string> texts;
   for (const Warning& warning : file.warnings) texts.push_back(warning.message);
@@ -318,6 +331,14 @@ TEST_F(FbxCorpus, SurvivesTruncationsAndDamage) {
       error_of(damaged);
     }
   }
+}
+
+TEST(Fbx, RefusesATakeWhoseLayersMoveTheSameNode) {
+  const std::string text = fbx_text({{.name = "walk"}, {.name = "run"}});
+  EXPECT_EQ(error_of(with_layer(text, "2"), {.take = "walk"}),
+            "f: its take walk moves the same node in several animation layers: bake them into one");
+  EXPECT_EQ(error_of(with_layer(text, "2"), {.take = "run"}), "read");
+  EXPECT_EQ(error_of(with_layer(text, "3"), {.take = "walk"}), "read");  // one layer each
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "core/base/file.h"
+#include "core/codec/encode/encoder.h"
 #include "core/formats/asf.h"
 #include "core/formats/bvh.h"
 #include "tests/support/motion_texts.h"
@@ -41,6 +42,25 @@ class MotionFiles : public testing::Test {
 
   fs::path folder_;
 };
+
+/// As clips of differences have it: what the joints add to another clip's rotations.
+TEST_F(MotionFiles, WithoutLengthsAreMeasuredByHowJointsTurn) {
+  write_text(folder_ / "added.bvh",
+             "HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 3 Zrotation Xrotation Yrotation JOINT "
+             "Head { OFFSET 0 0 0 CHANNELS 3 Zrotation Xrotation Yrotation End Site { OFFSET 0 0 0 "
+             "} } } MOTION Frames: 4 Frame Time: 0.01\n0 0 0 0 0 0\n1 2 3 4 5 6\n2 4 6 8 10 "
+             "12\n1 2 3 4 5 6\n");
+  MotionFile file = read_motion(folder_ / "added.bvh");
+  ASSERT_EQ(file.warnings.size(), 1U);
+  EXPECT_EQ(file.warnings[0].message,
+            "no bone has a length: errors are measured on three points 3 cm from each joint");
+  const Encoder encoder(std::move(file.motion));
+  const Encoding made = encoder.encode({.method = Method::ClosedLoop,
+                                        .weighting = Weighting::Surface,
+                                        .target = {Target::Kind::Error, 0.01}});
+  EXPECT_LE(made.distortion.eps(Weighting::Surface), 0.01);
+  EXPECT_LE(made.distortion.joint_degrees.maxCoeff(), 1);
+}
 
 TEST_F(MotionFiles, GoByTheirExtensionWhateverItsCase) {
   write_text(folder_ / "a.BVH", test::kSmallBvh);
