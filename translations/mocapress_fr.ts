@@ -357,6 +357,30 @@
         <source>&lt;p&gt;{folder}: the folder the clip was found by, and those between&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{type}: bvh or amc&lt;br&gt;{preset}, {method}: what it is compressed by&lt;/p&gt;</source>
         <translation>&lt;p&gt;{folder} : le dossier par lequel le clip a été trouvé, et ceux entre les deux&lt;br&gt;{stem} : le nom du clip&lt;br&gt;{type} : bvh ou amc&lt;br&gt;{preset}, {method} : ce par quoi il est compressé&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Bank of all clips</source>
+        <translation>Banque de tous les clips</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Packed</source>
+        <translation>Compacte</translation>
+    </message>
+    <message>
+        <source>Cooked</source>
+        <translation>Préparée</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;All compressed files in one, bank.mcpk, beside them.&lt;br&gt;Packed: the smallest, for shipping.&lt;br&gt;Cooked: engines sample clips as they lie in it.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Tous les fichiers compressés en un seul, bank.mcpk, à côté d&apos;eux.&lt;br&gt;Compacte : la plus petite, pour livrer.&lt;br&gt;Préparée : les moteurs y lisent les clips tels quels.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Bank</source>
+        <translation>Banque</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchQueueModel</name>
@@ -600,6 +624,14 @@
     <message>
         <source>Every clip is left out. Tick those to export.</source>
         <translation>Tous les clips sont à l&apos;écart. Cochez ceux à exporter.</translation>
+    </message>
+    <message>
+        <source>A bank is made of compressed files: choose these too.</source>
+        <translation>Une banque est faite de fichiers compressés : choisissez-les aussi.</translation>
+    </message>
+    <message>
+        <source>No task has all clips of a bank: choose none to write a script.</source>
+        <translation>Aucune tâche n&apos;a tous les clips d&apos;une banque : choisissez « Aucune » pour écrire un script.</translation>
     </message>
 </context>
 <context>

@@ -357,6 +357,30 @@
         <source>&lt;p&gt;{folder}: the folder the clip was found by, and those between&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{type}: bvh or amc&lt;br&gt;{preset}, {method}: what it is compressed by&lt;/p&gt;</source>
         <translation>&lt;p&gt;{folder}: クリップが見つかったフォルダーとその間のフォルダー&lt;br&gt;{stem}: クリップの名前&lt;br&gt;{type}: bvh または amc&lt;br&gt;{preset}、{method}: 圧縮に使うもの&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Bank of all clips</source>
+        <translation>すべてのクリップのバンク</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Packed</source>
+        <translation>圧縮</translation>
+    </message>
+    <message>
+        <source>Cooked</source>
+        <translation>展開済み</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;All compressed files in one, bank.mcpk, beside them.&lt;br&gt;Packed: the smallest, for shipping.&lt;br&gt;Cooked: engines sample clips as they lie in it.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;すべての圧縮ファイルを、その横の bank.mcpk 一つにまとめます。&lt;br&gt;圧縮: 最も小さく、配布用です。&lt;br&gt;展開済み: エンジンがそのまま読み出せます。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Bank</source>
+        <translation>バンク</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchQueueModel</name>
@@ -599,6 +623,14 @@
     <message>
         <source>Every clip is left out. Tick those to export.</source>
         <translation>すべてのクリップが除外されています。書き出すものにチェックを入れてください。</translation>
+    </message>
+    <message>
+        <source>A bank is made of compressed files: choose these too.</source>
+        <translation>バンクは圧縮ファイルから作ります。圧縮ファイルも選んでください。</translation>
+    </message>
+    <message>
+        <source>No task has all clips of a bank: choose none to write a script.</source>
+        <translation>どのタスクもバンクの全クリップを持ちません。スクリプトを書くには「なし」を選んでください。</translation>
     </message>
 </context>
 <context>
