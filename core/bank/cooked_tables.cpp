@@ -27,8 +27,8 @@ class TableMover {
     head.rest = put(all_of<mcpr_transform>(from_.rest, from_.joints));
     std::vector rotors = all_of<runtime::RotorGroup>(from_.rotors, from_.rotor_groups);
     for (runtime::RotorGroup& group : rotors)
-      if (group.around.bytes != 0)
-        group.around = put(all_of<float>(group.around, 8 * runtime::kGroup));
+      if (group.around_kind != runtime::AroundKind::None)
+        group.around = put(all_of<float>(group.around, runtime::floats_around(group.around_kind)));
     head.rotors = put(rotors);
     head.moving = put(all_of<runtime::MovingAxis>(from_.moving, from_.moving_axes));
     head.added = put(all_of<runtime::AddedColumn>(from_.added, from_.added_columns));

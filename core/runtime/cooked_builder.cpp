@@ -2,6 +2,7 @@
 #include "core/runtime/cooked_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <new>
 #include <span>
@@ -20,6 +21,36 @@ Quaternion quaternion_from(const Matrix3& rotation) {
   Quaternion q;
   quaternion_of(rotation, q.wxyz);
   return q;
+}
+
+bool is_inverse(const Matrix3& a, const Matrix3& b) {
+  constexpr double kMost = 1e-6;
+  const Matrix3 both = a * b;
+  bool is_identity = true;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      is_identity = is_identity && std::abs(both(row, column) - (row == column ? 1 : 0)) < kMost;
+  return is_identity;
+}
+
+/// Of AroundKind::Inverses: where the three axes of a joint go. The last of an odd order is as if
+/// mirrored.
+void put_turned_axes(const Matrix3& parent_from_axes, const int (&axes)[3], bool is_odd,
+                     float* to) {
+  for (int row = 0; row < 3; ++row)
+    for (int i = 0; i < 3; ++i) {
+      const double value = parent_from_axes(row, axes[i]);
+      to[(3 * row + i) * kGroup] = static_cast<float>(i == 2 && is_odd ? -value : value);
+    }
+}
+
+/// Of AroundKind::Any.
+void put_quaternions(const Matrix3& before, const Matrix3& after, float* to) {
+  for (const Matrix3* const side : {&before, &after})
+    for (const double value : quaternion_from(*side).wxyz) {
+      *to = static_cast<float>(value);
+      to += kGroup;
+    }
 }
 
 }  // namespace
@@ -196,33 +227,37 @@ void CookedBuilder::lay_out_rotors(CookedBlock& tables, mcpr_cooked& head) {
       group.vector[a] = static_cast<std::uint16_t>(columns_.vectors(g)[a]);
     std::fill_n(group.joint, kGroup, RotorGroup::kNoJoint);
     bool has_axes = false;
+    bool are_inverses = true;
+    int axes[kGroup][3] = {};
     for (int i = 0; i < group.joints; ++i) {
       const auto bit = static_cast<std::uint8_t>(1U << i);
       group.joint[i] = rotors[i].joint;
-      has_axes |= clip_.joint_models()[rotors[i].joint].has_axes;
-      int axis[3] = {};
+      const JointModel& joint = clip_.joint_models()[rotors[i].joint];
+      has_axes |= joint.has_axes;
+      are_inverses &= !joint.has_axes || is_inverse(joint.parent_from_axes, joint.axes_from_joint);
+      int(&axis)[3] = axes[i];
       for (int a = 0; a < rotors[i].angles; ++a) {
         axis[a] = axis_of(columns_.channel(rotors[i].channel[a]).kind);
         group.has_angle[a] |= bit;
       }
       if (rotors[i].angles == 1) axis[1] = (axis[0] + 1) % 3;
+      axis[2] = 3 - axis[0] - axis[1];
       group.first_axis[axis[0]] |= bit;
       group.second_axis[axis[1]] |= bit;
       if ((axis[0] + 1) % 3 != axis[1]) group.is_odd |= bit;
     }
     if (has_axes) {
-      if (auto* const around = tables.reserve_for<float>(8 * kGroup, group.around))
-        for (int side = 0; side < 2; ++side)
-          for (int i = 0; i < kGroup; ++i) {
-            Quaternion q;
-            if (i < group.joints) {
-              const JointModel& joint = clip_.joint_models()[rotors[i].joint];
-              if (joint.has_axes)
-                q = quaternion_from(side == 0 ? joint.parent_from_axes : joint.axes_from_joint);
-            }
-            for (int k = 0; k < 4; ++k)
-              around[(4 * side + k) * kGroup + i] = static_cast<float>(q.wxyz[k]);
-          }
+      group.around_kind = are_inverses ? AroundKind::Inverses : AroundKind::Any;
+      auto* const around =
+          tables.reserve_for<float>(floats_around(group.around_kind), group.around);
+      for (int i = 0; around != nullptr && i < group.joints; ++i) {
+        const JointModel& joint = clip_.joint_models()[rotors[i].joint];
+        const Matrix3 before = joint.has_axes ? joint.parent_from_axes : Matrix3();
+        if (are_inverses)
+          put_turned_axes(before, axes[i], (group.is_odd >> i & 1) != 0, around + i);
+        else
+          put_quaternions(before, joint.has_axes ? joint.axes_from_joint : Matrix3(), around + i);
+      }
     }
     if (groups != nullptr) groups[g] = group;
   }

@@ -71,7 +71,9 @@ class Checker {
       require(group.angles >= 1 && group.angles <= 3 && group.joints <= kGroup);
       for (int a = 0; a < group.angles && a < 3; ++a) require(group.vector[a] < clip_.groups);
       for (int i = 0; i < group.joints && i < kGroup; ++i) require(group.joint[i] < clip_.joints);
-      if (group.around.bytes != 0) require_array(group.around, sizeof(float), 8 * kGroup, 4);
+      require(group.around_kind <= AroundKind::Any);
+      if (sound_ && group.around_kind != AroundKind::None)
+        require_array(group.around, sizeof(float), floats_around(group.around_kind), 4);
     });
     each<MovingAxis>(clip_.moving, clip_.moving_axes, [&](const MovingAxis& moving) {
       require(moving.joint < clip_.joints && moving.axis < 3 && moving.column < columns_);

@@ -96,6 +96,21 @@ struct TableOffset {
   std::uint32_t bytes = 0;
 };
 
+/// What is before and after the axes of a group of joints.
+enum class AroundKind : std::uint8_t {
+  None,
+  // Each other's inverses: 3 x 3 numbers, each of all eight joints, that turn what is about the
+  // first, second and third axis into what is about x, y and z.
+  Inverses,
+  Any,  // 4 numbers of quaternions before, then 4 after, w x y z, each of all eight
+};
+
+/// How many numbers that is.
+constexpr std::uint64_t floats_around(AroundKind kind) {
+  if (kind == AroundKind::None) return 0;
+  return (kind == AroundKind::Inverses ? 9 : 8) * std::uint64_t{kGroup};
+}
+
 /// Eight joints that turn about up to three different axes each.
 struct RotorGroup {
   std::uint16_t joint[kGroup] = {};  // kNoJoint: none
@@ -106,8 +121,8 @@ struct RotorGroup {
   std::uint8_t is_odd = 0;           // whether its axes are an odd permutation of x y z
   std::uint8_t first_axis[3] = {};   // a bit for each joint whose first axis is x, y, z
   std::uint8_t second_axis[3] = {};  // the same of the second; the third is what is left
-  std::uint16_t padding = 0;
-  // 8 quaternions before, then 8 after (w x y z, each for all); 0: identities
+  AroundKind around_kind = AroundKind::None;
+  std::uint8_t padding = 0;
   TableOffset around = {};
   static constexpr std::uint16_t kNoJoint = 0xFFFF;
 };
@@ -140,7 +155,7 @@ enum class ColumnKind : std::uint8_t { Straight, HalfAngle, Root };
 
 struct mcpr_cooked {
   static constexpr char kMagic[4] = {'M', 'C', 'P', 'C'};
-  static constexpr std::uint32_t kVersion = 2;
+  static constexpr std::uint32_t kVersion = 3;
   char magic[4];
   std::uint32_t checksum;  // CRC-32 of `bytes` and all from `version` on
   std::uint64_t bytes;     // of all

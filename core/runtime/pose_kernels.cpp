@@ -226,16 +226,16 @@ struct Quadrants {
   }
 };
 
-void add_entries(const EntryRun& run, std::int32_t* whole) {
+void add_run(const EntryRun& run, const std::int32_t* weights, std::int32_t* whole) {
   constexpr unsigned kColumnMask = (1U << kColumnBits) - 1;
   constexpr unsigned kRowMask = (1U << kRowBits) - 1;
   for (int i = 0; i < run.count; ++i) {
-    const unsigned bits = run.entries[i];
+    const unsigned bits = run.first[i];
     const std::int32_t value = static_cast<std::int16_t>(bits) >> (kColumnBits + kRowBits);
     std::int32_t& sum = whole[bits & kColumnMask];
     sum = static_cast<std::int32_t>(
         static_cast<std::uint32_t>(sum) +
-        static_cast<std::uint32_t>(run.weights[bits >> kColumnBits & kRowMask] * value));
+        static_cast<std::uint32_t>(weights[bits >> kColumnBits & kRowMask] * value));
   }
 }
 

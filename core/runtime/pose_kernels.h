@@ -4,6 +4,7 @@
 // bits of all paths agree.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -24,37 +25,42 @@ struct BandWeights {
   alignas(32) std::int32_t of_entry[16];
 };
 
-/// The rows of a dense band that meet at an instant, bundle by bundle, each of all groups.
-struct DenseRows {
-  RowKind kind = RowKind::None;
-  std::int32_t sum_of_weights = 0;
-  const std::byte* rows = nullptr;        // of the first bundle
-  std::ptrdiff_t stride = 0;              // bytes of a bundle
-  const std::int16_t* weights = nullptr;  // kDetailWindow, of crumbs kCrumbWindow
-};
-
-/// What the columns of a part are made of: offset + (sums of samples) * scale +
-/// (sums of details) * unit * step.
+/// What the columns of a part, or of some groups of it, are made of: offset +
+/// (sums of samples) * scale + (sums of details) * unit * step.
 struct PartRows {
-  DenseRows details[kMostKeptBands] = {};  // the finest first
-  const std::int32_t* entries;             // what they add up to
-  const std::byte* samples;                // of the first of kSampleWindow
-  std::ptrdiff_t stride;                   // bytes of a row of samples
-  const float* weights;                    // kSampleWindow
-  const float* scales;  // offset of each column, then scale, then step, an array each
-  int columns_of_part;  // of each of these arrays
+  const std::byte* clip;                // which the offsets of bands are from
+  const CookedBand* bands;              // the finest first
+  const BandWeights* weights_of_bands;  // likewise
+  int kept_bands;
+  const std::byte* samples;  // of row 0
+  int first_sample;          // of kSampleWindow rows
+  const float* weights;      // of these
+  int groups_of_part;
+  int first_group;  // in the part
   int groups;
-  float unit;
-  bool wide;  // samples are floats, not 16 bits
-  float* columns;
+  bool wide;                    // samples are floats, not 16 bits
+  float unit;                   // of details
+  const std::int32_t* entries;  // what they add up to, from the first group on
+  const float* scales;          // offset of each column from the first group on, then scale, then
+                                // step: three arrays of all columns of the part
+  float* columns;               // from the first group on
 };
 
-/// Entries of a band, of blocks that lie one after the other.
+/// Entries of blocks that lie one after the other.
 struct EntryRun {
-  const std::uint16_t* entries;
+  const std::uint16_t* first;
   int count;
-  const std::int32_t* weights;  // of each row modulo 16
 };
+
+/// Those of the blocks that the rows are in.
+inline EntryRun run_of(const std::byte* clip, const CookedEntries& entries,
+                       const BandWeights& weights) {
+  const auto* const begins = reinterpret_cast<const std::uint16_t*>(clip + entries.begins);
+  const int first = std::min(weights.first_used >> entries.log2_rows, int{entries.blocks});
+  const int end = std::min((weights.last_used >> entries.log2_rows) + 1, int{entries.blocks});
+  return {begins + entries.blocks + 1 + begins[first],
+          begins[std::max(first, end)] - begins[first]};
+}
 
 struct RowRange {
   int first = 0;
@@ -101,13 +107,15 @@ struct PoseKernels {
   /// A band's weights and a share of as many that follow, times the scale of the band; its rows are
   /// set already. Those of entries are times 2^shift.
   void (*set_band)(const float* weights, float share, int shift, BandWeights&);
-  /// Adds each entry's value times its row's weight to its column. Up to kEntriesBeyond entries
-  /// after the last are read, too.
-  void (*add_entries)(const EntryRun&, std::int32_t* whole);
+  /// Of as many bands as there are weights, the finest first: adds the value of each entry that
+  /// meets times its row's weight to its column. Up to kEntriesBeyond entries after the last of a
+  /// band are read, too.
+  void (*add_entries)(const std::byte* clip, const CookedEntries* bands, const BandWeights* weights,
+                      int count, std::int32_t* whole);
   void (*make_columns)(const PartRows&);
   void (*clear)(std::int32_t* values, int count);  // of a multiple of eight
   void (*lift)(const LiftPart&);
-  /// `around`: 8 quaternions before, 8 after; null: none.
+  /// `around`: what the group's AroundKind says.
   void (*turn)(const RotorGroup&, const float* columns, const float* around, RotorQuaternions& out);
   /// Writes one quaternion w x y z each to 4 floats, of as many joints of a group as there are:
   /// to out + stride * joint.

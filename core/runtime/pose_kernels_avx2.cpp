@@ -200,9 +200,10 @@ struct Quadrants {
   }
 };
 
-MOCAPRESS_POSES_AVX2 void add_entries(const EntryRun& run, std::int32_t* whole) {
+MOCAPRESS_POSES_AVX2 inline void add_run(const EntryRun& run, const std::int32_t* of_rows,
+                                         std::int32_t* whole) {
   static_assert(kColumnBits + kRowBits == 11 && kEntriesBeyond == 7);
-  const auto* const weights = reinterpret_cast<const __m256i*>(run.weights);
+  const auto* const weights = reinterpret_cast<const __m256i*>(of_rows);
   const __m256i low = _mm256_load_si256(weights);
   const __m256i high = _mm256_load_si256(weights + 1);
   const __m256i columns_of = _mm256_set1_epi32((1 << kColumnBits) - 1);
@@ -211,7 +212,7 @@ MOCAPRESS_POSES_AVX2 void add_entries(const EntryRun& run, std::int32_t* whole) 
   alignas(32) std::int32_t product[8];
   for (int i = 0; i < run.count; i += 8) {
     const __m256i bits =
-        _mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(run.entries + i)));
+        _mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(run.first + i)));
     const __m256i row = _mm256_srli_epi32(bits, kColumnBits);
     const __m256 weight =
         _mm256_blendv_ps(_mm256_castsi256_ps(_mm256_permutevar8x32_epi32(low, row)),

@@ -18,15 +18,6 @@ namespace {
 
 constexpr int kMostGroups = kMostColumns / kGroup;
 
-/// Those of the blocks that the rows are in.
-EntryRun run_of(const mcpr_cooked& clip, const CookedEntries& entries, const BandWeights& weights) {
-  const auto* const begins = clip.at<std::uint16_t>(entries.begins);
-  const int first = std::min(weights.first_used >> entries.log2_rows, int{entries.blocks});
-  const int end = std::min((weights.last_used >> entries.log2_rows) + 1, int{entries.blocks});
-  return {begins + entries.blocks + 1 + begins[first], begins[std::max(first, end)] - begins[first],
-          weights.of_entry};
-}
-
 /// Groups of columns that are wanted, one after the other.
 struct Groups {
   int first = 0;
@@ -98,14 +89,10 @@ class Sampler {
 
   /// What the entries of a segment add up to, column by column.
   void add_entries(int segment, const InstantWeights& weights, std::int32_t* whole) const {
-    std::memset(whole, 0, sizeof *whole * kGroup * clip_.row_groups);
+    kernels_.clear(whole, kGroup * static_cast<int>(clip_.row_groups));
     for (int e = 0; e < clip_.entry_parts(); ++e)
-      for (int b = 0; b < weights.levels; ++b) {
-        const CookedEntries& entries = clip_.entries_of(segment, e, b);
-        if (entries.blocks > 0)
-          kernels_.add_entries(run_of(clip_, entries, weights.band[b]),
-                               whole + kGroup * kMostGroupsOfPart * e);
-      }
+      kernels_.add_entries(clip_.at<std::byte>(std::uint32_t{0}), &clip_.entries_of(segment, e, 0),
+                           weights.band, weights.levels, whole + kGroup * kMostGroupsOfPart * e);
   }
 
   void make_part(int segment, int p, const InstantWeights& weights, const std::int32_t* entries,
@@ -116,34 +103,22 @@ class Sampler {
     const CookedRows& rows = clip_.rows_of(segment, p);
     const int kept = std::min<int>(part.kept_bands, weights.levels);
     const SampleWeights& samples = weights.samples[kept];
-    const std::ptrdiff_t bytes = kGroup * (part.wide_samples != 0 ? 4 : 2);
     const int first = kGroup * (part.first_group + groups.first);
-    PartRows sums{.entries = entries + first,
-                  .samples = clip_.at<std::byte>(rows.samples) +
-                             bytes * part.groups * samples.first_row + bytes * groups.first,
-                  .stride = bytes * part.groups,
-                  .weights = samples.of_row,
-                  .scales = clip_.at<float>(rows.scales) + kGroup * groups.first,
-                  .columns_of_part = kGroup * part.groups,
-                  .groups = groups.count,
-                  .unit = weights.unit,
-                  .wide = part.wide_samples != 0,
-                  .columns = columns + first};
-    for (int b = 0; b < kept; ++b) {
-      const CookedBand& band = clip_.at<CookedBand>(rows.bands)[b];
-      if (band.kind == RowKind::None) continue;
-      const BandWeights& from = weights.band[b];
-      const int together = rows_together(band.kind);
-      const auto bundle = static_cast<std::ptrdiff_t>(bundle_bytes(band.kind));
-      const std::ptrdiff_t stride = bundle * part.groups;
-      sums.details[b] = {.kind = band.kind,
-                         .sum_of_weights = from.sum,
-                         .rows = clip_.at<std::byte>(band.rows) +
-                                 stride * (from.first_row / together) + bundle * groups.first,
-                         .stride = stride,
-                         .weights = from.of_row + 2 - from.first_row % together};
-    }
-    kernels_.make_columns(sums);
+    kernels_.make_columns({.clip = clip_.at<std::byte>(std::uint32_t{0}),
+                           .bands = clip_.at<CookedBand>(rows.bands),
+                           .weights_of_bands = weights.band,
+                           .kept_bands = kept,
+                           .samples = clip_.at<std::byte>(rows.samples),
+                           .first_sample = samples.first_row,
+                           .weights = samples.of_row,
+                           .groups_of_part = part.groups,
+                           .first_group = groups.first,
+                           .groups = groups.count,
+                           .wide = part.wide_samples != 0,
+                           .unit = weights.unit,
+                           .entries = entries + first,
+                           .scales = clip_.at<float>(rows.scales) + kGroup * groups.first,
+                           .columns = columns + first});
   }
 
   void make_segment(int segment, int frame, float share, float* columns) const {
@@ -278,10 +253,8 @@ class Sampler {
     const auto* const groups = clip_.at<RotorGroup>(clip_.rotors);
     for (int g = 0; g < clip_.rotor_groups; ++g) {
       if (!is_wanted(groups[g])) continue;
-      const float* const around =
-          groups[g].around.bytes != 0 ? clip_.at<float>(groups[g].around) : nullptr;
       RotorQuaternions quaternions;
-      kernels_.turn(groups[g], columns_, around, quaternions);
+      kernels_.turn(groups[g], columns_, clip_.at<float>(groups[g].around), quaternions);
       if (all_as_they_are) {
         kernels_.put_quaternions(groups[g], quaternions, out, 8);
         continue;
