@@ -226,13 +226,12 @@ struct Quadrants {
   }
 };
 
-void add_run(const EntryRun& run, const std::int32_t* weights, std::int32_t* whole) {
-  constexpr unsigned kColumnMask = (1U << kColumnBits) - 1;
+void add_run(const EntryRun& run, const std::int32_t* weights, std::int32_t* sums) {
   constexpr unsigned kRowMask = (1U << kRowBits) - 1;
   for (int i = 0; i < run.count; ++i) {
     const unsigned bits = run.first[i];
     const std::int32_t value = static_cast<std::int16_t>(bits) >> (kColumnBits + kRowBits);
-    std::int32_t& sum = whole[bits & kColumnMask];
+    std::int32_t& sum = sums[bits & 0xFF];
     sum = static_cast<std::int32_t>(
         static_cast<std::uint32_t>(sum) +
         static_cast<std::uint32_t>(weights[bits >> kColumnBits & kRowMask] * value));
@@ -256,7 +255,7 @@ void put_quaternions(const RotorGroup& group, const RotorQuaternions& quaternion
 namespace mocapress::runtime {
 
 const PoseKernels kPlainPoses = {.set_band = plain_poses::set_band,
-                                 .add_entries = plain_poses::add_entries,
+                                 .sum_entries = plain_poses::sum_entries,
                                  .make_columns = plain_poses::make_columns,
                                  .clear = plain_poses::clear,
                                  .lift = plain_poses::lift,

@@ -107,11 +107,11 @@ struct PoseKernels {
   /// A band's weights and a share of as many that follow, times the scale of the band; its rows are
   /// set already. Those of entries are times 2^shift.
   void (*set_band)(const float* weights, float share, int shift, BandWeights&);
-  /// Of as many bands as there are weights, the finest first: adds the value of each entry that
-  /// meets times its row's weight to its column. Up to kEntriesBeyond entries after the last of a
-  /// band are read, too.
-  void (*add_entries)(const std::byte* clip, const CookedEntries* bands, const BandWeights* weights,
-                      int count, std::int32_t* whole);
+  /// What the entries of some bands, the finest first, and as many groups of columns add up to: the
+  /// value of each that meets times its row's weight. Up to kEntriesBeyond entries after the last
+  /// of a band are read, too.
+  void (*sum_entries)(const std::byte* clip, const CookedEntries* bands, const BandWeights* weights,
+                      int count, int groups, std::int32_t* whole);
   void (*make_columns)(const PartRows&);
   void (*clear)(std::int32_t* values, int count);  // of a multiple of eight
   void (*lift)(const LiftPart&);

@@ -200,33 +200,40 @@ struct Quadrants {
   }
 };
 
-MOCAPRESS_POSES_AVX2 inline void add_run(const EntryRun& run, const std::int32_t* of_rows,
-                                         std::int32_t* whole) {
+/// Eight entries, of which so many are there.
+template <bool kAll>
+MOCAPRESS_POSES_AVX2 inline void add_eight(const std::uint16_t* entries, int count, __m256i low,
+                                           __m256i high, std::int32_t* sums) {
   static_assert(kColumnBits + kRowBits == 11 && kEntriesBeyond == 7);
+  const __m256i bits =
+      _mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(entries)));
+  const __m256i row = _mm256_srli_epi32(bits, kColumnBits);
+  const __m256 weight =
+      _mm256_blendv_ps(_mm256_castsi256_ps(_mm256_permutevar8x32_epi32(low, row)),
+                       _mm256_castsi256_ps(_mm256_permutevar8x32_epi32(high, row)),
+                       _mm256_castsi256_ps(_mm256_slli_epi32(bits, 32 - kColumnBits - kRowBits)));
+  __m256i value = _mm256_srai_epi32(bits, kColumnBits + kRowBits);
+  if constexpr (!kAll) {
+    const __m256i place = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+    value = _mm256_and_si256(value, _mm256_cmpgt_epi32(_mm256_set1_epi32(count), place));
+  }
+  alignas(32) std::int32_t product[8];
+  _mm256_store_si256(reinterpret_cast<__m256i*>(product),
+                     _mm256_mullo_epi32(_mm256_castps_si256(weight), value));
+  __asm__("" : "+m"(product));  // to be read from memory: that takes less than extracting
+  const auto* const places = reinterpret_cast<const std::uint8_t*>(entries);
+#pragma GCC unroll 8
+  for (int k = 0; k < 8; ++k) sums[places[2 * k]] += product[k];
+}
+
+MOCAPRESS_POSES_AVX2 inline void add_run(const EntryRun& run, const std::int32_t* of_rows,
+                                         std::int32_t* sums) {
   const auto* const weights = reinterpret_cast<const __m256i*>(of_rows);
   const __m256i low = _mm256_load_si256(weights);
   const __m256i high = _mm256_load_si256(weights + 1);
-  const __m256i columns_of = _mm256_set1_epi32((1 << kColumnBits) - 1);
-  const __m256i place = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
-  alignas(32) std::int32_t column[8];
-  alignas(32) std::int32_t product[8];
-  for (int i = 0; i < run.count; i += 8) {
-    const __m256i bits =
-        _mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(run.first + i)));
-    const __m256i row = _mm256_srli_epi32(bits, kColumnBits);
-    const __m256 weight =
-        _mm256_blendv_ps(_mm256_castsi256_ps(_mm256_permutevar8x32_epi32(low, row)),
-                         _mm256_castsi256_ps(_mm256_permutevar8x32_epi32(high, row)),
-                         _mm256_castsi256_ps(_mm256_slli_epi32(bits, 32 - kColumnBits - kRowBits)));
-    const __m256i is_there = _mm256_cmpgt_epi32(_mm256_set1_epi32(run.count - i), place);
-    const __m256i value =
-        _mm256_and_si256(_mm256_srai_epi32(bits, kColumnBits + kRowBits), is_there);
-    _mm256_store_si256(reinterpret_cast<__m256i*>(column), _mm256_and_si256(bits, columns_of));
-    _mm256_store_si256(reinterpret_cast<__m256i*>(product),
-                       _mm256_mullo_epi32(_mm256_castps_si256(weight), value));
-#pragma GCC unroll 8
-    for (int k = 0; k < 8; ++k) whole[column[k]] += product[k];
-  }
+  int i = 0;
+  for (; i + 8 <= run.count; i += 8) add_eight<true>(run.first + i, 8, low, high, sums);
+  if (i < run.count) add_eight<false>(run.first + i, run.count - i, low, high, sums);
 }
 
 MOCAPRESS_POSES_AVX2 void put_quaternions(const RotorGroup& group,
@@ -269,7 +276,7 @@ MOCAPRESS_POSES_AVX2 void put_quaternions(const RotorGroup& group,
 namespace mocapress::runtime {
 
 const PoseKernels kAvx2Poses = {.set_band = avx2_poses_of::set_band,
-                                .add_entries = avx2_poses_of::add_entries,
+                                .sum_entries = avx2_poses_of::sum_entries,
                                 .make_columns = avx2_poses_of::make_columns,
                                 .clear = avx2_poses_of::clear,
                                 .lift = avx2_poses_of::lift,

@@ -88,11 +88,14 @@ class Sampler {
   }
 
   /// What the entries of a segment add up to, column by column.
-  void add_entries(int segment, const InstantWeights& weights, std::int32_t* whole) const {
-    kernels_.clear(whole, kGroup * static_cast<int>(clip_.row_groups));
-    for (int e = 0; e < clip_.entry_parts(); ++e)
-      kernels_.add_entries(clip_.at<std::byte>(std::uint32_t{0}), &clip_.entries_of(segment, e, 0),
-                           weights.band, weights.levels, whole + kGroup * kMostGroupsOfPart * e);
+  void sum_entries(int segment, const InstantWeights& weights, std::int32_t* whole) const {
+    for (int e = 0; e < clip_.entry_parts(); ++e) {
+      const int first = kMostGroupsOfPart * e;
+      kernels_.sum_entries(clip_.at<std::byte>(std::uint32_t{0}), &clip_.entries_of(segment, e, 0),
+                           weights.band, weights.levels,
+                           std::min(static_cast<int>(clip_.row_groups) - first, kMostGroupsOfPart),
+                           whole + kGroup * first);
+    }
   }
 
   void make_part(int segment, int p, const InstantWeights& weights, const std::int32_t* entries,
@@ -127,7 +130,7 @@ class Sampler {
     weights.set(kernels_, clip_.wavelet, layout.frames_of(segment), frame - layout.first(segment),
                 share, kept_bands_, wanted_samples_);
     alignas(32) std::int32_t entries[kMostColumns];
-    add_entries(segment, weights, entries);
+    sum_entries(segment, weights, entries);
     for (int p = 0; p < clip_.parts; ++p) make_part(segment, p, weights, entries, columns);
   }
 
