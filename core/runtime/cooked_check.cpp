@@ -37,6 +37,7 @@ class Checker {
     require_array(clip_.rest, sizeof(mcpr_transform), clip_.joints, kAlignment);
     if (clip_.groups > clip_.row_groups)
       require_array(clip_.bases, sizeof(float), columns_ - row_columns_, 4);
+    require(clip_.rotor_groups <= kMostJoints / kGroup);
     check_joints();
     if (clip_.loop == LoopKind::Follows) require_array(clip_.column_kinds, 1, row_columns_, 1);
     if (clip_.end_reach[0] > 0 || clip_.end_reach[1] > 0) {

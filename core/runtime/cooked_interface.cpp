@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The part of the C interface that cooks and samples: checks what the caller hands in, and passes
 // on.
-#include <bitset>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -13,6 +13,7 @@
 #include "core/runtime/mocapress_runtime.h"
 #include "core/runtime/pose_cursor.h"
 #include "core/runtime/pose_sampler.h"
+#include "core/runtime/pose_selection.h"
 
 namespace mocapress::runtime {
 namespace {
@@ -54,6 +55,14 @@ mcpr_result prepare(const mcpr_clip* clip, const mcpr_cook_options* options, voi
   return kOk;
 }
 
+mcpr_result check_joints(const mcpr_cooked& clip, const std::uint16_t* joints,
+                         std::uint32_t count) {
+  if (count > clip.joints) return refused("more joints than there are");
+  return are_joints_of(clip, joints, count)
+             ? kOk
+             : refused("a joint that the clip does not have, or one twice");
+}
+
 mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_request* request) {
   if (clip == nullptr || std::memcmp(clip->magic, mcpr_cooked::kMagic, sizeof clip->magic) != 0)
     return refused("no cooked clip");
@@ -63,17 +72,29 @@ mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_requ
     return refused("unsupported layout, unit, wrap or path");
   if (request->wrap == MCPR_LOOP && clip->turn_frames() < 1)
     return refused("the clip is not a loop");
+  if (request->bands_left_out > MCPR_MOST_BANDS_LEFT_OUT)
+    return refused("more bands left out than may be");
+  if (request->selection != nullptr &&
+      (request->selection->clip != clip || request->joints != nullptr || request->joint_count != 0))
+    return refused("a selection of another clip, or a list of joints beside it");
   if (request->joints == nullptr)
     return request->joint_count == 0 ? kOk : refused("no list of joints");
-  if (request->joint_count > clip->joints) return refused("more joints than there are");
-  std::bitset<kMostJoints> seen;
-  for (std::uint32_t i = 0; i < request->joint_count; ++i) {
-    const std::uint16_t joint = request->joints[i];
-    if (joint >= clip->joints || seen[joint])
-      return refused("a joint that the clip does not have, or one twice");
-    seen[joint] = true;
-  }
-  return kOk;
+  return check_joints(*clip, request->joints, request->joint_count);
+}
+
+/// The selection, its own joints and what never changes of them, then its tables.
+std::uint64_t selection_bytes(const mcpr_cooked& clip, std::uint32_t joint_count) {
+  Memory memory;
+  memory.take<mcpr_selection>(1);
+  memory.take<std::uint16_t>(joint_count);
+  memory.take<mcpr_transform>(joint_count);
+  const mcpr_selection measured(memory, clip);
+  return memory.used();
+}
+
+std::uint32_t joints_of(const mcpr_cooked& clip, const mcpr_sample_request& request) {
+  if (request.selection != nullptr) return request.selection->joint_count;
+  return request.joints == nullptr ? clip.joints : request.joint_count;
 }
 
 mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* request, double time,
@@ -109,6 +130,7 @@ class JointMotion {
     request_.unit = MCPR_FRAMES;
     request_.joints = &joint_;
     request_.joint_count = 1;
+    request_.selection = nullptr;
   }
 
   Rigid between(double from, double to) const {
@@ -233,8 +255,35 @@ mcpr_cooked_info mcpr_cooked_describe(const mcpr_cooked* cooked) {
 
 size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request) {
   if (runtime::failed(runtime::check_sample_request(cooked, request))) return 0;
-  const std::uint32_t joints = request->joints == nullptr ? cooked->joints : request->joint_count;
-  return joints * runtime::values_of_joint(request->layout);
+  return runtime::joints_of(*cooked, *request) * runtime::values_of_joint(request->layout);
+}
+
+size_t mcpr_selection_bytes(const mcpr_cooked* cooked, uint32_t joint_count) {
+  if (cooked == nullptr || joint_count > cooked->joints) return 0;
+  return static_cast<size_t>(runtime::selection_bytes(*cooked, joint_count));
+}
+
+mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joints,
+                                uint32_t joint_count, void* memory, size_t size,
+                                const mcpr_selection** selection) {
+  if (cooked == nullptr || joints == nullptr || selection == nullptr)
+    return runtime::refused("no cooked clip, no joints, or no place was given for the selection");
+  const mcpr_result result = runtime::check_joints(*cooked, joints, joint_count);
+  if (runtime::failed(result)) return result;
+  if (!runtime::suits_alignment(memory) || size < runtime::selection_bytes(*cooked, joint_count))
+    return runtime::failure(MCPR_MEMORY, 0, "too little memory for the selection, or not aligned");
+  runtime::Memory pieces(memory, size);
+  auto* const place = pieces.take<mcpr_selection>(1);
+  auto* const own_joints = pieces.take<std::uint16_t>(joint_count);
+  auto* const rest = pieces.take<mcpr_transform>(joint_count);
+  std::copy_n(joints, joint_count, own_joints);
+  for (std::uint32_t i = 0; i < joint_count; ++i)
+    rest[i] = cooked->at<mcpr_transform>(cooked->rest)[joints[i]];
+  auto* const made = new (place) mcpr_selection(pieces, *cooked);
+  made->rest = rest;
+  made->select(own_joints, joint_count);
+  *selection = made;
+  return runtime::kOk;
 }
 
 mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request, double time,
@@ -259,7 +308,8 @@ mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t siz
                   .capacity = mcpr_cursor::capacity_for(*cooked),
                   .columns = runtime::kGroup * static_cast<std::int32_t>(cooked->row_groups),
                   .step = 1,
-                  .last = 0};
+                  .last = 0,
+                  .left_out = 0};
   return runtime::kOk;
 }
 

@@ -324,22 +324,43 @@ typedef enum mcpr_wrap {
   MCPR_LOOP = 1   /* as mcpr_decode_looped, of a clip that is a loop */
 } mcpr_wrap;
 
+/* Some joints of a cooked clip, checked and looked up beforehand: sampling them takes no more
+ * time than all, where a list that is given with each request does. */
+typedef struct mcpr_selection mcpr_selection;
+
+/* The finest bands of details may be left out of poses that are seen from far away: what moves
+ * within 2 frames, then 4, 8 and 16. SAMPLING.md has what that costs and brings. */
+#define MCPR_MOST_BANDS_LEFT_OUT 4
+
 /* What to sample. All zero: the transforms of all joints, by frames, clamped. */
 typedef struct mcpr_sample_request {
   mcpr_layout layout;
   mcpr_time unit;
   mcpr_wrap wrap;
   mcpr_path path;
-  const uint16_t* joints; /* which, in any order, none twice; null: all */
-  uint32_t joint_count;   /* of `joints`; 0 where that is null */
+  const uint16_t* joints;          /* which, in any order, none twice; null: all */
+  uint32_t joint_count;            /* of `joints`; 0 where that is null */
+  const mcpr_selection* selection; /* in place of `joints`; null: what these say */
+  uint32_t bands_left_out;         /* 0: none; up to MCPR_MOST_BANDS_LEFT_OUT, the finest first */
 } mcpr_sample_request;
+
+/* Memory of a selection of so many joints: about 1.5 KB for 30 joints. 0: there is no clip, or
+ * it has not so many. */
+size_t mcpr_selection_bytes(const mcpr_cooked* cooked, uint32_t joint_count);
+
+/* Makes one of joints in any order, none twice, which is the order in which they come out. The list
+ * is no longer needed after this; the clip must stay where it is, and so must the selection. It is
+ * for this clip alone. Any number of threads may use it. */
+mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joints,
+                                uint32_t joint_count, void* memory, size_t size,
+                                const mcpr_selection** selection);
 
 /* Floats of a sample; 0 for a request that the clip cannot fulfil. */
 size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request);
 
-/* Local transforms of one instant. Needs no scratch memory but some stack (96 KiB at most). Between
- * two frames channels are linear in time, as in mcpr_decode_moment, and so is what the correction
- * made of them. All paths give the same bits. */
+/* Local transforms of one instant. Needs no scratch memory but some stack (112 KiB at most).
+ * Between two frames channels are linear in time, as in mcpr_decode_moment, and so is what the
+ * correction made of them. All paths give the same bits. */
 mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request, double time,
                         float* out);
 

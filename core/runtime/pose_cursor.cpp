@@ -66,8 +66,10 @@ std::size_t mcpr_cursor::bytes_for(const mcpr_cooked& clip) {
                      static_cast<std::size_t>(capacity_for(clip));
 }
 
-bool mcpr_cursor::keep(const runtime::PoseKernels& kernels, int number, bool and_next) {
+bool mcpr_cursor::keep(const runtime::PoseKernels& kernels, int number, bool and_next,
+                       int left_out_bands) {
   if (capacity == 0) return false;
+  if (std::exchange(left_out, left_out_bands) != left_out_bands) count = 0;
   const int before = std::exchange(last, number);
   if (has(number) && (!and_next || has(number + 1))) return true;
   const runtime::SegmentLayout layout = clip->layout();
@@ -109,8 +111,9 @@ void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment) {
     level = level_below(clip->wavelet, length, samples[level_count], step == 2 && level_count == 0);
     const int values = (level.details.end - level.details.first) * columns;
     level.entries = next;
+    level.is_left_out = level_count < left_out;
     kernels.clear(next, values);
-    for (int e = 0; e < clip->entry_parts(); ++e) {
+    for (int e = 0; e < clip->entry_parts() && !level.is_left_out; ++e) {
       const CookedEntries& band = clip->entries_of(segment, e, level_count);
       if (band.blocks > 0)
         spread_entries(*clip, band, level.details, columns, next + kGroup * kMostGroupsOfPart * e);

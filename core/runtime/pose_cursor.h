@@ -21,6 +21,7 @@ struct mcpr_cursor {
   std::int32_t columns;   // of each
   std::int32_t step;      // 2: every second frame is kept, as is asked for in play at half the rate
   std::int32_t last;      // frame that was asked for
+  std::int32_t left_out;  // of the finest bands, in what is kept
   // Then floats, frame after frame, kHead bytes from the beginning.
 
   /// Frames that fit.
@@ -33,8 +34,9 @@ struct mcpr_cursor {
   }
 
   /// Sees to it that a frame is kept, and the next one if it is wanted too. They are not among
-  /// those that two segments share. False: it keeps none.
-  bool keep(const mocapress::runtime::PoseKernels& kernels, int number, bool and_next);
+  /// those that two segments share. `left_out_bands`: of the finest. False: it keeps none.
+  bool keep(const mocapress::runtime::PoseKernels& kernels, int number, bool and_next,
+            int left_out_bands);
 
  private:
   bool has(int number) const {

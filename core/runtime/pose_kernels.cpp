@@ -238,10 +238,10 @@ void add_run(const EntryRun& run, const std::int32_t* weights, std::int32_t* sum
   }
 }
 
-void put_quaternions(const RotorGroup& group, const RotorQuaternions& quaternions, float* out,
-                     std::ptrdiff_t stride) {
-  for (int i = 0; i < group.joints; ++i)
-    for (int k = 0; k < 4; ++k) out[stride * group.joint[i] + k] = quaternions.of[k][i];
+void put_quaternions(const std::uint16_t* places, int joints, const RotorQuaternions& quaternions,
+                     float* out) {
+  for (int i = 0; i < joints; ++i)
+    for (int k = 0; k < 4; ++k) out[8 * places[i] + k] = quaternions.of[k][i];
 }
 
 }  // namespace

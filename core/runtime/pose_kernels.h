@@ -31,6 +31,7 @@ struct PartRows {
   const std::byte* clip;                // which the offsets of bands are from
   const CookedBand* bands;              // the finest first
   const BandWeights* weights_of_bands;  // likewise
+  int first_band;                       // from which on they are added up
   int kept_bands;
   const std::byte* samples;  // of row 0
   int first_sample;          // of kSampleWindow rows
@@ -72,7 +73,8 @@ struct LiftLevel {
   Wavelet wavelet = Wavelet::Haar;
   int even_count = 0;  // of the whole signal
   int odd_count = 0;
-  bool only_evens = false;  // of the samples the even ones
+  bool only_evens = false;   // of the samples the even ones
+  bool is_left_out = false;  // details are zero
   RowRange samples = {};
   RowRange evens = {};
   RowRange details = {};
@@ -117,10 +119,9 @@ struct PoseKernels {
   void (*lift)(const LiftPart&);
   /// `around`: what the group's AroundKind says.
   void (*turn)(const RotorGroup&, const float* columns, const float* around, RotorQuaternions& out);
-  /// Writes one quaternion w x y z each to 4 floats, of as many joints of a group as there are:
-  /// to out + stride * joint.
-  void (*put_quaternions)(const RotorGroup&, const RotorQuaternions&, float* out,
-                          std::ptrdiff_t stride);
+  /// Writes the quaternions of so many joints, w x y z each: to out + 8 * place.
+  void (*put_quaternions)(const std::uint16_t* places, int joints, const RotorQuaternions&,
+                          float* out);
 };
 
 extern const PoseKernels kPlainPoses;

@@ -236,9 +236,8 @@ MOCAPRESS_POSES_AVX2 inline void add_run(const EntryRun& run, const std::int32_t
   if (i < run.count) add_eight<false>(run.first + i, run.count - i, low, high, sums);
 }
 
-MOCAPRESS_POSES_AVX2 void put_quaternions(const RotorGroup& group,
-                                          const RotorQuaternions& quaternions, float* out,
-                                          std::ptrdiff_t stride) {
+MOCAPRESS_POSES_AVX2 void put_quaternions(const std::uint16_t* places, int count,
+                                          const RotorQuaternions& quaternions, float* out) {
   alignas(16) float joints[kGroup][4];
   for (int half = 0; half < 8; half += 4) {
     __m128 w = _mm_loadu_ps(quaternions.of[0] + half);
@@ -246,20 +245,19 @@ MOCAPRESS_POSES_AVX2 void put_quaternions(const RotorGroup& group,
     __m128 y = _mm_loadu_ps(quaternions.of[2] + half);
     __m128 z = _mm_loadu_ps(quaternions.of[3] + half);
     _MM_TRANSPOSE4_PS(w, x, y, z);
-    if (half + 4 <= group.joints) {
-      const std::uint16_t* const joint = group.joint + half;
-      _mm_storeu_ps(out + stride * joint[0], w);
-      _mm_storeu_ps(out + stride * joint[1], x);
-      _mm_storeu_ps(out + stride * joint[2], y);
-      _mm_storeu_ps(out + stride * joint[3], z);
+    if (half + 4 <= count) {
+      const std::uint16_t* const place = places + half;
+      _mm_storeu_ps(out + 8 * place[0], w);
+      _mm_storeu_ps(out + 8 * place[1], x);
+      _mm_storeu_ps(out + 8 * place[2], y);
+      _mm_storeu_ps(out + 8 * place[3], z);
       continue;
     }
     _mm_store_ps(joints[half], w);
     _mm_store_ps(joints[half + 1], x);
     _mm_store_ps(joints[half + 2], y);
     _mm_store_ps(joints[half + 3], z);
-    for (int i = half; i < group.joints; ++i)
-      _mm_storeu_ps(out + stride * group.joint[i], _mm_load_ps(joints[i]));
+    for (int i = half; i < count; ++i) _mm_storeu_ps(out + 8 * places[i], _mm_load_ps(joints[i]));
     return;
   }
 }

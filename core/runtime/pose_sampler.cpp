@@ -2,7 +2,6 @@
 #include "core/runtime/pose_sampler.h"
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -11,31 +10,28 @@
 #include "core/codec/format/joint_model.h"
 #include "core/runtime/instant_weights.h"
 #include "core/runtime/pose_cursor.h"
+#include "core/runtime/pose_selection.h"
 #include "core/runtime/row_kernels.h"
 
 namespace mocapress::runtime {
 namespace {
 
-constexpr int kMostGroups = kMostColumns / kGroup;
-
-/// Groups of columns that are wanted, one after the other.
-struct Groups {
-  int first = 0;
-  int count = 0;
-};
-
 class Sampler {
  public:
   Sampler(const mcpr_cooked& clip, const PoseKernels& kernels, const mcpr_sample_request& request,
-          mcpr_cursor* cursor)
-      : clip_(clip), kernels_(kernels), request_(request), cursor_(cursor) {
+          const mcpr_selection* selection, mcpr_cursor* cursor)
+      : clip_(clip),
+        kernels_(kernels),
+        request_(request),
+        selection_(selection),
+        cursor_(cursor),
+        left_out_(static_cast<int>(request.bands_left_out)) {
     for (int p = 0; p < clip.parts; ++p)
       kept_bands_ = std::max<int>(kept_bands_, clip.part(p).kept_bands);
     for (int p = 0; p < clip.parts; ++p) wanted_samples_ |= 1U << clip.part(p).kept_bands;
   }
 
   void run(const PlaceInClip& place, float* out) {
-    if (request_.joints != nullptr) find_wanted();
     if (place.across > 0)
       make_columns_across(place.across);
     else
@@ -45,54 +41,17 @@ class Sampler {
   }
 
  private:
-  bool is_wanted(int group) const { return request_.joints == nullptr || wanted_[group]; }
-  bool is_wanted(const RotorGroup& rotors) const {
-    if (request_.joints == nullptr) return true;
-    for (int i = 0; i < rotors.joints; ++i)
-      if (slots_[rotors.joint[i]] != kNone) return true;
-    return false;
-  }
-
-  /// Which joints go where, and the groups of columns that they need.
-  void find_wanted() {
-    std::fill_n(slots_, clip_.joints, kNone);
-    for (std::uint32_t i = 0; i < request_.joint_count; ++i)
-      slots_[request_.joints[i]] = static_cast<std::uint16_t>(i);
-    for (int g = 0; g < clip_.rotor_groups; ++g) {
-      const RotorGroup& rotors = clip_.at<RotorGroup>(clip_.rotors)[g];
-      if (!is_wanted(rotors)) continue;
-      for (int a = 0; a < rotors.angles; ++a) wanted_[rotors.vector[a]] = true;
-    }
-    for (int i = 0; i < clip_.moving_axes; ++i) {
-      const MovingAxis& moving = clip_.at<MovingAxis>(clip_.moving)[i];
-      if (slots_[moving.joint] != kNone) wanted_[moving.column / kGroup] = true;
-    }
-    for (int i = 0; i < clip_.other_turns; ++i) {
-      const OtherTurn& turn = clip_.at<OtherTurn>(clip_.turns)[i];
-      if (turn.axis != OtherTurn::kConstant && slots_[turn.joint] != kNone)
-        wanted_[turn.column / kGroup] = true;
-    }
-    for (int i = 0; i < clip_.added_columns; ++i) {
-      const AddedColumn& added = clip_.at<AddedColumn>(clip_.added)[i];
-      if (wanted_[added.to / kGroup]) wanted_[added.from / kGroup] = true;
-    }
-  }
-
-  /// From the first that is wanted to the last.
-  Groups groups_of(const CookedPart& part) const {
-    int first = 0;
-    int end = part.groups;
-    while (first < end && !is_wanted(part.first_group + first)) ++first;
-    while (end > first && !is_wanted(part.first_group + end - 1)) --end;
-    return {first, end - first};
+  bool is_wanted(int group) const {
+    return selection_ == nullptr || selection_->wanted[static_cast<std::size_t>(group)];
   }
 
   /// What the entries of a segment add up to, column by column.
   void sum_entries(int segment, const InstantWeights& weights, std::int32_t* whole) const {
     for (int e = 0; e < clip_.entry_parts(); ++e) {
       const int first = kMostGroupsOfPart * e;
-      kernels_.sum_entries(clip_.at<std::byte>(std::uint32_t{0}), &clip_.entries_of(segment, e, 0),
-                           weights.band, weights.levels,
+      kernels_.sum_entries(clip_.at<std::byte>(std::uint32_t{0}),
+                           &clip_.entries_of(segment, e, left_out_), weights.band + left_out_,
+                           weights.levels - left_out_,
                            std::min(static_cast<int>(clip_.row_groups) - first, kMostGroupsOfPart),
                            whole + kGroup * first);
     }
@@ -101,7 +60,8 @@ class Sampler {
   void make_part(int segment, int p, const InstantWeights& weights, const std::int32_t* entries,
                  float* columns) const {
     const CookedPart& part = clip_.part(p);
-    const Groups groups = request_.joints == nullptr ? Groups{0, part.groups} : groups_of(part);
+    const GroupRange groups =
+        selection_ == nullptr ? GroupRange{0, part.groups} : selection_->parts[p];
     if (groups.count == 0) return;
     const CookedRows& rows = clip_.rows_of(segment, p);
     const int kept = std::min<int>(part.kept_bands, weights.levels);
@@ -110,6 +70,7 @@ class Sampler {
     kernels_.make_columns({.clip = clip_.at<std::byte>(std::uint32_t{0}),
                            .bands = clip_.at<CookedBand>(rows.bands),
                            .weights_of_bands = weights.band,
+                           .first_band = left_out_,
                            .kept_bands = kept,
                            .samples = clip_.at<std::byte>(rows.samples),
                            .first_sample = samples.first_row,
@@ -164,7 +125,7 @@ class Sampler {
     }
     if (const SegmentLayout::Stretch stretch = layout.stretch_at(before);
         stretch.shared < 0 && (share == 0 || stretch.frames > 1)) {
-      if (cursor_ != nullptr && cursor_->keep(kernels_, before, share > 0))
+      if (cursor_ != nullptr && cursor_->keep(kernels_, before, share > 0, left_out_))
         blend_kept(before, share);
       else
         make_segment(stretch.segment, before, share, columns_);
@@ -244,49 +205,64 @@ class Sampler {
     std::copy_n(clip_.at<float>(clip_.bases), kGroup * (clip_.groups - clip_.row_groups),
                 columns_ + kGroup * clip_.row_groups);
     const auto* const added = clip_.at<AddedColumn>(clip_.added);
-    for (int i = 0; i < clip_.added_columns; ++i) columns_[added[i].to] += columns_[added[i].from];
+    if (selection_ == nullptr) {
+      for (int i = 0; i < clip_.added_columns; ++i)
+        columns_[added[i].to] += columns_[added[i].from];
+      return;
+    }
+    for (int i = 0; i < clip_.added_columns; ++i)
+      if (is_wanted(added[i].to / kGroup)) columns_[added[i].to] += columns_[added[i].from];
   }
 
   void put_out(float* out) {
-    const bool all_as_they_are = request_.joints == nullptr && request_.layout == MCPR_TRANSFORMS;
-    if (all_as_they_are)
-      std::memcpy(out, clip_.at<mcpr_transform>(clip_.rest), sizeof(mcpr_transform) * clip_.joints);
-    else
-      put_rest(out);
-    const auto* const groups = clip_.at<RotorGroup>(clip_.rotors);
-    for (int g = 0; g < clip_.rotor_groups; ++g) {
-      if (!is_wanted(groups[g])) continue;
+    put_rest(out);
+    const std::uint32_t groups =
+        selection_ == nullptr ? std::uint32_t{clip_.rotor_groups} : selection_->rotor_groups;
+    for (std::uint32_t i = 0; i < groups; ++i) {
+      const std::uint32_t g = selection_ == nullptr ? i : selection_->rotors[i].group;
+      const RotorGroup& group = clip_.at<RotorGroup>(clip_.rotors)[g];
+      const std::uint16_t* const places =
+          selection_ == nullptr ? group.joint : selection_->rotors[i].place;
+      const int joints = selection_ == nullptr ? group.joints : selection_->rotors[i].joints;
       RotorQuaternions quaternions;
-      kernels_.turn(groups[g], columns_, clip_.at<float>(groups[g].around), quaternions);
-      if (all_as_they_are) {
-        kernels_.put_quaternions(groups[g], quaternions, out, 8);
+      kernels_.turn(group, columns_, clip_.at<float>(group.around), quaternions);
+      if (request_.layout == MCPR_TRANSFORMS) {
+        kernels_.put_quaternions(places, joints, quaternions, out);
         continue;
       }
-      for (int i = 0; i < groups[g].joints; ++i) {
-        const float wxyz[4] = {quaternions.of[0][i], quaternions.of[1][i], quaternions.of[2][i],
-                               quaternions.of[3][i]};
-        put_rotation(groups[g].joint[i], wxyz, out);
+      for (int k = 0; k < joints; ++k) {
+        const float wxyz[4] = {quaternions.of[0][k], quaternions.of[1][k], quaternions.of[2][k],
+                               quaternions.of[3][k]};
+        put_rotation(places[k], wxyz, out);
       }
     }
     put_other_turns(out);
-    if (all_as_they_are) {
-      const auto* const moving = clip_.at<MovingAxis>(clip_.moving);
-      for (int i = 0; i < clip_.moving_axes; ++i)
-        out[8U * moving[i].joint + 4U + moving[i].axis] = columns_[moving[i].column];
-      return;
-    }
-    for (int i = 0; i < clip_.moving_axes; ++i) {
-      const MovingAxis& moving = clip_.at<MovingAxis>(clip_.moving)[i];
-      put_translation(moving.joint, moving.axis, columns_[moving.column], out);
-    }
+    const auto* const moving = clip_.at<MovingAxis>(clip_.moving);
+    for (int i = 0; i < clip_.moving_axes; ++i)
+      if (const std::uint32_t at = place_of(moving[i].joint); at != mcpr_selection::kNowhere)
+        put_translation(at, moving[i].axis, columns_[moving[i].column], out);
   }
 
-  void put_rest(float* out) {
-    for (std::uint32_t j = 0; j < clip_.joints; ++j) {
-      const mcpr_transform& rest = clip_.at<mcpr_transform>(clip_.rest)[j];
-      put_rotation(j, rest.rotation, out);
-      for (int axis = 0; axis < 3; ++axis) put_translation(j, axis, rest.translation[axis], out);
-      if (request_.layout == MCPR_TRANSFORMS && slot(j) != kNone) out[8 * slot(j) + 7] = 0;
+  /// What does not change.
+  void put_rest(float* out) const {
+    const auto* const rest = clip_.at<mcpr_transform>(clip_.rest);
+    if (request_.layout == MCPR_TRANSFORMS && selection_ == nullptr) {
+      std::memcpy(out, rest, sizeof *rest * clip_.joints);
+      return;
+    }
+    if (request_.layout == MCPR_TRANSFORMS && selection_ != nullptr &&
+        selection_->rest != nullptr) {
+      std::memcpy(out, selection_->rest, sizeof *rest * selection_->joint_count);
+      return;
+    }
+    for (std::uint32_t i = 0; i < joint_count(); ++i) {
+      const mcpr_transform& joint = rest[selection_ == nullptr ? i : selection_->joints[i]];
+      if (request_.layout == MCPR_TRANSFORMS) {
+        std::memcpy(out + std::size_t{8} * i, &joint, sizeof joint);
+        continue;
+      }
+      put_rotation(i, joint.rotation, out);
+      for (int axis = 0; axis < 3; ++axis) put_translation(i, axis, joint.translation[axis], out);
     }
   }
 
@@ -313,21 +289,20 @@ class Sampler {
       }
       const float wxyz[4] = {static_cast<float>(q[0]), static_cast<float>(q[1]),
                              static_cast<float>(q[2]), static_cast<float>(q[3])};
-      put_rotation(joint, wxyz, out);
+      if (const std::uint32_t at = place_of(joint); at != mcpr_selection::kNowhere)
+        put_rotation(at, wxyz, out);
     }
   }
 
-  /// Where a joint goes; kNone: it is not wanted.
-  std::uint32_t slot(std::uint32_t joint) const {
-    return request_.joints == nullptr ? joint : slots_[joint];
+  /// Where a joint goes, or kNowhere.
+  std::uint32_t place_of(std::uint32_t joint) const {
+    return selection_ == nullptr ? joint : selection_->places[joint];
   }
   std::uint32_t joint_count() const {
-    return request_.joints == nullptr ? clip_.joints : request_.joint_count;
+    return selection_ == nullptr ? clip_.joints : selection_->joint_count;
   }
 
-  void put_rotation(std::uint32_t joint, const float (&wxyz)[4], float* out) const {
-    const std::uint32_t at = slot(joint);
-    if (at == kNone) return;
+  void put_rotation(std::uint32_t at, const float (&wxyz)[4], float* out) const {
     if (request_.layout == MCPR_TRANSFORMS) {
       for (int k = 0; k < 4; ++k) out[8 * at + static_cast<std::uint32_t>(k)] = wxyz[k];
     } else if (request_.layout == MCPR_ARRAYS) {
@@ -341,9 +316,7 @@ class Sampler {
     }
   }
 
-  void put_translation(std::uint32_t joint, int axis, float value, float* out) const {
-    const std::uint32_t at = slot(joint);
-    if (at == kNone) return;
+  void put_translation(std::uint32_t at, int axis, float value, float* out) const {
     const auto a = static_cast<std::uint32_t>(axis);
     if (request_.layout == MCPR_TRANSFORMS)
       out[8 * at + 4 + a] = value;
@@ -353,15 +326,14 @@ class Sampler {
       out[12 * at + 4 * a + 3] = value;
   }
 
-  static constexpr std::uint16_t kNone = 0xFFFF;
   const mcpr_cooked& clip_;
   const PoseKernels& kernels_;
   const mcpr_sample_request& request_;
+  const mcpr_selection* const selection_;  // null: all joints
   mcpr_cursor* const cursor_;
+  const int left_out_;  // of the finest bands
   int kept_bands_ = 0;
-  unsigned wanted_samples_ = 0;       // a bit for each number of bands that a part keeps
-  std::bitset<kMostGroups> wanted_;   // where there is a list of joints
-  std::uint16_t slots_[kMostJoints];  // likewise; of the joints that there are
+  unsigned wanted_samples_ = 0;  // a bit for each number of bands that a part keeps
   alignas(32) float columns_[kMostColumns];
 };
 
@@ -404,7 +376,19 @@ std::size_t values_of_joint(mcpr_layout layout) {
 
 void sample(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInClip& place,
             const mcpr_sample_request& request, float* out, mcpr_cursor* cursor) {
-  Sampler(clip, kernels, request, cursor).run(place, out);
+  if (request.joints == nullptr) {
+    Sampler(clip, kernels, request, request.selection, cursor).run(place, out);
+    return;
+  }
+  // Of places, rotors and parts, as many as there can be.
+  constexpr std::size_t kMost = sizeof(std::uint16_t) * kMostJoints +
+                                sizeof(RotorPlaces) * (kMostJoints / kGroup) +
+                                sizeof(GroupRange) * (kMostColumns / kGroup) + 3 * kAlignment;
+  alignas(kAlignment) std::byte bytes[kMost];
+  Memory memory(bytes, kMost);
+  mcpr_selection selection(memory, clip);
+  selection.select(request.joints, request.joint_count);
+  Sampler(clip, kernels, request, &selection, cursor).run(place, out);
 }
 
 }  // namespace mocapress::runtime

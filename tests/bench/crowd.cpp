@@ -4,10 +4,12 @@
 // shell RMS and in one cooked bank that is mapped from disk. Both take turns in this run, so that
 // what else the machine does slows both down; medians are printed. ACL has a context for each clip
 // and thread that is made beforehand and not counted; ours needs none.
-// Then ours by the level of detail: all joints of those within 10 m, without the outermost ones
-// within 30 m, beyond that only those with four joints below them. Characters stand anywhere in a
-// square of 100 m.
+// Then ours by the level of detail: all joints of those within 10 m, without the outermost ones and
+// the finest band within 30 m, beyond that only those with four joints below them and without two
+// bands. Characters stand anywhere in a square of 100 m. Then all joints at each level alone: poses
+// a second without so many bands, and how far joints then are from where all bands have them.
 // Usage: mocapress-crowd CLIP|FOLDER... [--every N] [--characters N] [--rounds N]
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -21,6 +23,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/bank/bank.h"
@@ -29,6 +32,7 @@
 #include "core/base/random.h"
 #include "core/codec/encode/encoder.h"
 #include "core/codec/format/container.h"
+#include "core/codec/format/own_memory.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/distortion.h"
 #include "core/motion/body_tracks.h"
@@ -51,11 +55,21 @@ struct Character {
 
 /// Which joints of a clip are sampled at each level of detail.
 struct Detail {
+  std::vector<int> parents;
   std::vector<std::uint16_t> joints[3];
+  std::unique_ptr<AlignedBytes> memory[3];
+  const mcpr_selection* selection[3] = {};
+
+  mcpr_sample_request request(int level) const {
+    return {.unit = MCPR_SECONDS,
+            .selection = level > 0 ? selection[level] : nullptr,
+            .bands_left_out = static_cast<std::uint32_t>(level)};
+  }
 };
 
 /// Joints below each, itself counted.
-Detail detail_of(const mcpk_bank* bank, std::uint32_t clip, std::uint32_t joints) {
+Detail detail_of(const mcpk_bank* bank, std::uint32_t clip, const mcpr_cooked* cooked) {
+  const std::uint32_t joints = mcpr_cooked_describe(cooked).joints;
   std::vector<int> below(joints, 1);
   std::vector<int> parents(joints);
   for (std::uint32_t j = 0; j < joints; ++j) {
@@ -67,11 +81,58 @@ Detail detail_of(const mcpk_bank* bank, std::uint32_t clip, std::uint32_t joints
     if (parents[j] >= 0) below[static_cast<std::size_t>(parents[j])] += below[j];
   Detail detail;
   constexpr int kFewest[] = {1, 2, 5};
-  for (int level = 0; level < 3; ++level)
+  for (int level = 0; level < 3; ++level) {
+    std::vector<std::uint16_t>& list = detail.joints[level];
     for (std::uint32_t j = 0; j < joints; ++j)
-      if (below[j] >= kFewest[level]) detail.joints[level].push_back(static_cast<std::uint16_t>(j));
+      if (below[j] >= kFewest[level]) list.push_back(static_cast<std::uint16_t>(j));
+    const auto count = static_cast<std::uint32_t>(list.size());
+    AlignedBytes& memory = *(
+        detail.memory[level] = std::make_unique<AlignedBytes>(mcpr_selection_bytes(cooked, count)));
+    mcpr_make_selection(cooked, list.data(), count, memory.data(), memory.size(),
+                        &detail.selection[level]);
+  }
+  detail.parents = std::move(parents);
   return detail;
 }
+
+/// Where joints are in the world, of a pose.
+std::vector<Eigen::Vector3f> places_of(const std::vector<int>& parents,
+                                       const std::vector<float>& pose) {
+  std::vector<Eigen::Isometry3f> joints(parents.size());
+  std::vector<Eigen::Vector3f> places;
+  for (std::size_t j = 0; j < parents.size(); ++j) {
+    const float* const q = &pose[8 * j];
+    joints[j] = Eigen::Translation3f(q[4], q[5], q[6]) * Eigen::Quaternionf(q[0], q[1], q[2], q[3]);
+    if (parents[j] >= 0) joints[j] = joints[static_cast<std::size_t>(parents[j])] * joints[j];
+    places.emplace_back(joints[j].translation());
+  }
+  return places;
+}
+
+/// How far joints are from where all bands have them, cm.
+struct Missed {
+  double squares = 0;
+  double most = 0;
+  std::size_t joints = 0;
+
+  void add(const mcpr_cooked* clip, const std::vector<int>& parents, double seconds,
+           std::uint32_t bands) {
+    std::vector<float> pose(8 * parents.size());
+    const mcpr_sample_request all{.unit = MCPR_SECONDS};
+    const mcpr_sample_request some{.unit = MCPR_SECONDS, .bands_left_out = bands};
+    mcpr_sample(clip, &all, seconds, pose.data());
+    const std::vector<Eigen::Vector3f> right = places_of(parents, pose);
+    mcpr_sample(clip, &some, seconds, pose.data());
+    const std::vector<Eigen::Vector3f> coarse = places_of(parents, pose);
+    for (std::size_t j = 0; j < right.size(); ++j) {
+      const auto apart = static_cast<double>((coarse[j] - right[j]).norm());
+      squares += apart * apart;
+      most = std::max(most, apart);
+    }
+    joints += right.size();
+  }
+  double rms() const { return std::sqrt(squares / static_cast<double>(joints)); }
+};
 
 /// All characters once, on all cores: seconds.
 template <typename Pose>
@@ -146,7 +207,7 @@ Json Crowd::run() const {
   for (std::uint32_t c = 0; c < ours.size(); ++c) {
     mcpk_cooked(bank, c, &ours[c]);
     const std::uint32_t joints = mcpr_cooked_describe(ours[c]).joints;
-    details.push_back(detail_of(bank, c, joints));
+    details.push_back(detail_of(bank, c, ours[c]));
     most_joints = std::max<std::size_t>(most_joints, joints);
   }
   const unsigned threads = std::max(std::thread::hardware_concurrency(), 1U);
@@ -158,6 +219,10 @@ Json Crowd::run() const {
   std::vector<double> acl_seconds;
   std::vector<double> our_seconds;
   std::vector<double> detail_seconds;
+  constexpr std::uint32_t kBands = MCPR_MOST_BANDS_LEFT_OUT + 1;
+  std::vector<double> band_seconds[kBands];
+  std::vector<double> selected_seconds[3];
+  Missed missed[kBands];
   double sampled_joints[2] = {};
   Random random(16);
   for (int round = 0; round < rounds; ++round) {
@@ -179,18 +244,39 @@ Json Crowd::run() const {
       mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data());
     }));
     detail_seconds.push_back(pose_all(crowd, threads, [&](unsigned t, const Character& c) {
-      mcpr_sample_request request{.unit = MCPR_SECONDS};
-      if (c.detail > 0) {
-        request.joints = details[c.clip].joints[c.detail].data();
-        request.joint_count = static_cast<std::uint32_t>(details[c.clip].joints[c.detail].size());
-      }
+      const mcpr_sample_request request = details[c.clip].request(c.detail);
       mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data());
     }));
+    for (std::uint32_t bands = 0; bands < kBands; ++bands) {
+      band_seconds[bands].push_back(pose_all(crowd, threads, [&](unsigned t, const Character& c) {
+        const mcpr_sample_request request{.unit = MCPR_SECONDS, .bands_left_out = bands};
+        mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data());
+      }));
+      for (std::size_t c = 0; c < crowd.size(); c += 20)
+        missed[bands].add(ours[crowd[c].clip], details[crowd[c].clip].parents,
+                          static_cast<double>(crowd[c].seconds), bands);
+    }
+    for (int level = 0; level < 3; ++level)
+      selected_seconds[level].push_back(
+          pose_all(crowd, threads, [&](unsigned t, const Character& c) {
+            const mcpr_sample_request request{.unit = MCPR_SECONDS,
+                                              .selection = details[c.clip].selection[level]};
+            mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data());
+          }));
   }
   const auto per_second = [&](const std::vector<double>& seconds) {
     return static_cast<double>(characters) / middle(seconds);
   };
   const auto count = static_cast<double>(characters);
+  Json without_bands;
+  for (std::uint32_t bands = 0; bands < kBands; ++bands)
+    without_bands.push_back({{"bands_left_out", bands},
+                             {"poses_per_second", per_second(band_seconds[bands])},
+                             {"rms_cm", missed[bands].rms()},
+                             {"max_cm", missed[bands].most}});
+  Json selected;
+  for (const std::vector<double>& seconds : selected_seconds)
+    selected.push_back(per_second(seconds));
   return {
       {"clips", ours.size()},
       {"characters", characters},
@@ -201,6 +287,8 @@ Json Crowd::run() const {
       {"poses_to_acl", per_second(our_seconds) / per_second(acl_seconds)},
       {"detail_poses_per_second", per_second(detail_seconds)},
       {"detail_joints_share", sampled_joints[1] / sampled_joints[0]},
+      {"selected_poses_per_second", selected},
+      {"without_bands", without_bands},
       {"acl_bytes", acl_bytes},
       {"cooked_bytes", bank->bytes},
       {"packed_bytes", packed.bank().bytes},

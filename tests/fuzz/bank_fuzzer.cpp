@@ -21,6 +21,17 @@ void sample(const mcpr_cooked* clip) {
     for (const double at : {0.0, 0.5, 0.5 * info.frames, info.frames - 1.0})
       if (!pose.empty()) mcpr_sample(clip, &request, at, pose.data());
   }
+  const std::uint16_t root = 0;
+  const AlignedBytes memory(mcpr_selection_bytes(clip, 1));
+  const mcpr_selection* selection = nullptr;
+  if (mcpr_make_selection(clip, &root, 1, memory.data(), memory.size(), &selection).status !=
+      MCPR_OK)
+    return;
+  float transform[8];
+  for (std::uint32_t bands = 0; bands <= MCPR_MOST_BANDS_LEFT_OUT; ++bands) {
+    const mcpr_sample_request request{.selection = selection, .bands_left_out = bands};
+    mcpr_sample(clip, &request, 0.5 * info.frames, transform);
+  }
 }
 
 /// Makes a checksum right where what it is of lies within the bytes.

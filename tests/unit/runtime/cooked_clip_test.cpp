@@ -198,6 +198,89 @@ TEST_F(CookedPaths, AllLayoutsAndListsSayTheSame) {
   }
 }
 
+/// A selection of a clip, in memory of its own.
+class Selected {
+ public:
+  Selected(const mcpr_cooked* clip, const std::vector<std::uint16_t>& joints)
+      : memory_(mcpr_selection_bytes(clip, static_cast<std::uint32_t>(joints.size()))) {
+    EXPECT_EQ(mcpr_make_selection(clip, joints.data(), static_cast<std::uint32_t>(joints.size()),
+                                  memory_.data(), memory_.size(), &selection)
+                  .status,
+              MCPR_OK);
+  }
+  const mcpr_selection* selection = nullptr;
+
+ private:
+  AlignedBytes memory_;
+};
+
+TEST_F(CookedPaths, SelectionsSayWhatListsSay) {
+  const mcpr_cooked_info info = mcpr_cooked_describe(cooked_.clip);
+  Random random(10);
+  for (int i = 0; i < 100; ++i) {
+    std::vector<std::uint16_t> list;
+    for (std::uint32_t j = info.joints; j-- > 0;)
+      if (random.unit() < 0.02 * i) list.push_back(static_cast<std::uint16_t>(j));
+    if (list.empty()) list = {0};
+    const Selected selected(cooked_.clip, list);
+    const double frame = 332 * random.unit();
+    for (const mcpr_layout layout : {MCPR_TRANSFORMS, MCPR_ARRAYS, MCPR_MATRICES})
+      for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_BEST})
+        EXPECT_EQ(cooked_.sample({.layout = layout, .path = path, .selection = selected.selection},
+                                 frame),
+                  cooked_.sample({.layout = layout,
+                                  .path = path,
+                                  .joints = list.data(),
+                                  .joint_count = static_cast<std::uint32_t>(list.size())},
+                                 frame));
+  }
+}
+
+TEST_F(CookedPaths, RefuseSelectionsThatDoNotSuit) {
+  const std::uint16_t joints[] = {1, 0, 1};
+  const mcpr_selection* made = nullptr;
+  EXPECT_EQ(mcpr_selection_bytes(nullptr, 1), 0u);
+  EXPECT_EQ(mcpr_selection_bytes(cooked_.clip, 1000), 0u);
+  const std::size_t size = mcpr_selection_bytes(cooked_.clip, 3);
+  const AlignedBytes memory(size);
+  const auto make = [&](std::uint32_t count, std::size_t bytes) {
+    return mcpr_make_selection(cooked_.clip, joints, count, memory.data(), bytes, &made).status;
+  };
+  EXPECT_EQ(make(3, size), MCPR_ARGUMENT) << "one twice";
+  EXPECT_EQ(make(2, mcpr_selection_bytes(cooked_.clip, 2) - 1), MCPR_MEMORY);
+  ASSERT_EQ(make(2, size), MCPR_OK);
+  const CookedClip other(opened_.clip);
+  const mcpr_sample_request request{.selection = made};
+  EXPECT_EQ(mcpr_sample_values(cooked_.clip, &request), 16u);
+  EXPECT_EQ(mcpr_sample_values(other.clip, &request), 0u) << "of another clip";
+  const mcpr_sample_request both{.joints = joints, .joint_count = 1, .selection = made};
+  EXPECT_EQ(mcpr_sample_values(cooked_.clip, &both), 0u);
+}
+
+/// The more bands, the further away, and all by the same bits.
+TEST_F(CookedPaths, BandsThatAreLeftOutAreMissed) {
+  double before = 0;
+  for (std::uint32_t bands = 0; bands <= MCPR_MOST_BANDS_LEFT_OUT; ++bands) {
+    double apart = 0;
+    for (double frame = 0.3; frame < 332; frame += 1.7) {
+      const std::vector<float> all = cooked_.sample({}, frame);
+      const std::vector<float> coarse = cooked_.sample({.bands_left_out = bands}, frame);
+      EXPECT_EQ(coarse, cooked_.sample({.path = MCPR_PATH_PLAIN, .bands_left_out = bands}, frame));
+      ASSERT_EQ(all.size(), coarse.size());
+      for (std::size_t i = 0; i < all.size(); ++i)
+        apart += std::pow(static_cast<double>(all[i]) - static_cast<double>(coarse[i]), 2);
+    }
+    EXPECT_GE(apart, before) << bands;
+    before = apart;
+    if (bands == 0) {
+      EXPECT_EQ(apart, 0);
+    }
+  }
+  EXPECT_GT(before, 0);
+  const mcpr_sample_request request{.bands_left_out = MCPR_MOST_BANDS_LEFT_OUT + 1};
+  EXPECT_EQ(mcpr_sample_values(cooked_.clip, &request), 0u);
+}
+
 TEST_F(CookedPaths, SecondsAreFramesAndInstantsBeyondTheEndsStandStill) {
   const double rate = mcpr_cooked_describe(cooked_.clip).sample_rate;
   EXPECT_EQ(cooked_.sample({.unit = MCPR_SECONDS}, 100 / rate), cooked_.sample({}, 100));

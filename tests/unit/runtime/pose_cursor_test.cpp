@@ -131,6 +131,22 @@ TEST(PoseCursor, PlaysLoopsAcrossTheSeam) {
     expect_as_without(clip_of_frames(90, {.loop = loop}), {.wrap = MCPR_LOOP}, -100, 300);
 }
 
+/// One after the other by one cursor, so that what it keeps is of another level.
+TEST(PoseCursor, LeavesOutTheBandsThatSamplesLeaveOut) {
+  for (const int frames : {4, 13, 31, 200}) {
+    Player player(clip_of_frames(frames, {.target = {Target::Kind::Error, 0.01}}));
+    Random random(9);
+    for (int i = 0; i < 100; ++i) {
+      const double frame = (frames - 1) * random.unit();
+      const mcpr_sample_request request{
+          .bands_left_out = static_cast<std::uint32_t>(random.below(MCPR_MOST_BANDS_LEFT_OUT + 1))};
+      const std::vector<float> played = player.next(request, frame);
+      expect_close(played, player.clip().sample(request, frame), frame);
+      EXPECT_EQ(played, player.fresh(request, frame)) << frame;
+    }
+  }
+}
+
 TEST(PoseCursor, PathsAndListsGiveTheSameBits) {
   Player player(clip_of_frames(140));
   const std::vector<std::uint16_t> list = {5, 0, 7};
