@@ -53,6 +53,23 @@ TEST_F(InstalledDecoder, BuildsAndRunsTheExampleByCMakeAndByPkgConfig) {
   EXPECT_GT(std::count(by_cmake.begin(), by_cmake.end(), '#'), 100) << "a figure, second by second";
 }
 
+TEST_F(InstalledDecoder, TheCrowdPlaysACookedBankAndRefusesAPackedOne) {
+  const std::string program = file("crowd").string();
+  run({"sh", "-c",
+       "cc -std=c11 -Wall -Wextra -Werror " + (example_ / "crowd.c").string() + " -I" +
+           (file("prefix") / "include").string() + " $(find " + file("prefix").string() +
+           " -name libmocapress-runtime.a) -lstdc++ -lm -o " + program});
+  const std::string clip = (example_ / "walk.mcpr").string();
+  ASSERT_EQ(mocapress({"bank", "make", file("packed.mcpk"), clip}).exit_code, 0);
+  ASSERT_EQ(mocapress({"bank", "make", file("cooked.mcpk"), clip, "--cooked"}).exit_code, 0);
+  const std::string said = run({program, file("cooked.mcpk"), "5"});
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 15) << said;
+  EXPECT_NE(said.find("2 s: 4 plays walk at "), std::string::npos) << said;
+  const Outcome outcome = run_program({program, file("packed.mcpk"), "5"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("crowd: "), std::string::npos) << outcome.err;
+}
+
 TEST_F(InstalledDecoder, TheExampleRefusesWhatIsNoClip) {
   const std::string program = file("play").string();
   run({"sh", "-c",
