@@ -96,7 +96,7 @@ namespace {
 
 constexpr int kSidebarWidth = 320;
 constexpr int kLibraryWidth = 240;
-constexpr int kJointsWidth = 470;
+constexpr int kJointsWidth = 440;
 constexpr int kBelowHeight = 240;
 
 struct DockTitles {
