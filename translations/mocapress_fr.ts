@@ -1054,8 +1054,16 @@
         <translation>La première et la dernière pose, où les clips sont fondus et bouclés. Égales : pas plus loin que la cible, et celles d&apos;une boucle pareilles. Exactes : un dixième de celle-ci, pour environ 4 % d&apos;octets de plus. Libres : ce qui vient.</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh, where the file has one. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
-        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Peau : des points du maillage, si le fichier en a un. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
+        <source>Tracks within</source>
+        <translation>Pistes à moins de</translation>
+    </message>
+    <message>
+        <source>How far values of morph weights and scales may be off, whatever the target of the motion is. A weight goes from 0 to 1; switches and constants are kept exactly.</source>
+        <translation>De combien les valeurs des poids de morphing et des échelles peuvent s&apos;écarter, quelle que soit la cible du mouvement. Un poids va de 0 à 1 ; les interrupteurs et les constantes sont gardés exactement.</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Peau : des points du maillage du clip ou du personnage qui l&apos;habille. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
     </message>
 </context>
 <context>
@@ -3024,6 +3032,10 @@
     <message>
         <source>Ends</source>
         <translation>Extrémités</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Pistes</translation>
     </message>
 </context>
 <context>

@@ -1046,8 +1046,16 @@
         <translation>最初と最後のポーズ。クリップがブレンドされ、ループする所です。均等：目標より離れず、ループでは両端がそろいます。厳密：目標の十分の一で、約 4 % 大きくなります。自由：成り行きのまま。</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh, where the file has one. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
-        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。スキン：ファイルにメッシュがある場合、その上の点。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
+        <source>Tracks within</source>
+        <translation>トラックの許容誤差</translation>
+    </message>
+    <message>
+        <source>How far values of morph weights and scales may be off, whatever the target of the motion is. A weight goes from 0 to 1; switches and constants are kept exactly.</source>
+        <translation>モーフウェイトとスケールの値がずれてよい大きさです。モーションの目標とは別に働きます。重みは0から1までで、スイッチと定数はそのまま保たれます。</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。スキン：クリップ、または着せたキャラクターのメッシュ上の点。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
     </message>
 </context>
 <context>
@@ -3007,6 +3015,10 @@
     <message>
         <source>Ends</source>
         <translation>両端</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>トラック</translation>
     </message>
 </context>
 <context>

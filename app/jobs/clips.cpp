@@ -166,15 +166,17 @@ OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character)
   return std::make_shared<const OriginalClip>(std::move(result));
 }
 
-std::vector<std::byte> savedFile(const DecodedClip& decoded, const OriginalClip* original) {
+std::vector<std::byte> savedFile(const DecodedClip& decoded, const OriginalClip* original,
+                                 const CodedTracks& tracks) {
   if (!original || !decoded.coefficient_ratio) return with_source(decoded.file, decoded.source);
-  return with_coded_tracks(with_source(decoded.file, original->source), original->scalars);
+  return with_coded_tracks(with_source(decoded.file, original->source), tracks);
 }
 
-void saveClip(const QString& path, const DecodedClip& decoded, const OriginalClip* original) {
+void saveClip(const QString& path, const DecodedClip& decoded, const OriginalClip* original,
+              const CodedTracks& tracks) {
   const bool was_encoded_here = decoded.coefficient_ratio.has_value();
   StagedFile file(std::filesystem::path(path.toStdU16String()));
-  file.write(savedFile(decoded, original));
+  file.write(savedFile(decoded, original, tracks));
   if (original && was_encoded_here)
     verify(file.read_back(), *original->encoder);
   else

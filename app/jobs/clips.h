@@ -46,7 +46,7 @@ struct OriginalClip {
   QString character;  // path of the one that was put on it, also of one that does not fit
   Takes takes;
   ClipOutline outline;
-  CodedTracks scalars;  // morph weights and the like, as a .mcpr keeps them
+  ScalarTracks scalars;  // morph weights and the like
   std::shared_ptr<const Encoder> encoder;
 
   const Motion& motion() const { return encoder->motion(); }
@@ -84,8 +84,9 @@ struct DecodedClip {
 using OriginalPtr = std::shared_ptr<const OriginalClip>;
 using DecodedPtr = std::shared_ptr<const DecodedClip>;
 
-/// The .mcpr that saving writes.
-std::vector<std::byte> savedFile(const DecodedClip& decoded, const OriginalClip* original);
+/// The .mcpr that saving writes. `tracks`: those of the original.
+std::vector<std::byte> savedFile(const DecodedClip& decoded, const OriginalClip* original,
+                                 const CodedTracks& tracks);
 
 /// With its correction.
 Poses posesOf(const DecodedPtr& decoded);
@@ -117,6 +118,7 @@ OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character)
 
 /// Writes a compressed clip. What the disk gives back is verified before it takes its place:
 /// against its original where it was encoded here, else by being read. Throws Error.
-void saveClip(const QString& path, const DecodedClip& decoded, const OriginalClip* original);
+void saveClip(const QString& path, const DecodedClip& decoded, const OriginalClip* original,
+              const CodedTracks& tracks);
 
 }  // namespace mocapress

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "core/baselines/compression_method.h"
-#include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"
 #include "core/formats/motion_file.h"
 #include "core/study/row.h"
@@ -59,7 +58,7 @@ OriginalPtr readOriginal(const OpenRequest& request) {
   original.warnings = std::move(file.warnings);
   original.skin = std::move(file.skin);
   original.takes = std::move(file.takes);
-  original.scalars = encode_tracks(file.tracks, kUsualTrackError);
+  original.scalars = std::move(file.tracks);
   // Here, off the GUI thread, and not where they are first shown.
   original.outline = outlineOf(file.motion, original.skin.get());
   if (const PutCharacter put = characterOf(request); put.character.skin) {

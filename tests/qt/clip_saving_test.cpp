@@ -29,24 +29,24 @@ class ClipSaving : public testing::Test {
 };
 
 TEST_F(ClipSaving, WritesWhatWasVerified) {
-  saveClip(path_, decoded_, &original_);
+  saveClip(path_, decoded_, &original_, {});
   EXPECT_EQ(written(), decoded_.file);
   const DecodedPtr opened = decodedClip(open_mcpr(path_.toStdString()), nullptr);
   QFile::remove(path_);
-  saveClip(path_, *opened, nullptr);
+  saveClip(path_, *opened, nullptr, {});
   EXPECT_EQ(written(), decoded_.file) << "a clip without its original is read instead";
 }
 
 TEST_F(ClipSaving, LeavesTheOldFileWhereTheNewOneIsNotTheClip) {
-  saveClip(path_, decoded_, &original_);
+  saveClip(path_, decoded_, &original_, {});
   const std::vector<std::byte> before = written();
   DecodedClip damaged = decoded_;
   damaged.file[damaged.file.size() / 2] ^= std::byte{1};
-  EXPECT_THROW(saveClip(path_, damaged, &original_), Error);
-  EXPECT_THROW(saveClip(path_, damaged, nullptr), Error);
+  EXPECT_THROW(saveClip(path_, damaged, &original_, {}), Error);
+  EXPECT_THROW(saveClip(path_, damaged, nullptr, {}), Error);
   OriginalClip another;
   another.encoder = std::make_shared<const Encoder>(test::smooth_motion(299));
-  EXPECT_THROW(saveClip(path_, decoded_, &another), Error);
+  EXPECT_THROW(saveClip(path_, decoded_, &another, {}), Error);
   EXPECT_EQ(written(), before);
 }
 

@@ -159,13 +159,27 @@ TEST(JointsPanel, LeavesRoomForNamesHoweverNarrowItIs) {
   EXPECT_EQ(view->header()->length(), view->viewport()->width());
 }
 
+TEST(CompressionPanel, AsksForTheErrorOfTracksWhereThereAreAny) {
+  CompressionPanel panel;
+  std::vector<double> chosen;
+  QObject::connect(&panel, &CompressionPanel::trackErrorChanged,
+                   [&](double track_error) { chosen.push_back(track_error); });
+  EXPECT_TRUE(panel.trackError()->parentWidget()->isHidden());
+  panel.setHasTracks(true);
+  EXPECT_FALSE(panel.trackError()->parentWidget()->isHidden());
+  panel.setTrackError(0.01);
+  EXPECT_TRUE(chosen.empty());
+  panel.trackError()->setValue(0.005);
+  EXPECT_EQ(chosen, std::vector<double>{0.005});
+}
+
 TEST(CompressionPanel, EveryControlHasANameAndAnExplanation) {
   CompressionPanel panel;
   QWidgetList controls;
   for (QWidget* control : panel.findChildren<QComboBox*>()) controls << control;
   for (QWidget* control : panel.findChildren<QAbstractSpinBox*>()) controls << control;
   for (QWidget* control : panel.findChildren<QSlider*>()) controls << control;
-  EXPECT_EQ(controls.size(), 12);
+  EXPECT_EQ(controls.size(), 13);
   for (const QWidget* control : controls) {
     EXPECT_FALSE(control->accessibleName().isEmpty());
     EXPECT_FALSE(control->toolTip().isEmpty()) << control->accessibleName().toStdString();

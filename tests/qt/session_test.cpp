@@ -7,12 +7,16 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 #include <memory>
+#include <vector>
 
 #include "app/studio/compare/figures.h"
 #include "core/base/file.h"
 #include "core/baselines/compression_method.h"
+#include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/source_section.h"
+#include "core/codec/format/tracks_section.h"
 #include "core/formats/motion_file.h"
 #include "tests/qt/patience.h"
 #include "tests/support/small_gltf.h"
@@ -469,6 +473,41 @@ TEST_F(Studio, NothingIsOpenAfterAClose) {
   openAndSettle(path("motion.bvh"));
   EXPECT_EQ(opened.count(), 1) << "what was on its way does not arrive";
   EXPECT_EQ(document_.frames(), 100);
+}
+
+TEST_F(Studio, KeepsTracksByABoundOfTheirOwn) {
+  test::SmallGltf gltf = test::bending_knee();
+  gltf.json["nodes"].push_back({{"name", "Face"}, {"mesh", 0}});
+  gltf.json["scenes"][0]["nodes"].push_back(3);
+  gltf.json["meshes"] = GltfJson::array(
+      {{{"primitives",
+         {{{"attributes", GltfJson::object()}, {"targets", {GltfJson::object()}}}}}}});
+  std::vector<float> weights;
+  for (int key = 0; key < 11; ++key) weights.push_back(std::sin(0.4F * static_cast<float>(key)));
+  gltf.move(3, "weights", 0, gltf.add("SCALAR", weights));
+  write_text(path("face.glb").toStdU16String(), gltf.glb());
+  session_.setOptions({.method = Method::ClosedLoop, .target = {Target::Kind::Error, 0.5}});
+  openAndSettle(path("face.glb"));
+  ASSERT_EQ(document_.original()->scalars.size(), 1U);
+
+  const auto track_bytes = [&] { return track_bytes_of(document_.file()); };
+  const std::size_t before = track_bytes();
+  QSignalSpy decoded(&document_, &Document::decodedChanged);
+  session_.setTrackError(0.1);
+  ASSERT_TRUE(waitFor(decoded));  // the size in the result is another
+  EXPECT_LT(track_bytes(), before);
+  EXPECT_TRUE(document_.modified());
+  saveAndWait(path("face.mcpr"));
+  EXPECT_FALSE(document_.modified());
+  const ScalarTracks kept =
+      decode_tracks(coded_tracks_of(read_bytes(path("face.mcpr").toStdU16String())));
+  const double error = track_error(document_.original()->scalars, kept);
+  EXPECT_LE(error, 0.1);
+  EXPECT_GT(error, kUsualTrackError);
+
+  while (session_.history()->canUndo()) session_.history()->undo();
+  EXPECT_EQ(document_.settings().track_error, kUsualTrackError);
+  EXPECT_EQ(track_bytes(), before);
 }
 
 }  // namespace

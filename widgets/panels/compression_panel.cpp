@@ -2,7 +2,11 @@
 #include "widgets/panels/compression_panel.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -38,6 +42,8 @@ CompressionPanel::CompressionPanel(QWidget* parent)
     : QWidget(parent),
       presets_(new PresetChooser(this)),
       target_(new TargetControl(this)),
+      track_error_(new QDoubleSpinBox(this)),
+      tracks_(makeTracks()),
       correction_(new CorrectionControl(this)),
       method_(new QComboBox(this)),
       effort_(new QComboBox(this)),
@@ -58,6 +64,7 @@ CompressionPanel::CompressionPanel(QWidget* parent)
   column->setSpacing(10);
   column->addWidget(presets_);
   column->addWidget(target_);
+  column->addWidget(tracks_);
   column->addWidget(correction_);
   column->addLayout(form);
   column->addWidget(makeDrawer());
@@ -85,8 +92,41 @@ CompressionPanel::CompressionPanel(QWidget* parent)
   chosen_in(ends_, &EncodeOptions::ends);
   chosen_in(weighting_, &EncodeOptions::weighting);
   chosen_in(coding_, &EncodeOptions::coding);
+  connect(track_error_, &QDoubleSpinBox::valueChanged, this, &CompressionPanel::trackErrorChanged);
   connect(importance_, &QToolButton::clicked, this, &CompressionPanel::importanceRequested);
   setOptions({});
+}
+
+/// Beside the target, which says nothing of them.
+QWidget* CompressionPanel::makeTracks() {
+  auto* tracks = new QWidget(this);
+  track_error_->setAlignment(Qt::AlignRight);
+  track_error_->setDecimals(4);
+  track_error_->setRange(1e-4, 1e6);
+  track_error_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  track_error_->setKeyboardTracking(false);
+  track_error_->setAccessibleName(tr("Tracks within"));
+  track_error_->setToolTip(
+      tr("How far values of morph weights and scales may be off, whatever the target of the "
+         "motion is. A weight goes from 0 to 1; switches and constants are kept exactly."));
+  auto* label = new QLabel(tr("Tracks within"), tracks);
+  label->setBuddy(track_error_);
+  auto* row = new QHBoxLayout(tracks);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(12);
+  row->addWidget(label);
+  row->addWidget(track_error_, 1);
+  tracks->hide();
+  return tracks;
+}
+
+void CompressionPanel::setTrackError(double track_error) {
+  const QSignalBlocker silent(track_error_);
+  track_error_->setValue(track_error);
+}
+
+void CompressionPanel::setHasTracks(bool has_tracks) {
+  tracks_->setVisible(has_tracks);
 }
 
 /// What is seldom changed.
@@ -140,7 +180,8 @@ void CompressionPanel::makeChoices() {
   weighting_->setAccessibleName(tr("Weighting"));
   weighting_->setToolTip(
       tr("Which points the error eps_x counts. Surface: the body's skin, so that turned heads and "
-         "hands count. Skin: points on the mesh, where the file has one. Shell: three points 3 cm "
+         "hands count. Skin: points on the mesh of the clip or of the character put on it. Shell: "
+         "three points 3 cm "
          "from every joint, as ACL does. Bone ends and joint "
          "origins: points on the bones, by bone length; the latter are the paper's."));
   addChoices(coding_, {Coding::Deflate, Coding::Rle16, Coding::Adaptive});

@@ -6,6 +6,7 @@
 #include "core/codec/encode/encoder.h"
 
 class QComboBox;
+class QDoubleSpinBox;
 class QToolButton;
 
 namespace mocapress {
@@ -27,6 +28,12 @@ class CompressionPanel : public QWidget {
   /// The joints that can be held.
   void setSkeleton(const Skeleton& skeleton);
 
+  /// No value of a scalar track is further off. Emits nothing.
+  void setTrackError(double track_error);
+
+  /// Whether the clip has any: else there is nothing to set.
+  void setHasTracks(bool has_tracks);
+
   PresetChooser* presets() const { return presets_; }
   TargetControl* target() const { return target_; }
   CorrectionControl* correction() const { return correction_; }
@@ -35,15 +42,18 @@ class CompressionPanel : public QWidget {
   QComboBox* ends() const { return ends_; }
   QComboBox* coding() const { return coding_; }
   QToolButton* importance() const { return importance_; }
+  QDoubleSpinBox* trackError() const { return track_error_; }
 
  signals:
   void optionsChanged(const EncodeOptions& options);
+  void trackErrorChanged(double track_error);
 
   /// The user wants to see what is taken more care of.
   void importanceRequested();
 
  private:
   void makeChoices();
+  QWidget* makeTracks();
   QWidget* makeDrawer();
   void showWhatApplies();
 
@@ -51,6 +61,8 @@ class CompressionPanel : public QWidget {
   Skeleton skeleton_;
   PresetChooser* presets_;
   TargetControl* target_;
+  QDoubleSpinBox* track_error_;
+  QWidget* tracks_;
   CorrectionControl* correction_;
   QComboBox* method_;
   QComboBox* effort_;

@@ -91,6 +91,8 @@ void Presenter::connectDocument() {
 
 void Presenter::connectViews() {
   connect(views_.compression, &CompressionPanel::optionsChanged, session_, &Session::setOptions);
+  connect(views_.compression, &CompressionPanel::trackErrorChanged, session_,
+          &Session::setTrackError);
   connect(views_.importance, &ImportancePanel::importanceChanged, session_,
           &Session::setImportance);
   connect(views_.annealing, &AnnealingPanel::cancelRequested, session_, &Session::cancelAnnealing);
@@ -118,6 +120,7 @@ void Presenter::showClip() {
   showSkin();
   views_.warnings->setWarnings(original ? original->warnings : Warnings());
   views_.compression->setEnabled(original != nullptr);
+  views_.compression->setHasTracks(original && !original->scalars.empty());
   showSkeleton();
   views_.importance->setEnabled(original != nullptr);
   views_.importance->setSkeleton(skeleton);
@@ -150,6 +153,7 @@ void Presenter::showTakes() {
 void Presenter::showOptions() {
   const EncodeOptions& options = session_->document().options();
   views_.compression->setOptions(options);
+  views_.compression->setTrackError(session_->document().settings().track_error);
   views_.importance->setMethod(options.method);
   views_.importance->setImportance(options.importance);
 }

@@ -5,6 +5,7 @@
 
 #include "app/studio/document/named_settings.h"
 #include "app/studio/document/settings_field.h"
+#include "core/codec/encode/track_encoder.h"
 
 namespace mocapress {
 namespace {
@@ -55,7 +56,18 @@ SourceFormat Document::source() const {
 }
 
 bool Document::modified() const {
-  return touched_ && original_ && decoded_ != saved_;
+  return touched_ && original_ &&
+         (decoded_ != saved_ ||
+          (!original_->scalars.empty() && settings().track_error != saved_track_error_));
+}
+
+const CodedTracks& Document::codedTracks() const {
+  if (coded_original_ != original_ || coded_error_ != settings().track_error) {
+    coded_original_ = original_;
+    coded_error_ = settings().track_error;
+    coded_tracks_ = original_ ? encode_tracks(original_->scalars, coded_error_) : CodedTracks();
+  }
+  return coded_tracks_;
 }
 
 const Skeleton* Document::skeleton() const {
@@ -94,6 +106,7 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
   unanswered_ = false;
   saved_path_ = saved_path;
   saved_ = decoded_;
+  saved_track_error_ = settings().track_error;
   touched_ = false;
   if (decoded_) {
     now.encode = optionsOf(*decoded_);
@@ -253,6 +266,7 @@ void Document::setCurrentJoint(int joint) {
 void Document::setSaved(const DecodedPtr& decoded, const QString& path) {
   saved_ = decoded;
   saved_path_ = path;
+  saved_track_error_ = settings().track_error;
   touched_ = true;
   emit titleChanged();
 }

@@ -14,7 +14,8 @@ namespace mocapress {
 struct ClipSettings {
   EncodeOptions encode;
   ContactSettings contacts;
-  QString preset;  // they come of, with changes or without; empty: of none
+  QString preset;                         // they come of, with changes or without; empty: of none
+  double track_error = kUsualTrackError;  // no value of a scalar track is further off
 };
 
 /// Two settings of a clip to choose from.
@@ -49,7 +50,12 @@ class Document : public QObject {
   const QString& savedPath() const { return saved_path_; }
 
   /// The .mcpr that saving writes; wants a decoded().
-  std::vector<std::byte> file() const { return savedFile(*decoded_, original_.get()); }
+  std::vector<std::byte> file() const {
+    return savedFile(*decoded_, original_.get(), codedTracks());
+  }
+
+  /// Those of the original, by the bound of the settings.
+  const CodedTracks& codedTracks() const;
 
   /// How the file that the clip was read from puts motion into numbers.
   SourceFormat source() const;
@@ -154,6 +160,10 @@ class Document : public QObject {
   bool unanswered_ = false;
   QString saved_path_;
   DecodedPtr saved_;
+  double saved_track_error_ = kUsualTrackError;
+  mutable CodedTracks coded_tracks_;  // of coded_original_, by coded_error_
+  mutable OriginalPtr coded_original_;
+  mutable double coded_error_ = 0;
   bool touched_ = false;
   PutCharacter character_;
   std::shared_ptr<const Skin> skin_;

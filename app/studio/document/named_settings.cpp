@@ -42,7 +42,8 @@ const Settings& usualPreset() {
 
 ClipSettings usualSettings(const Skeleton& skeleton) {
   const Settings& usual = usualPreset();
-  return {encode_options(usual, skeleton), {}, QString::fromStdString(usual.name)};
+  return {
+      encode_options(usual, skeleton), {}, QString::fromStdString(usual.name), usual.track_error};
 }
 
 Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton) {
@@ -57,6 +58,7 @@ Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton) {
                   .importance = named(options.importance, skeleton),
                   .ends = options.ends,
                   .loop = options.loop,
+                  .track_error = settings.track_error,
                   .correction = {},
                   .contacts = {}};
   if (effective_coding(options) != coding_of(preset)) preset.coding = options.coding;
@@ -81,13 +83,15 @@ ClipSettings withPreset(const ClipSettings& settings, const Settings& preset,
   with.encode = encode_options(preset, skeleton);
   if (!with.encode.contacts) with.encode.contacts = settings.encode.contacts;
   with.preset = QString::fromStdString(preset.name);
+  with.track_error = preset.track_error;
   return with;
 }
 
 bool isAsPreset(const ClipSettings& settings, const Settings& preset, const Skeleton& skeleton) {
   try {
-    return settingsKey(withPreset(settings, preset, skeleton).encode) ==
-           settingsKey(settings.encode);
+    return preset.track_error == settings.track_error &&
+           settingsKey(withPreset(settings, preset, skeleton).encode) ==
+               settingsKey(settings.encode);
   } catch (const Error&) {
     return false;
   }
@@ -163,7 +167,7 @@ NamedSettings fitting(NamedSettings settings, const Motion& motion) {
 ClipSettings settingsFor(const NamedSettings& settings, const Motion& motion) {
   const NamedSettings fit = fitting(settings, motion);
   return {encode_options(fit.preset, motion.skeleton), fit.contacts,
-          QString::fromStdString(fit.preset.name)};
+          QString::fromStdString(fit.preset.name), fit.preset.track_error};
 }
 
 Json toJson(const NamedSettings& settings) {

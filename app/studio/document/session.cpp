@@ -217,6 +217,12 @@ void Session::setImportance(const Importance& importance) {
   change(settings);
 }
 
+void Session::setTrackError(double track_error) {
+  ClipSettings settings = document_.settings();
+  settings.track_error = track_error;
+  change(settings);
+}
+
 void Session::choosePreset(const Settings& preset) {
   if (!document_.skeleton()) return;
   try {
@@ -316,8 +322,9 @@ void Session::save(const QString& path) {
   const DecodedPtr decoded = document_.decoded();
   if (!decoded) return;
   saving_.start(
-      [decoded, original = document_.original(), path](const Job&) {
-        saveClip(path, *decoded, original.get());
+      [decoded, original = document_.original(), tracks = document_.codedTracks(),
+       path](const Job&) {
+        saveClip(path, *decoded, original.get(), tracks);
         return path;
       },
       [this, decoded](const QString& saved_path) {

@@ -56,6 +56,7 @@ class Session : public QObject {
   void setOptions(const EncodeOptions& options);
   void setContactSettings(const ContactSettings& settings);
   void setContacts(const std::vector<ContactSpan>& contacts);
+  void setTrackError(double track_error);
   void setImportance(const Importance& importance);
 
   /// compressFailed() where it names a joint that the clip lacks.

@@ -42,6 +42,8 @@ QString nameOf(SettingsField field) {
       return Texts::tr("Coding");
     case SettingsField::Correction:
       return Texts::tr("Held Feet");
+    case SettingsField::TrackError:
+      return Texts::tr("Tracks");
     case SettingsField::Contacts:
       return Texts::tr("Contacts");
     case SettingsField::Slot:
@@ -58,7 +60,8 @@ SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
   const EncodeOptions& other = b.encode;
   if (a.preset != b.preset) return SettingsField::Preset;
   if (!(a.contacts == b.contacts) || one.contacts != other.contacts) return SettingsField::Contacts;
-  if (settingsKey(one) == settingsKey(other)) return SettingsField::None;
+  if (settingsKey(one) == settingsKey(other))
+    return a.track_error != b.track_error ? SettingsField::TrackError : SettingsField::None;
   const auto only = [&](auto member) {
     return differIn(one, other, [&](EncodeOptions& copy) { copy.*member = one.*member; });
   };
@@ -76,7 +79,7 @@ SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
 QString dragOf(const ClipSettings& before, const ClipSettings& after) {
   const SettingsField field = firstDifference(before, after);
   const bool is_a_number = field == SettingsField::Target || field == SettingsField::Correction ||
-                           field == SettingsField::Importance;
+                           field == SettingsField::Importance || field == SettingsField::TrackError;
   const Target::Kind kind = before.encode.target.kind;
   if (!is_a_number || after.encode.target.kind != kind) return {};
   return QStringLiteral("%1 %2").arg(static_cast<int>(field)).arg(static_cast<int>(kind));

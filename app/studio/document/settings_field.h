@@ -19,6 +19,7 @@ enum class SettingsField {
   Ends,
   Coding,
   Correction,
+  TrackError,
   Contacts,
   Slot,
   Other
