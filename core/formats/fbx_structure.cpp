@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kDeepestRecord = 64;  // files of the usual programs have six
 constexpr int kDeepestNode = 1000;
-constexpr int kMostNodes = 1 << 16;
+constexpr int kMostFbxNodes = 1 << 16;
 
 /// Nodes by their number, and which hangs from which; 0 is the scene.
 struct Structure {
@@ -229,7 +229,8 @@ void check_fbx_structure(const std::string& file, std::string_view bytes) {
     open.pop_back();
     if (visit.depth > kDeepestNode)
       refuse("its nodes hang in a circle, or deeper than " + std::to_string(kDeepestNode));
-    if (visits == kMostNodes) refuse("has more than " + std::to_string(kMostNodes) + " nodes");
+    if (visits == kMostFbxNodes)
+      refuse("has more than " + std::to_string(kMostFbxNodes) + " nodes");
     const auto [first, end] = structure.children.equal_range(visit.node);
     for (auto child = first; child != end; ++child)
       if (structure.nodes.contains(child->second)) open.push_back({child->second, visit.depth + 1});

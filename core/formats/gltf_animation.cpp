@@ -29,10 +29,6 @@ std::vector<float> turnings_of(const NodeTrack& track) {
   return values;
 }
 
-GltfJson json_of(const Quaterniond& rotation) {
-  return {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
-}
-
 }  // namespace
 
 JointScales::JointScales(const ScalarTracks& tracks, const Skeleton& skeleton)
@@ -117,8 +113,9 @@ GltfJson json_of(const Vector3d& vector) {
 
 void set_transform(GltfJson& node, const LocalTransform& local) {
   if (!local.translation.isZero(0)) node["translation"] = json_of(local.translation);
-  if (!local.rotation.coeffs().isApprox(Quaterniond::Identity().coeffs(), 1e-12))
-    node["rotation"] = json_of(local.rotation);
+  const Quaterniond& rotation = local.rotation;
+  if (!rotation.coeffs().isApprox(Quaterniond::Identity().coeffs(), 1e-12))
+    node["rotation"] = {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
   if (local.scale != Vector3d::Ones()) node["scale"] = json_of(local.scale);
 }
 

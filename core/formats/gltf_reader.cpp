@@ -21,7 +21,7 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr std::size_t kMostNodes = 100'000;
+constexpr std::size_t kMostGltfNodes = 100'000;
 constexpr double kMostPlacements = 2e9;  // of nodes, over all frames
 constexpr double kShortest = 1e-12;      // a quaternion, or an axis of a matrix, without direction
 constexpr double kSnap = 0.01;           // frames: times are floats
@@ -172,7 +172,8 @@ class TakeReader {
 
 void TakeReader::find_tree() {
   const std::size_t count = file_.list("nodes").size();
-  if (count > kMostNodes) file_.fail("has more than " + std::to_string(kMostNodes) + " nodes");
+  if (count > kMostGltfNodes)
+    file_.fail("has more than " + std::to_string(kMostGltfNodes) + " nodes");
   parents_.assign(count, -1);
   std::vector<std::vector<std::size_t>> children(count);
   for (std::size_t n = 0; n < count; ++n) {
