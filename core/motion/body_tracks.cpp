@@ -5,9 +5,8 @@
 #include <cassert>
 #include <numbers>
 
-#include "core/base/parallel.h"
-#include "core/motion/forward_kinematics.h"
 #include "core/motion/landmarks.h"
+#include "core/motion/pose_block.h"
 
 namespace mocapress {
 
@@ -16,20 +15,13 @@ Eigen::MatrixXd body_tracks(const Skeleton& skeleton, const Clip& clip) {
   const Eigen::Index shell = 3 * std::ssize(points);
   const Eigen::Index joints = skeleton.joint_count();
   Eigen::MatrixXd tracks(clip.frames(), shell + 9 * joints);
-  parallel_ranges(0, clip.frames(), 64, [&](int first, int end) {
-    Pose pose;
-    for (int t = first; t < end; ++t) {
-      compute_pose(skeleton, clip.channels.row(t), pose);
-      place_landmarks(points, pose, t, tracks);
-      // The points of shell_points(): of each joint along its axes.
-      for (Eigen::Index j = 0; j < joints; ++j) {
-        const auto& origin = pose.origin[static_cast<std::size_t>(j)];
-        const auto& axes = pose.world_from_joint[static_cast<std::size_t>(j)];
-        for (Eigen::Index axis = 0; axis < 3; ++axis)
-          for (Eigen::Index i = 0; i < 3; ++i)
-            tracks(t, shell + 9 * j + 3 * axis + i) = origin(i) + kShellRadius * axes(i, axis);
-      }
-    }
+  visit_poses(skeleton, clip.channels, [&](const PoseBlock& poses, int first, int frames) {
+    place_landmarks(points, poses, first, frames, tracks);
+    // The points of shell_points(): of each joint along its axes.
+    for (int j = 0; j < skeleton.joint_count(); ++j)
+      for (int axis = 0; axis < 3; ++axis)
+        tracks.block(first, shell + 9 * j + 3 * axis, frames, 3) =
+            (poses.origin(j) + kShellRadius * poses.axis(j, axis)).matrix();
   });
   return tracks;
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/motion/body.h"
 #include "core/motion/forward_kinematics.h"
+#include "core/motion/pose_block.h"
 #include "core/motion/skin_points.h"
 
 namespace mocapress {
@@ -68,6 +68,13 @@ void place_landmarks(const std::vector<Landmark>& points, const Pose& pose, int 
         pose.to_world(points[p].joint, points[p].in_joint).transpose();
 }
 
+void place_landmarks(const std::vector<Landmark>& points, const PoseBlock& poses, int first,
+                     int frames, Eigen::MatrixXd& tracks) {
+  for (std::size_t p = 0; p < points.size(); ++p)
+    tracks.block(first, 3 * static_cast<Eigen::Index>(p), frames, 3) =
+        poses.place(points[p].joint, points[p].in_joint).matrix();
+}
+
 Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip) {
   return point_tracks(skeleton, landmarks(skeleton), clip);
 }
@@ -75,12 +82,8 @@ Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip) {
 Eigen::MatrixXd point_tracks(const Skeleton& skeleton, const std::vector<Landmark>& points,
                              const Clip& clip) {
   Eigen::MatrixXd tracks(clip.frames(), 3 * static_cast<Eigen::Index>(points.size()));
-  parallel_ranges(0, clip.frames(), 64, [&](int first, int end) {
-    Pose pose;
-    for (int t = first; t < end; ++t) {
-      compute_pose(skeleton, clip.channels.row(t), pose);
-      place_landmarks(points, pose, t, tracks);
-    }
+  visit_poses(skeleton, clip.channels, [&](const PoseBlock& poses, int first, int frames) {
+    place_landmarks(points, poses, first, frames, tracks);
   });
   return tracks;
 }

@@ -15,6 +15,7 @@
 namespace mocapress {
 
 struct Pose;
+class PoseBlock;
 
 /// A point fixed to a joint. Its path through the world is compared.
 struct Landmark {
@@ -50,9 +51,11 @@ std::string_view name(Weighting weighting);
 /// One weight for each of landmarks(skeleton), summing to 1. Requires is_on_bones(weighting).
 Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting);
 
-/// Writes the world positions of landmarks into a row of landmark_tracks().
+/// Writes the world positions of landmarks into a row of landmark_tracks(), or into some.
 void place_landmarks(const std::vector<Landmark>& points, const Pose& pose, int frame,
                      Eigen::MatrixXd& tracks);
+void place_landmarks(const std::vector<Landmark>& points, const PoseBlock& poses, int first,
+                     int frames, Eigen::MatrixXd& tracks);
 
 /// World positions (cm) of all landmarks over a clip: frames x 3 * landmarks, x y z of landmark 0
 /// first. Frames are computed in parallel.

@@ -7,7 +7,7 @@
 #include <cassert>
 
 #include "core/base/parallel.h"
-#include "core/motion/forward_kinematics.h"
+#include "core/motion/pose_block.h"
 
 namespace mocapress {
 namespace {
@@ -84,29 +84,13 @@ ErrorModel::Posed ErrorModel::pose_channels(const Skeleton& skeleton, const Clip
   for (int c = 0; c < skeleton.channel_count(); ++c)
     moves.places.push_back({skeleton.channel_joint(c), is_rotation(skeleton.channel_kind(c))});
   moves.axes.resize(original.frames(), 3 * static_cast<Eigen::Index>(skeleton.channel_count()));
-  parallel_ranges(0, original.frames(), 64, [&](int first, int end) {
-    Pose pose;
-    for (int t = first; t < end; ++t) {
-      compute_pose(skeleton, original.channels.row(t), pose);
-      place_landmarks(origins, pose, t, posed.origins);
-      place_landmarks(points, pose, t, posed.points);
-      for (int j = 0; j < skeleton.joint_count(); ++j) {
-        const Joint& joint = skeleton.joint(j);
-        const Eigen::Matrix3d world_from_parent =
-            joint.parent < 0 ? Eigen::Matrix3d::Identity()
-                             : pose.world_from_joint[static_cast<std::size_t>(joint.parent)];
-        Eigen::Matrix3d world_from_axes = world_from_parent * skeleton.axes(j).parent_from_axes;
-        for (std::size_t i = 0; i < joint.channels.size(); ++i) {
-          const int channel = skeleton.first_channel(j) + static_cast<int>(i);
-          const int axis = axis_of(joint.channels[i]);
-          const bool rotates = is_rotation(joint.channels[i]);
-          moves.axes.block<1, 3>(t, 3 * static_cast<Eigen::Index>(channel)) =
-              (rotates ? world_from_axes : world_from_parent).col(axis).transpose();
-          if (rotates) world_from_axes *= axis_rotation(axis, original.channels(t, channel));
-        }
-      }
-    }
-  });
+  visit_poses(
+      skeleton, original.channels,
+      [&](const PoseBlock& poses, int first, int frames) {
+        place_landmarks(origins, poses, first, frames, posed.origins);
+        place_landmarks(points, poses, first, frames, posed.points);
+      },
+      &moves.axes);
   return posed;
 }
 

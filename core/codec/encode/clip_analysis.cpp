@@ -28,7 +28,9 @@ const ClipAnalysis& ClipAnalysis::in_chosen_forms() const {
 const Eigen::MatrixXd& ClipAnalysis::original_tracks() const {
   if (same_) return same_->original_tracks();
   return original_tracks_.get(Only(), [&] {
-    return std::make_unique<Eigen::MatrixXd>(landmark_tracks(motion_.skeleton, motion_.clip));
+    // Which those of the body begin with.
+    return std::make_unique<Eigen::MatrixXd>(
+        original_body().leftCols(3 * std::ssize(landmarks(motion_.skeleton))));
   });
 }
 
