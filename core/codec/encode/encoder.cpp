@@ -87,6 +87,15 @@ class Outcome {
   Clip decoded_;
 };
 
+/// What is measured is what the bytes say: they are read again, where that can be done at once. A
+/// draft, which promises nothing, is measured by what was written.
+void read_again(CompressedClip& compressed) {
+  compressed.known.reset();
+  if (compressed.segments || uses_rle(compressed.coding)) return;
+  QuantisedSignals read = AdaptiveSegments(compressed).next();
+  compressed.known = std::make_shared<const QuantisedSignals>(std::move(read));
+}
+
 /// The clip that these options lead to.
 ClipShape shape_for(const Motion& motion, const EncodeOptions& options) {
   const int frames = motion.clip.frames();
@@ -150,9 +159,11 @@ Encoding Encoder::encode(const EncodeOptions& options,
                                      : *analysis_;
   TargetedEncoding found = encode_to_target(analysis, effective, observer);
 
-  found.compressed.known.reset();  // what is measured is what the bytes say
+  const bool is_draft = options.method == Method::ClosedLoop && options.effort == Effort::Draft;
+  if (!is_draft) read_again(found.compressed);
   Encoding encoding;
   Outcome(analysis, effective, found.compressed).run(found, encoding);
+  found.compressed.known.reset();
   encoding.compressed = std::move(found.compressed);
   encoding.compressed.loop = *effective.loop;
   if (effective.method == Method::ClosedLoop &&

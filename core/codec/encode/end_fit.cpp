@@ -177,7 +177,7 @@ bool codes_ends(const EncodeOptions& options) {
 
 int frames_at_ends(int frames) {
   constexpr int kMost = 32;
-  return std::min(frames, kMost);
+  return std::min((frames + 1) / 2, kMost);
 }
 
 void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_skeleton,
