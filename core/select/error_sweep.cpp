@@ -30,23 +30,31 @@ void add_times(Sum&& sum, const Unit& unit, const Eigen::ArrayXf& factor) {
 }  // namespace
 
 ErrorSweep::ErrorSweep(const ErrorModel& model, const Eigen::MatrixXd& errors)
-    : model_(model), errors_(errors) {
-  const auto joints = std::ssize(model.parents_);
-  motions_ = Eigen::MatrixXf::Zero(model.frames(), 6 * joints);
-  forces_ = Eigen::MatrixXf::Zero(model.frames(), 6 * joints);
+    : model_(model),
+      errors_(errors),
+      motions_(model.frames(), 6 * std::ssize(model.parents_)),
+      forces_(model.frames(), 6 * std::ssize(model.parents_)),
+      force_(model.frames(), 6) {
+  restart();
+}
+
+void ErrorSweep::restart() {
+  channel_ = -1;
+  joint_ = -1;
+  forces_.setZero();
   // From the leaves up: a joint hands its parent what errors below call up, and its own.
-  Eigen::MatrixXf force(model.frames(), 6);
-  int channel = model.channels() - 1;
-  for (int j = static_cast<int>(joints) - 1; j >= 0; --j) {
-    force = six(forces_, j);
-    for (; channel >= 0 && model.places_[static_cast<std::size_t>(channel)].joint == j; --channel)
-      add_times(force, six(model.forces_, channel), errors.col(channel).cast<float>().array());
-    if (const int parent = model.parents_[static_cast<std::size_t>(j)]; parent >= 0)
-      six(forces_, parent) += force;
+  int channel = model_.channels() - 1;
+  for (int j = static_cast<int>(std::ssize(model_.parents_)) - 1; j >= 0; --j) {
+    const int parent = model_.parents_[static_cast<std::size_t>(j)];
+    force_ = six(forces_, j);
+    for (; channel >= 0 && model_.places_[static_cast<std::size_t>(channel)].joint == j; --channel)
+      add_times(force_, six(model_.forces_, channel), errors_.col(channel).cast<float>().array());
+    if (parent >= 0) six(forces_, parent) += force_;
   }
-  for (const PointTerm& term : model.terms_) {
+  of_terms_.clear();
+  for (const PointTerm& term : model_.terms_) {
     Eigen::MatrixXd& forces = of_terms_.emplace_back(term.no_forces());
-    for (int c = 0; c < model.channels(); ++c) term.add_forces(c, errors.col(c), forces);
+    for (int c = 0; c < model_.channels(); ++c) term.add_forces(c, errors_.col(c), forces);
   }
 }
 
@@ -56,6 +64,8 @@ void ErrorSweep::enter_joint(int joint) {
     auto motion = six(motions_, joint_);
     if (const int parent = model_.parents_[static_cast<std::size_t>(joint_)]; parent >= 0)
       motion = six(motions_, parent);
+    else
+      motion.setZero();
     for (int c = channel_;
          c < model_.channels() && model_.places_[static_cast<std::size_t>(c)].joint == joint_; ++c)
       add_times(motion, six(model_.motions_, c), errors_.col(c).cast<float>().array());
@@ -66,9 +76,10 @@ Eigen::VectorXd ErrorSweep::next() {
   ++channel_;
   const int joint = model_.places_[static_cast<std::size_t>(channel_)].joint;
   enter_joint(joint);
-  Eigen::VectorXd gradient = (work(six(model_.forces_, channel_), six(motions_, joint)) +
-                              work(six(forces_, joint), six(model_.motions_, channel_)))
-                                 .cast<double>();
+  // Summed before it is widened: a conversion within would be made a number at a time.
+  work_ = work(six(model_.forces_, channel_), six(motions_, joint)) +
+          work(six(forces_, joint), six(model_.motions_, channel_));
+  Eigen::VectorXd gradient = work_.cast<double>();
   for (std::size_t i = 0; i < of_terms_.size(); ++i)
     model_.terms_[i].add_work(channel_, of_terms_[i], gradient);
   return gradient;

@@ -16,9 +16,12 @@ namespace mocapress {
 /// channel takes a time that does not depend on how many are related to it.
 class ErrorSweep {
  public:
-  /// `errors` are frames x channels, and are read here only. The model must outlive the sweep; its
-  /// channels are in the order of their joints.
+  /// `errors` are frames x channels. Both must outlive the sweep; the model's channels are in the
+  /// order of their joints.
   ErrorSweep(const ErrorModel& model, const Eigen::MatrixXd& errors);
+
+  /// Begins anew with the errors as they are now, in the memory it has.
+  void restart();
 
   /// Enters the next channel, 0 first. Returns the gradient there, one value a frame.
   Eigen::VectorXd next();
@@ -35,6 +38,8 @@ class ErrorSweep {
   int joint_ = -1;           // whose motion is known, and of all before it
   Eigen::MatrixXf motions_;  // that the errors give each joint: frames x 6 * joints
   Eigen::MatrixXf forces_;   // that errors below each joint call up: frames x 6 * joints
+  Eigen::MatrixXf force_;    // that a joint hands on: frames x 6
+  Eigen::ArrayXf work_;
   std::vector<Eigen::MatrixXd> of_terms_;  // what the model's terms make of the errors
 };
 

@@ -86,4 +86,23 @@ ClosedLoop::Result ClosedLoop::coarsen(QuantisedSignals coded, ErrorBound& bound
   return ClosedLoopRun(*this, std::move(coded), {}).coarsen(bound, observer);
 }
 
+ClosedLoop::Result ClosedLoop::quantise_to(double eps_cm, double scale, const ClosedLoopWork& work,
+                                           const Observer<ClosedLoopProgress>& observer) const {
+  constexpr int kMostScales = 3;
+  constexpr double kNear = 0.03;   // from there, what a bit is worth makes up for the rest
+  constexpr double kMostOff = 3;   // logarithms
+  constexpr double kPower = 1.35;  // of eps_x, with which the scale follows it
+  for (int i = 1;; ++i) {
+    ClosedLoopRun run(*this, scale, {});
+    const double off = std::clamp(std::log(run.begin_sweeps(work) / eps_cm), -kMostOff, kMostOff);
+    if (std::abs(off) <= kNear || i == kMostScales) return run.settle(eps_cm, work, observer);
+    scale = std::max(scale * std::exp(-kPower * off), finest_scale());
+  }
+}
+
+ClosedLoop::Result ClosedLoop::settle(QuantisedSignals coded, double eps_cm,
+                                      const Observer<ClosedLoopProgress>& observer) const {
+  return ClosedLoopRun(*this, std::move(coded), {}).settle(eps_cm, {.sweeps = 0}, observer);
+}
+
 }  // namespace mocapress

@@ -51,6 +51,17 @@ class ClosedLoop {
   Result coarsen(QuantisedSignals coded, ErrorBound& bound,
                  const Observer<ClosedLoopProgress>& observer = {}) const;
 
+  /// Seeks what leaves that eps_x by the quadratic model, or up to kSettled less: near `scale`, and
+  /// then by what a bit is worth. All frames count alike.
+  Result quantise_to(double eps_cm, double scale, const ClosedLoopWork& work = {},
+                     const Observer<ClosedLoopProgress>& observer = {}) const;
+
+  /// The same for what was quantised before, whose eps_x is near to that.
+  Result settle(QuantisedSignals coded, double eps_cm,
+                const Observer<ClosedLoopProgress>& observer = {}) const;
+
+  static constexpr double kSettled = 0.006;  // of eps_x
+
   /// The finest scale: with a finer one the largest coefficients would not fit.
   double finest_scale() const;
 

@@ -23,6 +23,19 @@ double price_of(int sweep, int sweeps) {
   return kFirstBitPrice + (kLastBitPrice - kFirstBitPrice) * sweep / std::max(sweeps - 1, 1);
 }
 
+/// How much dearer a bit must be for a sweep that makes eps_x grow by that logarithm: about, as
+/// clips from 0.2 to 0.6 cm have it.
+double dearer_for(double growth) {
+  constexpr double kMost = 0.7;
+  constexpr double kSlope = 0.035;   // of less error
+  constexpr double kLinear = 0.018;  // of more
+  constexpr double kSquare = 0.055;
+  const double log_price =
+      growth < 0 ? growth / kSlope
+                 : (std::sqrt(kLinear * kLinear + 4 * kSquare * growth) - kLinear) / (2 * kSquare);
+  return std::exp(std::clamp(log_price, -kMost, kMost));
+}
+
 }  // namespace
 
 ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, const Eigen::VectorXd& frame_weights)
@@ -76,6 +89,41 @@ ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
     ++result.sweeps;
     result.eps_cm = eps_cm();
     result.complete = should_continue(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
+  }
+  result.coded = std::move(coded_);
+  return result;
+}
+
+double ClosedLoopRun::begin_sweeps(const ClosedLoopWork& work) {
+  constexpr double kStillToCome = 0.12;  // a logarithm; alike for all clips, to 0.02
+  pass([&](int j) { compensate(j); });
+  bit_price_ = price_of(0, work.sweeps);
+  pass([&](int j) { sweep(j); });
+  return eps_cm() * std::exp(-kStillToCome);
+}
+
+ClosedLoop::Result ClosedLoopRun::settle(double eps_cm, const ClosedLoopWork& work,
+                                         const Observer<ClosedLoopProgress>& observer) {
+  constexpr int kMost = 4;
+  ClosedLoop::Result result;
+  const auto sweep_all = [&] {
+    pass([&](int j) { sweep(j); });
+    ++result.sweeps;
+    result.eps_cm = this->eps_cm();
+    result.complete = should_continue(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
+  };
+  result.sweeps = work.sweeps > 0 ? 1 : 0;
+  result.eps_cm = this->eps_cm();
+  bit_price_ = kLastBitPrice;
+  while (result.sweeps < work.sweeps && result.complete) {
+    bit_price_ = price_of(result.sweeps, work.sweeps);
+    sweep_all();
+  }
+  for (int i = 0; i < kMost && result.complete; ++i) {
+    const double off = std::log(result.eps_cm / eps_cm);
+    if (off <= 0 && off >= -ClosedLoop::kSettled) break;
+    bit_price_ *= dearer_for(-ClosedLoop::kSettled / 2 - off);
+    sweep_all();
   }
   result.coded = std::move(coded_);
   return result;
@@ -140,20 +188,25 @@ void ClosedLoopRun::sweep(int j) {
   Eigen::VectorXd gradient = gradient_;
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(gradient.size());
   const int* const values = values_of(j);
-  const double channel_step = coded_.step(j);
   Significant significant = significant_in(j);
   if (bound_) bound_->next();
   Eigen::VectorXd slopes(gradient.size());
   loop_.transform_.lifting.correlate(
       std::span(gradient.data(), static_cast<std::size_t>(gradient.size())),
       std::span(slopes.data(), static_cast<std::size_t>(slopes.size())));
+  const Eigen::VectorXd promising =
+      kPromising * coded_.step(j) * coefficient_curvature().col(j).cwiseQuotient(loop_.gains_);
+  // Where moves have changed the gradient, slopes are no longer what they were.
+  Eigen::Index first_changed = gradient.size();
+  Eigen::Index end_changed = 0;
   for (int b = 0; b < static_cast<int>(bands_.size()); ++b)
     for (int i = 0; i < bands_[static_cast<std::size_t>(b)].size; ++i) {
       const int c = bands_[static_cast<std::size_t>(b)].first + i;
-      if (values[c] == 0 && std::abs(slopes(c)) < kPromising * coefficient_curvature()(c, j) *
-                                                      channel_step / loop_.gains_(c))
-        continue;
-      const Place place = place_of(j, b, i, gradient);
+      if (values[c] == 0 && std::abs(slopes(c)) < promising(c)) continue;
+      const SynthesisFunction reach = loop_.synthesis_[c];
+      const bool changed =
+          reach.first < end_changed && reach.first + reach.values.size() > first_changed;
+      const Place place = changed ? place_of(j, b, i, gradient) : place_of(j, b, i, slopes(c));
       const int moved = best_move(place, significant);
       if (moved == 0) continue;
       const auto& [first, function] = place.function;
@@ -161,6 +214,8 @@ void ClosedLoopRun::sweep(int j) {
       if (bound_ && !bound_->allows(first, change)) continue;
       if (bound_) bound_->add(first, change);
       set(place, values[c] + moved, significant);
+      first_changed = std::min<Eigen::Index>(first_changed, first);
+      end_changed = std::max(end_changed, first + change.size());
       delta.segment(first, change.size()) += change;
       gradient.segment(first, change.size()) +=
           change.cwiseProduct(curvature().col(j).segment(first, change.size()));
@@ -204,17 +259,22 @@ void ClosedLoopRun::add_energy(int j, Eigen::Index first,
 
 ClosedLoopRun::Place ClosedLoopRun::place_of(
     int j, int band, int index, const Eigen::Ref<const Eigen::VectorXd>& gradient) const {
+  const auto& [first, values] =
+      loop_.synthesis_[bands_[static_cast<std::size_t>(band)].first + index];
+  return place_of(j, band, index, values.dot(gradient.segment(first, values.size())));
+}
+
+ClosedLoopRun::Place ClosedLoopRun::place_of(int j, int band, int index, double product) const {
   const int c = bands_[static_cast<std::size_t>(band)].first + index;
   const SynthesisFunction function = loop_.synthesis_[c];
   const double step = coded_.step(j) / loop_.gains_(c);
-  return {
-      .channel = j,
-      .band = band,
-      .index = index,
-      .function = function,
-      .step = step,
-      .slope = step * function.values.dot(gradient.segment(function.first, function.values.size())),
-      .curve = step * step * coefficient_curvature()(c, j)};
+  return {.channel = j,
+          .band = band,
+          .index = index,
+          .function = function,
+          .step = step,
+          .slope = step * product,
+          .curve = step * step * coefficient_curvature()(c, j)};
 }
 
 void ClosedLoopRun::set(const Place& place, int value, Significant& significant) {
@@ -239,14 +299,22 @@ int ClosedLoopRun::best_move(const Place& place, const Significant& significant)
   if (!(std::abs(best) < kMostSteps)) return 0;
   const auto nearest = static_cast<int>(std::lround(best));
   const int smaller = nearest - (nearest > 0) + (nearest < 0);
-  const double bits_now = bits_with(place, significant, now);
+  const auto error_at = [&](int value) {
+    const double x = value - now;
+    return x * (2 * place.slope + x * place.curve);
+  };
+  // Most coefficients are where they should be, and no saving would pay for another error.
+  constexpr double kMostBits = 16;  // that a move can well save, but for a whole band
+  if (nearest == now &&
+      error_at(smaller) >= lambda() * (kMostBits + waking_bits(place, significant)))
+    return 0;
+  const Bits bits(*this, place, significant);
+  const double bits_now = bits.with(now);
   int move = 0;
   double least = 0;
   for (const int value : {nearest, smaller}) {
     if (value == now) continue;
-    const double x = value - now;
-    const double cost = x * (2 * place.slope + x * place.curve) +
-                        lambda() * (bits_with(place, significant, value) - bits_now);
+    const double cost = error_at(value) + lambda() * (bits.with(value) - bits_now);
     if (cost >= least) continue;
     least = cost;
     move = value - now;
@@ -254,18 +322,31 @@ int ClosedLoopRun::best_move(const Place& place, const Significant& significant)
   return move;
 }
 
-double ClosedLoopRun::bits_with(const Place& place, const Significant& significant, int value) {
-  const Band& band = bands_[static_cast<std::size_t>(place.band)];
-  int* const values = values_of(place.channel);
+ClosedLoopRun::Bits::Bits(const ClosedLoopRun& run, const Place& place,
+                          const Significant& significant) {
+  const int* const values = run.values_of(place.channel);
   const int i = place.index;
-  if (place.band == 0)
-    return RateTable::coarse_bits(value - (i > 0 ? values[i - 1] : 0)) +
-           (i + 1 < band.size ? RateTable::coarse_bits(values[i + 1] - value) : 0);
-  // A band that is zero throughout takes next to nothing.
-  const bool was_something = values[band.first + i] != 0;
+  if (place.band == 0) {
+    before_ = i > 0 ? values[i - 1] : 0;
+    if (i + 1 < run.bands_[0].size) after_ = values[i + 1];
+    return;
+  }
+  waking_ = run.waking_bits(place, significant);
+  around_.emplace(run.rates_, values, place.band, i);
+}
+
+double ClosedLoopRun::waking_bits(const Place& place, const Significant& significant) const {
+  if (place.band == 0) return 0;
+  const Band& band = bands_[static_cast<std::size_t>(place.band)];
+  const bool was_something = values_of(place.channel)[band.first + place.index] != 0;
   const bool others = significant[static_cast<std::size_t>(place.band)] > (was_something ? 1 : 0);
-  const double waking = others || value == 0 ? 0 : 4 + 0.05 * band.size;
-  return waking + rates_.bits_around(values, place.band, i, value);
+  return others ? 0 : 4 + 0.05 * band.size;
+}
+
+double ClosedLoopRun::Bits::with(int value) const {
+  if (around_) return (value == 0 ? 0 : waking_) + around_->bits(value);
+  return RateTable::coarse_bits(value - before_) +
+         (after_ ? RateTable::coarse_bits(*after_ - value) : 0);
 }
 
 void ClosedLoopRun::sweep_pairs() {
@@ -316,9 +397,11 @@ std::pair<int, int> ClosedLoopRun::best_moves(const Place& a, const Significant&
                                               double cross) {
   std::array<double, 3> bits_of_a;
   std::array<double, 3> bits_of_b;
+  const Bits with_a(*this, a, significant_in_a);
+  const Bits with_b(*this, b, significant_in_b);
   for (int by = -1; by <= 1; ++by) {
-    bits_of_a[static_cast<std::size_t>(by + 1)] = bits_with(a, significant_in_a, value_at(a) + by);
-    bits_of_b[static_cast<std::size_t>(by + 1)] = bits_with(b, significant_in_b, value_at(b) + by);
+    bits_of_a[static_cast<std::size_t>(by + 1)] = with_a.with(value_at(a) + by);
+    bits_of_b[static_cast<std::size_t>(by + 1)] = with_b.with(value_at(b) + by);
   }
   const double bits_now = bits_of_a[1] + bits_of_b[1];
   std::pair<int, int> best{0, 0};

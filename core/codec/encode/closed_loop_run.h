@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,13 @@ class ClosedLoopRun {
                 const Eigen::VectorXd& frame_weights);
 
   ClosedLoop::Result run(const ClosedLoopWork& work, const Observer<ClosedLoopProgress>& observer);
+
+  /// The first of so many sweeps. Returns about the eps_x that all of them will leave.
+  double begin_sweeps(const ClosedLoopWork& work);
+
+  /// What remains of the sweeps, and some more until eps_x is what was asked for.
+  ClosedLoop::Result settle(double eps_cm, const ClosedLoopWork& work,
+                            const Observer<ClosedLoopProgress>& observer);
   ClosedLoop::Result coarsen(ErrorBound& bound, const Observer<ClosedLoopProgress>& observer);
 
  private:
@@ -47,10 +55,12 @@ class ClosedLoopRun {
   template <typename Visit>
   void pass(const Visit& visit) {
     if (errors_.rows() == 0) return;  // no frames, no errors
-    ErrorSweep sweep(loop_.model_, errors_);
-    under_way_ = &sweep;
+    if (under_way_)
+      under_way_->restart();
+    else
+      under_way_.emplace(loop_.model_, errors_);
     for (int j = 0; j < channels(); ++j) {
-      gradient_ = sweep.next();
+      gradient_ = under_way_->next();
       if (weighted()) gradient_.array() *= frame_weights_.array();
       visit(j);
     }
@@ -109,14 +119,32 @@ class ClosedLoopRun {
   Place place_of(int j, int band, int index,
                  const Eigen::Ref<const Eigen::VectorXd>& gradient) const;
 
+  /// The same by the gradient's product with the synthesis function.
+  Place place_of(int j, int band, int index, double product) const;
+
   /// By how many steps to move a coefficient.
   int best_move(const Place& place, const Significant& significant);
 
-  /// The bits that depend on a coefficient, were it `value`.
-  double bits_with(const Place& place, const Significant& significant, int value);
+  /// The bits that depend on a coefficient, were it one value or another.
+  class Bits {
+   public:
+    Bits(const ClosedLoopRun& run, const Place& place, const Significant& significant);
+    double with(int value) const;
+
+   private:
+    std::optional<RateTable::Around> around_;  // of details
+    double waking_ = 0;
+    int before_ = 0;  // coarse samples beside it
+    std::optional<int> after_;
+  };
+
+  /// What a band takes for being something, if this coefficient alone decides that: one that is
+  /// zero throughout takes next to nothing.
+  double waking_bits(const Place& place, const Significant& significant) const;
   Significant significant_in(int j) const;
   void set(const Place& place, int value, Significant& significant);
   int* values_of(int j) { return coded_.values.col(j).data(); }
+  const int* values_of(int j) const { return coded_.values.col(j).data(); }
   int& value_at(const Place& place) {
     return values_of(
         place.channel)[bands_[static_cast<std::size_t>(place.band)].first + place.index];
@@ -129,12 +157,12 @@ class ClosedLoopRun {
   Eigen::MatrixXd weighted_coefficient_curvature_;
   RateTable rates_;
   QuantisedSignals coded_;
-  Eigen::MatrixXd errors_;           // frames x channels: decoded minus original
-  double energy_ = 0;                // the sum of squared errors that makes, frames weighted
-  double bit_price_;                 // squared steps of error
-  ErrorBound* bound_ = nullptr;      // that must hold, if any
-  ErrorSweep* under_way_ = nullptr;  // the pass under way
-  Eigen::VectorXd gradient_;         // where it is, frames weighted
+  Eigen::MatrixXd errors_;               // frames x channels: decoded minus original
+  double energy_ = 0;                    // the sum of squared errors that makes, frames weighted
+  double bit_price_;                     // squared steps of error
+  ErrorBound* bound_ = nullptr;          // that must hold, if any
+  std::optional<ErrorSweep> under_way_;  // the pass under way
+  Eigen::VectorXd gradient_;             // where it is, frames weighted
 };
 
 }  // namespace mocapress

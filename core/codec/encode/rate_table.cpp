@@ -31,24 +31,32 @@ Table make_table() {
 
 const Table kBits = make_table();
 
+double bits_of(int magnitude, int before, int above) {
+  const BitsOfMagnitudes& of =
+      kBits[static_cast<std::size_t>(size_of(before))][static_cast<std::size_t>(size_of(above))];
+  if (magnitude < kMagnitudes - 1) return of[static_cast<std::size_t>(magnitude)];
+  return of[kMagnitudes - 1] + 2 * std::log2(magnitude - kMagnitudes + 2.0);
+}
+
 }  // namespace
 
-double RateTable::bits(const int* signal, int b, int i, int value) const {
+RateTable::Neighbours RateTable::neighbours_of(const int* signal, int b, int i) const {
   const int* const own = signal + bands_[static_cast<std::size_t>(b)].first;
-  const int before = 2 * (i > 0 ? std::abs(own[i - 1]) : 0) + (i > 1 ? std::abs(own[i - 2]) : 0);
-  int above = 0;
+  Neighbours found;
+  found.before = 2 * (i > 0 ? std::abs(own[i - 1]) : 0) + (i > 1 ? std::abs(own[i - 2]) : 0);
   if (b > 1) {
     const Band& upper = bands_[static_cast<std::size_t>(b - 1)];
     const int k = i / 2;
     const int l = i % 2 != 0 ? k + 1 : k - 1;
-    if (k < upper.size) above += 2 * std::abs(signal[upper.first + k]);
-    if (l >= 0 && l < upper.size) above += std::abs(signal[upper.first + l]);
+    if (k < upper.size) found.above += 2 * std::abs(signal[upper.first + k]);
+    if (l >= 0 && l < upper.size) found.above += std::abs(signal[upper.first + l]);
   }
-  const BitsOfMagnitudes& of =
-      kBits[static_cast<std::size_t>(size_of(before))][static_cast<std::size_t>(size_of(above))];
-  const int magnitude = std::abs(value);
-  if (magnitude < kMagnitudes - 1) return of[static_cast<std::size_t>(magnitude)];
-  return of[kMagnitudes - 1] + 2 * std::log2(magnitude - kMagnitudes + 2.0);
+  return found;
+}
+
+double RateTable::bits(const int* signal, int b, int i, int value) const {
+  const auto [before, above] = neighbours_of(signal, b, i);
+  return bits_of(std::abs(value), before, above);
 }
 
 bool RateTable::is_zero(const int* signal, const Band& band) const {
@@ -56,20 +64,36 @@ bool RateTable::is_zero(const int* signal, const Band& band) const {
                      [](int value) { return value == 0; });
 }
 
-double RateTable::bits_around(int* signal, int b, int i, int value) const {
-  const Band& band = bands_[static_cast<std::size_t>(b)];
-  int& mine = signal[band.first + i];
-  const int kept = mine;
-  mine = value;
-  double sum = bits(signal, b, i, value);
-  for (int k = i + 1; k <= i + 2 && k < band.size; ++k)
-    sum += bits(signal, b, k, signal[band.first + k]);
-  if (static_cast<std::size_t>(b) + 1 < bands_.size()) {
-    const Band& lower = bands_[static_cast<std::size_t>(b) + 1];
+RateTable::Around::Around(const RateTable& table, const int* signal, int b, int i) {
+  const std::vector<Band>& bands = table.bands_;
+  const Band& band = bands[static_cast<std::size_t>(b)];
+  const auto [before, above] = table.neighbours_of(signal, b, i);
+  before_ = before;
+  above_ = above;
+  const int mine = std::abs(signal[band.first + i]);
+  const auto follow = [&](int other_band, int k, int share_of_before, int share_of_above) {
+    const auto found = table.neighbours_of(signal, other_band, k);
+    followers_[static_cast<std::size_t>(count_++)] = {
+        std::abs(signal[bands[static_cast<std::size_t>(other_band)].first + k]),
+        found.before - share_of_before * mine, found.above - share_of_above * mine, share_of_before,
+        share_of_above};
+  };
+  for (int k = i + 1; k <= i + 2 && k < band.size; ++k) follow(b, k, k == i + 1 ? 2 : 1, 0);
+  if (static_cast<std::size_t>(b) + 1 < bands.size()) {
+    const Band& lower = bands[static_cast<std::size_t>(b) + 1];
     for (int k = std::max(2 * i - 1, 0); k <= 2 * i + 2 && k < lower.size; ++k)
-      sum += bits(signal, b + 1, k, signal[lower.first + k]);
+      follow(b + 1, k, 0, k / 2 == i ? 2 : 1);
   }
-  mine = kept;
+}
+
+double RateTable::Around::bits(int value) const {
+  const int magnitude = std::abs(value);
+  double sum = bits_of(magnitude, before_, above_);
+  for (int f = 0; f < count_; ++f) {
+    const Follower& follower = followers_[static_cast<std::size_t>(f)];
+    sum += bits_of(follower.magnitude, follower.before + follower.share_of_before * magnitude,
+                   follower.above + follower.share_of_above * magnitude);
+  }
   return sum;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -21,9 +22,26 @@ class RateTable {
   /// coefficients.
   double bits(const int* signal, int b, int i, int value) const;
 
-  /// The same, plus the bits of the coefficients that it is a neighbour of. `signal` is unchanged
-  /// on return.
-  double bits_around(int* signal, int b, int i, int value) const;
+  /// The bits of a coefficient, were it one value or another, plus those of the coefficients that
+  /// it is a neighbour of: looked up around it once, for several values.
+  class Around {
+   public:
+    Around(const RateTable& table, const int* signal, int b, int i);
+    double bits(int value) const;
+
+   private:
+    /// A coefficient whose mean follows this one's magnitude, besides what else it follows.
+    struct Follower {
+      int magnitude;
+      int before, above;    // without this one's share
+      int share_of_before;  // times its magnitude
+      int share_of_above;
+    };
+    int before_;
+    int above_;
+    int count_ = 0;
+    std::array<Follower, 6> followers_;
+  };
 
   /// The bits of a difference between coarse samples.
   static double coarse_bits(int difference) {
@@ -34,6 +52,11 @@ class RateTable {
   double bits(const int* signal) const;
 
  private:
+  struct Neighbours {
+    int before = 0;  // weighted magnitudes
+    int above = 0;
+  };
+  Neighbours neighbours_of(const int* signal, int b, int i) const;
   bool is_zero(const int* signal, const Band& band) const;
 
   const std::vector<Band>& bands_;

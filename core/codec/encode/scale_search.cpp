@@ -25,7 +25,9 @@ class ScaleSearch {
 
   /// Returns the excess.
   double try_scale(double scale, const ClosedLoopWork& work) {
-    Trial trial = attempt_(scale, work, {});
+    return tried(attempt_(scale, work, {}));
+  }
+  double tried(Trial trial) {
     ++tried_;
     const double excess = trial.excess;
     const bool complete = trial.complete;
@@ -85,7 +87,7 @@ double coarser_after_rough_trial(double excess, const Target& target, const Clos
                                  bool corrected) {
   const bool by_error = is_by_error(target);
   const bool swept = work.sweeps > 0;
-  const double more = by_error ? (swept ? -0.485 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
+  const double more = by_error ? (swept ? -0.575 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
   const double unmended = by_error && corrected ? 0.12 : 0;
   return std::exp(power_of_scale(target) * std::clamp(excess - more - unmended, -3.0, 3.0));
 }
@@ -126,6 +128,21 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
   for (int i = 1; i <= kMost && trials.may_go_on() && !trials.met(); ++i) {
     const int steps_away = i % 2 == 0 ? -(i / 2) : (i + 1) / 2;
     trials.try_scale(middle * (1 + kBeside * steps_away), work);
+  }
+}
+
+/// A trial whose eps_x by the model is the target's, then settled anew by how far the model is off.
+void settle(const SettleTrial& settled, const Target& target, double first_scale,
+            ScaleSearch& search) {
+  constexpr int kMost = 3;
+  constexpr double kNear = 0.01;
+  constexpr double kLeastEps = 1e-9;  // cm, of what does not move
+  Trial trial = settled(target.value, first_scale, nullptr);
+  search.tried(trial);
+  for (int i = 1; i < kMost && search.may_go_on() && !search.is_near(kNear); ++i) {
+    const double model_over_exact = trial.eps_cm / std::max(trial.achieved, kLeastEps);
+    trial = settled(target.value * model_over_exact, trial.scale, &trial);
+    search.tried(trial);
   }
 }
 
@@ -202,8 +219,12 @@ Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& go
   const double first_scale =
       guess.likely * coarser_after_rough_trial(rough.excess, target, work, guess.corrected);
   if (effort == Effort::Draft) return trials.attempt(first_scale, work, {});
+  constexpr double kSettledNear = 0.02;
   ScaleSearch search(goal, target, trials.attempt);
-  seek(guess, goal, first_scale, near_enough(guess, target), work_of(Effort::Default), search);
+  if (trials.settle) settle(trials.settle, target, first_scale, search);
+  if (!search.is_near(kSettledNear))
+    seek(guess, goal, trials.settle ? search.best().scale : first_scale, near_enough(guess, target),
+         work_of(Effort::Default), search);
   if (effort == Effort::Best && search.met()) try_harder(target, work, search);
   if (is_by_worst(target) && search.may_go_on()) {
     if (!guess.dear) hold_worst_frames(goal, frames, work, trials.attempt, search.best());

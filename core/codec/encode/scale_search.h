@@ -13,6 +13,10 @@ namespace mocapress {
 using AttemptScale = std::function<Trial(double scale, const ClosedLoopWork& work,
                                          const Eigen::VectorXd& frame_weights)>;
 
+/// Seeks what leaves that eps_x by the quadratic model: ClosedLoop::quantise_to() near a scale, and
+/// ClosedLoop::settle() of a trial, whose scale is given again.
+using SettleTrial = std::function<Trial(double eps_cm, double scale, const Trial* trial)>;
+
 /// Drops what a hard maximum allows to be dropped: ClosedLoop::coarsen().
 using CoarsenTrial = std::function<Trial(const Trial& trial, double bound_cm)>;
 
@@ -28,6 +32,7 @@ struct ScaleGuess {
 struct ScaleTrials {
   AttemptScale attempt;
   CoarsenTrial coarsen;
+  SettleTrial settle = {};  // where the target is an error and trials can be settled
 };
 
 /// Searches the closed loop's scale and returns the best trial, with its bytes coded. It meets the

@@ -312,19 +312,25 @@ class TargetedEncode {
   }
 
   Trial closed_loop(Effort effort) {
-    const ScaleTrials trials{.attempt =
-                                 [this, effort](double scale, const ClosedLoopWork& work,
-                                                const Eigen::VectorXd& weights) {
-                                   return attempt_scale(scale, work, weights, effort);
-                                 },
-                             .coarsen =
-                                 [this](const Trial& trial, double bound_cm) {
-                                   Trial coarser =
-                                       coarsen(AdaptiveSegments(trial.compressed).next(), bound_cm);
-                                   finish_ends(coarser);
-                                   weigh(coarser);
-                                   return coarser;
-                                 }};
+    const ScaleTrials trials{
+        .attempt =
+            [this, effort](double scale, const ClosedLoopWork& work,
+                           const Eigen::VectorXd& weights) {
+              return attempt_scale(scale, work, weights, effort);
+            },
+        .coarsen =
+            [this](const Trial& trial, double bound_cm) {
+              Trial coarser = coarsen(AdaptiveSegments(trial.compressed).next(), bound_cm);
+              finish_ends(coarser);
+              weigh(coarser);
+              return coarser;
+            },
+        .settle =
+            effort == Effort::Default && options_.target.kind == Target::Kind::Error && !correction_
+                ? SettleTrial([this](double eps_cm, double scale, const Trial* trial) {
+                    return settle(eps_cm, scale, trial);
+                  })
+                : SettleTrial()};
     double likely = likely_scale(options_.target, raw_bytes(analysis_.motion().clip));
     if (options_.target.kind == Target::Kind::Visibility && effort != Effort::Draft)
       likely = balance_joints(likely);
@@ -343,9 +349,9 @@ class TargetedEncode {
 
   Trial attempt_scale(double scale, const ClosedLoopWork& work,
                       const Eigen::VectorXd& frame_weights, Effort effort) {
-    const bool model_will_do =
-        effort == Effort::Draft && options_.target.kind == Target::Kind::Error && !own_model_;
     const bool is_rough = !work.compensate;  // its coding is not asked for
+    const bool model_will_do = (effort == Effort::Draft || is_rough) &&
+                               options_.target.kind == Target::Kind::Error && !own_model_;
     Trial trial = code_at(scale, work, frame_weights, !model_will_do || !is_rough);
     if (!is_rough) finish_ends(trial);
     if (model_will_do) {
@@ -362,6 +368,16 @@ class TargetedEncode {
     Trial trial = trial_of(quantise(scale, work, frame_weights), with_bytes);
     trial.scale = scale;
     return trial;
+  }
+
+  Trial settle(double eps_cm, double scale, const Trial* trial) {
+    Trial settled = trial_of(trial ? loop().settle(*trial->compressed.known, eps_cm, observe_pass())
+                                   : loop().quantise_to(eps_cm, scale, {}, observe_pass()),
+                             true);
+    settled.scale = settled.compressed.known->scale;
+    finish_ends(settled);
+    weigh(settled);
+    return settled;
   }
 
   /// Once for each scale that a file can hold, while splits are compared.

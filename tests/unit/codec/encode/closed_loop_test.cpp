@@ -49,6 +49,17 @@ TEST(ClosedLoop, FinerScalesMakeLessError) {
   }
 }
 
+TEST(ClosedLoop, SettlesAtTheErrorAskedFor) {
+  for (const double eps_cm : {0.01, 0.03})
+    for (const double scale : {2 * eps_cm, 4 * eps_cm}) {
+      const ClosedLoop::Result result = loop().quantise_to(eps_cm, scale);
+      EXPECT_NEAR(result.eps_cm / eps_cm, 1, 0.06) << eps_cm;
+      EXPECT_GE(result.sweeps, ClosedLoopWork().sweeps);
+      const double other = 0.98 * result.eps_cm;
+      EXPECT_NEAR(loop().settle(result.coded, other).eps_cm / other, 1, 0.06) << eps_cm;
+    }
+}
+
 TEST(ClosedLoop, FitsAtItsFinestScale) {
   const ClosedLoop::Result result = loop().quantise(loop().finest_scale());
   EXPECT_LT(result.coded.values.cwiseAbs().maxCoeff(), kMostSteps);

@@ -19,8 +19,8 @@ TEST(RateTable, ADifferenceAroundACoefficientIsThatOfTheWholeSignal) {
     for (int i = 0; i < lifting.bands()[b].size; ++i) {
       int& value = signal[lifting.bands()[b].first + i];
       const int other = value == 3 ? 1 : 3;
-      const double around = table.bits_around(signal, static_cast<int>(b), i, other) -
-                            table.bits_around(signal, static_cast<int>(b), i, value);
+      const RateTable::Around around_it(table, signal, static_cast<int>(b), i);
+      const double around = around_it.bits(other) - around_it.bits(value);
       const double before = table.bits(signal);
       const int kept = std::exchange(value, other);
       EXPECT_NEAR(table.bits(signal) - before, around, 1e-9);
