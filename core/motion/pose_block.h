@@ -10,7 +10,7 @@
 namespace mocapress {
 
 /// The poses of some frames at a time, a column a number, so that the processor works on several
-/// frames at once: four times as fast as compute_pose() of each, to the same digits.
+/// frames at once: three times as fast as compute_pose() of each, to the same digits but the last.
 class PoseBlock {
  public:
   static constexpr int kMostFrames = 64;
