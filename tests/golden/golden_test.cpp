@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "core/bank/bank.h"
 #include "core/base/file.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/format/container.h"
@@ -214,6 +215,33 @@ TEST(GoldenTracks, TheWriterStillMakesTheSameFile) {
   EXPECT_TRUE(golden_tracks_file() == read_bytes(golden("v1_tracks.mcpr")));
 }
 
+/// The golden files of its clips.
+std::vector<std::filesystem::path> files_of_bank() {
+  std::vector<std::filesystem::path> files;
+  for (const char* name : {"joints", "ends", "segments", "source", "tracks"})
+    files.push_back(golden("v1_" + std::string(name) + ".mcpr"));
+  return files;
+}
+
+TEST(GoldenBank, Version1GivesItsFilesBack) {
+  const BankFile bank(golden("v1_bank.mcpk"));
+  ASSERT_EQ(bank.clips(), files_of_bank().size());
+  for (const std::filesystem::path& file : files_of_bank()) {
+    const std::string name = file.stem().string();
+    const std::int64_t clip = runtime::find_clip(bank.bank(), name.data(), name.size());
+    ASSERT_GE(clip, 0) << name;
+    EXPECT_TRUE(bank.extract(bank.entry(static_cast<std::uint32_t>(clip))) == read_bytes(file))
+        << name;
+  }
+}
+
+TEST(GoldenBank, TheWriterStillMakesTheSameFile) {
+  const auto now = std::filesystem::path(testing::TempDir()) / "golden_bank_now.mcpk";
+  make_bank(now, find_bank_sources(files_of_bank()), {});
+  EXPECT_TRUE(read_bytes(now) == read_bytes(golden("v1_bank.mcpk")));
+  std::filesystem::remove(now);
+}
+
 TEST(GoldenBytes, TheWriterStillMakesTheSameRle16Files) {
   EXPECT_TRUE(write_container(golden_clip(Coding::Rle16)) == read_bytes(golden("v1_rle16.mcpr")));
   EXPECT_TRUE(write_container(golden_corrected_clip()) == read_bytes(golden("v1_correction.mcpr")));
@@ -242,6 +270,7 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
   write_bytes(golden("v1_segments_expected.f32"), played(write_container(golden_segmented_clip())));
   save_mcpr(golden("v1_correction.mcpr"), golden_corrected_clip());
   write_expected("v1_correction_expected.csv", golden_corrected_clip());
+  make_bank(golden("v1_bank.mcpk"), find_bank_sources(files_of_bank()), {});
 }
 
 }  // namespace

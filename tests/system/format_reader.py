@@ -1227,23 +1227,31 @@ def three_angles(m, limb):
 # ---------------------------------------------------------------- 3, 4, 8
 
 
+def sections_of(data):
+    """Of a file, by their tags."""
+    file = Cursor(data)
+    if file.take(4) != b"MCPR" or file.read("H") != 1:
+        refuse("not a .mcpr file of version 1")
+    sections = {}
+    for _ in range(file.read("H")):
+        head = file.take(8)
+        crc = file.read("I")
+        payload = file.take(struct.unpack("<I", head[4:])[0])
+        if zlib.crc32(payload, zlib.crc32(head)) != crc:
+            refuse("a checksum differs")
+        sections[head[:4].decode()] = payload
+    if file.rest():
+        refuse("bytes after the last section")
+    return sections
+
+
 class Clip:
-    def __init__(self, data, tables):
-        file = Cursor(data)
-        if file.take(4) != b"MCPR" or file.read("H") != 1:
-            refuse("not a .mcpr file of version 1")
-        self.sections = {}
-        for _ in range(file.read("H")):
-            head = file.take(8)
-            crc = file.read("I")
-            payload = file.take(struct.unpack("<I", head[4:])[0])
-            if zlib.crc32(payload, zlib.crc32(head)) != crc:
-                refuse("a checksum differs")
-            self.sections[head[:4].decode()] = payload
-        if file.rest():
-            refuse("bytes after the last section")
+    def __init__(self, sections, tables, change_joints=None):
+        self.sections = sections
         self.tables = tables
-        self.joints = self.read_skeleton()
+        self.joints = read_joints(sections["JNTS"])
+        if change_joints:
+            change_joints(self.joints)
         self.channels = sum(len(joint.kinds) for joint in self.joints)
         description = Cursor(self.sections["CLIP"]).read("dIBBBBQff")
         _, self.frames, self.basis, self.coding = description[:4]
@@ -1255,9 +1263,6 @@ class Clip:
         if "AXES" in self.sections:
             read_axes(self.sections["AXES"], self.joints)
         self.rows = self.decode()
-
-    def read_skeleton(self):
-        return read_joints(self.sections["JNTS"])
 
     def decode(self):
         limits = limits_of(self.joints, len(self.effectors), self.coding)
@@ -1365,7 +1370,7 @@ def expected_rows(path, width):
 def main():
     options = [argument for argument in sys.argv[1:] if argument.startswith("--")]
     page, clip_path, expected_path = [a for a in sys.argv[1:] if not a.startswith("--")]
-    clip = Clip(open(clip_path, "rb").read(), Tables(open(page, encoding="utf-8").read()))
+    clip = Clip(sections_of(open(clip_path, "rb").read()), Tables(open(page, encoding="utf-8").read()))
     rows = clip.positions() if "--positions" in options else clip.rows
     if "--tracks" in options:
         rows = clip.track_rows()

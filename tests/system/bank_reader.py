@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""A reader of packed banks written from FORMAT.md alone, to show that the page is enough.
+
+Slow and without limits: for tests only. Clips are decoded by format_reader.py.
+
+Usage: bank_reader.py FORMAT.md BANK.mcpk NAME=EXPECTED.f32...
+       compares the channels of clips with 32-bit floats, frame after frame (equal to the bit); the
+       bank has these clips and no others
+"""
+import struct
+import sys
+import zlib
+
+from format_reader import Clip, Cursor, Tables, expected_rows, refuse
+
+ORDERS = [(3, 4, 5), (3, 5, 4), (4, 3, 5), (4, 5, 3), (5, 3, 4), (5, 4, 3)]
+NONE = 2**32 - 1
+HEAD = 104  # bytes
+CLIPS_OF_BLOCK = 16
+
+
+def number(cursor):
+    value = 0
+    for shift in range(0, 63, 7):
+        byte = cursor.read("B")
+        value |= (byte & 127) << shift
+        if byte < 128:
+            return value
+    return refuse("a number without an end")
+
+
+class Bank:
+    def __init__(self, data):
+        self.data = data
+        head = Cursor(data[:HEAD])
+        if head.take(4) != b"MCPK" or head.read("HH") != (1, 0):
+            refuse("not a packed bank of version 1")
+        size, index, index_size, items, items_size, _, _ = head.read("7Q")
+        self.count, *counts = head.read("6I")
+        index_crc, items_crc, _, head_crc = head.read("4I")
+        if size != len(data) or zlib.crc32(data[: HEAD - 4]) != head_crc:
+            refuse("another head than was written")
+        self.index = data[index : index + index_size]
+        items = data[items : items + items_size]
+        if zlib.crc32(self.index) != index_crc or zlib.crc32(items) != items_crc:
+            refuse("a checksum differs")
+        begins = struct.unpack_from(f"<{sum(counts) + 1}I", items)
+        found = [items[a:b] for a, b in zip(begins, begins[1:])]
+        self.parts, self.outlines = found[: counts[0]], found[counts[0] : counts[0] + counts[1]]
+
+    def entries(self):
+        """Name, bytes and outline of each clip."""
+        last = b""
+        blocks = Cursor(self.index)
+        heads = [blocks.read("QI") for _ in range(-(-self.count // CLIPS_OF_BLOCK))]
+        for block, (place, first) in enumerate(heads):
+            cursor = Cursor(self.index[first:])
+            for _ in range(min(CLIPS_OF_BLOCK, self.count - CLIPS_OF_BLOCK * block)):
+                kept, length = cursor.read("BB")
+                name = last[:kept] + cursor.take(length)
+                if name <= last:
+                    refuse("names that are not in order")
+                last = name
+                size, outline, _ = number(cursor), number(cursor), number(cursor)
+                clip = self.data[place : place + size]
+                if zlib.crc32(clip) != cursor.read("I"):
+                    refuse("a checksum of a clip differs")
+                place += size
+                yield name.decode(), clip, self.outlines[outline]
+
+    def sections(self, clip, outline):
+        """The sections of a packed clip, and what says its orders."""
+        cursor, outline = Cursor(clip), Cursor(outline)
+        count, orders_size = outline.read("HH")
+        tags = [(outline.take(4), outline.read("I")) for _ in range(count)]
+        errors = cursor.take(8)
+        frames = number(cursor)
+        own = [tag for tag, part in tags if part == NONE]
+        sizes = {tag: number(cursor) for tag in own if tag not in (b"MOTN", b"COMP")}
+        orders = cursor.take(orders_size)
+        rest = len(clip) - cursor.at - sum(sizes.values())  # MOTN's or COMP's
+        sections = {}
+        for tag, part in tags:
+            if part == NONE:
+                sections[tag.decode()] = cursor.take(sizes.get(tag, rest))
+                continue
+            if self.parts[part][:4] != tag:
+                refuse("a part of another section")
+            sections[tag.decode()] = self.parts[part][4:]
+        if cursor.rest():
+            refuse("bytes after the last section")
+        description = sections["CLIP"]
+        sections["CLIP"] = (
+            description[:8] + struct.pack("<I", frames) + description[12:-8] + errors
+        )
+        return sections, orders
+
+
+def set_orders(joints, orders):
+    """Those of joints that turn about three different axes, three to a byte."""
+    digits = [byte // 6**k % 6 for byte in orders for k in range(3)]
+    for joint in joints:
+        turns = [i for i, kind in enumerate(joint.kinds) if kind >= 3]
+        if digits and sorted(joint.kinds[i] for i in turns) == [3, 4, 5]:
+            for i, kind in zip(turns, ORDERS[digits.pop(0)]):
+                joint.kinds[i] = kind
+    if any(digits):
+        refuse("orders of no joint")
+
+
+def main():
+    page, path, *wanted = sys.argv[1:]
+    tables = Tables(open(page, encoding="utf-8").read())
+    wanted = dict(one.split("=", 1) for one in wanted)
+    bank = Bank(open(path, "rb").read())
+    wrong = 0
+    for name, bytes_of_clip, outline in bank.entries():
+        sections, orders = bank.sections(bytes_of_clip, outline)
+        clip = Clip(sections, tables, lambda joints: set_orders(joints, orders))
+        expected, _ = expected_rows(wanted.pop(name), len(clip.rows[0]))
+        same = [list(row) for row in expected] == [list(row) for row in clip.rows]
+        print(f"{path}: {name}: {len(clip.rows)} frames, {'the same' if same else 'others'}")
+        wrong += not same
+    for name in wanted:
+        print(f"{path}: no clip {name}")
+    return 0 if not wrong and not wanted else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
