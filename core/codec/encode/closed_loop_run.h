@@ -152,7 +152,7 @@ class ClosedLoopRun {
 
   const ClosedLoop& loop_;
   const std::vector<Band>& bands_;
-  const Eigen::VectorXd& frame_weights_;
+  Eigen::VectorXd frame_weights_;  // empty: all alike
   Eigen::MatrixXd weighted_curvature_;
   Eigen::MatrixXd weighted_coefficient_curvature_;
   RateTable rates_;
