@@ -6,6 +6,7 @@
 #include "core/report/loaded_clip.h"
 
 namespace mocapress {
+
 Measurement measure(const Motion& original, std::span<const std::byte> file) {
   const OpenedMcpr opened = read_mcpr(file);
   const std::vector<ContactSpan> contacts = find_foot_contacts(original);
