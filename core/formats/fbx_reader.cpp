@@ -14,6 +14,7 @@
 #include <exception>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 #include <unordered_map>
 #include <unordered_set>
@@ -255,7 +256,7 @@ void FbxReader::settle_axes() {
   switch (metadata<std::int32_t>(*scene_, "UpAxis").value_or(1)) {
     case 0:  // X, which only a turn of everything can say
       take_.nodes.front().rest.rotation =
-          Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()) *
           take_.nodes.front().rest.rotation;
       break;
     case 2:

@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -71,6 +72,16 @@ bool have_same_axes(const Skeleton& from, const Skeleton& to, const std::vector<
   return same >= kSameAxes * all;
 }
 
+/// Eigen's FromTwoVectors needs a singular value decomposition, which takes the compiler 10 s.
+Eigen::Quaterniond shortest_turn(const Vector3d& from, const Vector3d& to) {
+  const Vector3d across = from.cross(to);
+  const double sine = across.norm();
+  const double cosine = from.dot(to);
+  const bool in_line = sine <= 1e-12 * std::abs(cosine);
+  const Vector3d axis = in_line ? from.unitOrthogonal() : Vector3d(across / sine);
+  return Eigen::Quaterniond(Eigen::AngleAxisd(std::atan2(sine, cosine), axis));
+}
+
 /// How the mesh around each joint of `from` has to turn from the bind pose to the rest pose of
 /// another skeleton: its bone points the other way there. Where none says, as around the parent.
 std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, const Skeleton& to,
@@ -91,7 +102,7 @@ std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, con
     const Vector3d theirs = rest.origin[static_cast<std::size_t>(joint_in_to[child])] -
                             rest.origin[static_cast<std::size_t>(joint_in_to[parent])];
     if (ours.norm() < kShortest || theirs.norm() < kShortest) continue;
-    swings[parent].setFromTwoVectors(ours, theirs);
+    swings[parent] = shortest_turn(ours, theirs);
     ++children[parent];
   }
   std::vector<Matrix3d> turns;
