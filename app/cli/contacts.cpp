@@ -11,6 +11,7 @@
 #include "core/base/number_text.h"
 #include "core/baselines/compared_file.h"
 #include "core/feet/footskate.h"
+#include "core/metrics/comparison.h"
 #include "core/motion/landmarks.h"
 
 namespace mocapress::cli {
@@ -121,9 +122,11 @@ struct Contacts {
   void add_findings(Json& all, const std::vector<ContactSpan>& spans, const Eigen::MatrixXd& tracks,
                     const Motion& motion) const {
     const Clip decoded = open_mcpr(*compressed).decoded;
-    if (decoded.frames() != motion.clip.frames() ||
-        decoded.channels.cols() != motion.clip.channels.cols())
-      throw InputError(*compressed, 0, 0, "is not a compressed form of " + clip);
+    try {
+      require_same_shape(motion.clip, decoded);
+    } catch (const Error& error) {
+      throw InputError(*compressed, 0, 0, error.what());
+    }
     const Footskate footskate = measure_footskate(
         spans, tracks, landmark_tracks(motion.skeleton, decoded), decoded.sample_rate_hz);
     for (Json& one : all) one["slid_cm"] = 0;

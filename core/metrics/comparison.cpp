@@ -16,12 +16,16 @@ std::string shape_text(const Clip& clip) {
 
 }  // namespace
 
+void require_same_shape(const Clip& original, const Clip& decoded) {
+  if (decoded.channels.rows() != original.channels.rows() ||
+      decoded.channels.cols() != original.channels.cols())
+    throw Error("is not a compressed form of the original: it has " + shape_text(decoded) +
+                ", the original " + shape_text(original));
+}
+
 Comparison compare(const Motion& original, const Eigen::MatrixXd& original_body,
                    const Clip& decoded, const std::vector<ContactSpan>& contacts) {
-  if (decoded.channels.rows() != original.clip.channels.rows() ||
-      decoded.channels.cols() != original.clip.channels.cols())
-    throw Error("is not a compressed form of the original: it has " + shape_text(decoded) +
-                ", the original " + shape_text(original.clip));
+  require_same_shape(original.clip, decoded);
   const Eigen::MatrixXd body = body_tracks(original.skeleton, decoded);
   const double rate = original.clip.sample_rate_hz;
   return {measure(original.skeleton, original_body, body),

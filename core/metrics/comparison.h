@@ -19,8 +19,11 @@ struct Comparison {
   Visibility visibility;
 };
 
-/// `original_body` is body_tracks() of the original, `contacts` those of its feet. Throws Error if
-/// `decoded` has other channels or another number of frames.
+/// Throws Error if `decoded` has other channels than the original or another number of frames.
+void require_same_shape(const Clip& original, const Clip& decoded);
+
+/// `original_body` is body_tracks() of the original, `contacts` those of its feet. Throws as
+/// require_same_shape() does.
 Comparison compare(const Motion& original, const Eigen::MatrixXd& original_body,
                    const Clip& decoded, const std::vector<ContactSpan>& contacts);
 
