@@ -2,6 +2,7 @@
 #include "core/formats/motion_file.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/file.h"
 #include "core/formats/amc.h"
@@ -16,6 +17,7 @@
 #include "core/formats/text_writer.h"
 #include "core/motion/clip.h"
 #include "core/motion/skin_points.h"
+#include "core/motion/surface_points.h"
 
 namespace mocapress {
 namespace {
@@ -54,6 +56,22 @@ bool is_without_lengths(const Skeleton& skeleton) {
          std::all_of(lengths.begin(), lengths.end(), [](double length) { return length == 0; });
 }
 
+/// Where errors are measured elsewhere than on a body around bones.
+void warn_of_surface(const path& file, const Skeleton& skeleton, Warnings& warnings) {
+  const std::vector<FarMesh> far = far_meshes(skeleton);
+  if (is_without_lengths(skeleton) && std::ssize(far) < skeleton.joint_count())
+    warnings.push_back({file.string(), 0,
+                        "no bone has a length: errors are measured on three points 3 cm from each "
+                        "joint"});
+  if (far.empty()) return;
+  const auto cm = [](double length) { return std::to_string(std::lround(length)); };
+  warnings.push_back(
+      {file.string(), 0,
+       "the mesh reaches much further than the bones at " + counted(std::ssize(far), "joint") +
+           ", first " + skeleton.joint(far.front().joint).name + " (" + cm(far.front().mesh_cm) +
+           " cm, not " + cm(far.front().body_cm) + "): the surface there is the mesh"});
+}
+
 MotionFile parse_by_extension(const path& file, std::string_view text, const SkeletonText& asf,
                               const ReadOptions& options) {
   require_motion(file);
@@ -67,10 +85,7 @@ MotionFile parse_by_extension(const path& file, std::string_view text, const Ske
 MotionFile parse(const path& file, std::string_view text, const SkeletonText& asf,
                  const ReadOptions& options) {
   MotionFile read = parse_by_extension(file, text, asf, options);
-  if (is_without_lengths(read.motion.skeleton))
-    read.warnings.push_back({file.string(), 0,
-                             "no bone has a length: errors are measured on three points 3 cm "
-                             "from each joint"});
+  warn_of_surface(file, read.motion.skeleton, read.warnings);
   return read;
 }
 
@@ -124,6 +139,7 @@ void put_character(const path& file, MotionFile& clip) {
     throw InputError(file.string(), 0, 0, std::string("cannot be put on: ") + error.what());
   }
   measure_on(clip.skin.get(), skeleton);
+  warn_of_surface(file, skeleton, clip.warnings);
 }
 
 Motion exported_motion(const Motion& motion, const SourceFormat& source,

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/motion/landmarks.h"
 
-#include <Eigen/Geometry>
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
-#include "core/motion/body.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/pose_block.h"
 #include "core/motion/skin_points.h"
+#include "core/motion/surface_points.h"
 
 namespace mocapress {
 
@@ -90,31 +90,6 @@ Eigen::MatrixXd point_tracks(const Skeleton& skeleton, const std::vector<Landmar
 
 namespace {
 
-MeasuredPoints surface_points(const Skeleton& skeleton) {
-  const double kNear = 0.5 - 1 / std::sqrt(12.0);  // of the axis, where Gauss has his two points
-  MeasuredPoints surface;
-  std::vector<double> weights;
-  for (const BodyLimb& limb : body_limbs(skeleton)) {
-    Eigen::Index least = 0;
-    limb.axis_in_joint.cwiseAbs().minCoeff(&least);
-    const Eigen::Vector3d across =
-        limb.axis_in_joint.cross(Eigen::Vector3d::Unit(least)).normalized();
-    const Eigen::Vector3d aside = limb.axis_in_joint.cross(across).normalized();
-    const auto put = [&](double along, const Eigen::Vector3d& off) {
-      surface.points.push_back({limb.joint, along * limb.axis_in_joint + limb.radius * off,
-                                skeleton.joint(limb.joint).name});
-      weights.push_back(limb.share / 4);
-    };
-    put(kNear, across);
-    put(kNear, -across);
-    put(1 - kNear, aside);
-    put(1 - kNear, -aside);
-  }
-  surface.weights =
-      Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
-  return surface;
-}
-
 MeasuredPoints evenly(std::vector<Landmark> points) {
   const auto count = static_cast<Eigen::Index>(points.size());
   return {std::move(points),
@@ -145,8 +120,7 @@ MeasuredPoints measured_points(const Skeleton& skeleton, Weighting weighting) {
     require_measurable(skeleton, weighting);
     return carried_points(*skeleton.skin(), skeleton);
   }
-  if (weighting == Weighting::Surface)
-    if (MeasuredPoints surface = surface_points(skeleton); !surface.points.empty()) return surface;
+  if (weighting == Weighting::Surface) return surface_points(skeleton);
   return evenly(shell_points(skeleton));
 }
 

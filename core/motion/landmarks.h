@@ -75,8 +75,7 @@ inline constexpr double kShellRadius = 3;  // cm, as ACL has it for characters
 
 /// What a weighting looks at:
 /// - on bones: landmarks(), weighted by landmark_weights();
-/// - on the surface: four points for each stretch of the body. They have the mean and the second
-///   moments of a cylinder's surface, so that their error is that of all the skin there;
+/// - on the surface: surface_points(), whose error is that of all the skin there;
 /// - on the shell: three points for each joint, along its axes;
 /// - on the skin: carried_points(); see require_measurable().
 MeasuredPoints measured_points(const Skeleton& skeleton, Weighting weighting);

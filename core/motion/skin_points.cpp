@@ -96,7 +96,7 @@ void measure_on(const Skin* skin, Skeleton& skeleton) {
                                    : std::make_shared<const SkinPoints>(std::move(points)));
 }
 
-MeasuredPoints carried_points(const SkinPoints& skin, const Skeleton& skeleton) {
+std::vector<CarriedMesh> carried_meshes(const SkinPoints& skin) {
   std::map<int, Carried> by_joint;
   for (const SkinPoint& point : skin)
     for (const auto& [joint, in_joint, weight] : point) {
@@ -105,8 +105,7 @@ MeasuredPoints carried_points(const SkinPoints& skin, const Skeleton& skeleton) 
       carried.sum += weight * in_joint;
       carried.squares += weight * in_joint * in_joint.transpose();
     }
-  MeasuredPoints measured;
-  std::vector<double> weights;
+  std::vector<CarriedMesh> meshes;
   for (const auto& [joint, carried] : by_joint) {
     const Vector3d mean = carried.sum / carried.weight;
     const Eigen::Matrix3d around = carried.squares / carried.weight - mean * mean.transpose();
@@ -115,12 +114,22 @@ MeasuredPoints carried_points(const SkinPoints& skin, const Skeleton& skeleton) 
         axes.eigenvectors() * axes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
     // Corners of a tetrahedron: their mean is 0 and their second moments are those of a unit
     // ball's.
-    for (const Vector3d& corner :
-         {Vector3d(1, 1, 1), Vector3d(1, -1, -1), Vector3d(-1, 1, -1), Vector3d(-1, -1, 1)}) {
-      measured.points.push_back({joint, mean + root * corner, skeleton.joint(joint).name});
-      weights.push_back(carried.weight / (4 * static_cast<double>(skin.size())));
-    }
+    meshes.push_back({joint,
+                      carried.weight / static_cast<double>(skin.size()),
+                      {mean + root * Vector3d(1, 1, 1), mean + root * Vector3d(1, -1, -1),
+                       mean + root * Vector3d(-1, 1, -1), mean + root * Vector3d(-1, -1, 1)}});
   }
+  return meshes;
+}
+
+MeasuredPoints carried_points(const SkinPoints& skin, const Skeleton& skeleton) {
+  MeasuredPoints measured;
+  std::vector<double> weights;
+  for (const CarriedMesh& mesh : carried_meshes(skin))
+    for (const Vector3d& in_joint : mesh.in_joint) {
+      measured.points.push_back({mesh.joint, in_joint, skeleton.joint(mesh.joint).name});
+      weights.push_back(mesh.share / 4);
+    }
   measured.weights =
       Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
   return measured;

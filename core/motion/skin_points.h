@@ -3,6 +3,7 @@
 // move them.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/motion/landmarks.h"
@@ -28,5 +29,15 @@ MeasuredPoints carried_points(const SkinPoints& skin, const Skeleton& skeleton);
 /// Corners of the box around what each joint carries for a good part: where none of them is far
 /// off, no point between them is.
 std::vector<Landmark> corners_of(const SkinPoints& skin, const Skeleton& skeleton);
+
+/// What one joint carries of the mesh, as four points with its mean and second moments.
+struct CarriedMesh {
+  int joint;
+  double share;                             // of all points
+  std::array<Eigen::Vector3d, 4> in_joint;  // cm
+};
+
+/// Of each joint that carries some, in their order.
+std::vector<CarriedMesh> carried_meshes(const SkinPoints& skin);
 
 }  // namespace mocapress

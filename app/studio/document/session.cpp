@@ -14,6 +14,7 @@
 #include "core/codec/decode/track_decoding.h"
 #include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"
+#include "core/motion/surface_points.h"
 
 namespace mocapress {
 namespace {
@@ -394,10 +395,13 @@ void Session::wear() {
         if (decoded) worn.decoded = measuredAgain(*decoded, *worn.original);
         return worn;
       },
-      [this, decoded, key = settingsKey(document_.options())](const Worn& worn) {
-        // Only errors on the skin are others, unless that is what was compressed by.
+      [this, original, decoded, key = settingsKey(document_.options())](const Worn& worn) {
+        // Only errors on the skin are others, unless that is what was compressed by, or the surface
+        // is the mesh somewhere.
         const bool stands = decoded && document_.final() && document_.decoded() == decoded &&
                             document_.options().weighting != Weighting::Skin &&
+                            far_meshes(original->motion().skeleton).empty() &&
+                            far_meshes(worn.original->motion().skeleton).empty() &&
                             settingsKey(document_.options()) == key;
         compressor_.setEncoder(worn.original->encoder);
         slot_answers_ = {};

@@ -494,6 +494,10 @@ TEST(GltfCorpus, ReadsAsItShould) {
   EXPECT_EQ(cube.motion.skeleton.joint_count(), 1);
   EXPECT_TRUE(cube.motion.clip.channels.rowwise().norm().isConstant(
       cube.motion.clip.channels.row(0).norm(), 1e-9));
+  ASSERT_EQ(cube.warnings.size(), 1u);
+  EXPECT_EQ(cube.warnings[0].message,
+            "the mesh reaches much further than the bones at 1 joint, first AnimatedMorphCube "
+            "(129 cm, not 3): the surface there is the mesh");
   ASSERT_EQ(cube.tracks.size(), 2u);
   EXPECT_EQ(label(cube.tracks[0]), "AnimatedMorphCube.target_0");
   for (const ScalarTrack& track : cube.tracks)
