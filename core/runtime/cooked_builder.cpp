@@ -128,16 +128,10 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   head.skeleton_bytes = static_cast<std::uint32_t>(tables.used() - first_table);
   if (clip_.end_reach[0] > 0) {
     std::copy_n(clip_.end_reach, 2, head.end_reach);
-    const int columns = kGroup * columns_.row_groups();
-    if (auto* const ends =
-            block.reserve_for<float>(2 * static_cast<std::uint64_t>(columns), head.ends))
-      for (int end = 0; end < 2; ++end)
-        for (int c = 0; c < columns; ++c) {
-          const CookedColumns::Column& column = columns_.column(c);
-          ends[end * columns + c] = column.channel < 0 ? 0
-                                                       : static_cast<float>(column.factor) *
-                                                             clip_.end_values(end)[column.channel];
-        }
+    auto* const ends = block.reserve_for<std::int16_t>(
+        2 * static_cast<std::uint64_t>(kGroup * columns_.row_groups()), head.ends);
+    if (ends != nullptr)
+      for (int end = 0; end < 2; ++end) put_end(end, ends, head);
   }
   auto* const rows =
       block.reserve_for<CookedRows>(std::uint64_t{head.parts} * head.segments, head.rows);
@@ -157,6 +151,22 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   auto* const made = std::launder(reinterpret_cast<mcpr_cooked*>(memory));
   made->checksum = checksum_of(*made);
   return head.bytes;
+}
+
+/// What an end lacks, in units of which the largest takes all of 16 bits.
+void CookedBuilder::put_end(int end, std::int16_t* ends, mcpr_cooked& head) {
+  coefficients_.load(end == 0 ? 0 : head.segments - 1);
+  const int columns = kGroup * columns_.row_groups();
+  const auto lacking = [&](int column) {
+    const std::int32_t channel = columns_.column(column).channel;
+    const double value = channel < 0 ? 0 : static_cast<double>(clip_.end_values(end)[channel]);
+    return value == 0 ? 0 : value / (coefficients_.step(channel) * 0x1p-15);
+  };
+  double largest = 0;
+  for (int c = 0; c < columns; ++c) largest = std::max(largest, std::abs(lacking(c)));
+  head.end_units[end] = static_cast<float>(largest / 32767);
+  for (int c = 0; c < columns && largest > 0; ++c)
+    ends[end * columns + c] = static_cast<std::int16_t>(std::lround(lacking(c) / largest * 32767));
 }
 
 void CookedBuilder::lay_out_joints(CookedBlock& tables, mcpr_cooked& head) {

@@ -42,7 +42,7 @@ class Checker {
     if (clip_.loop == LoopKind::Follows) require_array(clip_.column_kinds, 1, row_columns_, 1);
     if (clip_.end_reach[0] > 0 || clip_.end_reach[1] > 0) {
       require(clip_.end_reach[0] > 0 && clip_.end_reach[1] > 0);
-      require_array(clip_.ends, sizeof(float), 2 * std::uint64_t{row_columns_}, 4);
+      require_array(clip_.ends, sizeof(std::int16_t), 2 * std::uint64_t{row_columns_}, 2);
     }
     check_parts();
     return sound_;
@@ -118,7 +118,8 @@ class Checker {
     const std::uint64_t columns = std::uint64_t{kGroup} * part.groups;
     const int kept = std::min<int>(part.kept_bands, bands.count - 1);
     const int samples = std::max(bands.length(bands.count - 1 - kept), kSampleWindow);
-    require_array(rows.scales, sizeof(float), 3 * columns, 4);
+    require_array(rows.scales, 1, scale_bytes(part.wide_samples != 0, columns),
+                  part.wide_samples != 0 ? 4 : 2);
     require_array(rows.samples, part.wide_samples != 0 ? 4 : 2,
                   columns * static_cast<std::uint64_t>(samples), 2);
     require_array(rows.bands, sizeof(CookedBand), part.kept_bands, alignof(CookedBand));

@@ -4,6 +4,7 @@
 // on disk: SAMPLING.md describes it.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -86,10 +87,23 @@ struct CookedPart {
 
 /// A part in one segment.
 struct CookedRows {
-  std::uint32_t scales = 0;   // of each column: offset, scale of samples, step; an array each
+  // Of each column, an array each: offset, scale of samples and step, each the upper half of a
+  // float; where samples are floats only the step, a float.
+  std::uint32_t scales = 0;
   std::uint32_t samples = 0;  // row after row
   std::uint32_t bands = 0;    // CookedBand of each kept one, the finest first
+  float unit = 0;             // of steps
 };
+
+/// Bytes of `scales`, of so many columns.
+constexpr std::uint64_t scale_bytes(bool wide_samples, std::uint64_t columns) {
+  return (wide_samples ? sizeof(float) : 3 * sizeof(std::uint16_t)) * columns;
+}
+
+/// A float from its upper half.
+inline float from_upper_half(std::uint16_t half) {
+  return std::bit_cast<float>(std::uint32_t{half} << 16);
+}
 
 /// Where a table is that clips of a bank may share: bytes from `mcpr_cooked::tables` on.
 struct TableOffset {
@@ -155,7 +169,7 @@ enum class ColumnKind : std::uint8_t { Straight, HalfAngle, Root };
 
 struct mcpr_cooked {
   static constexpr char kMagic[4] = {'M', 'C', 'P', 'C'};
-  static constexpr std::uint32_t kVersion = 3;
+  static constexpr std::uint32_t kVersion = 4;
   char magic[4];
   std::uint32_t checksum;  // CRC-32 of `bytes` and all from `version` on
   std::uint64_t bytes;     // of all
@@ -179,6 +193,7 @@ struct mcpr_cooked {
   mocapress::runtime::Wavelet wavelet;
   mocapress::runtime::LoopKind loop;
   std::uint8_t end_reach[2];               // frames; 0: nothing is added at the ends
+  float end_units[2];                      // the first's, the last's
   mocapress::runtime::TableOffset rest;    // mcpr_transform of each joint: of what never changes
   mocapress::runtime::TableOffset rotors;  // RotorGroup
   mocapress::runtime::TableOffset moving;  // MovingAxis
@@ -189,7 +204,8 @@ struct mcpr_cooked {
   mocapress::runtime::TableOffset column_kinds;  // ColumnKind; only of a loop whose first frame
                                                  // follows the last
   // Offsets from the clip.
-  std::uint32_t ends;     // floats: what the first frame lacks in each column, then the last
+  std::uint32_t ends;     // i16: what the first frame lacks in each column, then the last, in
+                          // end_units of the column's step
   std::uint32_t rows;     // CookedRows of each part, segment after segment
   std::uint32_t entries;  // CookedEntries of each of kMostKeptBands, the finest first, of each
                           // kMostGroupsOfPart groups, segment after segment

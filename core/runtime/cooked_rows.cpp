@@ -2,6 +2,7 @@
 #include "core/runtime/cooked_rows.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -49,6 +50,12 @@ constexpr std::uint64_t entries_for(std::int32_t value) {
                                               : (value + kMostOfEntry - 1) / kMostOfEntry);
 }
 
+/// The upper half of a float: to the nearest, or not below.
+std::uint16_t upper_half(double value, bool up) {
+  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  return static_cast<std::uint16_t>((bits + (up ? 0xFFFFU : 0x8000U)) >> 16);
+}
+
 class RowWriter {
  public:
   RowWriter(CookedBlock& block, const CookedColumns& columns, CookedCoefficients& coefficients)
@@ -59,6 +66,7 @@ class RowWriter {
   CookedEntries put_entries(int first_group, int depth);
 
  private:
+  float put_steps(const CookedPart& part, std::byte* scales) const;
   CookedBand put_band(const CookedPart& part, int depth);
   void put_dense(std::byte* rows, const CookedPart& part, RowKind kind, int depth) const;
   const Bands& bands() const { return coefficients_.bands(); }
@@ -86,30 +94,26 @@ CookedRows RowWriter::put_part(const CookedPart& part) {
   CookedRows rows;
   const int columns = kGroup * part.groups;
   const int kept = std::min<int>(part.kept_bands, bands().count - 1);
-  float* const scales =
-      block_.reserve_for<float>(3 * static_cast<std::uint64_t>(columns), rows.scales);
-  // Whole sums are times 2^15.
-  for (int c = 0; scales != nullptr && c < columns; ++c) {
-    const CookedColumns::Column& from = columns_.column(kGroup * part.first_group + c);
-    scales[c] = static_cast<float>(from.base);
-    if (from.channel >= 0)
-      scales[2 * columns + c] =
-          static_cast<float>(coefficients_.step(from.channel) * from.factor * 0x1p-15);
-  }
+  const bool is_wide = part.wide_samples != 0;
+  rows.scales = block_.reserve(scale_bytes(is_wide, static_cast<std::uint64_t>(columns)));
+  std::byte* const scales = block_.at(rows.scales);
+  if (scales != nullptr) rows.unit = put_steps(part, scales);
   const int samples = std::max(bands().length(bands().count - 1 - kept), kSampleWindow);
-  const std::size_t width = part.wide_samples != 0 ? 4 : 2;
+  const std::size_t width = is_wide ? 4 : 2;
   rows.samples =
       block_.reserve(width * static_cast<std::size_t>(columns) * static_cast<std::size_t>(samples));
   std::byte* const sample_rows = block_.at(rows.samples);
   for (int c = 0; sample_rows != nullptr && c < columns; ++c) {
     const CookedColumns::Column& from = columns_.column(kGroup * part.first_group + c);
-    if (from.channel < 0) continue;
-    const std::span<double> own = coefficients_.samples_of(from.channel, kept);
-    for (double& sample : own) sample *= from.factor;
+    const bool is_empty = from.channel < 0;  // its base alone, in all rows
+    double none = 0;
+    const std::span<double> own =
+        is_empty ? std::span(&none, 1) : coefficients_.samples_of(from.channel, kept);
+    const std::size_t repeats = is_empty ? static_cast<std::size_t>(samples) : 1;
+    for (double& sample : own) sample = sample * from.factor + from.base;
     std::byte* to = sample_rows + width * static_cast<std::size_t>(c);
     const std::size_t row_bytes = width * static_cast<std::size_t>(columns);
-    if (part.wide_samples != 0) {
-      scales[columns + c] = 1;
+    if (is_wide) {
       for (const double value : own) {
         const auto sample = static_cast<float>(value);
         std::memcpy(to, &sample, sizeof sample);
@@ -118,12 +122,16 @@ CookedRows RowWriter::put_part(const CookedPart& part) {
       continue;
     }
     const auto [least, most] = std::minmax_element(own.begin(), own.end());
-    const double middle = 0.5 * (*least + *most);
-    const double scale = std::max((*most - *least) / 65534, 1e-30);
-    scales[c] += static_cast<float>(middle);
-    scales[columns + c] = static_cast<float>(scale);
-    for (const double value : own) {
-      const auto sample = static_cast<std::int16_t>(std::lround((value - middle) / scale));
+    const std::uint16_t offset = upper_half(0.5 * (*least + *most), false);
+    const auto middle = static_cast<double>(from_upper_half(offset));
+    const std::uint16_t scale =
+        upper_half(std::max({(*most - middle) / 32767, (middle - *least) / 32767, 1e-30}), true);
+    std::memcpy(scales + 2 * c, &offset, sizeof offset);
+    std::memcpy(scales + 2 * (columns + c), &scale, sizeof scale);
+    for (std::size_t i = 0; i < repeats * own.size(); ++i) {
+      const double value = own[is_empty ? 0 : i] - middle;
+      const auto sample = static_cast<std::int16_t>(
+          std::lround(value / static_cast<double>(from_upper_half(scale))));
       std::memcpy(to, &sample, sizeof sample);
       to += row_bytes;
     }
@@ -134,6 +142,31 @@ CookedRows RowWriter::put_part(const CookedPart& part) {
     if (bands != nullptr) bands[depth - 1] = band;
   }
   return rows;
+}
+
+/// The steps of columns; returns the unit they are in. Whole sums are times 2^15.
+float RowWriter::put_steps(const CookedPart& part, std::byte* scales) const {
+  const int columns = kGroup * part.groups;
+  const auto step_of = [&](int c) {
+    const CookedColumns::Column& from = columns_.column(kGroup * part.first_group + c);
+    return from.channel < 0 ? 0 : coefficients_.step(from.channel) * from.factor;
+  };
+  if (part.wide_samples != 0) {
+    for (int c = 0; c < columns; ++c) {
+      const auto step = static_cast<float>(step_of(c));
+      std::memcpy(scales + 4 * c, &step, sizeof step);
+    }
+    return 0x1p-15F;
+  }
+  double largest = 0;
+  for (int c = 0; c < columns; ++c) largest = std::max(largest, step_of(c));
+  for (int c = 0; c < columns; ++c) {
+    const std::uint16_t step = upper_half(largest > 0 ? step_of(c) / largest : 0, false);
+    std::memcpy(scales + 2 * (2 * columns + c), &step, sizeof step);
+  }
+  // Steps are the largest by roots of powers of two, of which every other one is cut by 1.07e-4:
+  // that goes half to each.
+  return static_cast<float>(largest * 0x1p-15 * (1 + 0.535e-4));
 }
 
 /// The smallest of all kinds, where a byte of entries, which take time one by one, counts as more.

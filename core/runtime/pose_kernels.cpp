@@ -41,6 +41,12 @@ struct Floats {
     for (int i = 0; i < kGroup; ++i) out.lane[i] = read_as<std::int16_t>(from + 2 * i);
     return out;
   }
+  static Floats of_upper_halves(const std::byte* from) {
+    Floats out;
+    for (int i = 0; i < kGroup; ++i)
+      out.lane[i] = from_upper_half(read_as<std::uint16_t>(from + 2 * i));
+    return out;
+  }
   void store(float* to) const { std::memcpy(to, lane, sizeof lane); }
 
   /// Zero where the lane's bit is not set.

@@ -42,8 +42,7 @@ struct PartRows {
   bool wide;                    // samples are floats, not 16 bits
   float unit;                   // of details
   const std::int32_t* entries;  // what they add up to, from the first group on
-  const float* scales;          // offset of each column from the first group on, then scale, then
-                                // step: three arrays of all columns of the part
+  const std::byte* scales;      // CookedRows::scales
   float* columns;               // from the first group on
 };
 
@@ -91,8 +90,9 @@ struct LiftPart {
   const std::byte* clip;     // which their offsets are from
   const std::byte* samples;  // of row 0
   RowRange sample_rows;
-  int sample_step;      // from one that is wanted to the next
-  const float* scales;  // as of PartRows
+  int sample_step;          // from one that is wanted to the next
+  float unit;               // of steps
+  const std::byte* scales;  // CookedRows::scales
   int groups;
   bool wide;
   int first_column;  // in `frames` and rows of entries

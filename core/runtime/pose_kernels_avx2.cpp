@@ -40,6 +40,10 @@ struct Floats {
     const __m128i words = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
     return {_mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(words))};
   }
+  MOCAPRESS_POSES_AVX2 static Floats of_upper_halves(const std::byte* from) {
+    const __m128i halves = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+    return {_mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(halves), 16))};
+  }
   MOCAPRESS_POSES_AVX2 void store(float* to) const { _mm256_storeu_ps(to, lanes); }
   MOCAPRESS_POSES_AVX2 Floats only(unsigned bits) const {
     return {_mm256_and_ps(lanes, lanes_of(bits))};

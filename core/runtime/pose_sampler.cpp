@@ -79,9 +79,9 @@ class Sampler {
                            .first_group = groups.first,
                            .groups = groups.count,
                            .wide = part.wide_samples != 0,
-                           .unit = weights.unit,
+                           .unit = weights.unit * rows.unit,
                            .entries = entries + first,
-                           .scales = clip_.at<float>(rows.scales) + kGroup * groups.first,
+                           .scales = clip_.at<std::byte>(rows.scales),
                            .columns = columns + first});
   }
 
@@ -167,9 +167,25 @@ class Sampler {
   }
 
   void add_end(int end, float share) {
-    const int columns = kGroup * static_cast<int>(clip_.row_groups);
-    const float* const lacking = clip_.at<float>(clip_.ends) + end * columns;
-    for (int c = 0; c < columns; ++c) columns_[c] += share * lacking[c];
+    const int segment = end == 0 ? 0 : clip_.segments - 1;
+    const auto* const ends = clip_.at<std::int16_t>(clip_.ends) +
+                             end * kGroup * static_cast<std::ptrdiff_t>(clip_.row_groups);
+    for (int p = 0; p < clip_.parts; ++p) {
+      const CookedPart& part = clip_.part(p);
+      const CookedRows& rows = clip_.rows_of(segment, p);
+      const float unit = share * clip_.end_units[end] * rows.unit;
+      const std::int16_t* const lacking = ends + kGroup * part.first_group;
+      float* const columns = columns_ + kGroup * part.first_group;
+      const int count = kGroup * part.groups;
+      const auto* const steps = clip_.at<float>(rows.scales);
+      const auto* const halves = clip_.at<std::uint16_t>(rows.scales) + 2 * count;
+      if (part.wide_samples != 0)
+        for (int c = 0; c < count; ++c)
+          columns[c] += unit * steps[c] * static_cast<float>(lacking[c]);
+      else
+        for (int c = 0; c < count; ++c)
+          columns[c] += unit * from_upper_half(halves[c]) * static_cast<float>(lacking[c]);
+    }
   }
 
   /// From the last frame of a loop to the first: angles by the shorter way; what roots do goes on
