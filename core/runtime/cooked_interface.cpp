@@ -55,6 +55,10 @@ mcpr_result prepare(const mcpr_clip* clip, const mcpr_cook_options* options, voi
   return kOk;
 }
 
+bool is_cooked(const mcpr_cooked* clip) {
+  return clip != nullptr && std::memcmp(clip->magic, mcpr_cooked::kMagic, sizeof clip->magic) == 0;
+}
+
 mcpr_result check_joints(const mcpr_cooked& clip, const std::uint16_t* joints,
                          std::uint32_t count) {
   if (count > clip.joints) return refused("more joints than there are");
@@ -64,8 +68,7 @@ mcpr_result check_joints(const mcpr_cooked& clip, const std::uint16_t* joints,
 }
 
 mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_request* request) {
-  if (clip == nullptr || std::memcmp(clip->magic, mcpr_cooked::kMagic, sizeof clip->magic) != 0)
-    return refused("no cooked clip");
+  if (!is_cooked(clip)) return refused("no cooked clip");
   if (request == nullptr || request->layout < MCPR_TRANSFORMS || request->layout > MCPR_MATRICES ||
       request->unit < MCPR_FRAMES || request->unit > MCPR_SECONDS || request->wrap < MCPR_CLAMP ||
       request->wrap > MCPR_LOOP || poses_of(request->path) == nullptr)
@@ -259,14 +262,14 @@ size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* 
 }
 
 size_t mcpr_selection_bytes(const mcpr_cooked* cooked, uint32_t joint_count) {
-  if (cooked == nullptr || joint_count > cooked->joints) return 0;
+  if (!runtime::is_cooked(cooked) || joint_count > cooked->joints) return 0;
   return static_cast<size_t>(runtime::selection_bytes(*cooked, joint_count));
 }
 
 mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joints,
                                 uint32_t joint_count, void* memory, size_t size,
                                 const mcpr_selection** selection) {
-  if (cooked == nullptr || joints == nullptr || selection == nullptr)
+  if (!runtime::is_cooked(cooked) || joints == nullptr || selection == nullptr)
     return runtime::refused("no cooked clip, no joints, or no place was given for the selection");
   const mcpr_result result = runtime::check_joints(*cooked, joints, joint_count);
   if (runtime::failed(result)) return result;
@@ -292,12 +295,12 @@ mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* re
 }
 
 size_t mcpr_cursor_bytes(const mcpr_cooked* cooked) {
-  return cooked != nullptr ? mcpr_cursor::bytes_for(*cooked) : 0;
+  return runtime::is_cooked(cooked) ? mcpr_cursor::bytes_for(*cooked) : 0;
 }
 
 mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t size,
                              mcpr_cursor** cursor) {
-  if (cooked == nullptr || cursor == nullptr)
+  if (!runtime::is_cooked(cooked) || cursor == nullptr)
     return runtime::refused("no cooked clip, or no place was given for the cursor");
   if (!runtime::suits_alignment(memory) || size < mcpr_cursor::bytes_for(*cooked))
     return runtime::failure(MCPR_MEMORY, 0, "too little memory for the cursor, or not aligned");

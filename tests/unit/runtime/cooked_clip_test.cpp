@@ -241,12 +241,19 @@ TEST_F(CookedPaths, RefuseSelectionsThatDoNotSuit) {
   const mcpr_selection* made = nullptr;
   EXPECT_EQ(mcpr_selection_bytes(nullptr, 1), 0u);
   EXPECT_EQ(mcpr_selection_bytes(cooked_.clip, 1000), 0u);
+  const AlignedBytes others(sizeof(mcpr_cooked));  // no magic number
+  std::memset(others.data(), 0, sizeof(mcpr_cooked));
+  const auto* const no_clip = reinterpret_cast<const mcpr_cooked*>(others.data());
+  EXPECT_EQ(mcpr_selection_bytes(no_clip, 0), 0u);
+  EXPECT_EQ(mcpr_cursor_bytes(no_clip), 0u);
   const std::size_t size = mcpr_selection_bytes(cooked_.clip, 3);
   const AlignedBytes memory(size);
   const auto make = [&](std::uint32_t count, std::size_t bytes) {
     return mcpr_make_selection(cooked_.clip, joints, count, memory.data(), bytes, &made).status;
   };
   EXPECT_EQ(make(3, size), MCPR_ARGUMENT) << "one twice";
+  EXPECT_EQ(mcpr_make_selection(no_clip, joints, 0, memory.data(), size, &made).status,
+            MCPR_ARGUMENT);
   EXPECT_EQ(make(2, mcpr_selection_bytes(cooked_.clip, 2) - 1), MCPR_MEMORY);
   ASSERT_EQ(make(2, size), MCPR_OK);
   const CookedClip other(opened_.clip);
