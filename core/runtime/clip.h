@@ -34,6 +34,7 @@ struct ResidentTrack {
   bool steps;
 };
 
+/// Where a clip's scalar tracks are in the block.
 struct TrackBlock {
   std::uint32_t count = 0;
   std::uint32_t curve_count = 0;
@@ -43,13 +44,14 @@ struct TrackBlock {
   std::uint32_t curves = 0;  // ResidentSignals, where there are curves
 };
 
+/// The head of the block. All that follows it is found by offsets from here.
 struct ClipBlock {
   static constexpr std::uint32_t kMark = 0x7263704D;  // tells a clip from other memory
   std::uint32_t mark = kMark;
   std::uint32_t joint_count = 0;
   std::uint32_t channel_count = 0;
   std::uint32_t effector_count = 0;
-  double sample_rate = 0;
+  double sample_rate = 0;  // Hz
   std::uint64_t total_bytes = 0;
   std::uint64_t skeleton_bytes = 0;
   Solver solver = Solver::NearestPose;

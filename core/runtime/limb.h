@@ -9,7 +9,7 @@
 
 namespace mocapress::runtime {
 
-// What a solver has room for, of one limb.
+/// What a solver has room for, of one limb.
 inline constexpr int kMostEffectorsOfLimb = 8;
 inline constexpr int kMostAngles = 64;
 

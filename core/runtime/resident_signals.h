@@ -18,11 +18,11 @@ struct QuantisedSource {
   int signal_count;
   Wavelet wavelet;
   const float* steps;  // of each signal, before they are divided by bands
-  const float*
-      double_precision_limits;  // of each signal: larger samples are decoded in double precision
-  const std::int32_t* values;   // signal after signal
-  std::uint8_t* notes;          // a byte for each signal, to work in
-  std::uint64_t budget_bytes;   // for the bands; beyond, each takes its smaller kind
+  /// Of each signal: one with larger samples is decoded in double precision.
+  const float* double_precision_limits;
+  const std::int32_t* values;  // signal after signal
+  std::uint8_t* notes;         // a byte for each signal, to work in
+  std::uint64_t budget_bytes;  // for the bands; beyond, each takes its smaller kind
 };
 
 /// What the work of decoding signals depends on.
@@ -34,10 +34,10 @@ struct SignalsShape {
 
 /// The resident form. It has no pointers; everything is found by offsets in bytes from `this`.
 ///
-/// A band is either dense, row after row, every coefficient in a width that is its signal's in
-/// this band; or sparse, blocks of 2^k rows in which only what is not zero stands,
-/// signal by signal, each with the gap to the one before; or empty. Which is
-/// smaller decides; but coarse bands are dense, which is faster, as far as the budget goes.
+/// A band is dense, sparse or empty. Dense: row after row, every coefficient in the bits that its
+/// signal needs in this band. Sparse: blocks of 2^k rows, and of each signal what is not zero
+/// there, with the gap to the one before. The smaller of the two is taken; but coarse bands are
+/// dense, which is faster, as far as the budget goes.
 class ResidentSignals {
  public:
   /// How many bytes build() makes.

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Based on: C. Welman, 1993 (cyclic coordinate descent), and S. R. Buss, 2004 (damped least
+// squares); see solve.cpp. FORMAT.md has both step by step, for every decoder must come to the same
+// angles.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +11,7 @@
 
 namespace mocapress::runtime {
 
+/// An effector as near to its target as this is there.
 inline constexpr double kReachedCm = 0.01;
 
 /// The iterations after which the format's solvers give up.
