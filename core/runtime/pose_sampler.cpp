@@ -16,6 +16,10 @@
 namespace mocapress::runtime {
 namespace {
 
+/// Frames from one within which an instant is that frame: seconds times a rate are rounded, and a
+/// frame costs less than what is between two, most of all in play at half the rate.
+constexpr float kAtFrame = 0x1p-16F;
+
 class Sampler {
  public:
   Sampler(const mcpr_cooked& clip, const PoseKernels& kernels, const mcpr_sample_request& request,
@@ -119,7 +123,8 @@ class Sampler {
     const SegmentLayout layout = clip_.layout();
     int before = std::min(static_cast<int>(frame), layout.frames - 1);
     float share = before + 1 < layout.frames ? static_cast<float>(frame - before) : 0.0F;
-    if (share == 1) {  // rounded: all but the next frame
+    if (share < kAtFrame) share = 0;
+    if (share > 1 - kAtFrame) {
       ++before;
       share = 0;
     }

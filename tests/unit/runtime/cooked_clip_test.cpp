@@ -288,6 +288,13 @@ TEST_F(CookedPaths, BandsThatAreLeftOutAreMissed) {
   EXPECT_EQ(mcpr_sample_values(cooked_.clip, &request), 0u);
 }
 
+TEST_F(CookedPaths, AnInstantBesideAFrameIsThatFrame) {
+  const std::vector<float> frame = cooked_.sample({}, 7);
+  for (const double beside : {7 - 1e-5, 7 - 1e-12, 7 + 1e-12, 7 + 1e-5})
+    EXPECT_EQ(cooked_.sample({}, beside), frame) << beside;
+  EXPECT_NE(cooked_.sample({}, 7.001), frame);
+}
+
 TEST_F(CookedPaths, SecondsAreFramesAndInstantsBeyondTheEndsStandStill) {
   const double rate = mcpr_cooked_describe(cooked_.clip).sample_rate;
   EXPECT_EQ(cooked_.sample({.unit = MCPR_SECONDS}, 100 / rate), cooked_.sample({}, 100));
