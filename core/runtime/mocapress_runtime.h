@@ -360,7 +360,7 @@ size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* 
 
 /* Local transforms of one instant. Needs no scratch memory but some stack (112 KiB at most).
  * Between two frames channels are linear in time, as in mcpr_decode_moment, and so is what the
- * correction made of them. All paths give the same bits. */
+ * correction made of them. Within 2^-16 of one it is that frame. All paths give the same bits. */
 mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request, double time,
                         float* out);
 

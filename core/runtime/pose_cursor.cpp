@@ -36,14 +36,16 @@ void spread_entries(const mcpr_cooked& clip, const CookedEntries& entries, RowRa
                     int row_columns, std::int32_t* out) {
   const auto* const begins = clip.at<std::uint16_t>(entries.begins);
   const std::uint16_t* const all = begins + entries.blocks + 1;
+  const auto count = static_cast<unsigned>(rows.end - rows.first);
   const int end = std::min(((rows.end - 1) >> entries.log2_rows) + 1, int{entries.blocks});
   for (int block = rows.first >> entries.log2_rows; block < end; ++block) {
     const int first = block << entries.log2_rows;
     for (int i = begins[block]; i < begins[block + 1]; ++i) {
       const int bits = static_cast<std::int16_t>(all[i]);
-      const int row = first + (((bits >> kColumnBits) - first) & ((1 << kRowBits) - 1));
-      if (row < rows.first || row >= rows.end) continue;
-      out[(row - rows.first) * row_columns + (bits & ((1 << kColumnBits) - 1))] +=
+      const int row =
+          (((bits >> kColumnBits) - first) & ((1 << kRowBits) - 1)) + (first - rows.first);
+      if (static_cast<unsigned>(row) >= count) continue;
+      out[row * row_columns + (bits & ((1 << kColumnBits) - 1))] +=
           bits >> (kColumnBits + kRowBits);
     }
   }
