@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "core/codec/format/end_poses.h"
 #include "core/metrics/distortion.h"
 #include "core/motion/body_tracks.h"
+#include "core/select/error_model.h"
 
 namespace mocapress {
 namespace {
@@ -46,6 +48,29 @@ Eigen::RowVectorXd lacking(const Skeleton& skeleton, const Eigen::RowVectorXd& o
   return difference;
 }
 
+/// Counts the bits that a range coder would take.
+struct CountedBits {
+  double bits = 0;
+
+  bool code(bool bit, runtime::Probability one) {
+    bits -= std::log2((bit ? one : 65536 - one) / 65536.0);
+    return bit;
+  }
+};
+
+/// What a whole number takes among others, about.
+double bits_of(int whole) {
+  const int magnitude = std::abs(whole);
+  return magnitude == 0 ? 0.5 : 3 + 2 * std::log2(magnitude);
+}
+
+double bits_of(const Eigen::VectorXi& whole) {
+  CountedBits counted;
+  runtime::EndCoder coder;
+  for (const int value : whole) coder.code(counted, value);
+  return counted.bits;
+}
+
 /// One end of a clip beside its original, the end's own frame first. What is wanted of that frame
 /// is the original's pose but for `error`, in channels.
 class End {
@@ -56,9 +81,10 @@ class End {
         tolerance_(tolerance),
         errors_(skeleton, tolerance.weighting),
         original_(tracks(original)),
-        wanted_(tracks(original.row(0) + error)),
+        wanted_pose_(original.row(0) + error),
+        wanted_(tracks(wanted_pose_)),
         decoded_(std::move(decoded)),
-        lacking_(lacking(skeleton, original.row(0) + error, decoded_.row(0))) {}
+        lacking_(lacking(skeleton, wanted_pose_, decoded_.row(0))) {}
 
   /// What becomes of the frames beside it where so many take part.
   struct Reach {
@@ -67,12 +93,12 @@ class End {
     Eigen::RowVectorXd slope;  // how the errors change to the frame beside it. cm
   };
 
-  std::vector<Reach> reaches() const {
+  std::vector<Reach> reaches(const Eigen::RowVectorXd& added) const {
     std::vector<Reach> found;
     for (int frames = 1; frames <= decoded_.rows(); frames *= 2) {
       Eigen::MatrixXd with = decoded_;
       for (int t = 0; t < frames; ++t)
-        with.row(t) += static_cast<double>(runtime::end_share(t, frames)) * lacking_;
+        with.row(t) += static_cast<double>(runtime::end_share(t, frames)) * added;
       const Eigen::MatrixXd at = tracks(with);
       const Eigen::Index beside = std::min<Eigen::Index>(1, at.rows() - 1);
       found.push_back({frames, (errors_.squared(original_, at) * errors_.measured().weights).sum(),
@@ -81,53 +107,130 @@ class End {
     return found;
   }
 
-  /// Rounded to whole steps of each channel.
-  Eigen::VectorXi rounded(const std::vector<float>& steps, int step_exponent) const {
-    Eigen::VectorXi whole(lacking_.size());
-    for (Eigen::Index c = 0; c < whole.size(); ++c) {
-      constexpr double kMost = (1 << runtime::DigitCoder::kMostDigits) - 1;
-      const double step = runtime::end_value(1, steps[static_cast<std::size_t>(c)], step_exponent);
-      whole(c) = static_cast<int>(std::lround(std::clamp(lacking_(c) / step, -kMost, kMost)));
+  /// Nothing where the pose will do as it is, else what takes the fewest bits of what will do:
+  /// whole steps of each channel, which are `steps` made so many half octaves finer.
+  std::pair<int, Eigen::VectorXi> cheapest(const std::vector<float>& steps) const {
+    constexpr int kFirst = -8;
+    constexpr int kFiner = 6;  // that are tried beyond the first that will do
+    constexpr double kStricter = 0.9;
+    std::pair<int, Eigen::VectorXi> best{0, Eigen::VectorXi::Zero(lacking_.size())};
+    if (is_near(values_of(best.second, steps, 0))) return best;
+    const Eigen::MatrixXd gram = gram_of_pose();
+    double most = tolerance_.cm * tolerance_.cm;  // by the quadratic model
+    double least = std::numeric_limits<double>::infinity();
+    int last = runtime::kMostEndStepExponent;
+    for (int step_exponent = kFirst; step_exponent <= last; ++step_exponent) {
+      const Eigen::RowVectorXd step =
+          values_of(Eigen::VectorXi::Ones(lacking_.size()), steps, step_exponent);
+      Eigen::VectorXi whole = sparsest(gram, step, most);
+      // Where all is to be exact, channels one by one are slow to come near.
+      if (error_of(gram, step, whole) > most) whole = rounded(step);
+      const bool is_finest = step_exponent == runtime::kMostEndStepExponent && std::isinf(least);
+      if (!is_finest && error_of(gram, step, whole) > most) continue;
+      const double bits = bits_of(whole);
+      if (bits >= least) continue;
+      if (!is_finest && !is_near(values_of(whole, steps, step_exponent))) {
+        most *= kStricter;
+        continue;
+      }
+      if (std::isinf(least)) last = std::min(last, step_exponent + kFiner);
+      least = bits;
+      best = {step_exponent, std::move(whole)};
     }
-    return whole;
+    return best;
   }
 
-  bool is_exact(const Eigen::VectorXi& whole, const std::vector<float>& steps,
-                int step_exponent) const {
-    Eigen::MatrixXd pose = decoded_.topRows(1);
+  /// What steps of each channel come to.
+  static Eigen::RowVectorXd values_of(const Eigen::VectorXi& whole, const std::vector<float>& steps,
+                                      int step_exponent) {
+    Eigen::RowVectorXd values(whole.size());
     for (Eigen::Index c = 0; c < whole.size(); ++c)
-      pose(0, c) = static_cast<double>(
-          static_cast<float>(pose(0, c)) +
-          runtime::end_value(whole(c), steps[static_cast<std::size_t>(c)], step_exponent));
+      values(c) = runtime::end_value(whole(c), steps[static_cast<std::size_t>(c)], step_exponent);
+    return values;
+  }
+
+  /// The error that this leaves.
+  Eigen::RowVectorXd error_with(const Eigen::RowVectorXd& added) const { return added - lacking_; }
+
+ private:
+  /// The squared error of small differences of channels is d gram d^T.
+  Eigen::MatrixXd gram_of_pose() const {
+    const ErrorModel model(skeleton_, Clip{1, wanted_pose_}, tolerance_.weighting);
+    Eigen::MatrixXd gram(lacking_.size(), lacking_.size());
+    const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
+    for (int c = 0; c < model.channels(); ++c) {
+      Eigen::MatrixXd row = Eigen::MatrixXd::Zero(1, model.channels());
+      model.add_to_gradient(c, one, row);
+      gram.col(c) = row.transpose();
+    }
+    return gram;
+  }
+
+  /// Whether the pose will do with that.
+  bool is_near(const Eigen::RowVectorXd& added) const {
+    Eigen::MatrixXd pose = decoded_.topRows(1);
+    for (Eigen::Index c = 0; c < added.size(); ++c)
+      pose(0, c) =
+          static_cast<double>(static_cast<float>(pose(0, c)) + static_cast<float>(added(c)));
     const Eigen::MatrixXd squared = errors_.squared(wanted_, tracks(pose));
     const double square =
         tolerance_.at_most ? squared.maxCoeff() : (squared * errors_.measured().weights).value();
     return std::sqrt(square) <= tolerance_.cm;
   }
 
-  /// Nothing where the pose will do as it is, else what is lacking in the coarsest steps that do.
-  std::pair<int, Eigen::VectorXi> coarsest(const std::vector<float>& steps) const {
-    constexpr int kFirst = -4;
-    Eigen::VectorXi whole = Eigen::VectorXi::Zero(lacking_.size());
-    if (is_exact(whole, steps, 0)) return {0, whole};
-    int step_exponent = kFirst;
-    for (; step_exponent < runtime::kMostEndStepExponent; ++step_exponent) {
-      whole = rounded(steps, step_exponent);
-      if (is_exact(whole, steps, step_exponent)) break;
+  static int limited(double steps) {
+    constexpr double kMost = (1 << runtime::DigitCoder::kMostDigits) - 1;
+    return static_cast<int>(std::lround(std::clamp(steps, -kMost, kMost)));
+  }
+
+  /// All that is lacking.
+  Eigen::VectorXi rounded(const Eigen::RowVectorXd& step) const {
+    Eigen::VectorXi whole(lacking_.size());
+    for (Eigen::Index c = 0; c < whole.size(); ++c) whole(c) = limited(lacking_(c) / step(c));
+    return whole;
+  }
+
+  /// The squared error that whole steps leave.
+  double error_of(const Eigen::MatrixXd& gram, const Eigen::RowVectorXd& step,
+                  const Eigen::VectorXi& whole) const {
+    const Eigen::RowVectorXd left = step.cwiseProduct(whole.cast<double>().transpose()) - lacking_;
+    return left.dot(gram * left.transpose());
+  }
+
+  /// Whole steps of few channels: one after another, what mends most for its bits, given the error
+  /// of all others, until no more than that is left or nothing mends any more.
+  Eigen::VectorXi sparsest(const Eigen::MatrixXd& gram, const Eigen::RowVectorXd& step,
+                           double squared_error) const {
+    constexpr double kLeastBits = 0.25;
+    const Eigen::Index channels = lacking_.size();
+    Eigen::VectorXi whole = Eigen::VectorXi::Zero(channels);
+    Eigen::VectorXd slope = -gram * lacking_.transpose();
+    double error = -lacking_.dot(slope);
+    for (Eigen::Index move = 0; error > squared_error && move < 2 * channels; ++move) {
+      double best = 0;
+      Eigen::Index channel = -1;
+      int by = 0;
+      for (Eigen::Index c = 0; c < channels; ++c) {
+        const double wanted = -slope(c) / (gram(c, c) * step(c));
+        if (!(std::abs(wanted) > 0.5) || !std::isfinite(wanted)) continue;
+        const int to = limited(whole(c) + wanted);
+        const double delta = (to - whole(c)) * step(c);
+        const double mended = -delta * (2 * slope(c) + gram(c, c) * delta);
+        const double bits = std::max(bits_of(to) - bits_of(whole(c)), kLeastBits);
+        if (mended <= best * bits) continue;
+        best = mended / bits;
+        channel = c;
+        by = to - whole(c);
+      }
+      if (channel < 0) break;
+      const double delta = by * step(channel);
+      error += delta * (2 * slope(channel) + gram(channel, channel) * delta);
+      slope += delta * gram.col(channel);
+      whole(channel) += by;
     }
-    return {step_exponent, whole};
+    return whole;
   }
 
-  /// The error that this leaves.
-  Eigen::RowVectorXd error_with(const Eigen::VectorXi& whole, const std::vector<float>& steps,
-                                int step_exponent) const {
-    Eigen::RowVectorXd error = -lacking_;
-    for (Eigen::Index c = 0; c < whole.size(); ++c)
-      error(c) += runtime::end_value(whole(c), steps[static_cast<std::size_t>(c)], step_exponent);
-    return error;
-  }
-
- private:
   Eigen::MatrixXd tracks(const Eigen::MatrixXd& channels) const {
     return body_tracks(skeleton_, {1, channels});
   }
@@ -136,7 +239,8 @@ class End {
   Tolerance tolerance_;
   PointErrors errors_;
   Eigen::MatrixXd original_;
-  Eigen::MatrixXd wanted_;  // one row
+  Eigen::RowVectorXd wanted_pose_;
+  Eigen::MatrixXd wanted_;  // tracks of it: one row
   Eigen::MatrixXd decoded_;
   Eigen::RowVectorXd lacking_;
 };
@@ -208,16 +312,18 @@ void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_
   Eigen::RowVectorXd error = Eigen::RowVectorXd::Zero(channels);
   const End first(coded_skeleton, original_first, std::move(decoded_first), tolerance(share),
                   error);
-  const auto [first_fineness, first_whole] = first.coarsest(first_steps);
-  if (is_loop) error = first.error_with(first_whole, first_steps, first_fineness);
+  const auto [first_fineness, first_whole] = first.cheapest(first_steps);
+  const Eigen::RowVectorXd to_first = End::values_of(first_whole, first_steps, first_fineness);
+  if (is_loop) error = first.error_with(to_first);
   const End last(coded_skeleton, original_last.colwise().reverse(), std::move(decoded_last),
                  tolerance(is_loop ? kExact : share), error);
-  const auto [last_fineness, last_whole] = last.coarsest(last_steps);
+  const auto [last_fineness, last_whole] = last.cheapest(last_steps);
   if (first_whole.isZero() && last_whole.isZero()) return;
 
   CodedEnds ends{.step_exponent = {first_fineness, last_fineness}, .steps = {}};
-  const std::vector<End::Reach> of_first = first.reaches();
-  const std::vector<End::Reach> of_last = last.reaches();
+  const std::vector<End::Reach> of_first = first.reaches(to_first);
+  const std::vector<End::Reach> of_last =
+      last.reaches(End::values_of(last_whole, last_steps, last_fineness));
   // Frames that a correction holds in place are left there.
   if (!compressed.correction)
     ends.reach = is_loop ? smoothest(of_first, of_last)

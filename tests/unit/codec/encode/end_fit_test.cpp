@@ -42,6 +42,15 @@ TEST(EndFit, EvenEndsAreNoFurtherOffThanTheTargetInClipsOfAnyLength) {
   }
 }
 
+TEST(EndFit, AnEvenEndIsMendedByFewChannels) {
+  const Motion motion = test::smooth_motion(150, 7);
+  const CompressedClip compressed = Encoder(motion).encode(with_ends(Ends::Even)).compressed;
+  ASSERT_TRUE(compressed.ends);
+  const auto channels = motion.clip.channels.cols();
+  EXPECT_GT((compressed.ends->steps.array() != 0).count(), 0);
+  EXPECT_LE((compressed.ends->steps.array() != 0).count(), channels);  // of twice as many
+}
+
 TEST(EndFit, ExactEndsAreWithinATenthOfTheTargetInEveryWeighting) {
   const Motion motion = test::smooth_motion(200, 2);
   for (const Weighting weighting : kWeightingsWithoutMesh) {
