@@ -109,6 +109,15 @@ TEST(SkinPicture, IsMovedTurnedAndScaledByATextureTransform) {
   EXPECT_TRUE(below.isApprox(Eigen::Vector2f(2, 1)));
 }
 
+/// The extension's own example: "only the lower left quadrant of the source image". By hand, with
+/// the second coordinate down: (u, v) -> (v / 2, 1 - u / 2).
+TEST(SkinPicture, IsTurnedAsTheExampleOfTheSpecificationIs) {
+  const auto [first, second] =
+      places_moved_by({{"offset", {0, 1}}, {"rotation", 1.57079632679}, {"scale", {0.5, 0.5}}});
+  EXPECT_TRUE(first.isApprox(Eigen::Vector2f(0, 0.75F), 1e-5F));  // of (0.5, 0)
+  EXPECT_TRUE(second.isApprox(Eigen::Vector2f(1, 1), 1e-5F));     // of (0, 2)
+}
+
 TEST(SkinPicture, IsLookedUpByTheCoordinatesThatATextureTransformNames) {
   SmallGltf gltf = painted_knee({{"uri", "data:image/png;base64,iVBORw0KGgo="}});
   const std::size_t second = gltf.add("VEC2", std::vector<float>{0, 0, 0.25F, 0, 0, 0.75F});
