@@ -161,6 +161,8 @@ struct BatchCommand {
         item.skeleton = fs::absolute(item.skeleton).lexically_normal().string();
       batch.items.replace(i, item);
     }
+    if (batch.reading.character)
+      batch.reading.character = fs::absolute(*batch.reading.character).lexically_normal().string();
     write_text(queue, queue_text(batch));
     write_text(slurm_file, script);
     std::fprintf(stderr, "%zu clips in %d tasks: sbatch %s\n", batch.items.size(), slurm_tasks,
@@ -197,6 +199,7 @@ void add_batch(CLI::App& app) {
                    "Output names: {folder}, {stem}, {type}, {preset}, {method} [{folder}/{stem}]")
       ->type_name("PATTERN");
   call->source.add_options(*command);
+  call->source.add_character_option(*command);
   call->exporting.add_options(*command);
   for (CLI::Option* option : command->get_options())
     if (const std::string name = option->get_name();

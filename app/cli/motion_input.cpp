@@ -52,7 +52,7 @@ void MotionInput::add_options(CLI::App& command) {
 
 void MotionInput::add_character_option(CLI::App& command) {
   command
-      .add_option("--character", character,
+      .add_option("--character", options.character,
                   "An .fbx or glTF whose mesh the clip's joints carry, of the same names: what "
                   "--weighting skin measures")
       ->type_name("FILE");
@@ -64,7 +64,6 @@ void MotionOutput::add_options(CLI::App& command) {
 
 MotionFile MotionInput::read_file(const std::string& path) const {
   MotionFile file = read_motion(path, skeleton, options);
-  if (character) put_character(*character, file);
   print_warnings(file.warnings);
   return file;
 }

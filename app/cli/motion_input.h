@@ -12,7 +12,6 @@ namespace mocapress::cli {
 /// How to read the source motion of a command: the options several commands share.
 struct MotionInput {
   std::optional<std::string> skeleton;
-  std::optional<std::string> character;
   ReadOptions options;
 
   void add_options(CLI::App& command);

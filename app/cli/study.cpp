@@ -187,6 +187,7 @@ void add_study(CLI::App& app) {
   command->add_flag("--json-progress", call->json_progress,
                     "Print each finished row as a line of JSON");
   call->source.add_options(*command);
+  call->source.add_character_option(*command);
   command->callback([call] { call->run(); });
 }
 

@@ -29,6 +29,7 @@ void put(Json& json, const ReadOptions& options, const std::string& prefix) {
   if (options.up) json[prefix + "up"] = name(*options.up);
   if (options.bvh_root) json[prefix + "bvh_root"] = name(*options.bvh_root);
   if (options.take) json[prefix + "take"] = *options.take;
+  if (options.character) json[prefix + "character"] = *options.character;
 }
 
 ReadOptions format_options(const Json& json, const std::string& prefix) {
@@ -37,7 +38,8 @@ ReadOptions format_options(const Json& json, const std::string& prefix) {
           .up = word_at(json, prefix + "up", {UpAxis::Y, UpAxis::Z}),
           .bvh_root = word_at(json, prefix + "bvh_root",
                               {TranslationConvention::Adds, TranslationConvention::Replaces}),
-          .take = value_if_any<std::string>(json, prefix + "take")};
+          .take = value_if_any<std::string>(json, prefix + "take"),
+          .character = value_if_any<std::string>(json, prefix + "character")};
 }
 
 }  // namespace mocapress

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // How files are read and written, as JSON: {"rate_hz": 60, "cm_per_unit": 2.54, "up": "z",
-// "bvh_root": "add"}. What is not set is left out.
+// "bvh_root": "add", "character": "HERO.glb"}. What is not set is left out.
 
 #include <string>
 

@@ -115,9 +115,14 @@ MotionFile read_motion(const path& file, const std::optional<path>& skeleton_pat
                        const ReadOptions& options) {
   require_motion(file);
   const std::string text = read_text(file);
-  if (!has_extension(file, ".amc")) return parse(file, text, {}, options);
-  const path asf = skeleton_path ? *skeleton_path : find_skeleton(file);
-  return parse(file, text, {asf, read_text(asf)}, options);
+  SkeletonText skeleton;
+  if (has_extension(file, ".amc")) {
+    skeleton.file = skeleton_path ? *skeleton_path : find_skeleton(file);
+    skeleton.text = read_text(skeleton.file);
+  }
+  MotionFile read = parse(file, text, skeleton, options);
+  if (options.character) put_character(*options.character, read);
+  return read;
 }
 
 Character read_character(const path& file) {

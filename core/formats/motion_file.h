@@ -26,6 +26,8 @@ struct ReadOptions {
   std::optional<UpAxis> up;           // neither BVH nor AMC states it: Y unless given
   std::optional<TranslationConvention> bvh_root;  // BVH states none: guessed from its values
   std::optional<std::string> take;  // of a file with several: its name, or its number from 1 on
+  // A .fbx, .gltf or .glb that read_motion() puts on: put_character().
+  std::optional<std::string> character;
 
   bool operator==(const ReadOptions&) const = default;
 };

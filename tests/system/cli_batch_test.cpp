@@ -228,6 +228,27 @@ TEST_F(CliBatch, PutsItsFilesIntoABank) {
               HasSubstr(R"("form": "cooked")"));
 }
 
+TEST_F(CliBatch, MeasuresOnTheSkinOfACharacterThatFits) {
+  const fs::path samples = fs::path(MOCAPRESS_SOURCE_DIR) / "resources/samples";
+  fs::create_directories(file("in"));
+  for (const char* name : {"human.asf", "human_walk.amc"})
+    write("in/" + std::string(name), read_text(samples / name));
+  const std::vector<std::string> more = {"--character", samples / "character.glb", "--weighting",
+                                         "skin",        "--target-error",          "0.3"};
+  const Outcome made = mocapress(batch("out", more));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  ASSERT_EQ(report("out").size(), 1u);
+  EXPECT_LE(report("out")[0]["skin_rms_cm"], 0.3);
+  EXPECT_GT(report("out")[0]["skin_rms_cm"], 0.1);
+  const Outcome bare = mocapress(batch("bare", {"--weighting", "skin", "--target-error", "0.3"}));
+  EXPECT_EQ(bare.exit_code, 7);
+  // Another character than before is another batch.
+  const Outcome other =
+      mocapress(batch("out", {"--target-error", "0.3", "--resume", "--overwrite"}));
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_THAT(other.err, testing::Not(HasSubstr("of them before")));
+}
+
 TEST_F(CliBatch, ShardsAndTheirMergeAreAsOneRun) {
   write_clips(6);
   ASSERT_EQ(mocapress(batch("whole")).exit_code, 0);

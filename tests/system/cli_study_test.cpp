@@ -55,6 +55,16 @@ TEST_F(CliStudy, OfAFolderWritesTablesAndAReport) {
   EXPECT_THAT(read_text(file("out") / "report.html"), HasSubstr("human_jump"));
 }
 
+TEST_F(CliStudy, MeasuresOnTheSkinOfACharacter) {
+  const auto character =
+      std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/character.glb";
+  const Outcome outcome = mocapress(study({"--character", character, "--weighting", "skin"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json all = rows();
+  ASSERT_EQ(all.size(), 3u * 2u * 2u);
+  for (const json& row : all) EXPECT_GT(row["skin_rms_cm"], 0) << row;
+}
+
 TEST_F(CliStudy, RunAgainKeepsWhatIsThere) {
   ASSERT_EQ(mocapress(study()).exit_code, 0);
   const std::string first = read_text(file("out") / "rows.csv");

@@ -141,7 +141,9 @@ TEST(OutputName, OfTheSameStemIsAnotherWhereTheTypeIsNamed) {
 TEST(Queue, ComesBackFromItsFileAsItWas) {
   Batch batch{.presets = {built_in_presets().begin(), built_in_presets().end()},
               .formats = {OutputFormat::Bvh, OutputFormat::Mcpr},
-              .reading = {.sample_rate_hz = 60.0, .bvh_root = TranslationConvention::Replaces},
+              .reading = {.sample_rate_hz = 60.0,
+                          .bvh_root = TranslationConvention::Replaces,
+                          .character = "hero.glb"},
               .writing = {.cm_per_unit = 2.54, .up = UpAxis::Z},
               .bank = runtime::BankForm::Cooked};
   batch.items = {{.input = "/a/ü \"x\".bvh", .output = "a/x", .preset = 2},
