@@ -15,6 +15,7 @@
 #include "core/formats/gltf_writer.h"
 #include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
+#include "core/motion/additive.h"
 #include "core/motion/clip.h"
 #include "core/motion/skin_points.h"
 #include "core/motion/surface_points.h"
@@ -86,6 +87,11 @@ MotionFile parse(const path& file, std::string_view text, const SkeletonText& as
                  const ReadOptions& options) {
   MotionFile read = parse_by_extension(file, text, asf, options);
   warn_of_surface(file, read.motion.skeleton, read.warnings);
+  if (looks_additive(read.motion))
+    read.warnings.push_back({file.string(), 0,
+                             "looks like an additive clip, near its rest pose with the root at the "
+                             "origin: errors are those that it makes on that pose, and where feet "
+                             "stand means nothing"});
   return read;
 }
 
