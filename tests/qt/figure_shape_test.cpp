@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <optional>
 
 #include "core/motion/landmarks.h"
@@ -104,6 +105,34 @@ TEST(FigureShape, IsTheSameOnBothSides) {
   for (float y = 0; y < 180; y += 7)
     for (float x = 0; x < 40; x += 5)
       EXPECT_NEAR(outside(body, {x, y, 3}), outside(body, {-x, y, 3}), 1e-3) << x << ' ' << y;
+}
+
+/// As FBX and glTF have it: what the joints are turned by is in the channels, and without it both
+/// arms are above the chest.
+TEST(FigureShape, HasTheProportionsOfTheClipNotOfItsChannelsAtZero) {
+  const Skeleton standing = human(false);
+  Skeleton turned;
+  for (Joint each : standing.joints()) {
+    if (each.name == "LeftArm" || each.name == "RightArm") each.offset = {0, 14, 0};
+    if (each.name.ends_with("Shoulder") || each.name.ends_with("tArm"))
+      each.channels = {ChannelKind::RotationZ};
+    turned.add(each);
+  }
+  Eigen::MatrixXd channels = Eigen::MatrixXd::Zero(1, turned.channel_count());
+  for (const char* name : {"LeftShoulder", "RightArm"})
+    channels(0, turned.first_channel(turned.find(name))) = -std::numbers::pi / 2;
+  for (const char* name : {"RightShoulder", "LeftArm"})
+    channels(0, turned.first_channel(turned.find(name))) = std::numbers::pi / 2;
+  const Eigen::MatrixXd tracks = landmark_tracks(turned, {.channels = channels});
+  const std::vector<Capsule> expected = posed(FigureShape(standing), tracks, 0, -1);
+  const std::vector<Capsule> body = posed(FigureShape(turned, tracks), tracks, 0, -1);
+  ASSERT_EQ(body.size(), expected.size());
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    EXPECT_NEAR(body[i].start_radius, expected[i].start_radius, 1e-3) << i;
+    EXPECT_LT(body[i].start.distanceToPoint(expected[i].start), 1e-3) << i;
+    EXPECT_LT(body[i].end.distanceToPoint(expected[i].end), 1e-3) << i;
+  }
+  EXPECT_GT(outside(posed(FigureShape(turned), tracks, 0, -1), {6, 135, 7}), 0);
 }
 
 TEST(FigureShape, OfWhatIsNoHumanIsACapsuleAlongEverySegmentAndABallOnEveryJoint) {

@@ -101,10 +101,10 @@ QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark) {
 /// What a body is made of, put together part by part.
 class FigureShape::Builder {
  public:
-  Builder(const Skeleton& skeleton, FigureShape& shape)
+  Builder(const Skeleton& skeleton, const Eigen::MatrixXd& pose, FigureShape& shape)
       : skeleton_(skeleton),
         shape_(shape),
-        rest_(restTracks(skeleton)),
+        pose_(pose),
         regions_(body_regions(skeleton)),
         is_finger_(static_cast<std::size_t>(skeleton.joint_count()), false) {
     for (const int joint : joints_of(skeleton, BodyPart::Fingers))
@@ -130,8 +130,10 @@ class FigureShape::Builder {
   };
 
   BodyRegion region(int joint) const { return regions_[static_cast<std::size_t>(joint)]; }
-  QVector3D rest(const Place& place) const { return at(place, rest_, 0); }
-  float distance(const Place& a, const Place& b) const { return rest(a).distanceToPoint(rest(b)); }
+  QVector3D posed(const Place& place) const { return at(place, pose_, 0); }
+  float distance(const Place& a, const Place& b) const {
+    return posed(a).distanceToPoint(posed(b));
+  }
 
   /// `share` of the way from one place to another; beyond it where more than 1.
   static Place between(const Place& from, const Place& to, float share) {
@@ -258,11 +260,11 @@ class FigureShape::Builder {
       const Place base = on(head);
       // A face has joints too, but the crown lies furthest from the neck.
       Place top = beyond(neck_base_, base, 0.1f * stature_);
-      const QVector3D up = (rest(base) - rest(neck_base_)).normalized();
+      const QVector3D up = (posed(base) - posed(neck_base_)).normalized();
       float highest = 0.05f * stature_;
       for (const Bone& bone : bones_) {
         if (bone.joint != head) continue;
-        const float height = QVector3D::dotProduct(rest(on(bone.end)) - rest(base), up);
+        const float height = QVector3D::dotProduct(posed(on(bone.end)) - posed(base), up);
         if (height <= highest) continue;
         highest = height;
         top = on(bone.end);
@@ -370,7 +372,7 @@ class FigureShape::Builder {
 
   const Skeleton& skeleton_;
   FigureShape& shape_;
-  Eigen::MatrixXd rest_;
+  const Eigen::MatrixXd& pose_;      // in which it is measured
   std::vector<BodyRegion> regions_;  // empty: no human
   std::vector<bool> is_finger_;
   std::vector<Bone> bones_;
@@ -381,18 +383,18 @@ class FigureShape::Builder {
   Place neck_base_;
 };
 
-FigureShape::FigureShape(const Skeleton& skeleton)
+FigureShape::FigureShape(const Skeleton& skeleton, const Eigen::MatrixXd& tracks)
     : ball_radii_(static_cast<std::size_t>(skeleton.joint_count())),
       body_root_(bodyRootOf(skeleton)) {
-  size_ =
-      skeleton.joint_count() > 0 ? longestSide(boxAround(restTracks(skeleton), 0, body_root_)) : 0;
+  const Eigen::MatrixXd rest = restTracks(skeleton);
+  const Eigen::MatrixXd pose = tracks.rows() > 0 ? tracks.topRows(1).eval() : rest;
+  size_ = skeleton.joint_count() > 0 ? longestSide(boxAround(rest, 0, body_root_)) : 0;
   if (size_ <= 0) size_ = 100;  // a lone point is still drawn as a ball to see and to click
   std::fill(ball_radii_.begin(), ball_radii_.end(), kThinnest * size_);
-  Builder(skeleton, *this).build();
-  const Eigen::MatrixXd rest = restTracks(skeleton);
+  Builder(skeleton, pose, *this).build();
   for (int j = 0; j < jointCount(); ++j)
     selected_radii_.push_back(std::max(kSelectedGrowth * ball_radii_[static_cast<std::size_t>(j)],
-                                       kSelectedAbove * depth(landmarkAt(rest, 0, j), rest)));
+                                       kSelectedAbove * depth(landmarkAt(pose, 0, j), pose)));
 }
 
 float FigureShape::depth(const QVector3D& point, const Eigen::MatrixXd& tracks) const {

@@ -43,9 +43,13 @@ QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark);
 /// limbs of human proportions, hands and feet, whatever joints carry it; that of anything else has
 /// bones as thick as what hangs on them. It follows from places of landmarks alone. Knows
 /// thicknesses, which stay, and not the pose, which comes with every frame.
+///
+/// Proportions are those of the first frame of `tracks`, or of the rest pose without any. Channels
+/// of an FBX or glTF at zero are no pose that anybody has been in: both shoulders may be at one
+/// place there.
 class FigureShape {
  public:
-  explicit FigureShape(const Skeleton& skeleton);
+  explicit FigureShape(const Skeleton& skeleton, const Eigen::MatrixXd& tracks = {});
 
   int jointCount() const { return static_cast<int>(ball_radii_.size()); }
   int capsuleCount() const { return static_cast<int>(parts_.size() + ball_radii_.size()); }

@@ -80,6 +80,7 @@ void Viewport::showSceneOrNotice() {
 }
 
 void Viewport::setSkeleton(const Skeleton& skeleton) {
+  skeleton_ = skeleton;
   shape_.emplace(skeleton);
   original_.reset();
   compressed_.reset();
@@ -109,15 +110,22 @@ void Viewport::setSkin(std::shared_ptr<const Skin> skin) {
   showFigures();
 }
 
+/// The figure has the proportions that the clip shows it with.
+void Viewport::measureFigure() {
+  if (const Eigen::MatrixXd* tracks = leadingTracks()) shape_.emplace(skeleton_, *tracks);
+}
+
 void Viewport::setOriginal(Tracks tracks, Poses poses) {
   original_ = isEmpty(tracks) ? nullptr : std::move(tracks);
   original_poses_ = std::move(poses);
+  measureFigure();
   arrangeFigures();
 }
 
 void Viewport::setCompressed(Tracks tracks, Poses poses) {
   compressed_ = isEmpty(tracks) ? nullptr : std::move(tracks);
   compressed_poses_ = std::move(poses);
+  if (!original_) measureFigure();
   arrangeFigures();
 }
 

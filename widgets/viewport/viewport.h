@@ -143,6 +143,7 @@ class Viewport : public QWidget {
   void showTrails();
   void showCamera();
   void showOverlay();
+  void measureFigure();
   void arrangeFigures();
   void sizeCamera();
   void press(const QMouseEvent& event);
@@ -160,6 +161,7 @@ class Viewport : public QWidget {
   /// How far everything is moved so that the root stays in its place, cm.
   QVector3D offset() const;
 
+  Skeleton skeleton_;
   std::optional<FigureShape> shape_;
   Tracks original_;
   Tracks compressed_;
