@@ -87,7 +87,9 @@ TEST(SurfacePoints, OfAPropInAHandReachToItsEndAndWeighAsTheHand) {
   EXPECT_NEAR(with_prop.weights.sum(), 1, 1e-12);
   EXPECT_NEAR(weight_of(with_prop), weight_of(bare), 1e-12);
   for (const Landmark& point : with_prop.points)
-    if (point.joint == hand) EXPECT_NEAR(point.in_joint.y(), 400, 20);
+    if (point.joint == hand) {
+      EXPECT_NEAR(point.in_joint.y(), 400, 20);
+    }
   // The other joints have what they had.
   std::size_t same = 0;
   for (const Landmark& point : bare.points)
