@@ -251,8 +251,10 @@ class FigureShape::Builder {
     add(between(between_shoulders, between_hips, 0.18f), chest, middle, waist);
     add(middle, waist, between_hips, pelvis);
     neck_base_ = between(between_shoulders, between_hips, 0.04f);
+    // Some rigs have joints on the skin: their balls would stand out of it.
     for (int j = shape_.body_root_; j < skeleton_.joint_count(); ++j)
-      if (region(j) == BodyRegion::Trunk) fill(j, 0.8f * waist);
+      if (region(j) == BodyRegion::Trunk)
+        fill(j, std::min(0.8f * waist, shape_.depth(posed(on(j)), pose_)));
   }
 
   void addHead() {
