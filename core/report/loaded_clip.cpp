@@ -15,6 +15,13 @@ std::string fingerprint(const Motion& motion) {
   hash.add(std::as_bytes(std::span(&motion.clip.sample_rate_hz, 1)));
   const Eigen::MatrixXd& channels = motion.clip.channels;
   hash.add(std::as_bytes(std::span(channels.data(), static_cast<std::size_t>(channels.size()))));
+  if (const auto& skin = motion.skeleton.skin())
+    for (const SkinPoint& point : *skin)
+      for (const SkinPointShare& share : point) {
+        hash.add(std::as_bytes(std::span(&share.joint, 1)));
+        hash.add(std::as_bytes(std::span(share.in_joint.data(), 3)));
+        hash.add(std::as_bytes(std::span(&share.weight, 1)));
+      }
   return hash.text();
 }
 

@@ -13,8 +13,8 @@
 
 namespace mocapress {
 
-/// 16 hexadecimal digits that change with any sample, the rate or the skeleton: tells a changed
-/// clip from the one a row was measured on. Not against malice.
+/// 16 hexadecimal digits that change with any sample, the rate, the skeleton or the mesh that it
+/// carries: tells a changed clip from the one a row was measured on. Not against malice.
 std::string fingerprint(const Motion& motion);
 
 /// A clip that was read, with all that its compressions have in common.

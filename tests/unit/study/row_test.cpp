@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include "core/base/file.h"
 #include "core/report/loaded_clip.h"
@@ -171,6 +172,14 @@ TEST(Fingerprint, ChangesWithEveryPartOfAMotionAndOnlyThen) {
   changed = motion;
   changed.skeleton.add({.name = "more", .parent = 0, .offset = {0, 1, 0}});
   EXPECT_NE(fingerprint(changed), original);
+  changed = motion;
+  changed.skeleton.set_skin(std::make_shared<const SkinPoints>(
+      SkinPoints{{{.joint = 1, .in_joint = {1, 2, 3}, .weight = 1}}}));
+  const std::string with_mesh = fingerprint(changed);
+  EXPECT_NE(with_mesh, original);
+  changed.skeleton.set_skin(std::make_shared<const SkinPoints>(
+      SkinPoints{{{.joint = 1, .in_joint = {1, 2, 4}, .weight = 1}}}));
+  EXPECT_NE(fingerprint(changed), with_mesh);
 }
 
 }  // namespace
