@@ -14,8 +14,6 @@
 namespace mocapress::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double kStepInterval = 0.25;  // s
 
 void print_line(const Json& json) {
@@ -117,7 +115,7 @@ void BatchReporter::print_row(const BatchProgress& progress) {
                                          : "clip-done"},
                {"index", row.index},
                {"batch", counts_json(progress.counts, time_left_.seconds())}};
-  json.update(Json::parse(to_report_line(row)));
+  json.update(parse_json("", to_report_line(row)));
   json["encode_seconds"] = row.measured ? Json(row.measured->encode_seconds) : Json();
   print_line(json);
 }

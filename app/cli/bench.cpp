@@ -267,7 +267,7 @@ void add_bench(CLI::App& app) {
     const Json figures = bench(call->source.read(call->clip));
     if (call->json) return print(figures);
     for (const auto& [key, value] : figures.items())
-      if (!value.is_null()) std::fprintf(stderr, "%-28s %s\n", key.c_str(), value.dump().c_str());
+      if (!value.is_null()) std::fprintf(stderr, "%-28s %s\n", key.c_str(), dumped(value).c_str());
   });
 }
 

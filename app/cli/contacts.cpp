@@ -38,15 +38,12 @@ ContactSpan span_from(const Json& json, const Motion& motion, const std::vector<
 }
 
 std::vector<ContactSpan> read_contacts(const std::string& path, const Motion& motion) {
-  const std::string text = read_text(path);
   const std::vector<Landmark> points = landmarks(motion.skeleton);
+  const Json json = parse_json(path, read_text(path));
   std::vector<ContactSpan> spans;
   try {
-    const Json json = Json::parse(text);
     if (!json.is_array()) throw Error("not an array of contacts");
     for (const Json& one : json) spans.push_back(span_from(one, motion, points));
-  } catch (const Json::parse_error& error) {
-    throw InputError(path, 0, 0, "not JSON from byte " + std::to_string(error.byte) + " on");
   } catch (const Json::exception&) {
     throw InputError(path, 0, 0,
                      "contact " + std::to_string(spans.size() + 1) +
@@ -113,7 +110,7 @@ struct Contacts {
     const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
     const std::vector<ContactSpan> spans = contacts.spans(motion);
     Json all = contacts_json(motion.skeleton, spans);
-    if (output) write_text(*output, all.dump(2) + "\n");
+    if (output) write_text(*output, dumped(all, 2) + "\n");
     if (compressed) add_findings(all, spans, tracks, motion);
     json ? print(all) : print_lines(all);
   }

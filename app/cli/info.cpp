@@ -132,7 +132,7 @@ void print_lines(const Json& description) {
       continue;
     }
     std::fprintf(stderr, "  %-16s %s\n", key.c_str(),
-                 value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
+                 value.is_string() ? value.get<std::string>().c_str() : dumped(value).c_str());
   }
 }
 

@@ -184,8 +184,7 @@ void print(const Report& report) {
 }
 
 void print(const Json& json) {
-  // A joint's or a file's name may be no UTF-8.
-  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  std::cout << dumped(json, 2) << '\n';
 }
 
 }  // namespace mocapress::cli

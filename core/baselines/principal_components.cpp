@@ -25,11 +25,11 @@ PrincipalComponents principal_components(Eigen::MatrixXd rows) {
   }
   // Of the two products, which have the same eigenvalues, the smaller.
   const bool few_rows = rows.rows() < rows.cols();
-  const Eigen::Index size = std::min(rows.rows(), rows.cols());
+  const Eigen::MatrixXd tall = few_rows ? Eigen::MatrixXd(rows.transpose()) : rows;
+  const Eigen::Index size = tall.cols();
   Eigen::MatrixXd vectors(size, 0);
   if (size > 0) {
-    const Eigen::MatrixXd product = few_rows ? Eigen::MatrixXd(rows * rows.transpose())
-                                             : Eigen::MatrixXd(rows.transpose() * rows);
+    const Eigen::MatrixXd product = tall.transpose() * tall;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(product);
     const Eigen::VectorXd values = eigen.eigenvalues().reverse();
     const Eigen::Index most = std::min(size, rows.rows() - 1);
@@ -37,7 +37,8 @@ PrincipalComponents principal_components(Eigen::MatrixXd rows) {
     while (count < most && values(count) > kNothing * values(0)) ++count;
     vectors = eigen.eigenvectors().rowwise().reverse().leftCols(count);
   }
-  result.basis = few_rows ? Eigen::MatrixXd(rows.transpose() * vectors) : vectors;
+  result.basis = vectors;
+  if (few_rows) result.basis = tall * vectors;
   if (few_rows) result.basis.colwise().normalize();
   result.projections = rows * result.basis;
   result.variances = Eigen::VectorXd::Zero(result.basis.cols());

@@ -18,12 +18,12 @@ std::string reading_text(const std::optional<ReadOptions>& reading) {
   if (!reading) return {};
   Json json = Json::object();
   put(json, *reading);
-  return json.dump();
+  return dumped(json);
 }
 
 std::optional<ReadOptions> reading_in(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  return format_options(Json::parse(text));
+  return format_options(parse_json("", text));
 }
 
 }  // namespace

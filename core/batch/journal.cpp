@@ -16,7 +16,6 @@ namespace mocapress {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
 constexpr const char* kVersionKey = "mocapress_batch";
@@ -31,12 +30,14 @@ std::string to_line(const JournalHeader& header) {
 
 std::optional<JournalHeader> parse_header(const std::string& line) {
   try {
-    const Json json = Json::parse(line);
+    const Json json = parse_json("", line);
     if (json.at(kVersionKey) != kVersion) return std::nullopt;
     return JournalHeader{json.at("clips").get<std::size_t>(),
                          json.at("list").get<std::string>(),
                          {json.at("shard").get<int>(), json.at("shards").get<int>()}};
   } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const InputError&) {
     return std::nullopt;
   }
 }

@@ -212,7 +212,7 @@ BatchRow row_from(const Json& json) {
 std::string csv_text(const Json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return value.get<std::string>();
-  if (!value.is_array()) return value.dump();
+  if (!value.is_array()) return dumped(value);
   std::string all;
   for (const Json& one : value) all += (all.empty() ? "" : "; ") + one.get<std::string>();
   return all;
@@ -250,7 +250,7 @@ std::string to_journal_line(const BatchRow& row) {
 
 std::optional<BatchRow> parse_batch_row(std::string_view line) {
   try {
-    return row_from(Json::parse(line));
+    return row_from(parse_json("", line));
   } catch (const Json::exception&) {
     return std::nullopt;
   } catch (const Error&) {

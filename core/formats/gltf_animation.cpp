@@ -57,7 +57,7 @@ Vector3d JointScales::at(std::size_t joint, int frame) const {
   return scale;
 }
 
-AnimationWriter::AnimationWriter(BufferWriter& buffer, GltfJson& animation, int frames,
+AnimationWriter::AnimationWriter(BufferWriter& buffer, Json& animation, int frames,
                                  double sample_rate_hz)
     : buffer_(buffer), animation_(animation) {
   std::vector<float> times;
@@ -101,17 +101,17 @@ void AnimationWriter::add(const WeightsTrack& weights) {
 
 void AnimationWriter::add_channel(std::size_t node, const char* path, std::size_t input,
                                   std::size_t output, const char* interpolation) {
-  GltfJson& samplers = animation_["samplers"];
+  Json& samplers = animation_["samplers"];
   samplers.push_back({{"input", input}, {"output", output}, {"interpolation", interpolation}});
   animation_["channels"].push_back(
       {{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
 }
 
-GltfJson json_of(const Vector3d& vector) {
+Json json_of(const Vector3d& vector) {
   return {vector.x(), vector.y(), vector.z()};
 }
 
-void set_transform(GltfJson& node, const LocalTransform& local) {
+void set_transform(Json& node, const LocalTransform& local) {
   if (!local.translation.isZero(0)) node["translation"] = json_of(local.translation);
   const Quaterniond& rotation = local.rotation;
   if (!rotation.coeffs().isApprox(Quaterniond::Identity().coeffs(), 1e-12))

@@ -47,7 +47,7 @@ struct WeightsTrack {
 /// Appends the samplers and channels of tracks to an animation.
 class AnimationWriter {
  public:
-  AnimationWriter(BufferWriter& buffer, GltfJson& animation, int frames, double sample_rate_hz);
+  AnimationWriter(BufferWriter& buffer, Json& animation, int frames, double sample_rate_hz);
 
   /// `always`: though it rests.
   void add(const NodeTrack& track, bool always);
@@ -58,14 +58,14 @@ class AnimationWriter {
                    const char* interpolation = "LINEAR");
 
   BufferWriter& buffer_;
-  GltfJson& animation_;
+  Json& animation_;
   std::size_t times_;
   std::optional<std::size_t> start_;  // the one time 0
 };
 
-GltfJson json_of(const Eigen::Vector3d& vector);
+Json json_of(const Eigen::Vector3d& vector);
 
 /// Writes what is not the default.
-void set_transform(GltfJson& node, const LocalTransform& local);
+void set_transform(Json& node, const LocalTransform& local);
 
 }  // namespace mocapress

@@ -17,10 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kDeepest = 64;                         // braces and brackets within each other
-constexpr std::size_t kMostJsonValues = 20'000'000;  // a value takes some 50 bytes of memory
-constexpr std::size_t kMostNumbers = 100'000'000;    // of all accessors that are read
-constexpr std::size_t kMostZeros = 1'000'000;        // of one that has no bytes
+constexpr JsonLimits kLimits = {.depth = 64, .values = 20'000'000};
+constexpr std::size_t kMostNumbers = 100'000'000;  // of all accessors that are read
+constexpr std::size_t kMostZeros = 1'000'000;      // of one that has no bytes
 constexpr double kLargestNumber = 1e9;
 
 /// Little-endian, from any place.
@@ -128,8 +127,8 @@ double component(const char* place, std::size_t type, bool normalised) {
   }
 }
 
-const GltfJson& no_objects() {
-  static const GltfJson kNone = GltfJson::array();
+const Json& no_objects() {
+  static const Json kNone = Json::array();
   return kNone;
 }
 
@@ -163,9 +162,9 @@ GltfFile::GltfFile(fs::path file, std::string_view bytes) : path_(std::move(file
   if (bytes.size() >= 4 && read_at<std::uint32_t>(bytes.data()) == kGlbMagic)
     read_glb(bytes);
   else
-    parse(bytes);
+    json_ = parse_json(name(), bytes, kLimits);
   if (!json_.is_object()) fail("is no glTF: its JSON is not an object");
-  const GltfJson* asset = member(json_, "asset");
+  const Json* asset = member(json_, "asset");
   const std::string version = asset && asset->is_object() ? text(*asset, "version") : "";
   if (!version.starts_with("2."))
     fail("is no glTF 2.0: " +
@@ -199,7 +198,7 @@ void GltfFile::read_glb(std::string_view bytes) {
     if (has_json)
       chunks_.push_back({word(at + 4), std::string(chunk)});
     else if (word(at + 4) == kGlbJsonChunk)
-      parse(chunk);
+      json_ = parse_json(name(), chunk, kLimits);
     else
       fail("does not begin with JSON");
     has_json = true;
@@ -208,47 +207,27 @@ void GltfFile::read_glb(std::string_view bytes) {
   if (!has_json) fail("holds no JSON");
 }
 
-void GltfFile::parse(std::string_view text) {
-  std::size_t values = 0;
-  const auto is_bounded = [&](int depth, GltfJson::parse_event_t, const GltfJson&) {
-    if (depth > kDeepest) fail("nests its JSON more than " + std::to_string(kDeepest) + " deep");
-    if (++values > kMostJsonValues) fail("holds too many JSON values");
-    return true;
-  };
-  try {
-    json_ = GltfJson::parse(text, is_bounded);
-  } catch (const GltfJson::parse_error& error) {
-    const std::string_view before = text.substr(0, error.byte == 0 ? 0 : error.byte - 1);
-    const auto line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
-    const std::size_t line_begin = before.rfind('\n') + 1;  // 0 when there is none
-    throw InputError(path_.string(), line, static_cast<int>(before.size() - line_begin) + 1,
-                     "is not JSON from here on");
-  } catch (const GltfJson::exception&) {
-    fail("holds a number that is too large");
-  }
-}
-
-const GltfJson* GltfFile::member(const GltfJson& object, const char* key) const {
+const Json* GltfFile::member(const Json& object, const char* key) const {
   const auto found = object.find(key);
   return found == object.end() ? nullptr : &*found;
 }
 
-const GltfJson& GltfFile::list(const char* kind) const {
-  const GltfJson* found = member(json_, kind);
+const Json& GltfFile::list(const char* kind) const {
+  const Json* found = member(json_, kind);
   return found == nullptr ? no_objects() : *found;
 }
 
-const GltfJson& GltfFile::list(const GltfJson& object, const char* key) const {
-  const GltfJson* found = member(object, key);
+const Json& GltfFile::list(const Json& object, const char* key) const {
+  const Json* found = member(object, key);
   if (found == nullptr) return no_objects();
-  if (!found->is_array() || !std::all_of(found->begin(), found->end(),
-                                         [](const GltfJson& one) { return one.is_object(); }))
+  if (!found->is_array() ||
+      !std::all_of(found->begin(), found->end(), [](const Json& one) { return one.is_object(); }))
     fail(quoted_key(key) + " is not a list of objects");
   return *found;
 }
 
-std::size_t GltfFile::size(const GltfJson& object, const char* key, std::size_t otherwise) const {
-  const GltfJson* found = member(object, key);
+std::size_t GltfFile::size(const Json& object, const char* key, std::size_t otherwise) const {
+  const Json* found = member(object, key);
   if (found == nullptr) return otherwise;
   if (found->is_number_unsigned()) return found->get<std::size_t>();
   // Some programs write 3.0.
@@ -258,7 +237,7 @@ std::size_t GltfFile::size(const GltfJson& object, const char* key, std::size_t 
   return static_cast<std::size_t>(value);
 }
 
-std::optional<std::size_t> GltfFile::index(const GltfJson& object, const char* key,
+std::optional<std::size_t> GltfFile::index(const Json& object, const char* key,
                                            const char* kind) const {
   if (member(object, key) == nullptr) return std::nullopt;
   const std::size_t value = size(object, key, 0);
@@ -268,21 +247,20 @@ std::optional<std::size_t> GltfFile::index(const GltfJson& object, const char* k
   return value;
 }
 
-std::size_t GltfFile::required_index(const GltfJson& object, const char* key,
-                                     const char* kind) const {
+std::size_t GltfFile::required_index(const Json& object, const char* key, const char* kind) const {
   const auto found = index(object, key, kind);
   if (!found) fail("lacks a " + quoted_key(key) + " that should name one of its " + kind);
   return *found;
 }
 
-std::vector<std::size_t> GltfFile::indices(const GltfJson& object, const char* key,
+std::vector<std::size_t> GltfFile::indices(const Json& object, const char* key,
                                            const char* kind) const {
-  const GltfJson* found = member(object, key);
+  const Json* found = member(object, key);
   if (found == nullptr) return {};
   if (!found->is_array()) fail(quoted_key(key) + " is not a list");
   const std::size_t count = list(kind).size();
   std::vector<std::size_t> indices;
-  for (const GltfJson& one : *found) {
+  for (const Json& one : *found) {
     if (!one.is_number_unsigned() || one.get<std::size_t>() >= count)
       fail(quoted_key(key) + " names what is none of its " + std::to_string(count) + ' ' + kind);
     indices.push_back(one.get<std::size_t>());
@@ -290,19 +268,19 @@ std::vector<std::size_t> GltfFile::indices(const GltfJson& object, const char* k
   return indices;
 }
 
-std::string GltfFile::text(const GltfJson& object, const char* key) const {
-  const GltfJson* found = member(object, key);
+std::string GltfFile::text(const Json& object, const char* key) const {
+  const Json* found = member(object, key);
   if (found == nullptr) return "";
   if (!found->is_string()) fail(quoted_key(key) + " is not a text");
   return found->get<std::string>();
 }
 
-std::optional<std::vector<double>> GltfFile::numbers(const GltfJson& object, const char* key,
+std::optional<std::vector<double>> GltfFile::numbers(const Json& object, const char* key,
                                                      std::size_t count) const {
-  const GltfJson* found = member(object, key);
+  const Json* found = member(object, key);
   if (found == nullptr) return std::nullopt;
   const bool fits = found->is_array() && found->size() == count &&
-                    std::all_of(found->begin(), found->end(), [](const GltfJson& one) {
+                    std::all_of(found->begin(), found->end(), [](const Json& one) {
                       return one.is_number() && std::abs(one.get<double>()) <= kLargestNumber;
                     });
   if (!fits) fail(quoted_key(key) + " is not " + std::to_string(count) + " numbers up to 1e9");
@@ -336,7 +314,7 @@ std::string GltfFile::resource(const std::string& uri) const {
 
 const std::string& GltfFile::buffer(std::size_t index) {
   if (const auto known = buffers_.find(index); known != buffers_.end()) return known->second;
-  const GltfJson& stated = list("buffers")[index];
+  const Json& stated = list("buffers")[index];
   const std::string which = "buffer " + std::to_string(index);
   const std::size_t bytes = size(stated, "byteLength", 0);
   std::string data;
@@ -354,7 +332,7 @@ const std::string& GltfFile::buffer(std::size_t index) {
 }
 
 std::string GltfFile::bytes_of_view(std::size_t index) {
-  const GltfJson& stated = list("bufferViews")[index];
+  const Json& stated = list("bufferViews")[index];
   const std::string& bytes = buffer(required_index(stated, "buffer", "buffers"));
   const std::size_t begin = size(stated, "byteOffset", 0);
   const std::size_t length = size(stated, "byteLength", 0);
@@ -363,7 +341,7 @@ std::string GltfFile::bytes_of_view(std::size_t index) {
   return bytes.substr(begin, length);
 }
 
-GltfFile::View GltfFile::view(const GltfJson& object, std::size_t count, std::size_t components,
+GltfFile::View GltfFile::view(const Json& object, std::size_t count, std::size_t components,
                               bool normalised) {
   View view{.count = count,
             .components = components,
@@ -374,8 +352,8 @@ GltfFile::View GltfFile::view(const GltfJson& object, std::size_t count, std::si
   const auto index_of_view = index(object, "bufferView", "bufferViews");
   if (!index_of_view) return view;
   const std::string which = "bufferView " + std::to_string(*index_of_view);
-  const GltfJson& stated = list("bufferViews")[*index_of_view];
-  const GltfJson* extensions = member(stated, "extensions");
+  const Json& stated = list("bufferViews")[*index_of_view];
+  const Json* extensions = member(stated, "extensions");
   for (const char* packed : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
     if (extensions && extensions->is_object() && extensions->contains(packed))
       fail(which + " is compressed by " + packed + ", which is not read");
@@ -397,7 +375,7 @@ GltfFile::View GltfFile::view(const GltfJson& object, std::size_t count, std::si
 
 std::vector<double> GltfFile::values(std::size_t accessor, std::string_view type) {
   const std::string which = "accessor " + std::to_string(accessor);
-  const GltfJson& stated = list("accessors")[accessor];
+  const Json& stated = list("accessors")[accessor];
   if (text(stated, "type") != type) fail(which + " is not " + std::string(type));
   const std::size_t components = type == "MAT4"   ? 16
                                  : type == "VEC4" ? 4
@@ -410,21 +388,21 @@ std::vector<double> GltfFile::values(std::size_t accessor, std::string_view type
       (count > kMostZeros && !stated.contains("bufferView")))
     fail("holds too many numbers to read");
   values_read_ += count * components;
-  const GltfJson* flag = member(stated, "normalized");
+  const Json* flag = member(stated, "normalized");
   const bool normalised = flag && flag->is_boolean() && flag->get<bool>();
   const View dense = view(stated, count, components, normalised);
   std::vector<double> values(count * components);
   for (std::size_t e = 0; e < count; ++e)
     for (std::size_t i = 0; i < components; ++i) values[e * components + i] = dense(e, i);
 
-  if (const GltfJson* sparse = member(stated, "sparse"); sparse && sparse->is_object()) {
+  if (const Json* sparse = member(stated, "sparse"); sparse && sparse->is_object()) {
     const std::size_t changed = size(*sparse, "count", 0);
-    const GltfJson* places = member(*sparse, "indices");
-    const GltfJson* changes = member(*sparse, "values");
+    const Json* places = member(*sparse, "indices");
+    const Json* changes = member(*sparse, "values");
     if (changed > count || !places || !places->is_object() || !changes || !changes->is_object())
       fail(which + " has sparse values without sense");
     const View at = view(*places, changed, 1, false);
-    GltfJson same_type = *changes;
+    Json same_type = *changes;
     same_type["componentType"] = dense.component_type;
     const View to = view(same_type, changed, components, normalised);
     for (std::size_t s = 0; s < changed; ++s) {

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-namespace mocapress {
+#include "core/base/json_text.h"
 
-using GltfJson = nlohmann::ordered_json;  // so that it is written in the order it was read
+namespace mocapress {
 
 /// A chunk of a .glb.
 struct GlbChunk {
@@ -33,7 +33,7 @@ class GltfFile {
   GltfFile(std::filesystem::path file, std::string_view bytes);
 
   std::string name() const { return path_.string(); }
-  const GltfJson& json() const { return json_; }
+  const Json& json() const { return json_; }
 
   /// The chunks of a .glb that follow its JSON. A .gltf has none.
   const std::vector<GlbChunk>& chunks() const { return chunks_; }
@@ -41,26 +41,26 @@ class GltfFile {
   [[noreturn]] void fail(const std::string& message) const;
 
   /// "nodes", "skins", ...: the file's objects of that kind; none where it has none.
-  const GltfJson& list(const char* kind) const;
+  const Json& list(const char* kind) const;
 
   /// The objects in a list of `object`, as list() has it.
-  const GltfJson& list(const GltfJson& object, const char* key) const;
+  const Json& list(const Json& object, const char* key) const;
 
   /// The member that counts from 0 into list(kind).
-  std::optional<std::size_t> index(const GltfJson& object, const char* key, const char* kind) const;
-  std::size_t required_index(const GltfJson& object, const char* key, const char* kind) const;
+  std::optional<std::size_t> index(const Json& object, const char* key, const char* kind) const;
+  std::size_t required_index(const Json& object, const char* key, const char* kind) const;
 
   /// All indices of an array.
-  std::vector<std::size_t> indices(const GltfJson& object, const char* key, const char* kind) const;
+  std::vector<std::size_t> indices(const Json& object, const char* key, const char* kind) const;
 
   /// A whole number from 0; `otherwise` where there is none.
-  std::size_t size(const GltfJson& object, const char* key, std::size_t otherwise) const;
+  std::size_t size(const Json& object, const char* key, std::size_t otherwise) const;
 
   /// A text; empty where there is none.
-  std::string text(const GltfJson& object, const char* key) const;
+  std::string text(const Json& object, const char* key) const;
 
   /// So many numbers, each finite and at most 1e9.
-  std::optional<std::vector<double>> numbers(const GltfJson& object, const char* key,
+  std::optional<std::vector<double>> numbers(const Json& object, const char* key,
                                              std::size_t count) const;
 
   /// The bytes of a buffer, as many as it states.
@@ -81,12 +81,11 @@ class GltfFile {
   struct View;  // of numbers among a buffer's bytes
 
   void read_glb(std::string_view bytes);
-  void parse(std::string_view json);
-  View view(const GltfJson& object, std::size_t count, std::size_t components, bool normalised);
-  const GltfJson* member(const GltfJson& object, const char* key) const;
+  View view(const Json& object, std::size_t count, std::size_t components, bool normalised);
+  const Json* member(const Json& object, const char* key) const;
 
   std::filesystem::path path_;
-  GltfJson json_;
+  Json json_;
   std::vector<GlbChunk> chunks_;
   std::map<std::size_t, std::string> buffers_;  // those that were asked for
   std::size_t values_read_ = 0;

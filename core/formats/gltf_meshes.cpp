@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kTriangles = 4;  // a primitive's mode
 
-Affine3d parent_from(const GltfFile& file, const GltfJson& node) {
+Affine3d parent_from(const GltfFile& file, const Json& node) {
   if (const auto matrix = file.numbers(node, "matrix", 16))
     return Affine3d(Eigen::Map<const Eigen::Matrix4d>(matrix->data()));
   Affine3d local = Affine3d::Identity();
@@ -35,7 +35,7 @@ std::vector<Vector3d> points_of(const std::vector<double>& values) {
 /// KHR_texture_transform: where in the picture a place in it is looked up.
 class PlaceInPicture {
  public:
-  PlaceInPicture(const GltfFile& file, const GltfJson& texture)
+  PlaceInPicture(const GltfFile& file, const Json& texture)
       : set_(file.size(texture, "texCoord", 0)) {
     const auto extensions = texture.find("extensions");
     if (extensions == texture.end() || !extensions->is_object()) return;
@@ -68,17 +68,17 @@ class MeshReader {
   std::vector<NodeMesh> read();
 
  private:
-  bool is_left_out(const GltfJson& mesh, const GltfJson& primitive);
+  bool is_left_out(const Json& mesh, const Json& primitive);
   std::vector<NodeMesh::Bone> bones_of(std::size_t node);
   std::vector<NodeMesh::Bone> bones_of_skin(std::size_t skin);
-  NodeMesh mesh_of(const GltfJson& primitive, std::vector<NodeMesh::Bone> bones, bool skinned);
-  void read_triangles(const GltfJson& primitive, NodeMesh& mesh);
-  void read_weights(const GltfJson& attributes, NodeMesh& mesh);
-  void read_material(const GltfJson& primitive, NodeMesh& mesh);
-  void lay_picture(const GltfJson& texture, const GltfJson& attributes, NodeMesh& mesh);
+  NodeMesh mesh_of(const Json& primitive, std::vector<NodeMesh::Bone> bones, bool skinned);
+  void read_triangles(const Json& primitive, NodeMesh& mesh);
+  void read_weights(const Json& attributes, NodeMesh& mesh);
+  void read_material(const Json& primitive, NodeMesh& mesh);
+  void lay_picture(const Json& texture, const Json& attributes, NodeMesh& mesh);
   std::shared_ptr<const SkinPicture> picture(std::size_t image);
 
-  const GltfJson& node(std::size_t number) const { return file_.list("nodes")[number]; }
+  const Json& node(std::size_t number) const { return file_.list("nodes")[number]; }
 
   GltfFile& file_;
   std::vector<int> parents_;        // of the file's nodes
@@ -101,14 +101,14 @@ MeshReader::MeshReader(GltfFile& file, const GltfTake& take, Warnings& warnings)
 
 std::vector<NodeMesh> MeshReader::read() {
   std::vector<NodeMesh> meshes;
-  const GltfJson& stated = file_.list(file_.json(), "meshes");
+  const Json& stated = file_.list(file_.json(), "meshes");
   for (std::size_t n = 0; n < parents_.size(); ++n) {
     const std::size_t mesh = file_.size(node(n), "mesh", stated.size());
     if (mesh >= stated.size()) continue;
     const auto skin = file_.index(node(n), "skin", "skins");
     const std::vector<NodeMesh::Bone> bones = skin ? bones_of_skin(*skin) : bones_of(n);
     if (bones.empty()) continue;
-    for (const GltfJson& primitive : file_.list(stated[mesh], "primitives"))
+    for (const Json& primitive : file_.list(stated[mesh], "primitives"))
       if (file_.size(primitive, "mode", kTriangles) == kTriangles &&
           !is_left_out(stated[mesh], primitive))
         meshes.push_back(mesh_of(primitive, bones, skin.has_value()));
@@ -117,16 +117,16 @@ std::vector<NodeMesh> MeshReader::read() {
 }
 
 /// With a warning: bytes that only an extension can unpack are no reason to refuse the motion.
-bool MeshReader::is_left_out(const GltfJson& mesh, const GltfJson& primitive) {
+bool MeshReader::is_left_out(const Json& mesh, const Json& primitive) {
   std::string extension;
-  const auto note = [&](const GltfJson& object) {
+  const auto note = [&](const Json& object) {
     const auto extensions = object.find("extensions");
     if (extensions == object.end() || !extensions->is_object()) return;
     for (const char* one :
          {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"})
       if (extensions->contains(one)) extension = one;
   };
-  const auto note_view = [&](const GltfJson& object, const char* key) {
+  const auto note_view = [&](const Json& object, const char* key) {
     if (const auto accessor = file_.index(object, key, "accessors"))
       if (const auto view =
               file_.index(file_.list("accessors")[*accessor], "bufferView", "bufferViews"))
@@ -160,7 +160,7 @@ std::vector<NodeMesh::Bone> MeshReader::bones_of(std::size_t number) {
 }
 
 std::vector<NodeMesh::Bone> MeshReader::bones_of_skin(std::size_t number) {
-  const GltfJson& skin = file_.list("skins")[number];
+  const Json& skin = file_.list("skins")[number];
   const std::vector<std::size_t> joints = file_.indices(skin, "joints", "nodes");
   const auto accessor = file_.index(skin, "inverseBindMatrices", "accessors");
   std::vector<double> matrices;
@@ -177,7 +177,7 @@ std::vector<NodeMesh::Bone> MeshReader::bones_of_skin(std::size_t number) {
   return bones;
 }
 
-NodeMesh MeshReader::mesh_of(const GltfJson& primitive, std::vector<NodeMesh::Bone> bones,
+NodeMesh MeshReader::mesh_of(const Json& primitive, std::vector<NodeMesh::Bone> bones,
                              bool skinned) {
   NodeMesh mesh;
   mesh.bones = std::move(bones);
@@ -196,7 +196,7 @@ NodeMesh MeshReader::mesh_of(const GltfJson& primitive, std::vector<NodeMesh::Bo
   return mesh;
 }
 
-void MeshReader::read_triangles(const GltfJson& primitive, NodeMesh& mesh) {
+void MeshReader::read_triangles(const Json& primitive, NodeMesh& mesh) {
   std::vector<double> corners;
   if (const auto indices = file_.index(primitive, "indices", "accessors"))
     corners = file_.values(*indices, "SCALAR");
@@ -213,7 +213,7 @@ void MeshReader::read_triangles(const GltfJson& primitive, NodeMesh& mesh) {
 }
 
 /// Four joints and weights a vertex in each set of them.
-void MeshReader::read_weights(const GltfJson& attributes, NodeMesh& mesh) {
+void MeshReader::read_weights(const Json& attributes, NodeMesh& mesh) {
   mesh.weights.resize(mesh.positions.size());
   for (int set = 0;; ++set) {
     const std::string number = std::to_string(set);
@@ -233,8 +233,8 @@ void MeshReader::read_weights(const GltfJson& attributes, NodeMesh& mesh) {
   }
 }
 
-void MeshReader::read_material(const GltfJson& primitive, NodeMesh& mesh) {
-  const GltfJson& materials = file_.list(file_.json(), "materials");
+void MeshReader::read_material(const Json& primitive, NodeMesh& mesh) {
+  const Json& materials = file_.list(file_.json(), "materials");
   const auto index = file_.index(primitive, "material", "materials");
   if (!index) return;
   const auto surface = materials[*index].find("pbrMetallicRoughness");
@@ -249,7 +249,7 @@ void MeshReader::read_material(const GltfJson& primitive, NodeMesh& mesh) {
                                   mesh.picture != nullptr);
 }
 
-void MeshReader::lay_picture(const GltfJson& texture, const GltfJson& attributes, NodeMesh& mesh) {
+void MeshReader::lay_picture(const Json& texture, const Json& attributes, NodeMesh& mesh) {
   const std::size_t textures = file_.list("textures").size();
   const std::size_t index = file_.size(texture, "index", textures);
   const PlaceInPicture place(file_, texture);
@@ -269,7 +269,7 @@ void MeshReader::lay_picture(const GltfJson& texture, const GltfJson& attributes
 std::shared_ptr<const SkinPicture> MeshReader::picture(std::size_t number) {
   if (const auto known = pictures_.find(number); known != pictures_.end()) return known->second;
   std::shared_ptr<const SkinPicture>& found = pictures_[number];
-  const GltfJson& image = file_.list("images")[number];
+  const Json& image = file_.list("images")[number];
   const std::string uri = file_.text(image, "uri");
   std::string name = file_.text(image, "name");
   if (name.empty()) name = uri.empty() || is_data_uri(uri) ? std::to_string(number) : uri;

@@ -135,18 +135,18 @@ std::vector<WeightsTrack> weights_of(const GltfTake& take, const ScalarTracks& t
 
 /// Leaves out what moves the nodes of `tracks`: channels, and the samplers that only these had.
 void remove_channels(const GltfFile& file, const std::vector<NodeTrack>& tracks,
-                     const std::vector<WeightsTrack>& weights, GltfJson& animation) {
+                     const std::vector<WeightsTrack>& weights, Json& animation) {
   std::unordered_set<std::size_t> nodes;
   for (const NodeTrack& track : tracks) nodes.insert(track.node);
   std::unordered_set<std::size_t> morphed;
   for (const WeightsTrack& track : weights) morphed.insert(track.node);
-  GltfJson channels = file.list(animation, "channels");
-  GltfJson samplers = file.list(animation, "samplers");
-  animation["channels"] = GltfJson::array();
-  animation["samplers"] = GltfJson::array();
+  Json channels = file.list(animation, "channels");
+  Json samplers = file.list(animation, "samplers");
+  animation["channels"] = Json::array();
+  animation["samplers"] = Json::array();
   std::unordered_map<std::size_t, std::size_t> new_index;
-  for (GltfJson channel : channels) {
-    const GltfJson& target = channel["target"];
+  for (Json channel : channels) {
+    const Json& target = channel["target"];
     const auto node = file.index(target, "node", "nodes");
     const bool of_weights = file.text(target, "path") == "weights";
     if (node && (of_weights ? morphed : nodes).contains(*node)) continue;
@@ -169,7 +169,7 @@ std::string image_type(std::string_view bytes) {
 }
 
 /// Joins all buffers into the first, for the chunk of a .glb, and returns its bytes.
-std::string joined_buffers(GltfFile& file, GltfJson& json) {
+std::string joined_buffers(GltfFile& file, Json& json) {
   std::string bytes;
   std::vector<std::size_t> begins;
   for (std::size_t b = 0; b < file.list("buffers").size(); ++b) {
@@ -178,20 +178,20 @@ std::string joined_buffers(GltfFile& file, GltfJson& json) {
     bytes += file.buffer(b);
   }
   if (begins.empty()) return bytes;
-  for (GltfJson& view : json["bufferViews"]) {
+  for (Json& view : json["bufferViews"]) {
     const std::size_t buffer = file.required_index(view, "buffer", "buffers");
     if (buffer == 0) continue;
     view["byteOffset"] = file.size(view, "byteOffset", 0) + begins[buffer];
     view["buffer"] = 0;
   }
-  GltfJson first = json["buffers"][0];
+  Json first = json["buffers"][0];
   first.erase("uri");
-  json["buffers"] = GltfJson::array({std::move(first)});
+  json["buffers"] = Json::array({std::move(first)});
   return bytes;
 }
 
 /// Puts the buffers that are files of their own, or the chunk of a .glb, into a .gltf.
-void embed_buffers(GltfFile& file, GltfJson& json, bool with_files) {
+void embed_buffers(GltfFile& file, Json& json, bool with_files) {
   for (std::size_t b = 0; b < file.list("buffers").size(); ++b) {
     const std::string uri = file.text(file.list("buffers")[b], "uri");
     if (uri.empty() || (with_files && !is_data_uri(uri)))
@@ -201,10 +201,10 @@ void embed_buffers(GltfFile& file, GltfJson& json, bool with_files) {
 
 /// Puts images that are files of their own into the file. A .glb has them in its chunk, and those
 /// of data URIs too. What is not there, or elsewhere, stays a reference.
-void embed_images(const GltfFile& file, GltfJson& json, bool with_files, BufferWriter* chunk) {
+void embed_images(const GltfFile& file, Json& json, bool with_files, BufferWriter* chunk) {
   if (!json.contains("images")) return;
-  GltfJson images = json["images"];  // apart: add_view() adds to `json`
-  for (GltfJson& image : images) {
+  Json images = json["images"];  // apart: add_view() adds to `json`
+  for (Json& image : images) {
     const std::string uri = file.text(image, "uri");
     if (uri.empty() || (is_data_uri(uri) ? chunk == nullptr : !with_files)) continue;
     try {
@@ -245,9 +245,9 @@ std::string gltf_bytes_onto(const fs::path& onto, const Motion& motion, GltfCont
           .follow(motion, reading, JointScales(scalars, motion.skeleton));
   const std::vector<WeightsTrack> weights = weights_of(take, scalars);
 
-  GltfJson json = file.json();
+  Json json = file.json();
   for (const NodeTrack& track : tracks) {
-    GltfJson& node = json["nodes"][track.node];
+    Json& node = json["nodes"][track.node];
     // A node that an animation moves may have no matrix.
     if (node.erase("matrix") > 0) set_transform(node, track.rest);
   }
@@ -262,7 +262,7 @@ std::string gltf_bytes_onto(const fs::path& onto, const Motion& motion, GltfCont
   const std::size_t buffer = is_glb ? 0 : file.list("buffers").size();
   BufferWriter writer(json, buffer, std::move(data));
   embed_images(file, json, moves_away, is_glb ? &writer : nullptr);
-  GltfJson animation = json["animations"][take.animation];
+  Json animation = json["animations"][take.animation];
   remove_channels(file, tracks, weights, animation);
   AnimationWriter animator(writer, animation, motion.clip.frames(),
                            options.sample_rate_hz.value_or(motion.clip.sample_rate_hz));

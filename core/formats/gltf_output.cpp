@@ -36,7 +36,7 @@ std::string data_uri(std::string_view type, std::string_view bytes) {
 
 std::size_t BufferWriter::add_view(std::string_view bytes) {
   bytes_.resize((bytes_.size() + 3) / 4 * 4);
-  GltfJson& views = array("bufferViews");
+  Json& views = array("bufferViews");
   views.push_back(
       {{"buffer", buffer_}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}});
   bytes_.append(bytes);
@@ -47,34 +47,33 @@ std::size_t BufferWriter::add(const char* type, std::size_t components,
                               const std::vector<float>& values, bool with_range) {
   const std::size_t view =
       add_view({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)});
-  GltfJson accessor = {{"bufferView", view},
-                       {"componentType", kFloat},
-                       {"count", values.size() / components},
-                       {"type", type}};
+  Json accessor = {{"bufferView", view},
+                   {"componentType", kFloat},
+                   {"count", values.size() / components},
+                   {"type", type}};
   if (with_range) {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    accessor["min"] = GltfJson::array({*least});
-    accessor["max"] = GltfJson::array({*most});
+    accessor["min"] = Json::array({*least});
+    accessor["max"] = Json::array({*most});
   }
-  GltfJson& accessors = array("accessors");
+  Json& accessors = array("accessors");
   accessors.push_back(std::move(accessor));
   return accessors.size() - 1;
 }
 
-GltfJson& BufferWriter::array(const char* key) {
-  GltfJson& list = json_[key];
-  if (!list.is_array()) list = GltfJson::array();
+Json& BufferWriter::array(const char* key) {
+  Json& list = json_[key];
+  if (!list.is_array()) list = Json::array();
   return list;
 }
 
-std::string in_container(GltfJson json, GltfContainer container, std::size_t buffer,
-                         std::string data, const std::vector<GlbChunk>& others) {
+std::string in_container(Json json, GltfContainer container, std::size_t buffer, std::string data,
+                         const std::vector<GlbChunk>& others) {
   json["buffers"][buffer]["byteLength"] = data.size();
   if (container == GltfContainer::Gltf)
     json["buffers"][buffer]["uri"] = data_uri(kBufferType, data);
   // What is no UTF-8 in a name becomes the sign for that.
-  std::string text = json.dump(container == GltfContainer::Gltf ? 1 : -1, ' ', false,
-                               GltfJson::error_handler_t::replace);
+  std::string text = dumped(json, container == GltfContainer::Gltf ? 1 : -1);
   if (container == GltfContainer::Gltf) return text + '\n';
 
   std::string file;

@@ -22,7 +22,7 @@ std::string data_uri(std::string_view type, std::string_view bytes);
 class BufferWriter {
  public:
   /// `bytes` are in the buffer already.
-  BufferWriter(GltfJson& json, std::size_t buffer, std::string bytes)
+  BufferWriter(Json& json, std::size_t buffer, std::string bytes)
       : json_(json), buffer_(buffer), bytes_(std::move(bytes)) {}
 
   /// The index of a new bufferView.
@@ -35,16 +35,16 @@ class BufferWriter {
   std::string release() { return std::move(bytes_); }
 
  private:
-  GltfJson& array(const char* key);
+  Json& array(const char* key);
 
-  GltfJson& json_;
+  Json& json_;
   std::size_t buffer_;
   std::string bytes_;
 };
 
 /// The bytes of a file. `data` is the buffer number `buffer`: a .gltf has it as a data URI, a .glb
 /// as its chunk, followed by `others`. Throws WriteError beyond the 4 GB that a .glb can be.
-std::string in_container(GltfJson json, GltfContainer container, std::size_t buffer,
-                         std::string data, const std::vector<GlbChunk>& others = {});
+std::string in_container(Json json, GltfContainer container, std::size_t buffer, std::string data,
+                         const std::vector<GlbChunk>& others = {});
 
 }  // namespace mocapress

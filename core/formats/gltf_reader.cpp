@@ -144,18 +144,18 @@ class TakeReader {
 
   void find_tree();
   void choose_animation();
-  std::optional<Target> target_of(const GltfJson& channel) const;
-  bool has_channel(const GltfJson& animation, bool of_weights) const;
+  std::optional<Target> target_of(const Json& channel) const;
+  bool has_channel(const Json& animation, bool of_weights) const;
   void read_curves();
-  KeyCurve read_curve(const GltfJson& sampler, const Target& target);
-  void read_weights(const GltfJson& sampler, const Target& target);
+  KeyCurve read_curve(const Json& sampler, const Target& target);
+  void read_weights(const Json& sampler, const Target& target);
   std::vector<std::string> target_names(std::size_t node) const;
-  LocalTransform rest_of(const GltfJson& node) const;
+  LocalTransform rest_of(const Json& node) const;
   void add_nodes();
   void sample();
   void sample_weights(const SampleTimes& times);
 
-  const GltfJson& node(std::size_t number) const { return file_.list("nodes")[number]; }
+  const Json& node(std::size_t number) const { return file_.list("nodes")[number]; }
   std::string name_of(std::size_t number) const {
     const std::string name = file_.text(node(number), "name");
     return name.empty() ? "node_" + std::to_string(number) : name;
@@ -196,7 +196,7 @@ void TakeReader::find_tree() {
   if (order_.size() < count) file_.fail("has a node that is below itself");
 }
 
-LocalTransform TakeReader::rest_of(const GltfJson& node) const {
+LocalTransform TakeReader::rest_of(const Json& node) const {
   if (const auto matrix = file_.numbers(node, "matrix", 16)) return decomposed(*matrix);
   LocalTransform local;
   if (const auto t = file_.numbers(node, "translation", 3)) local.translation = Vector3d(t->data());
@@ -210,7 +210,7 @@ LocalTransform TakeReader::rest_of(const GltfJson& node) const {
 }
 
 /// What a channel moves; nothing for what extensions add.
-std::optional<TakeReader::Target> TakeReader::target_of(const GltfJson& channel) const {
+std::optional<TakeReader::Target> TakeReader::target_of(const Json& channel) const {
   const auto target = channel.find("target");
   if (target == channel.end() || !target->is_object())
     file_.fail("has an animation channel without a target");
@@ -225,19 +225,19 @@ std::optional<TakeReader::Target> TakeReader::target_of(const GltfJson& channel)
 }
 
 /// Whether any of its channels is such a one.
-bool TakeReader::has_channel(const GltfJson& animation, bool of_weights) const {
-  const GltfJson& channels = file_.list(animation, "channels");
-  return std::any_of(channels.begin(), channels.end(), [&](const GltfJson& channel) {
+bool TakeReader::has_channel(const Json& animation, bool of_weights) const {
+  const Json& channels = file_.list(animation, "channels");
+  return std::any_of(channels.begin(), channels.end(), [&](const Json& channel) {
     const auto target = target_of(channel);
     return target && (target->path == Path::Weights) == of_weights;
   });
 }
 
 void TakeReader::choose_animation() {
-  const GltfJson& animations = file_.list("animations");
+  const Json& animations = file_.list("animations");
   if (animations.empty()) file_.fail("holds no animation");
   std::vector<TakeName> takes;
-  for (const GltfJson& one : animations) {
+  for (const Json& one : animations) {
     std::string name = file_.text(one, "name");
     if (name.empty()) name = "animation_" + std::to_string(takes.size() + 1);
     takes.push_back({std::move(name), has_channel(one, false)});
@@ -252,7 +252,7 @@ void TakeReader::choose_animation() {
   result_.take.name = takes[chosen].name;
 }
 
-KeyCurve TakeReader::read_curve(const GltfJson& sampler, const Target& target) {
+KeyCurve TakeReader::read_curve(const Json& sampler, const Target& target) {
   KeyCurve curve{.node = target.node, .path = target.path};
   const std::string interpolation = file_.text(sampler, "interpolation");
   if (interpolation == "STEP")
@@ -286,9 +286,9 @@ KeyCurve TakeReader::read_curve(const GltfJson& sampler, const Target& target) {
 }
 
 void TakeReader::read_curves() {
-  const GltfJson& chosen = file_.list("animations")[result_.animation];
-  const GltfJson& samplers = file_.list(chosen, "samplers");
-  for (const GltfJson& channel : file_.list(chosen, "channels")) {
+  const Json& chosen = file_.list("animations")[result_.animation];
+  const Json& samplers = file_.list(chosen, "samplers");
+  for (const Json& channel : file_.list(chosen, "channels")) {
     const auto target = target_of(channel);
     if (!target) continue;
     const std::size_t sampler = file_.size(channel, "sampler", samplers.size());
@@ -313,14 +313,14 @@ void TakeReader::read_curves() {
 std::vector<std::string> TakeReader::target_names(std::size_t number) const {
   const auto mesh = file_.index(node(number), "mesh", "meshes");
   if (!mesh) file_.fail("has morph weights of a node without a mesh");
-  const GltfJson& of = file_.list("meshes")[*mesh];
-  const GltfJson& primitives = file_.list(of, "primitives");
+  const Json& of = file_.list("meshes")[*mesh];
+  const Json& primitives = file_.list(of, "primitives");
   const std::size_t count =
       primitives.empty() ? 0 : file_.list(primitives.front(), "targets").size();
   if (count > runtime::kMostTracks) file_.fail("has too many morph targets");
   std::vector<std::string> names;
-  const GltfJson extras = of.value("extras", GltfJson());
-  const GltfJson given = extras.is_object() ? extras.value("targetNames", GltfJson()) : GltfJson();
+  const Json extras = of.value("extras", Json());
+  const Json given = extras.is_object() ? extras.value("targetNames", Json()) : Json();
   for (std::size_t t = 0; t < count; ++t)
     names.push_back(given.is_array() && t < given.size() && given[t].is_string()
                         ? given[t].get<std::string>()
@@ -329,7 +329,7 @@ std::vector<std::string> TakeReader::target_names(std::size_t number) const {
 }
 
 /// A curve for each target: values of one key stand side by side.
-void TakeReader::read_weights(const GltfJson& sampler, const Target& target) {
+void TakeReader::read_weights(const Json& sampler, const Target& target) {
   if (std::any_of(weights_.begin(), weights_.end(),
                   [&](const KeyCurve& one) { return one.node == target.node; }))
     file_.fail("has an animation that moves the morph weights of a node twice");
@@ -358,7 +358,7 @@ void TakeReader::read_weights(const GltfJson& sampler, const Target& target) {
 void TakeReader::add_nodes() {
   const std::size_t count = parents_.size();
   std::vector<bool> is_joint(count);
-  for (const GltfJson& skin : file_.list("skins"))
+  for (const Json& skin : file_.list("skins"))
     for (const std::size_t joint : file_.indices(skin, "joints", "nodes")) is_joint[joint] = true;
   if (curves_.empty() && file_.list("skins").empty())  // or else nothing would be a joint
     for (const KeyCurve& weight : weights_) is_joint[weight.node] = true;
@@ -366,9 +366,9 @@ void TakeReader::add_nodes() {
   for (const KeyCurve& curve : curves_) is_wanted[curve.node] = true;
   std::vector<bool> draws(count);
   for (auto at = order_.rbegin(); at != order_.rend(); ++at) {
-    const GltfJson& one = node(*at);
+    const Json& one = node(*at);
     draws[*at] = draws[*at] || one.contains("mesh") || one.contains("camera") ||
-                 one.value("extensions", GltfJson()).contains("KHR_lights_punctual");
+                 one.value("extensions", Json()).contains("KHR_lights_punctual");
     is_wanted[*at] = is_wanted[*at] || !draws[*at];
     if (parents_[*at] < 0) continue;
     const auto parent = static_cast<std::size_t>(parents_[*at]);

@@ -117,10 +117,9 @@ std::vector<float> inverse_bind_matrices(const Pose& rest, double cm_per_unit) {
 }
 
 /// The nodes of a skeleton: its joints first, then where bones end.
-GltfJson nodes_of(const Skeleton& skeleton, const std::vector<NodeTrack>& tracks,
-                  double cm_per_unit) {
+Json nodes_of(const Skeleton& skeleton, const std::vector<NodeTrack>& tracks, double cm_per_unit) {
   const std::vector<std::string> names = gltf_names(skeleton);
-  GltfJson nodes = GltfJson::array();
+  Json nodes = Json::array();
   // What the scales of a joint and of those above it do to where its bone ends.
   std::vector<NodePlacement> placements;
   const auto in_joint = [&](int j, const Vector3d& end_site) -> Vector3d {
@@ -165,10 +164,7 @@ std::vector<std::string> gltf_names(const Skeleton& skeleton) {
   std::unordered_set<std::string> taken;
   for (const Joint& joint : skeleton.joints()) {
     // What is no UTF-8 becomes the sign for that, here as in the file.
-    const std::string valid =
-        GltfJson::parse(
-            GltfJson(joint.name).dump(-1, ' ', false, GltfJson::error_handler_t::replace))
-            .get<std::string>();
+    const std::string valid = parse_json("", dumped(joint.name)).get<std::string>();
     names.push_back(unique_word(valid.empty() ? "joint" : valid, taken));
   }
   return names;
@@ -184,9 +180,9 @@ std::string gltf_bytes(const Motion& given, GltfContainer container, const Sourc
   const std::vector<NodeTrack> tracks =
       tracks_of(motion, rest, cm_per_unit, JointScales(scalars, skeleton));
 
-  GltfJson nodes = nodes_of(skeleton, tracks, cm_per_unit);
-  GltfJson joints = GltfJson::array();
-  GltfJson roots = GltfJson::array();
+  Json nodes = nodes_of(skeleton, tracks, cm_per_unit);
+  Json joints = Json::array();
+  Json roots = Json::array();
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     joints.push_back(j);
     if (skeleton.joint(j).parent < 0) roots.push_back(j);
@@ -194,16 +190,16 @@ std::string gltf_bytes(const Motion& given, GltfContainer container, const Sourc
   // The joints of a skin have a node above them all.
   if (roots.size() > 1) {
     nodes.push_back({{"name", "skeleton"}, {"children", roots}});
-    roots = GltfJson::array({nodes.size() - 1});
+    roots = Json::array({nodes.size() - 1});
   }
-  GltfJson json = {{"asset", {{"version", "2.0"}, {"generator", "Mocapress"}}},
-                   {"scene", 0},
-                   {"scenes", GltfJson::array({{{"nodes", roots}}})},
-                   {"nodes", nodes}};
+  Json json = {{"asset", {{"version", "2.0"}, {"generator", "Mocapress"}}},
+               {"scene", 0},
+               {"scenes", Json::array({{{"nodes", roots}}})},
+               {"nodes", nodes}};
   BufferWriter buffer(json, 0, "");
   const std::size_t matrices = buffer.add("MAT4", 16, inverse_bind_matrices(rest, cm_per_unit));
   json["skins"].push_back({{"inverseBindMatrices", matrices}, {"joints", joints}});
-  GltfJson animation = {{"samplers", GltfJson::array()}, {"channels", GltfJson::array()}};
+  Json animation = {{"samplers", Json::array()}, {"channels", Json::array()}};
   AnimationWriter writer(buffer, animation, motion.clip.frames(), motion.clip.sample_rate_hz);
   for (const NodeTrack& track : tracks) writer.add(track, false);
   // Or else it would be no animation, and the number of frames be lost.

@@ -12,8 +12,6 @@
 namespace mocapress {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::string_view kFound = "auto";
 constexpr const char* kContacts = "contacts";  // among the names of importance
 
@@ -303,23 +301,6 @@ Settings find_preset(const std::string& name_or_file) {
   if (!std::filesystem::exists(name_or_file, ignored))
     throw InputError(name_or_file, 0, 0, "is neither a file nor a preset" + known);
   return parse_presets(name_or_file, read_text(name_or_file)).front();
-}
-
-Json parse_json(const std::string& file, const std::string& text) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const std::string_view before =
-        std::string_view(text).substr(0, error.byte == 0 ? 0 : error.byte - 1);
-    const auto line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
-    const std::size_t line_begin = before.rfind('\n') + 1;  // 0 when there is none
-    throw InputError(file, line, static_cast<int>(before.size() - line_begin) + 1,
-                     "is not JSON from here on");
-  }
-}
-
-std::string dumped(const Json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace mocapress

@@ -3,41 +3,34 @@
 // object, or an array of them.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/base/json_text.h"
 #include "core/mocapress/settings.h"
 
 namespace mocapress {
 
-nlohmann::ordered_json to_json(const Settings& settings);
+Json to_json(const Settings& settings);
 
 /// Throws Error, which names the key and what is wrong with it.
-Settings settings_from(const nlohmann::ordered_json& json);
+Settings settings_from(const Json& json);
 
 /// The same for settings that must have a name.
-Settings preset_from(const nlohmann::ordered_json& json);
+Settings preset_from(const Json& json);
 
 /// What was asked, as flat keys of a row of results: "method", "target", "target_value",
 /// "weighting", "coding", "seed", "ik_ratio" (null: no correction). The rest is left out.
-nlohmann::ordered_json row_json(const Settings& settings);
+Json row_json(const Settings& settings);
 
 /// The inverse. Throws Error, or like the JSON library does.
-Settings settings_of_row(const nlohmann::ordered_json& row);
+Settings settings_of_row(const Json& row);
 
 /// The text of a file of presets.
 std::string presets_text(std::span<const Settings> presets);
 
 /// The presets of such a file. Throws InputError, with line and column if it is no JSON.
 std::vector<Settings> parse_presets(const std::string& file, const std::string& text);
-
-/// Parses JSON. Throws InputError with line and column.
-nlohmann::ordered_json parse_json(const std::string& file, const std::string& text);
-
-/// Writes JSON, on one line unless there is an indent. File names may have bytes that are not
-/// UTF-8: these are replaced.
-std::string dumped(const nlohmann::ordered_json& json, int indent = -1);
 
 }  // namespace mocapress

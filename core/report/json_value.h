@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-namespace mocapress {
+#include "core/base/json_text.h"
 
-using Json = nlohmann::ordered_json;
+namespace mocapress {
 
 template <typename T>
 Json or_null(const std::optional<T>& value) {

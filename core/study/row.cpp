@@ -21,7 +21,7 @@ bool StudyRow::reached() const {
 }
 
 std::string StudyRow::key() const {
-  return fingerprint + '|' + row_json(settings).dump();
+  return fingerprint + '|' + dumped(row_json(settings));
 }
 
 namespace {
@@ -58,7 +58,7 @@ StudyRow row_from(const Json& json) {
 
 std::string csv_field(const Json& value) {
   if (value.is_null()) return "";
-  if (!value.is_string()) return value.dump();
+  if (!value.is_string()) return dumped(value);
   return csv_quoted(value.get_ref<const std::string&>());
 }
 
@@ -70,7 +70,7 @@ std::string to_json_line(const StudyRow& row) {
 
 std::optional<StudyRow> parse_row(std::string_view line) {
   try {
-    return row_from(Json::parse(line));
+    return row_from(parse_json("", line));
   } catch (const Json::exception&) {
     return std::nullopt;
   } catch (const Error&) {

@@ -479,9 +479,8 @@ TEST_F(Studio, KeepsTracksByABoundOfTheirOwn) {
   test::SmallGltf gltf = test::bending_knee();
   gltf.json["nodes"].push_back({{"name", "Face"}, {"mesh", 0}});
   gltf.json["scenes"][0]["nodes"].push_back(3);
-  gltf.json["meshes"] = GltfJson::array(
-      {{{"primitives",
-         {{{"attributes", GltfJson::object()}, {"targets", {GltfJson::object()}}}}}}});
+  gltf.json["meshes"] = Json::array(
+      {{{"primitives", {{{"attributes", Json::object()}, {"targets", {Json::object()}}}}}}});
   std::vector<float> weights;
   for (int key = 0; key < 11; ++key) weights.push_back(std::sin(0.4F * static_cast<float>(key)));
   gltf.move(3, "weights", 0, gltf.add("SCALAR", weights));

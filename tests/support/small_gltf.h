@@ -13,7 +13,7 @@ namespace mocapress::test {
 /// A glTF that is put together piece by piece: at first hips, 1 m above the ground, a knee 0.5 m
 /// below them and an ankle 0.4 m below that. All three are joints of a skin.
 struct SmallGltf {
-  GltfJson json = GltfJson::parse(R"({
+  Json json = Json::parse(R"({
     "asset": {"version": "2.0"},
     "scene": 0,
     "scenes": [{"nodes": [0]}],
@@ -54,7 +54,7 @@ struct SmallGltf {
   /// A channel in the last animation. `path` is of a node or, "weights", of its mesh.
   void move(std::size_t node, const std::string& path, std::size_t input, std::size_t output,
             const std::string& interpolation = "LINEAR") {
-    GltfJson& animation = json["animations"].back();
+    Json& animation = json["animations"].back();
     animation["samplers"].push_back(
         {{"input", input}, {"output", output}, {"interpolation", interpolation}});
     animation["channels"].push_back({{"sampler", animation["samplers"].size() - 1},
@@ -63,7 +63,7 @@ struct SmallGltf {
 
   void begin_animation(const std::string& name = "walk") {
     json["animations"].push_back(
-        {{"name", name}, {"samplers", GltfJson::array()}, {"channels", GltfJson::array()}});
+        {{"name", name}, {"samplers", Json::array()}, {"channels", Json::array()}});
   }
 
   std::string glb() const {

@@ -217,7 +217,7 @@ TEST_F(Cli, SaysWhatIsWrongWithAFileOfContacts) {
     EXPECT_EQ(outcome.exit_code, 3);
     return outcome.err;
   };
-  EXPECT_THAT(message("[{"), testing::HasSubstr("byte"));
+  EXPECT_THAT(message("[{"), testing::HasSubstr("contacts.json:1:3: is not JSON"));
   EXPECT_THAT(message("[{\"joint\": \"hips\"}]"), testing::HasSubstr("contact 1 lacks"));
   EXPECT_THAT(message("[{\"joint\": \"nose\", \"first_frame\": 0, \"last_frame\": 3}]"),
               testing::HasSubstr("nose"));
@@ -411,7 +411,7 @@ TEST_F(Cli, ReadsAndWritesAsItIsTold) {
 
 TEST_F(Cli, DecompressPutsAMotionOntoTheGltfItCameFrom) {
   SmallGltf knee = bending_knee();
-  const GltfJson walk = knee.json["animations"][0];
+  const Json walk = knee.json["animations"][0];
   knee.begin_animation("jump");
   knee.move(0, "translation", 0, knee.add("VEC3", std::vector<float>(33, 1.5F)));
   knee.json["materials"].push_back({{"name", "skin"}});

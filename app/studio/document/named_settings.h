@@ -3,7 +3,6 @@
 
 #include <QColor>
 #include <QString>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "app/studio/document/document.h"
@@ -48,10 +47,10 @@ NamedSettings fitting(NamedSettings settings, const Motion& motion);
 ClipSettings settingsFor(const NamedSettings& settings, const Motion& motion);
 
 /// The form of a preset file, with "contact_settings" beside its keys where they are not as usual.
-nlohmann::ordered_json toJson(const NamedSettings& settings);
+Json toJson(const NamedSettings& settings);
 
 /// What is left out is as usual. Throws Error, which says what is wrong with which key.
-NamedSettings namedSettingsFrom(nlohmann::ordered_json json);
+NamedSettings namedSettingsFrom(Json json);
 
 /// A pinned result, as it is kept: by what it is made, not what was made.
 struct Pin {

@@ -206,7 +206,7 @@ TEST(GltfReader, TakesMatricesApart) {
   gltf.json["nodes"].push_back({{"name", "armature"},
                                 {"matrix", {0, 0, -2, 0, 0, 2, 0, 0, 2, 0, 0, 0, 3, 0, 0, 1}},
                                 {"children", {0}}});
-  gltf.json["scenes"][0]["nodes"] = GltfJson::array({3});
+  gltf.json["scenes"][0]["nodes"] = Json::array({3});
   const MotionFile file = read(gltf);
   EXPECT_EQ(file.motion.skeleton.find("armature"), -1);
   expect_place(file.motion, "hips", 0, {300, 200, 0});
@@ -215,8 +215,8 @@ TEST(GltfReader, TakesMatricesApart) {
 
 TEST(GltfReader, ReadsTheFirstTakeThatMovesNodesOrTheOneAskedFor) {
   SmallGltf gltf = test::bending_knee();
-  const GltfJson walk = gltf.json["animations"][0];
-  gltf.json["animations"] = GltfJson::array();
+  const Json walk = gltf.json["animations"][0];
+  gltf.json["animations"] = Json::array();
   gltf.begin_animation("smile");
   gltf.move(0, "weights", 0, 0);
   gltf.json["animations"].push_back(walk);
@@ -251,11 +251,11 @@ SmallGltf with_face() {
   SmallGltf gltf = test::bending_knee();
   gltf.json["nodes"][2]["children"] = {3};
   gltf.json["nodes"].push_back({{"name", "Face"}, {"mesh", 0}});
-  gltf.json["meshes"] = GltfJson::array(
-      {{{"primitives",
-         {{{"attributes", GltfJson::object()},
-           {"targets", {GltfJson::object(), GltfJson::object(), GltfJson::object()}}}}},
-        {"extras", {{"targetNames", {"smile", "frown"}}}}}});
+  gltf.json["meshes"] =
+      Json::array({{{"primitives",
+                     {{{"attributes", Json::object()},
+                       {"targets", {Json::object(), Json::object(), Json::object()}}}}},
+                    {"extras", {{"targetNames", {"smile", "frown"}}}}}});
   return gltf;
 }
 
@@ -317,7 +317,7 @@ TEST(GltfReader, LeavesOutMorphWeightsThatAreWrongAndSaysSo) {
 
 TEST(GltfReader, LeavesOutNodesThatOnlyDraw) {
   SmallGltf gltf = test::bending_knee();
-  gltf.json["nodes"][2]["children"] = GltfJson::array({3, 4});
+  gltf.json["nodes"][2]["children"] = Json::array({3, 4});
   gltf.json["nodes"].push_back({{"name", "boot"}, {"mesh", 0}, {"translation", {0, 0, 1}}});
   gltf.json["nodes"].push_back({{"name", "toe"}, {"translation", {0, 0, 0.2}}});
   const Motion motion = read(gltf).motion;
@@ -333,7 +333,7 @@ TEST(GltfReader, SaysInOneSentenceWhatItCannotRead) {
     change(gltf.json);
     return refusal(gltf);
   };
-  using Json = GltfJson;
+  using Json = Json;
   EXPECT_EQ(refusal(std::string()), "small.glb:1:1: is not JSON from here on");
   EXPECT_EQ(refusal(std::string("{\n  \"asset\": }")), "small.glb:2:12: is not JSON from here on");
   EXPECT_EQ(refusal(std::string("[]")), "small.glb: is no glTF: its JSON is not an object");

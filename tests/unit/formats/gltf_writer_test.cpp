@@ -31,7 +31,7 @@ double round_trip(const Motion& motion, GltfContainer container, const SourceFor
   return test::largest_move(motion, again.motion, without_namespace(gltf_names(motion.skeleton)));
 }
 
-GltfJson json_of_file(const std::string& bytes) {
+Json json_of_file(const std::string& bytes) {
   return GltfFile("written.glb", bytes).json();
 }
 
@@ -70,7 +70,7 @@ TEST(GltfWriter, TurnsFromFrameToFrameByTheShortWay) {
   motion.skeleton.add({.name = "wheel", .channels = {ChannelKind::RotationX}});
   motion.clip = {30, Eigen::VectorXd::LinSpaced(91, 0, 6 * 3.14159265358979)};
   GltfFile file("wheel.glb", gltf_bytes(motion, GltfContainer::Glb));
-  const GltfJson& animation = file.list("animations")[0];
+  const Json& animation = file.list("animations")[0];
   const auto output = animation["samplers"][0]["output"].get<std::size_t>();
   const std::vector<double> turns = file.values(output, "VEC4");
   for (std::size_t i = 4; i < turns.size(); i += 4)
@@ -79,12 +79,12 @@ TEST(GltfWriter, TurnsFromFrameToFrameByTheShortWay) {
 
 TEST(GltfWriter, WritesTracksOnlyOfWhatMoves) {
   Motion motion = read_gltf("knee.glb", test::bending_knee().glb()).motion;
-  const GltfJson json = json_of_file(gltf_bytes(motion, GltfContainer::Glb));
+  const Json json = json_of_file(gltf_bytes(motion, GltfContainer::Glb));
   ASSERT_EQ(json["animations"][0]["channels"].size(), 1u);
   EXPECT_EQ(json["animations"][0]["channels"][0]["target"]["path"], "rotation");
   EXPECT_EQ(json["nodes"][1]["name"], "knee");
   EXPECT_EQ(json["animations"][0]["channels"][0]["target"]["node"], 1);
-  EXPECT_EQ(json["skins"][0]["joints"], GltfJson::parse("[0, 1, 2]"));
+  EXPECT_EQ(json["skins"][0]["joints"], Json::parse("[0, 1, 2]"));
 }
 
 TEST(GltfWriter, KeepsTheFramesOfWhatStandsStill) {
@@ -96,7 +96,7 @@ TEST(GltfWriter, KeepsTheFramesOfWhatStandsStill) {
 TEST(GltfWriter, PutsANodeAboveTwoRoots) {
   Motion motion = test::smooth_motion(12);
   motion.skeleton.add({.name = "prop", .offset = {30, 5, 0}});
-  const GltfJson json = json_of_file(gltf_bytes(motion, GltfContainer::Glb));
+  const Json json = json_of_file(gltf_bytes(motion, GltfContainer::Glb));
   EXPECT_EQ(json["scenes"][0]["nodes"].size(), 1u);
   EXPECT_LT(round_trip(motion, GltfContainer::Glb), kMove);
 }
@@ -191,7 +191,7 @@ TEST_F(GltfOnto, LeavesEverythingElseAsItWas) {
   const std::string written =
       gltf_bytes_onto(source, file.motion, GltfContainer::Glb, folder_, file.source);
   GltfFile result("result.glb", written);
-  const GltfJson& json = result.json();
+  const Json& json = result.json();
   for (const char* same : {"asset", "scene", "scenes", "skins", "images", "extras"})
     EXPECT_EQ(json[same], gltf.json[same]) << same;
   EXPECT_EQ(json["animations"][1], gltf.json["animations"][1]);
@@ -202,7 +202,7 @@ TEST_F(GltfOnto, LeavesEverythingElseAsItWas) {
   EXPECT_EQ(result.buffer(0).substr(0, gltf.data.size()), gltf.data);
   // The lamp and the smile go on as they did.
   std::vector<std::string> kept;
-  for (const GltfJson& channel : json["animations"][0]["channels"])
+  for (const Json& channel : json["animations"][0]["channels"])
     if (channel["target"]["node"] > 3) {
       kept.push_back(channel["target"]["path"]);
       const auto& sampler =
@@ -214,8 +214,8 @@ TEST_F(GltfOnto, LeavesEverythingElseAsItWas) {
 
 TEST_F(GltfOnto, WritesMorphWeightsAndScalesOfTheTracks) {
   SmallGltf gltf = elaborate();
-  gltf.json["meshes"] = GltfJson::array(
-      {{{"primitives", {{{"attributes", GltfJson::object()}, {"targets", {GltfJson::object()}}}}},
+  gltf.json["meshes"] = Json::array(
+      {{{"primitives", {{{"attributes", Json::object()}, {"targets", {Json::object()}}}}},
         {"extras", {{"targetNames", {"smile"}}}}}});
   const std::size_t input = gltf.add<float>("SCALAR", {0, 1});
   gltf.json["animations"][0]["samplers"].push_back(
@@ -267,8 +267,8 @@ TEST(GltfWriter, GivesBackScalesWithoutMovingJoints) {
 TEST_F(GltfOnto, TakesFilesAlongToAnotherFolder) {
   const std::string source = write_source(elaborate());
   const MotionFile file = read_motion(source);
-  const GltfJson json = json_of_file(gltf_bytes_onto(source, file.motion, GltfContainer::Gltf,
-                                                     folder_ / "elsewhere", file.source));
+  const Json json = json_of_file(gltf_bytes_onto(source, file.motion, GltfContainer::Gltf,
+                                                 folder_ / "elsewhere", file.source));
   EXPECT_EQ(json["images"][0]["uri"], "data:image/png;base64,iVBORyBhbmQgc28gb24=");
 }
 
@@ -276,14 +276,14 @@ TEST_F(GltfOnto, MakesOneChunkOfAllBuffersAndImagesOfAGltf) {
   SmallGltf gltf = test::bending_knee();
   gltf.json["buffers"].push_back({{"uri", "keys.bin"}, {"byteLength", gltf.data.size()}});
   gltf.json["buffers"][0] = {{"uri", "data:;base64,AAEC"}, {"byteLength", 3}, {"name", "first"}};
-  for (GltfJson& view : gltf.json["bufferViews"]) view["buffer"] = 1;
+  for (Json& view : gltf.json["bufferViews"]) view["buffer"] = 1;
   gltf.json["images"].push_back({{"uri", "data:image/png;base64,iVBORw=="}});
   write_text(folder_ / "keys.bin", gltf.data);
   write_text(folder_ / "source.gltf", gltf.json.dump());
   const MotionFile file = read_motion(folder_ / "source.gltf");
   const std::string glb = gltf_bytes_onto(folder_ / "source.gltf", file.motion, GltfContainer::Glb,
                                           folder_, file.source);
-  const GltfJson json = json_of_file(glb);
+  const Json json = json_of_file(glb);
   ASSERT_EQ(json["buffers"].size(), 1u);
   EXPECT_EQ(json["buffers"][0]["name"], "first");
   EXPECT_FALSE(json["buffers"][0].contains("uri"));

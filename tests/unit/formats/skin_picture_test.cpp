@@ -26,11 +26,11 @@ using testing::HasSubstr;
 const std::string kPng = std::string("\x89PNG\r\n\x1A\n") + "no more is read of it";
 
 /// A triangle on the knee. `image`: its entry in "images".
-SmallGltf painted_knee(const GltfJson& image) {
+SmallGltf painted_knee(const Json& image) {
   SmallGltf gltf = test::bending_knee();
   const std::size_t places = gltf.add("VEC3", std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0});
   const std::size_t in_picture = gltf.add("VEC2", std::vector<float>{0, 0, 0.5F, 0, 0, 2});
-  gltf.json["images"] = GltfJson::array({image});
+  gltf.json["images"] = Json::array({image});
   gltf.json["textures"] = {{{"source", 0}}};
   gltf.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
   gltf.json["meshes"] = {
@@ -55,7 +55,7 @@ void expect_painted(const MotionFile& file) {
 }
 
 /// Where the second and the third vertex look into the picture.
-std::pair<Eigen::Vector2f, Eigen::Vector2f> places_moved_by(const GltfJson& transform) {
+std::pair<Eigen::Vector2f, Eigen::Vector2f> places_moved_by(const Json& transform) {
   SmallGltf gltf = painted_knee({{"uri", "data:image/png;base64,iVBORw0KGgo="}});
   gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
       {"KHR_texture_transform", transform}};
@@ -147,7 +147,7 @@ TEST(CompressedMesh, OfDracoIsLeftOutInOneSentence) {
   SmallGltf gltf = painted_knee({{"uri", "data:image/png;base64,iVBORw0KGgo="}});
   gltf.json["meshes"][0]["name"] = "shin";
   gltf.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-  GltfJson& primitive = gltf.json["meshes"][0]["primitives"][0];
+  Json& primitive = gltf.json["meshes"][0]["primitives"][0];
   primitive["extensions"] = {
       {"KHR_draco_mesh_compression", {{"bufferView", 0}, {"attributes", {{"POSITION", 0}}}}}};
   const std::size_t position = primitive["attributes"]["POSITION"];

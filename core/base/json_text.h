@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// JSON from text and back. The library's parser and writer are templates that cost seconds wherever
+// they are used: they are compiled here alone.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+namespace mocapress {
+
+using Json = nlohmann::ordered_json;  // keys are written in the order they were read or set
+
+/// What a text from strangers may hold.
+struct JsonLimits {
+  int depth;           // braces and brackets within each other
+  std::size_t values;  // each takes some 50 bytes of memory
+};
+
+/// Parses JSON. Throws InputError, with line and column where `text` ceases to be JSON.
+Json parse_json(const std::string& file, std::string_view text);
+
+/// The same. Throws InputError for more than the limits allow, too, before it is in memory.
+Json parse_json(const std::string& file, std::string_view text, const JsonLimits& limits);
+
+/// Writes JSON, on one line unless there is an indent. File names may have bytes that are not
+/// UTF-8: these are replaced.
+std::string dumped(const Json& json, int indent = -1);
+
+}  // namespace mocapress
