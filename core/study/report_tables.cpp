@@ -494,23 +494,6 @@ struct Failure {
   std::string why;                   // of the first
 };
 
-std::string asked_text(const Target& target) {
-  switch (target.kind) {
-    case Target::Kind::Ratio:
-      return format_shortest(target.value) + ":1";
-    case Target::Kind::CoefficientRatio:
-      return "r = " + format_shortest(target.value);
-    case Target::Kind::Size:
-      return format_shortest(target.value) + " bytes";
-    case Target::Kind::Error:
-    case Target::Kind::MaxError:
-      return format_shortest(target.value) + " cm";
-    case Target::Kind::Visibility:
-      return format_shortest(target.value) + " times noticed";
-  }
-  return "";
-}
-
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -526,11 +509,11 @@ std::string failure_table(const Results& results) {
     const bool unread = row.fingerprint.empty();
     Failure& failure = failures[{row.clip, unread ? "every method" : row.settings.method}];
     if (row.measured) {
-      failure.steps.push_back(asked_text(row.settings.target) + " gave " +
+      failure.steps.push_back(target_text(row.settings.target) + " gave " +
                               ratio_text(row.measured->ratio));
       continue;
     }
-    if (!unread) failure.targets.push_back(asked_text(row.settings.target));
+    if (!unread) failure.targets.push_back(target_text(row.settings.target));
     if (failure.why.empty()) failure.why = row.error;
   }
   std::string body;
