@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kEvery[] = {1, 2, 4};                              // frames: 120, 60 and 30 Hz
-constexpr double kScales[] = {2.4, 1.2, 0.5, 0.15, 0.04, 0.01};  // cm; eps_x is about half of it
+constexpr int kEvery[] = {1, 2, 4};                                 // frames: 120, 60 and 30 Hz
+constexpr double kScales[] = {4, 2.4, 1.2, 0.5, 0.15, 0.04, 0.01};  // cm; eps_x is about half of it
 
 struct Sample {
   std::vector<SignalNeighbours> kin;
@@ -65,37 +65,59 @@ void code(Sample& sample, CoefficientModel& model, ContextTally* tally) {
                     tally == nullptr ? nullptr : tally->data());
 }
 
-/// Letters of the shared contexts, by how often their bits were set in all samples.
+/// Letters of the shared contexts, by how often their bits were set. All samples count alike, for
+/// what is known beforehand matters most where there is little to learn from.
 std::string fit_contexts(std::vector<Sample>& samples) {
   constexpr std::uint32_t kFewest = 4;
-  ContextTally tally(static_cast<std::size_t>(ContextLayout(0).shared));
+  const auto count = static_cast<std::size_t>(ContextLayout(0).shared);
+  std::vector<std::uint32_t> seen(count);
+  std::vector<double> shares(count);  // of its sample's bits, summed over all samples
+  std::vector<double> shares_set(count);
   for (Sample& sample : samples) {
     auto model = CoefficientModel::untaught(static_cast<int>(sample.kin.size()));
+    ContextTally tally(count);
     code(sample, model, &tally);
+    double bits = 1;
+    for (const auto& [seen_here, set] : tally) bits += seen_here;
+    for (std::size_t c = 0; c < count; ++c) {
+      seen[c] += tally[c][0];
+      shares[c] += tally[c][0] / bits;
+      shares_set[c] += tally[c][1] / bits;
+    }
   }
   std::string letters;
-  for (const auto& [seen, ones] : tally) {
-    const double odds = (ones + 0.3) / (seen - ones + 0.3);
+  for (std::size_t c = 0; c < count; ++c) {
+    const double ones = seen[c] < kFewest ? 0 : seen[c] * shares_set[c] / shares[c];
+    const double odds = (ones + 0.3) / (seen[c] - ones + 0.3);
     const auto steps = std::clamp(std::lround(5.5 * std::log(odds)), -44L, 44L);
-    letters += seen < kFewest ? ' ' : letter_of_prior(static_cast<int>(steps));
+    letters += seen[c] < kFewest ? ' ' : letter_of_prior(static_cast<int>(steps));
   }
   return letters;
 }
 
-/// The weights that the mixing has come to after all samples.
+/// The weights that the mixing comes to, in the mean over all samples, each from where the one
+/// before left them.
 std::vector<int> fit_weights(std::vector<Sample>& samples, const std::string& letters) {
   auto taught = CoefficientModel::untaught(0)->weights;
-  for (Sample& sample : samples) {
-    auto model = CoefficientModel::untaught(static_cast<int>(sample.kin.size()));
-    model->teach(letters);
-    model->weights = taught;
-    code(sample, model, nullptr);
-    taught = model->weights;
-  }
+  std::vector<double> sums(taught.size() * MixingWeights::kMost);
+  const auto rounds = [&](const auto& visit) {
+    for (Sample& sample : samples) {
+      auto model = CoefficientModel::untaught(static_cast<int>(sample.kin.size()));
+      model->teach(letters);
+      model->weights = taught;
+      code(sample, model, nullptr);
+      taught = model->weights;
+      visit();
+    }
+  };
+  rounds([] {});  // from the common start to what the clips have in common
+  rounds([&] {
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      sums[i] += taught[i / MixingWeights::kMost].of[i % MixingWeights::kMost];
+  });
   std::vector<int> shares;
-  for (const MixingWeights& set : taught)
-    for (const std::int32_t weight : set.of)
-      shares.push_back(static_cast<int>(std::lround(weight / 64.0)));
+  for (const double sum : sums)
+    shares.push_back(static_cast<int>(std::lround(sum / static_cast<double>(samples.size()) / 64)));
   return shares;
 }
 
@@ -110,7 +132,7 @@ void print(const std::string& letters, const std::vector<int>& shares) {
   constexpr std::size_t kLine = 90;
   std::printf(
       "// SPDX-License-Identifier: MIT\n// Made by tests/bench/fit_priors.cpp.\n"
-      "#include \"coefficient_priors.h\"\n\n#include <array>\n\n"
+      "#include \"core/codec/format/coefficient_priors.h\"\n\n#include <array>\n\n"
       "namespace mocapress::runtime {\nnamespace {\n\n// clang-format off\n"
       "constexpr std::string_view kContexts =\n");
   for (std::size_t i = 0; i < letters.size(); i += kLine)

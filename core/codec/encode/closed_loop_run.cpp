@@ -9,15 +9,15 @@ namespace mocapress {
 
 namespace {
 
-constexpr double kDeadZone = 0.1;  // what is added before details are cut to whole steps
+constexpr double kDeadZone = 0.25;  // what is added before details are cut to whole steps
 
 /// Steps shrink with what a channel moves, squared, to half this power. One would give all channels
 /// the same share of the error; on corpus/train this takes the fewest bytes (ADAPTIVE.md).
 constexpr double kStepPower = 0.9;
 
 // Squared steps of error that a bit is worth, in the first sweep and in the last.
-constexpr double kFirstBitPrice = 0.032;
-constexpr double kLastBitPrice = 0.024;
+constexpr double kFirstBitPrice = 0.054;
+constexpr double kLastBitPrice = 0.041;
 
 double price_of(int sweep, int sweeps) {
   return kFirstBitPrice + (kLastBitPrice - kFirstBitPrice) * sweep / std::max(sweeps - 1, 1);

@@ -87,7 +87,7 @@ double coarser_after_rough_trial(double excess, const Target& target, const Clos
                                  bool corrected) {
   const bool by_error = is_by_error(target);
   const bool swept = work.sweeps > 0;
-  const double more = by_error ? (swept ? -0.575 : -0.30) : (swept ? 0.15 : 0.06);  // logarithms
+  const double more = by_error ? (swept ? -0.575 : -0.32) : (swept ? 0.15 : 0.06);  // logarithms
   const double unmended = by_error && corrected ? 0.12 : 0;
   return std::exp(power_of_scale(target) * std::clamp(excess - more - unmended, -3.0, 3.0));
 }

@@ -9,142 +9,142 @@ namespace {
 
 // clang-format off
 constexpr std::string_view kContexts =
-    "6ACEGJNUEGHJKMPVHJJLMORVJLLMOPSWNOOPQRTXQRRRSTVZTTTUUVX]WVXYYY[`6ADFHKNVFHIJLNQVHJJLMORVKL"
-    "MNOQSWNPPPQRUXRRSSTUWZVVVWWWY]XY]]]]^b8BDFHKOXFHIJLNQWIJJLMORWKLMNOQSXOOPPQRUYRSSSTUVZVVVW"
-    "WXY^``_^]^^c;BEGILPZGGIJLNQWJJKLMORXKMMNOQSYPOPQQRUYUSSSTUV[ZXVWWWY^hb^^__^e@DGIKMR^HHIKLN"
-    "RXKKKMNPSYLMNNOQTYQPPPQSUZWSSTTUW[]YWWWXY_k]_^^__fDFJKMQVeIJKLNPSYLKLMOQU[MMNOPRUZRPQRRSV["
-    "WTTTUUX]^YYXXXZ_k[dc_``gKHMNPTYiJJKMORTYNLMNPRV]OMOPQSW[SQQRSTW^XTTUUVX^^VWWXYZ`jca^_^`hUJ"
-    "QRTX_kLJKOPSWYSMOORTY_SOPPQTX_WQSSTUX_ZWUUVWY``V[YYZ[alh^cdcbh/:=?BEIVBCDFGIMTEFGHJLOVHIJK"
-    "LNQWLNMNPQTXQQQRSTVZZTVVWWY^l XiZe`g6?ABDGJOCDDEGHKPFFFGIJMQGGGIIJMSIJJJKLOSMMMLMLPUKSNRPQ"
-    "RT      TT7@BDFHKQDFFGHJLRGHHIKLNRHJIJKLNSKLLLMNPSONNMNOPURSQQQPSW     TRX8ADEGJMREGHIJKNS"
-    "HIIJLMOSIJKLMNPTMMMNOPQUOPPOPQRVPTPRRRSWS `PTYTY9CEGIKNSFHIJKMOTHJJLMOQTJLLMNPRUMNOOPQSVPQ"
-    "QQRSTWRSSSTTUYTVSVYWX]:DFHJMPVGHJKMNQVIJKLNPRVKMMNOQSWOOPPQRTWRRSSSTVYXTTUVVXZ^U[]YZZ^=DGI"
-    "KNRZHIJLMORXJKLMOPSWLMNOPRTXPPQQRSUYUSSTTUWZ[WVWWXY]fZ[][]]bAFHJLOS_HJKLNPSXKLLMOQTYMNNPQR"
-    "UYQQQRRTVZWTTTUVW[^XWWXXZ^k`a^_^_eGHKMORVcIKMNPRUZMMNOQRU[POPQRSV[TRSSTUW]YUVVVWX]_XYYYY[_"
-    "l_`a_``e>GJH  dhJJHJ  bdKIGOPPZmJGIMQWYeT  aZWZad QXUY^ccag^Z[`dp a`bcck-0689;=?BEHKMPSUWY"
-    "[^`acfihma    //579:=>ADGJMORUWY[^`befimms_   20679;=?ACFILORTWY[^`adgikoqn   4279:<>?ACFI"
-    "LOQTVX[^``egimos{   ;49:<=?ACDFILORTVXZ]_]egjlotx   C7;<=?@BDFGJMORUWY[]_[fhjmpvw   O@<@@A"
-    "BDFHJLNPSVXZ]_`[fijnqv|   i;PJJJHJMNPQQSUXZ]_ab`gkknpto   =@CEFHSOR]:9?BDEFHKPB=ADFGIJMRD?"
-    "BFHHJKMRLFFJKKMMORUZOMOOPPQTdO QQRUSTV    PU_UWY    TViWY^      rXYdBABCEEUKOZ9<?BCCDFIM@7"
-    "?CCCHGKPD:=BDDGGJPJ@EDFFHHJOQSTJJJLKLOT  RMNSNOR    SP]QRU    QUeUUX      nWW`JD?8BEWILX?8"
-    "CAACDEGLCHCECCJFIOEHFCEDJEHOF@CCDEJEGNLa=LEGLFHMO  QNJRIJN    RSZNNQ     OaRQT      jSS]:@"
-    "  @AWGIV  H=CACFFL> H?\?@LEGMG JDGFLEFMG  FEEMDEMDL ;@BODELJ   GHRFFK    _RXIIM      ]PNP  "
-    "    fOQX     ?VGGU     @<EKL     =OADL    :=MACL    GFNEGL     MOBDK     DQEDJ    TJUEFK  "
-    "    XMJM      bROV      VBDT        PH      O?BK      P:>K     GMA>K     INFDK      ODBJ  "
-    "   @QBCJ      UJEK      ^RKS      U @T        @K      L  J      O  J      OJLK      L9=J  "
-    "    N8HK      OFDJ      Q@BJ      ZJMR      R  Q                K  G      L  K      N  I  "
-    "    N  J      M 9J      M JJ      N >J      S CPI9:<>@@BDFHJLOQTVY[^`bdgimpsw   Z>9=>C@BCC"
-    "EFGILNQTVXZ^`cehlpt   ]F C5HDGIIKJFFGILNQTVY[^adhmq   ]    JJJMORRJHFFGILNQTVY]`dhm   Z   "
-    " =NJMOSUOMJIGGHJLPRUX[`di   X      HMNTVQPMLKIGGHLMPSW[ae   W       RJTVSQNNMLKIHNJMOSW[` "
-    "  T       JKQSSRMMMNMLKQKNMOQST                                   HACBDEDEEFGHIKLMNNNOOOOO"
-    "OOOON   KF ;FIGGFGGGGHIJLMNNNOOOOOOOQ   M    IJGJIJIHGHHIKLMNNOOOOOOO   M    PJOKKLLKIIHHH"
-    "JKLMNNOOOOO   M      JENLMKKJJIHHIJKLMNNOOP   M       EKLMLKKKIJIHHIJKMNNOP   M       NILM"
-    "LMKKKJJJIKJJKKLMM                                                                         "
-    "          L       FJ      GGIJ    HHIJL   IIJJKMO KKKKLMN LLMMMMNNLMMNNNNOMNMMNNOOKLMNNNOO"
-    "L       HI      FHJK    GHHJK   HHHHILM IIIIJKM JKKKKKMNLLLLLMMNLLMMMMNNMMMMMMNOM       HJ"
-    "      HHJJ    GHGJK   FGHHIKL HHHHHIL HIIIIIKNJJKKKKLMLKLLLLMNMKNMMMNOM       JK      HJJI"
-    "    HHHJK   GFEIIJK FGFGHIK HGHHHHJMHHIIIIJLJJJKKKKLMMKMMLMNM       MI       NJJ     EMKJ "
-    "  DHHHIKL GHIHHIK CGEGFGIKHGGHHHHKHIIHHIIKLIJJKKKML        =        IK      PKJ     OJIJK "
-    "N  HEGJ JFJMJGJKGFDCHEGJIEHHGGHJGJJLHIJLL                 L       @IJ      JJKJ    O=KJ   "
-    "  OIIK   JNDHJ  ?=@DFJ>GKIHHIL                                KKJLNOOOPMLMNOOWPLLKMOOONPML"
-    "MOOPNINKLNONLMNLMNOPM MLKMOQL MMLMOQL MLKLNPO MMMMNOM MLLLMNL MMLMNNOPNOOMOQOLMKNNMLMLRSQR"
-    "RQPQPOPNOOMOQOMNLNNMNNMQRPPQPPQPOPNOPMOQOMNLNNMMNLQRPPRPPQPOOOOPNOQNMMKNNLMNLQSQQRPPRPONPN"
-    "ONPPONMLNNMNNLPRQPRPPQPOLRNNNPPPONMNNNONNPQPOPPPPPOLRNNNPPQPOONNOOOPPOOOOOPOPONQNONORPOOPM"
-    "POPOQONNMMOOONOONOPPMNMMQPPPMNPRMPNLQONPNMQPQSNOSRQNMOPRMKKLPOPNMNPQ<PQRUZ`jo|:MMNQU[dq|;L"
-    "MMOTZco|=MNNPTQeq|>NOOQUNfp|>QPPQUNfr|>OOORUNgo|= KOQSNhv|8GIJKL>WYdISUTUY[fq|:KLLNRJbm|?M"
-    "MNPQG]^jLWWVX^bmt|BRRRTXUgt|                    9EJKOS_]e|                                "
-    "                  < FGGNT_c|<GIKOU]ky|<PSV[dm|||                                        9 "
-    " FHJSZj|9 GGIOU_l|9FHJNT[ir|;MOQV^ku||                              <   NPV`o|:  HIMT]g|: "
-    "FHJOW`o{:GKLOV`kz|<MNOS]g|||                    =    PLdnv<   ORXa{|:  HKNU_i|; IJNR[h||>J"
-    "MORYcqs|>MPPSYk|||                    ?    VLbbz<   OQXc||<  IMPWbi|> JMPW^p||@KOPS[f{{|@P"
-    "QSU^izz|                    >    TM^k|=   OQXcn|=  NPT]hp|? MMQVaj{|AOQSVawxy|BRSXZgqqr{  "
-    "                  >    UM_dq<   PQXdl|=  MQT^i{|@ NOR]exx|COPSXepqr|                      "
-    "        <    SNgu|<   OQYft|=  ORYbyz|@ KMV^oqq|                    PVQP#                 "
-    "          D?*                             NZ[ZYWVVUTSRQOMMOMJ<            MWYXWVUUTSRQONLJ"
-    "KNOL            Xepjfca_]ZXWVUUSQNJF@           Y_ba_^[ZYXWVUTTRSOMIH           TS`L'     "
-    "      PVQP#                                                                               "
+    "4ADFHJNVEGHJKMPVIJJLMORVJLLMOPSWMOOPQRUXPPQRSTVZSUSTUVY]]^YZYY]a4@CEGJMVFGHIKMOUJJKKMNQVKL"
+    "LMNPRWMOOPQRTXQPRRSTVZVVVVVWY^X^_^]^_c7@DFGJOYGGHIJLOVLJKLMNQVKLLMNPRWNOPPPQTXSRSRSTVZVTXW"
+    "WWY^^eXZ]Z^d@BFGILP[IFIIJLOVOKLMMOQVOMMNOPRWSOPPQRTXWUTSSTVZ_WWWWWY^fd]Y^__eGCHIJMR]JHIJLN"
+    "QVQLLMNPSXPMNNOQSXTPPPQSUYYSSTTUW[_YVYWXY^jda^_^_eKFKLMPUbKIKKMORZRKMNOQTZQMNOPQT[TOQQRSUZ"
+    "YSTUTUW[`YWXXXZ_iaba_a_ePFMNOSXfLJKMNPSZTMMNPRUYRNOOPSU[UQPRRSV]XRTTTUW]^XXXXYZ_h[ab`__eWK"
+    "PRSW]iMMNOPRW^VONPQTW[TNPPQTW]UQRSSTW^YTVVWVX^^ZXZZZ[_hh__`aaf1;>@CFJUABCDEHKSHFGHIKNUJIII"
+    "KLPUPMMMNPRXWRORRRUY`RUXUXX]h`bXY_af6?BCEHKNDDEEFHKQIGGHIJNOHIGHJJNSLLLLKMORSTONMORUTUNVRU"
+    "TW      US8ADEFILQEFFGHJLTIHIJJLOQIHIJKMOTKKLLMMPTPQOMOPRVSSPQSRVY   TX[Y[:CEGHJMRFFHHIKNS"
+    "JIJKLMPSJJKLLNPTMMMMNOQURPPOPQSWSURRTRUYL`XT`Y[^?DGHJLOUHHIJKLOTMKKLMNPTLLLMNOQUNNNOPQRVRQ"
+    "QQQRTWVUUTSTVZZ`a^][Y`EEIJKNQXJIJKMNQUOKMMNPRVOMMNOQSWQOPPQRTWVRRSSSVXZWVVVVX[a^a^`[[_IFKL"
+    "MOS]KJKLMORWRLNNOQSXPNOOPRTXSPQQRSUYXSTTTUWZ_WWWWXY]g`][]^^bMGMMNPU_MKMMOPSYSMNOPRUYRNPPQS"
+    "UYUQRRSTVZXRUVUUW[_WWXWXZ^i_d]^^_eUIOOPSXdOMNOPRUZVOPPQSV[UQQRRTW[WSSSTUW][UVVVWY]`ZXZZZ[_"
+    "jgZ_`_`eA    adg     Haeb   UOe`e   aWWhY  aV_]cl  XRU[ccbbc]]]cj c`afcj-,68:<?ACFHKNPSUWZ"
+    "]_abeglhka    .+579=>ACEHJMPRUWZ]_acegills_   1-57:=?ADFIKMPRUWZ]_acegjmqwn   7.78;?@CEHJL"
+    "NQSVXZ]_acehkoou{   >19;=ABEGIKMOQTVX[^`bdghknpv|   F8=<?CDFIJLNPRTWY[_`cdfjkoqwx   O=C?DF"
+    "HIKLNOQSUWY]_acegikoqww   fLJOLMMOPQRRSUVY[^`bdfgimlpsp   EJJIIJROSZGAEEFFIJMQJCFHHINMOTMH"
+    "HIJJNNPSPKKLLMPOQUXZPOOPTQSVWP PVS[TUX   LUVdWWZ   V``hXZ^      tZYdBDCBDFRKOW=<B@ABDEILDD"
+    "DEFDJHLPHECDEEKHKPKGHFFHMJLPTVJOLKQLNRa  NPPXOPS    GS^RSV   OPVdVVY      l[V`FA;:>ASIKU=;"
+    "F><<DCELBFBEDDJFHOGA;@FELEHN=>GEBDMFHNP[=MFIPGINP  GPOUKKP    RO]OOR     V`SSV      gTT]K@"
+    "  AASHIS  GGG7BBFK>JJ8<7JDEKF  ;IHLGGKE  D<GMDEL<Q ;9@MBEK    DMRGGL     QWLJN      ]QPR  "
+    "    dVSY     @RFHR      =JLM     ?N;AK    :>K<BK   TF@MDIK     NM@EK     >NECJ     SSIGL  "
+    "    WQLN      `ZPV      R6EQ        RA      L?FH      L=@J     QK<4I     ?MIAJ      LEBJ  "
+    "    NECJ      SMIK      [RNS      Q BQ        @B      L  H      J  G      KFEK      I8?I  "
+    "    L9KJ      L=EJ      N>CI      XAMQ      Q  P                I  K      L  G      K  H  "
+    "    K  J      J 9I      K FI      L >J      R ?OR@DBEHFHIJKLNPRUWY]_acegjmpvx   V5A>BGGHIH"
+    "IIIKMORTWY[_acfilps   U?=C9HJKMLLKIHIKMORTWY[_beilq   U    ELKNNPOLKIIIKMORUWZ^adhl   S   "
+    " >EDKOPPMMLJIIJKMQSVX]`di   Q     OIMLQRNKLKKJIIJMNQTX[ad   Q       KKQRPMKMKJJIIMKMPSW[` "
+    "  Q       HFPQPOKKMLKKKPJMMOQST                                   M?>FHHFGHHHIJKLMNNOOOOOO"
+    "OOOOO   N?=QLHIJIIIIIIJKLMNNNOOOOONPO   L    KGGIHKJIIIIJKLMNOOOOOOPM   L    VLMJLLKLIJIII"
+    "JKMMNNOOOOO   K      IJKJLIKIJJIIIJKLNNNNOP   L       EGMMHLHKIIIIIJKKMNNOP   L       PFKM"
+    "KLJJJHJJIKJJKLLMM                                                                         "
+    "          K       GJ      GHKJ    HHIKL   JJJKLMN KKLLLMN LLLMMMNOLMMMNNNNLLMMNNOOJKLMNNNO"
+    "L       GH      FGJK    GIHJK   HIIIJLM IIJJJKM JKKKKLMOLLLLLMMNLMLMMMNNKLLLMMNOL       II"
+    "      DFJH    HFGKJ   FFGHHJK GHHIIIL IIJIJJLNIKJKKKLNLNLLLLMNJLNLLMNOL       GJ      IHKI"
+    "    MBHJJ   HIGGIKJ CDGGHIK IHIIJIJLHGIHJJJMLJLKKKKMMKKLNLMNL       LK       UJB     AIKI "
+    "  B=JKIJL 8BEIKGJ BPEGCGIKJIIIGJIKGDKIIJILHLJJKKKML        C        GN      IJI     MLLIM "
+    "M E=@FI  HHLEEJJ>A<@HEFJM?JFGGIJMCHKKIJLL                 N        IG      RIJJ    B>LI   "
+    "  O@HJ    M=FJ   =@EDILOFMJHIL                                OLKLNOONSMMMNOOYONMLMOOLJPMM"
+    "NOPMOLMLMNOOKJMMMNOOLNLLLMONN MLLMOOJ NLLMNON NMMMNOK KLKLMNI LMLMNMOQNOOMOQONNLNNMMNLQRPQ"
+    "RPPQPOPNOOMOQOMMKNNMMMLQSQQRPPRPOOOOPMOQNKLJNNLLMKRSRRRQQRPPNPNPNPPNOMKMMMMMKPSRPRQPRQPNPM"
+    "ONPPOOMLNMMOMLORRORQPQQPMRMONQPPPMNNNNONMPPQNPQPPQOLROOMQPQPNONNNONOPOPOOPPPPONQNONPQRPOQM"
+    "PNOORONOMLOPOOOOOPOOMNNLQPQPMNPRLNNJRMNPNMQPQTNNSRRPLPPTLJJLPPPNMNPQ,KKKLQW`i|*CDGHLQXe|0@"
+    "BDHLRYc|4@CFJNM[hz7CFGLQK_f|8HHJMQK_hy8HPNPQJ^e{; HRQSK`gw-DCCEI=QRfINQQRVZ^f|0DDFHLGYd|9I"
+    "HIJNHWWWMQQQSW^fmz>LLMPSS_j|                    3EB@EJUS^|                                "
+    "                  . >>>IR[d|+BDHLTZcy|,LPSX_h|||                                        . "
+    " >BFMTa|* <@EJQZj|(BAFIOVej|(DHLQWdq||                              9   KNSYi|/  BDIOX`|+ "
+    ">?DJQZh|*;BFKPXcm|'@DHNW`|||                    =    XJknv:   NPU[k|-  BFJQXet- BDHMT`j|-@"
+    "CFMR]cj|,@DINUak||                    ?    WI_ho9   QQV^m|1  DGLR[`|0 HGJRXh||1DEIOV]h||0B"
+    "FKRWd{z|                    =    XJ^f|9   NPT[eu5  KKPVbl|4 HIKQZp||3BHJR[myz|3MJMW_rrs{  "
+    "                  >    ]J]`n7   NOU]c|7  OOOW^j|5 PNRYbyz|7HQPVoqrs|                      "
+    "        >    VKgp|:   OQU^eu9  SUYar{|4 HMSZprr|                    QUPP#                 "
+    "          E>)                             MWWVTSRRRQQPOMLOMFE<            JSTSSRQQQPPOMLJK"
+    "LMSH            Zgkd__^ZUSQRRSRROJFA@           W[ZYYXXXWRQRRQTPRKGDF           TU[N&     "
+    "      QUOP#                                                                               "
     "                                                                                          "
-    "                                                                  F'              D?*     "
-    "                                                                                          "
-    "                                                                                          "
-    "                                                    O[[ZYWWVUTSQQONN@LOQPPMK>       QOONPP"
-    "OMP@      YWOOOOPONO@     ^]WONMNQOLM     ba]WNMNLMQNO    he`]WMLLMOML    niea]VLKKKPNJ   "
-    "rqjea^VLLKLMN   ssojda]VLKJGH   u|uniea]VLJIL>  t||tqog`]VKHID  {s{{smoeb^VJGGH yyyyqqnnhb"
-    "]WIFH wwwwwwoolfe_VFA vvvvvvvvmjmg_XJBNWYXWVUUTSRQONLLCJOOONJNNO      NPPOONMLKJ      XUQP"
-    "OPPKMF      _[VQOOOOLMG     b`[VQOOOOGI     fd`[VPNNNPMH@   hge`[VPNNLMI>   okff`[VPMNNQNI"
-    "  rmjgd`]VOMMMNJ@ ||mked^[UOLLMMJ ||mqhhd_[VNJNONFzzzrzghd^[UMKMNJxxxxxxfhe`]VLFPKuuuuuuud"
-    "ec_]VJIMssssssssskh`dZMBXepjfca_]ZXWVUUQ                                                  "
+    "                                                                  G&              E>)     "
     "                                                                                          "
     "                                                                                          "
-    "          Y_ba_^[ZYXWVUTTQ                                                                "
+    "                                                    NWVUTSRRRQQPONMN@LKLKKIFE       RNMMJH"
+    "NII?      XVMNNKHIHN@     `]WMLIKINFG     ed_XKIJIJMMK    ifd_WIHILFKI    pjfd^VHHHKHF    "
+    "qrkfc_VHHJLAI   vxokhe^WHGIKI   w|qpkgd^WHIKL>  x||vqnje_WHGJF  u{{{opmhe`WFHBC yyyyvupmlh"
+    "_XFEA wwwwwwkmjgj`VB< vvvvvvvvkiqi]VE=KSTSRRQQQPPOMLJMBKLMMLFLJH      OONKNMIJFL      WTOM"
+    "LOQHJ@      ^ZVOLMLPFJG     a`[UMKNLPDB     ee`[UMKMIOJI@   jge`^ULKNHOD>   rmfea]ULLNHQMI"
+    "  uolfd`]TKLLJMG@ |xqldd_[ULILHNO ||snhic`[TKINMKDzzzuzigda[UKHMJHxxxxxxkneb]TIFQNuuuuuuui"
+    "bd_ZUGJOsssssssssmf`dVICZgkd__^ZUSQRRSRO                                                  "
     "                                                                                          "
-    "                                                                                      PZUQ"
-    "#           SORT#           TXNP#           ZYNO$           SZTK(           MOMD8         "
-    "  RTD.            JT9>            HQ'             GG/             KN>8            HR.     "
-    "        '               8                                               C>-             K>"
-    "1             ES5             I.              ,                                           "
     "                                                                                          "
-    "                                                                          IXYYXWWVVUTSRPPO"
-    "NVVUTSRSTTTUURTPQVVTSQPNNNMK    SWVVTSQOMKOLH   TZXVUSRPOMLNKO  U]YWVURRPONLMG  U_]YVUTRRO"
-    "MJMM? Vc`]XVUSRROMMLL?Vec_]YVUSRQNKE= Vggb_ZXVTSQQNKC Vgjfb^[XVTSQPKH;Viikda^YWUSQPNJDVgpi"
-    "kd_]YWTRPNJHWjothjc_[XVSPLH9Rb||niid_[XUTPMIMWYXWWVUTSRQPNMKBHNONQNOMQ      RKMNNMPOKJ    "
-    "  VRPNNLNOMPO     [WSPNMMMPNOO    `[WSPOMLLOI     c_[WSONLMJLM    gd_ZWSONLLIPM   ifd_ZVRN"
-    "MKMKH   khfd_ZURNNLJA   oqhgc^ZVRNMKHK  pmnhfb^YUQMMKIF |rnlgeb]YVQLLIFOssnnkfdb]YVPLJHNxx"
-    "xmmggeaZYUPIC owwooldceaZYVUMI|||lb_[YYWVVTRQMppkgigfb^ZXWWXUQkkk`ckcck]Y[ZRYN            "
-    "    Q               P^ffffffPPH     Oaiiiiii]MTF    P]ckkkkkcZLMG   P]lllllldZWMNF  RZnnnn"
-    "nn[VUWMO> T^gogoogdWQUVNPFT`eppceb_`VQUVLITep`ppd`]_`USVVNTaoddood`]_cVSVPT`oodcooc]^b`WRR"
-    "Wduuumfhheba`^ZRY`ca`^[ZYYWVUTTQIKTZSWK         RMQ[RT?         WVXTPNVJ        [b^^SPQN? "
-    "      __bX[TPPN@      ^`gcWXVRRO=     a^[]]VUSPON@    ca]^ZYUVTPQS=   jcc^_YYUUROPN@  qicf"
-    "`^^^XOPOPR@ rrrcga]_ZYOSMMM qqqidq^eZZUMRJM qqqqqbi`e[YTLSQMppppppep]`Z[UJTLuuuuuuufucda]Z"
-    "VQ                71              JO,             JVTD8           SaWK)           bXLO(   "
-    "        V]NO#           SMSW#           PZUQ#           TSPP'           RTMS(           V["
-    "RN(           TSLH7           OKC8            |UF.            NO97                        "
-    "                                                    ,               H/              Hj5   "
-    "          L%              C>-             JA1             B8              K8              "
-    "                                                                                IXYYXWWVVU"
-    "TSRPPONVVUTSRSTTTUURTPQWVTSQPNOMMMQ   SWWVTSQOMLONK   SZXWVSSPOMMKKO  U]YWVUSRPPNMNG  U_]Y"
-    "WUTSRPNLOH? Vc`]YVUTSSPNMLL>Vec_]YVUTRROLHH Vfgb_ZXVUSRQNKB Vgjfb^[XVTSQPLH9Viijda^YWUSQPO"
-    "JDWgoijd_]YWTRPMKHWjothjc_[XVSPMH:Ra{{nhhd_[XUTPMJ                ISWWWVVUTTRQPOLLMRTTTTTT"
-    "TSSQQQNKQTSSRQOONPOPG   SVUSSQPONLJC    TYWUTRQPNNNKB   U]ZVTSRQPOMKI>  V^]YWTSRPPOMNJ= Va"
-    "`]YVTRQPPNJMI Wbd`]YVTRQONNKI?Wcic^[YUSRPNNNHEWcjfb^[XUSQPNMMEWbikfa]ZXTRQPMLLWbjkhe`[YWSQ"
-    "OML@Wbnjhhd`YYWSNNLEU]psjheb_ZXWSOOM|||lb_[YYWVVTRQMppkgigfb^ZXWWXUQkkk`ckcck]Y[ZRYN      "
-    "          Q               P^ffffffPPH     Oaiiiiii]MTF    P]ckkkkkcZLMG   P]lllllldZWMNF  "
-    "RZnnnnnn[VUWMO> T^gogoogdWQUVNPFT`eppceb_`VQUVLITep`ppd`]_`USVVNTaoddood`]_cVSVPT`oodcooc]"
-    "^b`WRRWduuumfhheba`^ZRhfb`^[YXWWVTSRQPbdcfca`_]ZXXVUVQ[bbacacarZWXVVTQVVZ[XX[aiTNVXbXNTZZ^"
-    "YXVXaXSMJ  QT[^X[WWTXWTTMH  UZ`[YZUWUWSSPK TT[e`]YXWVTXSRRK TZde^[YWXXSWUNZIT]eeb^[YVVUUXT"
-    "SNT]dffc][XWUXTYUPU[ddfqb`[YYWVS[QTZpehehdYYXVSWRRS^ppdgogd[XZWUTQT[_nnebee`WZVTSSTYpppphc"
-    "hdaZXZUR RLN>                            LA                              OMMMMMMMMMMLLLJOM"
-    "OM             OMMMMMMMMLLLKLJJJLO             NJMQPOOOONMMLLLLMLJ@            MMLNMMMMNMM"
-    "LNMMLMJJI           ";
+    "          W[ZYYXXXWRQRRQTO                                                                "
+    "                                                                                          "
+    "                                                                                      PYTQ"
+    "#           TOPR#           TXLN#           ZWLQ#           QVRK(           LPNC8         "
+    "  SUD-            KQ2=            IP&             HI.             NN68            JU-     "
+    "        &               8                                               C>,             L:"
+    "0             ER4             F-              +                                           "
+    "                                                                                          "
+    "                                                                          HUVUTRSSSRQQPNON"
+    "NTRSOMLOPMMYNUSMQUTRQLLILNNI    RWUTRQLKIJONI   SXVTQPPLJHLQOP  UYXVTPOPLKJLKJ  W]YWVSPOQM"
+    "KGNH? Wb[ZWVSOOQMHLLB?Ve^ZYWVSOPQLIB= Uda[ZXXUSOQRKG< Tce`[ZXWUSOOPIH;Tldh^ZZXWUSOOOCITnnc"
+    "kbZXXWTQMIJMUvorah`ZXVVSQJB9Pf||iee`YWVUUPMJJTTTSRQQQPOOMLKLBIKLKNMMIG      OKLJHJNKQQ@   "
+    "  TQMLLFJOLM      YURMMJKFMNTP    ]XVRMLJJFPJ     _[WVQMKIKEJO    aaZWURMKJKDKQ   a``ZWUQL"
+    "KIKJB   ccb_[XUQLLKHB   iiec`[XVQLJJHN  ngkec_^XVQLLJIF vxhhee`[YWQKJJIOqwkkifd_]YXQLIENxx"
+    "xlfdeb`YYVPL@ wkwiniaab[XVVTKG||n`XXVTSQQRQQQMlecfggd_WTSRSTRPcccccccccYG                 "
+    "    RccccccOIN      Sjjjjjj]JJB     S`llllllZHLB    RammmmmaYTGHE   Tnnnnnn[TQRIHD  Xppppp"
+    "peRMMTFJ> X_qqele_`RKNQIIFV^hlqca_[^SLPSFEYp`^ppe`_]_OMQUJXooZgooed^]bQMQOXooo]aooe`^a`RMO"
+    "YouuuifjljfgcdWPW]ZZZYWXWSQRRQTPLQWPNO?         TPYSKK          VWRQNJT?        XXVXQPMQ= "
+    "      Z_cUWURJO=      WXZ]SSSSJN=     _]XUYVTSLJN?    _c[YUYWUSLJQ=   lhb[`Y^[KSLJK@  rhhm"
+    "dcc`_COMGQ@ rrrjjec^[[ESNGJ rrrrjqdm]ZVEVJE qqqqqknfl]ZVEZQGppppppjkdg]^XEVIuuuuuuunuilg^]"
+    "UO                <0              MS,             JYVC8           OaUL(           gWIR'   "
+    "        U^LM#           SMQU#           PYTQ#           USNO&           SSKR'           UV"
+    "OO'           UPM@6           NL?8            |WF-            PO16                        "
+    "                                                    +               E.              Hk4   "
+    "          L$              C>,             L<0             C8              K8              "
+    "                                                                                HUVUSRSSSR"
+    "QQPNONNURSPMLNNMMWNTTLQUTRRMMKNKKH    RWUTRRMLILNOK   SXVTRPQMKIMKPP  UYXVTPPPMMKNKH  W]YW"
+    "VSPPQMLHOE? Wb]YWVSOPRMKLKF>Ve^ZYXVSOPRLJDE Udb[ZXXUSOQRKH< Tce`[ZXXUSOPPIG9Tlch_ZYWXTSOOP"
+    "CITnnbkbZXXWTQMIKMTvoraj`ZXVWSQKB:Pe{{hed`YWUUUPMJ                GPRRRRQQQQPOMMJMLPPPONMM"
+    "LPQMQP@TPSQPONMKIHHRU   RUSRPNNMMID@    TXUSQPNMNLIH?   U[XURQOMNNLIA>  V^ZWTRQONMNKIG= Wb"
+    "^ZWTRQONMMIGD Vbc]YWTRPOMLMJD?U`b^WZWSQQOMJJFAUa`^^WYWSRPOKIJKUdaa__XXVRQPNLGLUedca][WXVQQ"
+    "NMJBSfqc^_^]TXVRNLLES^{kgc_][WUTPNON||n`XXVTSQQRQQQMlecfggd_WTSRSTRPcccccccccYG           "
+    "          RccccccOIN      Sjjjjjj]JJB     S`llllllZHLB    RammmmmaYTGHE   Tnnnnnn[TQRIHD  "
+    "XppppppeRMMTFJ> X_qqele_`RKNQIIFV^hlqca_[^SLPSFEYp`^ppe`_]_OMQUJXooZgooed^]bQMQOXooo]aooe`"
+    "^a`RMOYouuuifjljfgcdWP[^YXVUTSSRRRQOSLWZ____^^YSQSRRTPUXZTZYccXMMTRRWLUUYVW]agVOH@    UZW^"
+    "`XY`XOPKG  OUYXU]YVW]SORKD  T_^WYYWVUYPQOG TT_`[ZXVWVSUPPQJ TbhYWZXUYWSWTMXGT[i`[XZWUVTVWQ"
+    "TMT]Wh_[WYWXXXVZTPSeWegqYYXWZZWTYPScpYjgi_SVWZWZURSdppXlo__WWZYYTQRennn[]jgXRZUXUSRcppppa["
+    "c^^UUWTR RKN=                            KB                              OMMMMLLLLMLMKKJOJ"
+    "LK             OLLLLLLLLLKKJKHFKGL             UQPONNNNMLKLKMJMKJD@            RMLMMMMMMLK"
+    "KLKMJLHCJ           ";
 
 constexpr std::array<std::int16_t, 216> kWeights = {
-    -1071, 812, 1090, 307, 307, 307, 307, 307,
-    -206, 420, 199, -255, -48, 395, 307, 307,
-    -168, 316, 44, -79, 3, 408, 307, 307,
-    5, 203, 19, -57, -63, 629, 307, 307,
-    53, 331, 177, -120, 39, 472, 307, 307,
-    382, 299, 315, -206, -178, 527, 307, 307,
-    488, 123, 358, -231, -347, 514, 307, 307,
-    519, 36, 351, -47, -471, 662, 307, 307,
-    686, -174, 514, -118, -402, 607, 307, 307,
-    13, 324, 137, 121, 263, 307, 307, 307,
-    99, 484, 278, 142, 258, 307, 307, 307,
-    -35, 337, 176, 389, 192, 307, 307, 307,
-    101, 322, 242, 152, 80, 307, 307, 307,
-    157, 381, 190, 385, 340, 307, 307, 307,
-    -10, 339, 114, 279, 151, 307, 307, 307,
-    152, 325, 134, 306, 331, 307, 307, 307,
-    259, 91, 293, 362, 251, 307, 307, 307,
-    397, 114, 235, 99, 307, 307, 307, 307,
-    187, 334, 163, 277, 242, 289, 307, 307,
-    -1212, 1040, 305, 901, 307, 307, 307, 307,
-    -99, 327, 178, 605, 307, 307, 307, 307,
-    -325, 1072, 630, -29, 307, 307, 307, 307,
-    -972, 867, 1276, 429, 307, 307, 307, 307,
-    413, -201, 385, 385, 307, 307, 307, 307,
-    -12, -523, 1063, 966, 307, 307, 307, 307,
-    494, 212, 109, 307, 307, 307, 307, 307,
-    232, 122, 307, 307, 307, 307, 307, 307,
+    -949, 923, 1132, 307, 307, 307, 307, 307,
+    188, 290, 310, -100, -152, 405, 307, 307,
+    240, 163, 343, -18, -202, 419, 307, 307,
+    285, 83, 379, -51, -226, 422, 307, 307,
+    290, 24, 463, -133, -178, 375, 307, 307,
+    371, -50, 484, -257, -123, 331, 307, 307,
+    463, -153, 539, -403, -102, 310, 307, 307,
+    549, -243, 596, -416, -189, 431, 307, 307,
+    463, -141, 605, -421, -234, 534, 307, 307,
+    136, 450, 89, 80, 143, 307, 307, 307,
+    212, 393, 67, 105, 190, 307, 307, 307,
+    215, 326, 79, 139, 204, 307, 307, 307,
+    196, 290, 77, 145, 221, 307, 307, 307,
+    161, 237, 61, 173, 213, 307, 307, 307,
+    142, 185, 41, 199, 235, 307, 307, 307,
+    131, 121, 59, 225, 251, 307, 307, 307,
+    313, -154, 139, 287, 264, 307, 307, 307,
+    386, 202, 103, 134, 307, 307, 307, 307,
+    511, 597, 149, 185, 97, 192, 307, 307,
+    -902, 1008, 136, 765, 307, 307, 307, 307,
+    -148, 324, 181, 657, 307, 307, 307, 307,
+    -273, 886, 625, 81, 307, 307, 307, 307,
+    -979, 803, 871, 740, 307, 307, 307, 307,
+    510, -145, 468, 468, 307, 307, 307, 307,
+    243, -551, 827, 831, 307, 307, 307, 307,
+    434, 138, 137, 307, 307, 307, 307, 307,
+    108, 168, 307, 307, 307, 307, 307, 307,
 };
 // clang-format on
 
