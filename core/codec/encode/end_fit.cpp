@@ -26,7 +26,7 @@ struct Tolerance {
   bool at_most;  // no point further off; else the RMS over the points
 };
 
-constexpr double kEven = 0.85;  // of the target
+constexpr double kEven = 0.75;  // of the target
 constexpr double kExact = 0.1;
 
 Tolerance tolerance_of(const EncodeOptions& options, double share, double eps_cm) {
