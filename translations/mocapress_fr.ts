@@ -633,6 +633,10 @@
         <source>No task has all clips of a bank: choose none to write a script.</source>
         <translation>Aucune tâche n&apos;a tous les clips d&apos;une banque : choisissez « Aucune » pour écrire un script.</translation>
     </message>
+    <message>
+        <source>Character</source>
+        <translation>Personnage</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchStatus</name>
@@ -836,6 +840,14 @@
         <source>Open Rep&amp;ort</source>
         <translation>Ouvrir le rapp&amp;ort</translation>
     </message>
+    <message>
+        <source>Character on all clips</source>
+        <translation>Personnage sur tous les clips</translation>
+    </message>
+    <message>
+        <source>Character on All Clips</source>
+        <translation>Personnage sur tous les clips</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ChannelGraph</name>
@@ -894,6 +906,29 @@
     <message>
         <source>Difference (%1)</source>
         <translation>Différence (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::CharacterChoice</name>
+    <message>
+        <source>Take the character off</source>
+        <translation>Retirer le personnage</translation>
+    </message>
+    <message>
+        <source>Take the character off: each clip has its own mesh, if it has one</source>
+        <translation>Retirer le personnage : chaque clip a son propre maillage, s’il en a un</translation>
+    </message>
+    <message>
+        <source>Each clip&apos;s own</source>
+        <translation>Celui de chaque clip</translation>
+    </message>
+    <message>
+        <source>Character on all clips: %1</source>
+        <translation>Personnage sur tous les clips : %1</translation>
+    </message>
+    <message>
+        <source>The mesh of an FBX or glTF that is put on every clip: errors are measured on it, and the weighting Skin compresses by it. A clip that lacks one of its joints fails, and says so.</source>
+        <translation>Le maillage d’un FBX ou d’un glTF, mis sur chaque clip : les erreurs y sont mesurées, et la pondération Peau compresse d’après lui. Un clip auquel manque une de ses articulations échoue, et le dit.</translation>
     </message>
 </context>
 <context>

@@ -632,6 +632,10 @@
         <source>No task has all clips of a bank: choose none to write a script.</source>
         <translation>どのタスクもバンクの全クリップを持ちません。スクリプトを書くには「なし」を選んでください。</translation>
     </message>
+    <message>
+        <source>Character</source>
+        <translation>キャラクター</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchStatus</name>
@@ -828,6 +832,14 @@
         <source>Open Rep&amp;ort</source>
         <translation>報告を開く(&amp;O)</translation>
     </message>
+    <message>
+        <source>Character on all clips</source>
+        <translation>すべてのクリップのキャラクター</translation>
+    </message>
+    <message>
+        <source>Character on All Clips</source>
+        <translation>すべてのクリップのキャラクター</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ChannelGraph</name>
@@ -886,6 +898,29 @@
     <message>
         <source>Difference (%1)</source>
         <translation>差 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::CharacterChoice</name>
+    <message>
+        <source>Take the character off</source>
+        <translation>キャラクターを外す</translation>
+    </message>
+    <message>
+        <source>Take the character off: each clip has its own mesh, if it has one</source>
+        <translation>キャラクターを外す：各クリップは、あればそれ自身のメッシュを使います</translation>
+    </message>
+    <message>
+        <source>Each clip&apos;s own</source>
+        <translation>クリップごとのもの</translation>
+    </message>
+    <message>
+        <source>Character on all clips: %1</source>
+        <translation>すべてのクリップのキャラクター：%1</translation>
+    </message>
+    <message>
+        <source>The mesh of an FBX or glTF that is put on every clip: errors are measured on it, and the weighting Skin compresses by it. A clip that lacks one of its joints fails, and says so.</source>
+        <translation>すべてのクリップに着せる、FBX または glTF のメッシュ。誤差はその上で測られ、重み付け「スキン」はそれに従って圧縮します。その関節を欠くクリップは失敗し、その旨が示されます。</translation>
     </message>
 </context>
 <context>

@@ -181,6 +181,7 @@ TEST_F(BatchInTheStudio, TheQueueOutlivesTheProgram) {
   session_.queue()->setOwn({2}, built_in_presets()[3]);
   BatchSettings settings = session_.settings();
   settings.bank = runtime::BankForm::Cooked;
+  settings.character = path("hero.glb");
   session_.setSettings(settings);
   session_.start();  // remembers at once, whatever happens then
   const BatchSession later(path("memory.json"), &presets_);
@@ -364,6 +365,37 @@ TEST_F(BatchInTheStudio, MakesABankOfItsCompressedFilesAndOfNothingElse) {
   settings.formats = {OutputFormat::Bvh};
   session_.setSettings(settings);
   EXPECT_FALSE(session_.obstacle().isEmpty());
+}
+
+TEST_F(BatchInTheStudio, PutsItsCharacterOnEveryClip) {
+  const QString samples = QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/");
+  if (!QFile::exists(samples + QStringLiteral("character.glb"))) GTEST_SKIP() << "no character";
+  const QString walk = samples + QStringLiteral("human_walk.amc");
+  session_.addClips({walk});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.queue()->rowCount() == 1; }, kPatience));
+  session_.addTuned(
+      {{samples + QStringLiteral("human_run.amc"), {}, {}, {.sample_rate_hz = 60.0}}});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.queue()->rowCount() == 2; }, kPatience));
+  session_.setSettings({.folder = path("out")});
+  session_.setCommon(
+      {.name = "rough", .weighting = Weighting::Skin, .target = {Target::Kind::Error, 2}});
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(session_.counts().failed, 2u) << "there is no skin";
+
+  BatchSettings dressed = session_.settings();
+  dressed.character = samples + QStringLiteral("character.glb");
+  session_.setSettings(dressed);
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(count(ClipState::Done), 2);
+
+  // What was done is not what is asked for any more.
+  session_.undo();
+  EXPECT_TRUE(session_.settings().character.isEmpty());
+  EXPECT_EQ(count(ClipState::Waiting), 2);
+  session_.redo();
+  EXPECT_EQ(session_.settings().character, dressed.character);
 }
 
 TEST_F(BatchInTheStudio, WhileItRunsClipsAreRefusedAloud) {

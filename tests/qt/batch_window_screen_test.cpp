@@ -16,6 +16,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <cstdlib>
 
 #include "app/studio/batch/batch_memory.h"
@@ -27,6 +28,7 @@
 #include "widgets/models/colours.h"
 #include "widgets/panels/batch_output.h"
 #include "widgets/panels/batch_queue_view.h"
+#include "widgets/panels/character_choice.h"
 #include "widgets/panels/preset_chooser.h"
 #include "widgets/panels/preset_editor.h"
 
@@ -113,6 +115,20 @@ TEST(BatchWindowOnScreen, ClipsAreDroppedSetUpExportedAndReportedOn) {
   QTest::keyClick(window, Qt::Key_Escape);
   EXPECT_TRUE(window->view()->selectedRows().empty());
   emit window->editor()->chooser()->box()->activated(1);
+
+  // A character is shown by its name, taken off by a click and put on again by Undo.
+  settings = session->settings();
+  settings.character = QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/character.glb");
+  session->setSettings(settings);
+  EXPECT_EQ(window->character()->file()->text(), QStringLiteral("character.glb"));
+  pictureOf(*window, "batch-character.png");
+  QTest::mouseClick(window->character()->removal(), Qt::LeftButton);
+  EXPECT_TRUE(session->settings().character.isEmpty());
+  EXPECT_FALSE(window->character()->removal()->isVisible());
+  session->undo();
+  EXPECT_EQ(window->character()->file()->text(), QStringLiteral("character.glb"));
+  session->undo();
+  EXPECT_NE(window->character()->file()->text(), QStringLiteral("character.glb"));
 
   // What is done to the queue is undone here, and not in the studio.
   window->activateWindow();

@@ -15,9 +15,10 @@
 
 namespace mocapress {
 
-/// Where the files of a batch go, and which.
+/// Where the files of a batch go, and which; and what is put on its clips.
 struct BatchSettings {
-  QString folder;  // empty: not chosen yet
+  QString character;  // path of a mesh for every clip; empty: each has its own
+  QString folder;     // empty: not chosen yet
   QString names = QString::fromUtf8(kUsualNames);
   std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
   std::optional<runtime::BankForm> bank;

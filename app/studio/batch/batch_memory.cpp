@@ -49,6 +49,7 @@ BatchSettings settingsFrom(const Json& json) {
   settings.folder = QString::fromStdString(json.at("folder").get<std::string>());
   settings.names = QString::fromStdString(json.at("names").get<std::string>());
   settings.overwrite = json.at("overwrite").get<bool>();
+  settings.character = QString::fromStdString(json.value("character", std::string()));
   settings.formats.clear();
   for (const Json& format : json.at("formats"))
     if (const auto known = output_format(format.get<std::string>()))
@@ -81,6 +82,7 @@ void rememberBatch(const QString& file, const RememberedBatch& batch) {
   const Json json{{"folder", batch.settings.folder.toStdString()},
                   {"names", batch.settings.names.toStdString()},
                   {"overwrite", batch.settings.overwrite},
+                  {"character", batch.settings.character.toStdString()},
                   {"formats", formats},
                   {"bank", batch.settings.bank ? Json(name(*batch.settings.bank)) : Json()},
                   {"common", to_json(batch.common)},

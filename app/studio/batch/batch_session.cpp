@@ -95,10 +95,11 @@ void BatchSession::remember() {
 }
 
 void BatchSession::apply(const BatchSettings& settings) {
-  const bool elsewhere = settings.folder != settings_.folder || settings.names != settings_.names ||
-                         settings.formats != settings_.formats;
+  const bool anew = settings.folder != settings_.folder || settings.names != settings_.names ||
+                    settings.formats != settings_.formats ||
+                    settings.character != settings_.character;
   settings_ = settings;
-  if (elsewhere) queue_.waitAgain();
+  if (anew) queue_.waitAgain();
   remember_later_.start();
   emit settingsChanged();
   setState(State::Idle);
@@ -162,8 +163,9 @@ void BatchSession::setSettings(const BatchSettings& settings) {
   BatchSettings renamed = settings_;
   renamed.names = settings.names;
   const QString kind = renamed == settings ? QStringLiteral("names") : QString();  // as typed
+  const bool dresses = settings.character != settings_.character;
   history_.push(new EditStep(
-      tr("Output"), [this, settings] { apply(settings); },
+      dresses ? tr("Character") : tr("Output"), [this, settings] { apply(settings); },
       [this, before = settings_] { apply(before); }, kind));
 }
 
@@ -288,6 +290,7 @@ std::vector<int> BatchSession::includedRows() const {
 /// The common preset first, then those of locked clips.
 Batch BatchSession::batch() const {
   Batch batch{.presets = {queue_.common()}, .formats = settings_.formats, .bank = settings_.bank};
+  if (!settings_.character.isEmpty()) batch.reading.character = settings_.character.toStdString();
   const std::string names = settings_.names.toStdString();
   for (const int row : includedRows()) {
     const QueuedClip& clip = queue_.clips()[static_cast<std::size_t>(row)];
@@ -303,7 +306,10 @@ Batch BatchSession::batch() const {
     BatchItem item = batch.items[batch.items.size() - 1];
     item.skeleton = clip.skeleton;
     item.review = clip.review;
-    if (clip.reading != ReadOptions()) item.reading = clip.reading;
+    if (clip.reading != ReadOptions()) {
+      item.reading = clip.reading;
+      item.reading->character = batch.reading.character;
+    }
     batch.items.replace(batch.items.size() - 1, item);
   }
   mark_collisions(batch);

@@ -30,6 +30,7 @@
 #include "widgets/models/number_text.h"
 #include "widgets/panels/batch_output.h"
 #include "widgets/panels/batch_queue_view.h"
+#include "widgets/panels/character_choice.h"
 #include "widgets/panels/preset_chooser.h"
 #include "widgets/panels/preset_editor.h"
 
@@ -143,6 +144,7 @@ BatchWindow::BatchWindow(BatchSession* session, QWidget* parent)
       session_(session),
       view_(new BatchQueueView(session->queue(), this)),
       editor_(new PresetEditor(this)),
+      character_(new CharacterChoice(this)),
       output_(new BatchOutput(this)),
       whose_(makeHeading({}, this)),
       unlock_(new QPushButton(tr("Give Them the Shared Settings"), this)),
@@ -227,6 +229,9 @@ QWidget* BatchWindow::makeSettings() {
   column->addWidget(whose_);
   column->addWidget(editor_);
   column->addWidget(unlock_);
+  column->addSpacing(12);
+  column->addWidget(makeHeading(tr("Character on all clips"), this));
+  column->addWidget(character_);
   column->addSpacing(12);
   column->addWidget(makeHeading(tr("Output"), this));
   column->addWidget(output_);
@@ -324,6 +329,8 @@ void BatchWindow::connectQueue() {
   });
   connect(output_, &BatchOutput::settingsChanged, session_, &BatchSession::setSettings);
   connect(output_, &BatchOutput::folderRequested, this, &BatchWindow::chooseFolder);
+  connect(character_, &CharacterChoice::fileRequested, this, &BatchWindow::chooseCharacter);
+  connect(character_, &CharacterChoice::removed, this, [this] { putCharacter({}); });
 }
 
 void BatchWindow::connectPresets() {
@@ -350,6 +357,20 @@ void BatchWindow::chooseFolder() {
   if (folder.isEmpty()) return;
   BatchSettings settings = session_->settings();
   settings.folder = folder;
+  session_->setSettings(settings);
+}
+
+void BatchWindow::chooseCharacter() {
+  const QString& now = session_->settings().character;
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Character on All Clips"), now.isEmpty() ? QString() : QFileInfo(now).path(),
+      ClipFiles::tr("Characters (*.fbx *.glb *.gltf)"));
+  if (!path.isEmpty()) putCharacter(path);
+}
+
+void BatchWindow::putCharacter(const QString& path) {
+  BatchSettings settings = session_->settings();
+  settings.character = path;
   session_->setSettings(settings);
 }
 
@@ -395,6 +416,7 @@ void BatchWindow::showSelection() {
 
 void BatchWindow::showOutput() {
   output_->setSettings(session_->settings());
+  character_->setPath(session_->settings().character);
   bool wrong = false;
   const QString example = session_->exampleName(&wrong);
   output_->setExample(example, wrong);

@@ -17,6 +17,7 @@ namespace mocapress {
 class BatchOutput;
 class BatchQueueView;
 class BatchSession;
+class CharacterChoice;
 class PresetEditor;
 
 /// How far a batch is, in one line.
@@ -39,6 +40,7 @@ class BatchWindow : public QWidget {
   BatchSession* session() { return session_; }
   BatchQueueView* view() { return view_; }
   PresetEditor* editor() { return editor_; }
+  CharacterChoice* character() { return character_; }
   BatchOutput* output() { return output_; }
   QPushButton* startButton() { return start_; }
   QPushButton* stopButton() { return stop_; }
@@ -65,6 +67,8 @@ class BatchWindow : public QWidget {
   void chooseFiles();
   void chooseClipFolder();
   void chooseFolder();
+  void chooseCharacter();
+  void putCharacter(const QString& path);
   void savePreset(const Settings& preset);
   void writeSlurm();
   void changePreset(const Settings& preset);
@@ -75,6 +79,7 @@ class BatchWindow : public QWidget {
   BatchSession* session_;
   BatchQueueView* view_;
   PresetEditor* editor_;
+  CharacterChoice* character_;
   BatchOutput* output_;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QPushButton;
+class QToolButton;
+
+namespace mocapress {
+
+/// The file of a character that is put on every clip, or none.
+class CharacterChoice : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CharacterChoice(QWidget* parent = nullptr);
+
+  /// Empty: none. Emits nothing.
+  void setPath(const QString& path);
+
+  QPushButton* file() const { return file_; }
+  QToolButton* removal() const { return remove_; }
+
+ signals:
+  void fileRequested();
+  void removed();
+
+ private:
+  QPushButton* file_;
+  QToolButton* remove_;
+};
+
+}  // namespace mocapress
