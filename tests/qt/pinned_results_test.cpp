@@ -22,14 +22,14 @@
 namespace mocapress {
 namespace {
 
-EncodeOptions standard(double ratio) {
+EncodeOptions standardAt(double ratio) {
   return {.method = Method::Standard, .target = {Target::Kind::Ratio, ratio}};
 }
 
 class Pinning : public testing::Test {
  protected:
   Pinning() {
-    session_.setOptions(standard(10));
+    session_.setOptions(standardAt(10));
     open("walk.bvh", 1);
   }
 
@@ -47,7 +47,7 @@ class Pinning : public testing::Test {
   }
 
   void tune(double ratio) {
-    settleAfter([&] { session_.setOptions(standard(ratio)); });
+    settleAfter([&] { session_.setOptions(standardAt(ratio)); });
   }
 
   QTemporaryDir directory_;
@@ -95,7 +95,7 @@ TEST_F(Pinning, FourHaveColoursOfTheirOwnAndAFifthHasNoRoom) {
 TEST_F(Pinning, OneIsMadeCurrentAndThatIsUndone) {
   results_.pinCurrent();
   // By two steps of two kinds: quick ones of one kind are undone together.
-  EncodeOptions other = standard(10);
+  EncodeOptions other = standardAt(10);
   other.weighting = Weighting::JointOrigins;
   settleAfter([&] { session_.setOptions(other); });
   other.target.value = 40;
@@ -155,9 +155,9 @@ TEST_F(Pinning, OneThatCannotBeMadeAnewIsLeftOut) {
   const auto pinOf = [](const char* name, const EncodeOptions& options) {
     return Pin{QString::fromLatin1(name), {}, namedSettings({options, {}, {}}, {})};
   };
-  Pin impossible = pinOf("no", standard(10));
+  Pin impossible = pinOf("no", standardAt(10));
   impossible.settings.preset.target = {Target::Kind::Size, 1};
-  const Pin fine = pinOf("yes", standard(20));
+  const Pin fine = pinOf("yes", standardAt(20));
   results_.setMemory([&](const QString&) { return std::vector{impossible, fine}; });
   open("jump.bvh", 2);
   ASSERT_TRUE(QTest::qWaitFor([this] { return model_.rowCount() == 1; }, kPatience));
@@ -166,7 +166,7 @@ TEST_F(Pinning, OneThatCannotBeMadeAnewIsLeftOut) {
 }
 
 TEST_F(Pinning, OnlyAFinalResultIsPinned) {
-  session_.setOptions(standard(30));
+  session_.setOptions(standardAt(30));
   EXPECT_FALSE(panel_.pinButton()->isEnabled()) << "what is shown is still by other settings";
   results_.pinCurrent();
   EXPECT_EQ(model_.rowCount(), 0);

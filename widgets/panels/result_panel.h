@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/feet/footskate.h"
+#include "core/metrics/distortion.h"
 #include "core/metrics/end_errors.h"
 #include "core/metrics/visibility.h"
 #include "core/motion/landmarks.h"

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/studio/document/document.h"
+#include "core/base/json_text.h"
 #include "core/mocapress/settings.h"
 
 namespace mocapress {
