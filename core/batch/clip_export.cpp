@@ -108,7 +108,7 @@ class Export {
       check(preset_);
       report(ClipProgress::Stage::Reading, 0);
       look_at_places();
-      row_.stamp = stamp(item_);
+      row_.stamp = stamp(item_, row_.reading);
       work();
     } catch (const Stopped&) {
       return std::nullopt;
@@ -341,7 +341,7 @@ bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
   } catch (const InputError&) {
     return false;
   }
-  return unchanged(item, row.stamp);
+  return unchanged(item, row.reading, row.stamp);
 }
 
 std::optional<BatchRow> export_clip(const Batch& batch, std::size_t index, const fs::path& folder,

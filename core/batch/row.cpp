@@ -18,10 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> files_of(const BatchItem& item) {
+std::vector<fs::path> files_of(const BatchItem& item, const ReadOptions& reading) {
   const fs::path input = item.input;
-  if (!equals_ignoring_case(input.extension().string(), ".amc")) return {input};
-  return {input, item.skeleton.empty() ? find_skeleton(input) : fs::path(item.skeleton)};
+  std::vector<fs::path> files = {input};
+  if (equals_ignoring_case(input.extension().string(), ".amc"))
+    files.push_back(item.skeleton.empty() ? find_skeleton(input) : fs::path(item.skeleton));
+  if (reading.character) files.emplace_back(*reading.character);
+  return files;
 }
 
 void add_file(Fnv1a& hash, const fs::path& file) {
@@ -59,16 +62,16 @@ std::string hash_of_all(const std::vector<fs::path>& files) {
 
 }  // namespace
 
-InputStamp stamp(const BatchItem& item) {
-  const std::vector<fs::path> files = files_of(item);
+InputStamp stamp(const BatchItem& item, const ReadOptions& reading) {
+  const std::vector<fs::path> files = files_of(item, reading);
   InputStamp whole = quick_stamp(files);
   whole.hash = hash_of_all(files);
   return whole;
 }
 
-bool unchanged(const BatchItem& item, const InputStamp& stamp) {
+bool unchanged(const BatchItem& item, const ReadOptions& reading, const InputStamp& stamp) {
   try {
-    const std::vector<fs::path> files = files_of(item);
+    const std::vector<fs::path> files = files_of(item, reading);
     const InputStamp quick = quick_stamp(files);
     if (quick.bytes != stamp.bytes) return false;
     return quick.newest_ns == stamp.newest_ns || hash_of_all(files) == stamp.hash;

@@ -15,20 +15,21 @@
 
 namespace mocapress {
 
-/// What a clip's files were when it was done: of an .amc, with its skeleton.
+/// What a clip's files were when it was done: of an .amc, with its skeleton, and of a character
+/// that is put on it.
 struct InputStamp {
   std::uintmax_t bytes = 0;
-  std::int64_t newest_ns = 0;  // when the newer of them was last written
+  std::int64_t newest_ns = 0;  // when the newest of them was last written
   std::string hash;            // of all their bytes
 
   bool operator==(const InputStamp&) const = default;
 };
 
-/// Throws InputError.
-InputStamp stamp(const BatchItem& item);
+/// Of a clip that is read by these options. Throws InputError.
+InputStamp stamp(const BatchItem& item, const ReadOptions& reading);
 
 /// Whether the files still are what they were. Their bytes are only read where their times differ.
-bool unchanged(const BatchItem& item, const InputStamp& stamp);
+bool unchanged(const BatchItem& item, const ReadOptions& reading, const InputStamp& stamp);
 
 /// Of a file's bytes. Throws InputError.
 std::string hash_of(const std::filesystem::path& file);

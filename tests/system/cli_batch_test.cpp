@@ -233,8 +233,9 @@ TEST_F(CliBatch, MeasuresOnTheSkinOfACharacterThatFits) {
   fs::create_directories(file("in"));
   for (const char* name : {"human.asf", "human_walk.amc"})
     write("in/" + std::string(name), read_text(samples / name));
-  const std::vector<std::string> more = {"--character", samples / "character.glb", "--weighting",
-                                         "skin",        "--target-error",          "0.3"};
+  const std::string hero = read_text(samples / "character.glb");
+  std::vector<std::string> more = {"--character", write("hero.glb", hero), "--weighting",
+                                   "skin",        "--target-error",        "0.3"};
   const Outcome made = mocapress(batch("out", more));
   ASSERT_EQ(made.exit_code, 0) << made.err;
   ASSERT_EQ(report("out").size(), 1u);
@@ -242,6 +243,11 @@ TEST_F(CliBatch, MeasuresOnTheSkinOfACharacterThatFits) {
   EXPECT_GT(report("out")[0]["skin_rms_cm"], 0.1);
   const Outcome bare = mocapress(batch("bare", {"--weighting", "skin", "--target-error", "0.3"}));
   EXPECT_EQ(bare.exit_code, 7);
+  // A character that was edited since is not what rows were measured on.
+  more.insert(more.end(), {"--resume", "--overwrite"});
+  EXPECT_THAT(mocapress(batch("out", more)).err, HasSubstr("1 of them before"));
+  write("hero.glb", hero + '\0');
+  EXPECT_THAT(mocapress(batch("out", more)).err, testing::Not(HasSubstr("of them before")));
   // Another character than before is another batch.
   const Outcome other =
       mocapress(batch("out", {"--target-error", "0.3", "--resume", "--overwrite"}));
