@@ -110,6 +110,7 @@ void add_compress(CLI::App& app) {
       ->type_name("INPUT");
   call->source.add_options(*command);
   call->source.add_character_option(*command);
+  call->source.add_tracks_option(*command);
   command->add_option("-o,--output", call->output, "Where to write; without it, only measure")
       ->type_name("OUT.mcpr");
   command

@@ -70,6 +70,7 @@ void add_measure(CLI::App& app) {
       ->type_name("COMPRESSED");
   call->source.add_options(*command);
   call->source.add_character_option(*command);
+  call->source.add_tracks_option(*command);
   call->contact_input.add_options(*command);
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });

@@ -4,6 +4,8 @@
 #include <cstdio>
 
 #include "app/cli/option_words.h"
+#include "core/base/file.h"
+#include "core/formats/csv.h"
 #include "core/formats/text_cursor.h"
 
 namespace mocapress::cli {
@@ -58,6 +60,13 @@ void MotionInput::add_character_option(CLI::App& command) {
       ->type_name("FILE");
 }
 
+void MotionInput::add_tracks_option(CLI::App& command) {
+  command
+      .add_option("--tracks", tracks,
+                  "Curves beside those of INPUT: a line of names, then one of numbers a frame")
+      ->type_name("T.csv");
+}
+
 void MotionOutput::add_options(CLI::App& command) {
   add_format_options(command, "out-", " of what is written [as its source had it]", options);
 }
@@ -65,6 +74,11 @@ void MotionOutput::add_options(CLI::App& command) {
 MotionFile MotionInput::read_file(const std::string& path) const {
   MotionFile file = read_motion(path, skeleton, options);
   print_warnings(file.warnings);
+  if (tracks) {
+    const ScalarTracks more =
+        read_csv_tracks(*tracks, read_text(*tracks), file.motion.clip.frames());
+    file.tracks.insert(file.tracks.end(), more.begin(), more.end());
+  }
   return file;
 }
 

@@ -13,11 +13,15 @@ namespace mocapress::cli {
 struct MotionInput {
   std::optional<std::string> skeleton;
   ReadOptions options;
+  std::optional<std::string> tracks;  // a table of them, beside those of the file
 
   void add_options(CLI::App& command);
 
   /// Of commands that measure.
   void add_character_option(CLI::App& command);
+
+  /// Of commands that look at tracks.
+  void add_tracks_option(CLI::App& command);
 
   /// Reads the file and says on standard error what was repaired or guessed.
   MotionFile read_file(const std::string& path) const;

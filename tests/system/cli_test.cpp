@@ -518,6 +518,28 @@ TEST_F(Cli, KeepsMorphWeightsWithinTheirOwnBound) {
   EXPECT_EQ(mocapress({"compress", source, "--track-error", "0"}).exit_code, 2);
 }
 
+TEST_F(Cli, KeepsCurvesOfATableWithTheClip) {
+  std::string table = "time_s,ik_left,step\n";
+  for (int t = 0; t < 600; ++t)
+    table += "0," + std::to_string(t % 60) + ".5," + (t % 90 < 45 ? "0\n" : "1\n");
+  const std::string curves = write("curves.csv", table);
+  const json made = json_of(
+      {"compress", clip_, "--tracks", curves, "-o", packed_, "--track-error", "0.01", "--json"});
+  EXPECT_EQ(made["tracks"], 2);
+  EXPECT_LE(made["track_max_error"], 0.01);
+  const json measured = json_of({"measure", clip_, packed_, "--tracks", curves, "--json"});
+  EXPECT_EQ(measured["track_max_error"], made["track_max_error"]);
+  const json info = json_of({"info", packed_, "--json"});
+  EXPECT_EQ(info[0]["tracks"][1],
+            (json{{"kind", "property"}, {"node", ""}, {"name", "step"}, {"steps", true}}));
+  ASSERT_EQ(mocapress({"decompress", packed_, "-o", file("back.csv")}).exit_code, 0);
+  EXPECT_THAT(read_text(file("back.csv")), testing::HasSubstr(",ik_left,step\n"));
+
+  const auto missing = mocapress({"compress", clip_, "--tracks", write("a.csv", "a\n1\n")});
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_THAT(missing.err, testing::HasSubstr("a.csv: has values of 1 frame, the clip has 600"));
+}
+
 TEST_F(Cli, DecompressedCsvHasALineForEachFrame) {
   compress({});
   const std::string output = file("back.csv");
