@@ -140,22 +140,23 @@ DecodedPtr measuredAgain(const DecodedClip& decoded, const OriginalClip& origina
   return std::make_shared<const DecodedClip>(std::move(result));
 }
 
-void dress(Skeleton& skeleton, const PutCharacter& put, const Skin* own) {
+Warnings dress(Skeleton& skeleton, const PutCharacter& put, const Skin* own) {
   measure_on(own, skeleton);
   const auto& [skeleton_of_it, skin] = put.character;
-  if (!skin) return;
+  if (!skin) return {};
   try {
     const Skin bound = bound_to(*skin, skeleton_of_it, skeleton);
     measure_on(&bound, skeleton);
+    return surface_warnings(put.path.toStdU16String(), skeleton);
   } catch (const Error&) {
-    // It is of other joints: the clip keeps its own.
+    return {};  // It is of other joints: the clip keeps its own.
   }
 }
 
 OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character) {
   OriginalClip result = original;
   Motion motion = original.motion();
-  dress(motion.skeleton, character, original.skin.get());
+  result.of_character = dress(motion.skeleton, character, original.skin.get());
   if (character.character.skin)
     result.character = character.path;
   else

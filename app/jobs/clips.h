@@ -43,7 +43,8 @@ struct OriginalClip {
   bool states_rate = true;  // the file does
   Warnings warnings;
   std::shared_ptr<const Skin> skin;  // null: the file has none
-  QString character;  // path of the one that was put on it, also of one that does not fit
+  QString character;      // path of the one that was put on it, also of one that does not fit
+  Warnings of_character;  // what to say of that one
   Takes takes;
   ClipOutline outline;
   ScalarTracks scalars;  // morph weights and the like
@@ -110,8 +111,8 @@ DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original);
 DecodedPtr measuredAgain(const DecodedClip& decoded, const OriginalClip& original);
 
 /// Puts the character on the joints, where it fits: Weighting::Skin measures on it. Else, or where
-/// none was put on, on the skin of the file.
-void dress(Skeleton& skeleton, const PutCharacter& character, const Skin* own);
+/// none was put on, on the skin of the file. Returns what to say of the character.
+Warnings dress(Skeleton& skeleton, const PutCharacter& character, const Skin* own);
 
 /// The same clip with another character on it.
 OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character);

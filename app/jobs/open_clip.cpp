@@ -63,7 +63,7 @@ OriginalPtr readOriginal(const OpenRequest& request) {
   original.outline = outlineOf(file.motion, original.skin.get());
   if (const PutCharacter put = characterOf(request); put.character.skin) {
     original.character = put.path;
-    dress(file.motion.skeleton, put, original.skin.get());
+    original.of_character = dress(file.motion.skeleton, put, original.skin.get());
   }
   original.encoder = std::make_shared<const Encoder>(std::move(file.motion));
   original.encoder->original_tracks();

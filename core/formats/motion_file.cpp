@@ -57,20 +57,8 @@ bool is_without_lengths(const Skeleton& skeleton) {
          std::all_of(lengths.begin(), lengths.end(), [](double length) { return length == 0; });
 }
 
-/// Where errors are measured elsewhere than on a body around bones.
-void warn_of_surface(const path& file, const Skeleton& skeleton, Warnings& warnings) {
-  const std::vector<FarMesh> far = far_meshes(skeleton);
-  if (is_without_lengths(skeleton) && std::ssize(far) < skeleton.joint_count())
-    warnings.push_back({file.string(), 0,
-                        "no bone has a length: errors are measured on three points 3 cm from each "
-                        "joint"});
-  if (far.empty()) return;
-  const auto cm = [](double length) { return std::to_string(std::lround(length)); };
-  warnings.push_back(
-      {file.string(), 0,
-       "the mesh reaches much further than the bones at " + counted(std::ssize(far), "joint") +
-           ", first " + skeleton.joint(far.front().joint).name + " (" + cm(far.front().mesh_cm) +
-           " cm, not " + cm(far.front().body_cm) + "): the surface there is the mesh"});
+void append(const Warnings& more, Warnings& warnings) {
+  warnings.insert(warnings.end(), more.begin(), more.end());
 }
 
 MotionFile parse_by_extension(const path& file, std::string_view text, const SkeletonText& asf,
@@ -86,7 +74,7 @@ MotionFile parse_by_extension(const path& file, std::string_view text, const Ske
 MotionFile parse(const path& file, std::string_view text, const SkeletonText& asf,
                  const ReadOptions& options) {
   MotionFile read = parse_by_extension(file, text, asf, options);
-  warn_of_surface(file, read.motion.skeleton, read.warnings);
+  append(surface_warnings(file, read.motion.skeleton), read.warnings);
   if (looks_additive(read.motion))
     read.warnings.push_back({file.string(), 0,
                              "looks like an additive clip, near its rest pose with the root at the "
@@ -150,7 +138,24 @@ void put_character(const path& file, MotionFile& clip) {
     throw InputError(file.string(), 0, 0, std::string("cannot be put on: ") + error.what());
   }
   measure_on(clip.skin.get(), skeleton);
-  warn_of_surface(file, skeleton, clip.warnings);
+  append(surface_warnings(file, skeleton), clip.warnings);
+}
+
+Warnings surface_warnings(const path& file, const Skeleton& skeleton) {
+  Warnings warnings;
+  const std::vector<FarMesh> far = far_meshes(skeleton);
+  if (is_without_lengths(skeleton) && std::ssize(far) < skeleton.joint_count())
+    warnings.push_back({file.string(), 0,
+                        "no bone has a length: errors are measured on three points 3 cm from each "
+                        "joint"});
+  if (far.empty()) return warnings;
+  const auto cm = [](double length) { return std::to_string(std::lround(length)); };
+  warnings.push_back(
+      {file.string(), 0,
+       "the mesh reaches much further than the bones at " + counted(std::ssize(far), "joint") +
+           ", first " + skeleton.joint(far.front().joint).name + " (" + cm(far.front().mesh_cm) +
+           " cm, not " + cm(far.front().body_cm) + "): the surface there is the mesh"});
+  return warnings;
 }
 
 Motion exported_motion(const Motion& motion, const SourceFormat& source,

@@ -75,6 +75,10 @@ Character read_character(const std::filesystem::path& path);
 /// Weighting::Skin measures. Throws InputError that names the joint that the clip lacks.
 void put_character(const std::filesystem::path& character, MotionFile& clip);
 
+/// What to say where errors are measured elsewhere than on a body around bones: where the mesh of
+/// `file` reaches much further, or no bone has a length.
+Warnings surface_warnings(const std::filesystem::path& file, const Skeleton& skeleton);
+
 /// Writes .bvh, .glb, .gltf, .csv, or .amc with the skeleton at `skeleton_path` (by default beside
 /// the .amc, same name, extension .asf), by the extension of `path`: in the axes and, of its
 /// source's kind, the unit and root convention that `source` had, unless `options` ask for others.

@@ -398,6 +398,17 @@ TEST_F(BatchInTheStudio, PutsItsCharacterOnEveryClip) {
   EXPECT_EQ(session_.settings().character, dressed.character);
 }
 
+TEST_F(BatchInTheStudio, TakesOverTheCharacterThatClipsWereTunedOn) {
+  session_.addTuned({{path("clip0.bvh"), {}, {}}}, {});
+  EXPECT_TRUE(session_.settings().character.isEmpty());
+  session_.addTuned({{path("clip0.bvh"), {}, {}}}, path("hero.glb"));
+  EXPECT_EQ(session_.settings().character, path("hero.glb"));
+  session_.addTuned({{path("clip1.bvh"), {}, {}}}, path("other.glb"));
+  EXPECT_EQ(session_.settings().character, path("hero.glb"));
+  session_.undo();
+  EXPECT_TRUE(session_.settings().character.isEmpty());
+}
+
 TEST_F(BatchInTheStudio, WhileItRunsClipsAreRefusedAloud) {
   addClips(2, 900);
   session_.start();

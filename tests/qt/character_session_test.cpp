@@ -75,6 +75,21 @@ TEST_F(CharacterSession, PuttingOneOnIsUndone) {
   EXPECT_TRUE(document_.skin());
 }
 
+TEST_F(CharacterSession, SaysWhereItsMeshReachesFarFromTheBones) {
+  open(sample("human_walk.amc"));
+  const PutCharacter human{read_character(sample("character.glb").toStdU16String()),
+                           sample("character.glb")};
+  Skin far = *human.character.skin;
+  for (Skin::Vertex& vertex : far.vertices) vertex.in_bind *= 10;
+  PutCharacter giant = human;
+  giant.character.skin = std::make_shared<const Skin>(far);
+  const OriginalPtr original = dressed(*document_.original(), giant);
+  ASSERT_EQ(original->of_character.size(), 1u);
+  EXPECT_NE(original->of_character[0].message.find("the mesh reaches much further"),
+            std::string::npos);
+  EXPECT_TRUE(dressed(*original, human)->of_character.empty());
+}
+
 TEST_F(CharacterSession, IsMeasuredOnWhereItWasPutOn) {
   const auto settle = [&](const auto& act) {
     QSignalSpy settled(&session_, &Session::settled);

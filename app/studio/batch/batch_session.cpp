@@ -139,8 +139,12 @@ void BatchSession::addClips(const QStringList& paths) {
 }
 
 /// What settings name may not be in the files any more.
-void BatchSession::addTuned(const std::vector<TunedClip>& clips) {
+void BatchSession::addTuned(const std::vector<TunedClip>& clips, const QString& character) {
   if (refused()) return;
+  if (BatchSettings dressed = settings_; dressed.character.isEmpty()) {
+    dressed.character = character;
+    setSettings(dressed);
+  }
   to_fit_.insert(to_fit_.end(), clips.begin(), clips.end());
   fitting_.start(
       [clips = to_fit_](const Job&) {

@@ -60,6 +60,7 @@ void Presenter::connectDocument() {
   connect(document, &Document::shownChanged, this, &Presenter::showShown);
   connect(document, &Document::skinChanged, this, [this] {
     showSkin();
+    showWarnings();
     showSkeleton();
   });
   connect(document, &Document::curvesChanged, this, &Presenter::showCurves);
@@ -118,7 +119,7 @@ void Presenter::showClip() {
   views_.viewport->setSkeleton(skeleton);
   views_.viewport->setSampleRate(document.sampleRate());
   showSkin();
-  views_.warnings->setWarnings(original ? original->warnings : Warnings());
+  showWarnings();
   views_.compression->setEnabled(original != nullptr);
   views_.compression->setHasTracks(original && !original->scalars.empty());
   showSkeleton();
@@ -131,6 +132,13 @@ void Presenter::showClip() {
   showDecoded();
   showShown();
   showCurrentJoint();
+}
+
+void Presenter::showWarnings() {
+  const OriginalPtr& original = session_->document().original();
+  Warnings all = original ? original->warnings : Warnings();
+  if (original) all.insert(all.end(), original->of_character.begin(), original->of_character.end());
+  views_.warnings->setWarnings(all);
 }
 
 /// With what a character that was put on lets be chosen.

@@ -61,6 +61,7 @@ class Presenter : public QObject {
   void showTarget();
   void showShown();
   void showSkin();
+  void showWarnings();
   void showSkeleton();
   void showCurves();
   void showCurrentJoint();
