@@ -40,7 +40,7 @@ class Table {
   }
 
   [[noreturn]] void fail(int column, const std::string& message) const {
-    throw InputError(file_, line_, column, message);
+    throw InputError(file_, std::max(line_, 1), column, message);
   }
 
  private:
@@ -73,7 +73,7 @@ ScalarTracks tracks_of_head(const Table& table, const std::vector<Field>& head) 
     if (field.text.find('"') != std::string_view::npos)
       table.fail(field.column, "a name of a column has no quotes");
     if (!names.insert(field.text).second)
-      table.fail(field.column, "two columns are called " + std::string(field.text));
+      table.fail(field.column, "two columns are called " + quoted({field.text}));
     tracks.push_back({.node = "", .name = std::string(field.text), .values = {}});
   }
   return tracks;
@@ -83,7 +83,8 @@ float value_of(const Table& table, const Field& field) {
   const auto number = parse_number(field.text);
   const auto value = static_cast<float>(number.value_or(0));
   if (!number || !std::isfinite(value))
-    table.fail(field.column, "expected a number, found \"" + std::string(field.text) + '"');
+    table.fail(field.column, "expected a number, found " +
+                                 (field.text.empty() ? "nothing" : quoted({field.text})));
   return value;
 }
 
@@ -96,7 +97,7 @@ bool is_whole(float value) {
 ScalarTracks read_csv_tracks(const std::string& file, std::string_view text, int frames) {
   Table table(file, text);
   const std::vector<Field> head = table.next();
-  if (head.empty()) throw InputError(file, 0, 0, "has no line of names");
+  if (head.empty()) table.fail(1, "has no line of names");
   ScalarTracks tracks = tracks_of_head(table, head);
   int rows = 0;
   for (std::vector<Field> row = table.next(); !row.empty(); row = table.next()) {
@@ -108,9 +109,8 @@ ScalarTracks read_csv_tracks(const std::string& file, std::string_view text, int
       tracks[i].values.push_back(value_of(table, row[i]));
   }
   if (rows < frames)
-    throw InputError(
-        file, 0, 0,
-        "has values of " + counted(rows, "frame") + ", the clip has " + std::to_string(frames));
+    table.fail(1, "ends after values of " + counted(rows, "frame") + ", the clip has " +
+                      std::to_string(frames));
   if (tracks.front().name == kTime) tracks.erase(tracks.begin());
   for (ScalarTrack& track : tracks)
     track.steps = std::all_of(track.values.begin(), track.values.end(), is_whole);

@@ -537,7 +537,8 @@ TEST_F(Cli, KeepsCurvesOfATableWithTheClip) {
 
   const auto missing = mocapress({"compress", clip_, "--tracks", write("a.csv", "a\n1\n")});
   EXPECT_EQ(missing.exit_code, 3);
-  EXPECT_THAT(missing.err, testing::HasSubstr("a.csv: has values of 1 frame, the clip has 600"));
+  EXPECT_THAT(missing.err,
+              testing::HasSubstr("a.csv:2:1: ends after values of 1 frame, the clip has 600"));
 }
 
 TEST_F(Cli, DecompressedCsvHasALineForEachFrame) {

@@ -35,16 +35,16 @@ TEST(CsvTracks, SayWhereTheyAreWrong) {
     return "was read";
   };
   EXPECT_EQ(message("a,b\n1,2\n3,4\n"), "was read");
-  EXPECT_EQ(message(" \n"), "t.csv: has no line of names");
+  EXPECT_EQ(message(" \n"), "t.csv:1:1: has no line of names");
   EXPECT_EQ(message("a,,b\n"), "t.csv:1:3: a column needs a name of 1 to 255 bytes");
-  EXPECT_EQ(message("a, a\n"), "t.csv:1:4: two columns are called a");
+  EXPECT_EQ(message("a, a\n"), "t.csv:1:4: two columns are called 'a'");
   EXPECT_EQ(message("\"a\"\n"), "t.csv:1:1: a name of a column has no quotes");
-  EXPECT_EQ(message("a,b\n1, x\n"), "t.csv:2:4: expected a number, found \"x\"");
-  EXPECT_EQ(message("a,b\n1,nan\n"), "t.csv:2:3: expected a number, found \"nan\"");
-  EXPECT_EQ(message("a,b\n1,1e39\n"), "t.csv:2:3: expected a number, found \"1e39\"");
-  EXPECT_EQ(message("a,b\n1,\n"), "t.csv:2:3: expected a number, found \"\"");
+  EXPECT_EQ(message("a,b\n1, x\n"), "t.csv:2:4: expected a number, found 'x'");
+  EXPECT_EQ(message("a,b\n1,nan\n"), "t.csv:2:3: expected a number, found 'nan'");
+  EXPECT_EQ(message("a,b\n1,1e39\n"), "t.csv:2:3: expected a number, found '1e39'");
+  EXPECT_EQ(message("a,b\n1,\n"), "t.csv:2:3: expected a number, found nothing");
   EXPECT_EQ(message("a,b\n1\n"), "t.csv:2:1: has 1 value for 2 columns");
-  EXPECT_EQ(message("a\n1\n"), "t.csv: has values of 1 frame, the clip has 2");
+  EXPECT_EQ(message("a\n1\n"), "t.csv:2:1: ends after values of 1 frame, the clip has 2");
   EXPECT_EQ(message("a\n1\n2\n3\n"), "t.csv:4:1: is one more than the clip's 2 frames");
 }
 

@@ -2,11 +2,13 @@
 // Whatever the bytes: a reader reads, or throws an InputError that says where. Nothing else.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "core/base/random.h"
 #include "core/formats/amc.h"
 #include "core/formats/bvh.h"
+#include "core/formats/csv.h"
 #include "tests/support/motion_texts.h"
 
 namespace mocapress {
@@ -28,6 +30,15 @@ const Reader kReadAsf = [](const std::string& text) {
 const Reader kReadAmc = [](const std::string& text) {
   check_finite(read_amc("f", text, read_asf("f", test::kSmallAsf)).motion);
 };
+
+const Reader kReadCurves = [](const std::string& text) {
+  for (const ScalarTrack& track : read_csv_tracks("f", text, 3)) {
+    EXPECT_EQ(track.values.size(), 3u);
+    for (const float value : track.values) EXPECT_TRUE(std::isfinite(value));
+  }
+};
+
+constexpr const char* kSmallCurves = "time_s,grip,blink\n0,0.25,0\n0.5,-1e-1,1\n1,7.5,0";
 
 /// Whether it was read.
 bool reads_or_says_where(const Reader& read, const std::string& text) {
@@ -88,6 +99,13 @@ TEST(HostileAsf, EveryPrefixReadsOrSaysWhere) {
 }
 TEST(HostileAmc, EveryPrefixReadsOrSaysWhere) {
   try_every_prefix(kReadAmc, test::kSmallAmc);
+}
+
+TEST(HostileCurves, EveryPrefixReadsOrSaysWhere) {
+  try_every_prefix(kReadCurves, kSmallCurves);
+}
+TEST(HostileCurves, MutationsReadOrSayWhere) {
+  try_mutations(kReadCurves, kSmallCurves);
 }
 
 TEST(HostileBvh, MutationsReadOrSayWhere) {
