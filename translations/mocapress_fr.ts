@@ -2543,6 +2543,14 @@
         <source> times</source>
         <translation> fois</translation>
     </message>
+    <message>
+        <source>Weighting</source>
+        <translation>Pondération</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh of the clip or of the batch&apos;s character; clips without one are refused. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Peau : des points du maillage du clip ou du personnage du lot ; les clips sans maillage sont refusés. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::PresetShelf</name>

@@ -2529,6 +2529,14 @@
         <source> times</source>
         <translation> 倍</translation>
     </message>
+    <message>
+        <source>Weighting</source>
+        <translation>重み付け</translation>
+    </message>
+    <message>
+        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh of the clip or of the batch&apos;s character; clips without one are refused. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。スキン：クリップ、または一括処理のキャラクターのメッシュ上の点。メッシュのないクリップは拒否されます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::PresetShelf</name>

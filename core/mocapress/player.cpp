@@ -100,9 +100,10 @@ Eigen::VectorXf Player::track_values(double seconds, AtEnds at_ends) const {
   const mcpr_track_request all{};
   Eigen::VectorXf values(static_cast<Eigen::Index>(tracks().size()));
   if (tracks().empty()) return values;
-  const AlignedBytes scratch(mcpr_track_scratch_bytes(parts_->clip.get(), &all));
-  const mcpr_result result = mcpr_track_moment(parts_->clip.get(), &all, frame, values.data(),
-                                               scratch.data(), scratch.size());
+  const mcpr_tracks* const held = mcpr_clip_tracks(parts_->clip.get());
+  const AlignedBytes scratch(mcpr_track_scratch_bytes(held, &all));
+  const mcpr_result result =
+      mcpr_track_moment(held, &all, frame, values.data(), scratch.data(), scratch.size());
   if (result.status != MCPR_OK) throw Error(result.message);
   return values;
 }

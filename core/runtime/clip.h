@@ -8,6 +8,7 @@
 #include "core/runtime/mocapress_runtime.h"
 #include "core/runtime/resident_signals.h"
 #include "core/runtime/solve.h"
+#include "core/runtime/track_block.h"
 
 namespace mocapress::runtime {
 
@@ -21,27 +22,6 @@ struct ResidentLimb {
   std::uint32_t effector_links;
   std::uint32_t link;
   std::uint32_t turn;
-};
-
-/// A track in the block.
-struct ResidentTrack {
-  std::uint32_t node;  // where its name is among the names of tracks, and the track's own
-  std::uint32_t name;
-  std::uint32_t first;  // its number among the curves, or that of its first run
-  std::uint32_t run_count;
-  std::uint8_t kind;
-  bool is_curve;
-  bool steps;
-};
-
-/// Where a clip's scalar tracks are in the block.
-struct TrackBlock {
-  std::uint32_t count = 0;
-  std::uint32_t curve_count = 0;
-  std::uint32_t tracks = 0;  // offsets from the clip
-  std::uint32_t names = 0;
-  std::uint32_t runs = 0;    // TrackRun
-  std::uint32_t curves = 0;  // ResidentSignals, where there are curves
 };
 
 /// The head of the block. All that follows it is found by offsets from here.
@@ -65,13 +45,16 @@ struct ClipBlock {
   std::uint32_t limbs = 0;
   std::uint32_t ends = 0;     // what the first frame lacks in each channel, then the last
   std::uint32_t motions = 0;  // of each segment: the offset of its signals
-  TrackBlock tracks;
+  std::uint32_t tracks = 0;   // mcpr_tracks; 0: there are none
   SegmentLayout segments;
   SignalsShape largest;  // no segment's is larger in any way
 
   template <typename T>
   const T* at(std::uint32_t offset) const {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
+  }
+  const mcpr_tracks* scalar_tracks() const {
+    return tracks == 0 ? nullptr : at<mcpr_tracks>(tracks);
   }
   const JointModel* joint_models() const { return at<JointModel>(joints); }
   const float* end_values(int end) const {

@@ -143,6 +143,9 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
     lay_out_rows(block, columns_, coefficients_, rows != nullptr ? rows + k * head.parts : nullptr,
                  entries != nullptr ? entries + k * entry_bands : nullptr);
   }
+  if (const mcpr_tracks* const tracks = clip_.scalar_tracks())
+    if (auto* const copy = block.reserve_for<std::byte>(tracks->bytes, head.tracks, 8))
+      std::memcpy(copy, tracks, tracks->bytes);
   block.reserve(2 * kEntriesBeyond, 2);
   block.round_up(8);
   head.bytes = block.used();

@@ -9,6 +9,7 @@
 #include "core/codec/format/joint_model.h"
 #include "core/codec/format/memory.h"
 #include "core/codec/format/section.h"
+#include "core/runtime/track_block.h"
 
 namespace mocapress::runtime {
 namespace {
@@ -45,6 +46,7 @@ class Checker {
       require_array(clip_.ends, sizeof(std::int16_t), 2 * std::uint64_t{row_columns_}, 2);
     }
     check_parts();
+    if (clip_.tracks != 0) check_tracks();
     return sound_;
   }
 
@@ -111,6 +113,14 @@ class Checker {
         for (int b = 0; b < kMostKeptBands && sound_; ++b)
           check_entries(clip_.entries_of(k, e, b), row_columns_ - kGroup * kMostGroupsOfPart * e);
     }
+  }
+
+  void check_tracks() {
+    require_array(clip_.tracks, sizeof(mcpr_tracks), 1, 8);
+    if (!sound_) return;
+    const auto& tracks = *clip_.at<mcpr_tracks>(clip_.tracks);
+    require(tracks.frames == clip_.frames && tracks.loop == clip_.loop &&
+            are_sound(tracks, clip_.bytes - clip_.tracks));
   }
 
   void check_rows(const CookedPart& part, const CookedRows& rows, int frames) {

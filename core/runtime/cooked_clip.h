@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "core/codec/format/bands.h"
 #include "core/codec/format/kinds.h"
@@ -169,7 +170,7 @@ enum class ColumnKind : std::uint8_t { Straight, HalfAngle, Root };
 
 struct mcpr_cooked {
   static constexpr char kMagic[4] = {'M', 'C', 'P', 'C'};
-  static constexpr std::uint32_t kVersion = 4;
+  static constexpr std::uint32_t kVersion = 5;
   char magic[4];
   std::uint32_t checksum;  // CRC-32 of `bytes` and all from `version` on
   std::uint64_t bytes;     // of all
@@ -209,6 +210,7 @@ struct mcpr_cooked {
   std::uint32_t rows;     // CookedRows of each part, segment after segment
   std::uint32_t entries;  // CookedEntries of each of kMostKeptBands, the finest first, of each
                           // kMostGroupsOfPart groups, segment after segment
+  std::uint32_t tracks;   // mcpr_tracks; 0: there are none
 
   template <typename T>
   const T* at(std::uint32_t offset) const {
@@ -245,3 +247,12 @@ struct mcpr_cooked {
     return static_cast<int>(frames) - (repeats ? 1 : 0);
   }
 };
+
+namespace mocapress::runtime {
+
+/// By its first bytes alone.
+inline bool is_cooked(const mcpr_cooked* clip) {
+  return clip != nullptr && std::memcmp(clip->magic, mcpr_cooked::kMagic, sizeof clip->magic) == 0;
+}
+
+}  // namespace mocapress::runtime

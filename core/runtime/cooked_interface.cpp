@@ -55,10 +55,6 @@ mcpr_result prepare(const mcpr_clip* clip, const mcpr_cook_options* options, voi
   return kOk;
 }
 
-bool is_cooked(const mcpr_cooked* clip) {
-  return clip != nullptr && std::memcmp(clip->magic, mcpr_cooked::kMagic, sizeof clip->magic) == 0;
-}
-
 mcpr_result check_joints(const mcpr_cooked& clip, const std::uint16_t* joints,
                          std::uint32_t count) {
   if (count > clip.joints) return refused("more joints than there are");

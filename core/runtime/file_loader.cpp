@@ -243,7 +243,7 @@ std::uint64_t FileLoader::lay_out(std::byte* memory) {
     head.ends = block.reserve(values * sizeof(float));
     if (memory != nullptr) std::copy_n(ends_, values, block.at<float>(head.ends));
   }
-  head.tracks = tracks_.lay_out(block);
+  head.tracks = tracks_.lay_out(block, head.loop);
   lay_out_motion(block, head, memory);
   head.total_bytes = block.used();
   if (memory != nullptr) new (memory) mcpr_clip{head};

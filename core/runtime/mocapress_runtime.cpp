@@ -135,7 +135,7 @@ mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip) {
           .resident_bytes = static_cast<std::size_t>(block.total_bytes),
           .skeleton_bytes = static_cast<std::size_t>(block.skeleton_bytes),
           .loop_frames = static_cast<std::uint32_t>(block.turn_frames()),
-          .tracks = block.tracks.count};
+          .tracks = mcpr_track_count(block.scalar_tracks())};
 }
 
 mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out) {

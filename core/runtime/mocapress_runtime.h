@@ -210,62 +210,13 @@ mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* reques
 mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request, double frame,
                                float* out, void* scratch, size_t scratch_size);
 
-/* ---------------------------------------------------------------- tracks */
-
-/* What moves besides joints: one number without a unit, over time. */
-typedef enum mcpr_track_kind {
-  MCPR_TRACK_PROPERTY = 0,     /* custom properties, IK and event curves */
-  MCPR_TRACK_MORPH_WEIGHT = 1, /* 0: not at all, 1: all of the shape */
-  MCPR_TRACK_SCALE_X = 2,      /* of a joint against its parent. What MCPR_LOCAL decodes to has the
-                                  places that it gives to the joints below: it is for the skin */
-  MCPR_TRACK_SCALE_Y = 3,
-  MCPR_TRACK_SCALE_Z = 4
-} mcpr_track_kind;
-
-typedef struct mcpr_track {
-  const char* node; /* what has it: a joint, or the node of a mesh; empty: the clip */
-  const char* name; /* of the property or the morph target; empty: a scale. Both are UTF-8, end with
-                       a zero, and are in the clip's memory */
-  mcpr_track_kind kind;
-  int steps; /* 1: between two frames it has the value of the first; 0: it is linear */
-} mcpr_track;
-
-mcpr_result mcpr_clip_track(const mcpr_clip* clip, uint32_t track, mcpr_track* out);
-
-/* The first track of that kind, node and name, compared byte for byte; a null node or name is any.
- * -1: there is none. It searches all tracks: call it once, not at every frame. */
-int32_t mcpr_find_track(const mcpr_clip* clip, mcpr_track_kind kind, const char* node,
-                        const char* name);
-
-/* Which tracks, in any order, none twice; null: all. */
-typedef struct mcpr_track_request {
-  const uint16_t* tracks;
-  uint32_t track_count; /* of `tracks`; 0 where that is null */
-} mcpr_track_request;
-
-/* Floats in a frame: one for each track; 0 for a request that the clip cannot fulfil. */
-size_t mcpr_track_values(const mcpr_clip* clip, const mcpr_track_request* request);
-
-/* Scratch memory of the next two. 0: none, null will do. */
-size_t mcpr_track_scratch_bytes(const mcpr_clip* clip, const mcpr_track_request* request);
-
-/* Decodes frames first .. first + count - 1, row after row, each of mcpr_track_values() floats. */
-mcpr_result mcpr_track_frames(const mcpr_clip* clip, const mcpr_track_request* request,
-                              uint32_t first, uint32_t count, float* out, void* scratch,
-                              size_t scratch_size);
-
-/* One instant, in frames from the first, 0 .. frames - 1. In a loop whose first frame follows upon
- * the last, instants up to frames are between these two. */
-mcpr_result mcpr_track_moment(const mcpr_clip* clip, const mcpr_track_request* request,
-                              double frame, float* out, void* scratch, size_t scratch_size);
-
 /* ---------------------------------------------------------------- poses at any instant */
 
 /* A cooked clip: laid out for poses at any instant, several times as fast as mcpr_decode_moment,
  * and about three times the coded motion's bytes. One block of bytes without pointers,
  * little-endian, aligned to MCPR_ALIGNMENT: it may be copied, written to disk and used as it is
- * mapped from there. It has neither names nor parents of joints: joints are those of the clip that
- * it was cooked from, in their order. */
+ * mapped from there. It has the tracks of its clip, but neither names nor parents of joints: joints
+ * are those of the clip that it was cooked from, in their order. */
 typedef struct mcpr_cooked mcpr_cooked;
 
 typedef struct mcpr_cook_options {
@@ -386,6 +337,64 @@ mcpr_result mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* req
  * `from`. Layout and list of the request do not matter. */
 mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
                                uint32_t joint, double from, double to, mcpr_transform* out);
+
+/* ---------------------------------------------------------------- tracks */
+
+/* What moves besides joints: one number without a unit, over time. */
+typedef enum mcpr_track_kind {
+  MCPR_TRACK_PROPERTY = 0,     /* custom properties, IK and event curves */
+  MCPR_TRACK_MORPH_WEIGHT = 1, /* 0: not at all, 1: all of the shape */
+  MCPR_TRACK_SCALE_X = 2,      /* of a joint against its parent. What MCPR_LOCAL decodes to has the
+                                  places that it gives to the joints below: it is for the skin */
+  MCPR_TRACK_SCALE_Y = 3,
+  MCPR_TRACK_SCALE_Z = 4
+} mcpr_track_kind;
+
+typedef struct mcpr_track {
+  const char* node; /* what has it: a joint, or the node of a mesh; empty: the clip */
+  const char* name; /* of the property or the morph target; empty: a scale. Both are UTF-8, end with
+                       a zero, and are in the clip's memory */
+  mcpr_track_kind kind;
+  int steps; /* 1: between two frames it has the value of the first; 0: it is linear */
+} mcpr_track;
+
+/* The tracks of a clip that was built, or of a cooked one, which has the same, to the bit. They are
+ * in the clip's memory. Null: it has none, or there is no clip; whoever asks further is told so. */
+typedef struct mcpr_tracks mcpr_tracks;
+
+const mcpr_tracks* mcpr_clip_tracks(const mcpr_clip* clip);
+const mcpr_tracks* mcpr_cooked_tracks(const mcpr_cooked* cooked);
+
+uint32_t mcpr_track_count(const mcpr_tracks* tracks);
+
+mcpr_result mcpr_track_describe(const mcpr_tracks* tracks, uint32_t track, mcpr_track* out);
+
+/* The first track of that kind, node and name, compared byte for byte; a null node or name is any.
+ * -1: there is none. It searches all tracks: call it once, not at every frame. */
+int32_t mcpr_find_track(const mcpr_tracks* tracks, mcpr_track_kind kind, const char* node,
+                        const char* name);
+
+/* Which tracks, in any order, none twice; null: all. */
+typedef struct mcpr_track_request {
+  const uint16_t* tracks;
+  uint32_t track_count; /* of `tracks`; 0 where that is null */
+} mcpr_track_request;
+
+/* Floats in a frame: one for each track; 0 for a request that they cannot fulfil. */
+size_t mcpr_track_values(const mcpr_tracks* tracks, const mcpr_track_request* request);
+
+/* Scratch memory of the next two. 0: none, null will do. */
+size_t mcpr_track_scratch_bytes(const mcpr_tracks* tracks, const mcpr_track_request* request);
+
+/* Decodes frames first .. first + count - 1, row after row, each of mcpr_track_values() floats. */
+mcpr_result mcpr_track_frames(const mcpr_tracks* tracks, const mcpr_track_request* request,
+                              uint32_t first, uint32_t count, float* out, void* scratch,
+                              size_t scratch_size);
+
+/* One instant, in frames from the first, 0 .. frames - 1. In a loop whose first frame follows upon
+ * the last, instants up to frames are between these two. */
+mcpr_result mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_request* request,
+                              double frame, float* out, void* scratch, size_t scratch_size);
 
 /* ---------------------------------------------------------------- banks */
 

@@ -46,6 +46,10 @@ class ResidentSignals {
   /// Builds at `memory`, which is zeroed and aligned for it.
   static const ResidentSignals* build(const QuantisedSource& source, std::byte* memory);
 
+  /// Whether a form from anywhere, of which there are so many bytes, is of that length and count
+  /// and can be decoded without looking beyond them. It is aligned, and its head is there.
+  bool is_sound(std::uint64_t bytes, std::uint32_t length, std::uint32_t signals) const;
+
   int length() const { return length_; }
   int signal_count() const { return signals_; }
   Wavelet wavelet() const { return wavelet_; }
@@ -78,6 +82,7 @@ class ResidentSignals {
   static constexpr int kCountShift = 3;  // of the Rice code of a block's count
   enum class Kind : std::uint8_t { Empty, Dense, Sparse, SparseWide };  // wide offsets of blocks
   friend class ResidentBuilder;
+  friend class ResidentChecker;
 
   struct BandEntry {
     Kind kind = Kind::Empty;

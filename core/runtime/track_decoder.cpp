@@ -9,32 +9,33 @@
 
 namespace mocapress::runtime {
 
-bool is_possible(const ClipBlock& clip, const mcpr_track_request& request) {
+bool is_possible(const mcpr_tracks& tracks, const mcpr_track_request& request) {
   if (request.tracks == nullptr) return request.track_count == 0;
-  if (request.track_count > clip.tracks.count) return false;
+  if (request.track_count > tracks.count) return false;
   std::bitset<kMostTracks> seen;
   for (std::uint32_t i = 0; i < request.track_count; ++i) {
     const std::uint16_t t = request.tracks[i];
-    if (t >= clip.tracks.count || seen[t]) return false;
+    if (t >= tracks.count || seen[t]) return false;
     seen[t] = true;
   }
   return true;
 }
 
-TrackDecoder::TrackDecoder(Memory& memory, const ClipBlock& clip, const mcpr_track_request& request)
-    : clip_(clip),
+TrackDecoder::TrackDecoder(Memory& memory, const mcpr_tracks& tracks,
+                           const mcpr_track_request& request)
+    : tracks_(tracks),
       request_(request),
-      count_(request.tracks != nullptr ? request.track_count : clip.tracks.count) {
+      count_(request.tracks != nullptr ? request.track_count : tracks.count) {
   next_row_ = memory.take<float>(count_);
-  const auto curves = static_cast<int>(clip.tracks.curve_count);
+  const auto curves = static_cast<int>(tracks.curve_count);
   if (curves == 0) return;
-  columns_ = memory.take<std::int32_t>(clip.tracks.curve_count);
+  columns_ = memory.take<std::int32_t>(tracks.curve_count);
   if (columns_ != nullptr) {
     std::fill_n(columns_, curves, ResidentSignals::Columns::kNone);
     for (std::size_t i = 0; i < count_; ++i)
-      if (track(i).is_curve) columns_[track(i).first] = static_cast<std::int32_t>(i);
+      if (track(i).is_curve != 0) columns_[track(i).first] = static_cast<std::int32_t>(i);
   }
-  curves_.emplace(memory, *clip.at<ResidentSignals>(clip.tracks.curves),
+  curves_.emplace(memory, tracks.signals(),
                   SignalRequest{.column_of_signal = columns_,
                                 .in_order = false,
                                 .columns = static_cast<int>(count_),
@@ -44,7 +45,7 @@ TrackDecoder::TrackDecoder(Memory& memory, const ClipBlock& clip, const mcpr_tra
 
 const ResidentTrack& TrackDecoder::track(std::size_t place) const {
   const std::size_t t = request_.tracks != nullptr ? request_.tracks[place] : place;
-  return clip_.at<ResidentTrack>(clip_.tracks.tracks)[t];
+  return tracks_.track(t);
 }
 
 void TrackDecoder::decode(std::uint32_t first, std::uint32_t count, float* out) {
@@ -55,13 +56,13 @@ void TrackDecoder::decode(std::uint32_t first, std::uint32_t count, float* out) 
     at += frames;
   }
   for (std::size_t i = 0; i < count_; ++i)
-    if (!track(i).is_curve) put_held(i, first, count, out + i);
+    if (track(i).is_curve == 0) put_held(i, first, count, out + i);
 }
 
 /// From the run that holds the first frame on.
 void TrackDecoder::put_held(std::size_t place, std::uint32_t first, std::uint32_t count,
                             float* out) const {
-  const TrackRun* const runs = clip_.at<TrackRun>(clip_.tracks.runs) + track(place).first;
+  const TrackRun* const runs = tracks_.at<TrackRun>(tracks_.runs) + track(place).first;
   const TrackRun* run = std::partition_point(runs, runs + track(place).run_count,
                                              [&](const TrackRun& one) { return one.end <= first; });
   for (std::uint32_t t = first; t < first + count; ++t, out += count_) {
@@ -76,7 +77,7 @@ void TrackDecoder::sample_between(std::uint32_t frame, std::uint32_t next, float
   if (!(share > 0)) return;
   decode(next, 1, next_row_);
   for (std::size_t i = 0; i < count_; ++i)
-    if (!track(i).steps) out[i] += share * (next_row_[i] - out[i]);
+    if (track(i).steps == 0) out[i] += share * (next_row_[i] - out[i]);
 }
 
 }  // namespace mocapress::runtime

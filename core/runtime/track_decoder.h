@@ -5,19 +5,19 @@
 #include <optional>
 
 #include "core/codec/format/memory.h"
-#include "core/runtime/clip.h"
 #include "core/runtime/mocapress_runtime.h"
 #include "core/runtime/signal_decoder.h"
+#include "core/runtime/track_block.h"
 
 namespace mocapress::runtime {
 
 /// Whether the tracks are the clip's, and none stands there twice.
-bool is_possible(const ClipBlock& clip, const mcpr_track_request& request);
+bool is_possible(const mcpr_tracks& tracks, const mcpr_track_request& request);
 
 class TrackDecoder {
  public:
   /// With measuring memory only to know how much.
-  TrackDecoder(Memory& memory, const ClipBlock& clip, const mcpr_track_request& request);
+  TrackDecoder(Memory& memory, const mcpr_tracks& tracks, const mcpr_track_request& request);
 
   std::size_t values_of_frame() const { return count_; }
 
@@ -31,7 +31,7 @@ class TrackDecoder {
   const ResidentTrack& track(std::size_t place) const;
   void put_held(std::size_t place, std::uint32_t first, std::uint32_t count, float* out) const;
 
-  const ClipBlock& clip_;
+  const mcpr_tracks& tracks_;
   const mcpr_track_request& request_;
   std::size_t count_;
   std::int32_t* columns_ = nullptr;  // of curves

@@ -75,21 +75,41 @@ QuantisedSource TrackLoader::source() const {
           .budget_bytes = 2 * std::uint64_t{head_.stream.size}};
 }
 
-TrackBlock TrackLoader::lay_out(BlockLayout& block) const {
-  TrackBlock tracks;
-  if (head_.tracks == 0) return tracks;
-  tracks.count = head_.tracks;
-  tracks.curve_count = head_.curves;
-  tracks.tracks = block.reserve(sizeof(ResidentTrack) * std::uint64_t{head_.tracks});
-  // Of a record's bytes two are lengths, where names here end with zeros.
-  tracks.names = block.reserve(head_.record_bytes);
-  tracks.runs = block.reserve(sizeof(TrackRun) * std::uint64_t{head_.runs});
-  if (head_.curves > 0) tracks.curves = block.reserve(ResidentSignals::size(source()));
-  auto* const resident = block.at<ResidentTrack>(tracks.tracks);
-  if (resident == nullptr) return tracks;
-  std::copy_n(runs_, head_.runs, block.at<TrackRun>(tracks.runs));
-  if (head_.curves > 0) ResidentSignals::build(source(), block.at<std::byte>(tracks.curves));
-  char* const names = block.at<char>(tracks.names);
+std::uint32_t TrackLoader::lay_out(BlockLayout& block, LoopKind loop) const {
+  if (head_.tracks == 0) return 0;
+  const std::uint32_t at = block.reserve(lay_out(nullptr, loop));
+  if (auto* const memory = block.at<std::byte>(at)) lay_out(memory, loop);
+  return at;
+}
+
+std::uint64_t TrackLoader::lay_out(std::byte* memory, LoopKind loop) const {
+  BlockLayout block(memory);
+  block.reserve(sizeof(mcpr_tracks));
+  mcpr_tracks made{.bytes = 0,
+                   .frames = frames_,
+                   .count = head_.tracks,
+                   .curve_count = head_.curves,
+                   .run_count = head_.runs,
+                   // Of a record's bytes two are lengths, where names here end with zeros.
+                   .name_bytes = head_.record_bytes,
+                   .tracks = block.reserve(sizeof(ResidentTrack) * std::uint64_t{head_.tracks}),
+                   .names = block.reserve(head_.record_bytes),
+                   .runs = block.reserve(sizeof(TrackRun) * std::uint64_t{head_.runs}),
+                   .curves = 0,
+                   .loop = loop,
+                   .padding = {}};
+  if (head_.curves > 0) made.curves = block.reserve(ResidentSignals::size(source()));
+  block.reserve(0);  // to a whole word
+  made.bytes = static_cast<std::uint32_t>(block.used());
+  if (memory == nullptr) return block.used();
+  std::memcpy(memory, &made, sizeof made);
+  std::copy_n(runs_, head_.runs, block.at<TrackRun>(made.runs));
+  if (head_.curves > 0) ResidentSignals::build(source(), block.at<std::byte>(made.curves));
+  put_records(block.at<ResidentTrack>(made.tracks), block.at<char>(made.names));
+  return block.used();
+}
+
+void TrackLoader::put_records(ResidentTrack* resident, char* names) const {
   Cursor cursor(records_, head_.record_bytes);
   std::uint32_t name_bytes = 0;
   std::uint32_t curve = 0;
@@ -100,14 +120,13 @@ TrackBlock TrackLoader::lay_out(BlockLayout& block) const {
     resident[t].node = put_name(record.node, record.node_length, names, name_bytes);
     resident[t].name = put_name(record.name, record.name_length, names, name_bytes);
     resident[t].kind = record.kind;
-    resident[t].is_curve = record.is_curve();
-    resident[t].steps = record.steps();
+    resident[t].is_curve = record.is_curve() ? 1 : 0;
+    resident[t].steps = record.steps() ? 1 : 0;
     resident[t].first = record.is_curve() ? curve++ : run;
     if (record.is_curve()) continue;
     while (runs_[run].end < frames_) ++run;
     resident[t].run_count = ++run - resident[t].first;
   }
-  return tracks;
 }
 
 }  // namespace mocapress::runtime

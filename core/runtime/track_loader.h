@@ -7,7 +7,7 @@
 #include "core/codec/format/memory.h"
 #include "core/codec/format/track_records.h"
 #include "core/runtime/block_layout.h"
-#include "core/runtime/clip.h"
+#include "core/runtime/track_block.h"
 
 namespace mocapress::runtime {
 
@@ -19,12 +19,14 @@ class TrackLoader {
   /// Decodes all tracks. The file is not needed afterwards.
   mcpr_result read();
 
-  /// Puts them into a block.
-  TrackBlock lay_out(BlockLayout& block) const;
+  /// Puts them into a block as mcpr_tracks, and gives their offset; 0: there are none.
+  std::uint32_t lay_out(BlockLayout& block, LoopKind loop) const;
 
  private:
   mcpr_result read_curves();
   QuantisedSource source() const;
+  std::uint64_t lay_out(std::byte* memory, LoopKind loop) const;
+  void put_records(ResidentTrack* resident, char* names) const;
 
   TracksHead head_;
   std::uint32_t frames_;

@@ -30,9 +30,10 @@ void play(const mocapress::test::OpenedClip& clip) {
   clip.tracks(info.frames - count, count);
   const mcpr_track_request first_track{channels, info.tracks > 0 ? 1U : 0U};
   float value = 0;
-  const mocapress::AlignedBytes scratch(mcpr_track_scratch_bytes(clip.clip, &first_track));
-  mcpr_track_moment(clip.clip, &first_track, 0.5 * (info.frames - 1), &value, scratch.data(),
-                    scratch.size());
+  const mocapress::AlignedBytes scratch(
+      mcpr_track_scratch_bytes(mcpr_clip_tracks(clip.clip), &first_track));
+  mcpr_track_moment(mcpr_clip_tracks(clip.clip), &first_track, 0.5 * (info.frames - 1), &value,
+                    scratch.data(), scratch.size());
   if (info.channels > 1)
     clip.frames({.apply_ik = 1, .bands_left_out = 1, .channels = channels, .channel_count = 2}, 0,
                 count);

@@ -175,5 +175,19 @@ TEST_F(PresetEditorTest, AnotherKindOfTargetBeginsWithAUsualValue) {
   EXPECT_EQ(told_[0].target, (Target{Target::Kind::Ratio, 30}));
 }
 
+TEST_F(PresetEditorTest, TheWeightingIsThePresetsUntilAnotherIsChosen) {
+  QComboBox* const box = editor_.weighting();
+  Settings preset = built_in_presets()[1];
+  preset.weighting = Weighting::Shell;
+  editor_.setPreset(preset);
+  EXPECT_EQ(box->currentData().toInt(), static_cast<int>(Weighting::Shell));
+  box->setCurrentIndex(box->findData(static_cast<int>(Weighting::Skin)));
+  emit box->activated(box->currentIndex());
+  ASSERT_EQ(told_.size(), 1u);
+  EXPECT_EQ(told_[0].weighting, Weighting::Skin);
+  preset.weighting = Weighting::Skin;
+  EXPECT_EQ(told_[0], preset);
+}
+
 }  // namespace
 }  // namespace mocapress

@@ -41,10 +41,15 @@ struct OpenedClip {
 
   /// All tracks, row after row; empty where that was refused.
   std::vector<float> tracks(std::uint32_t first, std::uint32_t count) const {
+    return frames_of(mcpr_clip_tracks(clip), first, count);
+  }
+
+  static std::vector<float> frames_of(const mcpr_tracks* tracks, std::uint32_t first,
+                                      std::uint32_t count) {
     const mcpr_track_request all{};
-    const AlignedBytes scratch(mcpr_track_scratch_bytes(clip, &all));
-    std::vector<float> out(count * mcpr_track_values(clip, &all));
-    if (mcpr_track_frames(clip, &all, first, count, out.data(), scratch.data(), scratch.size())
+    const AlignedBytes scratch(mcpr_track_scratch_bytes(tracks, &all));
+    std::vector<float> out(count * mcpr_track_values(tracks, &all));
+    if (mcpr_track_frames(tracks, &all, first, count, out.data(), scratch.data(), scratch.size())
             .status != MCPR_OK)
       out.clear();
     return out;

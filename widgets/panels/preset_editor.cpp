@@ -23,6 +23,7 @@ PresetEditor::PresetEditor(QWidget* parent)
       kind_(new QComboBox(this)),
       value_(new QDoubleSpinBox(this)),
       method_(new QComboBox(this)),
+      weighting_(new QComboBox(this)),
       hold_feet_(new QCheckBox(tr("Hold feet by inverse kinematics"), this)) {
   purpose_->setWordWrap(true);
   purpose_->setForegroundRole(QPalette::PlaceholderText);
@@ -37,6 +38,7 @@ PresetEditor::PresetEditor(QWidget* parent)
   });
   connect(value_, &QDoubleSpinBox::valueChanged, this, &PresetEditor::change);
   connect(method_, &QComboBox::activated, this, &PresetEditor::change);
+  connect(weighting_, &QComboBox::activated, this, &PresetEditor::change);
   connect(hold_feet_, &QCheckBox::clicked, this, &PresetEditor::change);
   setPresets({built_in_presets().begin(), built_in_presets().end()});
   setPreset(built_in_presets().front());
@@ -69,6 +71,15 @@ void PresetEditor::addRows() {
   }
   method_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   method_->setMinimumContentsLength(12);
+  weighting_->setAccessibleName(tr("Weighting"));
+  weighting_->setToolTip(
+      tr("Which points the error eps_x counts. Surface: the body's skin, so that turned heads and "
+         "hands count. Skin: points on the mesh of the clip or of the batch's character; clips "
+         "without one are refused. Shell: three points 3 cm from every joint, as ACL does. Bone "
+         "ends and joint origins: points on the bones, by bone length; the latter are the "
+         "paper's."));
+  for (const Weighting weighting : kWeightings)
+    weighting_->addItem(displayName(weighting), static_cast<int>(weighting));
   hold_feet_->setToolTip(tr("Feet stay where they stand in the original, for some more bytes."));
 
   auto* target = new QHBoxLayout;
@@ -79,6 +90,7 @@ void PresetEditor::addRows() {
   form->setVerticalSpacing(6);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("Target"), target);
+  form->addRow(tr("Weighting"), weighting_);
   form->addRow(tr("Method"), method_);
   form->addRow(QString(), hold_feet_);
   auto* column = new QVBoxLayout(this);
@@ -105,6 +117,7 @@ void PresetEditor::setPreset(const Settings& preset) {
   showKind();
   value_->setValue(preset.target.value);
   method_->setCurrentIndex(method_->findData(QString::fromStdString(preset.method)));
+  weighting_->setCurrentIndex(weighting_->findData(static_cast<int>(preset.weighting)));
   hold_feet_->setChecked(preset.correction.has_value());
   hold_feet_->setEnabled(!find_comparison_method(preset.method));
 }
@@ -143,6 +156,7 @@ void PresetEditor::change() {
   if (filling_) return;
   Settings changed = preset_;
   changed.target = {static_cast<Target::Kind>(kind_->currentData().toInt()), value_->value()};
+  changed.weighting = static_cast<Weighting>(weighting_->currentData().toInt());
   const std::string method = method_->currentData().toString().toStdString();
   if (method != changed.method) changed.coding.reset();
   changed.method = method;

@@ -33,6 +33,7 @@ class PresetEditor : public QWidget {
   PresetChooser* chooser() const { return chooser_; }
   QComboBox* kind() const { return kind_; }
   QDoubleSpinBox* value() const { return value_; }
+  QComboBox* weighting() const { return weighting_; }
   QCheckBox* holdFeet() const { return hold_feet_; }
 
  signals:
@@ -50,6 +51,7 @@ class PresetEditor : public QWidget {
   QComboBox* kind_;
   QDoubleSpinBox* value_;
   QComboBox* method_;
+  QComboBox* weighting_;
   QCheckBox* hold_feet_;
 };
 

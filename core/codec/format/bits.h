@@ -84,6 +84,8 @@ class BitReader {
     return set;
   }
 
+  std::uint64_t bits() const { return at_; }  // that were read
+
  private:
   const std::byte* bytes_;
   std::uint64_t at_ = 0;

@@ -12,11 +12,13 @@
 #include "core/base/file.h"
 #include "core/base/random.h"
 #include "core/codec/encode/encoder.h"
+#include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/own_memory.h"
 #include "tests/support/cooked_clip.h"
 #include "tests/support/opened_clip.h"
 #include "tests/support/segmented_clip.h"
+#include "tests/support/some_tracks.h"
 #include "tests/support/test_motion.h"
 #include "tests/support/turned_forms.h"
 
@@ -59,8 +61,9 @@ class BankTest : public testing::Test {
     put("walks/yxz", encoded_in_order(motion, RotationOrder::Yxz));
     put("still",
         write_container(test::segmented_clip(test::smooth_motion(1), SegmentLayout::whole(1))));
-    put("long",
-        write_container(test::segmented_clip(test::smooth_motion(700), {700, 300, 50}, true)));
+    put("long", with_tracks(write_container(test::segmented_clip(test::smooth_motion(700),
+                                                                 {700, 300, 50}, true)),
+                            test::some_tracks(700), 0.002));
     CompressedClip turned = test::segmented_clip(test::smooth_motion(50), SegmentLayout::whole(50));
     turned.forms = test::turned_forms(turned.skeleton);
     put("turned", write_container(turned));
@@ -129,6 +132,7 @@ TEST_F(BankTest, PlaysAsItsFilesDo) {
       EXPECT_EQ(banked.frames(request, 0, info.frames), alone.frames(request, 0, info.frames))
           << name;
     }
+    EXPECT_EQ(banked.tracks(0, info.frames), alone.tracks(0, info.frames)) << name;
   }
 }
 
@@ -151,6 +155,9 @@ TEST_F(BankTest, CookedClipsGiveThePosesOfClipsCookedAlone) {
         ASSERT_EQ(mcpr_sample(cooked, &request, frame, pose.data()).status, MCPR_OK);
         ASSERT_EQ(pose, alone.sample(request, frame)) << name << " at " << frame;
       }
+    EXPECT_EQ(OpenedClip::frames_of(mcpr_cooked_tracks(cooked), 0, info.frames),
+              opened.tracks(0, info.frames))
+        << name;
     for (std::uint32_t j = 0; j < info.joints; ++j) {
       mcpr_joint expected{};
       mcpr_joint joint{};

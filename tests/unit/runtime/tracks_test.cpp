@@ -8,8 +8,10 @@
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/container.h"
+#include "core/runtime/cooked_check.h"
 #include "core/runtime/mocapress_runtime.h"
 #include "tests/fuzz/file_sections.h"
+#include "tests/support/cooked_clip.h"
 #include "tests/support/opened_clip.h"
 #include "tests/support/segmented_clip.h"
 #include "tests/support/some_tracks.h"
@@ -33,10 +35,10 @@ class RuntimeTracks : public testing::Test {
 
   static std::vector<float> frames(const OpenedClip& clip, const mcpr_track_request& request,
                                    std::uint32_t first, std::uint32_t count) {
-    const AlignedBytes scratch(mcpr_track_scratch_bytes(clip.clip, &request));
-    std::vector<float> out(count * mcpr_track_values(clip.clip, &request));
-    EXPECT_EQ(mcpr_track_frames(clip.clip, &request, first, count, out.data(), scratch.data(),
-                                scratch.size())
+    const AlignedBytes scratch(mcpr_track_scratch_bytes(mcpr_clip_tracks(clip.clip), &request));
+    std::vector<float> out(count * mcpr_track_values(mcpr_clip_tracks(clip.clip), &request));
+    EXPECT_EQ(mcpr_track_frames(mcpr_clip_tracks(clip.clip), &request, first, count, out.data(),
+                                scratch.data(), scratch.size())
                   .status,
               MCPR_OK);
     return out;
@@ -44,9 +46,10 @@ class RuntimeTracks : public testing::Test {
 
   static std::vector<float> moment(const OpenedClip& clip, const mcpr_track_request& request,
                                    double frame) {
-    const AlignedBytes scratch(mcpr_track_scratch_bytes(clip.clip, &request));
-    std::vector<float> out(mcpr_track_values(clip.clip, &request));
-    if (mcpr_track_moment(clip.clip, &request, frame, out.data(), scratch.data(), scratch.size())
+    const AlignedBytes scratch(mcpr_track_scratch_bytes(mcpr_clip_tracks(clip.clip), &request));
+    std::vector<float> out(mcpr_track_values(mcpr_clip_tracks(clip.clip), &request));
+    if (mcpr_track_moment(mcpr_clip_tracks(clip.clip), &request, frame, out.data(), scratch.data(),
+                          scratch.size())
             .status != MCPR_OK)
       out.clear();
     return out;
@@ -60,17 +63,19 @@ TEST_F(RuntimeTracks, AreListedAndFound) {
   ASSERT_EQ(mcpr_clip_describe(clip.clip).tracks, tracks.size());
   for (std::uint32_t t = 0; t < tracks.size(); ++t) {
     mcpr_track track;
-    ASSERT_EQ(mcpr_clip_track(clip.clip, t, &track).status, MCPR_OK);
+    ASSERT_EQ(mcpr_track_describe(mcpr_clip_tracks(clip.clip), t, &track).status, MCPR_OK);
     EXPECT_EQ(track.node, tracks[t].node);
     EXPECT_EQ(track.name, tracks[t].name);
     EXPECT_EQ(static_cast<int>(track.kind), static_cast<int>(tracks[t].kind));
     EXPECT_EQ(track.steps != 0, tracks[t].steps);
   }
-  EXPECT_EQ(mcpr_find_track(clip.clip, MCPR_TRACK_MORPH_WEIGHT, "Face", "frown"), 3);
-  EXPECT_EQ(mcpr_find_track(clip.clip, MCPR_TRACK_MORPH_WEIGHT, nullptr, "frown"), 3);
-  EXPECT_EQ(mcpr_find_track(clip.clip, MCPR_TRACK_SCALE_Y, "spine", nullptr), 4);
-  EXPECT_EQ(mcpr_find_track(clip.clip, MCPR_TRACK_PROPERTY, "Face", "frown"), -1);
-  EXPECT_EQ(mcpr_find_track(clip.clip, MCPR_TRACK_PROPERTY, "Face", nullptr), -1);
+  EXPECT_EQ(mcpr_find_track(mcpr_clip_tracks(clip.clip), MCPR_TRACK_MORPH_WEIGHT, "Face", "frown"),
+            3);
+  EXPECT_EQ(mcpr_find_track(mcpr_clip_tracks(clip.clip), MCPR_TRACK_MORPH_WEIGHT, nullptr, "frown"),
+            3);
+  EXPECT_EQ(mcpr_find_track(mcpr_clip_tracks(clip.clip), MCPR_TRACK_SCALE_Y, "spine", nullptr), 4);
+  EXPECT_EQ(mcpr_find_track(mcpr_clip_tracks(clip.clip), MCPR_TRACK_PROPERTY, "Face", "frown"), -1);
+  EXPECT_EQ(mcpr_find_track(mcpr_clip_tracks(clip.clip), MCPR_TRACK_PROPERTY, "Face", nullptr), -1);
 }
 
 TEST_F(RuntimeTracks, EveryFrameIsTheLibrarysToTheBit) {
@@ -120,7 +125,8 @@ TEST_F(RuntimeTracks, ImpossibleCallsAreRefused) {
   const AlignedBytes scratch(1 << 20);
   const auto status = [&](const mcpr_track_request& request, std::uint32_t first,
                           std::size_t size) {
-    return mcpr_track_frames(clip.clip, &request, first, 1, out.data(), scratch.data(), size)
+    return mcpr_track_frames(mcpr_clip_tracks(clip.clip), &request, first, 1, out.data(),
+                             scratch.data(), size)
         .status;
   };
   const std::uint16_t twice[] = {1, 1};
@@ -130,11 +136,12 @@ TEST_F(RuntimeTracks, ImpossibleCallsAreRefused) {
   EXPECT_EQ(status({nullptr, 1}, 0, scratch.size()), MCPR_ARGUMENT);
   EXPECT_EQ(status({}, kTrackFrames, scratch.size()), MCPR_ARGUMENT);
   const mcpr_track_request all{};
-  EXPECT_EQ(status(all, 0, mcpr_track_scratch_bytes(clip.clip, &all) - 1), MCPR_MEMORY);
-  EXPECT_EQ(status(all, 0, mcpr_track_scratch_bytes(clip.clip, &all)), MCPR_OK);
+  EXPECT_EQ(status(all, 0, mcpr_track_scratch_bytes(mcpr_clip_tracks(clip.clip), &all) - 1),
+            MCPR_MEMORY);
+  EXPECT_EQ(status(all, 0, mcpr_track_scratch_bytes(mcpr_clip_tracks(clip.clip), &all)), MCPR_OK);
   mcpr_track track;
-  EXPECT_EQ(mcpr_clip_track(clip.clip, 5, &track).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_clip_track(nullptr, 0, &track).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_track_describe(mcpr_clip_tracks(clip.clip), 5, &track).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_track_describe(nullptr, 0, &track).status, MCPR_ARGUMENT);
   EXPECT_EQ(mcpr_find_track(nullptr, MCPR_TRACK_PROPERTY, nullptr, nullptr), -1);
 }
 
@@ -160,13 +167,62 @@ TEST_F(RuntimeTracks, EveryChangedByteIsRefusedOrPlays) {
   EXPECT_GT(refused, 20);
 }
 
+TEST_F(RuntimeTracks, ACookedClipHasThemToTheBit) {
+  for (const Loop loop : {Loop::None, Loop::Follows}) {
+    const OpenedClip clip(file(loop));
+    const test::CookedClip cooked(clip.clip);
+    const mcpr_cooked* opened = nullptr;
+    ASSERT_EQ(mcpr_open_cooked(cooked.bytes->data(), cooked.bytes->size(), 1, &opened).status,
+              MCPR_OK);
+    const mcpr_tracks* const tracks = mcpr_cooked_tracks(opened);
+    EXPECT_EQ(mcpr_track_count(tracks), 5u);
+    EXPECT_EQ(mcpr_find_track(tracks, MCPR_TRACK_MORPH_WEIGHT, "Face", "frown"), 3);
+    EXPECT_EQ(OpenedClip::frames_of(tracks, 0, kTrackFrames), clip.tracks(0, kTrackFrames));
+  }
+}
+
+/// Of every byte of the tracks of a cooked clip, with a checksum that suits: refused, or played
+/// without harm (asan tells).
+TEST_F(RuntimeTracks, EveryChangedByteOfCookedOnesIsRefusedOrPlays) {
+  const OpenedClip clip(with_tracks(
+      write_container(test::segmented_clip(test::smooth_motion(300), SegmentLayout::whole(300))),
+      test::some_tracks(300), 0.002));
+  const test::CookedClip cooked(clip.clip);
+  const std::size_t size = cooked.bytes->size();
+  const auto* const tracks = reinterpret_cast<const std::byte*>(mcpr_cooked_tracks(cooked.clip));
+  const auto first = static_cast<std::size_t>(tracks - cooked.bytes->data());
+  const AlignedBytes copy(size);
+  Random random(4);
+  int refused = 0;
+  int played = 0;
+  for (std::size_t at = first; at < size; ++at)
+    for (int round = 0; round < 8; ++round) {
+      std::memcpy(copy.data(), cooked.bytes->data(), size);
+      copy.data()[at] ^= static_cast<std::byte>(round == 0 ? 0xFF : 1 + random.below(255));
+      auto* const head = reinterpret_cast<mcpr_cooked*>(copy.data());
+      head->checksum = runtime::checksum_of(*head);
+      const mcpr_cooked* opened = nullptr;
+      if (mcpr_open_cooked(copy.data(), size, 1, &opened).status != MCPR_OK) {
+        ++refused;
+        continue;
+      }
+      ++played;
+      OpenedClip::frames_of(mcpr_cooked_tracks(opened), 0, 300);
+    }
+  EXPECT_GT(refused, 500);
+  EXPECT_GT(played, 500);
+}
+
 TEST_F(RuntimeTracks, AClipWithoutHasNone) {
   const OpenedClip clip(
       write_container(test::segmented_clip(test::smooth_motion(50), SegmentLayout::whole(50))));
   const mcpr_track_request all{};
   EXPECT_EQ(mcpr_clip_describe(clip.clip).tracks, 0u);
-  EXPECT_EQ(mcpr_track_values(clip.clip, &all), 0u);
-  EXPECT_EQ(mcpr_track_scratch_bytes(clip.clip, &all), 0u);
+  EXPECT_EQ(mcpr_clip_tracks(clip.clip), nullptr);
+  EXPECT_EQ(mcpr_cooked_tracks(test::CookedClip(clip.clip).clip), nullptr);
+  EXPECT_EQ(mcpr_cooked_tracks(nullptr), nullptr);
+  EXPECT_EQ(mcpr_track_values(mcpr_clip_tracks(clip.clip), &all), 0u);
+  EXPECT_EQ(mcpr_track_scratch_bytes(mcpr_clip_tracks(clip.clip), &all), 0u);
 }
 
 }  // namespace
