@@ -4,8 +4,6 @@
 #include <cstdio>
 
 #include "app/cli/option_words.h"
-#include "core/base/file.h"
-#include "core/formats/csv.h"
 #include "core/formats/text_cursor.h"
 
 namespace mocapress::cli {
@@ -62,8 +60,9 @@ void MotionInput::add_character_option(CLI::App& command) {
 
 void MotionInput::add_tracks_option(CLI::App& command) {
   command
-      .add_option("--tracks", tracks,
-                  "Curves beside those of INPUT: a line of names, then one of numbers a frame")
+      .add_option("--tracks", options.tracks,
+                  "Curves beside those of INPUT: a line of names, then one of numbers a frame "
+                  "[INPUT's name with .tracks.csv, where it is there]")
       ->type_name("T.csv");
 }
 
@@ -74,11 +73,6 @@ void MotionOutput::add_options(CLI::App& command) {
 MotionFile MotionInput::read_file(const std::string& path) const {
   MotionFile file = read_motion(path, skeleton, options);
   print_warnings(file.warnings);
-  if (tracks) {
-    const ScalarTracks more =
-        read_csv_tracks(*tracks, read_text(*tracks), file.motion.clip.frames());
-    file.tracks.insert(file.tracks.end(), more.begin(), more.end());
-  }
   return file;
 }
 

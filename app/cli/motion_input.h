@@ -13,7 +13,6 @@ namespace mocapress::cli {
 struct MotionInput {
   std::optional<std::string> skeleton;
   ReadOptions options;
-  std::optional<std::string> tracks;  // a table of them, beside those of the file
 
   void add_options(CLI::App& command);
 

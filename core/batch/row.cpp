@@ -24,6 +24,7 @@ std::vector<fs::path> files_of(const BatchItem& item, const ReadOptions& reading
   if (equals_ignoring_case(input.extension().string(), ".amc"))
     files.push_back(item.skeleton.empty() ? find_skeleton(input) : fs::path(item.skeleton));
   if (reading.character) files.emplace_back(*reading.character);
+  if (const std::optional<fs::path> tracks = find_tracks(input)) files.push_back(*tracks);
   return files;
 }
 

@@ -15,8 +15,8 @@
 
 namespace mocapress {
 
-/// What a clip's files were when it was done: of an .amc, with its skeleton, and of a character
-/// that is put on it.
+/// What a clip's files were when it was done: of an .amc, with its skeleton, of a character that is
+/// put on it and of the curves beside it.
 struct InputStamp {
   std::uintmax_t bytes = 0;
   std::int64_t newest_ns = 0;  // when the newest of them was last written

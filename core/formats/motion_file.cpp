@@ -99,6 +99,12 @@ path find_skeleton(const path& amc) {
       "needs its skeleton, but neither " + stem + ".asf nor " + subject + ".asf is beside it");
 }
 
+std::optional<path> find_tracks(const path& motion) {
+  path table = path(motion).replace_extension(".tracks.csv");
+  std::error_code ignored;
+  return std::filesystem::exists(table, ignored) ? std::optional(std::move(table)) : std::nullopt;
+}
+
 MotionFile parse_motion(const path& file, std::string_view text, std::string_view skeleton_text,
                         const ReadOptions& options) {
   return parse(file, text, {path(file).replace_extension(".asf"), std::string(skeleton_text)},
@@ -116,6 +122,12 @@ MotionFile read_motion(const path& file, const std::optional<path>& skeleton_pat
   }
   MotionFile read = parse(file, text, skeleton, options);
   if (options.character) put_character(*options.character, read);
+  const std::optional<path> table = options.tracks ? path(*options.tracks) : find_tracks(file);
+  if (table) {
+    const ScalarTracks more =
+        read_csv_tracks(table->string(), read_text(*table), read.motion.clip.frames());
+    read.tracks.insert(read.tracks.end(), more.begin(), more.end());
+  }
   return read;
 }
 

@@ -28,6 +28,9 @@ struct ReadOptions {
   std::optional<std::string> take;  // of a file with several: its name, or its number from 1 on
   // A .fbx, .gltf or .glb that read_motion() puts on: put_character().
   std::optional<std::string> character;
+  // A table of curves that read_motion() adds to the clip's: read_csv_tracks(). Unset: what
+  // find_tracks() finds.
+  std::optional<std::string> tracks;
 
   bool operator==(const ReadOptions&) const = default;
 };
@@ -56,6 +59,9 @@ struct MotionFile {
 /// The .asf beside an .amc, of the same name or of the part before '_' (09_01.amc: 09_01.asf,
 /// 09.asf), whatever the case of the extension. Throws InputError when there is none.
 std::filesystem::path find_skeleton(const std::filesystem::path& amc);
+
+/// The table of curves beside a clip (walk.fbx: walk.tracks.csv), where there is one.
+std::optional<std::filesystem::path> find_tracks(const std::filesystem::path& motion);
 
 /// Reads the bytes of a .bvh, .fbx, .gltf, .glb or, with the text of its .asf, an .amc. `file`
 /// names it in messages, and its extension says which of them it is. Throws InputError.

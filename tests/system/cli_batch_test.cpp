@@ -255,6 +255,23 @@ TEST_F(CliBatch, MeasuresOnTheSkinOfACharacterThatFits) {
   EXPECT_THAT(other.err, testing::Not(HasSubstr("of them before")));
 }
 
+TEST_F(CliBatch, KeepsTheCurvesBesideAClip) {
+  write_clips(2);
+  ASSERT_EQ(mocapress(batch("out")).exit_code, 0);
+  write("in/clip_100.tracks.csv", "step\n0\n");
+  const Outcome refused = mocapress(batch("out", {"--resume", "--overwrite"}));
+  EXPECT_EQ(refused.exit_code, 7);
+  EXPECT_THAT(report("out")[0]["error"].get<std::string>(), HasSubstr("clip_100.tracks.csv:2:1"));
+  std::string table = "step\n";
+  for (int frame = 0; frame < 90; ++frame) table += frame % 20 < 5 ? "1\n" : "0\n";
+  write("in/clip_100.tracks.csv", table);
+  const Outcome made = mocapress(batch("out", {"--resume", "--overwrite"}));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("1 of them before"));
+  const Outcome info = mocapress({"info", file("out/in/clip_100.mcpr"), "--json"});
+  EXPECT_EQ(json::parse(info.out)[0]["tracks"][0]["name"], "step");
+}
+
 TEST_F(CliBatch, ShardsAndTheirMergeAreAsOneRun) {
   write_clips(6);
   ASSERT_EQ(mocapress(batch("whole")).exit_code, 0);

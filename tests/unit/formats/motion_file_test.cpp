@@ -43,6 +43,25 @@ class MotionFiles : public testing::Test {
   fs::path folder_;
 };
 
+TEST_F(MotionFiles, HaveTheCurvesOfTheTableBesideThem) {
+  const Motion motion = test::smooth_motion(3);
+  write_text(folder_ / "walk.bvh", bvh_text(motion));
+  write_text(folder_ / "walk.csv", "not a table of curves");
+  EXPECT_TRUE(read_motion(folder_ / "walk.bvh").tracks.empty());
+  write_text(folder_ / "walk.tracks.csv", "step\n0\n1\n1\n");
+  write_text(folder_ / "other.csv", "reach\n0.5\n0.6\n0.7\n");
+  const ScalarTracks beside = read_motion(folder_ / "walk.bvh").tracks;
+  ASSERT_EQ(beside.size(), 1U);
+  EXPECT_EQ(beside[0].name, "step");
+  const ReadOptions told{.tracks = (folder_ / "other.csv").string()};
+  const ScalarTracks named = read_motion(folder_ / "walk.bvh", {}, told).tracks;
+  ASSERT_EQ(named.size(), 1U);
+  EXPECT_EQ(named[0].name, "reach");
+  write_text(folder_ / "walk.tracks.csv", "step\n0\n");
+  EXPECT_EQ(error_of("walk.bvh"),
+            "walk.tracks.csv:2:1: ends after values of 1 frame, the clip has 3");
+}
+
 /// As clips of differences have it: what the joints add to another clip's rotations.
 TEST_F(MotionFiles, WithoutLengthsAreMeasuredByHowJointsTurn) {
   write_text(folder_ / "added.bvh",
