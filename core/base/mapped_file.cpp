@@ -12,7 +12,7 @@
 
 namespace mocapress {
 
-MappedFile::MappedFile(const std::filesystem::path& path) {
+MappedFile::MappedFile(const std::filesystem::path& path, bool beforehand) {
   const auto refuse = [&](const char* why) {
     throw InputError(path.string(), 0, 0, std::string("cannot be read: ") + why);
   };
@@ -22,7 +22,8 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
   if (!S_ISREG(status.st_mode)) refuse("it is not a regular file");
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size == 0) return;
-  void* const memory = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number(), 0);
+  const int flags = MAP_PRIVATE | (beforehand ? MAP_POPULATE : 0);
+  void* const memory = ::mmap(nullptr, size, PROT_READ, flags, file.number(), 0);
   if (memory == MAP_FAILED) refuse(std::strerror(errno));
   bytes_ = {static_cast<const std::byte*>(memory), size};
 }

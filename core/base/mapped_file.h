@@ -14,7 +14,8 @@ namespace mocapress {
 class MappedFile {
  public:
   /// Throws InputError.
-  explicit MappedFile(const std::filesystem::path& path);
+  /// Pages come as they are touched, or all `beforehand`: that takes longer, and no touch waits.
+  explicit MappedFile(const std::filesystem::path& path, bool beforehand = false);
   MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
   MappedFile& operator=(MappedFile&& other) noexcept {
     std::swap(bytes_, other.bytes_);
