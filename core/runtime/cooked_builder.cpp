@@ -238,6 +238,7 @@ void CookedBuilder::lay_out_rotors(CookedBlock& tables, mcpr_cooked& head) {
                      .joints = static_cast<std::uint8_t>(rotors.size())};
     for (int a = 0; a < group.angles; ++a)
       group.vector[a] = static_cast<std::uint16_t>(columns_.vectors(g)[a]);
+    group.are_near = 7;
     std::fill_n(group.joint, kGroup, RotorGroup::kNoJoint);
     bool has_axes = false;
     bool are_inverses = true;
@@ -245,6 +246,7 @@ void CookedBuilder::lay_out_rotors(CookedBlock& tables, mcpr_cooked& head) {
     for (int i = 0; i < group.joints; ++i) {
       const auto bit = static_cast<std::uint8_t>(1U << i);
       group.joint[i] = rotors[i].joint;
+      group.are_near &= rotors[i].are_near;
       const JointModel& joint = clip_.joint_models()[rotors[i].joint];
       has_axes |= joint.has_axes;
       are_inverses &= !joint.has_axes || is_inverse(joint.parent_from_axes, joint.axes_from_joint);

@@ -74,7 +74,7 @@ class Checker {
       require(group.angles >= 1 && group.angles <= 3 && group.joints <= kGroup);
       for (int a = 0; a < group.angles && a < 3; ++a) require(group.vector[a] < clip_.groups);
       for (int i = 0; i < group.joints && i < kGroup; ++i) require(group.joint[i] < clip_.joints);
-      require(group.around_kind <= AroundKind::Any);
+      require(group.around_kind <= AroundKind::Any && group.are_near < 8);
       if (sound_ && group.around_kind != AroundKind::None)
         require_array(group.around, sizeof(float), floats_around(group.around_kind), 4);
     });

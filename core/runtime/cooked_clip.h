@@ -20,6 +20,7 @@ inline constexpr int kGroup = 8;              // columns, and joints, that are w
 inline constexpr int kMostGroupsOfPart = 16;  // so that 7 bits tell a column of a part
 inline constexpr int kMostColumns = 4096;     // of a clip; sampling keeps them on the stack
 inline constexpr int kDetailWindow = 8;       // rows of a band of details that meet at an instant
+inline constexpr int kFinestWindow = 6;       // the same of the finest band
 inline constexpr int kCrumbWindow = 12;       // the same of crumbs, which lie four together
 inline constexpr int kSampleWindow = 6;       // rows of samples that meet
 inline constexpr int kMostKeptBands = 5;      // bands of details of a part
@@ -137,7 +138,8 @@ struct RotorGroup {
   std::uint8_t first_axis[3] = {};   // a bit for each joint whose first axis is x, y, z
   std::uint8_t second_axis[3] = {};  // the same of the second; the third is what is left
   AroundKind around_kind = AroundKind::None;
-  std::uint8_t padding = 0;
+  std::uint8_t are_near = 0;  // a bit for each of `vector` whose half angles are all within an
+                              // eighth of a turn
   TableOffset around = {};
   static constexpr std::uint16_t kNoJoint = 0xFFFF;
 };
@@ -170,7 +172,7 @@ enum class ColumnKind : std::uint8_t { Straight, HalfAngle, Root };
 
 struct mcpr_cooked {
   static constexpr char kMagic[4] = {'M', 'C', 'P', 'C'};
-  static constexpr std::uint32_t kVersion = 5;
+  static constexpr std::uint32_t kVersion = 6;
   char magic[4];
   std::uint32_t checksum;  // CRC-32 of `bytes` and all from `version` on
   std::uint64_t bytes;     // of all

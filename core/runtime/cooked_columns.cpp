@@ -39,6 +39,9 @@ mcpr_result CookedColumns::place() {
     }
   }
   for (int k = 0; k < clip_.segments.count(); ++k) analyse_segment(k);
+  for (int c = 0; c < channel_count(); ++c)
+    for (int end = 0; end < 2 && clip_.end_reach[0] > 0; ++end)
+      channels_[c].furthest += std::abs(static_cast<double>(clip_.end_values(end)[c]));
   choose_wide();
   return place_columns();
 }
@@ -52,11 +55,33 @@ void CookedColumns::analyse_segment(int segment) {
     const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
     channel.least = std::min(channel.least, *least);
     channel.most = std::max(channel.most, *most);
+    if (is_rotation(channel.kind)) see_angles(c, segment);
     for (int depth = 1; depth <= kMostKeptBands && depth < bands.count; ++depth)
       for (int i = 0; i < bands[bands.count - depth].size; ++i)
         channel.largest[depth - 1] = std::max(
             channel.largest[depth - 1], std::abs(coefficients_.value(c, bands.count - depth, i)));
   }
+}
+
+/// How far an angle gets in a segment. Where a loop goes on from the last frame to the first, a
+/// root goes as far again as it came in the last frame.
+void CookedColumns::see_angles(int c, int segment) {
+  Channel& channel = channels_[c];
+  const std::span<const double> angles = coefficients_.samples_of(c, 0);
+  const auto see = [&](double angle) {
+    channel.furthest = std::max(channel.furthest, std::abs(angle));
+  };
+  for (const double angle : angles) see(angle);
+  if (clip_.loop == LoopKind::Follows && segment + 1 == clip_.segments.count() && angles.size() > 1)
+    see(2 * angles.back() - angles[angles.size() - 2]);
+}
+
+/// Of angles, with room for what samples and weights in 16 bits are off.
+bool CookedColumns::is_near(const Channel& channel) const {
+  constexpr double kEighth = 0.785398163;  // radians
+  constexpr double kRoom = 2e-3;
+  const double furthest = channel.changes ? channel.furthest : std::abs(channel.constant);
+  return channel.factor * furthest < kEighth - kRoom;
 }
 
 /// Which channels are too large for 16-bit samples, or for whole weights times their details.
@@ -131,7 +156,10 @@ void CookedColumns::place_joint(int j) {
     const unsigned axis = 1U << axis_of(channel.kind);
     repeats |= (axes & axis) != 0;
     axes |= axis;
-    if (turning < 3) rotor.channel[turning] = static_cast<std::uint16_t>(number);
+    if (turning < 3) {
+      rotor.channel[turning] = static_cast<std::uint16_t>(number);
+      if (!is_near(channel)) rotor.are_near &= static_cast<std::uint8_t>(~(1U << turning));
+    }
     ++turning;
   }
   if (!changes) return;
@@ -221,8 +249,14 @@ bool CookedColumns::place_gathered_vectors() {
 mcpr_result CookedColumns::place_columns() {
   const auto too_many = failure(MCPR_LIMIT, 0, "more channels than a cooked clip can have");
   for (std::uint32_t j = 0; j < clip_.joint_count; ++j) place_joint(static_cast<int>(j));
+  // Those that turn far beside each other: of three angles first, of two last, of one first.
   std::sort(rotors_, rotors_ + rotor_count_, [](const Rotor& a, const Rotor& b) {
-    return a.angles != b.angles ? a.angles > b.angles : a.joint < b.joint;
+    if (a.angles != b.angles) return a.angles > b.angles;
+    if (a.are_near != b.are_near) {
+      const bool is_further = a.far() != b.far() ? a.far() > b.far() : a.are_near < b.are_near;
+      return is_further == (a.angles != 2);
+    }
+    return a.joint < b.joint;
   });
   if (!place_full_vectors()) return too_many;
   for (int k = 0; k < kGroup * groups_; ++k)

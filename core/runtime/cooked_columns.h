@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,6 +26,7 @@ class CookedColumns {
     double constant = 0;  // its value where it has but one
     double least = 0;     // of its samples after the bands that would be kept
     double most = 0;
+    double furthest = 0;  // magnitude of its values at frames, ends included; of angles
     std::int32_t largest[kMostKeptBands] = {};  // magnitude in each of the finest bands
     std::uint16_t joint = 0;
     std::uint8_t kind = 0;
@@ -36,7 +38,11 @@ class CookedColumns {
   struct Rotor {
     std::uint16_t joint = 0;
     std::uint8_t angles = 0;
+    std::uint8_t are_near = 7;  // a bit for each that stays within a quarter of a turn
     std::uint16_t channel[3] = {};
+
+    /// How many do not.
+    int far() const { return 3 - std::popcount(are_near); }
   };
   struct Column {
     std::int32_t channel = -1;  // -1: none
@@ -77,6 +83,8 @@ class CookedColumns {
   }
   int channel_count() const { return static_cast<int>(clip_.channel_count); }
   void analyse_segment(int segment);
+  void see_angles(int channel, int segment);
+  bool is_near(const Channel& channel) const;
   void choose_wide();
   void fill_wide();
   mcpr_result place_columns();

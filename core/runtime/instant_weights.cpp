@@ -229,7 +229,10 @@ void set_samples(const RowWeights& from, int rows, SampleWeights& to) {
 void set_band(const PoseKernels& kernels, const RowWeights& from, int rows, int depth, float unit,
               BandWeights& to) {
   const int padded = std::max((rows + 1) / 2 * 2, kDetailWindow);
-  const int first = std::clamp(from.first & ~1, 0, padded - kDetailWindow);
+  int before = 0;  // the rows that are used
+  while (before < kDetailWindow - 1 && from.weight[before] == 0) ++before;
+  const int first = depth == 1 ? std::clamp((from.first + before) & ~1, 0, padded - kFinestWindow)
+                               : std::clamp(from.first & ~1, 0, padded - kDetailWindow);
   to.first_row = first;
   const RowWeights weights = first == from.first ? from : moved(from, first);
   int used = 0;

@@ -244,10 +244,15 @@ void add_run(const EntryRun& run, const std::int32_t* weights, std::int32_t* sum
   }
 }
 
-void put_quaternions(const std::uint16_t* places, int joints, const RotorQuaternions& quaternions,
-                     float* out) {
-  for (int i = 0; i < joints; ++i)
-    for (int k = 0; k < 4; ++k) out[8 * places[i] + k] = quaternions.of[k][i];
+void put_quaternions(const std::uint16_t* places, int joints, const Floats& w, const Floats& x,
+                     const Floats& y, const Floats& z, float* out) {
+  for (int i = 0; i < joints; ++i) {
+    float* const to = out + 8 * places[i];
+    to[0] = w.lane[i];
+    to[1] = x.lane[i];
+    to[2] = y.lane[i];
+    to[3] = z.lane[i];
+  }
 }
 
 }  // namespace
@@ -264,9 +269,10 @@ const PoseKernels kPlainPoses = {.set_band = plain_poses::set_band,
                                  .sum_entries = plain_poses::sum_entries,
                                  .make_columns = plain_poses::make_columns,
                                  .clear = plain_poses::clear,
+                                 .blend = plain_poses::blend,
                                  .lift = plain_poses::lift,
                                  .turn = plain_poses::turn,
-                                 .put_quaternions = plain_poses::put_quaternions};
+                                 .turn_into = plain_poses::turn_into};
 
 const PoseKernels* avx2_poses() {
 #if defined(__x86_64__) && defined(__GNUC__)

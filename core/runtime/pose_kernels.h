@@ -19,7 +19,8 @@ struct BandWeights {
   int last_used;
   std::int32_t sum;  // of `of_row`
   // Times 2^15 and, so that none gets lost, once more 2 for every second band from the finest.
-  // Zeros before and after them make up a window of crumbs, which begins at a fourth row.
+  // Zeros before and after them make up a window of crumbs, which begins at a fourth row. Of the
+  // finest band those after kFinestWindow are zero.
   alignas(16) std::int16_t of_row[2 + kDetailWindow + 4] = {};
   // Times 2^17, each row's at its number modulo 16; the other rows of blocks have zeros.
   alignas(32) std::int32_t of_entry[16];
@@ -116,12 +117,14 @@ struct PoseKernels {
                       int count, int groups, std::int32_t* whole);
   void (*make_columns)(const PartRows&);
   void (*clear)(std::int32_t* values, int count);  // of a multiple of eight
+  /// out = from + share * (to - from), likewise.
+  void (*blend)(const float* from, const float* to, float share, int count, float* out);
   void (*lift)(const LiftPart&);
   /// `around`: what the group's AroundKind says.
   void (*turn)(const RotorGroup&, const float* columns, const float* around, RotorQuaternions& out);
-  /// Writes the quaternions of so many joints, w x y z each: to out + 8 * place.
-  void (*put_quaternions)(const std::uint16_t* places, int joints, const RotorQuaternions&,
-                          float* out);
+  /// The same, written for the first so many joints, w x y z each: to out + 8 * place.
+  void (*turn_into)(const RotorGroup&, const float* columns, const float* around,
+                    const std::uint16_t* places, int joints, float* out);
 };
 
 extern const PoseKernels kPlainPoses;

@@ -240,30 +240,32 @@ MOCAPRESS_POSES_AVX2 inline void add_run(const EntryRun& run, const std::int32_t
   if (i < run.count) add_eight<false>(run.first + i, run.count - i, low, high, sums);
 }
 
-MOCAPRESS_POSES_AVX2 void put_quaternions(const std::uint16_t* places, int count,
-                                          const RotorQuaternions& quaternions, float* out) {
-  alignas(16) float joints[kGroup][4];
-  for (int half = 0; half < 8; half += 4) {
-    __m128 w = _mm_loadu_ps(quaternions.of[0] + half);
-    __m128 x = _mm_loadu_ps(quaternions.of[1] + half);
-    __m128 y = _mm_loadu_ps(quaternions.of[2] + half);
-    __m128 z = _mm_loadu_ps(quaternions.of[3] + half);
-    _MM_TRANSPOSE4_PS(w, x, y, z);
-    if (half + 4 <= count) {
-      const std::uint16_t* const place = places + half;
-      _mm_storeu_ps(out + 8 * place[0], w);
-      _mm_storeu_ps(out + 8 * place[1], x);
-      _mm_storeu_ps(out + 8 * place[2], y);
-      _mm_storeu_ps(out + 8 * place[3], z);
-      continue;
+MOCAPRESS_POSES_AVX2 inline void put_quaternions(const std::uint16_t* places, int joints,
+                                                 const Floats& w, const Floats& x, const Floats& y,
+                                                 const Floats& z, float* out) {
+  const __m256 wx_low = _mm256_unpacklo_ps(w.lanes, x.lanes);  // of joints 0 1 4 5
+  const __m256 wx_high = _mm256_unpackhi_ps(w.lanes, x.lanes);
+  const __m256 yz_low = _mm256_unpacklo_ps(y.lanes, z.lanes);
+  const __m256 yz_high = _mm256_unpackhi_ps(y.lanes, z.lanes);
+  const __m256 both[4] = {
+      // a joint, and the one four further
+      _mm256_shuffle_ps(wx_low, yz_low, 0x44), _mm256_shuffle_ps(wx_low, yz_low, 0xEE),
+      _mm256_shuffle_ps(wx_high, yz_high, 0x44), _mm256_shuffle_ps(wx_high, yz_high, 0xEE)};
+  if (joints == kGroup) {
+#pragma GCC unroll 4
+    for (int i = 0; i < 4; ++i) {
+      _mm_storeu_ps(out + 8 * places[i], _mm256_castps256_ps128(both[i]));
+      _mm_storeu_ps(out + 8 * places[i + 4], _mm256_extractf128_ps(both[i], 1));
     }
-    _mm_store_ps(joints[half], w);
-    _mm_store_ps(joints[half + 1], x);
-    _mm_store_ps(joints[half + 2], y);
-    _mm_store_ps(joints[half + 3], z);
-    for (int i = half; i < count; ++i) _mm_storeu_ps(out + 8 * places[i], _mm_load_ps(joints[i]));
     return;
   }
+  alignas(16) float one[kGroup][4];
+#pragma GCC unroll 4
+  for (int i = 0; i < 4; ++i) {
+    _mm_store_ps(one[i], _mm256_castps256_ps128(both[i]));
+    _mm_store_ps(one[i + 4], _mm256_extractf128_ps(both[i], 1));
+  }
+  for (int i = 0; i < joints; ++i) _mm_storeu_ps(out + 8 * places[i], _mm_load_ps(one[i]));
 }
 
 }  // namespace
@@ -281,9 +283,10 @@ const PoseKernels kAvx2Poses = {.set_band = avx2_poses_of::set_band,
                                 .sum_entries = avx2_poses_of::sum_entries,
                                 .make_columns = avx2_poses_of::make_columns,
                                 .clear = avx2_poses_of::clear,
+                                .blend = avx2_poses_of::blend,
                                 .lift = avx2_poses_of::lift,
                                 .turn = avx2_poses_of::turn,
-                                .put_quaternions = avx2_poses_of::put_quaternions};
+                                .turn_into = avx2_poses_of::turn_into};
 
 }  // namespace mocapress::runtime
 

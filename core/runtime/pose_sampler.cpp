@@ -16,10 +16,6 @@
 namespace mocapress::runtime {
 namespace {
 
-/// Frames from one within which an instant is that frame: seconds times a rate are rounded, and a
-/// frame costs less than what is between two, most of all in play at half the rate.
-constexpr float kAtFrame = 0x1p-16F;
-
 class Sampler {
  public:
   Sampler(const mcpr_cooked& clip, const PoseKernels& kernels, const mcpr_sample_request& request,
@@ -121,15 +117,9 @@ class Sampler {
 
   void make_columns(double frame) {
     const SegmentLayout layout = clip_.layout();
-    int before = std::min(static_cast<int>(frame), layout.frames - 1);
-    float share = before + 1 < layout.frames ? static_cast<float>(frame - before) : 0.0F;
-    if (share < kAtFrame) share = 0;
-    if (share > 1 - kAtFrame) {
-      ++before;
-      share = 0;
-    }
+    const auto [before, share] = between_frames(layout.frames, frame);
     if (const SegmentLayout::Stretch stretch = layout.stretch_at(before);
-        stretch.shared < 0 && (share == 0 || stretch.frames > 1)) {
+        is_liftable(stretch, {before, share})) {
       if (cursor_ != nullptr && cursor_->keep(kernels_, before, share > 0, left_out_))
         blend_kept(before, share);
       else
@@ -151,9 +141,8 @@ class Sampler {
       std::memcpy(columns_, at, sizeof *at * kGroup * clip_.row_groups);
       return;
     }
-    const float* const next = cursor_->frame(frame + 1);
-    for (std::uint32_t c = 0; c < kGroup * clip_.row_groups; ++c)
-      columns_[c] = at[c] + share * (next[c] - at[c]);
+    kernels_.blend(at, cursor_->frame(frame + 1), share,
+                   kGroup * static_cast<int>(clip_.row_groups), columns_);
   }
 
   /// How much of what an end lacks goes to a frame.
@@ -245,12 +234,13 @@ class Sampler {
       const std::uint16_t* const places =
           selection_ == nullptr ? group.joint : selection_->rotors[i].place;
       const int joints = selection_ == nullptr ? group.joints : selection_->rotors[i].joints;
-      RotorQuaternions quaternions;
-      kernels_.turn(group, columns_, clip_.at<float>(group.around), quaternions);
+      const auto* const around = clip_.at<float>(group.around);
       if (request_.layout == MCPR_TRANSFORMS) {
-        kernels_.put_quaternions(places, joints, quaternions, out);
+        kernels_.turn_into(group, columns_, around, places, joints, out);
         continue;
       }
+      RotorQuaternions quaternions;
+      kernels_.turn(group, columns_, around, quaternions);
       for (int k = 0; k < joints; ++k) {
         const float wxyz[4] = {quaternions.of[0][k], quaternions.of[1][k], quaternions.of[2][k],
                                quaternions.of[3][k]};

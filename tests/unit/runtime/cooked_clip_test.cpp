@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include "core/base/random.h"
@@ -150,6 +151,25 @@ TEST(CookedClip, GivesThemOfOddJoints) {
       motion.clip.channels(t, c) = (c < 3 ? 40 : 0.8) * std::sin(0.02 * (c + 1) * t + c);
   motion.clip.channels.col(4).setConstant(0.3);
   expect_as_decoded(compressed_of(motion, {.target = {Target::Kind::Error, 0.05}}));
+}
+
+/// Half angles within an eighth of a turn and beyond, beside each other: sines of the former take
+/// no quarters off.
+TEST(CookedClip, GivesThemOfAnglesNearAndFar) {
+  Motion motion;
+  using enum ChannelKind;
+  for (int j = 0; j < 20; ++j)
+    motion.skeleton.add({.name = "j" + std::to_string(j),
+                         .parent = j - 1,
+                         .offset = {0, 2, 0},
+                         .channels = {RotationX, RotationY, RotationZ}});
+  const int channels = motion.skeleton.channel_count();
+  motion.clip.channels.resize(150, channels);
+  constexpr double kMost[] = {0.2, 1.5, 1.565, 1.5708, 1.6, 3, 7};
+  for (int c = 0; c < channels; ++c)
+    for (int t = 0; t < 150; ++t)
+      motion.clip.channels(t, c) = kMost[c % 7] * std::sin(0.01 * (c % 9 + 1) * t + c);
+  expect_as_decoded(test::segmented_clip(motion, SegmentLayout::whole(150)));
 }
 
 class CookedPaths : public testing::Test {
