@@ -11,6 +11,7 @@
 #include "core/runtime/cooked_builder.h"
 #include "core/runtime/cooked_check.h"
 #include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/pose_crowd.h"
 #include "core/runtime/pose_cursor.h"
 #include "core/runtime/pose_sampler.h"
 #include "core/runtime/pose_selection.h"
@@ -103,6 +104,27 @@ mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* r
   if (!std::isfinite(time) || out == nullptr) return refused("no finite instant, or no output");
   sample(*clip, *poses_of(request->path), place_in_clip(*clip, *request, time), *request, out,
          cursor);
+  return kOk;
+}
+
+constexpr mcpr_result kNoCrowdMemory =
+    failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
+
+/// Where one is at fault, its number is the offset.
+mcpr_result check_crowd(const mcpr_crowd_request* request, const mcpr_character* characters,
+                        std::uint32_t count) {
+  if (request == nullptr) return refused("no request");
+  if (characters == nullptr && count > 0) return refused("no characters");
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const mcpr_character& character = characters[i];
+    const mcpr_sample_request one = request_of(*request, character);
+    mcpr_result result = check_sample_request(character.clip, &one);
+    if (!failed(result) && (!std::isfinite(character.time) || character.out == nullptr))
+      result = refused("no finite instant, or no output");
+    if (!failed(result)) continue;
+    result.offset = i;
+    return result;
+  }
   return kOk;
 }
 
@@ -300,15 +322,7 @@ mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t siz
     return runtime::refused("no cooked clip, or no place was given for the cursor");
   if (!runtime::suits_alignment(memory) || size < mcpr_cursor::bytes_for(*cooked))
     return runtime::failure(MCPR_MEMORY, 0, "too little memory for the cursor, or not aligned");
-  *cursor = new (memory)
-      mcpr_cursor{.clip = cooked,
-                  .first = 0,
-                  .count = 0,
-                  .capacity = mcpr_cursor::capacity_for(*cooked),
-                  .columns = runtime::kGroup * static_cast<std::int32_t>(cooked->row_groups),
-                  .step = 1,
-                  .last = 0,
-                  .left_out = 0};
+  *cursor = new (memory) mcpr_cursor(mcpr_cursor::empty(*cooked));
   return runtime::kOk;
 }
 
@@ -316,6 +330,40 @@ mcpr_result mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* req
                              float* out) {
   if (cursor == nullptr) return runtime::refused("no cursor");
   return runtime::sample_checked(cursor->clip, request, time, out, cursor);
+}
+
+size_t mcpr_sort_crowd_scratch_bytes(uint32_t count) {
+  runtime::Memory memory;
+  const runtime::CrowdSorter measured(memory, count);
+  return static_cast<size_t>(memory.used());
+}
+
+mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
+                            uint32_t count, void* scratch, size_t scratch_size) {
+  const mcpr_result result = runtime::check_crowd(request, characters, count);
+  if (runtime::failed(result) || count == 0) return result;
+  runtime::Memory memory(scratch, scratch_size);
+  runtime::CrowdSorter sorter(memory, count);
+  if (!memory.holds()) return runtime::kNoCrowdMemory;
+  sorter.sort(*request, characters);
+  return runtime::kOk;
+}
+
+size_t mcpr_crowd_scratch_bytes(void) {
+  runtime::Memory memory;
+  const runtime::PoseCrowd measured(memory);
+  return static_cast<size_t>(memory.used());
+}
+
+mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request, const mcpr_character* characters,
+                              uint32_t count, void* scratch, size_t scratch_size) {
+  const mcpr_result result = runtime::check_crowd(request, characters, count);
+  if (runtime::failed(result) || count == 0) return result;
+  runtime::Memory memory(scratch, scratch_size);
+  runtime::PoseCrowd crowd(memory);
+  if (!memory.holds()) return runtime::kNoCrowdMemory;
+  crowd.pose(*request, characters, count);
+  return runtime::kOk;
 }
 
 mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,

@@ -332,6 +332,49 @@ mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t siz
 mcpr_result mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request, double time,
                              float* out);
 
+/* ---------------------------------------------------------------- a crowd */
+
+/* One of many that are posed at once. */
+typedef struct mcpr_character {
+  const mcpr_cooked* clip;
+  const mcpr_selection* selection; /* of the clip's joints; null: all */
+  double time;                     /* in the unit of the request */
+  float* out;                      /* mcpr_sample_values() of them */
+  mcpr_wrap wrap;
+  uint32_t bands_left_out; /* as of mcpr_sample_request */
+} mcpr_character;
+
+/* What all of them ask for. All zero: transforms, by frames. */
+typedef struct mcpr_crowd_request {
+  mcpr_layout layout;
+  mcpr_time unit;
+  mcpr_path path;
+  int exact; /* 1: the bits of mcpr_sample, whoever else is posed. 0: where many play a clip, some
+                frames are made once for several, as a cursor keeps them: each pose has the bits of
+                mcpr_sample or those of mcpr_sample_next, by which others are beside it. Both are
+                within 5e-4 radians and 2e-3 cm of mcpr_decode_moment, and all paths agree */
+} mcpr_crowd_request;
+
+/* Scratch memory of mcpr_sort_crowd: about 72 bytes a character. */
+size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
+
+/* Puts the array into the order in which mcpr_sample_crowd is fastest: by clip, bands left out and
+ * instant. Characters that were in it a moment before are nearly so yet: it need not be called at
+ * every frame. Fails as mcpr_sample_crowd does. */
+mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
+                            uint32_t count, void* scratch, size_t scratch_size);
+
+/* Scratch memory of mcpr_sample_crowd, however many they are: about 150 KB. */
+size_t mcpr_crowd_scratch_bytes(void);
+
+/* mcpr_sample of each, in any order, fastest in that of mcpr_sort_crowd. Threads take a slice of
+ * the array each, with scratch memory of their own. If one of them cannot be posed, nothing is
+ * written, and the result's offset is the first such one's number in the array. */
+mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request, const mcpr_character* characters,
+                              uint32_t count, void* scratch, size_t scratch_size);
+
+/* ---------------------------------------------------------------- root motion */
+
 /* How a joint, usually the root, moves from one instant to another: the transform at `from`,
  * inverted, times that at `to`. In a loop, turn after turn is added to it; `to` may be before
  * `from`. Layout and list of the request do not matter. */

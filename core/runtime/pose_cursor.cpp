@@ -56,11 +56,22 @@ void spread_entries(const mcpr_cooked& clip, const CookedEntries& entries, RowRa
 
 namespace runtime = mocapress::runtime;
 
-int mcpr_cursor::capacity_for(const mcpr_cooked& clip) {
+int mcpr_cursor::capacity_for(const mcpr_cooked& clip, std::size_t bytes, int fewest) {
   const int columns = runtime::kGroup * static_cast<int>(clip.row_groups);
   if (columns == 0) return 0;
-  const int fitting = static_cast<int>(kMostBytes - kHead) / (4 * columns);
-  return fitting < kFewestFrames ? 0 : std::min(fitting, runtime::kMostLiftedFrames);
+  const int fitting = static_cast<int>(bytes) / (4 * columns);
+  return fitting < fewest ? 0 : std::min(fitting, runtime::kMostLiftedFrames);
+}
+
+mcpr_cursor mcpr_cursor::empty(const mcpr_cooked& clip, std::size_t bytes, int fewest) {
+  return {.clip = &clip,
+          .first = 0,
+          .count = 0,
+          .capacity = capacity_for(clip, bytes, fewest),
+          .columns = runtime::kGroup * static_cast<std::int32_t>(clip.row_groups),
+          .step = 1,
+          .last = 0,
+          .left_out = 0};
 }
 
 std::size_t mcpr_cursor::bytes_for(const mcpr_cooked& clip) {
@@ -87,19 +98,24 @@ bool mcpr_cursor::keep(const runtime::PoseKernels& kernels, int number, bool and
     first -=
         std::min(number - first_of_stretch, step * (capacity - (and_next ? 2 : 1))) / step * step;
   count = std::min(capacity, (number + stretch.frames - 1 - first) / step + 1);
-  fill(kernels, stretch.segment);
+  alignas(32) std::int32_t entries[most_entry_values(kMostBytes - kHead, kFewestFrames)];
+  fill(kernels, stretch.segment, entries);
   return true;
 }
 
-void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment) {
+void mcpr_cursor::keep_run(const runtime::PoseKernels& kernels, int from, int frames,
+                           int left_out_bands, std::int32_t* entries) {
+  first = from;
+  count = frames;
+  step = 1;
+  left_out = left_out_bands;
+  fill(kernels, clip->layout().stretch_at(from).segment, entries);
+}
+
+void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment, std::int32_t* entries) {
   using namespace runtime;
   const SegmentLayout layout = clip->layout();
   LiftLevel levels[kMostKeptBands];
-  // Rows of entries of all levels: half of the frames, half of these ..., and some around them.
-  constexpr int kMostEntryValues =
-      2 * static_cast<int>(kMostBytes / 4) +
-      8 * kMostKeptBands * static_cast<int>(kMostBytes / 4 / kFewestFrames);
-  alignas(32) std::int32_t entries[kMostEntryValues];
   std::int32_t* next = entries;
   int length = layout.frames_of(segment);
   int level_count = 0;

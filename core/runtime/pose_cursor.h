@@ -24,9 +24,19 @@ struct mcpr_cursor {
   std::int32_t left_out;  // of the finest bands, in what is kept
   // Then floats, frame after frame, kHead bytes from the beginning.
 
-  /// Frames that fit.
-  static int capacity_for(const mcpr_cooked& clip);
+  /// Frames that fit into so many bytes; 0 where these are too few.
+  static int capacity_for(const mcpr_cooked& clip, std::size_t bytes = kMostBytes - kHead,
+                          int fewest = kFewestFrames);
   static std::size_t bytes_for(const mcpr_cooked& clip);
+  /// Keeps none yet.
+  static mcpr_cursor empty(const mcpr_cooked& clip, std::size_t bytes = kMostBytes - kHead,
+                           int fewest = kFewestFrames);
+  /// Rows of entries of all levels while frames are lifted: half of the frames, half of these ...,
+  /// and some around them.
+  static constexpr int most_entry_values(std::size_t bytes, int fewest) {
+    const auto values = static_cast<int>(bytes / sizeof(float));
+    return 2 * values + 8 * mocapress::runtime::kMostKeptBands * (values / fewest);
+  }
 
   const float* frame(int number) const {
     return reinterpret_cast<const float*>(reinterpret_cast<const std::byte*>(this) + kHead) +
@@ -38,10 +48,15 @@ struct mcpr_cursor {
   bool keep(const mocapress::runtime::PoseKernels& kernels, int number, bool and_next,
             int left_out_bands);
 
+  /// Makes these frames, all of a segment and not shared, as many as fit. `entries`: room for
+  /// most_entry_values().
+  void keep_run(const mocapress::runtime::PoseKernels& kernels, int from, int frames,
+                int left_out_bands, std::int32_t* entries);
+
  private:
   bool has(int number) const {
     const int after = number - first;
     return after >= 0 && after < step * count && after % step == 0;
   }
-  void fill(const mocapress::runtime::PoseKernels& kernels, int segment);
+  void fill(const mocapress::runtime::PoseKernels& kernels, int segment, std::int32_t* entries);
 };

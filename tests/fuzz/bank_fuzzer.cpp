@@ -13,6 +13,27 @@ namespace {
 using mocapress::AlignedBytes;
 namespace runtime = mocapress::runtime;
 
+/// So many beside each other that frames are lifted for them.
+void sample_crowd(const mcpr_cooked* clip) {
+  const mcpr_cooked_info info = mcpr_cooked_describe(clip);
+  std::vector<float> pose(std::size_t{8} * info.joints);
+  std::vector<mcpr_character> crowd;
+  for (std::uint32_t bands = 0; bands <= MCPR_MOST_BANDS_LEFT_OUT; bands += 2)
+    for (int i = 0; i < 24; ++i)
+      crowd.push_back({.clip = clip,
+                       .selection = nullptr,
+                       .time = i < 12 ? 0.3 * i : 0.5 * info.frames + i,
+                       .out = pose.data(),
+                       .wrap = MCPR_CLAMP,
+                       .bands_left_out = bands});
+  const auto count = static_cast<std::uint32_t>(crowd.size());
+  const mcpr_crowd_request request{};
+  const AlignedBytes sorting(mcpr_sort_crowd_scratch_bytes(count));
+  mcpr_sort_crowd(&request, crowd.data(), count, sorting.data(), sorting.size());
+  const AlignedBytes scratch(mcpr_crowd_scratch_bytes());
+  mcpr_sample_crowd(&request, crowd.data(), count, scratch.data(), scratch.size());
+}
+
 void sample(const mcpr_cooked* clip) {
   const mcpr_cooked_info info = mcpr_cooked_describe(clip);
   for (const mcpr_wrap wrap : {MCPR_CLAMP, MCPR_LOOP}) {
@@ -27,6 +48,7 @@ void sample(const mcpr_cooked* clip) {
   if (mcpr_make_selection(clip, &root, 1, memory.data(), memory.size(), &selection).status !=
       MCPR_OK)
     return;
+  sample_crowd(clip);
   float transform[8];
   for (std::uint32_t bands = 0; bands <= MCPR_MOST_BANDS_LEFT_OUT; ++bands) {
     const mcpr_sample_request request{.selection = selection, .bands_left_out = bands};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * A crowd of a cooked bank: crowd BANK.mcpk CHARACTERS. Each plays a clip of its own, from its own
  * instant on; those further away leave out the finest bands. Prints where each character's root is
- * after every second. All that an engine does is in map_bank() and pose(). */
+ * after every second. All that an engine does is in map_bank() and pose_all(). */
 #define _POSIX_C_SOURCE 200809L
 #include <fcntl.h>
 #include <mocapress_runtime.h>
@@ -46,22 +46,41 @@ static const mcpk_bank* map_bank(const char* path) {
   return bank;
 }
 
-/* May be called by any number of threads at once, each for characters of its own. */
-static void pose(const character* one, double seconds) {
-  const mcpr_cooked_info info = mcpr_cooked_describe(one->clip);
-  const double length = (info.frames - 1) / info.sample_rate;
-  double at = one->start + seconds;
-  while (length > 0 && at > length) at -= length; /* it begins anew */
-  const mcpr_sample_request request = {.unit = MCPR_SECONDS,
-                                       .bands_left_out = one->distance < 15   ? 0
-                                                         : one->distance < 40 ? 1
-                                                                              : 2};
-  check(mcpr_sample(one->clip, &request, at, one->pose->rotation));
+static void* aligned(size_t size) { /* for MCPR_ALIGNMENT */
+  const size_t rounded = (size + MCPR_ALIGNMENT - 1) / MCPR_ALIGNMENT * MCPR_ALIGNMENT;
+  return or_exit(aligned_alloc(MCPR_ALIGNMENT, rounded), "memory");
+}
+
+/* An engine keeps the array and the scratch memory from frame to frame. Threads may pose a slice of
+ * the array each, after it was sorted, with scratch memory of their own. */
+static void pose_all(const character* crowd, uint32_t count, double seconds) {
+  mcpr_character* all = or_exit(calloc(count, sizeof *all), "crowd");
+  for (uint32_t c = 0; c < count; ++c) {
+    const mcpr_cooked_info info = mcpr_cooked_describe(crowd[c].clip);
+    const double length = (info.frames - 1) / info.sample_rate;
+    double at = crowd[c].start + seconds;
+    while (length > 0 && at > length) at -= length; /* it begins anew */
+    const float distance = crowd[c].distance;
+    all[c] = (mcpr_character){.clip = crowd[c].clip,
+                              .time = at,
+                              .out = crowd[c].pose->rotation,
+                              .bands_left_out = distance < 15 ? 0 : distance < 40 ? 1 : 2};
+  }
+  const mcpr_crowd_request request = {.unit = MCPR_SECONDS};
+  const size_t sort_size = mcpr_sort_crowd_scratch_bytes(count);
+  const size_t pose_size = mcpr_crowd_scratch_bytes();
+  void* sort_scratch = aligned(sort_size);
+  void* pose_scratch = aligned(pose_size);
+  check(mcpr_sort_crowd(&request, all, count, sort_scratch, sort_size));
+  check(mcpr_sample_crowd(&request, all, count, pose_scratch, pose_size));
+  free(pose_scratch);
+  free(sort_scratch);
+  free(all);
 }
 
 int main(int argc, char** argv) {
   const long count = argc == 3 ? strtol(argv[2], NULL, 10) : 0;
-  if (count < 1) return fprintf(stderr, "Usage: crowd BANK.mcpk CHARACTERS\n"), 2;
+  if (count < 1 || count > 10000000) return fprintf(stderr, "Usage: crowd BANK.mcpk CHARACTERS\n"), 2;
   const mcpk_bank* bank = map_bank(argv[1]);
   const mcpk_info info = mcpk_describe(bank);
   if (info.clips == 0) return fprintf(stderr, "crowd: no clips\n"), 1;
@@ -74,14 +93,15 @@ int main(int argc, char** argv) {
     const size_t joints = mcpr_cooked_describe(crowd[c].clip).joints;
     crowd[c].pose = or_exit(calloc(joints, sizeof *crowd[c].pose), "crowd");
   }
-  for (int second = 0; second < 3; ++second)
+  for (int second = 0; second < 3; ++second) {
+    pose_all(crowd, (uint32_t)count, second);
     for (long c = 0; c < count; ++c) {
       char name[MCPK_NAME_BYTES];
       mcpk_name(bank, crowd[c].number, name);
-      pose(&crowd[c], second);
       const float* at = crowd[c].pose[0].translation;
       printf("%d s: %ld plays %s at %.1f %.1f %.1f cm\n", second, c, name, (double)at[0],
              (double)at[1], (double)at[2]);
     }
+  }
   return 0;
 }
