@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
+#include <string_view>
 
 #include "core/base/error.h"
-#include "core/codec/format/own_memory.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/cooked_clip.h"
 
@@ -25,7 +26,7 @@ void append_value(std::vector<std::byte>& to, T value) {
   to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
-std::string key_of(std::span<const std::byte> bytes) {
+std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -33,7 +34,7 @@ std::string key_of(std::span<const std::byte> bytes) {
 
 std::uint32_t InternedBytes::intern(std::span<const std::byte> bytes) {
   const auto [at, is_new] =
-      numbers_.try_emplace(key_of(bytes), static_cast<std::uint32_t>(all_.size()));
+      numbers_.try_emplace(std::string(text_of(bytes)), static_cast<std::uint32_t>(all_.size()));
   if (is_new) all_.push_back(&at->first);
   return at->second;
 }
@@ -43,11 +44,16 @@ std::uint32_t SharedTables::intern(std::span<const std::byte> table) {
       (bytes_.size() + kTableAlignment - 1) / kTableAlignment * kTableAlignment;
   if (place + table.size() > kMostRegionBytes)
     throw WriteError("the tables of the bank would take more than 4 GiB");
-  const auto [at, is_new] = places_.try_emplace(key_of(table), static_cast<std::uint32_t>(place));
-  if (!is_new) return at->second;
+  const auto [first, end] = places_.equal_range(std::hash<std::string_view>()(text_of(table)));
+  for (auto at = first; at != end; ++at)
+    if (at->second.bytes == table.size() &&
+        std::ranges::equal(table, std::span(bytes_).subspan(at->second.place, table.size())))
+      return at->second.place;
+  places_.emplace(std::hash<std::string_view>()(text_of(table)),
+                  Table{static_cast<std::uint32_t>(place), table.size()});
   bytes_.resize(place);
   bytes_.insert(bytes_.end(), table.begin(), table.end());
-  return at->second;
+  return static_cast<std::uint32_t>(place);
 }
 
 BankWriter::BankWriter(const std::filesystem::path& path, runtime::BankForm form)
@@ -180,11 +186,9 @@ void BankWriter::finish(const BankTexts& texts) {
   head.bytes = written_;
   head.checksum = runtime::bank_checksum(&head, offsetof(mcpk_bank, checksum));
   file_.write_at(0, std::as_bytes(std::span(&head, 1)));
-  const std::vector<std::byte> written = file_.read_back();
-  const AlignedBytes aligned(written.size());
-  std::ranges::copy(written, aligned.data());
+  const MappedFile written = file_.map_back();
   const mcpk_bank* bank = nullptr;
-  const mcpr_result result = mcpk_open(aligned.data(), aligned.size(), 1, &bank);
+  const mcpr_result result = mcpk_open(written.bytes().data(), written.bytes().size(), 1, &bank);
   if (runtime::failed(result))
     throw WriteError(file_.path().string() + ": does not read back: " + result.message);
   file_.commit();

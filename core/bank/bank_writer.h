@@ -36,7 +36,11 @@ class SharedTables {
   const std::vector<std::byte>& bytes() const { return bytes_; }
 
  private:
-  std::unordered_map<std::string, std::uint32_t> places_;
+  struct Table {
+    std::uint32_t place;
+    std::size_t bytes;
+  };
+  std::unordered_multimap<std::size_t, Table> places_;  // by hash: the bytes stand below
   std::vector<std::byte> bytes_;
 };
 

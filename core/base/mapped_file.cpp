@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/staged_file.h"
@@ -20,12 +21,22 @@ MappedFile::MappedFile(const std::filesystem::path& path, bool beforehand) {
   struct stat status;
   if (!file || ::fstat(file.number(), &status) != 0) refuse(std::strerror(errno));
   if (!S_ISREG(status.st_mode)) refuse("it is not a regular file");
+  std::optional<MappedFile> mapped = of_descriptor(file.number(), beforehand);
+  if (!mapped) refuse(std::strerror(errno));
+  std::swap(bytes_, mapped->bytes_);
+}
+
+std::optional<MappedFile> MappedFile::of_descriptor(int file, bool beforehand) {
+  struct stat status;
+  if (::fstat(file, &status) != 0) return std::nullopt;
   const auto size = static_cast<std::size_t>(status.st_size);
-  if (size == 0) return;
+  MappedFile mapped;
+  if (size == 0) return mapped;
   const int flags = MAP_PRIVATE | (beforehand ? MAP_POPULATE : 0);
-  void* const memory = ::mmap(nullptr, size, PROT_READ, flags, file.number(), 0);
-  if (memory == MAP_FAILED) refuse(std::strerror(errno));
-  bytes_ = {static_cast<const std::byte*>(memory), size};
+  void* const memory = ::mmap(nullptr, size, PROT_READ, flags, file, 0);
+  if (memory == MAP_FAILED) return std::nullopt;
+  mapped.bytes_ = {static_cast<const std::byte*>(memory), size};
+  return mapped;
 }
 
 MappedFile::~MappedFile() {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -16,6 +17,8 @@ class MappedFile {
   /// Throws InputError.
   /// Pages come as they are touched, or all `beforehand`: that takes longer, and no touch waits.
   explicit MappedFile(const std::filesystem::path& path, bool beforehand = false);
+  /// A file that is open under this number; none where errno says why it cannot be.
+  static std::optional<MappedFile> of_descriptor(int file, bool beforehand = false);
   MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
   MappedFile& operator=(MappedFile&& other) noexcept {
     std::swap(bytes_, other.bytes_);
@@ -26,6 +29,8 @@ class MappedFile {
   std::span<const std::byte> bytes() const { return bytes_; }
 
  private:
+  MappedFile() = default;
+
   std::span<const std::byte> bytes_;
 };
 

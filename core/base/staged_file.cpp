@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "core/base/error.h"
@@ -199,6 +200,12 @@ std::vector<std::byte> StagedFile::read_back() const {
     done += static_cast<std::size_t>(got);
   }
   return bytes;
+}
+
+MappedFile StagedFile::map_back() const {
+  std::optional<MappedFile> mapped = MappedFile::of_descriptor(file_.number());
+  if (!mapped) fail(errno);
+  return std::move(*mapped);
 }
 
 void StagedFile::commit(Existing existing) {

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/mapped_file.h"
+
 namespace mocapress {
 
 /// A file or folder that the system holds open for us; closed at the end.
@@ -86,6 +88,9 @@ class StagedFile {
 
   /// All that was written, as the file system gives it back.
   std::vector<std::byte> read_back() const;
+
+  /// The same where it lies, for what is large.
+  MappedFile map_back() const;
 
   /// Waits until the contents are on the disk, puts the file in place, and waits until its name is
   /// on the disk. May be called once, as the last of all.
