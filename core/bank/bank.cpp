@@ -73,7 +73,7 @@ class Filler {
     if (!bank.is_cooked()) {
       const auto* const first =
           reinterpret_cast<const std::byte*>(bank.bank().at(entry.place.offset));
-      writer_.add(entry.name, copy_outline(bank.bank(), entry.kind, intern_), entry.checksum,
+      writer_.add(entry.name, copy_outline(bank.bank(), entry.kind, intern_),
                   {first, static_cast<std::size_t>(entry.place.bytes)}, tags);
       return;
     }
@@ -101,17 +101,14 @@ class Filler {
     if (form_ == runtime::BankForm::Cooked)
       return put_cooked(name, cook_for_bank(bytes, writer_.tables()), tags);
     const PackedClip packed = pack_clip(bytes, intern_);
-    writer_.add(name, packed.outline,
-                runtime::bank_checksum(packed.bytes.data(), packed.bytes.size()), packed.bytes,
-                tags);
+    writer_.add(name, packed.outline, packed.bytes, tags);
   } catch (const FormatError& error) {
     throw InputError(file, 0, 0, error.what());
   }
 
   void put_cooked(const std::string& name, const BankedClip& clip,
                   const std::vector<std::string>& tags) {
-    writer_.add(name, writer_.intern(runtime::BankItem::Part, clip.skeleton), clip.checksum,
-                clip.bytes, tags);
+    writer_.add(name, writer_.intern(runtime::BankItem::Part, clip.skeleton), clip.bytes, tags);
   }
 
   BankWriter& writer_;

@@ -87,8 +87,8 @@ std::uint32_t BankWriter::tag_set(std::vector<std::string> tags) {
   return intern(runtime::BankItem::TagSet, std::as_bytes(std::span(numbers)));
 }
 
-void BankWriter::add(const std::string& name, std::uint32_t kind, std::uint32_t checksum,
-                     std::span<const std::byte> bytes, std::vector<std::string> tags) {
+void BankWriter::add(const std::string& name, std::uint32_t kind, std::span<const std::byte> bytes,
+                     std::vector<std::string> tags) {
   if (name.empty() || name.size() > runtime::kMostNameOfClip ||
       name.find('\0') != std::string::npos)
     throw InputError(name, 0, 0, "a clip of a bank needs a name of 1 to 255 bytes");
@@ -101,24 +101,54 @@ void BankWriter::add(const std::string& name, std::uint32_t kind, std::uint32_t 
     align(runtime::kCookedAlignment);
     clips_.push_back(written_);
   }
-  std::size_t kept = 0;
   if (count_ % runtime::kClipsOfBlock == 0) {
+    end_block();
     append_value(blocks_, written_);
     append_value(blocks_, static_cast<std::uint32_t>(entries_.size()));
-  } else {
-    while (kept < last_name_.size() && kept < name.size() && name[kept] == last_name_[kept]) ++kept;
+    append_value(blocks_, std::uint32_t{0});  // end_block() knows it
   }
-  entries_.push_back(static_cast<std::byte>(kept));
-  entries_.push_back(static_cast<std::byte>(name.size() - kept));
+  put_entry(name, kind, tag_set(std::move(tags)), bytes.size());
+  const auto checked = form_ == runtime::BankForm::Cooked
+                           ? bytes.subspan(offsetof(mcpr_cooked, checksum), sizeof(std::uint32_t))
+                           : bytes;
+  checked_.insert(checked_.end(), checked.begin(), checked.end());
+  write(bytes);
+  ++count_;
+}
+
+void BankWriter::put_entry(const std::string& name, std::uint32_t kind, std::uint32_t tags,
+                           std::uint64_t size) {
+  using namespace runtime;
+  const bool is_first = count_ % kClipsOfBlock == 0;
+  if (is_first) last_name_.clear();
+  std::size_t kept = 0;
+  while (kept < last_name_.size() && name[kept] == last_name_[kept]) ++kept;
+  const std::size_t dropped = last_name_.size() - kept;
+  const std::size_t more = name.size() - kept - 1;
+  const bool has_kind = is_first || kind != last_kind_;
+  const bool has_tags = is_first || tags != last_tags_;
+  entries_.push_back(
+      static_cast<std::byte>(std::min<std::size_t>(dropped, kNameMask) |
+                             std::min<std::size_t>(more, kNameMask) << kNewNameShift |
+                             (has_kind ? kHasKind : 0U) | (has_tags ? kHasTags : 0U)));
+  for (const std::size_t part : {dropped, more})
+    if (part >= kNameMask) write_varint(entries_, part - kNameMask);
   const auto rest = bytes_of(name).subspan(kept);
   entries_.insert(entries_.end(), rest.begin(), rest.end());
-  write_varint(entries_, bytes.size());
-  write_varint(entries_, kind);
-  write_varint(entries_, tag_set(std::move(tags)));
-  append_value(entries_, checksum);
-  write(bytes);
+  write_varint(entries_, size);
+  if (has_kind) write_varint(entries_, kind);
+  if (has_tags) write_varint(entries_, tags);
   last_name_ = name;
-  ++count_;
+  last_kind_ = kind;
+  last_tags_ = tags;
+}
+
+/// Tells the last block, if there is one, its checksum.
+void BankWriter::end_block() {
+  if (blocks_.empty()) return;
+  const std::uint32_t checksum = runtime::bank_checksum(checked_.data(), checked_.size());
+  std::memcpy(&blocks_[blocks_.size() - sizeof checksum], &checksum, sizeof checksum);
+  checked_.clear();
 }
 
 runtime::BankRegion BankWriter::write_region(std::span<const std::byte> bytes,
@@ -160,6 +190,7 @@ std::vector<std::byte> BankWriter::item_bytes(const BankTexts& texts, mcpk_bank&
 }
 
 void BankWriter::finish(const BankTexts& texts) {
+  end_block();
   mcpk_bank head{};
   std::memcpy(head.magic, mcpk_bank::kMagic, sizeof head.magic);
   head.version = mcpk_bank::kVersion;
@@ -173,6 +204,7 @@ void BankWriter::finish(const BankTexts& texts) {
     std::memcpy(&entry, &*first + 8, sizeof entry);
     index.insert(index.end(), first, first + 8);
     append_value(index, entry + static_cast<std::uint32_t>(blocks_.size()));
+    index.insert(index.end(), first + 12, first + 16);
   }
   index.insert(index.end(), entries_.begin(), entries_.end());
   head.index = write_region(index, 1, head.index_checksum);

@@ -58,14 +58,17 @@ class BankWriter {
   SharedTables& tables() { return tables_; }
 
   /// Also throws InputError where the name is impossible or does not follow upon the one before.
-  void add(const std::string& name, std::uint32_t kind, std::uint32_t checksum,
-           std::span<const std::byte> bytes, std::vector<std::string> tags);
+  void add(const std::string& name, std::uint32_t kind, std::span<const std::byte> bytes,
+           std::vector<std::string> tags);
 
   /// Puts the file in place, after it was read back and found sound.
   void finish(const BankTexts& texts);
 
  private:
   std::uint32_t tag_set(std::vector<std::string> tags);
+  void put_entry(const std::string& name, std::uint32_t kind, std::uint32_t tags,
+                 std::uint64_t size);
+  void end_block();
   void write(std::span<const std::byte> bytes);
   void align(std::uint64_t alignment);
   runtime::BankRegion write_region(std::span<const std::byte> bytes, std::uint64_t alignment,
@@ -78,7 +81,10 @@ class BankWriter {
   InternedBytes items_[runtime::kBankItems];
   SharedTables tables_;
   std::string last_name_;
+  std::uint32_t last_kind_ = 0;
+  std::uint32_t last_tags_ = 0;
   std::vector<std::byte> blocks_;
+  std::vector<std::byte> checked_;  // what the checksum of the last block is of
   std::vector<std::byte> entries_;
   std::vector<std::uint64_t>
       clips_;  // where they begin: cooked ones, to tell them where tables are

@@ -67,7 +67,7 @@ BankedClip moved(const mcpr_cooked& clip, SharedTables& tables) {
   TableMover(clip, tables).move(*head);
   head->tables = 0;
   head->checksum = runtime::checksum_of(*head);
-  return {{copy.data(), copy.data() + copy.size()}, {}, head->checksum};
+  return {{copy.data(), copy.data() + copy.size()}, {}};
 }
 
 std::vector<std::byte> skeleton_of(const mcpr_clip* clip) {

@@ -15,7 +15,6 @@ namespace mocapress {
 struct BankedClip {
   std::vector<std::byte> bytes;     // but for where its tables are
   std::vector<std::byte> skeleton;  // the item of the bank
-  std::uint32_t checksum = 0;
 };
 
 /// Cooks a .mcpr with its IK correction, and puts its tables among those of a bank. Throws

@@ -73,19 +73,14 @@ mcpr_result check_items(const mcpk_bank& bank) {
 
 mcpr_result check_clip(const mcpk_bank& bank, const BankEntry& entry) {
   const auto offset = static_cast<std::size_t>(entry.place.offset);
-  const auto damaged =
-      failure(MCPR_DAMAGED, offset, "a clip of the bank is damaged: its checksum differs");
   if (!bank.is_cooked()) {
-    if (bank_checksum(bank.at(entry.place.offset), static_cast<std::size_t>(entry.place.bytes)) !=
-        entry.checksum)
-      return damaged;
     FileSections sections;
     return read_sections(bank, entry, mcpr_default_limits(), sections);
   }
   const mcpr_cooked* cooked = nullptr;
   mcpr_result result = cooked_clip_of(bank, entry, cooked);
-  if (!failed(result) && (cooked->checksum != entry.checksum || cooked->bytes != entry.place.bytes))
-    return damaged;
+  if (!failed(result) && cooked->bytes != entry.place.bytes)
+    result = failure(MCPR_DAMAGED, 0, "a clip of the bank has another size than it says");
   if (!failed(result))
     result = check_cooked(*cooked, {cooked->tables, kFirstTable, bank.tables.bytes});
   if (failed(result)) return failure(result.status, offset + result.offset, result.message);
@@ -101,6 +96,37 @@ bool is_padding(const mcpk_bank& bank, std::uint64_t from, std::uint64_t to) {
   for (; from < to; ++from)
     if (*bank.at(from) != 0) return false;
   return true;
+}
+
+/// The clips of a block, and their checksum.
+mcpr_result check_clips(const mcpk_bank& bank, std::uint32_t block) {
+  const auto damaged = [](std::uint64_t offset) {
+    return failure(MCPR_DAMAGED, static_cast<std::size_t>(offset),
+                   "clips of the bank are damaged: their checksum differs");
+  };
+  BankEntry entry;
+  EntryWalk clips(bank, block);
+  std::uint32_t own[kClipsOfBlock];
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+  std::size_t count = 0;
+  for (; clips.next(entry); ++count) {
+    if (count == 0) begin = entry.place.offset;
+    end = entry.place.offset + entry.place.bytes;
+    if (!bank.is_cooked()) continue;
+    const mcpr_cooked* cooked = nullptr;
+    const mcpr_result result = cooked_clip_of(bank, entry, cooked);
+    if (failed(result)) return result;
+    own[count] = cooked->checksum;
+  }
+  const std::uint32_t checksum =
+      bank.is_cooked() ? bank_checksum(own, count * sizeof *own)
+                       : bank_checksum(bank.at(begin), static_cast<std::size_t>(end - begin));
+  if (checksum != clips.checksum()) return damaged(begin);
+  EntryWalk again(bank, block);
+  while (again.next(entry))
+    if (const mcpr_result result = check_clip(bank, entry); failed(result)) return result;
+  return kOk;
 }
 
 /// Blocks follow each other without gaps, and so does what the bank consists of.
@@ -124,10 +150,10 @@ mcpr_result check_index(const mcpk_bank& bank) {
                                                        entry.name_length) < 0);
       if (!follows || std::memchr(entry.name, 0, entry.name_length) != nullptr)
         return refuse(walk.offset());
-      if (const mcpr_result result = check_clip(bank, entry); failed(result)) return result;
       clips_end = entry.place.offset + entry.place.bytes;
       before = entry;
     }
+    if (const mcpr_result result = check_clips(bank, block); failed(result)) return result;
     end = walk.offset();
   }
   const auto follows = [&](const BankRegion& region, std::uint64_t before_it) {

@@ -34,8 +34,8 @@ class Bank:
     def __init__(self, data):
         self.data = data
         head = Cursor(data[:HEAD])
-        if head.take(4) != b"MCPK" or head.read("HH") != (1, 0):
-            refuse("not a packed bank of version 1")
+        if head.take(4) != b"MCPK" or head.read("HH") != (2, 0):
+            refuse("not a packed bank of version 2")
         size, index, index_size, items, items_size, _, _ = head.read("7Q")
         self.count, *counts = head.read("6I")
         index_crc, items_crc, _, head_crc = head.read("4I")
@@ -53,28 +53,42 @@ class Bank:
         """Name, bytes and outline of each clip."""
         last = b""
         blocks = Cursor(self.index)
-        heads = [blocks.read("QI") for _ in range(-(-self.count // CLIPS_OF_BLOCK))]
-        for block, (place, first) in enumerate(heads):
+        heads = [blocks.read("QII") for _ in range(-(-self.count // CLIPS_OF_BLOCK))]
+        for block, (begin, first, checksum) in enumerate(heads):
             cursor = Cursor(self.index[first:])
+            place, before = begin, b""
             for _ in range(min(CLIPS_OF_BLOCK, self.count - CLIPS_OF_BLOCK * block)):
-                kept, length = cursor.read("BB")
-                name = last[:kept] + cursor.take(length)
+                head = cursor.read("B")
+                dropped, more = head & 7, head >> 3 & 7
+                if dropped == 7:
+                    dropped += number(cursor)
+                if more == 7:
+                    more += number(cursor)
+                name = before[: len(before) - dropped] + cursor.take(more + 1)
                 if name <= last:
                     refuse("names that are not in order")
-                last = name
-                size, outline, _ = number(cursor), number(cursor), number(cursor)
-                clip = self.data[place : place + size]
-                if zlib.crc32(clip) != cursor.read("I"):
-                    refuse("a checksum of a clip differs")
+                last = before = name
+                size = number(cursor)
+                if head & 64:
+                    outline = number(cursor)
+                if head & 128:
+                    number(cursor)  # of its tags
+                yield name.decode(), self.data[place : place + size], self.outlines[outline]
                 place += size
-                yield name.decode(), clip, self.outlines[outline]
+            if zlib.crc32(self.data[begin:place]) != checksum:
+                refuse("a checksum of clips differs")
 
     def sections(self, clip, outline):
         """The sections of a packed clip, and what says its orders."""
         cursor, outline = Cursor(clip), Cursor(outline)
         count, orders_size = outline.read("HH")
         tags = [(outline.take(4), outline.read("I")) for _ in range(count)]
-        errors = cursor.take(8)
+        if orders_size & 2**15:
+            errors = cursor.take(8)
+        else:
+            codes = [cursor.read("H"), cursor.read("H")]
+            errors = struct.pack("<2I", *(c and c + 106 * 2**11 << 12 for c in codes))
+        orders_size &= 2**15 - 1
         frames = number(cursor)
         own = [tag for tag, part in tags if part == NONE]
         sizes = {tag: number(cursor) for tag in own if tag not in (b"MOTN", b"COMP")}

@@ -58,6 +58,8 @@ EntryWalk::EntryWalk(const mcpk_bank& bank, std::uint32_t block)
   std::uint32_t entry = 0;
   std::memcpy(&data_, index.data + kBlockBytes * block, sizeof data_);
   std::memcpy(&entry, index.data + kBlockBytes * block + sizeof data_, sizeof entry);
+  std::memcpy(&checksum_, index.data + kBlockBytes * block + sizeof data_ + sizeof entry,
+              sizeof checksum_);
   if (entry > index.size) return;
   cursor_ = {index.data + entry, index.size - entry, index.offset + entry};
   left_ = std::min(kClipsOfBlock, bank.clips - kClipsOfBlock * block);
@@ -66,20 +68,23 @@ EntryWalk::EntryWalk(const mcpk_bank& bank, std::uint32_t block)
 bool EntryWalk::next(BankEntry& entry) {
   if (left_ == 0) return false;
   --left_;
-  const auto kept = cursor_.read<std::uint8_t>();
-  const auto length = cursor_.read<std::uint8_t>();
-  const std::uint8_t* const name = cursor_.take(length);
-  if (name == nullptr || kept > (is_first_ ? 0 : entry.name_length) || kept + length < 1 ||
-      kept + length > static_cast<int>(kMostNameOfClip))
+  if (is_first_) entry.name_length = 0;
+  const unsigned head = cursor_.read<std::uint8_t>();
+  const std::uint64_t dropped = name_part(head);
+  const std::uint64_t length = name_part(head >> kNewNameShift) + 1;
+  if (dropped > entry.name_length || length > kMostNameOfClip + dropped - entry.name_length)
+    return false;
+  const std::size_t kept = entry.name_length - static_cast<std::size_t>(dropped);
+  const std::uint8_t* const name = cursor_.take(static_cast<std::size_t>(length));
+  if (name == nullptr || (is_first_ && (head & (kHasKind | kHasTags)) != (kHasKind | kHasTags)))
     return false;
   is_first_ = false;
-  std::memcpy(entry.name + kept, name, length);
+  std::memcpy(entry.name + kept, name, static_cast<std::size_t>(length));
   entry.name_length = static_cast<std::uint8_t>(kept + length);
   entry.name[entry.name_length] = 0;
   const std::uint64_t size = read_varint(cursor_);
-  const std::uint64_t kind = read_varint(cursor_);
-  const std::uint64_t tag_set = read_varint(cursor_);
-  entry.checksum = cursor_.read<std::uint32_t>();
+  const std::uint64_t kind = (head & kHasKind) != 0 ? read_varint(cursor_) : entry.kind;
+  const std::uint64_t tag_set = (head & kHasTags) != 0 ? read_varint(cursor_) : entry.tag_set;
   const bool is_possible =
       !cursor_.failed() && data_ >= sizeof bank_ && data_ <= bank_.bytes &&
       aligned_in(bank_, data_) == data_ && size <= bank_.bytes - data_ &&
@@ -91,6 +96,12 @@ bool EntryWalk::next(BankEntry& entry) {
   entry.place = {data_, size};
   data_ = aligned_in(bank_, data_ + size);
   return true;
+}
+
+/// A number of bytes of a name: what the head says, and what follows where it is beyond that.
+std::uint64_t EntryWalk::name_part(unsigned told) {
+  told &= kNameMask;
+  return told < kNameMask ? told : kNameMask + read_varint(cursor_);
 }
 
 bool read_entry(const mcpk_bank& bank, std::uint32_t clip, BankEntry& entry) {

@@ -28,7 +28,15 @@ inline constexpr std::uint32_t kClipsOfBlock = 16;  // of the index
 inline constexpr std::uint32_t kMostClipsOfBank = std::uint32_t{1} << 24;
 inline constexpr std::size_t kMostNameOfClip = 255;  // bytes
 inline constexpr std::size_t kMostTextOfBank = 65535;
-inline constexpr std::size_t kBlockBytes = 12;  // u64 place of the first clip, u32 of its entry
+// u64 place of the first clip, u32 of its entry, u32 checksum of the clips.
+inline constexpr std::size_t kBlockBytes = 16;
+// Of an entry's first byte: how many bytes of the end of the name before are dropped, how many come
+// in their place less 1, and whether kind and tags are told or those of the entry before.
+inline constexpr unsigned kNameMask =
+    7;  // of each: 7 says that a number follows, of what is beyond
+inline constexpr int kNewNameShift = 3;
+inline constexpr unsigned kHasKind = 0x40;
+inline constexpr unsigned kHasTags = 0x80;
 inline constexpr std::uint64_t kCookedAlignment = 32;  // of cooked clips, and of their tables
 inline constexpr std::uint64_t kFirstTable = 32;  // no table lies before: an offset of 0 is none
 
@@ -44,7 +52,6 @@ struct BankEntry {
   std::uint8_t name_length = 0;
   std::uint32_t kind = 0;  // packed: its outline; cooked: its skeleton
   std::uint32_t tag_set = 0;
-  std::uint32_t checksum = 0;  // packed: CRC-32 of its bytes; cooked: the clip's own checksum
   BankRegion place;
 };
 
@@ -55,7 +62,7 @@ std::uint32_t bank_checksum(const void* bytes, std::size_t size);
 /// The head of the file, and so the bank.
 struct mcpk_bank {
   static constexpr char kMagic[4] = {'M', 'C', 'P', 'K'};
-  static constexpr std::uint16_t kVersion = 1;
+  static constexpr std::uint16_t kVersion = 2;
   char magic[4];
   std::uint16_t version;
   mocapress::runtime::BankForm form;
@@ -97,7 +104,7 @@ namespace mocapress::runtime {
 /// nothing else.
 mcpr_result check_bank_head(const mcpk_bank& bank, std::size_t size);
 
-/// Walks the entries of an index, from a block's first.
+/// Walks the entries of an index, from a block's first. Each needs the one before it.
 class EntryWalk {
  public:
   EntryWalk(const mcpk_bank& bank, std::uint32_t block);
@@ -107,10 +114,16 @@ class EntryWalk {
 
   std::size_t offset() const { return cursor_.offset(); }  // in the file
 
+  /// Of the block: packed: CRC-32 of the bytes of its clips; cooked: of their own checksums.
+  std::uint32_t checksum() const { return checksum_; }
+
  private:
+  std::uint64_t name_part(unsigned told);
+
   const mcpk_bank& bank_;
   Cursor cursor_;
   std::uint64_t data_ = 0;
+  std::uint32_t checksum_ = 0;
   std::uint32_t left_ = 0;  // entries of the block
   bool is_first_ = true;
 };

@@ -8,6 +8,7 @@
 #include "core/base/byte_cursor.h"
 #include "core/base/file.h"
 #include "core/codec/format/axes_section.h"
+#include "core/codec/format/coded_error.h"
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/format_limits.h"
 #include "core/codec/format/room.h"
@@ -35,8 +36,8 @@ std::vector<std::byte> write_description(const Container& container) {
   writer.write(static_cast<std::uint8_t>(wavelets ? clip.provenance.method : kNoMethod));
   writer.write(static_cast<std::uint8_t>(clip.provenance.weighting));
   writer.write(clip.provenance.seed);
-  writer.write(clip.provenance.eps_cm);
-  writer.write(clip.provenance.max_error_cm);
+  writer.write(runtime::rounded_error(clip.provenance.eps_cm));
+  writer.write(runtime::rounded_error(clip.provenance.max_error_cm));
   return writer.release();
 }
 

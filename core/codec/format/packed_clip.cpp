@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/format/packed_clip.h"
 
+#include "core/codec/format/coded_error.h"
+
 namespace mocapress::runtime {
 
 bool has_told_size(const Section& section) {
@@ -25,13 +27,15 @@ mcpr_result PackedSections::begin(std::uint16_t& sections) {
   outline_ = bank_.item(BankItem::Outline, entry_.kind);
   if (outline_.size < kOutlineHead) return refuse("the clip has no outline");
   std::uint16_t order_bytes = 0;
+  static_assert(kErrorsAt + sizeof errors_ == kDescriptionBytes);
   std::memcpy(&sections, outline_.data, sizeof sections);
   std::memcpy(&order_bytes, outline_.data + sizeof sections, sizeof order_bytes);
   if (outline_.size != kOutlineHead + kOutlineSection * sections)
     return refuse("the outline of the clip has the wrong size");
   left_ = bank_.bytes_of(entry_.place).cursor();
-  const std::uint8_t* const errors = left_.take(sizeof errors_);
-  if (errors != nullptr) std::memcpy(errors_, errors, sizeof errors_);
+  const bool are_whole = (order_bytes & kWholeErrors) != 0;
+  for (float& error : errors_)
+    error = are_whole ? left_.read<float>() : error_from(left_.read<std::uint16_t>());
   const std::uint64_t frames = read_varint(left_);
   if (frames > 0xFFFFFFFFU) return refuse("more than 2^22 frames");
   frames_ = static_cast<std::uint32_t>(frames);
@@ -41,8 +45,8 @@ mcpr_result PackedSections::begin(std::uint16_t& sections) {
   for (int s = 0; s < sections; ++s)
     if (has_told_size(section_at(s, part)) && part == kOwnPart)
       told += read_varint(left_) & 0xFFFFFFFFU;
-  orders_ = {nullptr, order_bytes, left_.offset()};
-  orders_.data = left_.take(order_bytes);
+  orders_ = {nullptr, order_bytes & (kWholeErrors - 1U), left_.offset()};
+  orders_.data = left_.take(orders_.size);
   if (left_.failed() || told > left_.left()) return refuse("the clip ends within its head");
   motion_bytes_ = left_.left() - static_cast<std::size_t>(told);
   return kOk;

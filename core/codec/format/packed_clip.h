@@ -11,7 +11,8 @@
 namespace mocapress::runtime {
 
 inline constexpr std::uint32_t kOwnPart = 0xFFFFFFFFU;  // of an outline: the clip has it itself
-inline constexpr std::size_t kOutlineHead = 4;          // u16 sections, u16 bytes of orders
+inline constexpr std::size_t kOutlineHead = 4;          // u16 sections, u16 bytes of orders and a
+inline constexpr std::uint16_t kWholeErrors = 0x8000;   // bit: errors are 4 bytes each, not 2
 inline constexpr std::size_t kOutlineSection = 8;       // tag, u32 part
 
 inline constexpr std::size_t kDescriptionBytes = 32;  // CLIP, of which a clip has its own:
@@ -58,7 +59,7 @@ class PackedSections {
   int next_ = 0;
   std::uint8_t description_[kDescriptionBytes] = {};
   std::uint32_t frames_ = 0;
-  std::uint8_t errors_[8] = {};
+  float errors_[2] = {};
 };
 
 }  // namespace mocapress::runtime

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/byte_cursor.h"
+#include "core/codec/format/coded_error.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/joint_orders.h"
@@ -70,6 +71,17 @@ class JointText {
   int joints_;
   int channels_;
 };
+
+/// In 2 bytes each, or where they are no such numbers in 4; appends them, and says whether in 4.
+bool append_errors(std::span<const std::byte> errors, std::vector<std::byte>& to) {
+  float both[2];
+  std::memcpy(both, errors.data(), sizeof both);
+  std::uint16_t codes[2];
+  const bool are_short =
+      runtime::find_error_code(both[0], codes[0]) && runtime::find_error_code(both[1], codes[1]);
+  append(to, are_short ? std::as_bytes(std::span(codes)) : errors);
+  return !are_short;
+}
 
 int order_of(const std::uint8_t* kinds, int channels) {
   std::uint8_t axes[3] = {};
@@ -142,12 +154,15 @@ PackedClip pack_clip(std::span<const std::byte> file, const InternItem& intern) 
     append(list, std::as_bytes(std::span(section.tag)));
     append_number(list, part);
   }
+  PackedClip packed;
+  const bool are_whole =
+      append_errors(description.subspan(runtime::kErrorsAt, 2 * sizeof(float)), packed.bytes);
   std::vector<std::byte> outline;
   append_number(outline, count);
-  append_number(outline, static_cast<std::uint16_t>(orders.size()));
+  append_number(outline, static_cast<std::uint16_t>(orders.size() |
+                                                    (are_whole ? runtime::kWholeErrors : 0U)));
   append(outline, list);
-  PackedClip packed{intern(runtime::BankItem::Outline, outline), {}};
-  append(packed.bytes, description.subspan(runtime::kErrorsAt, 8));
+  packed.outline = intern(runtime::BankItem::Outline, outline);
   write_varint(packed.bytes, sections.frames);
   append(packed.bytes, sizes);
   append(packed.bytes, orders);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "core/base/error.h"
@@ -13,8 +14,10 @@
 #include "core/base/random.h"
 #include "core/codec/encode/encoder.h"
 #include "core/codec/encode/track_encoder.h"
+#include "core/codec/format/coded_error.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/own_memory.h"
+#include "core/codec/format/packed_clip.h"
 #include "tests/support/cooked_clip.h"
 #include "tests/support/opened_clip.h"
 #include "tests/support/segmented_clip.h"
@@ -97,6 +100,57 @@ TEST_F(BankTest, GivesEveryFileBackByteForByte) {
   }
 }
 
+/// Errors of a file that other writers made may have all bits that floats have.
+TEST_F(BankTest, GivesErrorsBackThatHaveNoCode) {
+  const auto put_errors = [&](const std::string& name, float eps, float most) {
+    CompressedClip clip = test::segmented_clip(test::smooth_motion(20), SegmentLayout::whole(20));
+    std::vector<std::byte> bytes = write_container(clip);
+    // A section is its tag, size and checksum, then its payload.
+    const auto tag = std::as_bytes(std::span("CLIP", 4));
+    std::byte* const section = &*std::ranges::search(bytes, tag).begin();
+    std::byte* const payload = section + runtime::kSectionHead;
+    std::memcpy(payload + runtime::kErrorsAt, &eps, sizeof eps);
+    std::memcpy(payload + runtime::kErrorsAt + 4, &most, sizeof most);
+    std::uint8_t head[8];
+    std::memcpy(head, section, sizeof head);
+    const std::uint32_t checksum = runtime::section_checksum(
+        head, reinterpret_cast<const std::uint8_t*>(payload), runtime::kDescriptionBytes);
+    std::memcpy(section + 8, &checksum, sizeof checksum);
+    put(name, bytes);
+  };
+  put_errors("walks/e-most", 0.123456789F, 1e30F);
+  put_errors("walks/e-none", 0, 0);
+  put_errors("walks/e-one", 0.5F, 1.1F);
+  put_errors("walks/e-small", 1e-12F, 0x1p-21F);
+  put_errors("walks/e-whole", 0.25F, 1023.5F);
+  make();
+  const BankFile made(bank());
+  for (const char* const name :
+       {"walks/e-most", "walks/e-none", "walks/e-one", "walks/e-small", "walks/e-whole"}) {
+    const std::int32_t clip = mcpk_find(&made.bank(), name);
+    ASSERT_GE(clip, 0);
+    const runtime::BankEntry entry = made.entry(static_cast<std::uint32_t>(clip));
+    EXPECT_EQ(made.extract(entry), file(name)) << name;
+  }
+}
+
+TEST(CodedErrors, AreFloatsOf12Bits) {
+  std::uint16_t code = 0;
+  for (std::uint32_t i = 0; i <= 0xFFFF; ++i) {
+    const float error = runtime::error_from(static_cast<std::uint16_t>(i));
+    ASSERT_TRUE(runtime::find_error_code(error, code));
+    ASSERT_EQ(code, i);
+    ASSERT_EQ(runtime::rounded_error(error), error);
+  }
+  for (const float error : {1e-5F, 0.0512F, 0.5F, 0.3333F, 1.99999F, 66.6F}) {
+    const float rounded = runtime::rounded_error(error);
+    EXPECT_TRUE(runtime::find_error_code(rounded, code));
+    EXPECT_NEAR(rounded, error, error / 4096);
+  }
+  for (const float error : {-1.0F, 1e9F, 1e-9F, 0.1F})
+    EXPECT_FALSE(runtime::find_error_code(error, code));
+}
+
 TEST_F(BankTest, SkeletonsThatDifferInOrdersStandOnce) {
   make();
   const std::uint32_t all = BankFile(bank()).bank().count(runtime::BankItem::Part);
@@ -176,7 +230,8 @@ TEST_F(BankTest, FindsEveryNameAndNoOther) {
   const std::vector<std::byte> plain = file("plain");
   fs::remove_all(folder_ / "clips");
   fs::create_directories(folder_ / "clips/a");
-  std::vector<std::string> names = {"a/\xC3\xA9t\xC3\xA9", "zz", std::string(200, 'n')};
+  std::vector<std::string> names = {"a/\xC3\xA9t\xC3\xA9", "zz", std::string(200, 'n'),
+                                    std::string(255 - 5, 'n'), "n" + std::string(200, 'm')};
   for (int i = 0; i < 100; ++i) names.push_back("a/" + std::to_string(i));
   for (const std::string& name : names) put(name, plain);
   make();

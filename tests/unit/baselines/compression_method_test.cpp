@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/baselines/compared_file.h"
+#include "core/codec/format/coded_error.h"
 #include "core/codec/format/container.h"
 #include "tests/support/test_motion.h"
 
@@ -92,8 +93,8 @@ TEST_F(EveryContender, WritesAFileThatReadsAsWhatWasMeasured) {
     EXPECT_EQ(opened.of_wavelets, find_comparison_method(compression_method.name) == nullptr);
     EXPECT_EQ(opened.compressed.motion_bytes(), made.motion_bytes);
     EXPECT_EQ(opened.compressed.provenance.weighting, Weighting::JointOrigins);
-    EXPECT_FLOAT_EQ(opened.compressed.provenance.eps_cm,
-                    static_cast<float>(made.distortion.eps_joint_origins));
+    EXPECT_EQ(opened.compressed.provenance.eps_cm,
+              runtime::rounded_error(static_cast<float>(made.distortion.eps_joint_origins)));
     // The file has the skeleton in 32-bit floats.
     const Motion& motion = encoder->wavelets().motion();
     EXPECT_NEAR(measure(motion.skeleton, motion.clip, opened.decoded).eps_bone_ends,

@@ -12,6 +12,7 @@
 #include "core/codec/decode/decoder.h"
 #include "core/codec/decode/runtime_clip.h"
 #include "core/codec/encode/encoder.h"
+#include "core/codec/format/coded_error.h"
 #include "tests/support/test_motion.h"
 #include "tests/support/turned_forms.h"
 
@@ -65,7 +66,7 @@ TEST(Container, ReadsBackWhatWasWritten) {
     EXPECT_EQ(read.basis, clip.basis);
     EXPECT_EQ(read.motion, clip.motion);
     EXPECT_EQ(read.provenance.method, Method::Standard);
-    EXPECT_EQ(read.provenance.eps_cm, clip.provenance.eps_cm);
+    EXPECT_EQ(read.provenance.eps_cm, runtime::rounded_error(clip.provenance.eps_cm));
     EXPECT_EQ(read.correction->solver, clip.correction->solver);
     const Uncorrected decoded = decode_uncorrected(read);
     EXPECT_EQ(decoded.clip.channels, decode_uncorrected(clip).clip.channels);
