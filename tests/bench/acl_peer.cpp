@@ -11,6 +11,7 @@
 #include <acl/decompression/decompress.h>
 
 #include <Eigen/Geometry>
+#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -97,6 +98,7 @@ struct AclClip::Parts {
   acl::compressed_tracks* compressed = nullptr;
   std::uint32_t frames = 0;
   float rate = 0;  // Hz
+  double encode_seconds = 0;
   std::vector<rtm::qvvf> bind;
   std::optional<Context> context;
   PoseWriter writer;
@@ -134,6 +136,7 @@ AclClip::AclClip(const Motion& motion, double precision_cm) : parts_(std::make_u
       tracks[j][t] = qvv_of(local_of(skeleton, pose, static_cast<int>(j)));
   }
 
+  const auto start = std::chrono::steady_clock::now();
   acl::qvvf_transform_error_metric metric;
   acl::pre_process_settings_t before;
   before.precision_policy = acl::pre_process_precision_policy::lossy;
@@ -144,6 +147,8 @@ AclClip::AclClip(const Motion& motion, double precision_cm) : parts_(std::make_u
   settings.error_metric = &metric;
   acl::output_stats stats;
   require(acl::compress_track_list(allocator, tracks, settings, parts_->compressed, stats));
+  parts_->encode_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   parts_->frames = frames;
   parts_->rate = rate;
 }
@@ -152,6 +157,18 @@ AclClip::~AclClip() = default;
 
 std::size_t AclClip::bytes() const {
   return parts_->compressed->get_size();
+}
+
+double AclClip::encode_seconds() const {
+  return parts_->encode_seconds;
+}
+
+void AclClip::decode_frames() {
+  for (std::uint32_t t = 0; t < parts_->frames; ++t) {
+    parts_->context->seek(static_cast<float>(t) / parts_->rate,
+                          acl::sample_rounding_policy::nearest);
+    parts_->context->decompress_tracks(parts_->writer);
+  }
 }
 
 Eigen::MatrixXd AclClip::tracks(const Skeleton& skeleton) const {

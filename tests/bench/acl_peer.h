@@ -20,8 +20,14 @@ class AclClip {
 
   std::size_t bytes() const;
 
+  /// What compressing took, with ACL's pre-processing, from transforms on that it wants.
+  double encode_seconds() const;
+
   /// body_tracks() of every frame as it decodes them.
   Eigen::MatrixXd tracks(const Skeleton& skeleton) const;
+
+  /// Local transforms of every frame, one after the other, into memory of its own. After open().
+  void decode_frames();
 
   /// Makes a context for it, as an engine does that trusts its bytes.
   void open();

@@ -5,8 +5,8 @@
 // our share of ACL's bytes. --json: one JSON object a line and nothing else. --no-max: without the
 // maximum, which takes most of the time.
 // At precision 0.1 also times of both, in turns in this run: local transforms at a random instant
-// and forwards at 60 Hz, and opening; and the bytes of our cooked form without what is the
-// skeleton's.
+// and forwards at 60 Hz, opening, and of the whole clip, a frame each; frames a second that both
+// encode, medians of a few turns; and the bytes of our cooked form without what is the skeleton's.
 // --times: these alone. --game: on rigs as games have them (tests/support/game_like.h).
 // Usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max] [--times]
 #include <algorithm>
@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/one_thread.h"
 #include "core/base/random.h"
 #include "core/codec/encode/encoder.h"
 #include "core/codec/format/container.h"
@@ -86,9 +87,8 @@ std::size_t bytes_at_shell_p99(const Encoder& encoder, double p99_cm) {
 
 /// The middle of as many measurements of a call as there are turns: microseconds each time. Both
 /// sides take turns, so that what else the machine does slows both down.
-template <typename Theirs, typename Ours>
+template <int kTurns = 101, typename Theirs, typename Ours>
 std::pair<double, double> median_us(int calls, const Theirs& theirs, const Ours& ours) {
-  constexpr int kTurns = 101;
   std::vector<double> of_theirs;
   std::vector<double> of_ours;
   const auto time = [&](const auto& call) {
@@ -108,8 +108,33 @@ std::pair<double, double> median_us(int calls, const Theirs& theirs, const Ours&
   return {middle(of_theirs), middle(of_ours)};
 }
 
+/// Frames a second, on one thread: from transforms on for ACL, from angles on for us, whose target
+/// is searched as in this study.
+Json encoding_speeds(const Motion& motion, double precision, double shell_rms) {
+  constexpr std::size_t kTurns = 5;
+  std::vector<double> of_theirs;
+  std::vector<double> of_ours;
+  for (std::size_t turn = 0; turn < kTurns; ++turn) {
+    of_theirs.push_back(AclClip(motion, precision).encode_seconds());
+    on_one_thread([&] {
+      const auto start = std::chrono::steady_clock::now();
+      encode(Encoder(motion), Weighting::Shell, {Target::Kind::Error, shell_rms});
+      of_ours.push_back(
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    });
+  }
+  const auto speed = [&](std::vector<double>& seconds) {
+    std::ranges::sort(seconds);
+    return static_cast<double>(motion.clip.frames()) / seconds[kTurns / 2];
+  };
+  return {{"acl_encode_frames_per_second", speed(of_theirs)},
+          {"encode_frames_per_second", speed(of_ours)}};
+}
+
 /// Local transforms of all joints, one thread: at a random instant, forwards at 60 Hz (ours through
-/// a cursor); and opening what lies in memory. ACL at a precision, ours at equal shell RMS.
+/// a cursor), every frame of the whole clip (ours through a cursor, and by mcpr_decode_frames from
+/// the resident form); and opening what lies in memory. ACL at a precision, ours at equal shell
+/// RMS.
 Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
   constexpr int kInstants = 500;
   const Encoding encoding = encode(encoder, Weighting::Shell, {Target::Kind::Error, shell_rms});
@@ -145,6 +170,24 @@ Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
   const auto [acl_open, open] = median_us(
       kInstants, [&](int) { acl.open(); },
       [&](int) { mcpr_open_cooked(cooked.bytes->data(), cooked.bytes->size(), 0, &clip); });
+  const double frame_seconds = 1 / info.sample_rate;
+  const auto [acl_clip, clip_frames] = median_us<15>(
+      1, [&](int) { acl.decode_frames(); },
+      [&](int) {
+        for (std::uint32_t frame = 0; frame < info.frames; ++frame)
+          mcpr_sample_next(cursor, &request, frame_seconds * frame, out.data());
+      });
+  const mcpr_request local{.output = MCPR_LOCAL};
+  std::vector<float> frames(info.frames * mcpr_frame_values(opened.clip, &local));
+  const AlignedBytes scratch(mcpr_scratch_bytes(opened.clip, &local));
+  const auto resident_frames =
+      median_us<15>(
+          1, [&](int) { acl.decode_frames(); },
+          [&](int) {
+            mcpr_decode_frames(opened.clip, &local, 0, info.frames, frames.data(), scratch.data(),
+                               scratch.size());
+          })
+          .second;
   const mcpr_cooked_info cooked_info = mcpr_cooked_describe(cooked.clip);
   return {{"motion_bytes", encoding.compressed.motion_bytes()},
           {"resident_bytes", cooked_info.bytes - cooked_info.skeleton_bytes},
@@ -153,7 +196,10 @@ Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
           {"acl_play_us", acl_play},
           {"play_us", play},
           {"acl_open_us", acl_open},
-          {"open_us", open}};
+          {"open_us", open},
+          {"acl_clip_us_per_frame", acl_clip / info.frames},
+          {"clip_us_per_frame", clip_frames / info.frames},
+          {"resident_clip_us_per_frame", resident_frames / info.frames}};
 }
 
 Json row_of(const Motion& motion, const Encoder& encoder, double precision, bool with_max,
@@ -167,7 +213,10 @@ Json row_of(const Motion& motion, const Encoder& encoder, double precision, bool
               {"acl_shell_rms", theirs.shell.rms},
               {"acl_shell_p99", theirs.shell.p99},
               {"acl_shell_max", theirs.shell.max.cm}};
-  if (precision == kTimedPrecision) row.update(times_of(encoder, acl, theirs.shell.rms));
+  if (precision == kTimedPrecision) {
+    row.update(times_of(encoder, acl, theirs.shell.rms));
+    row.update(encoding_speeds(motion, precision, theirs.shell.rms));
+  }
   if (only_times) return row;
   const auto reach = [&](Weighting weighting, Target::Kind kind, double cm) {
     return if_reached([&] { return bytes_at(encoder, weighting, {kind, cm}); });
@@ -188,7 +237,11 @@ class TimeShares {
     std::ostringstream text;
     text << clip.stem().string() << ": us, ACL's and ours: pose " << row["acl_pose_us"] << " "
          << row["pose_us"] << ", play " << row["acl_play_us"] << " " << row["play_us"] << ", open "
-         << row["acl_open_us"] << " " << row["open_us"] << "; bytes: motion " << row["motion_bytes"]
+         << row["acl_open_us"] << " " << row["open_us"] << ", a frame of the whole clip "
+         << row["acl_clip_us_per_frame"] << " " << row["clip_us_per_frame"] << " (resident form "
+         << row["resident_clip_us_per_frame"] << ")"
+         << "; frames encoded a second " << row["acl_encode_frames_per_second"] << " "
+         << row["encode_frames_per_second"] << "; bytes: motion " << row["motion_bytes"]
          << ", resident " << row["resident_bytes"] << '\n';
     return text.str();
   }
@@ -219,9 +272,12 @@ class TimeShares {
     double worst = 0;
     int clips = 0;
   };
-  std::array<Share, 4> shares_{{{"pose_us", "acl_pose_us"},
+  std::array<Share, 7> shares_{{{"pose_us", "acl_pose_us"},
                                 {"play_us", "acl_play_us"},
                                 {"open_us", "acl_open_us"},
+                                {"clip_us_per_frame", "acl_clip_us_per_frame"},
+                                {"resident_clip_us_per_frame", "acl_clip_us_per_frame"},
+                                {"acl_encode_frames_per_second", "encode_frames_per_second"},
                                 {"resident_bytes", "motion_bytes"}}};
 };
 
