@@ -11,8 +11,8 @@
 #include "app/cli/report.h"
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/base/number_text.h"
+#include "core/base/staged_file.h"
 
 namespace mocapress::cli {
 namespace {
@@ -125,6 +125,8 @@ void extract_from_bank(const std::string& path, const std::vector<std::string>& 
     clips.push_back(static_cast<std::uint32_t>(clip));
   }
   for (std::uint32_t clip = 0; names.empty() && clip < bank.clips(); ++clip) clips.push_back(clip);
+  constexpr std::size_t kTogether = 256;  // files that wait for the disk at once
+  std::vector<StagedFile> staged;
   for (const std::uint32_t clip : clips) {
     const runtime::BankEntry entry = bank.entry(clip);
     const fs::path below = fs::path(std::string(entry.name) + ".mcpr").lexically_normal();
@@ -133,8 +135,12 @@ void extract_from_bank(const std::string& path, const std::vector<std::string>& 
     const fs::path file = fs::path(folder) / below;
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
-    write_bytes(file, bank.extract(entry));
+    staged.emplace_back(file).write(bank.extract(entry));
+    if (staged.size() < kTogether) continue;
+    StagedFile::commit_all(staged);
+    staged.clear();
   }
+  StagedFile::commit_all(staged);
 }
 
 void verify_bank(const std::string& path) {

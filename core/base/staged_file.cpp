@@ -215,6 +215,30 @@ void StagedFile::commit(Existing existing) {
   if (!synchronise_folder(folder_.number())) fail(errno);
 }
 
+void StagedFile::commit_all(std::span<StagedFile> files) {
+  synchronise_all(files, false);
+  for (StagedFile& file : files) {
+    if (file.name_.empty()) file.give_name();
+    file.take_place(Existing::Replace);
+  }
+  synchronise_all(files, true);
+}
+
+/// Contents, or names: the whole file system of the first file, and one by one those on others.
+void StagedFile::synchronise_all(std::span<StagedFile> files, bool names) {
+  if (files.empty()) return;
+  struct stat first;
+  const bool is_together = ::fstat(files.front().file_.number(), &first) == 0 &&
+                           ::syncfs(files.front().file_.number()) == 0;
+  for (const StagedFile& file : files) {
+    struct stat own;
+    if (is_together && ::fstat(file.file_.number(), &own) == 0 && own.st_dev == first.st_dev)
+      continue;
+    if (names ? !synchronise_folder(file.folder_.number()) : !synchronise(file.file_.number()))
+      file.fail(errno);
+  }
+}
+
 void StagedFile::give_name() {
   std::string name = random_name();
   if (::linkat(AT_FDCWD, link_to(file_.number()).c_str(), folder_.number(), name.c_str(),

@@ -96,7 +96,12 @@ class StagedFile {
   /// on the disk. May be called once, as the last of all.
   void commit(Existing existing = Existing::Replace);
 
+  /// The same of many files, all of which wait for the disk together: twice, not twice each. Where
+  /// one cannot take its place, those before it have.
+  static void commit_all(std::span<StagedFile> files);
+
  private:
+  static void synchronise_all(std::span<StagedFile> files, bool names);
   void open_unnamed(mode_t mode);
   void open_named(mode_t mode);
   void give_name();

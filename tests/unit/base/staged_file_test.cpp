@@ -114,6 +114,23 @@ TEST_P(StagedFileTest, TakesItsPlaceAtTheCommitAndNotBefore) {
   EXPECT_THAT(names(), ElementsAre("walk.mcpr"));
 }
 
+TEST_P(StagedFileTest, ManyTakeTheirPlacesTogether) {
+  put(folder_ / "1", "old");
+  std::vector<StagedFile> files;
+  for (int i = 0; i < 20; ++i)
+    files.push_back(staged(folder_ / std::to_string(i), "new " + std::to_string(i)));
+  files.push_back(staged("/dev/shm/mocapress-staged-" + std::to_string(getpid()), "elsewhere"));
+  EXPECT_EQ(text_of(folder_ / "1"), "old");
+  StagedFile::commit_all(files);
+  StagedFile::commit_all({});
+  EXPECT_EQ(names().size(), 20U);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_EQ(text_of(folder_ / std::to_string(i)), "new " + std::to_string(i));
+  const fs::path elsewhere = "/dev/shm/mocapress-staged-" + std::to_string(getpid());
+  EXPECT_EQ(text_of(elsewhere), "elsewhere");
+  fs::remove(elsewhere);
+}
+
 TEST_P(StagedFileTest, NotCommittedLeavesNothing) {
   { const StagedFile file = staged(place_, "new"); }
   {
