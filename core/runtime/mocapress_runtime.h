@@ -364,7 +364,7 @@ size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
 mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
                             uint32_t count, void* scratch, size_t scratch_size);
 
-/* Scratch memory of mcpr_sample_crowd, however many they are: about 150 KB. */
+/* Scratch memory of mcpr_sample_crowd, however many they are: about 140 KB. */
 size_t mcpr_crowd_scratch_bytes(void);
 
 /* mcpr_sample of each, in any order, fastest in that of mcpr_sort_crowd. Threads take a slice of
