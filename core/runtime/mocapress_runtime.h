@@ -359,7 +359,7 @@ typedef struct mcpr_crowd_request {
 size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
 
 /* Puts the array into the order in which mcpr_sample_crowd is fastest: by clip, bands left out and
- * instant. Characters that were in it a moment before are nearly so yet: it need not be called at
+ * frame. Characters that were in it a moment before are nearly so yet: it need not be called at
  * every frame. Fails as mcpr_sample_crowd does. */
 mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
                             uint32_t count, void* scratch, size_t scratch_size);

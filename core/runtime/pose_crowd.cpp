@@ -11,15 +11,14 @@
 namespace mocapress::runtime {
 namespace {
 
-/// By clip, then bands left out, then instant.
+/// By clip, then bands left out, then frame: within one, no order saves anything.
 std::uint64_t sort_key_of(const mcpr_crowd_request& request, const mcpr_character& character) {
   const PlaceInClip place =
       place_in_clip(*character.clip, request_of(request, character), character.time);
-  constexpr double kParts = 128;  // of a frame: 2^22 frames fit into 29 bits
   static_assert(MCPR_MOST_BANDS_LEFT_OUT < 8);
   const auto clip = reinterpret_cast<std::uintptr_t>(character.clip) / kAlignment;
   return static_cast<std::uint64_t>(clip) << 32 | std::uint64_t{character.bands_left_out} << 29 |
-         static_cast<std::uint64_t>(kParts * place.frame);
+         static_cast<std::uint64_t>(place.frame);
 }
 
 }  // namespace

@@ -184,7 +184,8 @@ class SortedCrowd {
                       .wrap = MCPR_CLAMP,
                       .bands_left_out = 0});
     const auto count = static_cast<std::uint32_t>(all_.size());
-    const AlignedBytes scratch(mcpr_sort_crowd_scratch_bytes(count));
+    // An engine keeps it from frame to frame.
+    static const AlignedBytes scratch(mcpr_sort_crowd_scratch_bytes(count));
     const mcpr_crowd_request request{.unit = MCPR_SECONDS};
     const auto start = std::chrono::steady_clock::now();
     require(mcpr_sort_crowd(&request, all_.data(), count, scratch.data(), scratch.size()));
