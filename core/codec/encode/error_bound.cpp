@@ -31,9 +31,9 @@ std::vector<Landmark> bounded_points(const Skeleton& skeleton, Weighting weighti
 
 }  // namespace
 
-ErrorBound::ErrorBound(const Motion& original, Weighting weighting, double bound_cm)
+ErrorBound::ErrorBound(const Motion& original, Weighting weighting, const Eigen::VectorXd& bound_cm)
     : skeleton_(original.skeleton),
-      squared_bound_(bound_cm * bound_cm),
+      squared_bound_(bound_cm.array().square()),
       points_(bounded_points(original.skeleton, weighting)),
       original_tracks_(point_tracks(original.skeleton, points_, original.clip)) {}
 
@@ -49,7 +49,8 @@ void ErrorBound::begin(const Clip& decoded) {
 }
 
 double ErrorBound::furthest() const {
-  return squared_.size() == 0 ? 0 : std::sqrt(squared_.maxCoeff() / squared_bound_);
+  if (squared_.size() == 0) return 0;
+  return std::sqrt((squared_.rowwise().maxCoeff().array() / squared_bound_).maxCoeff());
 }
 
 void ErrorBound::next() {
@@ -145,10 +146,11 @@ Eigen::ArrayX3d ErrorBound::errors_after(const Moved& moved, Eigen::Index first_
 
 bool ErrorBound::allows(Eigen::Index first_frame, const Eigen::VectorXd& delta) const {
   const Step step = step_of(delta);
+  const auto bound = squared_bound_.segment(first_frame, delta.size());
   for (const Moved& moved : moved_) {
     const Eigen::ArrayXd then = errors_after(moved, first_frame, step).square().rowwise().sum();
     const auto now = squared_.col(moved.landmark).segment(first_frame, delta.size()).array();
-    if ((then > squared_bound_ && then > now).any()) return false;
+    if ((then > bound && then > now).any()) return false;
   }
   return true;
 }

@@ -13,13 +13,13 @@ namespace mocapress {
 /// piece.
 class ErrorBound {
  public:
-  /// The motion must outlive this.
-  ErrorBound(const Motion& original, Weighting weighting, double bound_cm);
+  /// A bound for each frame. The motion must outlive this.
+  ErrorBound(const Motion& original, Weighting weighting, const Eigen::VectorXd& bound_cm);
 
   /// Begins a pass over the channels of this clip.
   void begin(const Clip& decoded);
 
-  /// The largest distance over the bound.
+  /// The largest distance over its bound.
   double furthest() const;
 
   /// Goes on to the next channel, 0 first.
@@ -55,7 +55,7 @@ class ErrorBound {
                                const Step& step) const;
 
   const Skeleton& skeleton_;
-  const double squared_bound_;
+  const Eigen::ArrayXd squared_bound_;     // of each frame
   const std::vector<Landmark> points_;     // joints' origins first
   const Eigen::MatrixXd original_tracks_;  // of them
   Eigen::MatrixXd channels_;               // frames x channels

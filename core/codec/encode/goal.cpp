@@ -130,14 +130,19 @@ void Goal::raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorX
       raise(t, worst(table.window_of(static_cast<int>(t))) / (kNear * target_.value));
     return;
   }
+  const Eigen::VectorXd worst = worst_of_frames(compressed);
+  for (Eigen::Index t = 0; t < weights.size(); ++t) raise(t, worst(t) / (kNear * target_.value));
+}
+
+Eigen::VectorXd Goal::worst_of_frames(const CompressedClip& compressed) const {
   const PointErrors errors(original_.motion().skeleton, weighting_);
-  original_.compare(
-      compressed, [&](int first, const TrackRows& original, const TrackRows& decoded) {
-        const Eigen::VectorXf worst =
-            errors.squared(original, decoded).rowwise().maxCoeff().cwiseSqrt().cast<float>();
-        const Eigen::VectorXd excess = worst.cast<double>() / (kNear * target_.value);
-        for (Eigen::Index t = 0; t < excess.size(); ++t) raise(first + t, excess(t));
-      });
+  Eigen::VectorXd worst(compressed.frames);
+  original_.compare(compressed,
+                    [&](int first, const TrackRows& original, const TrackRows& decoded) {
+                      worst.segment(first, original.rows()) =
+                          errors.squared(original, decoded).rowwise().maxCoeff().cwiseSqrt();
+                    });
+  return worst;
 }
 
 bool Goal::better(double excess, double other) const {

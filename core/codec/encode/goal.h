@@ -80,6 +80,9 @@ class Goal {
   /// What the eye sees of a coded clip.
   Visibility seen(const CompressedClip& compressed) const;
 
+  /// How far the worst point of each frame is off. cm
+  Eigen::VectorXd worst_of_frames(const CompressedClip& compressed) const;
+
   /// Raises the weights of frames at which a clip exceeds a hard maximum or is noticed.
   void raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const;
 

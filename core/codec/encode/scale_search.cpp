@@ -186,24 +186,32 @@ void hold_worst_frames(const Goal& goal, int frames, const ClosedLoopWork& work,
 }
 
 /// Saves what room is left up to the bound. What is coarsened is the motion without its
-/// correction, which makes more or less of the same errors.
-void approach_bound(const Goal& goal, const Target& target, const CoarsenTrial& coarsen,
+/// correction, which makes more or less of the same errors: each frame gets a bound of its own, by
+/// what the correction made of it the last time.
+void approach_bound(const Goal& goal, const Target& target, int frames, const CoarsenTrial& coarsen,
                     Trial& best) {
   constexpr int kMost = 8;
-  constexpr double kNear = 0.02;
-  constexpr double kRounding = 1e-4;  // between what is coarsened and what is decoded
+  constexpr double kNear = 0.01;
+  constexpr double kRounding = 1e-4;    // between what is coarsened and what is decoded
+  constexpr double kMostWider = 1.1;    // a time
+  constexpr double kWidest = 2;         // times the target
+  constexpr Eigen::Index kBeside = 16;  // frames that what is changed at one of them reaches
   const Trial fine = best;
-  double bound_cm = (1 - kRounding) * target.value;
-  double met_cm = 0;  // the largest bound with which the target was met, and the smallest without
-  double missed_cm = std::numeric_limits<double>::infinity();
+  Eigen::VectorXd bound_cm = Eigen::VectorXd::Constant(frames, (1 - kRounding) * target.value);
   for (int i = 0; i < kMost && (i == 0 || best.excess > kNear); ++i) {
     Trial coarser = coarsen(fine, bound_cm);
     best.complete = coarser.complete;
     if (!coarser.complete) return;
     const bool met = goal.met(coarser.excess);
-    (met ? met_cm : missed_cm) = bound_cm;
-    bound_cm *= std::exp(coarser.excess - kNear / 2);
-    if (bound_cm <= met_cm || bound_cm >= missed_cm) bound_cm = (met_cm + missed_cm) / 2;
+    const Eigen::ArrayXd room =
+        (1 - kNear / 2) * target.value /
+        goal.worst_of_frames(coarser.compressed).array().max(1e-9 * target.value);
+    for (Eigen::Index t = 0; t < frames; ++t) {
+      const Eigen::Index first = std::max<Eigen::Index>(t - kBeside, 0);
+      const Eigen::Index end = std::min<Eigen::Index>(t + kBeside + 1, frames);
+      bound_cm(t) *= std::min(room.segment(first, end - first).minCoeff(), met ? kMostWider : 1);
+    }
+    bound_cm = bound_cm.cwiseMin(kWidest * target.value);
     if (met && coarser.compressed.motion_bytes() < best.compressed.motion_bytes())
       best = std::move(coarser);
   }
@@ -229,7 +237,7 @@ Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& go
   if (is_by_worst(target) && search.may_go_on()) {
     if (!guess.dear) hold_worst_frames(goal, frames, work, trials.attempt, search.best());
     if (target.kind == Target::Kind::MaxError && search.may_go_on())
-      approach_bound(goal, target, trials.coarsen, search.best());
+      approach_bound(goal, target, frames, trials.coarsen, search.best());
   }
   return std::move(search.best());
 }

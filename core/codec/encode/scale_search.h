@@ -17,8 +17,8 @@ using AttemptScale = std::function<Trial(double scale, const ClosedLoopWork& wor
 /// ClosedLoop::settle() of a trial, whose scale is given again.
 using SettleTrial = std::function<Trial(double eps_cm, double scale, const Trial* trial)>;
 
-/// Drops what a hard maximum allows to be dropped: ClosedLoop::coarsen().
-using CoarsenTrial = std::function<Trial(const Trial& trial, double bound_cm)>;
+/// Drops what a hard maximum allows to be dropped: ClosedLoop::coarsen(). A bound for each frame.
+using CoarsenTrial = std::function<Trial(const Trial& trial, const Eigen::VectorXd& bound_cm)>;
 
 /// Where a search begins and ends.
 struct ScaleGuess {

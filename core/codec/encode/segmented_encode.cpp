@@ -64,7 +64,7 @@ class SegmentedEncode {
               return attempt_scale(scale, work, weights);
             },
         .coarsen = [this](const Trial& trial,
-                          double bound_cm) { return coarsen(trial, bound_cm); }};
+                          const Eigen::VectorXd& bound_cm) { return coarsen(trial, bound_cm); }};
     const ScaleGuess guess{.likely = likely_scale(options_.target, raw_bytes(motion_.clip)),
                            .finest = [this] { return finest_scale_; },
                            .dear = true};
@@ -158,12 +158,13 @@ class SegmentedEncode {
 
   /// Each segment by itself: where two are blended, the error is no larger than both of theirs, but
   /// for what is not linear.
-  Trial coarsen(const Trial& trial, double bound_cm) {
+  Trial coarsen(const Trial& trial, const Eigen::VectorXd& bound_cm) {
     AdaptiveSegments coded(trial.compressed);
     Trial coarser = encode_all(trial.scale, [&](const Part& part, const EncodeOptions& options,
                                                 const Observer<EncodeProgress>& observer) {
       if (!part.should_continue) return Trial{.complete = false};
-      return coarsen_to_bound(part.analysis, options, coded.next(), bound_cm, observer);
+      return coarsen_to_bound(part.analysis, options, coded.next(),
+                              bound_cm.segment(part.first, part.frames), observer);
     });
     if (!coarser.complete) return coarser;
     finish_ends(coarser);

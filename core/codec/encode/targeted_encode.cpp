@@ -73,7 +73,7 @@ class TargetedEncode {
     return {code_at(scale, work, frame_weights), loop().finest_scale()};
   }
 
-  Trial coarsen(QuantisedSignals coded, double bound_cm) {
+  Trial coarsen(QuantisedSignals coded, const Eigen::VectorXd& bound_cm) {
     ErrorBound bound(analysis_.motion(), options_.weighting, bound_cm);
     const double scale = coded.scale;
     drop_correction(coded);
@@ -319,7 +319,7 @@ class TargetedEncode {
               return attempt_scale(scale, work, weights, effort);
             },
         .coarsen =
-            [this](const Trial& trial, double bound_cm) {
+            [this](const Trial& trial, const Eigen::VectorXd& bound_cm) {
               Trial coarser = coarsen(AdaptiveSegments(trial.compressed).next(), bound_cm);
               finish_ends(coarser);
               weigh(coarser);
@@ -510,7 +510,7 @@ ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& op
 }
 
 Trial coarsen_to_bound(const ClipAnalysis& analysis, const EncodeOptions& options,
-                       QuantisedSignals coded, double bound_cm,
+                       QuantisedSignals coded, const Eigen::VectorXd& bound_cm,
                        const Observer<EncodeProgress>& observer) {
   return TargetedEncode(analysis, options, observer).coarsen(std::move(coded), bound_cm);
 }

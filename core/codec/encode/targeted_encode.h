@@ -34,9 +34,9 @@ ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& op
                            const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
                            const Observer<EncodeProgress>& observer);
 
-/// ClosedLoop::coarsen() of a coded clip, without a target.
+/// ClosedLoop::coarsen() of a coded clip, without a target: to a bound for each frame.
 Trial coarsen_to_bound(const ClipAnalysis& analysis, const EncodeOptions& options,
-                       QuantisedSignals coded, double bound_cm,
+                       QuantisedSignals coded, const Eigen::VectorXd& bound_cm,
                        const Observer<EncodeProgress>& observer);
 
 /// The r_IK that suits the target best, for options that leave it open.

@@ -123,7 +123,8 @@ TEST(ClosedLoop, CoarsensUpToTheBoundAndNotBeyond) {
   };
   const QuantisedSignals fine = loop().quantise(0.5).coded;
   const double bound_cm = 1.5 * furthest_cm(fine);
-  ErrorBound bound(motion, Weighting::BoneEnds, bound_cm);
+  ErrorBound bound(motion, Weighting::BoneEnds,
+                   Eigen::VectorXd::Constant(motion.clip.frames(), bound_cm));
   const QuantisedSignals coarse = loop().coarsen(fine, bound).coded;
   EXPECT_LE(furthest_cm(coarse), bound_cm * (1 + 1e-6));
   EXPECT_GT(furthest_cm(coarse), 0.98 * bound_cm);

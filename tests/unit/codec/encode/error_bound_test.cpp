@@ -33,12 +33,15 @@ struct Fixture {
   Motion motion = test::smooth_motion(60);
   Clip decoded = motion.clip;
 
+  Eigen::VectorXd everywhere(double cm) const {
+    return Eigen::VectorXd::Constant(motion.clip.frames(), cm);
+  }
   double furthest_cm() const { return measure(motion.skeleton, motion.clip, decoded).max.cm; }
 };
 
 TEST(ErrorBound, KnowsTheErrorsOfWhateverIsAdded) {
   Fixture f;
-  ErrorBound bound(f.motion, Weighting::BoneEnds, 2);
+  ErrorBound bound(f.motion, Weighting::BoneEnds, f.everywhere(2));
   Changes changes(f.decoded.frames());
   Eigen::VectorXd delta;
   for (int pass = 0; pass < 3; ++pass) {
@@ -58,7 +61,7 @@ TEST(ErrorBound, KnowsTheErrorsOfWhateverIsAdded) {
 TEST(ErrorBound, AllowsWhatStaysWithinItAndNothingElse) {
   Fixture f;
   constexpr double kBound = 1.5;  // cm
-  ErrorBound bound(f.motion, Weighting::BoneEnds, kBound);
+  ErrorBound bound(f.motion, Weighting::BoneEnds, f.everywhere(kBound));
   Changes changes(f.decoded.frames());
   Eigen::VectorXd delta;
   int allowed = 0;
@@ -85,12 +88,27 @@ TEST(ErrorBound, AllowsWhatStaysWithinItAndNothingElse) {
 TEST(ErrorBound, LetsWhatIsBeyondItComeNearer) {
   Fixture f;
   f.decoded.channels.col(0).array() += 3;  // cm
-  ErrorBound bound(f.motion, Weighting::BoneEnds, 1);
+  ErrorBound bound(f.motion, Weighting::BoneEnds, f.everywhere(1));
   bound.begin(f.decoded);
   bound.next();
   EXPECT_NEAR(bound.furthest(), 3, 1e-6);
   EXPECT_TRUE(bound.allows(0, Eigen::VectorXd::Constant(60, -1)));
   EXPECT_FALSE(bound.allows(0, Eigen::VectorXd::Constant(60, 0.1)));
+}
+
+TEST(ErrorBound, HasABoundForEachFrame) {
+  Fixture f;
+  Eigen::VectorXd bound_cm = f.everywhere(1);
+  bound_cm.tail(30).setConstant(3);
+  ErrorBound bound(f.motion, Weighting::BoneEnds, bound_cm);
+  bound.begin(f.decoded);
+  bound.next();
+  const Eigen::VectorXd two = Eigen::VectorXd::Constant(30, 2);  // cm
+  EXPECT_FALSE(bound.allows(0, two));
+  EXPECT_FALSE(bound.allows(29, two));
+  ASSERT_TRUE(bound.allows(30, two));
+  bound.add(30, two);
+  EXPECT_NEAR(bound.furthest(), 2.0 / 3, 1e-6);
 }
 
 }  // namespace
