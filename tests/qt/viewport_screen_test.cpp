@@ -250,6 +250,7 @@ TEST_F(ViewportScreen, ShowsTheWholeFigureOfAnySizeWhenItIsOpenedAndOnReset) {
         QCoreApplication::sendEvent(scene(), &wheel);
         viewport_.resetCamera();
       }
+      waitUntilDrawn();  // at its new size
       const QImage nothing = bare();
       const QImage image = picture();
       ASSERT_EQ(image.size(), nothing.size());
