@@ -2,6 +2,7 @@
 // What mcpr_clip is: a skeleton, limbs to solve and signals in one block of bytes without pointers.
 #pragma once
 
+#include "core/codec/format/end_poses.h"
 #include "core/codec/format/kinds.h"
 #include "core/codec/format/segment_layout.h"
 #include "core/runtime/limb.h"
@@ -39,11 +40,11 @@ struct ClipBlock {
   std::uint16_t limb_count = 0;
   std::uint16_t most_links = 0;  // of a limb
   LoopKind loop = LoopKind::None;
-  std::uint8_t end_reach[2] = {};  // frames that have a share in what an end lacks; 0: none
-  std::uint32_t joints = 0;        // offsets from the clip
+  std::uint8_t end_reach[kMostEnds] = {};  // frames that have a share in what it lacks; 0: none
+  std::uint32_t joints = 0;                // offsets from the clip
   std::uint32_t names = 0;
   std::uint32_t limbs = 0;
-  std::uint32_t ends = 0;     // what the first frame lacks in each channel, then the last
+  std::uint32_t ends = 0;     // what each end lacks in each channel
   std::uint32_t motions = 0;  // of each segment: the offset of its signals
   std::uint32_t tracks = 0;   // mcpr_tracks; 0: there are none
   SegmentLayout segments;

@@ -127,11 +127,11 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   }
   head.skeleton_bytes = static_cast<std::uint32_t>(tables.used() - first_table);
   if (clip_.end_reach[0] > 0) {
-    std::copy_n(clip_.end_reach, 2, head.end_reach);
+    std::copy_n(clip_.end_reach, kMostEnds, head.end_reach);
     auto* const ends = block.reserve_for<std::int16_t>(
-        2 * static_cast<std::uint64_t>(kGroup * columns_.row_groups()), head.ends);
+        head.end_count() * static_cast<std::uint64_t>(kGroup * columns_.row_groups()), head.ends);
     if (ends != nullptr)
-      for (int end = 0; end < 2; ++end) put_end(end, ends, head);
+      for (int end = 0; end < static_cast<int>(head.end_count()); ++end) put_end(end, ends, head);
   }
   auto* const rows =
       block.reserve_for<CookedRows>(std::uint64_t{head.parts} * head.segments, head.rows);

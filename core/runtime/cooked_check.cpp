@@ -41,10 +41,12 @@ class Checker {
     require(clip_.rotor_groups <= kMostJoints / kGroup);
     check_joints();
     if (clip_.loop == LoopKind::Follows) require_array(clip_.column_kinds, 1, row_columns_, 1);
-    if (clip_.end_reach[0] > 0 || clip_.end_reach[1] > 0) {
-      require(clip_.end_reach[0] > 0 && clip_.end_reach[1] > 0);
-      require_array(clip_.ends, sizeof(std::int16_t), 2 * std::uint64_t{row_columns_}, 2);
-    }
+    const std::uint8_t* const reach = clip_.end_reach;
+    require((reach[kFirstPose] > 0) == (reach[kLastPose] > 0));
+    require(reach[kLastPose] > 0 || reach[kLastVelocity] == 0);
+    if (reach[kFirstPose] > 0)
+      require_array(clip_.ends, sizeof(std::int16_t),
+                    clip_.end_count() * std::uint64_t{row_columns_}, 2);
     check_parts();
     if (clip_.tracks != 0) check_tracks();
     return sound_;

@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "core/codec/format/bands.h"
+#include "core/codec/format/end_poses.h"
 #include "core/codec/format/kinds.h"
 #include "core/codec/format/segment_layout.h"
 #include "core/runtime/mocapress_runtime.h"
@@ -195,8 +196,10 @@ struct mcpr_cooked {
   std::uint16_t other_turns;
   mocapress::runtime::Wavelet wavelet;
   mocapress::runtime::LoopKind loop;
-  std::uint8_t end_reach[2];               // frames; 0: nothing is added at the ends
-  float end_units[2];                      // the first's, the last's
+  // As ENDS of FORMAT.md has them: of the first pose, the last, the velocity there.
+  std::uint8_t end_reach[mocapress::runtime::kMostEnds];  // frames; 0: nothing is added
+  std::uint8_t unused[3];
+  float end_units[mocapress::runtime::kMostEnds];
   mocapress::runtime::TableOffset rest;    // mcpr_transform of each joint: of what never changes
   mocapress::runtime::TableOffset rotors;  // RotorGroup
   mocapress::runtime::TableOffset moving;  // MovingAxis
@@ -207,7 +210,7 @@ struct mcpr_cooked {
   mocapress::runtime::TableOffset column_kinds;  // ColumnKind; only of a loop whose first frame
                                                  // follows the last
   // Offsets from the clip.
-  std::uint32_t ends;     // i16: what the first frame lacks in each column, then the last, in
+  std::uint32_t ends;     // i16: what each end that has a reach lacks in each column, in
                           // end_units of the column's step
   std::uint32_t rows;     // CookedRows of each part, segment after segment
   std::uint32_t entries;  // CookedEntries of each of kMostKeptBands, the finest first, of each
@@ -222,6 +225,11 @@ struct mcpr_cooked {
   const T* at(mocapress::runtime::TableOffset offset) const {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + tables +
                                       offset.bytes);
+  }
+  /// Of a clip that has ends.
+  std::uint32_t end_count() const {
+    using namespace mocapress::runtime;
+    return static_cast<std::uint32_t>(end_reach[kLastVelocity] > 0 ? kMostEnds : kLastVelocity);
   }
   mocapress::runtime::SegmentLayout layout() const {
     return {static_cast<int>(frames), static_cast<int>(segment_length),

@@ -56,13 +56,13 @@ void CookedCoefficients::decode_corrected() {
   Memory memory(decoding_, decoding_bytes_);
   const int frames = clip_.segments.frames;
   FrameDecoder(memory, clip_, request).decode(0, frames, corrected_);
-  for (int end = 0; end < 2; ++end) {
+  for (int end = 0; end < kMostEnds; ++end) {
     const int reach = std::min<int>(clip_.end_reach[end], frames);
     for (int away = 0; away < reach; ++away) {
-      float* const row = corrected_ + std::ptrdiff_t{end == 0 ? away : frames - 1 - away} *
+      float* const row = corrected_ + std::ptrdiff_t{end == kFirstPose ? away : frames - 1 - away} *
                                           static_cast<std::ptrdiff_t>(clip_.channel_count);
       for (int c = 0; c < channel_count(); ++c)
-        row[c] -= end_share(away, reach) * clip_.end_values(end)[c];
+        row[c] -= end_share(end, away, reach) * clip_.end_values(end)[c];
     }
   }
 }

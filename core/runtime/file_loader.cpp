@@ -38,7 +38,10 @@ FileLoader::FileLoader(Memory& memory, const FileSections& sections)
       steps_(memory.take<float>(sections.signal_count())),
       double_precision_limits_(memory.take<float>(sections.signal_count())),
       reach_(memory.take<float>(sections.joints)),
-      ends_(memory.take<float>(sections.ends_bytes > 0 ? 2 * std::uint64_t{sections.channels} : 0)),
+      ends_(memory.take<float>(sections.ends_bytes > 0
+                                   ? static_cast<std::uint64_t>(sections.end_count()) *
+                                         sections.channels
+                                   : 0)),
       notes_(memory.take<std::uint8_t>(sections.signal_count())),
       joint_coder_(memory),
       neighbour_finder_(memory, static_cast<int>(sections.joints)),
@@ -110,8 +113,9 @@ mcpr_result FileLoader::read_motion() {
     segments_[k] = {first_byte, sections_.segment_size(k), 0};
     const mcpr_result result = read_segment(k);
     if (failed(result)) return result;
-    if (k == 0) read_end(ends, 0);
-    if (k == sections_.segments.count() - 1) read_end(ends, 1);
+    if (k == 0) read_end(ends, kFirstPose);
+    if (k == sections_.segments.count() - 1)
+      for (int end = kLastPose; end < sections_.end_count(); ++end) read_end(ends, end);
     segments_[k].resident_bytes = ResidentSignals::size(source(k));
     first_byte += segments_[k].bytes;
   }
@@ -238,8 +242,8 @@ std::uint64_t FileLoader::lay_out(std::byte* memory) {
   }
   head.loop = sections_.loop;
   if (sections_.ends_bytes > 0) {
-    std::copy_n(sections_.end_reach, 2, head.end_reach);
-    const std::size_t values = std::size_t{2} * head.channel_count;
+    std::copy_n(sections_.end_reach, kMostEnds, head.end_reach);
+    const std::size_t values = static_cast<std::size_t>(sections_.end_count()) * head.channel_count;
     head.ends = block.reserve(values * sizeof(float));
     if (memory != nullptr) std::copy_n(ends_, values, block.at<float>(head.ends));
   }

@@ -210,24 +210,19 @@ void FrameDecoder::decode_across(float share, float* out) {
 EndShares FrameDecoder::shares_at(int frame, float share_of_next) const {
   EndShares shares;
   if (request_.bands_left_out > 0) return shares;  // of other rows
-  const auto of_frame = [&](int end, int away) {
-    const int reach = clip_.end_reach[end];
-    return away < reach ? end_share(away, reach) : 0.0F;
+  const auto of_frame = [&](int end, int of) {
+    return end_share_at(end, of, clip_.segments.frames, clip_.end_reach[end]);
   };
-  const int last = clip_.segments.frames - 1;
-  const int away[2] = {frame, last - frame};
-  for (int end = 0; end < 2; ++end) {
-    shares.of[end] = of_frame(end, away[end]);
-    if (share_of_next > 0) {
-      const float next = of_frame(end, end == 0 ? away[end] + 1 : away[end] - 1);
-      shares.of[end] += share_of_next * (next - shares.of[end]);
-    }
+  for (int end = 0; end < kMostEnds; ++end) {
+    shares.of[end] = of_frame(end, frame);
+    if (share_of_next > 0)
+      shares.of[end] += share_of_next * (of_frame(end, frame + 1) - shares.of[end]);
   }
   return shares;
 }
 
 void FrameDecoder::add_ends(const EndShares& shares, float* row) const {
-  for (int end = 0; end < 2; ++end) {
+  for (int end = 0; end < kMostEnds; ++end) {
     const float share = shares.of[end];
     if (share == 0) continue;
     const float* const lacking = clip_.end_values(end);

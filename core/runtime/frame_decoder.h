@@ -15,7 +15,7 @@ std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request);
 
 /// Of what the first and the last frame lack.
 struct EndShares {
-  float of[2] = {0, 0};
+  float of[kMostEnds] = {};
 };
 
 /// Plays frames of a clip as a request wants them.

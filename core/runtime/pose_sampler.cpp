@@ -147,13 +147,11 @@ class Sampler {
 
   /// How much of what an end lacks goes to a frame.
   float end_share_of(int end, int frame) const {
-    const int away = end == 0 ? frame : static_cast<int>(clip_.frames) - 1 - frame;
-    const int reach = clip_.end_reach[end];
-    return away < reach ? end_share(away, reach) : 0.0F;
+    return end_share_at(end, frame, static_cast<int>(clip_.frames), clip_.end_reach[end]);
   }
 
   void add_ends(int frame, float share) {
-    for (int end = 0; end < 2; ++end) {
+    for (int end = 0; end < kMostEnds; ++end) {
       float lacking = end_share_of(end, frame);
       if (share > 0) lacking += share * (end_share_of(end, frame + 1) - lacking);
       if (lacking > 0) add_end(end, lacking);

@@ -97,10 +97,10 @@ CompressedClip golden_adaptive_clip() {
 CompressedClip golden_ends_clip() {
   CompressedClip clip = golden_adaptive_clip();
   clip.loop = Loop::Follows;
-  CodedEnds ends{.reach = {8, 3}, .step_exponent = {-1, 4}, .steps = {}};
-  ends.steps.resize(clip.skeleton.channel_count(), 2);
+  CodedEnds ends{.reach = {8, 3, 5}, .step_exponent = {-1, 4, 2}, .steps = {}};
+  ends.steps.resize(clip.skeleton.channel_count(), 3);
   for (int c = 0; c < clip.skeleton.channel_count(); ++c)
-    ends.steps.row(c) << 3 * c % 11 - 5, -7 * c % 40;
+    ends.steps.row(c) << 3 * c % 11 - 5, -7 * c % 40, 5 * c % 7 - 3;
   clip.ends = std::move(ends);
   return clip;
 }

@@ -1326,11 +1326,15 @@ class Clip:
 
     def add_ends(self, rows):
         cursor = Cursor(self.sections["ENDS"])
-        reaches, exponents = cursor.read("BB"), cursor.read("bb")
+        reaches, exponents = list(cursor.read("BB")), list(cursor.read("bb"))
+        if reaches[1] & 128:
+            reaches[1] &= 127
+            for values, value in zip((reaches, exponents), cursor.read("Bb")):
+                values.append(value)
         bits = RangeDecoder(cursor.rest())
         more = [Context() for _ in range(24)]
         lacking = []
-        for end in range(2):
+        for end in range(len(reaches)):
             steps = self.steps[0 if end == 0 else -1]
             for c in range(self.channels):
                 value = number(bits, more)
@@ -1342,10 +1346,13 @@ class Clip:
                 lacking.append(f32(value * step))
         bits.expect_end()
         for t, row in enumerate(rows):
-            for end, away in enumerate((t, len(rows) - 1 - t)):
+            for end in range(len(reaches)):
+                away = t if end == 0 else len(rows) - 1 - t
                 if away < reaches[end]:
                     left = f32((reaches[end] - away) / reaches[end])
                     share = f32(left * left)
+                    if end == 2:
+                        share = f32(away * share)
                     for c in range(self.channels):
                         row[c] = f32(row[c] + f32(share * lacking[end * self.channels + c]))
 

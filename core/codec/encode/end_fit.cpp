@@ -98,7 +98,8 @@ class End {
     for (int frames = 1; frames <= decoded_.rows(); frames *= 2) {
       Eigen::MatrixXd with = decoded_;
       for (int t = 0; t < frames; ++t)
-        with.row(t) += static_cast<double>(runtime::end_share(t, frames)) * added;
+        with.row(t) +=
+            static_cast<double>(runtime::end_share(runtime::kLastPose, t, frames)) * added;
       const Eigen::MatrixXd at = tracks(with);
       const Eigen::Index beside = std::min<Eigen::Index>(1, at.rows() - 1);
       found.push_back({frames, (errors_.squared(original_, at) * errors_.measured().weights).sum(),
@@ -270,6 +271,69 @@ std::array<int, 2> smoothest(const std::vector<End::Reach>& first,
   return found;
 }
 
+/// The frames at both ends of what is decoded, those at the ends first.
+std::array<Eigen::MatrixXd, 2> decoded_at_ends(const CompressedClip& compressed, int rows) {
+  const Eigen::Index channels = compressed.coded_skeleton().channel_count();
+  std::array<Eigen::MatrixXd, 2> found{Eigen::MatrixXd(rows, channels),
+                                       Eigen::MatrixXd(rows, channels)};
+  const Finish finish(compressed);
+  visit_decoded(compressed, [&](int first, Uncorrected& block) {
+    finish(first, block);
+    const Eigen::MatrixXd& decoded = block.clip.channels;
+    for (int i = 0; i < rows; ++i) {
+      const int last = compressed.frames - 1 - i;
+      if (i >= first && i < first + decoded.rows()) found[0].row(i) = decoded.row(i - first);
+      if (last >= first && last < first + decoded.rows())
+        found[1].row(i) = decoded.row(last - first);
+    }
+  });
+  return found;
+}
+
+/// Where a loop's velocities change more at its seam than between any frames in a row, codes what
+/// the last of them lacks. Originals with the frames at the ends first; so many steps of the last
+/// segment.
+void mend_velocity(const Skeleton& skeleton, const Goal& goal,
+                   const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last,
+                   const std::vector<float>& last_steps, CompressedClip& compressed) {
+  constexpr int kLeastRows = 8;
+  constexpr double kMostMore = 1.05;  // of what was the most before
+  const auto rows = static_cast<int>(original_first.rows());
+  const EndErrors before = goal.ends(compressed);
+  if (rows < kLeastRows || before.seam_cm_per_frame <= before.worst_neighbours_cm_per_frame) return;
+  const auto [first, last] = decoded_at_ends(compressed, rows);
+  const auto error = [&](const Eigen::MatrixXd& original, const Eigen::MatrixXd& decoded,
+                         int row) -> Eigen::RowVectorXd {
+    return -lacking(skeleton, original.row(row), decoded.row(row));
+  };
+  // Then errors change by as much before the last frame as after the first.
+  const Eigen::RowVectorXd wanted = error(original_last, last, 0) +
+                                    error(original_first, first, 0) -
+                                    error(original_first, first, 1);
+  const double most = before.worst_neighbours_cm_per_frame;
+  const CodedEnds poses = *compressed.ends;
+  for (const double share : {0.7, 0.5, 0.35, 0.2}) {
+    const End end(skeleton, original_last.bottomRows(rows - 1), last.bottomRows(rows - 1),
+                  {Weighting::Surface, share * most, false}, wanted);
+    for (int reach = 8; reach <= rows; reach *= 2) {
+      std::vector<float> steps = last_steps;
+      for (float& step : steps) step *= runtime::end_share(runtime::kLastVelocity, 1, reach);
+      const auto [fineness, whole] = end.cheapest(steps);
+      CodedEnds& ends = compressed.ends.emplace(poses);
+      ends.reach[runtime::kLastVelocity] = reach;
+      ends.step_exponent[runtime::kLastVelocity] = fineness;
+      ends.steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
+      ends.steps.col(runtime::kLastVelocity) = whole;
+      // A short reach would only move the break to the frame before.
+      const EndErrors after = goal.ends(compressed);
+      if (after.seam_cm_per_frame <= after.worst_neighbours_cm_per_frame &&
+          after.worst_neighbours_cm_per_frame <= kMostMore * most)
+        return;
+    }
+  }
+  compressed.ends = poses;
+}
+
 }  // namespace
 
 bool codes_ends(const EncodeOptions& options) {
@@ -285,24 +349,14 @@ int frames_at_ends(int frames) {
 }
 
 void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_skeleton,
-              const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last) {
+              const Goal& goal, const Eigen::MatrixXd& original_first,
+              const Eigen::MatrixXd& original_last) {
   CompressedClip& compressed = trial.compressed;
   compressed.ends.reset();
   const auto rows = static_cast<int>(original_first.rows());
   const int channels = coded_skeleton.channel_count();
-  Eigen::MatrixXd decoded_first(rows, channels);  // the first frame first
-  Eigen::MatrixXd decoded_last(rows, channels);   // the last frame first
-  const Finish finish(compressed);
-  visit_decoded(compressed, [&](int first, Uncorrected& block) {
-    finish(first, block);
-    const Eigen::MatrixXd& found = block.clip.channels;
-    for (int i = 0; i < rows; ++i) {
-      const int last = compressed.frames - 1 - i;
-      if (i >= first && i < first + found.rows()) decoded_first.row(i) = found.row(i - first);
-      if (last >= first && last < first + found.rows())
-        decoded_last.row(i) = found.row(last - first);
-    }
-  });
+  auto [decoded_first, decoded_last] = decoded_at_ends(compressed, rows);
+  const Eigen::MatrixXd backwards = original_last.colwise().reverse();
   const auto tolerance = [&](double share) { return tolerance_of(options, share, trial.eps_cm); };
   const bool is_exact = options.ends == Ends::Exact || compressed.correction;  // else feet slide
   const double share = is_exact ? kExact : kEven;
@@ -315,22 +369,28 @@ void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_
   const auto [first_fineness, first_whole] = first.cheapest(first_steps);
   const Eigen::RowVectorXd to_first = End::values_of(first_whole, first_steps, first_fineness);
   if (is_loop) error = first.error_with(to_first);
-  const End last(coded_skeleton, original_last.colwise().reverse(), std::move(decoded_last),
+  const End last(coded_skeleton, backwards, std::move(decoded_last),
                  tolerance(is_loop ? kExact : share), error);
   const auto [last_fineness, last_whole] = last.cheapest(last_steps);
-  if (first_whole.isZero() && last_whole.isZero()) return;
+  if (first_whole.isZero() && last_whole.isZero() && !is_loop) return;
 
   CodedEnds ends{.step_exponent = {first_fineness, last_fineness}, .steps = {}};
   const std::vector<End::Reach> of_first = first.reaches(to_first);
   const std::vector<End::Reach> of_last =
       last.reaches(End::values_of(last_whole, last_steps, last_fineness));
   // Frames that a correction holds in place are left there.
-  if (!compressed.correction)
-    ends.reach = is_loop ? smoothest(of_first, of_last)
-                         : std::array{best_of(of_first).frames, best_of(of_last).frames};
+  if (!compressed.correction) {
+    const auto [first_reach, last_reach] =
+        is_loop ? smoothest(of_first, of_last)
+                : std::array{best_of(of_first).frames, best_of(of_last).frames};
+    ends.reach = {first_reach, last_reach, 0};
+  }
   ends.steps.resize(channels, 2);
   ends.steps << first_whole, last_whole;
   compressed.ends = std::move(ends);
+  if (is_loop && !compressed.correction)
+    mend_velocity(coded_skeleton, goal, original_first, backwards, last_steps, compressed);
+  if (compressed.ends->steps.isZero()) compressed.ends.reset();
 }
 
 }  // namespace mocapress

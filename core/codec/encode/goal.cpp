@@ -134,6 +134,16 @@ void Goal::raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorX
   for (Eigen::Index t = 0; t < weights.size(); ++t) raise(t, worst(t) / (kNear * target_.value));
 }
 
+EndErrors Goal::ends(const CompressedClip& compressed) const {
+  const Skeleton& skeleton = original_.motion().skeleton;
+  const PointErrors errors(skeleton, Weighting::Surface);
+  EndErrorMeter meter(std::ssize(landmarks(skeleton)));
+  original_.compare(compressed, [&](int, const TrackRows& original, const TrackRows& decoded) {
+    meter.add(original, decoded, errors.squared(original, decoded) * errors.measured().weights);
+  });
+  return meter.errors();
+}
+
 Eigen::VectorXd Goal::worst_of_frames(const CompressedClip& compressed) const {
   const PointErrors errors(original_.motion().skeleton, weighting_);
   Eigen::VectorXd worst(compressed.frames);

@@ -6,6 +6,7 @@
 #include "core/codec/encode/count_search.h"
 #include "core/codec/encode/target.h"
 #include "core/codec/format/compressed_clip.h"
+#include "core/metrics/end_errors.h"
 #include "core/metrics/visibility.h"
 #include "core/motion/body_tracks.h"
 
@@ -79,6 +80,9 @@ class Goal {
 
   /// What the eye sees of a coded clip.
   Visibility seen(const CompressedClip& compressed) const;
+
+  /// How the first and the last pose fare, and the seam between them.
+  EndErrors ends(const CompressedClip& compressed) const;
 
   /// How far the worst point of each frame is off. cm
   Eigen::VectorXd worst_of_frames(const CompressedClip& compressed) const;

@@ -152,7 +152,7 @@ class SegmentedEncode {
     const int rows = frames_at_ends(layout_.frames);
     const Motion first = motion_of(0);
     const Motion last = motion_of(layout_.count() - 1);
-    fit_ends(options_, trial, first.skeleton, first.clip.channels.topRows(rows),
+    fit_ends(options_, trial, first.skeleton, goal_, first.clip.channels.topRows(rows),
              last.clip.channels.bottomRows(rows));
   }
 

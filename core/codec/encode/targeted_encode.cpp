@@ -103,7 +103,7 @@ class TargetedEncode {
     const Motion& motion = analysis_.motion();
     const int rows = frames_at_ends(motion.clip.frames());
     if (!codes_ends(options_) || rows == 0) return;
-    fit_ends(options_, trial, motion.skeleton, motion.clip.channels.topRows(rows),
+    fit_ends(options_, trial, motion.skeleton, goal_, motion.clip.channels.topRows(rows),
              motion.clip.channels.bottomRows(rows));
   }
 

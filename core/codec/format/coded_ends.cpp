@@ -24,8 +24,16 @@ std::string_view name(Ends ends) {
 
 std::vector<std::byte> CodedEnds::write() const {
   ByteWriter writer;
-  for (const int of_end : reach) writer.write(static_cast<std::uint8_t>(of_end));
-  for (const int of_end : step_exponent) writer.write(static_cast<std::int8_t>(of_end));
+  using namespace runtime;
+  const int velocity = count() > kLastVelocity ? kEndsHaveVelocity : 0;
+  writer.write(static_cast<std::uint8_t>(reach[kFirstPose]));
+  writer.write(static_cast<std::uint8_t>(reach[kLastPose] | velocity));
+  for (const int end : {kFirstPose, kLastPose})
+    writer.write(static_cast<std::int8_t>(step_exponent[static_cast<std::size_t>(end)]));
+  if (velocity != 0) {
+    writer.write(static_cast<std::uint8_t>(reach[kLastVelocity]));
+    writer.write(static_cast<std::int8_t>(step_exponent[kLastVelocity]));
+  }
   RangeEncoder bits;
   runtime::EndCoder coder;
   for (const int value : steps.reshaped()) coder.code(bits, value);
@@ -35,10 +43,10 @@ std::vector<std::byte> CodedEnds::write() const {
 
 CodedEnds read_ends(const runtime::FileSections& sections) {
   CodedEnds ends;
-  std::copy_n(sections.end_reach, 2, ends.reach.begin());
-  std::copy_n(sections.end_step_exponent, 2, ends.step_exponent.begin());
+  std::copy_n(sections.end_reach, runtime::kMostEnds, ends.reach.begin());
+  std::copy_n(sections.end_step_exponent, runtime::kMostEnds, ends.step_exponent.begin());
   runtime::EndReader reader(sections.coded_ends);
-  ends.steps.resize(sections.channels, 2);
+  ends.steps.resize(sections.channels, sections.end_count());
   for (int& value : ends.steps.reshaped()) value = reader.next();
   require(reader.finish());
   return ends;
@@ -46,24 +54,22 @@ CodedEnds read_ends(const runtime::FileSections& sections) {
 
 EndPoses::EndPoses(const CodedEnds& coded, const std::vector<float>& first_steps,
                    const std::vector<float>& last_steps)
-    : reach_(coded.reach), values_(coded.steps.rows(), 2) {
-  for (Eigen::Index c = 0; c < values_.rows(); ++c) {
-    const auto channel = static_cast<std::size_t>(c);
-    values_(c, 0) =
-        runtime::end_value(coded.steps(c, 0), first_steps[channel], coded.step_exponent[0]);
-    values_(c, 1) =
-        runtime::end_value(coded.steps(c, 1), last_steps[channel], coded.step_exponent[1]);
+    : reach_(coded.reach), values_(coded.steps.rows(), coded.steps.cols()) {
+  for (int end = 0; end < coded.count(); ++end) {
+    const std::vector<float>& steps = end == runtime::kFirstPose ? first_steps : last_steps;
+    for (Eigen::Index c = 0; c < values_.rows(); ++c)
+      values_(c, end) = runtime::end_value(coded.steps(c, end), steps[static_cast<std::size_t>(c)],
+                                           coded.step_exponent[static_cast<std::size_t>(end)]);
   }
 }
 
 void EndPoses::add_to(int first_frame, int frames_of_clip, Eigen::MatrixXd& channels) const {
   for (Eigen::Index row = 0; row < channels.rows(); ++row) {
     const int frame = first_frame + static_cast<int>(row);
-    const int away[2] = {frame, frames_of_clip - 1 - frame};
-    for (int end = 0; end < 2; ++end) {
-      const int reach = reach_[static_cast<std::size_t>(end)];
-      if (away[end] >= reach) continue;
-      const float share = runtime::end_share(away[end], reach);
+    for (int end = 0; end < values_.cols(); ++end) {
+      const float share =
+          runtime::end_share_at(end, frame, frames_of_clip, reach_[static_cast<std::size_t>(end)]);
+      if (share == 0) continue;
       for (Eigen::Index c = 0; c < values_.rows(); ++c)
         channels(row, c) =
             static_cast<double>(static_cast<float>(channels(row, c)) + share * values_(c, end));

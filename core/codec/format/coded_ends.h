@@ -24,11 +24,14 @@ enum class Ends {
 std::string_view name(Ends ends);
 
 /// What the first and the last frame of a clip lack, in steps of their segment's channels times
-/// 2^(-step_exponent / 2). The frames beside them take part in it.
+/// 2^(-step_exponent / 2), and where that has a reach, the velocity into the last one. The frames
+/// beside them take part in it.
 struct CodedEnds {
-  std::array<int, 2> reach{1, 1};               // frames at either end, themselves counted
-  std::array<int, 2> step_exponent{};           // first, last
-  Eigen::Matrix<int, Eigen::Dynamic, 2> steps;  // channels x (first, last)
+  std::array<int, runtime::kMostEnds> reach{1, 1, 0};  // frames, those at the ends counted
+  std::array<int, runtime::kMostEnds> step_exponent{};
+  Eigen::MatrixXi steps;  // channels x (first, last and, if there is one, velocity)
+
+  int count() const { return static_cast<int>(steps.cols()); }
 
   std::size_t section_bytes() const { return write().size(); }
 
@@ -50,8 +53,8 @@ class EndPoses {
   void add_to(int first_frame, int frames_of_clip, Eigen::MatrixXd& channels) const;
 
  private:
-  std::array<int, 2> reach_;
-  Eigen::Matrix<float, Eigen::Dynamic, 2> values_;
+  std::array<int, runtime::kMostEnds> reach_;
+  Eigen::MatrixXf values_;  // channels x ends
 };
 
 }  // namespace mocapress

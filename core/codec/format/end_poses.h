@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the first and last frame of a clip still lack, where more was promised of them than the
-// coefficients give: FORMAT.md, ENDS. The same walk for writing and reading.
+// coefficients give, and the velocity with which a loop comes to its last frame: FORMAT.md, ENDS.
+// The same walk for writing and reading.
 #pragma once
 
 #include <cmath>
@@ -16,10 +17,31 @@ namespace mocapress::runtime {
 inline constexpr int kLeastEndStepExponent = -16;
 inline constexpr int kMostEndStepExponent = 48;
 
+/// What ENDS adds to: the pose of the first frame, that of the last, and the velocity there.
+inline constexpr int kFirstPose = 0;
+inline constexpr int kLastPose = 1;
+inline constexpr int kLastVelocity = 2;  // a frame, backwards in time
+inline constexpr int kMostEnds = 3;
+inline constexpr int kFarthestReach = 127;              // frames
+inline constexpr std::uint8_t kEndsHaveVelocity = 128;  // beside the last pose's reach
+
 /// How much of what an end lacks goes to a frame so many frames from it, less than `reach`.
-inline float end_share(int frames_away, int reach) {
+inline float end_share(int end, int frames_away, int reach) {
   const float left = static_cast<float>(reach - frames_away) / static_cast<float>(reach);
-  return left * left;
+  const float share = left * left;
+  return end == kLastVelocity ? static_cast<float>(frames_away) * share : share;
+}
+
+/// The most that goes to any frame: a velocity's at a third of its reach.
+inline double largest_end_share(int end, int reach) {
+  return end == kLastVelocity ? 4.0 / 27 * reach : 1;
+}
+
+/// How much of what an end lacks goes to a frame of a clip of so many. Without a reach nothing goes
+/// anywhere.
+inline float end_share_at(int end, int frame, int frames, int reach) {
+  const int away = end == kFirstPose ? frame : frames - 1 - frame;
+  return away < reach ? end_share(end, away, reach) : 0.0F;
 }
 
 /// What an end lacks in a channel, in steps of the channel times 2^(-step_exponent / 2). cm or

@@ -284,16 +284,23 @@ std::uint32_t FileSections::segment_size(int segment) const {
 
 mcpr_result read_ends(const Bytes& payload, FileSections& sections) {
   Cursor cursor(payload.data, payload.size, payload.offset);
-  for (std::uint8_t& reach : sections.end_reach) reach = cursor.read<std::uint8_t>();
-  for (std::int8_t& step_exponent : sections.end_step_exponent)
-    step_exponent = cursor.read<std::int8_t>();
+  std::uint8_t* const reach = sections.end_reach;
+  std::int8_t* const step_exponent = sections.end_step_exponent;
+  for (int end : {kFirstPose, kLastPose}) reach[end] = cursor.read<std::uint8_t>();
+  for (int end : {kFirstPose, kLastPose}) step_exponent[end] = cursor.read<std::int8_t>();
+  const bool has_velocity = (reach[kLastPose] & kEndsHaveVelocity) != 0;
+  reach[kLastPose] &= ~kEndsHaveVelocity;
+  if (has_velocity) {
+    reach[kLastVelocity] = cursor.read<std::uint8_t>();
+    step_exponent[kLastVelocity] = cursor.read<std::int8_t>();
+  }
   if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "ENDS is too short");
-  for (const std::uint8_t reach : sections.end_reach)
-    if (reach < 1 || reach > sections.frames)
+  for (int end = 0; end < (has_velocity ? kMostEnds : kLastVelocity); ++end) {
+    if (reach[end] < 1 || reach[end] > sections.frames || reach[end] > kFarthestReach)
       return failure(MCPR_INVALID, payload.offset, "ENDS has an impossible reach");
-  for (const std::int8_t step_exponent : sections.end_step_exponent)
-    if (step_exponent < kLeastEndStepExponent || step_exponent > kMostEndStepExponent)
+    if (step_exponent[end] < kLeastEndStepExponent || step_exponent[end] > kMostEndStepExponent)
       return failure(MCPR_INVALID, payload.offset + 2, "ENDS has impossible steps");
+  }
   sections.ends_bytes = payload.size;
   const std::size_t size = cursor.left();
   const std::size_t offset = cursor.offset();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/codec/format/end_poses.h"
 #include "core/codec/format/kinds.h"
 #include "core/codec/format/packed_clip.h"
 #include "core/codec/format/result.h"
@@ -48,8 +49,9 @@ struct FileSections {
   std::size_t correction_bytes = 0;
   std::size_t ends_bytes = 0;  // of ENDS; 0: none
   LoopKind loop = LoopKind::None;
-  std::uint8_t end_reach[2] = {};         // frames
-  std::int8_t end_step_exponent[2] = {};  // first, last
+  std::uint8_t end_reach[kMostEnds] = {};  // frames; 0: nothing is added
+  std::int8_t end_step_exponent[kMostEnds] = {};
+  int end_count() const { return end_reach[kLastVelocity] > 0 ? kMostEnds : kLastVelocity; }
   Bytes coded_ends;
   Solver solver = Solver::NearestPose;
   std::uint32_t effectors = 0;

@@ -113,6 +113,16 @@ TEST(CookedClip, GivesThemWithEveryBasisAndEnds) {
   expect_as_decoded(compressed_of(test::smooth_motion(200), {.ends = Ends::Exact}));
 }
 
+TEST(CookedClip, GivesThemWithTheVelocityThatTheEndOfALoopLacks) {
+  CompressedClip clip = compressed_of(test::smooth_motion(200), {.ends = Ends::Exact});
+  ASSERT_TRUE(clip.ends);
+  clip.ends->reach[runtime::kLastVelocity] = 16;
+  clip.ends->step_exponent[runtime::kLastVelocity] = 12;
+  clip.ends->steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
+  clip.ends->steps.col(runtime::kLastVelocity).setConstant(7);
+  expect_as_decoded(clip);
+}
+
 TEST(CookedClip, GivesThemAboutTurnedAxes) {
   const Motion motion = test::smooth_motion(180);
   CompressedClip clip = test::segmented_clip(motion, SegmentLayout::whole(180));

@@ -93,6 +93,23 @@ TEST(EndFit, OfALoopNothingJumpsFromTheLastFrameToTheFirst) {
   }
 }
 
+TEST(EndFit, VelocitiesOfALoopBreakNoMoreAtItsSeamThanElsewhere) {
+  int mended = 0;
+  for (int seed = 1; seed <= 8; ++seed) {
+    const Motion loop = test::loop_of(test::smooth_motion(300, static_cast<unsigned>(seed)), 0.5);
+    EncodeOptions asked = with_ends(Ends::Even);
+    asked.loop = Loop::Repeats;
+    const Encoding encoding = Encoder(loop).encode(asked);
+    const EndErrors& ends = encoding.distortion.ends;
+    EXPECT_LE(ends.seam_cm_per_frame, ends.worst_neighbours_cm_per_frame) << seed;
+    EXPECT_LE(ends.seam_cm, 0.25 * kEndTarget) << seed;
+    EXPECT_LE(encoding.distortion.surface.rms, kEndTarget) << seed;
+    const std::optional<CodedEnds>& coded = encoding.compressed.ends;
+    mended += coded && coded->count() > runtime::kLastVelocity;
+  }
+  EXPECT_GT(mended, 0);
+}
+
 TEST(EndFit, OfAHardMaximumNoPointOfAnExactEndIsFurtherOffThanATenth) {
   const Motion motion = test::smooth_motion(150, 4);
   EncodeOptions asked = with_ends(Ends::Exact);
@@ -120,8 +137,13 @@ TEST(EndFit, TheRuntimeDecoderGivesTheSameBits) {
   EncodeOptions in_segments = with_ends(Ends::Exact);
   in_segments.segments.longest = 256;
   for (const EncodeOptions& asked : {with_ends(Ends::Exact), in_segments}) {
-    const CompressedClip compressed = Encoder(motion).encode(asked).compressed;
+    CompressedClip compressed = Encoder(motion).encode(asked).compressed;
     ASSERT_TRUE(compressed.ends);
+    CodedEnds& ends = *compressed.ends;
+    ends.reach[runtime::kLastVelocity] = 20;
+    ends.step_exponent[runtime::kLastVelocity] = 9;
+    ends.steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
+    ends.steps.col(runtime::kLastVelocity).setConstant(-3);
     const test::OpenedClip opened(write_container(compressed));
     ASSERT_NE(opened.clip, nullptr) << opened.result.message;
     EXPECT_EQ(opened.info.motion_bytes, compressed.motion_bytes());

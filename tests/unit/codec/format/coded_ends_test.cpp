@@ -13,10 +13,14 @@ namespace {
 constexpr int kChannelsOfClip = 20;
 constexpr int kFramesOfClip = 100;
 
-CodedEnds some_ends() {
+CodedEnds some_ends(int count = runtime::kLastVelocity) {
   Random random(3);
   CodedEnds ends{.reach = {8, 1}, .step_exponent = {-3, 12}, .steps = {}};
-  ends.steps.resize(kChannelsOfClip, 2);
+  if (count > runtime::kLastVelocity) {
+    ends.reach[runtime::kLastVelocity] = 16;
+    ends.step_exponent[runtime::kLastVelocity] = 5;
+  }
+  ends.steps.resize(kChannelsOfClip, count);
   for (int& steps : ends.steps.reshaped()) steps = static_cast<int>(random.below(41)) - 20;
   ends.steps(4, 0) = (1 << 24) - 1;
   ends.steps(5, 1) = -((1 << 24) - 1);
@@ -32,11 +36,13 @@ CodedEnds read_back(const std::vector<std::byte>& payload, std::uint32_t frames)
 }
 
 TEST(CodedEnds, ReadBackAsWritten) {
-  const CodedEnds ends = some_ends();
-  const CodedEnds read = read_back(ends.write(), kFramesOfClip);
-  EXPECT_EQ(read.reach, ends.reach);
-  EXPECT_EQ(read.step_exponent, ends.step_exponent);
-  EXPECT_EQ(read.steps, ends.steps);
+  for (const int count : {2, 3}) {
+    const CodedEnds ends = some_ends(count);
+    const CodedEnds read = read_back(ends.write(), kFramesOfClip);
+    EXPECT_EQ(read.reach, ends.reach);
+    EXPECT_EQ(read.step_exponent, ends.step_exponent);
+    EXPECT_EQ(read.steps, ends.steps);
+  }
 }
 
 TEST(CodedEnds, BytesAfterThemAreRefused) {
@@ -55,6 +61,11 @@ TEST(CodedEnds, ImpossibleStepsAndReachesAreRefused) {
   for (const std::size_t byte : {0u, 1u}) {
     std::vector<std::byte> bytes = some_ends().write();
     bytes[byte] = std::byte{0};
+    EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
+  }
+  for (const int reach : {0, 101, 128, 255}) {  // of the velocity
+    std::vector<std::byte> bytes = some_ends(runtime::kMostEnds).write();
+    bytes[4] = static_cast<std::byte>(reach);
     EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
   }
   for (const std::size_t byte : {2u, 3u})
@@ -78,8 +89,23 @@ TEST(EndPoses, TakeEffectWithinTheirReachAndWholeAtTheEnds) {
   EXPECT_TRUE(channels.middleRows(8, kFramesOfClip - 9).isZero(0));
 }
 
+TEST(EndPoses, AVelocityLeavesTheLastFrameAloneAndTurnsTheOneBefore) {
+  CodedEnds ends = some_ends(runtime::kMostEnds);
+  ends.steps.leftCols(2).setZero();
+  const std::vector<float> steps(kChannelsOfClip, 0.25F);
+  Eigen::MatrixXd channels = Eigen::MatrixXd::Zero(kFramesOfClip, kChannelsOfClip);
+  EndPoses(ends, steps, steps).add_to(0, kFramesOfClip, channels);
+  const double velocity = 0.25 * std::exp2(-2.5) * ends.steps(0, 2);
+  ASSERT_NE(velocity, 0);
+  for (int away = 0; away < 16; ++away) {
+    const double left = (16.0 - away) / 16;
+    EXPECT_NEAR(channels(kFramesOfClip - 1 - away, 0), away * left * left * velocity, 1e-5);
+  }
+  EXPECT_TRUE(channels.topRows(kFramesOfClip - 16).isZero(0));
+}
+
 TEST(EndPoses, AreTheSameInBlocks) {
-  const CodedEnds ends = some_ends();
+  const CodedEnds ends = some_ends(runtime::kMostEnds);
   const std::vector<float> steps(kChannelsOfClip, 0.25F);
   const EndPoses poses(ends, steps, steps);
   Eigen::MatrixXd whole = Eigen::MatrixXd::Ones(kFramesOfClip, kChannelsOfClip);
