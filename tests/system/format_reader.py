@@ -52,8 +52,14 @@ class Tables:
             return [[int(number) for number in line.split()] for line in block(title).splitlines()]
 
         self.scale_weights = rows(r"### A\.1 [^\n]*")
-        self.letters = "".join(line[1:-1] for line in block(r"### A\.2 [^\n]*").splitlines())
-        self.weights = rows(r"### A\.3 [^\n]*")
+        def letters(title):
+            return "".join(line[1:-1] for line in block(title).splitlines())
+
+        self.letters = letters(r"### A\.2 [^\n]*")
+        self.trust = letters(r"### A\.3 [^\n]*")
+        self.weights = rows(r"### A\.4 [^\n]*")
+        self.weights_by_scale = rows(r"### A\.5 [^\n]*")
+        self.confidence = rows(r"### A\.6 [^\n]*")
 
 
 class Cursor:
@@ -127,6 +133,7 @@ def stretch_table():
 
 
 STRETCHED = stretch_table()
+SEEN = (1, 3, 8, 18, 39, 75, 249)
 
 
 class Context:
@@ -146,13 +153,21 @@ def bit_in_one(bits, context):
     return bit
 
 
-def bit_in_several(bits, contexts, weights, opinions=()):
-    evidence = [STRETCHED[context.one >> 4] for context in contexts] + list(opinions)
-    p = squash(sum(w * e for w, e in zip(weights, evidence)) >> 16)
+def bit_in_several(bits, contexts, weights, opinions=(), further=None, confidence=None):
+    evidence = [STRETCHED[context.one >> 4] for context in contexts]
+    if confidence:
+        evidence = [
+            e * row[sum(context.seen > most for most in SEEN)] >> 8
+            for e, row, context in zip(evidence, confidence, contexts)
+        ]
+    evidence += opinions
+    sets = [weights] if further is None else [weights, further]
+    p = squash(sum(sum(w) * e for *w, e in zip(*sets, evidence)) >> 16)
     bit = bits.bit(p)
     for i, e in enumerate(evidence):
         change = (((65536 if bit else 0) - p) * e * 3 + 65536) >> 17
-        weights[i] = clamp(weights[i] + change, -(2**22), 2**22)
+        for some in sets:
+            some[i] = clamp(some[i] + change, -(2**22), 2**22)
     for context in contexts:
         context.follow(bit)
     return bit
@@ -270,6 +285,8 @@ SHARED = [
     ("sign_above", 9, 3, 2), ("significant_level", 8, 10), ("significant_neighbours", 3, 3, 10),
     ("significant_length", 8, 8, 10), ("number_plain", 6, 32), ("number_first", 6, 16, 16),
     ("number_second", 6, 16, 16), ("number_third", 6, 16, 16), ("number_top", 6, 32),
+    ("zero_opinion", 8, 32), ("class_opinion", 8, 8, 32), ("top_opinion", 8, 32),
+    ("sign_opinion", 8, 32), ("next_opinion", 8, 32), ("lower_opinion", 8, 32),
 ]  # fmt: skip
 OWN = [("zero_own", 8), ("class_own", 8), ("sign_neighbours", 3, 3), ("sign_before", 3, 3)]
 INVERSE = [round(65536 / 2 ** ((q - 12) / 4)) for q in range(64)]
@@ -316,7 +333,7 @@ class Prediction:
     def __init__(self):
         self.weight = [0] * TAPS
         self.error = [0] * TAPS
-        self.product = [[81920 if a == b else 0 for b in range(TAPS)] for a in range(TAPS)]
+        self.product = [[163840 if a == b else 0 for b in range(TAPS)] for a in range(TAPS)]
         self.seen = 0
 
     def of(self, taps):
@@ -335,7 +352,7 @@ class Prediction:
             self.seen = 256
             self.product = [[value >> 1 for value in row] for row in self.product]
             self.error = [value >> 1 for value in self.error]
-        for _ in range(2):
+        for _ in range(3):
             m = max(range(TAPS), key=lambda n: (abs(self.error[n]), -n))
             d = clamp(over(self.error[m] << 14, max(self.product[m][m], 1)), -8192, 8192)
             d = clamp(self.weight[m] + d, -131072, 131072) - self.weight[m]
@@ -398,6 +415,10 @@ def log2_256(v):
     return 256 * (digits(v) - 1) + (mantissa & 255)
 
 
+def step_of(opinions):
+    return (opinions[0] + 2048) >> 7
+
+
 def sign_of(v):
     return 2 if v > 0 else 1 if v < 0 else 0
 
@@ -414,12 +435,18 @@ class Stream:
         self.pairs, self.bands = pairs, Bands(length)
         self.scale_weights = tables.scale_weights
         self.weights = [[64 * share for share in row] for row in tables.weights]
+        by_scale = iter(tables.weights_by_scale)
+        self.further = {
+            weights: [[64 * share for share in next(by_scale)] for _ in range(8)]
+            for weights in [*range(1, 19), 25, 26]
+        }
+        self.confidence = tables.confidence
         self.tables = {}
         at = 0
         for name, *sizes in SHARED:
             self.tables[name] = (sizes, at)
             at += math.prod(sizes)
-        self.contexts = [self.prior(letter) for letter in tables.letters]
+        self.contexts = [self.prior(*both) for both in zip(tables.letters, tables.trust)]
         if at != len(self.contexts):
             refuse("another number of letters")
         for name, *sizes in OWN:
@@ -432,11 +459,12 @@ class Stream:
         self.bits.expect_end()
 
     @staticmethod
-    def prior(letter):
+    def prior(letter, trust):
         if letter == " ":
             return Context()
         step = ord(letter) - 35 - (letter > "\\")
-        return Context(squash(over((step - 44) * 512, 11)), 40)
+        seen = (3, 5, 8, 12, 18, 26, 40, 60, 90, 130, 180, 240)[ord(trust) - ord("a")]
+        return Context(squash(over((step - 44) * 512, 11)), seen)
 
     def context(self, name, *places):
         sizes, at = self.tables[name]
@@ -448,8 +476,16 @@ class Stream:
         return self.contexts[at + index]
 
     def mixed(self, weights, named, opinions=()):
+        kind = 0
+        for last in (0, 8, 16, 17, 18, 24, 25):
+            kind += weights > last
         return bit_in_several(
-            self.bits, [self.context(*one) for one in named], self.weights[weights], opinions
+            self.bits,
+            [self.context(*one) for one in named],
+            self.weights[weights],
+            opinions,
+            self.further[weights][min(self.scale_of_value // 4, 7)] if opinions else None,
+            self.confidence[5 * kind : 5 * kind + 5],
         )
 
     def number(self, kind, a, b, c):
@@ -490,8 +526,15 @@ class Stream:
         self.restless_of = [0] * len(self.pairs)
         self.deviation = [26 + 2**24 // inverse for inverse in INVERSE]
         self.predictions = [Prediction() for _ in self.pairs]
+        before = []
         for b in range(1, self.bands.count):
-            self.restless = [0] * (self.bands.size(b) + 2)  # [i + 1]
+            size = self.bands.size(b) + 2
+            # [i + 1]
+            self.restless = [
+                over(before[min((at + 1) // 2, len(before) - 1)], 2) if before else 0
+                for at in range(size)
+            ]
+            before = self.restless
             self.activity = [0] * (self.bands.size(b) + 2)
             for s in range(len(self.pairs)):
                 self.read_band(b, s)
@@ -586,9 +629,11 @@ class Stream:
             ]
             features += [64 * min(abs(value(t, i)), 2**14) for t in (s - 2, s - 3)]
             weighted = 6144 + sum(w * f for w, f in zip(self.scale_weights[level], features))
-            unrest = over(2 * restless[i + 1] + restless[i] + restless[i + 2], 4)
+            unrest = over(3 * restless[i + 1] + restless[i] + restless[i + 2], 4)
             exponent = log2_256(weighted >> 10) - 1536 + self.restless_of[s] + unrest + 32
             q = clamp(12 + (exponent >> 6), 0, 63)
+
+            self.scale_of_value = q
 
             def normal(v):
                 return clamp(v * INVERSE[q] >> 10, -1023, 1023)
@@ -600,6 +645,7 @@ class Stream:
             expectation = Expected(mean, self.deviation[q])
             # 6.7: the bits
             magnitude = result = 0
+            opinions = expectation.some()
             if self.mixed(
                 1 + level,
                 [
@@ -607,11 +653,13 @@ class Stream:
                     ("zero_crowd", crowd, size_own, size_parents),
                     ("zero_expected", level, expected),
                     ("zero_own", s, level),
+                    ("zero_opinion", level, step_of(opinions)),
                 ],
-                expectation.some(),
+                opinions,
             ):
                 signs = [sign_of(v) for v in own[:2] + parents[:2]]
                 sign_sibling = sign_of(value(sibling, i))
+                opinions = expectation.minus()
                 minus = self.mixed(
                     18,
                     [
@@ -619,36 +667,41 @@ class Stream:
                         ("sign_above", 3 * signs[2] + signs[3], signs[0], i % 2),
                         ("sign_neighbours", s, sign_sibling, sign_of(value(mirror, i))),
                         ("sign_before", s, sign_sibling, sign_of(value(s - 2, i))),
+                        ("sign_opinion", level, step_of(opinions)),
                     ],
-                    expectation.minus(),
+                    opinions,
                 )
                 if minus:
                     expectation.mean = -mean
-                magnitude = self.read_magnitude(s, degree, density, expected, size_own, expectation)
+                around = (level, degree, density, expected, size_own)
+                magnitude = self.read_magnitude(s, around, expectation)
                 result = -magnitude if minus else magnitude
             self.values[s][first + i] = result
             # 6.8: what follows a value
             distance = min(abs(64 * result - mean), 2**20)
-            self.deviation[q] += over(4 * distance - self.deviation[q], 32)
+            self.deviation[q] += over(4 * distance - self.deviation[q], 80)
             excess = clamp((distance * INVERSE[q] >> 14) - 256, -256, 512)
-            restless[i + 1] = clamp(restless[i + 1] + over(37 * excess, 256), -2048, 2048)
+            restless[i + 1] = clamp(restless[i + 1] + over(60 * excess, 256), -2048, 2048)
             self.restless_of[s] = clamp(self.restless_of[s] + over(15 * excess, 256), -2048, 2048)
             self.predictions[s].follow(taps, normal(result) - predicted)
             recent += over(64 * min(magnitude, 255) - recent, 8)
             activity[i + 1] += min(magnitude, 8)
 
-    def read_magnitude(self, s, degree, density, expected, size_own, expectation):
+    def read_magnitude(self, s, around, expectation):
+        level, degree, density, expected, size_own = around
         d = 1
         while d < 29:
             k = min(d, 8) - 1
+            opinions = expectation.range(2 ** (d - 1), 2**d)
             if not self.mixed(
                 9 + k,
                 [
                     ("class_recent", k, degree, density),
                     ("class_expected", k, expected),
                     ("class_own", s, k),
+                    ("class_opinion", k, level, step_of(opinions)),
                 ],
-                expectation.range(2 ** (d - 1), 2**d),
+                opinions,
             ):
                 break
             d += 1
@@ -657,13 +710,15 @@ class Stream:
         for left in reversed(range(d - 1)):  # digits after the next one
             a, b, c = made << (left + 1), (2 * made + 1) << left, (made + 1) << (left + 1)
             opinions = expectation.range(a, b, c)
+            step = step_of(opinions)
             if left == d - 2:
                 named = [("top_expected", k, expected), ("top_recent", k, degree, size_own)]
-                digit = self.mixed(17, named, opinions)
+                digit = self.mixed(17, named + [("top_opinion", level, step)], opinions)
             elif left == d - 3:
-                digit = self.mixed(25, [("next_digit", k, made & 1, expected // 4)], opinions)
+                named = [("next_digit", k, made & 1, expected // 4)]
+                digit = self.mixed(25, named + [("next_opinion", level, step)], opinions)
             else:
-                digit = self.mixed(26, [], opinions)
+                digit = self.mixed(26, [("lower_opinion", level, step)], opinions)
             made = 2 * made + digit
         if made > 2**28:
             refuse("a value out of bounds")

@@ -53,15 +53,14 @@ void append_correction_neighbours(int count, std::vector<SignalNeighbours>& neig
 /// Walks through signals as runtime::CoefficientCoder does, with a model and memory of its own.
 template <typename Bits>
 void code_coefficients(Bits& bits, const std::vector<SignalNeighbours>& neighbours,
-                       runtime::CoefficientModel& model, QuantisedSignals& coded,
-                       runtime::ContextCount* tally = nullptr) {
+                       runtime::CoefficientModel& model, QuantisedSignals& coded) {
   const auto length = static_cast<int>(coded.values.rows());
   const auto signal_count = static_cast<int>(neighbours.size());
   const runtime::Bands bands(length);
   const runtime::QuantisedView view{length, signal_count, coded.step_exponent.data(),
                                     coded.values.data()};
   const OwnMemory<runtime::CoderNotes> notes(bands, signal_count);
-  runtime::CoefficientCoder(bits, neighbours.data(), bands, model, view, *notes, tally).run();
+  runtime::CoefficientCoder(bits, neighbours.data(), bands, model, view, *notes).run();
 }
 
 /// The coded bytes.

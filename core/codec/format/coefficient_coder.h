@@ -11,6 +11,7 @@
 
 #include "core/codec/format/bands.h"
 #include "core/codec/format/coefficient_model.h"
+#include "core/codec/format/coefficient_priors.h"
 #include "core/codec/format/memory.h"
 #include "core/codec/format/signal_neighbours.h"
 #include "core/codec/format/value_prediction.h"
@@ -52,27 +53,33 @@ struct CoderNotes {
   }
 };
 
-/// How many times each context saw a bit, and how many of them were set.
-using ContextCount = std::array<std::uint32_t, 2>;
+/// What a bit was predicted from: for `Bits` that want to know.
+struct BitSources {
+  std::array<int, kMostContexts> contexts;
+  std::array<std::int32_t, 2> opinions;
+  int context_count;
+  int opinion_count;
+  int set;    // of weights; -1: one context alone
+  int scale;  // -1: no weights by scale
+};
 
 /// Walks through signals in the order of the file. `Bits` either writes the bits it is given or
 /// ignores and replaces them: bool code(bool bit, Probability one); refuse() when a number that was
 /// read is out of bounds, and failed(), after which nothing that was read is of use. What is read
-/// replaces what `coded` holds, which then must be zeros.
+/// replaces what `coded` holds, which then must be zeros. Bits that have note(BitSources, bool) are
+/// told what each was predicted from.
 template <typename Bits>
 class CoefficientCoder {
  public:
   CoefficientCoder(Bits& bits, const SignalNeighbours* neighbours, const Bands& bands,
-                   CoefficientModel& model, const QuantisedView& coded, const CoderNotes& notes,
-                   ContextCount* tally = nullptr)
+                   CoefficientModel& model, const QuantisedView& coded, const CoderNotes& notes)
       : bits_(bits),
         neighbours_(neighbours),
         bands_(bands),
         model_(model),
         at_(model.layout),
         coded_(coded),
-        notes_(notes),
-        tally_(tally) {}
+        notes_(notes) {}
 
   void run() {
     code_fineness();
@@ -86,7 +93,7 @@ class CoefficientCoder {
       std::swap(notes_.sums, notes_.sums_above);
       std::fill_n(notes_.sums, coded_.signal_count, 0);
       std::fill_n(notes_.activity, static_cast<std::size_t>(bands_[b].size) + 2, 0);
-      std::fill_n(notes_.restless, static_cast<std::size_t>(bands_[b].size) + 2, 0);
+      begin_restless(b);
       for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) code_band(b, s);
     }
   }
@@ -104,23 +111,33 @@ class CoefficientCoder {
   };
 
   template <std::size_t count, std::size_t opinion_count = 0>
-  bool code(bool bit, const int (&contexts)[count], int set,
+  bool code(bool bit, const std::array<int, count>& contexts, int set,
             const std::array<std::int32_t, opinion_count>& opinions = {}) {
+    const auto at = static_cast<std::size_t>(set);
+    MixingWeights* of_scale = nullptr;
+    if constexpr (opinion_count > 0)
+      of_scale = &model_.weights_by_scale[at][static_cast<std::size_t>(scale_step_)];
     std::array<AdaptiveBit*, count> believed;
     for (std::size_t i = 0; i < count; ++i) believed[i] = &context_at(contexts[i]);
-    MixedBit<count, opinion_count> mixed(believed, model_.weights[static_cast<std::size_t>(set)],
-                                         opinions);
+    const Confidence* const confidence =
+        confidences_[static_cast<std::size_t>(MixingSets::kind_of(set))].data();
+    MixedBit<count, opinion_count> mixed(believed, model_.weights[at], opinions, confidence,
+                                         of_scale);
     bit = bits_.code(bit, mixed.one());
     mixed.follow(bit);
-    for (const int context : contexts) tally(context, bit);
+    note(bit, contexts, set, opinions);
     return bit;
   }
 
-  bool code(bool bit, int set, const ExpectedValue::Opinions& opinions) {
-    MixedBit<0, 2> mixed({}, model_.weights[static_cast<std::size_t>(set)], opinions);
-    bit = bits_.code(bit, mixed.one());
-    mixed.follow(bit);
-    return bit;
+  template <std::size_t count>
+  bool code(bool bit, const int (&contexts)[count], int set) {
+    return code(bit, std::to_array(contexts), set);
+  }
+
+  template <std::size_t count>
+  bool code(bool bit, const int (&contexts)[count], int set,
+            const ExpectedValue::Opinions& opinions) {
+    return code(bit, std::to_array(contexts), set, opinions);
   }
 
   bool code(bool bit, int context) {
@@ -128,17 +145,26 @@ class CoefficientCoder {
     AdaptiveBit& believed = context_at(context);
     bit = bits_.code(bit, std::clamp<Probability>(believed.one, kLeast, 65536 - kLeast));
     believed.follow(bit);
-    tally(context, bit);
+    note(bit, std::array{context}, -1, std::array<std::int32_t, 0>());
     return bit;
   }
 
   AdaptiveBit& context_at(int context) { return model_.contexts[context]; }
 
-  void tally(int context, bool bit) {
-    if (tally_ == nullptr || context >= at_.shared) return;
-    ContextCount& seen = tally_[context];
-    ++seen[0];
-    seen[1] += bit;
+  template <std::size_t count, std::size_t opinion_count>
+  void note(bool bit, const std::array<int, count>& contexts, int set,
+            const std::array<std::int32_t, opinion_count>& opinions) {
+    if constexpr (requires(const BitSources& sources) { bits_.note(sources, bit); }) {
+      BitSources sources{{},
+                         {},
+                         static_cast<int>(count),
+                         static_cast<int>(opinion_count),
+                         set,
+                         opinion_count > 0 ? scale_step_ : -1};
+      std::copy(contexts.begin(), contexts.end(), sources.contexts.begin());
+      std::copy(opinions.begin(), opinions.end(), sources.opinions.begin());
+      bits_.note(sources, bit);
+    }
   }
 
   /// Exp-Golomb: the digits of v + 1 in unary, then those below the first. Relations are 0 ... 15.
@@ -173,6 +199,7 @@ class CoefficientCoder {
     return folded % 2 != 0 ? (folded + 1) / 2 : -(folded / 2);
   }
 
+  void begin_restless(int b);
   void code_fineness();
   void code_coarse(int s);
   bool code_significance(int b, int s, int density);
@@ -186,11 +213,26 @@ class CoefficientCoder {
   const Bands& bands_;
   CoefficientModel& model_;
   const ContextLayout& at_;
+  const Confidences& confidences_ = confidences();
   QuantisedView coded_;
   CoderNotes notes_;
-  ContextCount* tally_;
+  int scale_step_ = -1;                           // of the value in hand
   std::array<std::int32_t, kScales> deviations_;  // mean distances from predictions, 256ths
 };
+
+/// Half of what there was in the band above at that time.
+template <typename Bits>
+void CoefficientCoder<Bits>::begin_restless(int b) {
+  const int size = bands_[b].size + 2;
+  if (b == 1) {
+    std::fill_n(notes_.restless, size, 0);
+    return;
+  }
+  // From the end on, for what is read lies at or before what is written.
+  const int upper = bands_[b - 1].size + 2;
+  for (int at = size - 1; at >= 0; --at)
+    notes_.restless[at] = notes_.restless[std::min((at + 1) / 2, upper - 1)] / 2;
+}
 
 template <typename Bits>
 void CoefficientCoder<Bits>::code_fineness() {
@@ -342,9 +384,10 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
     const int scale = std::clamp(
         kScaleOfOne +
             ((log2_256(static_cast<std::uint32_t>(weighted >> 10)) - 6 * 256 + restless_signal +
-              (2 * restless[0] + restless[-1] + restless[1]) / 4 + 32) >>
+              (3 * restless[0] + restless[-1] + restless[1]) / 4 + 32) >>
              6),
         0, kScales - 1);
+    scale_step_ = MixingSets::scale_step(scale);
     const std::int32_t inverse = kInverseScales[static_cast<std::size_t>(scale)];
     const auto normal = [inverse](int v) {
       return static_cast<std::int16_t>(
@@ -375,12 +418,14 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
     constexpr ExpectedValue::Shares kAll = {ExpectedValue::kWhole, ExpectedValue::kWhole};
 
     std::int32_t& value = own[i];
-    const bool some = code(
-        value != 0,
-        {at_.zero_near.at(around.level, around.own, around.above),
-         at_.zero_crowd.at(around.crowd, around.own, around.above),
-         at_.zero_expected.at(around.level, around.expected), at_.zero_own.at(s, around.level)},
-        MixingSets::kZero + around.level, ExpectedValue::opinions(something, kAll));
+    const auto on_zero = ExpectedValue::opinions(something, kAll);
+    const bool some =
+        code(value != 0,
+             {at_.zero_near.at(around.level, around.own, around.above),
+              at_.zero_crowd.at(around.crowd, around.own, around.above),
+              at_.zero_expected.at(around.level, around.expected), at_.zero_own.at(s, around.level),
+              at_.zero_opinion.at(around.level, opinion_step(on_zero[0]))},
+             MixingSets::kZero + around.level, on_zero);
     int magnitude = 0;
     if (some) {
       const int own1_sign = sign_of(at(own, i - 1, band.size));
@@ -388,13 +433,15 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
       const int above1_sign = has_parents ? sign_of(at(parents, k, upper.size)) : 0;
       const int above2_sign = has_parents ? sign_of(at(parents, l, upper.size)) : 0;
       const int sibling_sign = sign_of(at(sibling, i, band.size));
+      const auto on_sign = ExpectedValue::opinions(less, something);
       const bool minus =
           code(value < 0,
                {at_.sign_near.at(around.level, own1_sign * kSigns + own2_sign, above1_sign),
                 at_.sign_above.at(above1_sign * kSigns + above2_sign, own1_sign, i % 2),
                 at_.sign_neighbours.at(s, sibling_sign, sign_of(at(mirror, i, band.size))),
-                at_.sign_before.at(s, sibling_sign, sign_of(at(before, i, band.size)))},
-               MixingSets::kSign, ExpectedValue::opinions(less, something));
+                at_.sign_before.at(s, sibling_sign, sign_of(at(before, i, band.size))),
+                at_.sign_opinion.at(around.level, opinion_step(on_sign[0]))},
+               MixingSets::kSign, on_sign);
       expected.fold(minus);
       magnitude = code_magnitude(std::abs(value), s, around, expected);
       value = minus ? -magnitude : magnitude;
@@ -403,10 +450,10 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
     }
     const std::int64_t distance = std::min<std::int64_t>(
         std::abs((static_cast<std::int64_t>(value) << 6) - mean), 1 << 20);  // 64ths
-    deviation += static_cast<std::int32_t>((4 * distance - deviation) / 32);
+    deviation += static_cast<std::int32_t>((4 * distance - deviation) / 80);
     const auto excess = static_cast<int>(
         std::clamp<std::int64_t>((distance * inverse >> 14) - 256, -256, 512));  // 256ths
-    restless[0] = std::clamp(restless[0] + 37 * excess / 256, -2048, 2048);
+    restless[0] = std::clamp(restless[0] + 60 * excess / 256, -2048, 2048);
     restless_signal = std::clamp(restless_signal + 15 * excess / 256, -2048, 2048);
     prediction.follow(taps, normal(value) - predicted);
     recent += (64 * std::min(magnitude, 255) - recent) / 8;
@@ -426,10 +473,12 @@ int CoefficientCoder<Bits>::code_magnitude(int magnitude, int s, const Surroundi
   auto upper = expected.from(2);
   for (; digits < kMostDigits; ++digits) {
     const int k = std::min(digits, kClasses) - 1;
+    const auto opinions = ExpectedValue::opinions(upper, all);
     if (!code(digits < wanted,
               {at_.class_recent.at(k, around.recent, around.density),
-               at_.class_expected.at(k, around.expected), at_.class_own.at(s, k)},
-              MixingSets::kClass + k, ExpectedValue::opinions(upper, all)))
+               at_.class_expected.at(k, around.expected), at_.class_own.at(s, k),
+               at_.class_opinion.at(k, around.level, opinion_step(opinions[0]))},
+              MixingSets::kClass + k, opinions))
       break;
     all = upper;
     upper = expected.from(std::int64_t{2} << digits);
@@ -441,16 +490,20 @@ int CoefficientCoder<Bits>::code_magnitude(int magnitude, int s, const Surroundi
     bool digit = (magnitude >> d & 1) != 0;
     const auto in_upper_half = difference(expected.from((2 * std::int64_t{made} + 1) << d), upper);
     const ExpectedValue::Opinions opinions = ExpectedValue::opinions(in_upper_half, all);
+    const int step = opinion_step(opinions[0]);
     if (d == digits - 2)
-      digit = code(digit,
-                   {at_.top_expected.at(k, around.expected),
-                    at_.top_recent.at(k, around.recent, around.own)},
-                   MixingSets::kTop, opinions);
+      digit = code(
+          digit,
+          {at_.top_expected.at(k, around.expected), at_.top_recent.at(k, around.recent, around.own),
+           at_.top_opinion.at(around.level, step)},
+          MixingSets::kTop, opinions);
     else if (d == digits - 3)
-      digit = code(digit, {at_.next_digit.at(k, made & 1, around.expected / 4)}, MixingSets::kNext,
-                   opinions);
+      digit = code(digit,
+                   {at_.next_digit.at(k, made & 1, around.expected / 4),
+                    at_.next_opinion.at(around.level, step)},
+                   MixingSets::kNext, opinions);
     else
-      digit = code(digit, MixingSets::kLower, opinions);
+      digit = code(digit, {at_.lower_opinion.at(around.level, step)}, MixingSets::kLower, opinions);
     made = 2 * made + digit;
     if (digit) {
       all = in_upper_half;

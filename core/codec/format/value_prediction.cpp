@@ -23,17 +23,17 @@ constexpr std::array<std::int32_t, 65> kLogisticTails = {
     121};
 
 constexpr ScaleWeights kScaleWeights = {
-    {{296, 172, 77, 4, 4, 0, 1, 50, 1, 6, 116, 8, 0, 0, 0, 0, 29, 24},
-     {208, 111, 62, 40, 19, 1, 1, 35, 2, 8, 79, 12, 0, 0, 1, 0, 13, 13},
-     {214, 115, 83, 63, 28, 3, 2, 38, 4, 11, 79, 18, 0, 0, 4, 1, 8, 9},
-     {204, 109, 75, 84, 30, 8, 2, 33, 5, 14, 91, 22, 1, 0, 10, 2, 7, 6},
-     {205, 111, 25, 89, 40, 13, 4, 38, 10, 18, 125, 31, 2, 1, 20, 7, 6, 5},
-     {218, 69, 34, 145, 39, 23, 5, 41, 10, 25, 158, 36, 6, 2, 27, 29, 7, 4},
-     {190, 49, 23, 131, 33, 28, 8, 75, 26, 30, 252, 42, 25, 8, 36, 124, 12, 7},
-     {310, 43, 24, 170, 27, 47, 10, 100, 43, 33, 317, 47, 50, 16, 58, 258, 20, 14}}};
+    {{118, 28, 14, 36, 20, 1, 1, 87, 1, 1, 29, 1, 74, 1, 1, 1, 51, 18},
+     {124, 28, 1, 30, 21, 4, 1, 29, 1, 3, 34, 1, 12, 1, 129, 1, 28, 5},
+     {90, 62, 15, 44, 21, 9, 3, 16, 1, 47, 7, 46, 39, 1, 121, 1, 10, 6},
+     {139, 98, 25, 45, 22, 10, 1, 15, 3, 31, 59, 33, 97, 1, 84, 278, 37, 5},
+     {180, 110, 32, 52, 32, 16, 1, 15, 13, 18, 75, 31, 79, 1, 38, 632, 39, 8},
+     {210, 100, 20, 64, 42, 31, 1, 13, 20, 6, 94, 26, 105, 1, 51, 842, 43, 13},
+     {235, 60, 7, 86, 52, 40, 4, 9, 30, 1, 147, 26, 75, 1, 74, 1817, 51, 26},
+     {247, 45, 34, 119, 69, 79, 13, 19, 18, 18, 206, 13, 137, 1, 162, 3072, 54, 26}}};
 
 void SignalPrediction::begin() {
-  constexpr std::int32_t kRidge = 20 << 12;  // as if each tap had been seen so often beside zero
+  constexpr std::int32_t kRidge = 40 << 12;  // as if each tap had been seen so often beside zero
   products.fill(0);
   for (int i = 0; i < kTaps; ++i) product(i, i) = kRidge;
   errors.fill(0);
@@ -65,7 +65,7 @@ void SignalPrediction::follow(const Taps& taps, int error) {
     for (std::int64_t& left : errors) left >>= 1;
   }
   // The weights that would change most.
-  constexpr int kMoves = 2;
+  constexpr int kMoves = 3;
   for (int move = 0; move < kMoves; ++move) {
     int most = 0;
     std::int64_t largest = -1;
