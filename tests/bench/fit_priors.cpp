@@ -2,6 +2,8 @@
 // Fits what the adaptive coding knows beforehand to other clips than those it is judged by, on
 // their own rigs and on ones as games have them:
 //   mocapress-fit-priors CORPUS/train > core/codec/format/coefficient_priors.cpp
+// --scale: the weights of the expected scale instead (value_prediction.cpp), from those of today
+// on. Repeated until they stay, for what is restless follows from them; the priors come after that.
 // First each context by itself: its log odds, and how many observations they are worth, from how
 // alike clips are. Then log odds, weights and confidences together, by the gradient of the coded
 // bits. All samples count alike, for what is known beforehand matters most where there is little to
@@ -93,8 +95,9 @@ struct NotingBits {
   Sample sample;
 };
 
-std::vector<Sample> samples_of(const fs::path& folder) {
-  std::vector<Sample> samples;
+/// Calls visit(signals, Bits) for each sample, once its bits have gone through `Bits`.
+template <typename Bits, typename Visit>
+void for_each_sample(const fs::path& folder, const Visit& visit) {
   for (const fs::path& path : clips_of(folder)) {
     const Motion motion = read_motion(path).motion;
     for (const Motion& rig : {motion, test::game_like(motion)})
@@ -106,15 +109,22 @@ std::vector<Sample> samples_of(const fs::path& folder) {
         for (const double scale : kScales) {
           QuantisedSignals coded = loop.quantise(scale).coded;
           auto model = CoefficientModel::untaught(coded.signal_count());
-          NotingBits bits;
-          bits.sample.contexts = static_cast<std::size_t>(ContextLayout(coded.signal_count()).end);
+          Bits bits;
           code_coefficients(bits, neighbours, *model, coded);
-          bits.sample.bits.shrink_to_fit();
-          samples.push_back(std::move(bits.sample));
+          visit(coded.signal_count(), std::move(bits));
         }
       }
     std::fprintf(stderr, "%s\n", path.stem().c_str());
   }
+}
+
+std::vector<Sample> samples_of(const fs::path& folder) {
+  std::vector<Sample> samples;
+  for_each_sample<NotingBits>(folder, [&](int signals, NotingBits bits) {
+    bits.sample.contexts = static_cast<std::size_t>(ContextLayout(signals).end);
+    bits.sample.bits.shrink_to_fit();
+    samples.push_back(std::move(bits.sample));
+  });
   return samples;
 }
 
@@ -386,6 +396,119 @@ Knowledge train(const std::vector<Sample>& samples, const std::vector<Prior>& pr
   return known;
 }
 
+// ---------------------------------------------------------------- the expected scale
+
+/// A value of a sample, in steps.
+struct NotedValue {
+  std::array<float, runtime::kScaleFeatures> features;
+  float unrest;  // octaves
+  float mean;
+  float value;
+  int level;
+};
+
+struct NotingValues {
+  static constexpr bool kWrites = true;
+  bool code(bool bit, runtime::Probability) { return bit; }
+  void refuse() {}
+  static constexpr bool failed() { return false; }
+  void note(const runtime::ValueSources& sources) {
+    NotedValue noted{};
+    for (std::size_t f = 0; f < noted.features.size(); ++f)
+      noted.features[f] = static_cast<float>(sources.features[f]) / 64;
+    noted.unrest = static_cast<float>(sources.unrest) / 256;
+    noted.mean = static_cast<float>(sources.mean) / 64;
+    noted.value = static_cast<float>(sources.value);
+    noted.level = sources.level;
+    values.push_back(noted);
+  }
+  std::vector<NotedValue> values;
+};
+
+/// Every third sample: they are alike, and their values many.
+std::vector<std::vector<NotedValue>> values_of(const fs::path& folder) {
+  std::vector<std::vector<NotedValue>> samples;
+  int at = 0;
+  for_each_sample<NotingValues>(folder, [&](int, NotingValues bits) {
+    if (at++ % 3 == 0 && !bits.values.empty()) samples.push_back(std::move(bits.values));
+  });
+  return samples;
+}
+
+using ScaleWeights = std::array<std::array<double, runtime::kScaleFeatures>, runtime::kScaleLevels>;
+
+/// How unlikely the values are, as the logistic distribution has it whose scale follows from the
+/// weights, and the gradient of that by the logarithms of the weights.
+double unlikelihood(const std::vector<NotedValue>& values, const ScaleWeights& weights,
+                    ScaleWeights& gradient) {
+  const double share = 1.0 / std::max<double>(static_cast<double>(values.size()), 50);
+  double sum = 0;
+  for (const NotedValue& noted : values) {
+    const auto& of_level = weights[static_cast<std::size_t>(noted.level)];
+    double expected = 6.0 / 64;
+    for (std::size_t f = 0; f < of_level.size(); ++f) expected += of_level[f] * noted.features[f];
+    const double unrest = std::exp2(noted.unrest);
+    const double width = 0.72 * (0.1 + unrest * expected);
+    const auto below = [&](double x) { return 1 / (1 + std::exp(-x)); };
+    const double from = (noted.value - 0.5 - noted.mean) / width;
+    const double to = (noted.value + 0.5 - noted.mean) / width;
+    const double likely = std::max(below(to) - below(from), 1e-9);
+    sum -= share * std::log(likely);
+    const double by_width =
+        (from * below(from) * below(-from) - to * below(to) * below(-to)) / (width * likely);
+    for (std::size_t f = 0; f < of_level.size(); ++f)
+      gradient[static_cast<std::size_t>(noted.level)][f] -=
+          share * by_width * 0.72 * unrest * noted.features[f] * of_level[f];
+  }
+  return sum;
+}
+
+/// Adam, as above, of the logarithms of the weights.
+ScaleWeights fit_scale(const std::vector<std::vector<NotedValue>>& samples) {
+  constexpr int kRounds = 40;
+  constexpr std::size_t kBatch = 12;
+  ScaleWeights weights;
+  for (std::size_t level = 0; level < weights.size(); ++level)
+    for (std::size_t f = 0; f < weights[level].size(); ++f)
+      weights[level][f] = std::max(runtime::kScaleWeights[level][f] / 1024.0, 5e-4);
+  ScaleWeights mean{};
+  ScaleWeights square{};
+  int step = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    double sum = 0;
+    for (std::size_t first = 0; first < samples.size(); first += kBatch) {
+      ScaleWeights gradient{};
+      for (std::size_t i = first; i < std::min(first + kBatch, samples.size()); ++i)
+        sum += unlikelihood(samples[i], weights, gradient);
+      ++step;
+      const double rate = 0.03 * (1 - round / (kRounds + 1.0));
+      for (std::size_t level = 0; level < weights.size(); ++level)
+        for (std::size_t f = 0; f < weights[level].size(); ++f) {
+          const double slope = gradient[level][f];
+          mean[level][f] += 0.1 * (slope - mean[level][f]);
+          square[level][f] += 0.02 * (slope * slope - square[level][f]);
+          const double down = mean[level][f] / (1 - std::pow(0.9, step));
+          const double size = std::sqrt(square[level][f] / (1 - std::pow(0.98, step)));
+          weights[level][f] =
+              std::clamp(weights[level][f] * std::exp(-rate * down / (size + 1e-7)), 2e-4, 30.0);
+        }
+    }
+    std::fprintf(stderr, "%.5f\n", sum / static_cast<double>(samples.size()));
+  }
+  return weights;
+}
+
+void print_scale(const ScaleWeights& weights) {
+  for (const auto& of_level : weights) {
+    const char* between = "{";
+    for (const double weight : of_level) {
+      std::printf("%s%ld", between, std::lround(1024 * weight));
+      between = ", ";
+    }
+    std::printf("},\n");
+  }
+}
+
 // ---------------------------------------------------------------- C++
 
 /// As C++ has to be told what is no trigraph.
@@ -408,6 +531,21 @@ void print_numbers(const std::vector<double>& numbers, double whole, std::size_t
   for (std::size_t i = 0; i < numbers.size(); ++i)
     std::printf("%s%ld,", i % in_a_row == 0 ? "\n    " : " ",
                 std::clamp(std::lround(whole * numbers[i]), -32768L, 32767L));
+}
+
+/// In 256ths, a row a context, in the braces of arrays within arrays.
+void print_confidences(const std::vector<double>& confidences) {
+  constexpr std::size_t kRow = runtime::kSeenSteps;
+  constexpr std::size_t kKind = kMostContexts * kRow;
+  for (std::size_t i = 0; i < confidences.size(); ++i)
+    std::printf("%s%ld%s",
+                i % kKind == 0  ? "\n    {{{"
+                : i % kRow == 0 ? "\n      {"
+                                : " ",
+                std::lround(256 * confidences[i]),
+                (i + 1) % kKind == 0  ? "}}},"
+                : (i + 1) % kRow == 0 ? "},"
+                                      : ",");
 }
 
 void print(const std::vector<Prior>& priors, const Knowledge& known) {
@@ -437,10 +575,10 @@ void print(const std::vector<Prior>& priors, const Knowledge& known) {
   std::printf("\n};\n\nconstexpr std::array<std::int16_t, %zu> kWeightsByScale = {",
               weights_by_scale.size());
   print_numbers(weights_by_scale, 1024, kMost);
-  std::printf("\n};\n\nconstexpr Confidences kConfidences = {");
-  print_numbers(known.confidences, 256, runtime::kSeenSteps);
+  std::printf("\n};\n\nconstexpr Confidences kConfidences = {{");
+  print_confidences(known.confidences);
   std::printf(
-      "\n};\n// clang-format on\n\n}  // namespace\n\n"
+      "\n}};\n// clang-format on\n\n}  // namespace\n\n"
       "std::string_view context_priors() {\n  return kContexts;\n}\n\n"
       "std::string_view context_trust() {\n  return kTrust;\n}\n\n"
       "std::span<const std::int16_t> weight_priors() {\n  return kWeights;\n}\n\n"
@@ -453,11 +591,16 @@ void print(const std::vector<Prior>& priors, const Knowledge& known) {
 }  // namespace mocapress
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "Usage: mocapress-fit-priors CORPUS/train\n");
+  const bool scale = argc == 3 && std::string(argv[1]) == "--scale";
+  if (argc != 2 && !scale) {
+    std::fprintf(stderr, "Usage: mocapress-fit-priors [--scale] CORPUS/train\n");
     return 2;
   }
   try {
+    if (scale) {
+      mocapress::print_scale(mocapress::fit_scale(mocapress::values_of(argv[2])));
+      return 0;
+    }
     const auto samples = mocapress::samples_of(argv[1]);
     const auto priors = mocapress::fit_contexts(samples);
     mocapress::print(priors, mocapress::train(samples, priors));

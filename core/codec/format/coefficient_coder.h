@@ -63,11 +63,20 @@ struct BitSources {
   int scale;  // -1: no weights by scale
 };
 
+/// What the scale of a value was expected from, and what came: likewise.
+struct ValueSources {
+  std::array<int, kScaleFeatures> features;
+  int level;
+  int unrest;  // 256ths of octaves
+  int mean;    // 64ths
+  std::int32_t value;
+};
+
 /// Walks through signals in the order of the file. `Bits` either writes the bits it is given or
 /// ignores and replaces them: bool code(bool bit, Probability one); refuse() when a number that was
 /// read is out of bounds, and failed(), after which nothing that was read is of use. What is read
-/// replaces what `coded` holds, which then must be zeros. Bits that have note(BitSources, bool) are
-/// told what each was predicted from.
+/// replaces what `coded` holds, which then must be zeros. Bits that have note(BitSources, bool) or
+/// note(ValueSources) are told what each was predicted from.
 template <typename Bits>
 class CoefficientCoder {
  public:
@@ -381,11 +390,10 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
         size_at(earlier, i, band.size)};
     std::int32_t weighted = 6 << 10;
     for (std::size_t f = 0; f < features.size(); ++f) weighted += weights[f] * features[f];
+    const int unrest = restless_signal + (3 * restless[0] + restless[-1] + restless[1]) / 4;
     const int scale = std::clamp(
         kScaleOfOne +
-            ((log2_256(static_cast<std::uint32_t>(weighted >> 10)) - 6 * 256 + restless_signal +
-              (3 * restless[0] + restless[-1] + restless[1]) / 4 + 32) >>
-             6),
+            ((log2_256(static_cast<std::uint32_t>(weighted >> 10)) - 6 * 256 + unrest + 32) >> 6),
         0, kScales - 1);
     scale_step_ = MixingSets::scale_step(scale);
     const std::int32_t inverse = kInverseScales[static_cast<std::size_t>(scale)];
@@ -448,6 +456,8 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
     } else {
       value = 0;
     }
+    if constexpr (requires(const ValueSources& sources) { bits_.note(sources); })
+      bits_.note(ValueSources{features, around.level, unrest, mean, value});
     const std::int64_t distance = std::min<std::int64_t>(
         std::abs((static_cast<std::int64_t>(value) << 6) - mean), 1 << 20);  // 64ths
     deviation += static_cast<std::int32_t>((4 * distance - deviation) / 80);
