@@ -2,10 +2,8 @@
 #include "core/metrics/distortion.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <vector>
 
@@ -13,27 +11,17 @@
 
 namespace mocapress {
 
-namespace {
-
-constexpr int kFraction = 23;  // bits of a float
-
-}  // namespace
-
-void DistanceCounts::add(float distance) {
-  // Ordered as the floats are, where these are not negative.
-  const auto bits = std::bit_cast<std::uint32_t>(distance) & 0x7FFFFFFFU;
-  std::vector<std::uint64_t>& octave = octaves_[bits >> kFraction];
-  if (octave.empty()) octave.resize(1U << kBits);
-  ++octave[(bits >> (kFraction - kBits)) & ((1U << kBits) - 1)];
-  ++all_;
+void DistanceCounts::open(std::uint32_t exponent) {
+  places_[exponent] = counts_.size();
+  counts_.resize(counts_.size() + (std::size_t{1} << kBits));
 }
 
 double DistanceCounts::percentile(double share) const {
   const auto rank = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(all_)));
   std::uint64_t below = 0;
-  for (std::uint32_t exponent = 0; exponent < octaves_.size(); ++exponent)
-    for (std::uint32_t part = 0; part < octaves_[exponent].size(); ++part) {
-      below += octaves_[exponent][part];
+  for (std::uint32_t exponent = 0; exponent < places_.size(); ++exponent)
+    for (std::uint32_t part = 0; places_[exponent] != kNone && part < 1U << kBits; ++part) {
+      below += counts_[places_[exponent] + part];
       if (below >= std::max<std::uint64_t>(rank, 1))
         return std::bit_cast<float>(exponent << kFraction | part << (kFraction - kBits));
     }
@@ -111,16 +99,13 @@ MeasuredPoints points_of(const Skeleton& skeleton, Weighting weighting) {
 }
 
 /// cm^2, frames x points.
-Eigen::MatrixXd squared_on(const SkinPoints& skin, const JointErrors& errors, Eigen::Index frames) {
-  std::map<int, Eigen::Matrix<double, Eigen::Dynamic, 12>> of_joints;
+Eigen::MatrixXd squared_on(const SkinPoints& skin, JointErrors& errors, Eigen::Index frames) {
   Eigen::MatrixXd squared(frames, std::ssize(skin));
   Eigen::MatrixX3d moved(frames, 3);
   for (std::size_t p = 0; p < skin.size(); ++p) {
     moved.setZero();
     for (const auto& [joint, in_joint, weight] : skin[p]) {
-      auto found = of_joints.find(joint);
-      if (found == of_joints.end()) found = of_joints.emplace(joint, errors.of(joint)).first;
-      const auto& of_joint = found->second;
+      const auto& of_joint = errors.of(joint);
       moved += weight * of_joint.leftCols<3>();
       for (Eigen::Index axis = 0; axis < 3; ++axis)
         moved += (weight * in_joint(axis)) * of_joint.middleCols<3>(3 + 3 * axis);
@@ -136,21 +121,26 @@ PointErrors::PointErrors(const Skeleton& skeleton, Weighting weighting)
     : skeleton_(skeleton), weighting_(weighting), measured_(points_of(skeleton, weighting)) {}
 
 Eigen::MatrixXd PointErrors::squared(const TrackRows& original, const TrackRows& decoded) const {
+  JointErrors errors(skeleton_, original, decoded);
+  return squared(original, decoded, errors);
+}
+
+Eigen::MatrixXd PointErrors::squared(const TrackRows& original, const TrackRows& decoded,
+                                     JointErrors& errors) const {
   const std::vector<Landmark>& points = measured_.points;
   Eigen::MatrixXd squared(original.rows(), std::ssize(points));
   if (is_on_bones(weighting_)) {  // which tracks begin with
+    const auto along = [&](Eigen::Index i) {
+      return (original.col(i) - decoded.col(i)).cwiseAbs2();
+    };
     for (Eigen::Index p = 0; p < squared.cols(); ++p)
-      squared.col(p) =
-          (original.middleCols<3>(3 * p) - decoded.middleCols<3>(3 * p)).rowwise().squaredNorm();
+      squared.col(p) = along(3 * p) + along(3 * p + 1) + along(3 * p + 2);
     return squared;
   }
-  const JointErrors errors(skeleton_, original, decoded);
   if (weighting_ == Weighting::Skin) return squared_on(*skeleton_.skin(), errors, original.rows());
-  Eigen::Matrix<double, Eigen::Dynamic, 12> of_joint;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (p == 0 || points[p].joint != points[p - 1].joint) of_joint = errors.of(points[p].joint);
-    squared.col(static_cast<Eigen::Index>(p)) = JointErrors::squared(of_joint, points[p].in_joint);
-  }
+  for (std::size_t p = 0; p < points.size(); ++p)
+    squared.col(static_cast<Eigen::Index>(p)) =
+        JointErrors::squared(errors.of(points[p].joint), points[p].in_joint);
   return squared;
 }
 
@@ -190,10 +180,10 @@ void DistortionMeter::add(Set& set, int first_frame, const Eigen::MatrixXd& squa
     set.squares(p) += squared.col(p).sum();
     set.greatest(p) = std::max(set.greatest(p), squared.col(p).maxCoeff());
   }
-  Eigen::Index frame = 0;
-  Eigen::Index point = 0;
-  const double worst = squared.maxCoeff(&frame, &point);
-  if (worst > set.worst_square) {
+  if (const double worst = squared.maxCoeff(); worst > set.worst_square) {
+    Eigen::Index frame = 0;
+    Eigen::Index point = 0;
+    squared.maxCoeff(&frame, &point);
     set.worst_square = worst;
     const int joint = set.errors.measured().points[static_cast<std::size_t>(point)].joint;
     set.worst = {first_frame + static_cast<int>(frame),
@@ -202,38 +192,46 @@ void DistortionMeter::add(Set& set, int first_frame, const Eigen::MatrixXd& squa
   }
   const bool has_distances = detail_ == Detail::Distances && &set == &sets_.front();
   if (detail_ == Detail::Means || has_distances) return;
-  for (const double square : squared.reshaped())
-    set.counts.add(static_cast<float>(std::sqrt(square)));
+  const Eigen::MatrixXf distances = squared.cwiseSqrt().cast<float>();
+  for (const float distance : distances.reshaped()) set.counts.add(distance);
 }
 
-void DistortionMeter::add_turns(int first_frame, const TrackRows& original,
-                                const TrackRows& decoded) {
-  const JointErrors errors(skeleton_, original, decoded);
+void DistortionMeter::add_turns(int first_frame, Eigen::Index frames, JointErrors& errors) {
   for (int j = 0; j < skeleton_.joint_count(); ++j) {
     const Eigen::VectorXd degrees = JointErrors::degrees(errors.of(j));
     squared_turns_(j) += degrees.squaredNorm();
     if (detail_ == Detail::Distances)
-      turns_.col(j).segment(first_frame, degrees.size()) = degrees.cast<float>();
+      turns_.col(j).segment(first_frame, frames) = degrees.cast<float>();
   }
   // Ends of bones come after all joints and turn with theirs.
   const std::vector<Landmark>& points = sets_.front().errors.measured().points;
   for (Eigen::Index end = skeleton_.joint_count(); end < turns_.cols(); ++end)
-    turns_.col(end).segment(first_frame, original.rows()) =
-        turns_.col(points[static_cast<std::size_t>(end)].joint)
-            .segment(first_frame, original.rows());
+    turns_.col(end).segment(first_frame, frames) =
+        turns_.col(points[static_cast<std::size_t>(end)].joint).segment(first_frame, frames);
 }
 
 void DistortionMeter::add(int first_frame, const TrackRows& original, const TrackRows& decoded) {
+  constexpr Eigen::Index kFrames = 64;  // at a time: what joints have in common stays in the cache
+  for (Eigen::Index first = 0; first < original.rows(); first += kFrames) {
+    const Eigen::Index frames = std::min(kFrames, original.rows() - first);
+    add_some(first_frame + static_cast<int>(first), original.middleRows(first, frames),
+             decoded.middleRows(first, frames));
+  }
+}
+
+void DistortionMeter::add_some(int first_frame, const TrackRows& original,
+                               const TrackRows& decoded) {
   frames_ += original.rows();
+  JointErrors errors(skeleton_, original, decoded);
   for (Set& set : sets_) {
-    const Eigen::MatrixXd squared = set.errors.squared(original, decoded);
+    const Eigen::MatrixXd squared = set.errors.squared(original, decoded, errors);
     add(set, first_frame, squared);
     if (detail_ != Detail::Means && set.errors.weighting() == Weighting::Surface)
       ends_.add(original, decoded, squared * set.errors.measured().weights);
     if (detail_ == Detail::Distances && &set == &sets_.front())
       distances_.middleRows(first_frame, squared.rows()) = squared.cwiseSqrt().cast<float>();
   }
-  if (detail_ != Detail::Means) add_turns(first_frame, original, decoded);
+  if (detail_ != Detail::Means) add_turns(first_frame, original.rows(), errors);
 }
 
 double DistortionMeter::eps(std::size_t set, const Eigen::VectorXd& weights) const {

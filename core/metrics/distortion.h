@@ -5,7 +5,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -20,15 +22,32 @@ class DistanceCounts {
  public:
   static constexpr double kPrecision = 1.0 / 4096;
 
-  void add(float distance);
+  void add(float distance) {
+    // Ordered as the floats are, where these are not negative.
+    const auto bits = std::bit_cast<std::uint32_t>(distance) & 0x7FFFFFFFU;
+    const std::uint32_t exponent = bits >> kFraction;
+    if (places_[exponent] == kNone) open(exponent);
+    ++counts_[places_[exponent] + ((bits >> (kFraction - kBits)) & ((1U << kBits) - 1))];
+    ++all_;
+  }
 
   /// The smallest distance that at least `share` of all do not exceed, or up to kPrecision of it
   /// less. 0 where there are none.
   double percentile(double share) const;
 
  private:
-  static constexpr int kBits = 12;                       // of a float's fraction
-  std::array<std::vector<std::uint64_t>, 256> octaves_;  // by the exponent of a float
+  static constexpr int kFraction = 23;  // bits of a float
+  static constexpr int kBits = 12;      // of its fraction
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+  void open(std::uint32_t exponent);
+
+  std::array<std::size_t, 256> places_ = [] {  // in counts_, by the exponent of a float
+    std::array<std::size_t, 256> none{};
+    none.fill(kNone);
+    return none;
+  }();
+  std::vector<std::uint64_t> counts_;
   std::uint64_t all_ = 0;
 };
 
@@ -93,6 +112,10 @@ class PointErrors {
   /// cm^2, frames x points, of rows of body_tracks() of both clips.
   Eigen::MatrixXd squared(const TrackRows& original, const TrackRows& decoded) const;
 
+  /// The same where their JointErrors are there.
+  Eigen::MatrixXd squared(const TrackRows& original, const TrackRows& decoded,
+                          JointErrors& errors) const;
+
   /// Of the skin: each by the joint that carries most of it.
   const MeasuredPoints& measured() const { return measured_; }
   Weighting weighting() const { return weighting_; }
@@ -131,7 +154,8 @@ class DistortionMeter {
     DistanceCounts counts;
   };
   void add(Set& set, int first_frame, const Eigen::MatrixXd& squared) const;
-  void add_turns(int first_frame, const TrackRows& original, const TrackRows& decoded);
+  void add_some(int first_frame, const TrackRows& original, const TrackRows& decoded);
+  void add_turns(int first_frame, Eigen::Index frames, JointErrors& errors);
   double eps(std::size_t set) const { return eps(set, sets_[set].errors.measured().weights); }
   double eps(std::size_t set, const Eigen::VectorXd& weights) const;
   Spread spread(std::size_t set) const;

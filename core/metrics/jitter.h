@@ -37,18 +37,21 @@ class Jitter {
     Section(double sample_rate_hz, double quality);
     double b0, b1, b2, a1, a2;
   };
-  /// Of one coordinate.
+  /// The three coordinates of a joint, side by side; one lane is left over.
+  using Place = Eigen::Array4d;
+
+  /// Of one joint.
   struct State {
-    std::array<double, 4> delays{};
-    std::array<double, 2> outputs{};  // the last and the one before
+    std::array<Place, 4> delays;
+    std::array<Place, 2> outputs;  // the last and the one before
   };
-  double filtered(double value, State& state) const;
-  State state_before(double first, double step) const;
+  Place filtered(const Place& place, State& state) const;
+  State state_before(const Place& first, const Place& step) const;
 
   int window_frames_;
   double sample_rate_hz_;
   std::array<Section, 2> sections_;
-  std::vector<State> states_;
+  std::vector<State> states_;  // of joints
   Eigen::MatrixXf squares_;
   double energy_ = 0;
 };

@@ -184,7 +184,7 @@ void VisibilityMeter::add(int first_frame, const TrackRows& original, const Trac
 }
 
 void VisibilityMeter::add_turns(const TrackRows& original, const TrackRows& decoded) {
-  const JointErrors errors(skeleton_, original, decoded);
+  JointErrors errors(skeleton_, original, decoded);
   for (Eigen::Index i = 0; i < squared_turns_.size(); ++i) {
     const auto head = static_cast<std::size_t>(i);
     const int joint = head < heads_.size() ? heads_[head] : hands_[head - heads_.size()];

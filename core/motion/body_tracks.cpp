@@ -5,6 +5,7 @@
 #include <cassert>
 #include <numbers>
 
+#include "core/base/instruction_sets.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/pose_block.h"
 
@@ -20,8 +21,9 @@ Eigen::MatrixXd body_tracks(const Skeleton& skeleton, const Clip& clip) {
     // The points of shell_points(): of each joint along its axes.
     for (int j = 0; j < skeleton.joint_count(); ++j)
       for (int axis = 0; axis < 3; ++axis)
-        tracks.block(first, shell + 9 * j + 3 * axis, frames, 3) =
-            (poses.origin(j) + kShellRadius * poses.axis(j, axis)).matrix();
+        for (int i = 0; i < 3; ++i)
+          tracks.col(shell + 9 * j + 3 * axis + i).segment(first, frames) =
+              (poses.origin(j).col(i) + kShellRadius * poses.axis(j, axis).col(i)).matrix();
   });
   return tracks;
 }
@@ -31,35 +33,83 @@ JointErrors::JointErrors(const Skeleton& skeleton,
                          const Eigen::Ref<const Eigen::MatrixXd>& decoded)
     : original_(original),
       decoded_(decoded),
-      shell_(original.cols() - Eigen::Index{9} * skeleton.joint_count()) {
+      shell_(original.cols() - Eigen::Index{9} * skeleton.joint_count()),
+      found_(static_cast<std::size_t>(skeleton.joint_count())) {
   assert(original.rows() == decoded.rows() && original.cols() == decoded.cols() && shell_ >= 0);
 }
 
-Eigen::Matrix<double, Eigen::Dynamic, 12> JointErrors::of(int joint) const {
-  Eigen::Matrix<double, Eigen::Dynamic, 12> errors(original_.rows(), 12);
-  const Eigen::Index origin = Eigen::Index{3} * joint;
-  errors.leftCols<3>() = decoded_.middleCols<3>(origin) - original_.middleCols<3>(origin);
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const Eigen::Index column = shell_ + Eigen::Index{9} * joint + 3 * axis;
-    errors.middleCols<3>(3 + 3 * axis) =
-        (decoded_.middleCols<3>(column) - original_.middleCols<3>(column) - errors.leftCols<3>()) /
-        kShellRadius;
+const JointErrors::OfJoint& JointErrors::of(int joint) {
+  std::optional<OfJoint>& found = found_[static_cast<std::size_t>(joint)];
+  if (found) return *found;
+  // Column by column: of blocks Eigen makes slower loops.
+  OfJoint& errors = found.emplace(original_.rows(), 12);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const Eigen::Index origin = Eigen::Index{3} * joint + i;
+    errors.col(i) = decoded_.col(origin) - original_.col(origin);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const Eigen::Index column = shell_ + Eigen::Index{9} * joint + 3 * axis + i;
+      errors.col(3 + 3 * axis + i) =
+          (decoded_.col(column) - original_.col(column) - errors.col(i)) * (1 / kShellRadius);
+    }
   }
   return errors;
 }
 
-Eigen::VectorXd JointErrors::squared(const Eigen::Matrix<double, Eigen::Dynamic, 12>& of_joint,
-                                     const Eigen::Vector3d& in_joint) {
-  return (of_joint.leftCols<3>() + in_joint.x() * of_joint.middleCols<3>(3) +
-          in_joint.y() * of_joint.middleCols<3>(6) + in_joint.z() * of_joint.middleCols<3>(9))
-      .rowwise()
-      .squaredNorm();
+namespace {
+
+/// The squared error of a point from row t on, of as many rows as make up vectors; returns the
+/// first that is left over. `columns` as OfJoint has them.
+template <typename Vector>
+MOCAPRESS_INLINE Eigen::Index square_of(const double* columns, Eigen::Index rows,
+                                        const Eigen::Vector3d& in_joint, Eigen::Index t,
+                                        double* squares) {
+  const double x = in_joint.x();
+  const double y = in_joint.y();
+  const double z = in_joint.z();
+  for (; t + kLanes<Vector, double> <= rows; t += kLanes<Vector, double>) {
+    Vector sum{};
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      Vector origin;
+      Vector along_x;
+      Vector along_y;
+      Vector along_z;
+      load(columns + i * rows + t, origin);
+      load(columns + (3 + i) * rows + t, along_x);
+      load(columns + (6 + i) * rows + t, along_y);
+      load(columns + (9 + i) * rows + t, along_z);
+      const Vector error = origin + x * along_x + y * along_y + z * along_z;
+      sum += error * error;
+    }
+    store(sum, squares + t);
+  }
+  return t;
 }
 
-Eigen::VectorXd JointErrors::degrees(const Eigen::Matrix<double, Eigen::Dynamic, 12>& of_joint) {
+#ifdef MOCAPRESS_WITH_AVX2
+MOCAPRESS_FOR_AVX2 Eigen::Index square_with_avx2(const double* columns, Eigen::Index rows,
+                                                 const Eigen::Vector3d& in_joint, double* squares) {
+  return square_of<Doubles4>(columns, rows, in_joint, 0, squares);
+}
+#endif
+
+}  // namespace
+
+Eigen::VectorXd JointErrors::squared(const OfJoint& of_joint, const Eigen::Vector3d& in_joint) {
+  Eigen::VectorXd squares(of_joint.rows());
+  Eigen::Index t = 0;
+#ifdef MOCAPRESS_WITH_AVX2
+  if (has_avx2()) t = square_with_avx2(of_joint.data(), of_joint.rows(), in_joint, squares.data());
+#endif
+  t = square_of<Doubles2>(of_joint.data(), of_joint.rows(), in_joint, t, squares.data());
+  square_of<Doubles1>(of_joint.data(), of_joint.rows(), in_joint, t, squares.data());
+  return squares;
+}
+
+Eigen::VectorXd JointErrors::degrees(const OfJoint& of_joint) {
   // Of a rotation by the angle a, the axes' squared differences come to 8 sin(a / 2)^2.
-  const Eigen::ArrayXd sine =
-      (of_joint.rightCols<9>().rowwise().squaredNorm() / 8).array().min(1).sqrt();
+  Eigen::ArrayXd sine = of_joint.col(3).cwiseAbs2();
+  for (Eigen::Index i = 4; i < 12; ++i) sine += of_joint.col(i).array().square();
+  sine = (sine / 8).min(1).sqrt();
   return (360 / std::numbers::pi) * sine.asin();
 }
 

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "core/motion/landmarks.h"
 
@@ -16,24 +18,28 @@ Eigen::MatrixXd body_tracks(const Skeleton& skeleton, const Clip& clip);
 /// How far each joint has moved and turned: differences of body_tracks(), joint by joint.
 class JointErrors {
  public:
-  /// Rows of body_tracks() of both clips; they must outlive this.
+  /// Frames x 12: the error of the origin (cm), then of each axis (per cm along it).
+  using OfJoint = Eigen::Matrix<double, Eigen::Dynamic, 12>;
+
+  /// Rows of body_tracks() of both clips; they must outlive this. Of few rows at a time what is
+  /// computed stays near the processor.
   JointErrors(const Skeleton& skeleton, const Eigen::Ref<const Eigen::MatrixXd>& original,
               const Eigen::Ref<const Eigen::MatrixXd>& decoded);
 
-  /// Frames x 12: the error of the origin (cm), then of each axis (per cm along it).
-  Eigen::Matrix<double, Eigen::Dynamic, 12> of(int joint) const;
+  /// Computed when first asked for.
+  const OfJoint& of(int joint);
 
   /// The squared error of a point at each frame, cm^2.
-  static Eigen::VectorXd squared(const Eigen::Matrix<double, Eigen::Dynamic, 12>& of_joint,
-                                 const Eigen::Vector3d& in_joint);
+  static Eigen::VectorXd squared(const OfJoint& of_joint, const Eigen::Vector3d& in_joint);
 
   /// The angle by which the joint is turned, at each frame.
-  static Eigen::VectorXd degrees(const Eigen::Matrix<double, Eigen::Dynamic, 12>& of_joint);
+  static Eigen::VectorXd degrees(const OfJoint& of_joint);
 
  private:
   Eigen::Ref<const Eigen::MatrixXd> original_;
   Eigen::Ref<const Eigen::MatrixXd> decoded_;
   Eigen::Index shell_;  // column of the first shell point
+  std::vector<std::optional<OfJoint>> found_;
 };
 
 /// Some frames of body_tracks(), not copied.

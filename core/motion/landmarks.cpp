@@ -71,8 +71,13 @@ void place_landmarks(const std::vector<Landmark>& points, const Pose& pose, int 
 void place_landmarks(const std::vector<Landmark>& points, const PoseBlock& poses, int first,
                      int frames, Eigen::MatrixXd& tracks) {
   for (std::size_t p = 0; p < points.size(); ++p)
-    tracks.block(first, 3 * static_cast<Eigen::Index>(p), frames, 3) =
-        poses.place(points[p].joint, points[p].in_joint).matrix();
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      auto track = tracks.col(3 * static_cast<Eigen::Index>(p) + i).segment(first, frames).array();
+      if (points[p].in_joint.isZero(0))
+        track = poses.origin(points[p].joint).col(i);
+      else
+        track = poses.place(points[p].joint, points[p].in_joint).col(i);
+    }
 }
 
 Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip) {

@@ -35,10 +35,8 @@ double apart(const Places& other, const Places& places, const Eigen::Matrix3d& t
 
 class LoopFinder {
  public:
-  explicit LoopFinder(const Motion& motion) : motion_(motion) {
-    const std::vector<Landmark> points = landmarks(motion.skeleton);
-    count_ = std::ssize(points);
-  }
+  LoopFinder(const Motion& motion, const Eigen::MatrixXd* tracks)
+      : motion_(motion), tracks_(tracks), count_(std::ssize(landmarks(motion.skeleton))) {}
 
   Loop find() const {
     constexpr int kLeastFrames = 8;
@@ -65,8 +63,10 @@ class LoopFinder {
 
  private:
   std::vector<Places> poses(const std::vector<int>& frames) const {
-    const Eigen::MatrixXd tracks = landmark_tracks(
-        motion_.skeleton, {motion_.clip.sample_rate_hz, motion_.clip.channels(frames, Eigen::all)});
+    const Eigen::MatrixXd tracks =
+        tracks_ ? Eigen::MatrixXd((*tracks_)(frames, Eigen::all))
+                : landmark_tracks(motion_.skeleton, {motion_.clip.sample_rate_hz,
+                                                     motion_.clip.channels(frames, Eigen::all)});
     std::vector<Places> poses;
     for (Eigen::Index row = 0; row < tracks.rows(); ++row) {
       const Eigen::RowVectorXd places = tracks.row(row);
@@ -102,7 +102,8 @@ class LoopFinder {
   }
 
   const Motion& motion_;
-  Eigen::Index count_;  // of landmarks
+  const Eigen::MatrixXd* tracks_;  // null: computed where they are needed
+  Eigen::Index count_;             // of landmarks
 };
 
 }  // namespace
@@ -120,7 +121,11 @@ std::string_view name(Loop loop) {
 }
 
 Loop find_loop(const Motion& motion) {
-  return LoopFinder(motion).find();
+  return LoopFinder(motion, nullptr).find();
+}
+
+Loop find_loop(const Motion& motion, const Eigen::MatrixXd& tracks) {
+  return LoopFinder(motion, &tracks).find();
 }
 
 }  // namespace mocapress

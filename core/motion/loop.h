@@ -24,4 +24,7 @@ std::string_view name(Loop loop);
 /// and what velocities change in a frame. Where the root stands and heads may differ.
 Loop find_loop(const Motion& motion);
 
+/// The same where its landmark_tracks() are there.
+Loop find_loop(const Motion& motion, const Eigen::MatrixXd& tracks);
+
 }  // namespace mocapress

@@ -5,16 +5,30 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <type_traits>
+
+#include "core/base/instruction_sets.h"
 
 namespace mocapress {
 namespace {
 
-constexpr int kFrames = PoseBlock::kMostFrames;
+constexpr int kMost = PoseBlock::kMostFrames;
 
-// Loops below are over all frames a block may have, and over restricted pointers: so the compiler
-// makes vector instructions of them.
+// Loops below are over so many frames as are known beforehand, and over restricted pointers: so the
+// compiler makes vector instructions of them.
 
-double rounded(double value) {
+/// Calls work(count) with a count that is known beforehand and not below `frames`.
+template <typename Work>
+void for_frames(int frames, const Work& work) {
+  if (frames <= 4)
+    work(std::integral_constant<int, 4>());
+  else if (frames <= 16)
+    work(std::integral_constant<int, 16>());
+  else
+    work(std::integral_constant<int, kMost>());
+}
+
+MOCAPRESS_INLINE double rounded(double value) {
   constexpr double kWhole = 6755399441055744;  // 1.5 * 2^52: what is added to it loses its fraction
   return value + kWhole - kWhole;
 }
@@ -23,8 +37,9 @@ double rounded(double value) {
 /// fdlibm's for a quarter turn about zero.
 constexpr double kMostTurned = 1e5;  // radians
 
-void find_sines_and_cosines(const double* __restrict radians, double* __restrict sines,
-                            double* __restrict cosines) {
+template <int kFrames>
+MOCAPRESS_INLINE void find_sines_and_cosines(const double* __restrict radians,
+                                             double* __restrict sines, double* __restrict cosines) {
   constexpr double kQuarter = 1.57079632673412561417;  // pi / 2 to 33 bits
   constexpr double kRest = 6.07710050650619224932e-11;
   for (int t = 0; t < kFrames; ++t) {
@@ -49,16 +64,19 @@ void find_sines_and_cosines(const double* __restrict radians, double* __restrict
                                                 z * -1.13596475577881948265e-11))))));
     const double odd = quarters - 2 * rounded(0.5 * quarters);    // -1, 0 or 1
     const double turn = quarters - 4 * rounded(0.25 * quarters);  // -2 to 2
-    const double sine_sign = turn < -0.5 || turn > 1.5 ? -1 : 1;
-    const double cosine_sign = turn * turn > 0.5 && (turn > 0.5 || turn < -1.5) ? -1 : 1;
-    sines[t] = sine_sign * (odd == 0 ? sine : cosine);
-    cosines[t] = cosine_sign * (odd == 0 ? cosine : sine);
+    // No branches, of which no vector instructions are made.
+    const double sine_sign = std::copysign(1.0, 1 - std::abs(turn - 0.5));
+    const double cosine_sign = std::copysign(1.0, 1 - std::abs(turn + 0.5));
+    const double swapped = odd * odd;  // 0 or 1
+    sines[t] = sine_sign * ((1 - swapped) * sine + swapped * cosine);
+    cosines[t] = cosine_sign * ((1 - swapped) * cosine + swapped * sine);
   }
 }
 
 /// Mixes two columns.
-void turn_columns(const double* __restrict sines, const double* __restrict cosines,
-                  double* __restrict first, double* __restrict second) {
+template <int kFrames>
+MOCAPRESS_INLINE void turn_columns(const double* __restrict sines, const double* __restrict cosines,
+                                   double* __restrict first, double* __restrict second) {
   for (int t = 0; t < kFrames; ++t) {
     const double a = first[t];
     const double b = second[t];
@@ -67,9 +85,55 @@ void turn_columns(const double* __restrict sines, const double* __restrict cosin
   }
 }
 
-void combine(const double* __restrict a, const double* __restrict b, const double* __restrict c,
-             double of_a, double of_b, double of_c, double* __restrict sum) {
+/// Numbers of so many frames each: x, y, z of a joint's axes.
+using Axes = std::array<double*, 9>;
+
+/// Axes a and b of a joint turn by angles, given by their sines and cosines.
+template <int kFrames>
+MOCAPRESS_INLINE void turn_axes(const double* sines, const double* cosines, const Axes& axes, int a,
+                                int b) {
+  for (int i = 0; i < 3; ++i)
+    turn_columns<kFrames>(sines, cosines, axes[static_cast<std::size_t>(3 * a + i)],
+                          axes[static_cast<std::size_t>(3 * b + i)]);
+}
+
+template <int kFrames>
+MOCAPRESS_INLINE void combine(const double* __restrict a, const double* __restrict b,
+                              const double* __restrict c, double of_a, double of_b, double of_c,
+                              double* __restrict sum) {
   for (int t = 0; t < kFrames; ++t) sum[t] = a[t] * of_a + b[t] * of_b + c[t] * of_c;
+}
+
+/// to = from * matrix, for each frame. Of different joints, or of copies.
+template <int kFrames>
+MOCAPRESS_INLINE void multiply_axes(const Axes& from, const Eigen::Matrix3d& matrix,
+                                    const Axes& to) {
+  for (std::size_t column = 0; column < 3; ++column)
+    for (std::size_t row = 0; row < 3; ++row) {
+      const auto of = static_cast<Eigen::Index>(column);
+      combine<kFrames>(from[row], from[3 + row], from[6 + row], matrix(0, of), matrix(1, of),
+                       matrix(2, of), to[3 * column + row]);
+    }
+}
+
+#ifdef MOCAPRESS_WITH_AVX2
+MOCAPRESS_FOR_AVX2 void find_sines_and_cosines_with_avx2(const double* radians, double* sines,
+                                                         double* cosines) {
+  find_sines_and_cosines<kMost>(radians, sines, cosines);
+}
+MOCAPRESS_FOR_AVX2 void turn_axes_with_avx2(const double* sines, const double* cosines,
+                                            const Axes& axes, int a, int b) {
+  turn_axes<kMost>(sines, cosines, axes, a, b);
+}
+MOCAPRESS_FOR_AVX2 void multiply_axes_with_avx2(const Axes& from, const Eigen::Matrix3d& matrix,
+                                                const Axes& to) {
+  multiply_axes<kMost>(from, matrix, to);
+}
+#endif
+
+/// Whether so many frames are worth vectors of four, and the machine has them.
+bool takes_avx2(int frames) {
+  return frames == kMost && has_avx2();
 }
 
 }  // namespace
@@ -143,32 +207,48 @@ void PoseBlock::multiply(int from, const Eigen::Matrix3d& matrix, int joint) {
     axes_.middleCols<9>(Eigen::Index{9} * joint) = axes_.middleCols<9>(Eigen::Index{9} * from);
     return;
   }
-  before_ = axes_.middleCols<9>(Eigen::Index{9} * from);
-  for (Eigen::Index column = 0; column < 3; ++column)
-    for (Eigen::Index row = 0; row < 3; ++row)
-      combine(before_.col(row).data(), before_.col(3 + row).data(), before_.col(6 + row).data(),
-              matrix(0, column), matrix(1, column), matrix(2, column),
-              axes_.col(Eigen::Index{9} * joint + 3 * column + row).data());
+  if (from == joint) before_ = axes_.middleCols<9>(Eigen::Index{9} * from);
+  Axes given;
+  Axes made;
+  for (Eigen::Index i = 0; i < 9; ++i) {
+    given[static_cast<std::size_t>(i)] =
+        from == joint ? before_.col(i).data() : axes_.col(Eigen::Index{9} * from + i).data();
+    made[static_cast<std::size_t>(i)] = axes_.col(Eigen::Index{9} * joint + i).data();
+  }
+  for_frames(frames_, [&](auto count) {
+#ifdef MOCAPRESS_WITH_AVX2
+    if (takes_avx2(count)) return multiply_axes_with_avx2(given, matrix, made);
+#endif
+    multiply_axes<count>(given, matrix, made);
+  });
 }
 
 void PoseBlock::turn(int joint, int axis, const Eigen::Ref<const Eigen::VectorXd>& radians) {
-  std::array<double, kFrames> angles{};
-  std::array<double, kFrames> sines;
-  std::array<double, kFrames> cosines;
+  std::array<double, kMost> angles{};
+  std::array<double, kMost> sines;
+  std::array<double, kMost> cosines;
   std::copy(radians.begin(), radians.end(), angles.begin());
-  if (radians.cwiseAbs().maxCoeff() < kMostTurned)
-    find_sines_and_cosines(angles.data(), sines.data(), cosines.data());
-  else
+  const bool is_far = !(radians.cwiseAbs().maxCoeff() < kMostTurned);
+  Axes axes;
+  for (Eigen::Index i = 0; i < 9; ++i)
+    axes[static_cast<std::size_t>(i)] = axes_.col(Eigen::Index{9} * joint + i).data();
+  const int next = (axis + 1) % 3;
+  const int last = (axis + 2) % 3;
+  if (is_far)
     for (std::size_t t = 0; t < angles.size(); ++t) {
       sines[t] = std::sin(angles[t]);
       cosines[t] = std::cos(angles[t]);
     }
-  const Eigen::Index first = Eigen::Index{9} * joint;
-  const int next = 3 * ((axis + 1) % 3);
-  const int last = 3 * ((axis + 2) % 3);
-  for (int i = 0; i < 3; ++i)
-    turn_columns(sines.data(), cosines.data(), axes_.col(first + next + i).data(),
-                 axes_.col(first + last + i).data());
+  for_frames(frames_, [&](auto count) {
+#ifdef MOCAPRESS_WITH_AVX2
+    if (takes_avx2(count)) {
+      if (!is_far) find_sines_and_cosines_with_avx2(angles.data(), sines.data(), cosines.data());
+      return turn_axes_with_avx2(sines.data(), cosines.data(), axes, next, last);
+    }
+#endif
+    if (!is_far) find_sines_and_cosines<count>(angles.data(), sines.data(), cosines.data());
+    turn_axes<count>(sines.data(), cosines.data(), axes, next, last);
+  });
 }
 
 }  // namespace mocapress

@@ -43,18 +43,23 @@ const Eigen::MatrixXd& ClipAnalysis::original_body() const {
 
 const std::vector<ContactSpan>& ClipAnalysis::contacts() const {
   if (same_) return same_->contacts();
-  // Of a clip that falls into segments nothing else may need all tracks.
-  const bool is_long = motion_.clip.frames() > SegmentPlan().longest;
-  const Eigen::MatrixXd* tracks = is_long ? nullptr : &original_tracks();
+  const Eigen::MatrixXd* tracks = is_long() ? nullptr : &original_tracks();
   return contacts_.get(Only(), [&] {
     return std::make_unique<std::vector<ContactSpan>>(
-        is_long ? find_foot_contacts(motion_)
-                : find_foot_contacts(motion_.skeleton, *tracks, motion_.clip.sample_rate_hz));
+        tracks ? find_foot_contacts(motion_.skeleton, *tracks, motion_.clip.sample_rate_hz)
+               : find_foot_contacts(motion_));
   });
 }
 
+bool ClipAnalysis::is_long() const {
+  return motion_.clip.frames() > SegmentPlan().longest;
+}
+
 Loop ClipAnalysis::loop() const {
-  return loop_.get({}, [&] { return std::make_unique<Loop>(find_loop(motion_)); });
+  const Eigen::MatrixXd* tracks = is_long() ? nullptr : &original_tracks();
+  return loop_.get({}, [&] {
+    return std::make_unique<Loop>(tracks ? find_loop(motion_, *tracks) : find_loop(motion_));
+  });
 }
 
 const Coefficients& ClipAnalysis::coefficients(Basis basis) const {

@@ -80,6 +80,9 @@ class ClipAnalysis {
     bool operator<(Only) const { return false; }
   };
 
+  /// Whether it falls into segments: then nothing else may need all tracks.
+  bool is_long() const;
+
   Motion motion_;
   const ClipAnalysis* same_ = nullptr;
   OnDemand<Only, RotationForms> forms_;

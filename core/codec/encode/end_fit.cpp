@@ -95,12 +95,14 @@ class End {
 
   std::vector<Reach> reaches(const Eigen::RowVectorXd& added) const {
     std::vector<Reach> found;
+    const Eigen::MatrixXd without = tracks(decoded_);
+    Eigen::MatrixXd at = without;
     for (int frames = 1; frames <= decoded_.rows(); frames *= 2) {
-      Eigen::MatrixXd with = decoded_;
+      Eigen::MatrixXd with = decoded_.topRows(frames);
       for (int t = 0; t < frames; ++t)
         with.row(t) +=
             static_cast<double>(runtime::end_share(runtime::kLastPose, t, frames)) * added;
-      const Eigen::MatrixXd at = tracks(with);
+      at.topRows(frames) = tracks(with);
       const Eigen::Index beside = std::min<Eigen::Index>(1, at.rows() - 1);
       found.push_back({frames, (errors_.squared(original_, at) * errors_.measured().weights).sum(),
                        at.row(beside) - original_.row(beside) - at.row(0) + original_.row(0)});

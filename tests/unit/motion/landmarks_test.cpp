@@ -109,7 +109,7 @@ TEST(BodyTracks, TellWhereAnyPointOfAJointIs) {
   const Skeleton& skeleton = motion.skeleton;
   const Eigen::MatrixXd a = body_tracks(skeleton, motion.clip);
   const Eigen::MatrixXd b = body_tracks(skeleton, other);
-  const JointErrors errors(skeleton, a, b);
+  JointErrors errors(skeleton, a, b);
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     const Landmark point{j, {4, -7, 11}, "anywhere"};
     const Eigen::VectorXd expected =

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Work on many numbers that is compiled twice, with and without AVX2, of which the program takes
+// what the machine has. Both do the same operations in the same order and without contraction: the
+// bits agree. What is to be compiled twice is one inline function, of vectors of either length.
+#pragma once
+
+#include <cstring>
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define MOCAPRESS_WITH_AVX2
+#define MOCAPRESS_FOR_AVX2 __attribute__((target("avx2")))
+#define MOCAPRESS_INLINE __attribute__((always_inline)) inline
+#else
+#define MOCAPRESS_INLINE inline
+#endif
+
+namespace mocapress {
+
+using Floats1 = float;
+using Floats4 = float __attribute__((vector_size(16)));
+using Floats8 = float __attribute__((vector_size(32)));
+using Doubles1 = double;
+using Doubles2 = double __attribute__((vector_size(16)));
+using Doubles4 = double __attribute__((vector_size(32)));
+
+template <typename Vector, typename Number>
+inline constexpr int kLanes = static_cast<int>(sizeof(Vector) / sizeof(Number));
+
+/// A vector in memory, anywhere.
+template <typename Vector, typename Number>
+MOCAPRESS_INLINE void load(const Number* from, Vector& vector) {
+  std::memcpy(&vector, from, sizeof vector);
+}
+template <typename Vector, typename Number>
+MOCAPRESS_INLINE void store(const Vector& vector, Number* to) {
+  std::memcpy(to, &vector, sizeof vector);
+}
+
+inline bool has_avx2() {
+#ifdef MOCAPRESS_WITH_AVX2
+  static const bool has = __builtin_cpu_supports("avx2") != 0;
+  return has;
+#else
+  return false;
+#endif
+}
+
+}  // namespace mocapress
