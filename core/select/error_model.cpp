@@ -183,15 +183,14 @@ bool ErrorModel::are_related(int a, int b) const {
   return moves(a, lower) || moves(b, upper);
 }
 
-Eigen::VectorXd ErrorModel::entry(int a, int b) const {
+Eigen::VectorXf ErrorModel::entry(int a, int b) const {
   const bool a_is_upper = moves(a, places_[static_cast<std::size_t>(b)].joint);
   const int upper = a_is_upper ? a : b;
   const int lower = a_is_upper ? b : a;
   return motions_.middleCols(Eigen::Index{6} * upper, 6)
       .cwiseProduct(forces_.middleCols(Eigen::Index{6} * lower, 6))
       .rowwise()
-      .sum()
-      .cast<double>();
+      .sum();
 }
 
 bool ErrorModel::moves(int channel, int joint) const {
@@ -225,18 +224,25 @@ void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
   for (const PointTerm& term : terms_) term.add_to_gradient(channel, delta, gradient);
   for (Eigen::Index first = 0; first < delta.size(); first += kBlock) {
     const auto step = delta.segment(first, std::min(kBlock, delta.size() - first));
-    if (!step.isZero(0)) add_to_gradient(channel, first, step, 0, gradient);
+    if (!step.isZero(0)) spread(channel, first, step.cast<float>().array(), 0, gradient);
   }
 }
 
 void ErrorModel::add_to_gradient(int channel, Eigen::Index first_frame,
-                                 const Eigen::Ref<const Eigen::VectorXd>& delta, int first_channel,
-                                 Eigen::MatrixXd& gradient) const {
+                                 const Eigen::Ref<const Eigen::ArrayXf>& delta, int first_channel,
+                                 Eigen::MatrixXf& gradient) const {
+  spread(channel, first_frame, delta, first_channel, gradient);
+}
+
+template <typename Gradient>
+void ErrorModel::spread(int channel, Eigen::Index first_frame,
+                        const Eigen::Ref<const Eigen::ArrayXf>& delta, int first_channel,
+                        Gradient& gradient) const {
   const auto c = static_cast<std::size_t>(channel);
   for (Eigen::Index done = 0; done < delta.size(); done += kBlock) {
     const Eigen::Index first = first_frame + done;
     const Eigen::Index frames = std::min(kBlock, delta.size() - done);
-    const Eigen::ArrayXf step = delta.segment(done, frames).cast<float>();
+    const auto step = delta.segment(done, frames);
     // The force that one channel calls up does work along the motion of the other: that of the
     // lower one is of all landmarks that both move.
     const auto add = [&](const Block<6, float>& mine, const Eigen::MatrixXf& theirs, int other) {
@@ -245,7 +251,8 @@ void ErrorModel::add_to_gradient(int channel, Eigen::Index first_frame,
       const Block<1, float> work = mine.col(0) * them.col(0) + mine.col(1) * them.col(1) +
                                    mine.col(2) * them.col(2) + mine.col(3) * them.col(3) +
                                    mine.col(4) * them.col(4) + mine.col(5) * them.col(5);
-      gradient.col(other).segment(first, frames).array() += work.cast<double>();
+      gradient.col(other).segment(first, frames).array() +=
+          work.template cast<typename Gradient::Scalar>();
     };
     const Block<6, float> motion = columns<6>(motions_, channel, first, frames).colwise() * step;
     for (const int other : below_[c]) add(motion, forces_, other);

@@ -48,7 +48,7 @@ class ErrorModel {
 
   /// Whether G_t has an entry for two channels, and what it is at each frame.
   bool are_related(int a, int b) const;
-  Eigen::VectorXd entry(int a, int b) const;
+  Eigen::VectorXf entry(int a, int b) const;
 
   /// Whether a channel moves a joint's origin, and how it moves what is at `places` (frames x 3,
   /// cm, in the world): cm per unit.
@@ -65,8 +65,8 @@ class ErrorModel {
   /// The same of an error in some frames, from `first_frame` on, and for the channels from
   /// `first_channel` on. Without has_terms() only.
   void add_to_gradient(int channel, Eigen::Index first_frame,
-                       const Eigen::Ref<const Eigen::VectorXd>& delta, int first_channel,
-                       Eigen::MatrixXd& gradient) const;
+                       const Eigen::Ref<const Eigen::ArrayXf>& delta, int first_channel,
+                       Eigen::MatrixXf& gradient) const;
 
   /// Whether errors of some points count otherwise.
   bool has_terms() const { return !terms_.empty(); }
@@ -85,6 +85,9 @@ class ErrorModel {
   ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, const Posed& posed);
   void compute_motions(const Skeleton& skeleton, const MeasuredPoints& measured,
                        const Posed& posed);
+  template <typename Gradient>
+  void spread(int channel, Eigen::Index first_frame, const Eigen::Ref<const Eigen::ArrayXf>& delta,
+              int first_channel, Gradient& gradient) const;
 
   std::vector<SignalMoves::Place> places_;
   std::vector<int> parents_;             // of joints

@@ -3,6 +3,10 @@
 // Newton-Euler algorithm), with small displacements for velocities.
 #include "core/select/error_sweep.h"
 
+#include <algorithm>
+
+#include "core/select/sweep_kernels.h"
+
 namespace mocapress {
 namespace {
 
@@ -10,51 +14,67 @@ auto six(Eigen::MatrixXf& matrix, int index) {
   return matrix.middleCols(Eigen::Index{6} * index, 6);
 }
 
-auto six(const Eigen::MatrixXf& matrix, int index) {
-  return matrix.middleCols(Eigen::Index{6} * index, 6);
+SixColumns columns_of(const Eigen::MatrixXf& matrix, int index) {
+  return {matrix.data() + Eigen::Index{6} * index * matrix.rows(), matrix.rows()};
 }
 
-/// The work of forces along motions: frames x 6 each. Written out, for one pass over both.
-template <typename Force, typename Motion>
-auto work(const Force& f, const Motion& m) {
-  return f.col(0).array() * m.col(0).array() + f.col(1).array() * m.col(1).array() +
-         f.col(2).array() * m.col(2).array() + f.col(3).array() * m.col(3).array() +
-         f.col(4).array() * m.col(4).array() + f.col(5).array() * m.col(5).array();
-}
-
-template <typename Sum, typename Unit>
-void add_times(Sum&& sum, const Unit& unit, const Eigen::ArrayXf& factor) {
-  for (int i = 0; i < 6; ++i) sum.col(i).array() += unit.col(i).array() * factor;
+/// Adds what units of channels from `first` to before `end` come to, each times its error: frames x
+/// 6. Three at a time, so that the sum is read and written once for most joints.
+template <typename Factor>
+void add_units(const Eigen::MatrixXf& units, int first, int end, const Factor& factor_of,
+               Eigen::MatrixXf& sums, int index) {
+  constexpr int kMost = 3;
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    AddedProducts columns{sums.col(Eigen::Index{6} * index + i).data(), {}, {}};
+    for (int c = first; c < end; c += kMost) {
+      const int count = std::min(kMost, end - c);
+      for (int k = 0; k < count; ++k) {
+        columns.units[k] = units.col(Eigen::Index{6} * (c + k) + i).data();
+        columns.factors[k] = factor_of(c + k);
+      }
+      add_products(columns, count, units.rows());
+    }
+  }
 }
 
 }  // namespace
 
-ErrorSweep::ErrorSweep(const ErrorModel& model, const Eigen::MatrixXd& errors)
+ErrorSweep::ErrorSweep(const ErrorModel& model, const Eigen::MatrixXf& errors)
     : model_(model),
       errors_(errors),
       motions_(model.frames(), 6 * std::ssize(model.parents_)),
-      forces_(model.frames(), 6 * std::ssize(model.parents_)),
-      force_(model.frames(), 6) {
+      forces_(Eigen::MatrixXf::Zero(model.frames(), 6 * std::ssize(model.parents_))),
+      is_begun_(model.parents_.size()),
+      gradient_(model.frames()) {
   restart();
 }
 
 void ErrorSweep::restart() {
   channel_ = -1;
   joint_ = -1;
-  forces_.setZero();
+  std::fill(is_begun_.begin(), is_begun_.end(), false);
+  const auto error_of = [this](int channel) { return errors_.col(channel).data(); };
   // From the leaves up: a joint hands its parent what errors below call up, and its own.
-  int channel = model_.channels() - 1;
+  int end = model_.channels();
   for (int j = static_cast<int>(std::ssize(model_.parents_)) - 1; j >= 0; --j) {
-    const int parent = model_.parents_[static_cast<std::size_t>(j)];
-    force_ = six(forces_, j);
-    for (; channel >= 0 && model_.places_[static_cast<std::size_t>(channel)].joint == j; --channel)
-      add_times(force_, six(model_.forces_, channel), errors_.col(channel).cast<float>().array());
-    if (parent >= 0) six(forces_, parent) += force_;
+    int first = end;
+    while (first > 0 && model_.places_[static_cast<std::size_t>(first - 1)].joint == j) --first;
+    if (const int parent = model_.parents_[static_cast<std::size_t>(j)]; parent >= 0) {
+      // Where nothing hangs on a joint its forces stay zero.
+      if (is_begun_[static_cast<std::size_t>(parent)])
+        six(forces_, parent) += six(forces_, j);
+      else
+        six(forces_, parent) = six(forces_, j);
+      is_begun_[static_cast<std::size_t>(parent)] = true;
+      add_units(model_.forces_, first, end, error_of, forces_, parent);
+    }
+    end = first;
   }
   of_terms_.clear();
   for (const PointTerm& term : model_.terms_) {
     Eigen::MatrixXd& forces = of_terms_.emplace_back(term.no_forces());
-    for (int c = 0; c < model_.channels(); ++c) term.add_forces(c, errors_.col(c), forces);
+    for (int c = 0; c < model_.channels(); ++c)
+      term.add_forces(c, errors_.col(c).cast<double>(), forces);
   }
 }
 
@@ -66,29 +86,35 @@ void ErrorSweep::enter_joint(int joint) {
       motion = six(motions_, parent);
     else
       motion.setZero();
-    for (int c = channel_;
-         c < model_.channels() && model_.places_[static_cast<std::size_t>(c)].joint == joint_; ++c)
-      add_times(motion, six(model_.motions_, c), errors_.col(c).cast<float>().array());
+    int end = channel_;
+    while (end < model_.channels() && model_.places_[static_cast<std::size_t>(end)].joint == joint_)
+      ++end;
+    add_units(
+        model_.motions_, channel_, end, [this](int channel) { return errors_.col(channel).data(); },
+        motions_, joint_);
   }
 }
 
-Eigen::VectorXd ErrorSweep::next() {
+const Eigen::ArrayXf& ErrorSweep::next() {
   ++channel_;
   const int joint = model_.places_[static_cast<std::size_t>(channel_)].joint;
   enter_joint(joint);
-  // Summed before it is widened: a conversion within would be made a number at a time.
-  work_ = work(six(model_.forces_, channel_), six(motions_, joint)) +
-          work(six(forces_, joint), six(model_.motions_, channel_));
-  Eigen::VectorXd gradient = work_.cast<double>();
+  find_work(columns_of(model_.forces_, channel_), columns_of(motions_, joint),
+            columns_of(forces_, joint), columns_of(model_.motions_, channel_), gradient_.size(),
+            gradient_.data());
+  if (of_terms_.empty()) return gradient_;
+  Eigen::VectorXd with_terms = gradient_.matrix().cast<double>();
   for (std::size_t i = 0; i < of_terms_.size(); ++i)
-    model_.terms_[i].add_work(channel_, of_terms_[i], gradient);
-  return gradient;
+    model_.terms_[i].add_work(channel_, of_terms_[i], with_terms);
+  gradient_ = with_terms.cast<float>().array();
+  return gradient_;
 }
 
-void ErrorSweep::add(const Eigen::VectorXd& delta) {
-  add_times(six(motions_, joint_), six(model_.motions_, channel_), delta.cast<float>().array());
+void ErrorSweep::add(const Eigen::Ref<const Eigen::ArrayXf>& delta) {
+  add_units(
+      model_.motions_, channel_, channel_ + 1, [&](int) { return delta.data(); }, motions_, joint_);
   for (std::size_t i = 0; i < of_terms_.size(); ++i)
-    model_.terms_[i].add_forces(channel_, delta, of_terms_[i]);
+    model_.terms_[i].add_forces(channel_, delta.matrix().cast<double>(), of_terms_[i]);
 }
 
 }  // namespace mocapress

@@ -47,10 +47,13 @@ class Lifting {
 
   /// Both take and give length() values; input and output may be the same memory.
   void forward(std::span<const double> samples, std::span<double> coefficients) const;
+  void forward(std::span<const float> samples, std::span<float> coefficients) const;
   void inverse(std::span<const double> coefficients, std::span<double> samples) const;
+  void inverse(std::span<const float> coefficients, std::span<float> samples) const;
 
   /// The transpose of inverse(): the inner product of a signal with each synthesis function.
   void correlate(std::span<const double> samples, std::span<double> products) const;
+  void correlate(std::span<const float> samples, std::span<float> products) const;
 
   /// L2 norm of each coefficient's synthesis function: what one unit of it adds to the signal.
   std::vector<double> norms() const;

@@ -40,4 +40,21 @@ Synthesis::Place Synthesis::add(const Lifting& lifting, int coefficient) {
   return place;
 }
 
+ShortFunctions::ShortFunctions(const Lifting& lifting) {
+  const Synthesis synthesis(lifting);
+  const double* last = nullptr;  // of the one before: those of a band have the same values
+  for (int c = 0; c < lifting.length(); ++c) {
+    const auto& [first, values] = synthesis[c];
+    const auto size = static_cast<int>(values.size());
+    if (values.data() != last || places_.empty()) {
+      places_.push_back({first, size, std::ssize(values_)});
+      for (const double value : values) values_.push_back(static_cast<float>(value));
+      while (values_.size() % ShortFunction::kVector != 0) values_.push_back(0);
+    } else {
+      places_.push_back({first, size, places_.back().values});
+    }
+    last = values.data();
+  }
+}
+
 }  // namespace mocapress

@@ -38,4 +38,66 @@ class Synthesis {
   std::vector<double> values_;
 };
 
+/// A synthesis function in 32-bit floats, followed by zeros up to a multiple of kVector.
+class ShortFunction {
+ public:
+  static constexpr int kVector = 8;
+
+  ShortFunction(int first, int size, const float* values)
+      : first_(first), size_(size), values_(values) {}
+
+  int first() const { return first_; }  // sample
+  int size() const { return size_; }    // without zeros
+  int end() const { return first_ + size_; }
+
+  /// Calls visit(index, kVector values) for all of it. Up to kVector - 1 beyond the last sample.
+  template <typename Visit>
+  void visit(const Visit& visit) const {
+    for (int i = 0; i < size_; i += kVector) visit(first_ + i, Values(values_ + i));
+  }
+
+  /// The inner product with samples that go on for kVector - 1 more; and that of its squares.
+  float dot(const float* samples) const {
+    Vector sums = Vector::Zero();
+    visit([&](int at, const Values& values) { sums += values * Values(samples + at); });
+    return (sums.head<4>() + sums.tail<4>()).sum();
+  }
+  float dot_of_squares(const float* samples) const {
+    Vector sums = Vector::Zero();
+    visit([&](int at, const Values& values) { sums += values * values * Values(samples + at); });
+    return (sums.head<4>() + sums.tail<4>()).sum();
+  }
+
+  auto values() const { return Eigen::Map<const Eigen::ArrayXf>(values_, size_); }
+
+ private:
+  using Vector = Eigen::Array<float, kVector, 1>;
+  using Values = Eigen::Map<const Vector>;
+
+  int first_;
+  int size_;
+  const float* values_;
+};
+
+/// Those of a transform.
+class ShortFunctions {
+ public:
+  explicit ShortFunctions(const Lifting& lifting);
+
+  ShortFunction operator[](int coefficient) const {
+    const Place& place = places_[static_cast<std::size_t>(coefficient)];
+    return {place.first, place.size, values_.data() + place.values};
+  }
+
+ private:
+  struct Place {
+    int first;
+    int size;
+    Eigen::Index values;  // index into values_
+  };
+
+  std::vector<Place> places_;
+  std::vector<float> values_;
+};
+
 }  // namespace mocapress

@@ -141,8 +141,12 @@ void visit_adaptive(const CompressedClip& compressed, const DecodedBlock& visit)
   const int channels = compressed.skeleton.channel_count();
   AdaptiveSegments segments(compressed);
   SegmentJoin join(layout);
+  const auto decode_next = [&](const QuantisedSignals& coded) {
+    return decode_segment(coded, compressed.basis, limits);
+  };
   for (int k = 0; k < layout.count(); ++k) {
-    Eigen::MatrixXd samples = join.next(decode_segment(segments.next(), compressed.basis, limits));
+    Eigen::MatrixXd samples = join.next(compressed.known ? compressed.known->samples(decode_next)
+                                                         : decode_next(segments.next()));
     Uncorrected block{.clip = {compressed.sample_rate_hz, {}}, .differences = {}};
     if (compressed.correction) {
       block.clip.channels = samples.leftCols(channels);
@@ -170,6 +174,10 @@ void visit_words(const CompressedClip& compressed, const DecodedBlock& visit) {
 }  // namespace
 
 std::pair<std::vector<float>, std::vector<float>> steps_at_ends(const CompressedClip& compressed) {
+  if (compressed.known) {
+    const std::vector<float> steps = steps_of(compressed.known->coded());
+    return {steps, steps};
+  }
   AdaptiveSegments segments(compressed);
   const std::vector<float> first = steps_of(segments.next());
   const int count = compressed.segment_layout().count();

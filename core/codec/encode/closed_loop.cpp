@@ -19,27 +19,30 @@ ClosedLoop::ClosedLoop(const Coefficients& transform, const Clip& original, cons
     : transform_(transform),
       original_(original),
       model_(model),
-      synthesis_(transform.lifting),
-      curvature_(model.curvature()) {
+      functions_(transform.lifting),
+      curvature_(Eigen::MatrixXf::Zero(original.frames() + ShortFunction::kVector,
+                                       model.curvature().cols())) {
   const std::vector<double> gains = transform.lifting.gains();
   gains_ = Eigen::Map<const Eigen::VectorXd>(gains.data(), std::ssize(gains));
-  if (curvature_.size() > 0) {
-    const double least = std::max(kLeastMoved * curvature_.mean(), 1e-12);
-    curvature_ = curvature_.cwiseMax(least).eval();
+  model_curvature_ = model.curvature().cast<float>();
+  mean_curvature_ = Eigen::VectorXd::Zero(curvature_.cols());
+  if (const Eigen::MatrixXd& curvature = model.curvature(); curvature.size() > 0) {
+    const double least = std::max(kLeastMoved * curvature.mean(), 1e-12);
+    for (Eigen::Index j = 0; j < curvature.cols(); ++j) {
+      curvature_.col(j).head(curvature.rows()) =
+          model_curvature_.col(j).cwiseMax(static_cast<float>(least));
+      mean_curvature_(j) = curvature.col(j).cwiseMax(least).mean();
+    }
   }
-  mean_curvature_ = curvature_.colwise().sum() / std::max(original.frames(), 1);
   mean_curvature_ = mean_curvature_.cwiseMax(1e-12).eval();
   coefficient_curvature_ = coefficient_curvature(curvature_);
 }
 
-Eigen::MatrixXd ClosedLoop::coefficient_curvature(const Eigen::MatrixXd& curvature) const {
-  Eigen::MatrixXd of_coefficients(curvature.rows(), curvature.cols());
+Eigen::MatrixXf ClosedLoop::coefficient_curvature(const Eigen::MatrixXf& curvature) const {
+  Eigen::MatrixXf of_coefficients(transform_.per_channel(), curvature.cols());
   parallel_for(Eigen::Index{0}, curvature.cols(), [&](Eigen::Index j) {
-    for (int c = 0; c < transform_.per_channel(); ++c) {
-      const SynthesisFunction function = synthesis_[c];
-      of_coefficients(c, j) = function.values.cwiseAbs2().dot(
-          curvature.col(j).segment(function.first, function.values.size()));
-    }
+    for (int c = 0; c < transform_.per_channel(); ++c)
+      of_coefficients(c, j) = functions_[c].dot_of_squares(curvature.col(j).data());
   });
   return of_coefficients;
 }
@@ -86,7 +89,7 @@ ClosedLoop::Result ClosedLoop::coarsen(QuantisedSignals coded, ErrorBound& bound
   return ClosedLoopRun(*this, std::move(coded), {}).coarsen(bound, observer);
 }
 
-ClosedLoop::Result ClosedLoop::quantise_to(double eps_cm, double scale, const ClosedLoopWork& work,
+ClosedLoop::Result ClosedLoop::quantise_to(double eps_cm, double scale,
                                            const Observer<ClosedLoopProgress>& observer) const {
   constexpr int kMostScales = 3;
   constexpr double kNear = 0.03;   // from there, what a bit is worth makes up for the rest
@@ -94,15 +97,15 @@ ClosedLoop::Result ClosedLoop::quantise_to(double eps_cm, double scale, const Cl
   constexpr double kPower = 1.35;  // of eps_x, with which the scale follows it
   for (int i = 1;; ++i) {
     ClosedLoopRun run(*this, scale, {});
-    const double off = std::clamp(std::log(run.begin_sweeps(work) / eps_cm), -kMostOff, kMostOff);
-    if (std::abs(off) <= kNear || i == kMostScales) return run.settle(eps_cm, work, observer);
+    const double off = std::clamp(std::log(run.begin_settling() / eps_cm), -kMostOff, kMostOff);
+    if (std::abs(off) <= kNear || i == kMostScales) return run.settle(eps_cm, observer);
     scale = std::max(scale * std::exp(-kPower * off), finest_scale());
   }
 }
 
-ClosedLoop::Result ClosedLoop::settle(QuantisedSignals coded, double eps_cm,
+ClosedLoop::Result ClosedLoop::settle(Result settled, double eps_cm,
                                       const Observer<ClosedLoopProgress>& observer) const {
-  return ClosedLoopRun(*this, std::move(coded), {}).settle(eps_cm, {.sweeps = 0}, observer);
+  return ClosedLoopRun(*this, std::move(settled)).settle(eps_cm, observer);
 }
 
 }  // namespace mocapress

@@ -38,6 +38,10 @@ class ClosedLoop {
     double eps_cm = 0;  // by the quadratic model, frames weighted as asked
     int sweeps = 0;
     bool complete = true;  // false: the observer ended it
+    // Of what was settled: what a bit was worth in the last sweep, in squared steps of error, and
+    // by which logarithm eps_x grew in it.
+    double bit_price = 0;
+    double growth = 0;
   };
 
   /// Quantises in steps that move the landmarks by about `scale` cm. Each frame's errors count by
@@ -53,11 +57,11 @@ class ClosedLoop {
 
   /// Seeks what leaves that eps_x by the quadratic model, or up to kSettled less: near `scale`, and
   /// then by what a bit is worth. All frames count alike.
-  Result quantise_to(double eps_cm, double scale, const ClosedLoopWork& work = {},
+  Result quantise_to(double eps_cm, double scale,
                      const Observer<ClosedLoopProgress>& observer = {}) const;
 
-  /// The same for what was quantised before, whose eps_x is near to that.
-  Result settle(QuantisedSignals coded, double eps_cm,
+  /// The same for what was settled before, at an eps_x near to that.
+  Result settle(Result settled, double eps_cm,
                 const Observer<ClosedLoopProgress>& observer = {}) const;
 
   static constexpr double kSettled = 0.006;  // of eps_x
@@ -69,15 +73,17 @@ class ClosedLoop {
   friend class ClosedLoopRun;
 
   /// |synthesis function|^2 weighted by a curvature, coefficients x channels.
-  Eigen::MatrixXd coefficient_curvature(const Eigen::MatrixXd& curvature) const;
+  Eigen::MatrixXf coefficient_curvature(const Eigen::MatrixXf& curvature) const;
 
   const Coefficients& transform_;
   const Clip& original_;
   const ErrorModel& model_;
-  Synthesis synthesis_;
+  ShortFunctions functions_;
   Eigen::VectorXd gains_;
-  Eigen::MatrixXd curvature_;              // of the model, nowhere zero
-  Eigen::MatrixXd coefficient_curvature_;  // all frames alike
+  // Of the model, nowhere zero; and zeros for so many frames that vectors may go beyond the last.
+  Eigen::MatrixXf curvature_;
+  Eigen::MatrixXf model_curvature_;        // as it is: frames x channels
+  Eigen::MatrixXf coefficient_curvature_;  // all frames alike
   Eigen::VectorXd mean_curvature_;
 };
 

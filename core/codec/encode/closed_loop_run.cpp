@@ -3,7 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <span>
+
+#include "core/base/parallel.h"
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace mocapress {
 
@@ -19,21 +27,51 @@ constexpr double kStepPower = 0.9;
 constexpr double kFirstBitPrice = 0.054;
 constexpr double kLastBitPrice = 0.041;
 
+/// Of the sweeps of what settles at an error. Bits that are now cheap, now dear, shake coefficients
+/// out of where they would stay: fewer bytes than prices that fall, in fewer sweeps (ADAPTIVE.md).
+constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06,  0.03,
+                                        0.06,  0.025, 0.05, 0.025, 0.02};
+
 double price_of(int sweep, int sweeps) {
   return kFirstBitPrice + (kLastBitPrice - kFirstBitPrice) * sweep / std::max(sweeps - 1, 1);
 }
 
-/// How much dearer a bit must be for a sweep that makes eps_x grow by that logarithm: about, as
-/// clips from 0.2 to 0.6 cm have it.
+/// How much dearer a bit must be for a sweep that makes eps_x grow by that logarithm more than it
+/// would at the same price: about, as clips from 0.2 to 0.6 cm have it.
 double dearer_for(double growth) {
   constexpr double kMost = 0.7;
-  constexpr double kSlope = 0.035;   // of less error
-  constexpr double kLinear = 0.018;  // of more
-  constexpr double kSquare = 0.055;
-  const double log_price =
-      growth < 0 ? growth / kSlope
-                 : (std::sqrt(kLinear * kLinear + 4 * kSquare * growth) - kLinear) / (2 * kSquare);
-  return std::exp(std::clamp(log_price, -kMost, kMost));
+  constexpr double kSlope = 0.035;
+  return std::exp(std::clamp(growth / kSlope, -kMost, kMost));
+}
+
+std::span<float> span_of(Eigen::ArrayXf& values) {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
+
+/// Calls visit(coefficient) for those of a band that are not zero or whose slope is steep: at least
+/// `threshold` times their curvature.
+template <typename Visit>
+void visit_where(const Band& band, const int* values, const float* slopes, const float* curves,
+                 float threshold, const Visit& visit) {
+  int c = band.first;
+  const int end = band.first + band.size;
+#ifdef __SSE2__
+  const __m128 no_sign = _mm_castsi128_ps(_mm_set1_epi32(0x7FFFFFFF));
+  const __m128 least = _mm_set1_ps(threshold);
+  const auto found_in_four = [&](int at) {
+    const __m128 steep = _mm_cmpge_ps(_mm_and_ps(_mm_loadu_ps(slopes + at), no_sign),
+                                      _mm_mul_ps(least, _mm_loadu_ps(curves + at)));
+    const __m128i zero = _mm_cmpeq_epi32(
+        _mm_loadu_si128(reinterpret_cast<const __m128i*>(values + at)), _mm_setzero_si128());
+    return _mm_or_ps(steep,
+                     _mm_xor_ps(_mm_castsi128_ps(zero), _mm_castsi128_ps(_mm_set1_epi32(-1))));
+  };
+  for (; c + 4 <= end; c += 4)
+    for (int found = _mm_movemask_ps(found_in_four(c)); found != 0; found &= found - 1)
+      visit(c + std::countr_zero(static_cast<unsigned>(found)));
+#endif
+  for (; c < end; ++c)
+    if (values[c] != 0 || std::abs(slopes[c]) >= threshold * curves[c]) visit(c);
 }
 
 }  // namespace
@@ -41,11 +79,18 @@ double dearer_for(double growth) {
 ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, const Eigen::VectorXd& frame_weights)
     : loop_(loop),
       bands_(loop.transform_.lifting.bands()),
-      frame_weights_(frame_weights),
+      frame_weights_(frame_weights.cast<float>()),
       rates_(bands_),
-      bit_price_(kFirstBitPrice) {
+      magnitudes_(static_cast<std::size_t>(channels()), Magnitudes(bands_)),
+      significant_(static_cast<std::size_t>(channels()), Significant(bands_.size())),
+      errors_(loop.original_.frames(), channels()),
+      bit_price_(kFirstBitPrice),
+      gradient_(Eigen::ArrayXf::Zero(errors_.rows() + ShortFunction::kVector)),
+      delta_(gradient_),
+      slopes_(errors_.rows()) {
   if (!weighted()) return;
-  weighted_curvature_ = frame_weights.asDiagonal() * loop.curvature_;
+  weighted_curvature_ = loop.curvature_;
+  weighted_curvature_.topRows(errors_.rows()).array().colwise() *= frame_weights_;
   weighted_coefficient_curvature_ = loop.coefficient_curvature(weighted_curvature_);
 }
 
@@ -58,8 +103,8 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, double scale,
         std::clamp(static_cast<int>(std::lround(kStepPower * std::log2(loop.mean_curvature_(j)))),
                    kLeastStepExponent, kMostStepExponent));
   coded_.values.resize(loop.transform_.per_channel(), channels());
-  for (int j = 0; j < channels(); ++j)
-    coded_.values.col(j) = quantised(j, loop.transform_.values.col(j));
+  const Eigen::ArrayXf nothing = Eigen::ArrayXf::Zero(coded_.values.rows());
+  for (int j = 0; j < channels(); ++j) coded_.values.col(j) = quantised(j, nothing);
   begin();
 }
 
@@ -70,9 +115,30 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, QuantisedSignals coded,
   begin();
 }
 
+ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, ClosedLoop::Result settled)
+    : ClosedLoopRun(loop, std::move(settled.coded), {}) {
+  bit_price_ = settled.bit_price;
+  growth_ = settled.growth;
+  settling_ = static_cast<int>(std::ssize(kSettlingPrices));
+}
+
 void ClosedLoopRun::begin() {
-  errors_ = reconstruct(coded_, loop_.transform_.lifting) - loop_.original_.channels;
-  pass([&](int j) { energy_ += errors_.col(j).dot(gradient_); });
+  // Of the small differences between coefficients, not of the samples themselves: floats will do.
+  parallel_for(0, channels(), [&](int j) {
+    Eigen::ArrayXf differences(errors_.rows());
+    for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
+      const Band& band = bands_[static_cast<std::size_t>(b)];
+      const double step = step_in(j, b);
+      for (int c = band.first; c < band.first + band.size; ++c)
+        differences(c) =
+            static_cast<float>(coded_.values(c, j) * step - loop_.transform_.values(c, j));
+    }
+    loop_.transform_.lifting.inverse(span_of(differences), span_of(differences));
+    errors_.col(j) = differences;
+    look_at(j);
+  });
+  const Eigen::Index frames = errors_.rows();
+  pass([&](int j) { energy_ += errors_.col(j).dot(gradient_.head(frames).matrix()); });
 }
 
 ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
@@ -94,37 +160,42 @@ ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
   return result;
 }
 
-double ClosedLoopRun::begin_sweeps(const ClosedLoopWork& work) {
+double ClosedLoopRun::begin_settling() {
   constexpr double kStillToCome = 0.12;  // a logarithm; alike for all clips, to 0.02
   pass([&](int j) { compensate(j); });
-  bit_price_ = price_of(0, work.sweeps);
+  bit_price_ = kSettlingPrices[0];
   pass([&](int j) { sweep(j); });
+  settling_ = 1;
   return eps_cm() * std::exp(-kStillToCome);
 }
 
-ClosedLoop::Result ClosedLoopRun::settle(double eps_cm, const ClosedLoopWork& work,
+ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
                                          const Observer<ClosedLoopProgress>& observer) {
   constexpr int kMost = 4;
+  constexpr double kKept = 0.6;  // of a sweep's growth has the next one at the same price
+  constexpr double kLeastEps = 1e-12;
   ClosedLoop::Result result;
   const auto sweep_all = [&] {
     pass([&](int j) { sweep(j); });
     ++result.sweeps;
-    result.eps_cm = this->eps_cm();
+    const double before = std::exchange(result.eps_cm, this->eps_cm());
+    growth_ = std::log(std::max(result.eps_cm, kLeastEps) / std::max(before, kLeastEps));
     result.complete = should_continue(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
   };
-  result.sweeps = work.sweeps > 0 ? 1 : 0;
+  result.sweeps = settling_ < std::ssize(kSettlingPrices) ? settling_ : 0;
   result.eps_cm = this->eps_cm();
-  bit_price_ = kLastBitPrice;
-  while (result.sweeps < work.sweeps && result.complete) {
-    bit_price_ = price_of(result.sweeps, work.sweeps);
+  for (; settling_ < std::ssize(kSettlingPrices) && result.complete; ++settling_) {
+    bit_price_ = kSettlingPrices[static_cast<std::size_t>(settling_)];
     sweep_all();
   }
   for (int i = 0; i < kMost && result.complete; ++i) {
-    const double off = std::log(result.eps_cm / eps_cm);
+    const double off = std::log(std::max(result.eps_cm, kLeastEps) / eps_cm);
     if (off <= 0 && off >= -ClosedLoop::kSettled) break;
-    bit_price_ *= dearer_for(-ClosedLoop::kSettled / 2 - off);
+    bit_price_ *= dearer_for(-ClosedLoop::kSettled / 2 - off - kKept * growth_);
     sweep_all();
   }
+  result.bit_price = bit_price_;
+  result.growth = growth_;
   result.coded = std::move(coded_);
   return result;
 }
@@ -154,73 +225,81 @@ ClosedLoop::Result ClosedLoopRun::coarsen(ErrorBound& bound,
   return result;
 }
 
-void ClosedLoopRun::move(int j, const Eigen::VectorXd& delta) {
-  add_energy(j, 0, gradient_, delta);
-  errors_.col(j) += delta;
+void ClosedLoopRun::move(int j, const Samples& gradient, const Samples& delta) {
+  energy_ += energy_of(j, 0, gradient, delta);
+  errors_.col(j).array() += delta;
   under_way_->add(delta);
 }
 
 void ClosedLoopRun::compensate(int j) {
-  constexpr double kDamping = 0.1;
-  const auto curve = curvature().col(j).array();
-  const double mean = curve.mean();
-  Eigen::VectorXd target =
-      loop_.original_.channels.col(j).array() -
-      (gradient_.array() - curve * errors_.col(j).array()) / (curve + kDamping * mean);
-  const std::span<double> samples(target.data(), static_cast<std::size_t>(target.size()));
-  loop_.transform_.lifting.forward(samples, samples);
-  const Eigen::VectorXi values = quantised(j, target);
+  constexpr float kDamping = 0.1F;
+  const Eigen::Index frames = errors_.rows();
+  const auto curve = curvature().col(j).head(frames).array();
+  const auto gradient = gradient_.head(frames);
+  const float damping = kDamping * curve.mean();
+  Eigen::ArrayXf less = (gradient - curve * errors_.col(j).array()) / (curve + damping);
+  loop_.transform_.lifting.forward(span_of(less), span_of(less));
+  const Eigen::VectorXi values = quantised(j, less);
   if (values == coded_.values.col(j)) return;
-  target = values.cast<double>() * coded_.step(j);
-  target.array() /= loop_.gains_.array();
-  loop_.transform_.lifting.inverse(samples, samples);
-  const Eigen::VectorXd delta = target - loop_.original_.channels.col(j) - errors_.col(j);
-  const double saved = rates_.bits(values_of(j)) - rates_.bits(values.data());
-  if (energy_of(j, delta) >= lambda() * saved) return;
+  const Eigen::ArrayXf delta = samples_of(j, (values - coded_.values.col(j)).cast<float>().array());
+  Magnitudes magnitudes(bands_);
+  magnitudes.read(bands_, values.data());
+  const double saved =
+      rates_.bits(values_of(j), magnitudes_of(j)) - rates_.bits(values.data(), magnitudes);
+  if (energy_of(j, 0, gradient, delta) >= lambda() * saved) return;
   coded_.values.col(j) = values;
-  move(j, delta);
+  look_at(j);
+  move(j, gradient, delta);
 }
 
 void ClosedLoopRun::sweep(int j) {
   // A zero that needs less than half a step stays one; moves of its neighbours change that
   // little.
   constexpr double kPromising = 0.4;
-  Eigen::VectorXd gradient = gradient_;
-  Eigen::VectorXd delta = Eigen::VectorXd::Zero(gradient.size());
+  const Eigen::Index frames = errors_.rows();
   const int* const values = values_of(j);
-  Significant significant = significant_in(j);
+  const float* const curve = curvature().col(j).data();
+  const float* const coefficient_curve = coefficient_curvature().col(j).data();
   if (bound_) bound_->next();
-  Eigen::VectorXd slopes(gradient.size());
   loop_.transform_.lifting.correlate(
-      std::span(gradient.data(), static_cast<std::size_t>(gradient.size())),
-      std::span(slopes.data(), static_cast<std::size_t>(slopes.size())));
-  const Eigen::VectorXd promising =
-      kPromising * coded_.step(j) * coefficient_curvature().col(j).cwiseQuotient(loop_.gains_);
+      std::span(std::as_const(gradient_).data(), static_cast<std::size_t>(frames)),
+      span_of(slopes_));
   // Where moves have changed the gradient, slopes are no longer what they were.
-  Eigen::Index first_changed = gradient.size();
-  Eigen::Index end_changed = 0;
-  for (int b = 0; b < static_cast<int>(bands_.size()); ++b)
-    for (int i = 0; i < bands_[static_cast<std::size_t>(b)].size; ++i) {
-      const int c = bands_[static_cast<std::size_t>(b)].first + i;
-      if (values[c] == 0 && std::abs(slopes(c)) < promising(c)) continue;
-      const SynthesisFunction reach = loop_.synthesis_[c];
-      const bool changed =
-          reach.first < end_changed && reach.first + reach.values.size() > first_changed;
-      const Place place = changed ? place_of(j, b, i, gradient) : place_of(j, b, i, slopes(c));
-      const int moved = best_move(place, significant);
-      if (moved == 0) continue;
-      const auto& [first, function] = place.function;
-      const Eigen::VectorXd change = moved * place.step * function;
-      if (bound_ && !bound_->allows(first, change)) continue;
-      if (bound_) bound_->add(first, change);
-      set(place, values[c] + moved, significant);
-      first_changed = std::min<Eigen::Index>(first_changed, first);
-      end_changed = std::max(end_changed, first + change.size());
-      delta.segment(first, change.size()) += change;
-      gradient.segment(first, change.size()) +=
-          change.cwiseProduct(curvature().col(j).segment(first, change.size()));
-    }
-  if (!delta.isZero(0)) move(j, delta);
+  int first_changed = static_cast<int>(frames);
+  int end_changed = 0;
+  for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
+    const Band& band = bands_[static_cast<std::size_t>(b)];
+    const double step = step_in(j, b);
+    const auto promising = static_cast<float>(kPromising * step);
+    visit_where(band, values, slopes_.data(), coefficient_curve, promising, [&](int c) {
+      const ShortFunction function = loop_.functions_[c];
+      const bool changed = function.first() < end_changed && function.end() > first_changed;
+      const Place place = place_of(j, b, c - band.first, step,
+                                   changed ? function.dot(gradient_.data()) : slopes_(c));
+      const int moved = best_move(place);
+      if (moved == 0) return;
+      const auto by = static_cast<float>(moved * step);
+      if (bound_) {
+        const Eigen::VectorXd change = (by * function.values()).matrix().cast<double>();
+        if (!bound_->allows(function.first(), change)) return;
+        bound_->add(function.first(), change);
+      }
+      set(place, values[c] + moved);
+      if (end_changed == 0) delta_.setZero();
+      first_changed = std::min(first_changed, function.first());
+      end_changed = std::max(end_changed, function.end());
+      function.visit([&](int at, const auto& part) {
+        using Part = Eigen::Array<float, ShortFunction::kVector, 1>;
+        const Part change = by * part;
+        Eigen::Map<Part>(delta_.data() + at) += change;
+        Eigen::Map<Part>(gradient_.data() + at) += change * Eigen::Map<const Part>(curve + at);
+      });
+    });
+  }
+  if (end_changed == 0) return;
+  Eigen::ArrayXf gradient = under_way_->gradient();
+  if (weighted()) gradient *= frame_weights_;
+  move(j, gradient, delta_.head(frames));
 }
 
 double ClosedLoopRun::eps_cm() const {
@@ -229,86 +308,92 @@ double ClosedLoopRun::eps_cm() const {
 
 double ClosedLoopRun::total_bits() {
   double bits = 0;
-  for (int j = 0; j < channels(); ++j) bits += rates_.bits(values_of(j));
+  for (int j = 0; j < channels(); ++j) bits += rates_.bits(values_of(j), magnitudes_of(j));
   return bits;
 }
 
-Eigen::VectorXi ClosedLoopRun::quantised(int j, const Eigen::VectorXd& coefficients) const {
-  const Eigen::ArrayXd steps = coefficients.cwiseProduct(loop_.gains_) / coded_.step(j);
-  Eigen::VectorXi values(steps.size());
-  for (Eigen::Index c = 0; c < steps.size(); ++c) {
-    const double limited = std::clamp<double>(steps(c), -kMostSteps, kMostSteps);
-    const auto cut = static_cast<int>(std::abs(limited) + (c < bands_[0].size ? 0.5 : kDeadZone));
-    values(c) = limited < 0 ? -cut : cut;
+Eigen::VectorXi ClosedLoopRun::quantised(int j, const Samples& less) const {
+  Eigen::VectorXi values(less.size());
+  for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
+    const Band& band = bands_[static_cast<std::size_t>(b)];
+    const double per_unit = 1 / step_in(j, b);
+    const double added = b == 0 ? 0.5 : kDeadZone;
+    for (int c = band.first; c < band.first + band.size; ++c) {
+      const double steps =
+          (loop_.transform_.values(c, j) - static_cast<double>(less(c))) * per_unit;
+      const auto cut = static_cast<int>(std::min<double>(std::abs(steps), kMostSteps) + added);
+      values(c) = steps < 0 ? -cut : cut;
+    }
   }
   return values;
 }
 
-double ClosedLoopRun::energy_of(int j, const Eigen::VectorXd& delta) const {
-  return delta.dot(2 * gradient_ + curvature().col(j).cwiseProduct(delta));
+Eigen::ArrayXf ClosedLoopRun::samples_of(int j, Eigen::ArrayXf steps) const {
+  for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
+    const Band& band = bands_[static_cast<std::size_t>(b)];
+    steps.segment(band.first, band.size) *= static_cast<float>(step_in(j, b));
+  }
+  loop_.transform_.lifting.inverse(span_of(steps), span_of(steps));
+  return steps;
 }
 
-void ClosedLoopRun::add_energy(int j, Eigen::Index first,
-                               const Eigen::Ref<const Eigen::VectorXd>& gradient,
-                               const Eigen::VectorXd& delta) {
+double ClosedLoopRun::energy_of(int j, Eigen::Index first, const Samples& gradient,
+                                const Samples& delta) const {
   // By the model's own curvature: that of what moves nothing was raised, so as to have a step.
-  Eigen::VectorXd curve = loop_.model_.curvature().col(j).segment(first, delta.size());
-  if (weighted()) curve.array() *= frame_weights_.segment(first, delta.size()).array();
-  energy_ += delta.dot(2 * gradient + curve.cwiseProduct(delta));
+  const auto curve = loop_.model_curvature_.col(j).segment(first, delta.size()).array();
+  return static_cast<double>(
+      weighted()
+          ? (delta * (2 * gradient + curve * frame_weights_.segment(first, delta.size()) * delta))
+                .sum()
+          : (delta * (2 * gradient + curve * delta)).sum());
 }
 
-ClosedLoopRun::Place ClosedLoopRun::place_of(
-    int j, int band, int index, const Eigen::Ref<const Eigen::VectorXd>& gradient) const {
-  const auto& [first, values] =
-      loop_.synthesis_[bands_[static_cast<std::size_t>(band)].first + index];
-  return place_of(j, band, index, values.dot(gradient.segment(first, values.size())));
-}
-
-ClosedLoopRun::Place ClosedLoopRun::place_of(int j, int band, int index, double product) const {
+ClosedLoopRun::Place ClosedLoopRun::place_of(int j, int band, int index, double step,
+                                             double product) const {
   const int c = bands_[static_cast<std::size_t>(band)].first + index;
-  const SynthesisFunction function = loop_.synthesis_[c];
-  const double step = coded_.step(j) / loop_.gains_(c);
   return {.channel = j,
           .band = band,
           .index = index,
-          .function = function,
+          .function = loop_.functions_[c],
           .step = step,
           .slope = step * product,
-          .curve = step * step * coefficient_curvature()(c, j)};
+          .curve = step * step * static_cast<double>(coefficient_curvature()(c, j))};
 }
 
-void ClosedLoopRun::set(const Place& place, int value, Significant& significant) {
-  int& mine = value_at(place);
-  significant[static_cast<std::size_t>(place.band)] += (value != 0) - (mine != 0);
+void ClosedLoopRun::set(const Place& place, int value) {
+  const auto j = static_cast<std::size_t>(place.channel);
+  const auto band = static_cast<std::size_t>(place.band);
+  int& mine = values_of(place.channel)[bands_[band].first + place.index];
+  significant_[j][band] += (value != 0) - (mine != 0);
+  magnitudes_[j].set(place.band, place.index, value);
   mine = value;
 }
 
-ClosedLoopRun::Significant ClosedLoopRun::significant_in(int j) const {
-  Significant significant;
-  const int* const values = coded_.values.col(j).data();
-  for (const Band& band : bands_)
-    significant.push_back(static_cast<int>(
-        band.size - std::count(values + band.first, values + band.first + band.size, 0)));
-  return significant;
+void ClosedLoopRun::look_at(int j) {
+  const int* const values = values_of(j);
+  magnitudes_[static_cast<std::size_t>(j)].read(bands_, values);
+  for (std::size_t b = 0; b < bands_.size(); ++b)
+    significant_[static_cast<std::size_t>(j)][b] =
+        static_cast<int>(bands_[b].size - std::count(values + bands_[b].first,
+                                                     values + bands_[b].first + bands_[b].size, 0));
 }
 
-int ClosedLoopRun::best_move(const Place& place, const Significant& significant) {
+int ClosedLoopRun::best_move(const Place& place) const {
   const int now = value_at(place);
   if (now == 0 && std::abs(place.slope) <= 0.5 * place.curve) return 0;
-  const double best = now - place.slope / place.curve;
-  if (!(std::abs(best) < kMostSteps)) return 0;
-  const auto nearest = static_cast<int>(std::lround(best));
+  const double best = -place.slope / place.curve;  // from where it is
+  if (!(std::abs(now + best) < kMostSteps)) return 0;
+  const int nearest = now + static_cast<int>(best < 0 ? best - 0.5 : best + 0.5);
   const int smaller = nearest - (nearest > 0) + (nearest < 0);
   const auto error_at = [&](int value) {
     const double x = value - now;
     return x * (2 * place.slope + x * place.curve);
   };
   // Most coefficients are where they should be, and no saving would pay for another error.
-  constexpr double kMostBits = 16;  // that a move can well save, but for a whole band
-  if (nearest == now &&
-      error_at(smaller) >= lambda() * (kMostBits + waking_bits(place, significant)))
+  if (nearest == now && place.band > 0 &&
+      error_at(smaller) >= lambda() * (RateTable::kMostSaved + waking_bits(place)))
     return 0;
-  const Bits bits(*this, place, significant);
+  const Bits bits(*this, place);
   const double bits_now = bits.with(now);
   int move = 0;
   double least = 0;
@@ -322,25 +407,24 @@ int ClosedLoopRun::best_move(const Place& place, const Significant& significant)
   return move;
 }
 
-ClosedLoopRun::Bits::Bits(const ClosedLoopRun& run, const Place& place,
-                          const Significant& significant) {
-  const int* const values = run.values_of(place.channel);
+ClosedLoopRun::Bits::Bits(const ClosedLoopRun& run, const Place& place) {
   const int i = place.index;
   if (place.band == 0) {
+    const int* const values = run.values_of(place.channel);
     before_ = i > 0 ? values[i - 1] : 0;
     if (i + 1 < run.bands_[0].size) after_ = values[i + 1];
     return;
   }
-  waking_ = run.waking_bits(place, significant);
-  around_.emplace(run.rates_, values, place.band, i);
+  waking_ = run.waking_bits(place);
+  around_.emplace(run.rates_, run.magnitudes_of(place.channel), place.band, i);
 }
 
-double ClosedLoopRun::waking_bits(const Place& place, const Significant& significant) const {
+double ClosedLoopRun::waking_bits(const Place& place) const {
   if (place.band == 0) return 0;
-  const Band& band = bands_[static_cast<std::size_t>(place.band)];
-  const bool was_something = values_of(place.channel)[band.first + place.index] != 0;
-  const bool others = significant[static_cast<std::size_t>(place.band)] > (was_something ? 1 : 0);
-  return others ? 0 : 4 + 0.05 * band.size;
+  const auto band = static_cast<std::size_t>(place.band);
+  const int others =
+      significant_[static_cast<std::size_t>(place.channel)][band] - (value_at(place) != 0 ? 1 : 0);
+  return others > 0 ? 0 : 4 + 0.05 * bands_[band].size;
 }
 
 double ClosedLoopRun::Bits::with(int value) const {
@@ -351,30 +435,32 @@ double ClosedLoopRun::Bits::with(int value) const {
 
 void ClosedLoopRun::sweep_pairs() {
   constexpr int kReach = 12;  // channels: a joint, its parent and the parent's are near each other
-  Eigen::MatrixXd gradient(errors_.rows(), errors_.cols());
+  Eigen::MatrixXf gradient(gradient_.size(), errors_.cols());
   pass([&](int j) { gradient.col(j) = gradient_; });
   for (int a = 0; a < channels(); ++a)
     for (int b = a + 1; b < std::min(channels(), a + 1 + kReach); ++b)
       if (loop_.model_.are_related(a, b)) sweep_pair(a, b, gradient);
 }
 
-void ClosedLoopRun::sweep_pair(int a, int b, Eigen::MatrixXd& gradient) {
-  const Eigen::VectorXd entry = loop_.model_.entry(a, b);
-  Significant significant_in_a = significant_in(a);
-  Significant significant_in_b = significant_in(b);
+void ClosedLoopRun::sweep_pair(int a, int b, Eigen::MatrixXf& gradient) {
+  Eigen::ArrayXf entry = Eigen::ArrayXf::Zero(gradient.rows());
+  entry.head(errors_.rows()) = loop_.model_.entry(a, b).array();
   for (int band = 1; band < static_cast<int>(bands_.size()); ++band)
     for (int i = 0; i < bands_[static_cast<std::size_t>(band)].size; ++i) {
       const int c = bands_[static_cast<std::size_t>(band)].first + i;
       if (coded_.values(c, a) == 0 && coded_.values(c, b) == 0) continue;
-      const Place in_a = place_of(a, band, i, gradient.col(a));
-      const Place in_b = place_of(b, band, i, gradient.col(b));
-      const auto& [first, function] = in_a.function;
+      const ShortFunction function = loop_.functions_[c];
+      const auto place_in = [&](int j) {
+        return place_of(j, band, i, step_in(j, band), function.dot(gradient.col(j).data()));
+      };
+      const Place in_a = place_in(a);
+      const Place in_b = place_in(b);
       const double cross =
-          in_a.step * in_b.step * function.cwiseAbs2().dot(entry.segment(first, function.size()));
+          in_a.step * in_b.step * static_cast<double>(function.dot_of_squares(entry.data()));
       if (!may_pay(in_a, in_b, cross)) continue;
-      const auto [by_a, by_b] = best_moves(in_a, significant_in_a, in_b, significant_in_b, cross);
-      move_of_pair(in_a, by_a, a, significant_in_a, gradient);
-      move_of_pair(in_b, by_b, a, significant_in_b, gradient);
+      const auto [by_a, by_b] = best_moves(in_a, in_b, cross);
+      move_of_pair(in_a, by_a, a, gradient);
+      move_of_pair(in_b, by_b, a, gradient);
     }
 }
 
@@ -392,13 +478,11 @@ bool ClosedLoopRun::may_pay(const Place& a, const Place& b, double cross) const 
   return false;
 }
 
-std::pair<int, int> ClosedLoopRun::best_moves(const Place& a, const Significant& significant_in_a,
-                                              const Place& b, const Significant& significant_in_b,
-                                              double cross) {
+std::pair<int, int> ClosedLoopRun::best_moves(const Place& a, const Place& b, double cross) const {
   std::array<double, 3> bits_of_a;
   std::array<double, 3> bits_of_b;
-  const Bits with_a(*this, a, significant_in_a);
-  const Bits with_b(*this, b, significant_in_b);
+  const Bits with_a(*this, a);
+  const Bits with_b(*this, b);
   for (int by = -1; by <= 1; ++by) {
     bits_of_a[static_cast<std::size_t>(by + 1)] = with_a.with(value_at(a) + by);
     bits_of_b[static_cast<std::size_t>(by + 1)] = with_b.with(value_at(b) + by);
@@ -419,15 +503,15 @@ std::pair<int, int> ClosedLoopRun::best_moves(const Place& a, const Significant&
 }
 
 void ClosedLoopRun::move_of_pair(const Place& place, int steps, int first_channel,
-                                 Significant& significant, Eigen::MatrixXd& gradient) {
+                                 Eigen::MatrixXf& gradient) {
   if (steps == 0 || std::abs(value_at(place) + steps) > kMostSteps) return;
   const int j = place.channel;
-  const auto& [first, function] = place.function;
-  const Eigen::VectorXd delta = steps * place.step * function;
-  add_energy(j, first, gradient.col(j).segment(first, delta.size()), delta);
-  errors_.col(j).segment(first, delta.size()) += delta;
+  const Eigen::Index first = place.function.first();
+  const Eigen::ArrayXf delta = static_cast<float>(steps * place.step) * place.function.values();
+  energy_ += energy_of(j, first, gradient.col(j).segment(first, delta.size()).array(), delta);
+  errors_.col(j).segment(first, delta.size()).array() += delta;
   loop_.model_.add_to_gradient(j, first, delta, first_channel, gradient);
-  set(place, value_at(place) + steps, significant);
+  set(place, value_at(place) + steps);
 }
 
 }  // namespace mocapress

@@ -22,17 +22,22 @@ class ClosedLoopRun {
   ClosedLoopRun(const ClosedLoop& loop, QuantisedSignals coded,
                 const Eigen::VectorXd& frame_weights);
 
+  /// Begins where another run was settled.
+  ClosedLoopRun(const ClosedLoop& loop, ClosedLoop::Result settled);
+
   ClosedLoop::Result run(const ClosedLoopWork& work, const Observer<ClosedLoopProgress>& observer);
 
-  /// The first of so many sweeps. Returns about the eps_x that all of them will leave.
-  double begin_sweeps(const ClosedLoopWork& work);
+  /// The first of the sweeps that settle. Returns about the eps_x that all of them will leave.
+  double begin_settling();
 
-  /// What remains of the sweeps, and some more until eps_x is what was asked for.
-  ClosedLoop::Result settle(double eps_cm, const ClosedLoopWork& work,
-                            const Observer<ClosedLoopProgress>& observer);
+  /// What remains of these sweeps, and some more until eps_x is what was asked for. Only the latter
+  /// where another run was settled before.
+  ClosedLoop::Result settle(double eps_cm, const Observer<ClosedLoopProgress>& observer);
   ClosedLoop::Result coarsen(ErrorBound& bound, const Observer<ClosedLoopProgress>& observer);
 
  private:
+  using Samples = Eigen::Ref<const Eigen::ArrayXf>;
+
   /// How many coefficients of each band of a channel are not zero.
   using Significant = std::vector<int>;
 
@@ -42,7 +47,7 @@ class ClosedLoopRun {
     int channel;
     int band;
     int index;  // in the band
-    SynthesisFunction function;
+    ShortFunction function;
     double step;
     double slope;
     double curve;
@@ -60,14 +65,15 @@ class ClosedLoopRun {
     else
       under_way_.emplace(loop_.model_, errors_);
     for (int j = 0; j < channels(); ++j) {
-      gradient_ = under_way_->next();
-      if (weighted()) gradient_.array() *= frame_weights_.array();
+      auto gradient = gradient_.head(errors_.rows());
+      gradient = under_way_->next();
+      if (weighted()) gradient *= frame_weights_;
       visit(j);
     }
   }
 
-  /// Moves the channel that is being visited.
-  void move(int j, const Eigen::VectorXd& delta);
+  /// Moves the channel that is being visited, whose gradient was that.
+  void move(int j, const Samples& gradient, const Samples& delta);
 
   /// Moves a channel to where it should be, given everyone else's error, if that pays.
   void compensate(int j);
@@ -78,57 +84,58 @@ class ClosedLoopRun {
   /// Moves coefficients of two channels at a time: what neither would do alone, as it makes an
   /// error that the other makes good. Where frames and points count alike.
   void sweep_pairs();
-  void sweep_pair(int a, int b, Eigen::MatrixXd& gradient);
+  void sweep_pair(int a, int b, Eigen::MatrixXf& gradient);
 
   /// What moves of both add to the sum of squared errors.
   static double error_of(const Place& a, int by_a, const Place& b, int by_b, double cross);
 
   /// Whether any move of both could pay, whatever it saves.
   bool may_pay(const Place& a, const Place& b, double cross) const;
-  std::pair<int, int> best_moves(const Place& a, const Significant& significant_in_a,
-                                 const Place& b, const Significant& significant_in_b, double cross);
-  void move_of_pair(const Place& place, int steps, int first_channel, Significant& significant,
-                    Eigen::MatrixXd& gradient);
+  std::pair<int, int> best_moves(const Place& a, const Place& b, double cross) const;
+  void move_of_pair(const Place& place, int steps, int first_channel, Eigen::MatrixXf& gradient);
 
   int channels() const { return loop_.transform_.channels(); }
   double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit
   bool weighted() const { return frame_weights_.size() > 0; }
-  const Eigen::MatrixXd& curvature() const {
+  const Eigen::MatrixXf& curvature() const {
     return weighted() ? weighted_curvature_ : loop_.curvature_;
   }
-  const Eigen::MatrixXd& coefficient_curvature() const {
+  const Eigen::MatrixXf& coefficient_curvature() const {
     return weighted() ? weighted_coefficient_curvature_ : loop_.coefficient_curvature_;
   }
   Clip decoded() const {
-    return {loop_.original_.sample_rate_hz, loop_.original_.channels + errors_};
+    return {loop_.original_.sample_rate_hz, loop_.original_.channels + errors_.cast<double>()};
   }
   double eps_cm() const;
 
   /// By rates learned from the values as they are.
   double total_bits();
 
-  Eigen::VectorXi quantised(int j, const Eigen::VectorXd& coefficients) const;
+  /// The coefficients of a channel in whole steps, each after so much was taken off it.
+  Eigen::VectorXi quantised(int j, const Samples& less) const;
 
-  /// What `delta` in channel j would add to the sum of squared errors.
-  double energy_of(int j, const Eigen::VectorXd& delta) const;
+  /// What so many steps of a channel's coefficients come to.
+  Eigen::ArrayXf samples_of(int j, Eigen::ArrayXf steps) const;
 
-  /// Adds that to energy_, of frames from `first` on.
-  void add_energy(int j, Eigen::Index first, const Eigen::Ref<const Eigen::VectorXd>& gradient,
-                  const Eigen::VectorXd& delta);
+  /// A step of a channel's coefficients in a band.
+  double step_in(int j, int band) const {
+    const auto& [first, size] = bands_[static_cast<std::size_t>(band)];
+    return size > 0 ? coded_.step(j) / loop_.gains_(first) : coded_.step(j);
+  }
 
-  Place place_of(int j, int band, int index,
-                 const Eigen::Ref<const Eigen::VectorXd>& gradient) const;
+  /// What `delta` in channel j, from frame `first` on, would add to the sum of squared errors.
+  double energy_of(int j, Eigen::Index first, const Samples& gradient, const Samples& delta) const;
 
-  /// The same by the gradient's product with the synthesis function.
-  Place place_of(int j, int band, int index, double product) const;
+  /// `step` is step_in(), `product` the gradient's with the synthesis function.
+  Place place_of(int j, int band, int index, double step, double product) const;
 
   /// By how many steps to move a coefficient.
-  int best_move(const Place& place, const Significant& significant);
+  int best_move(const Place& place) const;
 
   /// The bits that depend on a coefficient, were it one value or another.
   class Bits {
    public:
-    Bits(const ClosedLoopRun& run, const Place& place, const Significant& significant);
+    Bits(const ClosedLoopRun& run, const Place& place);
     double with(int value) const;
 
    private:
@@ -140,29 +147,39 @@ class ClosedLoopRun {
 
   /// What a band takes for being something, if this coefficient alone decides that: one that is
   /// zero throughout takes next to nothing.
-  double waking_bits(const Place& place, const Significant& significant) const;
-  Significant significant_in(int j) const;
-  void set(const Place& place, int value, Significant& significant);
+  double waking_bits(const Place& place) const;
+  void set(const Place& place, int value);
+
+  /// After all values of a channel have changed.
+  void look_at(int j);
+  const Magnitudes& magnitudes_of(int j) const { return magnitudes_[static_cast<std::size_t>(j)]; }
   int* values_of(int j) { return coded_.values.col(j).data(); }
   const int* values_of(int j) const { return coded_.values.col(j).data(); }
-  int& value_at(const Place& place) {
+  int value_at(const Place& place) const {
     return values_of(
         place.channel)[bands_[static_cast<std::size_t>(place.band)].first + place.index];
   }
 
   const ClosedLoop& loop_;
   const std::vector<Band>& bands_;
-  Eigen::VectorXd frame_weights_;  // empty: all alike
-  Eigen::MatrixXd weighted_curvature_;
-  Eigen::MatrixXd weighted_coefficient_curvature_;
+  Eigen::ArrayXf frame_weights_;  // empty: all alike
+  Eigen::MatrixXf weighted_curvature_;
+  Eigen::MatrixXf weighted_coefficient_curvature_;
   RateTable rates_;
   QuantisedSignals coded_;
-  Eigen::MatrixXd errors_;               // frames x channels: decoded minus original
+  std::vector<Magnitudes> magnitudes_;  // of each channel's values
+  std::vector<Significant> significant_;
+  Eigen::MatrixXf errors_;               // frames x channels: decoded minus original
   double energy_ = 0;                    // the sum of squared errors that makes, frames weighted
   double bit_price_;                     // squared steps of error
+  int settling_ = 0;                     // of the sweeps that settle: how many there were
+  double growth_ = 0;                    // of eps_x in the last sweep of a settling: a logarithm
   ErrorBound* bound_ = nullptr;          // that must hold, if any
   std::optional<ErrorSweep> under_way_;  // the pass under way
-  Eigen::VectorXd gradient_;             // where it is, frames weighted
+  Eigen::ArrayXf gradient_;  // where it is, frames weighted; zeros beyond the last frame
+  // Memory of sweeps: what they add to a channel, and what its coefficients would gain.
+  Eigen::ArrayXf delta_;  // zeros beyond the last frame
+  Eigen::ArrayXf slopes_;
 };
 
 }  // namespace mocapress

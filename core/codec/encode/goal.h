@@ -45,8 +45,10 @@ class Original {
 struct Trial {
   CompressedClip compressed;
   int count = 0;
-  double scale = 0;   // of a closed loop
-  double eps_cm = 0;  // of a closed loop, by the quadratic model
+  double scale = 0;      // of a closed loop
+  double eps_cm = 0;     // of a closed loop, by the quadratic model
+  double bit_price = 0;  // of a closed loop that was settled: see ClosedLoop::Result
+  double growth = 0;
   int iterations = 0;
   bool complete = true;
   double achieved = 0;  // the quantity of the target

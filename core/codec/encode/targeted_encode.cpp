@@ -285,7 +285,7 @@ class TargetedEncode {
     if (packs_)
       set_motion(std::move(coded), compressed);
     else
-      compressed.known = std::make_shared<const QuantisedSignals>(std::move(coded));
+      compressed.known = std::make_shared<const KnownMotion>(std::move(coded));
   }
 
   void weigh(Trial& trial) const {
@@ -339,10 +339,13 @@ class TargetedEncode {
                            .dear = correction_ && !is_by_worst(options_.target),
                            .corrected = correction_.has_value()};
     // Trials that are weighed by their error alone need no bytes but for the one that is chosen.
-    packs_ = options_.target.kind != Target::Kind::Error || effort != Effort::Default;
+    // What a draft takes is found while it is measured.
+    const bool is_draft = effort == Effort::Draft && !correction_;
+    packs_ =
+        options_.target.kind != Target::Kind::Error || (effort != Effort::Default && !is_draft);
     Trial trial = search_scale(guess, options_.target, goal_, effort,
                                analysis_.motion().clip.frames(), trials);
-    if (!packs_) set_motion(*trial.compressed.known, trial.compressed);
+    if (!packs_ && !is_draft) set_motion(trial.compressed.known, trial.compressed);
     packs_ = true;
     return trial;
   }
@@ -371,10 +374,15 @@ class TargetedEncode {
   }
 
   Trial settle(double eps_cm, double scale, const Trial* trial) {
-    Trial settled = trial_of(trial ? loop().settle(*trial->compressed.known, eps_cm, observe_pass())
-                                   : loop().quantise_to(eps_cm, scale, {}, observe_pass()),
-                             true);
-    settled.scale = settled.compressed.known->scale;
+    const auto settle_again = [&] {
+      return loop().settle({.coded = trial->compressed.known->coded(),
+                            .bit_price = trial->bit_price,
+                            .growth = trial->growth},
+                           eps_cm, observe_pass());
+    };
+    Trial settled =
+        trial_of(trial ? settle_again() : loop().quantise_to(eps_cm, scale, observe_pass()), true);
+    settled.scale = settled.compressed.known->coded().scale;
     finish_ends(settled);
     weigh(settled);
     return settled;
@@ -410,6 +418,8 @@ class TargetedEncode {
     Trial trial{.compressed = empty_clip(),
                 .count = static_cast<int>((result.coded.values.array() != 0).count()),
                 .eps_cm = result.eps_cm,
+                .bit_price = result.bit_price,
+                .growth = result.growth,
                 .iterations = result.sweeps,
                 .complete = result.complete};
     if (with_bytes) finish(std::move(result.coded), trial.compressed);

@@ -9,7 +9,8 @@ namespace mocapress {
 
 /// The result of a search for a target.
 struct TargetedEncoding {
-  CompressedClip compressed;               // without its provenance
+  // Without its provenance. A draft may have no motion yet, but what it is to be made of.
+  CompressedClip compressed;
   int count = 0;                           // of the coefficients kept
   double correction_ratio = 0;             // r_IK, asked for or found
   std::optional<double> slide_without_cm;  // where it was found: of the encode without correction

@@ -78,7 +78,7 @@ std::size_t AdaptiveSegments::size() const {
 }
 
 QuantisedSignals AdaptiveSegments::next() {
-  if (clip_.known) return *clip_.known;
+  if (clip_.known) return clip_.known->coded();
   const std::span bytes = std::span(clip_.motion).subspan(first_byte_, size());
   QuantisedSignals coded =
       adaptive_decode(bytes, neighbours_, clip_.segment_layout().frames_of(segment_), first_byte_);
@@ -96,8 +96,12 @@ std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const Compre
 }
 
 void set_motion(QuantisedSignals coded, CompressedClip& clip) {
-  clip.motion = pack_adaptive(coded, clip);
-  clip.known = std::make_shared<const QuantisedSignals>(std::move(coded));
+  set_motion(std::make_shared<const KnownMotion>(std::move(coded)), clip);
+}
+
+void set_motion(std::shared_ptr<const KnownMotion> coded, CompressedClip& clip) {
+  clip.motion = pack_adaptive(coded->coded(), clip);
+  clip.known = std::move(coded);
 }
 
 }  // namespace mocapress

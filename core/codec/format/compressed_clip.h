@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/codec/format/adaptive.h"
@@ -63,6 +65,26 @@ struct CodedSegments {
   std::size_t section_bytes() const { return 12 + 4 * bytes.size(); }
 };
 
+/// What an adaptive motion of one segment decodes to. Safe to use from several threads at a time.
+class KnownMotion {
+ public:
+  explicit KnownMotion(QuantisedSignals coded) : coded_(std::move(coded)) {}
+
+  const QuantisedSignals& coded() const { return coded_; }
+
+  /// What `decode(coded)` makes of it (frames x signals), asked for once.
+  template <typename Decode>
+  const Eigen::MatrixXd& samples(const Decode& decode) const {
+    std::call_once(decoded_, [&] { samples_ = decode(coded_); });
+    return samples_;
+  }
+
+ private:
+  QuantisedSignals coded_;
+  mutable std::once_flag decoded_;
+  mutable Eigen::MatrixXd samples_;
+};
+
 /// A compressed clip as values: what a .mcpr file holds. FORMAT.md says how.
 struct CompressedClip {
   Skeleton skeleton;    // the source's
@@ -72,9 +94,8 @@ struct CompressedClip {
   Basis basis = Basis::Cubic;
   Coding coding = Coding::Deflate;
   std::vector<std::byte> motion;  // coefficients of every channel, then of the correction, coded
-  // What an adaptive motion of one segment decodes to, where its encoder still knows.
-  std::shared_ptr<const QuantisedSignals> known;
-  std::optional<CodedSegments> segments;  // of Coding::Adaptive only
+  std::shared_ptr<const KnownMotion> known;  // where its encoder still knows
+  std::optional<CodedSegments> segments;     // of Coding::Adaptive only
   std::optional<CodedCorrection> correction;
   Loop loop = Loop::None;
   std::optional<CodedEnds> ends;  // of Coding::Adaptive only, and of clips with frames
@@ -126,5 +147,6 @@ std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const Compre
 
 /// Makes them the motion of a clip in one segment.
 void set_motion(QuantisedSignals coded, CompressedClip& clip);
+void set_motion(std::shared_ptr<const KnownMotion> coded, CompressedClip& clip);
 
 }  // namespace mocapress

@@ -19,6 +19,12 @@ struct QuantisedSignals {
 
   double step(int signal) const;
   int signal_count() const { return static_cast<int>(values.cols()); }
+
+  bool operator==(const QuantisedSignals& other) const {
+    return scale == other.scale && step_exponent == other.step_exponent &&
+           values.rows() == other.values.rows() && values.cols() == other.values.cols() &&
+           values == other.values;
+  }
 };
 
 using runtime::kLeastStepExponent;

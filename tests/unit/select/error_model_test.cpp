@@ -59,11 +59,11 @@ TEST_P(ErrorModelOf, GradientOfSomeFramesAndChannelsIsPartOfTheWhole) {
     padded.segment(70, 40) = delta;
     Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(150, model_.channels());
     model_.add_to_gradient(channel, padded, whole);
-    Eigen::MatrixXd part = Eigen::MatrixXd::Zero(150, model_.channels());
-    model_.add_to_gradient(channel, 70, delta, 3, part);
+    Eigen::MatrixXf part = Eigen::MatrixXf::Zero(150, model_.channels());
+    model_.add_to_gradient(channel, 70, delta.cast<float>().array(), 3, part);
     EXPECT_TRUE(part.leftCols(3).isZero(0));
     EXPECT_TRUE(part.rightCols(model_.channels() - 3)
-                    .isApprox(whole.rightCols(model_.channels() - 3), 1e-5));
+                    .isApprox(whole.rightCols(model_.channels() - 3).cast<float>(), 1e-5F));
   }
 }
 

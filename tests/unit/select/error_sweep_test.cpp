@@ -32,16 +32,18 @@ class ErrorSweepOf : public testing::Test {
   /// The gradient of every channel, where each was changed as soon as it was visited, and that of
   /// the eager sum over all related channels.
   void compare() {
-    Eigen::MatrixXd errors = any_errors(model_.channels(), 1);
+    const Eigen::MatrixXd errors = any_errors(model_.channels(), 1);
     const Eigen::MatrixXd changes = any_errors(model_.channels(), 2);
     Eigen::MatrixXd eager = Eigen::MatrixXd::Zero(kFrames, model_.channels());
     for (int c = 0; c < model_.channels(); ++c) model_.add_to_gradient(c, errors.col(c), eager);
     const double size = eager.norm() / std::sqrt(model_.channels());
-    ErrorSweep sweep(model_, errors);
+    Eigen::MatrixXf in_floats = errors.cast<float>();
+    ErrorSweep sweep(model_, in_floats);
     for (int c = 0; c < model_.channels(); ++c) {
-      EXPECT_LT((sweep.next() - eager.col(c)).norm(), 1e-5 * size) << "channel " << c;
-      errors.col(c) += changes.col(c);
-      sweep.add(changes.col(c));
+      EXPECT_LT((sweep.next().matrix().cast<double>() - eager.col(c)).norm(), 1e-5 * size)
+          << "channel " << c;
+      in_floats.col(c) += changes.col(c).cast<float>();
+      sweep.add(changes.col(c).cast<float>().array());
       model_.add_to_gradient(c, changes.col(c), eager);
     }
   }
@@ -60,9 +62,9 @@ TEST_F(ErrorSweepOf, HeedsTermsOfPoints) {
 }
 
 TEST_F(ErrorSweepOf, WithoutErrorHasNoGradient) {
-  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(kFrames, model_.channels());
+  const Eigen::MatrixXf none = Eigen::MatrixXf::Zero(kFrames, model_.channels());
   ErrorSweep sweep(model_, none);
-  for (int c = 0; c < model_.channels(); ++c) EXPECT_TRUE(sweep.next().isZero(0));
+  for (int c = 0; c < model_.channels(); ++c) EXPECT_TRUE((sweep.next() == 0).all());
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+
 #include <cmath>
 
 #include "core/base/random.h"
@@ -40,6 +42,23 @@ TEST(Lifting, InverseRestoresEveryLengthFrom1To257) {
       lifting.inverse(restored, restored);
       for (std::size_t t = 0; t < samples.size(); ++t)
         ASSERT_NEAR(restored[t], samples[t], kTolerance) << name(basis) << " length " << length;
+    }
+}
+
+TEST(Lifting, FloatsAreTransformedAlikeAndRestored) {
+  for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
+    for (const int length : {1, 2, 3, 4, 5, 6, 7, 8, 9, 50, 137, 256}) {
+      const Lifting lifting(basis, length);
+      const Eigen::VectorXd samples = Eigen::ArrayXd::LinSpaced(length, 0, 7).sin() + 0.3;
+      const std::span<const double> signal(samples.data(), static_cast<std::size_t>(length));
+      Eigen::VectorXd coefficients(length);
+      lifting.forward(signal, {coefficients.data(), signal.size()});
+      Eigen::VectorXf in_floats = samples.cast<float>();
+      const std::span<float> floats(in_floats.data(), signal.size());
+      lifting.forward(floats, floats);
+      ASSERT_LT((in_floats.cast<double>() - coefficients).norm(), 1e-5) << length;
+      lifting.inverse(floats, floats);
+      ASSERT_LT((in_floats.cast<double>() - samples).norm(), 1e-5) << length;
     }
 }
 

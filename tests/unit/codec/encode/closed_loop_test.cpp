@@ -56,7 +56,7 @@ TEST(ClosedLoop, SettlesAtTheErrorAskedFor) {
       EXPECT_NEAR(result.eps_cm / eps_cm, 1, 0.06) << eps_cm;
       EXPECT_GE(result.sweeps, ClosedLoopWork().sweeps);
       const double other = 0.98 * result.eps_cm;
-      EXPECT_NEAR(loop().settle(result.coded, other).eps_cm / other, 1, 0.06) << eps_cm;
+      EXPECT_NEAR(loop().settle(result, other).eps_cm / other, 1, 0.06) << eps_cm;
     }
 }
 

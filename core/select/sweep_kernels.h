@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What a sweep of the gradient does to columns of numbers, one a frame, in the instruction set that
+// the machine has.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace mocapress {
+
+/// Six columns that lie one after the other: a motion or a force of each frame.
+struct SixColumns {
+  const float* first;
+  Eigen::Index stride;
+
+  const float* operator[](Eigen::Index i) const { return first + i * stride; }
+};
+
+/// out = force . motion + other_force . other_motion, at each frame.
+void find_work(SixColumns force, SixColumns motion, SixColumns other_force, SixColumns other_motion,
+               Eigen::Index frames, float* out);
+
+/// A column that is added to, and up to three that are, each times another.
+struct AddedProducts {
+  float* sum;
+  const float* units[3];
+  const float* factors[3];
+};
+
+void add_products(const AddedProducts& columns, int count, Eigen::Index frames);
+
+}  // namespace mocapress
