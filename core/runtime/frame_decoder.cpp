@@ -213,7 +213,7 @@ EndShares FrameDecoder::shares_at(int frame, float share_of_next) const {
   const auto of_frame = [&](int end, int of) {
     return end_share_at(end, of, clip_.segments.frames, clip_.end_reach[end]);
   };
-  for (int end = 0; end < kMostEnds; ++end) {
+  for (int end = 0; end < kMostEnds && clip_.end_reach[end] > 0; ++end) {
     shares.of[end] = of_frame(end, frame);
     if (share_of_next > 0)
       shares.of[end] += share_of_next * (of_frame(end, frame + 1) - shares.of[end]);

@@ -151,7 +151,7 @@ class Sampler {
   }
 
   void add_ends(int frame, float share) {
-    for (int end = 0; end < kMostEnds; ++end) {
+    for (int end = 0; end < kMostEnds && clip_.end_reach[end] > 0; ++end) {
       float lacking = end_share_of(end, frame);
       if (share > 0) lacking += share * (end_share_of(end, frame + 1) - lacking);
       if (lacking > 0) add_end(end, lacking);
