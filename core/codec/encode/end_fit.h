@@ -14,7 +14,7 @@ bool codes_ends(const EncodeOptions& options);
 int frames_at_ends(int frames);
 
 /// Codes what the first and the last pose of a trial lack, in the fewest bits that keep the
-/// promise: where a few channels will do, in these alone. The error of an even end is at most 0.8
+/// promise: where a few channels will do, in these alone. The error of an even end is at most 0.75
 /// of the target, so that its neighbours fare well too; that of an exact end at most a tenth. Where
 /// the target is no error, the trial's own error takes its place. In a loop the errors of the last
 /// and the first pose differ by at most a tenth of the target, so that nothing jumps, and their
