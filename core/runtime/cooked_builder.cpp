@@ -128,10 +128,7 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   head.skeleton_bytes = static_cast<std::uint32_t>(tables.used() - first_table);
   if (clip_.end_reach[0] > 0) {
     std::copy_n(clip_.end_reach, kMostEnds, head.end_reach);
-    auto* const ends = block.reserve_for<std::int16_t>(
-        head.end_count() * static_cast<std::uint64_t>(kGroup * columns_.row_groups()), head.ends);
-    if (ends != nullptr)
-      for (int end = 0; end < static_cast<int>(head.end_count()); ++end) put_end(end, ends, head);
+    lay_out_ends(block, head);
   }
   auto* const rows =
       block.reserve_for<CookedRows>(std::uint64_t{head.parts} * head.segments, head.rows);
@@ -156,20 +153,39 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   return head.bytes;
 }
 
-/// What an end lacks, in units of which the largest takes all of 16 bits.
-void CookedBuilder::put_end(int end, std::int16_t* ends, mcpr_cooked& head) {
-  coefficients_.load(end == 0 ? 0 : head.segments - 1);
+/// What the ends lack. Few channels mend one, so only what is not zero is kept.
+void CookedBuilder::lay_out_ends(CookedBlock& block, mcpr_cooked& head) {
+  const int ends = static_cast<int>(head.end_count());
   const int columns = kGroup * columns_.row_groups();
-  const auto lacking = [&](int column) {
+  const auto lacking = [&](int end, int column) {
     const std::int32_t channel = columns_.column(column).channel;
-    const double value = channel < 0 ? 0 : static_cast<double>(clip_.end_values(end)[channel]);
-    return value == 0 ? 0 : value / (coefficients_.step(channel) * 0x1p-15);
+    return channel < 0 ? 0.0 : static_cast<double>(clip_.end_values(end)[channel]);
   };
-  double largest = 0;
-  for (int c = 0; c < columns; ++c) largest = std::max(largest, std::abs(lacking(c)));
-  head.end_units[end] = static_cast<float>(largest / 32767);
-  for (int c = 0; c < columns && largest > 0; ++c)
-    ends[end * columns + c] = static_cast<std::int16_t>(std::lround(lacking(c) / largest * 32767));
+  auto* marks = block.reserve_for<std::uint8_t>(
+      static_cast<std::uint64_t>(ends * columns_.row_groups()), head.ends);
+  std::uint64_t count = 0;
+  for (int end = 0; end < ends; ++end)
+    for (int c = 0; c < columns; ++c) {
+      if (lacking(end, c) == 0) continue;
+      ++count;
+      if (marks != nullptr)
+        marks[(end * columns + c) / kGroup] |= static_cast<std::uint8_t>(1U << c % kGroup);
+    }
+  std::uint32_t values_at = 0;
+  auto* values = block.reserve_for<std::int16_t>(count, values_at);
+  for (int end = 0; values != nullptr && end < ends; ++end) {
+    coefficients_.load(end == kFirstPose ? 0 : head.segments - 1);
+    const auto in_steps = [&](int c) {
+      return lacking(end, c) / (coefficients_.step(columns_.column(c).channel) * 0x1p-15);
+    };
+    double largest = 0;
+    for (int c = 0; c < columns; ++c)
+      if (lacking(end, c) != 0) largest = std::max(largest, std::abs(in_steps(c)));
+    head.end_units[end] = static_cast<float>(largest / 32767);
+    for (int c = 0; c < columns; ++c)
+      if (lacking(end, c) != 0)
+        *values++ = static_cast<std::int16_t>(std::lround(in_steps(c) / largest * 32767));
+  }
 }
 
 void CookedBuilder::lay_out_joints(CookedBlock& tables, mcpr_cooked& head) {

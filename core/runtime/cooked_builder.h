@@ -36,7 +36,7 @@ class CookedBuilder {
  private:
   std::uint64_t lay_out(CookedBlock& block, CookedBlock& tables, std::byte* memory);
   void choose_bands();
-  void put_end(int end, std::int16_t* ends, mcpr_cooked& head);
+  void lay_out_ends(CookedBlock& block, mcpr_cooked& head);
   void lay_out_joints(CookedBlock& block, mcpr_cooked& head);
   void lay_out_rotors(CookedBlock& block, mcpr_cooked& head);
 

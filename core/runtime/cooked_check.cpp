@@ -44,9 +44,7 @@ class Checker {
     const std::uint8_t* const reach = clip_.end_reach;
     require((reach[kFirstPose] > 0) == (reach[kLastPose] > 0));
     require(reach[kLastPose] > 0 || reach[kLastVelocity] == 0);
-    if (reach[kFirstPose] > 0)
-      require_array(clip_.ends, sizeof(std::int16_t),
-                    clip_.end_count() * std::uint64_t{row_columns_}, 2);
+    if (reach[kFirstPose] > 0) check_ends();
     check_parts();
     if (clip_.tracks != 0) check_tracks();
     return sound_;
@@ -69,6 +67,13 @@ class Checker {
   void each(TableOffset offset, std::uint32_t count, const Check& check) {
     require_array(offset, sizeof(T), count, alignof(T));
     for (std::uint32_t i = 0; i < count && sound_; ++i) check(clip_.at<T>(offset)[i]);
+  }
+
+  void check_ends() {
+    require_array(clip_.ends, clip_.end_count(), clip_.row_groups, 1);
+    if (!sound_) return;
+    require_array(clip_.end_values(), sizeof(std::int16_t),
+                  clip_.lacking_before(static_cast<int>(clip_.end_count())), 2);
   }
 
   void check_joints() {

@@ -173,7 +173,7 @@ enum class ColumnKind : std::uint8_t { Straight, HalfAngle, Root };
 
 struct mcpr_cooked {
   static constexpr char kMagic[4] = {'M', 'C', 'P', 'C'};
-  static constexpr std::uint32_t kVersion = 6;
+  static constexpr std::uint32_t kVersion = 7;
   char magic[4];
   std::uint32_t checksum;  // CRC-32 of `bytes` and all from `version` on
   std::uint64_t bytes;     // of all
@@ -210,8 +210,9 @@ struct mcpr_cooked {
   mocapress::runtime::TableOffset column_kinds;  // ColumnKind; only of a loop whose first frame
                                                  // follows the last
   // Offsets from the clip.
-  std::uint32_t ends;     // i16: what each end that has a reach lacks in each column, in
-                          // end_units of the column's step
+  std::uint32_t ends;     // of each end that has a reach: a byte for each group of columns, a bit
+                          // for each column in which it lacks something; then, of these: i16, in
+                          // end_units of the column's step, end after end
   std::uint32_t rows;     // CookedRows of each part, segment after segment
   std::uint32_t entries;  // CookedEntries of each of kMostKeptBands, the finest first, of each
                           // kMostGroupsOfPart groups, segment after segment
@@ -231,6 +232,17 @@ struct mcpr_cooked {
     using namespace mocapress::runtime;
     return static_cast<std::uint32_t>(end_reach[kLastVelocity] > 0 ? kMostEnds : kLastVelocity);
   }
+  const std::uint8_t* end_marks(int end) const {
+    return at<std::uint8_t>(ends) + static_cast<std::uint32_t>(end) * row_groups;
+  }
+  /// How many columns the ends before that one lack something in.
+  std::uint32_t lacking_before(int end) const {
+    std::uint32_t count = 0;
+    for (const std::uint8_t* mark = end_marks(0); mark != end_marks(end); ++mark)
+      count += static_cast<std::uint32_t>(std::popcount(*mark));
+    return count;
+  }
+  std::uint32_t end_values() const { return (ends + end_count() * row_groups + 1) / 2 * 2; }
   mocapress::runtime::SegmentLayout layout() const {
     return {static_cast<int>(frames), static_cast<int>(segment_length),
             static_cast<int>(segment_overlap)};

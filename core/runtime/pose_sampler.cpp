@@ -2,6 +2,7 @@
 #include "core/runtime/pose_sampler.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -159,24 +160,22 @@ class Sampler {
   }
 
   void add_end(int end, float share) {
-    const int segment = end == 0 ? 0 : clip_.segments - 1;
-    const auto* const ends = clip_.at<std::int16_t>(clip_.ends) +
-                             end * kGroup * static_cast<std::ptrdiff_t>(clip_.row_groups);
+    const int segment = end == kFirstPose ? 0 : clip_.segments - 1;
+    const auto* lacking = clip_.at<std::int16_t>(clip_.end_values()) + clip_.lacking_before(end);
     for (int p = 0; p < clip_.parts; ++p) {
       const CookedPart& part = clip_.part(p);
       const CookedRows& rows = clip_.rows_of(segment, p);
       const float unit = share * clip_.end_units[end] * rows.unit;
-      const std::int16_t* const lacking = ends + kGroup * part.first_group;
       float* const columns = columns_ + kGroup * part.first_group;
-      const int count = kGroup * part.groups;
       const auto* const steps = clip_.at<float>(rows.scales);
-      const auto* const halves = clip_.at<std::uint16_t>(rows.scales) + 2 * count;
-      if (part.wide_samples != 0)
-        for (int c = 0; c < count; ++c)
-          columns[c] += unit * steps[c] * static_cast<float>(lacking[c]);
-      else
-        for (int c = 0; c < count; ++c)
-          columns[c] += unit * from_upper_half(halves[c]) * static_cast<float>(lacking[c]);
+      const auto* const halves = clip_.at<std::uint16_t>(rows.scales) + 2 * kGroup * part.groups;
+      for (int g = 0; g < part.groups; ++g)
+        for (unsigned left = clip_.end_marks(end)[part.first_group + g]; left != 0;
+             left &= left - 1) {
+          const int c = kGroup * g + std::countr_zero(left);
+          const float step = part.wide_samples != 0 ? steps[c] : from_upper_half(halves[c]);
+          columns[c] += unit * step * static_cast<float>(*lacking++);
+        }
     }
   }
 
