@@ -32,6 +32,7 @@ struct BankFilling {
   std::vector<std::string> tags;
   std::vector<std::string> texts;
   bool cooked = false;
+  bool learn = false;
 
   void add_options(CLI::App& command) {
     command.add_option("bank", bank, "A .mcpk file")->required()->type_name("BANK.mcpk");
@@ -56,6 +57,7 @@ struct BankFilling {
     BankOptions options;
     options.form = cooked ? runtime::BankForm::Cooked : runtime::BankForm::Packed;
     options.tags = tags;
+    options.learn = learn;
     for (const std::string& text : texts) {
       const std::size_t at = text.find('=');
       options.texts.emplace_back(text.substr(0, at), text.substr(at + 1));
@@ -164,8 +166,13 @@ void add_bank(CLI::App& app) {
   CLI::App* make = command->add_subcommand("make", "Make a bank of .mcpr files");
   const auto making = std::make_shared<BankFilling>();
   making->add_options(*make);
-  make->add_flag("--cooked", making->cooked,
-                 "Lay clips out to be sampled as they lie in the file, with their IK correction");
+  CLI::Option* const cooked = make->add_flag(
+      "--cooked", making->cooked,
+      "Lay clips out to be sampled as they lie in the file, with their IK correction");
+  make->add_flag("--learn", making->learn,
+                 "Code motions by what the clips teach of each other: some seconds, and 1 to 2 % "
+                 "fewer bytes where there are some hundred")
+      ->excludes(cooked);
   make->callback([making] { making->run(true); });
   CLI::App* add = command->add_subcommand("add", "Add clips to a bank, or replace them by name");
   const auto adding = std::make_shared<BankFilling>();

@@ -2,13 +2,12 @@
 #include "core/bank/bank.h"
 
 #include <algorithm>
-#include <map>
-#include <memory>
+#include <cstring>
 #include <optional>
 
+#include "core/bank/bank_learning.h"
 #include "core/bank/cooked_tables.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/bank_check.h"
 
@@ -17,54 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-  });
-  return extension;
-}
-
-void find_below(const fs::path& folder, std::vector<BankSource>& sources) {
-  const std::size_t before = sources.size();
-  std::error_code error;
-  fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
-  for (; !error && at != fs::recursive_directory_iterator(); at.increment(error))
-    if (at->is_regular_file() && lower_extension(at->path()) == ".mcpr")
-      sources.push_back({at->path().lexically_relative(folder).replace_extension().generic_string(),
-                         at->path(),
-                         {}});
-  if (error) throw InputError(folder.string(), 0, 0, error.message());
-  if (sources.size() == before) throw InputError(folder.string(), 0, 0, "holds no .mcpr file");
-}
-
-void take_from(const fs::path& path, std::vector<BankSource>& sources) {
-  const BankFile bank(path);
-  if (bank.is_cooked())
-    throw InputError(path.string(), 0, 0,
-                     "the bank is cooked: clips are taken from packed banks and .mcpr files");
-  for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) {
-    const std::string name = bank.entry(clip).name;
-    sources.push_back({name, path, name});
-  }
-}
-
 /// Puts clips into a new bank, wherever they come from.
 class Filler {
  public:
-  Filler(BankWriter& writer, runtime::BankForm form) : writer_(writer), form_(form) {}
+  Filler(BankWriter& writer, runtime::BankForm form, std::vector<std::byte> learned)
+      : writer_(writer), form_(form), learned_(std::move(learned)) {}
 
   void put(const BankSource& source, const std::vector<std::string>& tags) {
-    if (source.of_bank.empty())
-      return put_file(source.name, source.file.string(), read_bytes(source.file), tags);
-    BankFile& bank = opened(source.file);
-    const std::int64_t clip =
-        runtime::find_clip(bank.bank(), source.of_bank.data(), source.of_bank.size());
-    if (clip < 0) throw InputError(source.file.string(), 0, 0, "no clip " + source.of_bank);
-    const runtime::BankEntry entry = bank.entry(static_cast<std::uint32_t>(clip));
-    std::vector<std::string> all = bank.tags(entry);
-    all.insert(all.end(), tags.begin(), tags.end());
-    put_file(source.name, source.file.string(), bank.extract(entry), all);
+    BankSourceReader::File file = reader_.read(source);
+    file.tags.insert(file.tags.end(), tags.begin(), tags.end());
+    put_file(source.name, source.file.string(), file.bytes, file.tags);
   }
 
   /// A clip as it is in a bank of the same form.
@@ -88,19 +49,11 @@ class Filler {
   }
 
  private:
-  BankFile& opened(const fs::path& path) {
-    if (!bank_ || bank_path_ != path) {
-      bank_.emplace(path);
-      bank_path_ = path;
-    }
-    return *bank_;
-  }
-
   void put_file(const std::string& name, const std::string& file,
                 const std::vector<std::byte>& bytes, const std::vector<std::string>& tags) try {
     if (form_ == runtime::BankForm::Cooked)
       return put_cooked(name, cook_for_bank(bytes, writer_.tables()), tags);
-    const PackedClip packed = pack_clip(bytes, intern_);
+    const PackedClip packed = pack_clip(bytes, intern_, learned_);
     writer_.add(name, packed.outline, packed.bytes, tags);
   } catch (const FormatError& error) {
     throw InputError(file, 0, 0, error.what());
@@ -116,9 +69,20 @@ class Filler {
   InternItem intern_ = [this](runtime::BankItem kind, std::span<const std::byte> bytes) {
     return writer_.intern(kind, bytes);
   };
-  std::optional<BankFile> bank_;  // the last that was read from
-  fs::path bank_path_;
+  std::vector<std::byte> learned_;  // PRIO, which clips are coded by
+  BankSourceReader reader_;
 };
+
+/// What clips of a bank are coded by; nothing where they are coded as all clips are.
+std::vector<std::byte> learned_in(const mcpk_bank& bank) {
+  for (std::uint32_t part = 0; part < bank.count(runtime::BankItem::Part); ++part) {
+    const runtime::Bytes item = bank.item(runtime::BankItem::Part, part);
+    const auto* const first = reinterpret_cast<const std::byte*>(item.data);
+    if (item.size > 4 && std::memcmp(first, runtime::kLearned, 4) == 0)
+      return {first + 4, first + item.size};
+  }
+  return {};
+}
 
 void write_bank(const fs::path& path, const BankFile* old, std::vector<BankSource> sources,
                 const BankOptions& options, const BankTexts& texts,
@@ -131,7 +95,17 @@ void write_bank(const fs::path& path, const BankFile* old, std::vector<BankSourc
     throw InputError((twice + 1)->file.string(), 0, 0,
                      "would be the clip '" + twice->name + "', as " + twice->file.string());
   BankWriter writer(path, options.form);
-  Filler filler(writer, options.form);
+  const bool is_packed = options.form == runtime::BankForm::Packed;
+  bool is_stopped = false;
+  std::vector<std::byte> learned;
+  if (is_packed && old != nullptr) learned = learned_in(old->bank());
+  if (is_packed && old == nullptr && options.learn)
+    learned = learn_from(sources, [&](const BankProgress& progress) {
+      is_stopped = !should_continue(observer, progress);
+      return !is_stopped;
+    });
+  if (is_stopped) return;
+  Filler filler(writer, options.form, std::move(learned));
   const std::uint32_t kept = old != nullptr ? old->clips() : 0;
   BankProgress progress{0, sources.size() + kept};
   std::uint32_t next = 0;
@@ -165,19 +139,6 @@ std::optional<runtime::BankForm> bank_form(std::string_view name) {
   for (const runtime::BankForm form : {runtime::BankForm::Packed, runtime::BankForm::Cooked})
     if (mocapress::name(form) == name) return form;
   return std::nullopt;
-}
-
-std::vector<BankSource> find_bank_sources(const std::vector<fs::path>& inputs) {
-  std::vector<BankSource> sources;
-  for (const fs::path& input : inputs) {
-    if (fs::is_directory(input))
-      find_below(input, sources);
-    else if (lower_extension(input) == ".mcpk")
-      take_from(input, sources);
-    else
-      sources.push_back({input.stem().string(), input, {}});
-  }
-  return sources;
 }
 
 void make_bank(const fs::path& bank, std::vector<BankSource> sources, const BankOptions& options,

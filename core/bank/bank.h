@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/bank/bank_file.h"
+#include "core/bank/bank_source.h"
 #include "core/bank/bank_writer.h"
 #include "core/base/progress.h"
 
@@ -20,22 +21,12 @@ std::string_view name(runtime::BankForm form);
 /// Unset when it is neither.
 std::optional<runtime::BankForm> bank_form(std::string_view name);
 
-/// A clip to be put into a bank: a .mcpr file, or a clip of a packed bank.
-struct BankSource {
-  std::string name;  // in the new bank
-  std::filesystem::path file;
-  std::string of_bank;  // its name in there; empty: the file is a .mcpr
-};
-
-/// Files as they are, named by their stems; every .mcpr below folders, named by its path from there
-/// without extension; every clip of a packed bank, by its name. Throws InputError for what holds
-/// none.
-std::vector<BankSource> find_bank_sources(const std::vector<std::filesystem::path>& inputs);
-
 struct BankOptions {
   runtime::BankForm form = runtime::BankForm::Packed;
   std::vector<std::string> tags;  // of the clips that are put in
   BankTexts texts;                // of the bank; a key that is there gets the new value
+  bool learn = false;  // packed, when it is made: code motions by what the clips teach, which takes
+                       // seconds and pays from some hundred clips on
 };
 
 /// Clips done, of so many.

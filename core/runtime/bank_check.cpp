@@ -5,6 +5,7 @@
 
 #include "core/codec/format/file_sections.h"
 #include "core/codec/format/joint_model.h"
+#include "core/codec/format/learned_priors.h"
 #include "core/runtime/bank_skeleton.h"
 
 namespace mocapress::runtime {
@@ -36,6 +37,13 @@ bool is_skeleton(const Bytes& item) {
   return true;
 }
 
+/// Of a packed bank. What a section says of a clip is checked with each clip.
+bool is_part(const Bytes& item) {
+  constexpr std::size_t kTag = 4;
+  if (item.size < kTag || std::memcmp(item.data, kLearned, kTag) != 0) return item.size >= kTag;
+  return !failed(check_learned({item.data + kTag, item.size - kTag, item.offset + kTag}));
+}
+
 /// Tags of one set, each once.
 bool is_tag_set(const mcpk_bank& bank, const Bytes& item) {
   if (item.size % sizeof(std::uint32_t) != 0) return false;
@@ -65,6 +73,7 @@ mcpr_result check_items(const mcpk_bank& bank) {
                    std::memchr(item.data, 0, item.size) == item.data + item.size - 1;
       if (is_sound && kind == BankItem::TagSet) is_sound = is_tag_set(bank, item);
       if (is_sound && kind == BankItem::Part && bank.is_cooked()) is_sound = is_skeleton(item);
+      if (is_sound && kind == BankItem::Part && !bank.is_cooked()) is_sound = is_part(item);
       if (!is_sound) return refuse(item);
     }
   }

@@ -154,8 +154,8 @@ mcpr_result FileLoader::decode_segment(int segment, const Bytes& coded) {
   const QuantisedView view{frames, signal_count, step_exponents_, values_};
   CoefficientModel model(signal_count, contexts_);
   float scale = 0;
-  const mcpr_result result =
-      decode_coefficients(coded, neighbours_, bands, model, view, coder_notes_, scale);
+  const mcpr_result result = decode_coefficients(coded, neighbours_, bands, model, view,
+                                                 coder_notes_, scale, sections_.learned);
   if (failed(result)) return result;
   for (int s = 0; s < signal_count; ++s)
     steps_[s] = static_cast<float>(step_of(step_exponents_[s], scale));

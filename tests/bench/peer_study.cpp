@@ -20,13 +20,13 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/one_thread.h"
 #include "core/base/random.h"
 #include "core/codec/encode/encoder.h"
@@ -234,16 +234,17 @@ Json row_of(const Motion& motion, const Encoder& encoder, double precision, bool
 class TimeShares {
  public:
   static std::string line(const fs::path& clip, const Json& row) {
-    std::ostringstream text;
-    text << clip.stem().string() << ": us, ACL's and ours: pose " << row["acl_pose_us"] << " "
-         << row["pose_us"] << ", play " << row["acl_play_us"] << " " << row["play_us"] << ", open "
-         << row["acl_open_us"] << " " << row["open_us"] << ", a frame of the whole clip "
-         << row["acl_clip_us_per_frame"] << " " << row["clip_us_per_frame"] << " (resident form "
-         << row["resident_clip_us_per_frame"] << ")"
-         << "; frames encoded a second " << row["acl_encode_frames_per_second"] << " "
-         << row["encode_frames_per_second"] << "; bytes: motion " << row["motion_bytes"]
-         << ", resident " << row["resident_bytes"] << '\n';
-    return text.str();
+    const auto value = [&](const char* key, int digits) {
+      return significant_text(row.at(key).get<double>(), digits);
+    };
+    const auto both = [&](const std::string& key) {
+      return value(("acl_" + key).c_str(), 3) + " " + value(key.c_str(), 3);
+    };
+    return clip.stem().string() + ": us, ACL's and ours: pose " + both("pose_us") + ", play " +
+           both("play_us") + ", open " + both("open_us") + ", a frame of the whole clip " +
+           both("clip_us_per_frame") + " (resident form " + value("resident_clip_us_per_frame", 3) +
+           "); frames encoded a second " + both("encode_frames_per_second") + "; bytes: motion " +
+           value("motion_bytes", 9) + ", resident " + value("resident_bytes", 9) + "\n";
   }
 
   void add(const Json& row) {

@@ -2,9 +2,14 @@
 #include "tests/golden/golden_motion.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <span>
 
 #include "core/codec/encode/segmented_encode.h"
+#include "core/codec/format/adaptive.h"
 #include "core/codec/format/deflate.h"
+#include "core/codec/format/learned_priors.h"
+#include "core/codec/format/packed_clip_writer.h"
 #include "core/codec/format/rle16.h"
 #include "core/select/ranking.h"
 #include "tests/support/turned_forms.h"
@@ -36,6 +41,14 @@ Skeleton golden_skeleton() {
                 .end_site = Eigen::Vector3d(0, 17.5, 0)});
   return skeleton;
 }
+
+/// Goes the way of the coding and keeps nothing.
+struct NoBits {
+  static constexpr bool kWrites = true;
+  static bool code(bool bit, runtime::Probability) { return bit; }
+  void refuse() {}
+  static constexpr bool failed() { return false; }
+};
 
 }  // namespace
 
@@ -145,6 +158,37 @@ CompressedClip golden_corrected_clip() {
       CodedCorrection{.solver = IkSolver::NearestPose,
                       .effectors = {effector_at(clip.skeleton, clip.skeleton.find("ltibia"))}};
   return clip;
+}
+
+std::vector<std::byte> golden_lesson() {
+  const CompressedClip clip = golden_adaptive_clip();
+  QuantisedSignals coded = AdaptiveSegments(clip).next();
+  const std::vector<SignalNeighbours> neighbours = signal_neighbours(clip);
+  CoefficientModel model(coded.signal_count());
+  CoefficientModel before(coded.signal_count());
+  NoBits bits;
+  code_coefficients(bits, neighbours, *model, coded);
+  const auto signals = static_cast<std::uint16_t>(coded.signal_count());
+  const auto head = std::as_bytes(std::span(&signals, 1));
+  std::vector<std::byte> lesson(head.begin(), head.end());
+  for (std::size_t i = 0; i < runtime::MixingSets::kCount * runtime::MixingWeights::kMost; ++i)
+    lesson.push_back(static_cast<std::byte>(i % 40 == 0 ? 0xFF : 0));
+  int next = 0;
+  for (int c = 0; c < model->layout.end; ++c) {
+    const runtime::AdaptiveBit& context = model->contexts[c];
+    if (context.seen == before->contexts[c].seen) continue;
+    const auto off = [&](int step) {
+      return std::abs(runtime::squash(runtime::learned_log_odds(static_cast<std::uint8_t>(step))) -
+                      context.one);
+    };
+    int nearest = 0;
+    for (int step = 1; step < runtime::kLearnedSteps; ++step)
+      if (off(step) < off(nearest)) nearest = step;
+    write_varint(lesson, static_cast<std::uint64_t>(c - next));
+    lesson.push_back(static_cast<std::byte>(nearest + runtime::kLearnedSteps * (c % 8)));
+    next = c + 1;
+  }
+  return lesson;
 }
 
 }  // namespace mocapress::test

@@ -29,4 +29,7 @@ CompressedClip golden_segmented_clip();
 /// golden_clip(Coding::Rle16) with a correction at ltibia.
 CompressedClip golden_corrected_clip();
 
+/// PRIO of a bank that golden_adaptive_clip() taught: the contexts as they are after it.
+std::vector<std::byte> golden_lesson();
+
 }  // namespace mocapress::test

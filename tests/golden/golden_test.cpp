@@ -10,6 +10,7 @@
 #include "core/base/file.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/format/container.h"
+#include "core/codec/format/packed_clip_writer.h"
 #include "core/codec/format/source_section.h"
 #include "core/formats/csv.h"
 #include "tests/golden/golden_motion.h"
@@ -242,6 +243,41 @@ TEST(GoldenBank, TheWriterStillMakesTheSameFile) {
   std::filesystem::remove(now);
 }
 
+/// Its clips taught of each other; that in segments is coded as in its file.
+void write_learned_bank(const std::filesystem::path& path) {
+  BankWriter bank(path, runtime::BankForm::Packed);
+  const InternItem intern = [&](runtime::BankItem kind, std::span<const std::byte> bytes) {
+    return bank.intern(kind, bytes);
+  };
+  const std::vector<std::byte> lesson = golden_lesson();
+  for (const char* const name : {"v1_ends", "v1_joints", "v1_segments"}) {
+    const PackedClip clip =
+        pack_clip(read_bytes(golden(std::string(name) + ".mcpr")), intern, lesson);
+    bank.add(name, clip.outline, clip.bytes, {});
+  }
+  bank.finish({});
+}
+
+TEST(GoldenLearnedBank, Version1GivesItsFilesBackAndPlays) {
+  const BankFile bank(golden("v1_learned.mcpk"));
+  ASSERT_EQ(bank.clips(), 3U);
+  for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) {
+    const runtime::BankEntry entry = bank.entry(clip);
+    const std::vector<std::byte> file = read_bytes(golden(std::string(entry.name) + ".mcpr"));
+    EXPECT_TRUE(bank.extract(entry) == file) << entry.name;
+    EXPECT_TRUE(bank.play(clip)) << entry.name;
+    const bool is_shorter = bank.describe(clip).motion_bytes < sections_of(file).motion_bytes();
+    EXPECT_EQ(is_shorter, std::string(entry.name) != "v1_segments") << entry.name;
+  }
+}
+
+TEST(GoldenLearnedBank, TheWriterStillMakesTheSameFile) {
+  const auto now = std::filesystem::path(testing::TempDir()) / "golden_learned_bank_now.mcpk";
+  write_learned_bank(now);
+  EXPECT_TRUE(read_bytes(now) == read_bytes(golden("v1_learned.mcpk")));
+  std::filesystem::remove(now);
+}
+
 TEST(GoldenBytes, TheWriterStillMakesTheSameRle16Files) {
   EXPECT_TRUE(write_container(golden_clip(Coding::Rle16)) == read_bytes(golden("v1_rle16.mcpr")));
   EXPECT_TRUE(write_container(golden_corrected_clip()) == read_bytes(golden("v1_correction.mcpr")));
@@ -271,6 +307,7 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
   save_mcpr(golden("v1_correction.mcpr"), golden_corrected_clip());
   write_expected("v1_correction_expected.csv", golden_corrected_clip());
   make_bank(golden("v1_bank.mcpk"), find_bank_sources(files_of_bank()), {});
+  write_learned_bank(golden("v1_learned.mcpk"));
 }
 
 }  // namespace

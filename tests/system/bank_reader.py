@@ -12,22 +12,12 @@ import struct
 import sys
 import zlib
 
-from format_reader import Clip, Cursor, Tables, expected_rows, refuse
+from format_reader import Clip, Cursor, Tables, expected_rows, grouped_number as number, refuse
 
 ORDERS = [(3, 4, 5), (3, 5, 4), (4, 3, 5), (4, 5, 3), (5, 3, 4), (5, 4, 3)]
 NONE = 2**32 - 1
 HEAD = 104  # bytes
 CLIPS_OF_BLOCK = 16
-
-
-def number(cursor):
-    value = 0
-    for shift in range(0, 63, 7):
-        byte = cursor.read("B")
-        value |= (byte & 127) << shift
-        if byte < 128:
-            return value
-    return refuse("a number without an end")
 
 
 class Bank:

@@ -423,10 +423,21 @@ def sign_of(v):
     return 2 if v > 0 else 1 if v < 0 else 0
 
 
+def grouped_number(cursor):
+    """Groups of 7 bits, the lowest first: 12, "Index"."""
+    value = 0
+    for shift in range(0, 63, 7):
+        byte = cursor.read("B")
+        value |= (byte & 127) << shift
+        if byte < 128:
+            return value
+    return refuse("a number without an end")
+
+
 class Stream:
     """Decodes the quantised values of a stream."""
 
-    def __init__(self, data, length, pairs, tables):
+    def __init__(self, data, length, pairs, tables, learned=None):
         cursor = Cursor(data)
         self.scale = struct.unpack("<f", struct.pack("<I", cursor.read("H") << 16))[0]
         if not (0 < self.scale < math.inf):
@@ -453,10 +464,34 @@ class Stream:
             self.tables[name] = ([len(pairs)] + sizes, len(self.contexts))
             seldom = (6000, 1) if name == "zero_own" else (32768, 0)
             self.contexts += [Context(*seldom) for _ in range(len(pairs) * math.prod(sizes))]
+        if learned:
+            self.learn(Cursor(learned))
         self.exponents = []
         self.values = [[0] * length for _ in pairs]
         self.run()
         self.bits.expect_end()
+
+    def learn(self, cursor):
+        """What the clips of a bank taught: 12, "Packed clips"."""
+        signals = cursor.read("H")
+        for row in self.weights:
+            for i in range(8):
+                change = 2048 * cursor.read("b")
+                if i < len(row):
+                    row[i] += change
+                elif change:
+                    refuse("a change of a weight that is not there")
+        shared = sum(math.prod(sizes) for _, *sizes in SHARED)
+        known = len(self.contexts) if signals == len(self.pairs) else shared
+        at = 0
+        while cursor.at < len(cursor.data):
+            at += grouped_number(cursor)
+            code = cursor.read("B")
+            if at < known:
+                log_odds = 66 * (2 * (code % 32) - 31)
+                seen = (3, 5, 8, 14, 26, 50, 100, 240)[code // 32]
+                self.contexts[at] = Context(squash(log_odds), seen)
+            at += 1
 
     @staticmethod
     def prior(letter, trust):
@@ -1361,7 +1396,7 @@ class Clip:
         for k, size in enumerate(sizes):
             first = k * (length - overlap)
             frames = min(length, self.frames - first)
-            stream = Stream(motion.take(size), frames, pairs, self.tables)
+            stream = Stream(motion.take(size), frames, pairs, self.tables, self.sections.get("PRIO"))
             self.steps.append(stream.steps())
             samples = [
                 inverse_transform(values, step, self.basis, limit)

@@ -4,9 +4,17 @@
 #include <bit>
 
 #include "core/codec/format/format_error.h"
+#include "core/codec/format/learned_priors.h"
 #include "core/codec/format/range_coder.h"
 
 namespace mocapress {
+namespace {
+
+runtime::Bytes bytes_of(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), 0};
+}
+
+}  // namespace
 
 CoefficientModel::CoefficientModel(int signal_count, Untaught)
     : contexts_(static_cast<std::size_t>(runtime::ContextLayout(signal_count).end)),
@@ -43,10 +51,12 @@ void append_correction_neighbours(int count, std::vector<SignalNeighbours>& neig
 }
 
 std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
-                                       const std::vector<SignalNeighbours>& neighbours) {
+                                       const std::vector<SignalNeighbours>& neighbours,
+                                       std::span<const std::byte> learned) {
   RangeEncoder bits;
   QuantisedSignals copy = coded;
   CoefficientModel model(static_cast<int>(neighbours.size()));
+  require(runtime::learn(bytes_of(learned), *model));
   code_coefficients(bits, neighbours, *model, copy);
   std::vector<std::byte> bytes = bits.finish();
   const auto scale = std::bit_cast<std::uint32_t>(coded.scale);
@@ -57,7 +67,7 @@ std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
 
 QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
                                  const std::vector<SignalNeighbours>& neighbours, int length,
-                                 std::size_t base_offset) {
+                                 std::size_t base_offset, std::span<const std::byte> learned) {
   const auto signal_count = static_cast<int>(neighbours.size());
   QuantisedSignals coded;
   coded.step_exponent.resize(neighbours.size());
@@ -68,8 +78,8 @@ QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
   require(runtime::decode_coefficients(
       {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), base_offset},
       neighbours.data(), bands, *model,
-      {length, signal_count, coded.step_exponent.data(), coded.values.data()}, *notes,
-      coded.scale));
+      {length, signal_count, coded.step_exponent.data(), coded.values.data()}, *notes, coded.scale,
+      bytes_of(learned)));
   return coded;
 }
 

@@ -63,14 +63,16 @@ void code_coefficients(Bits& bits, const std::vector<SignalNeighbours>& neighbou
   runtime::CoefficientCoder(bits, neighbours.data(), bands, model, view, *notes).run();
 }
 
-/// The coded bytes.
+/// The coded bytes. `learned` is what clips of a bank taught, if any: learned_priors.h.
 std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
-                                       const std::vector<SignalNeighbours>& neighbours);
+                                       const std::vector<SignalNeighbours>& neighbours,
+                                       std::span<const std::byte> learned = {});
 
 /// The inverse. Throws FormatError, with an offset counted from `base_offset`, unless the bytes are
 /// those of signals of that length.
 QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
                                  const std::vector<SignalNeighbours>& neighbours, int length,
-                                 std::size_t base_offset = 0);
+                                 std::size_t base_offset = 0,
+                                 std::span<const std::byte> learned = {});
 
 }  // namespace mocapress

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/codec/format/learned_priors.h"
 #include "core/codec/format/range_decoder.h"
 
 namespace mocapress::runtime {
@@ -16,7 +17,8 @@ double step_of(int step_exponent, float scale) {
 
 mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neighbours,
                                 const Bands& bands, CoefficientModel& model,
-                                const QuantisedView& view, const CoderNotes& notes, float& scale) {
+                                const QuantisedView& view, const CoderNotes& notes, float& scale,
+                                const Bytes& learned) {
   Cursor head = coded.cursor();
   scale = std::bit_cast<float>(std::uint32_t{head.read<std::uint16_t>()} << 16);
   if (head.failed() || !std::isfinite(scale) || scale <= 0)
@@ -25,6 +27,7 @@ mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neig
   std::fill_n(view.values, std::int64_t{view.length} * view.signal_count, 0);
   RangeDecoder bits(coded.data + 2, coded.size - 2);
   model.begin();
+  if (const mcpr_result result = learn(learned, model); failed(result)) return result;
   CoefficientCoder(bits, neighbours, bands, model, view, notes).run();
   const std::size_t offset = coded.offset + 2 + bits.position();
   if (bits.exhausted()) return failure(MCPR_INVALID, offset, "the coded motion ends early");

@@ -11,9 +11,10 @@ namespace mocapress::runtime {
 double step_of(int step_exponent, float scale);
 
 /// Decodes the scale of the steps and all that a view has room for. The model and what the notes
-/// hold begin anew.
+/// hold begin anew. `learned` is PRIO of a packed clip: learned_priors.h.
 mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neighbours,
                                 const Bands& bands, CoefficientModel& model,
-                                const QuantisedView& view, const CoderNotes& notes, float& scale);
+                                const QuantisedView& view, const CoderNotes& notes, float& scale,
+                                const Bytes& learned = {});
 
 }  // namespace mocapress::runtime

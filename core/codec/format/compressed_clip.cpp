@@ -59,18 +59,14 @@ std::vector<std::byte> unpack_motion(const CompressedClip& clip) {
   return unpack(clip.motion, clip.coding, most);
 }
 
-namespace {
-
-std::vector<SignalNeighbours> neighbours_of(const CompressedClip& clip) {
+std::vector<SignalNeighbours> signal_neighbours(const CompressedClip& clip) {
   std::vector<SignalNeighbours> neighbours = channel_neighbours(clip.skeleton);
   if (clip.correction) append_correction_neighbours(clip.correction->signal_count(), neighbours);
   return neighbours;
 }
 
-}  // namespace
-
 AdaptiveSegments::AdaptiveSegments(const CompressedClip& clip)
-    : clip_(clip), neighbours_(neighbours_of(clip)) {}
+    : clip_(clip), neighbours_(signal_neighbours(clip)) {}
 
 std::size_t AdaptiveSegments::size() const {
   return clip_.segments ? clip_.segments->bytes[static_cast<std::size_t>(segment_)]
@@ -92,7 +88,7 @@ void AdaptiveSegments::skip() {
 }
 
 std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const CompressedClip& clip) {
-  return adaptive_encode(coded, neighbours_of(clip));
+  return adaptive_encode(coded, signal_neighbours(clip));
 }
 
 void set_motion(QuantisedSignals coded, CompressedClip& clip) {

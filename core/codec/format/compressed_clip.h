@@ -117,6 +117,9 @@ struct CompressedClip {
   }
 };
 
+/// Of the channels, then of the signals of the correction.
+std::vector<SignalNeighbours> signal_neighbours(const CompressedClip& clip);
+
 /// The words of `clip.motion`; requires a coding of words. Throws FormatError when its bytes are
 /// not valid.
 std::vector<std::byte> unpack_motion(const CompressedClip& clip);

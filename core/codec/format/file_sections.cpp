@@ -39,7 +39,8 @@ class SectionsReader {
       Section section;
       mcpr_result result = packed.next(section);
       file_bytes_ += kSectionHead + section.payload.size;
-      if (!failed(result)) result = take(section);
+      if (!failed(result))
+        result = section.is(kLearned) ? keep(section.payload, sections_.learned) : take(section);
       if (failed(result)) return result;
     }
     return check_end(packed.offset(), packed.left());
@@ -103,7 +104,7 @@ class SectionsReader {
 
   static mcpr_result keep(const Bytes& payload, Bytes& place) {
     if (place.data != nullptr)
-      return failure(MCPR_INVALID, payload.offset, "an optional section for the second time");
+      return failure(MCPR_INVALID, payload.offset, "a section for the second time");
     place = payload;
     return kOk;
   }

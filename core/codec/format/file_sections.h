@@ -42,6 +42,7 @@ struct FileSections {
   std::uint32_t joint_bytes = 0;   // of the skeleton, decoded
   Bytes coded_joints;              // what a range coder made of them
   Bytes joint_orders;              // of a packed clip: joint_orders.h
+  Bytes learned;                   // PRIO of a packed clip: learned_priors.h
   Bytes motion;                    // MOTN, or COMP
   SegmentLayout segments;          // SEGS, or one
   Bytes segment_sizes;             // u32 of each in MOTN; none where there is no SEGS

@@ -19,6 +19,9 @@ inline constexpr std::size_t kDescriptionBytes = 32;  // CLIP, of which a clip h
 inline constexpr std::size_t kFramesAt = 8;           // the frames, u32,
 inline constexpr std::size_t kErrorsAt = 24;          // and eps and max_error, f32 each
 
+/// The part that has what clips of the bank taught, which no file has: learned_priors.h.
+inline constexpr char kLearned[] = "PRIO";
+
 /// A file that a reader counts as so much longer, where joints were reordered: JNTS is not as long
 /// then as it is in the bank, and how many samples a file may have goes by its length.
 inline constexpr std::size_t kReorderedRoom = 256;

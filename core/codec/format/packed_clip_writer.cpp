@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/byte_cursor.h"
+#include "core/codec/format/adaptive.h"
 #include "core/codec/format/coded_error.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
@@ -110,6 +111,30 @@ std::optional<std::vector<std::byte>> take_orders(std::span<const std::byte> pay
   return orders;
 }
 
+std::vector<SignalNeighbours> neighbours_of(const runtime::FileSections& sections) {
+  std::vector<SignalNeighbours> neighbours = channel_neighbours(read_joints(sections));
+  append_correction_neighbours(static_cast<int>(sections.signal_count() - sections.channels),
+                               neighbours);
+  return neighbours;
+}
+
+/// The motion as it is coded by what was learned. Unset where that is no shorter, or where the
+/// motion would not come back byte for byte.
+std::optional<std::vector<std::byte>> recoded(const runtime::FileSections& sections,
+                                              std::span<const std::byte> learned) {
+  if (learned.empty() || !sections.is_adaptive() || sections.segments_bytes > 0)
+    return std::nullopt;
+  const std::span<const std::byte> motion = span_of(sections.motion);
+  const std::vector<SignalNeighbours> neighbours = neighbours_of(sections);
+  const QuantisedSignals coded =
+      adaptive_decode(motion, neighbours, static_cast<int>(sections.frames));
+  std::vector<std::byte> bytes = adaptive_encode(coded, neighbours, learned);
+  if (bytes.size() >= motion.size() ||
+      !std::ranges::equal(adaptive_encode(coded, neighbours), motion))
+    return std::nullopt;
+  return bytes;
+}
+
 }  // namespace
 
 void write_varint(std::vector<std::byte>& bytes, std::uint64_t value) {
@@ -117,8 +142,10 @@ void write_varint(std::vector<std::byte>& bytes, std::uint64_t value) {
   bytes.push_back(static_cast<std::byte>(value));
 }
 
-PackedClip pack_clip(std::span<const std::byte> file, const InternItem& intern) {
+PackedClip pack_clip(std::span<const std::byte> file, const InternItem& intern,
+                     std::span<const std::byte> learned) {
   const runtime::FileSections sections = sections_of(file);
+  const std::optional<std::vector<std::byte>> motion = recoded(sections, learned);
   runtime::Cursor cursor(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());
   std::uint16_t count = 0;
   require(runtime::read_head(cursor, count));
@@ -127,6 +154,15 @@ PackedClip pack_clip(std::span<const std::byte> file, const InternItem& intern) 
   std::vector<std::byte> orders;
   std::vector<std::byte> payloads;
   std::span<const std::byte> description;
+  const auto put_section = [&](const char(&tag)[4], std::uint32_t part) {
+    append(list, std::as_bytes(std::span(tag)));
+    append_number(list, part);
+  };
+  if (motion) {
+    runtime::Section section;
+    std::memcpy(section.tag, runtime::kLearned, sizeof section.tag);
+    put_section(section.tag, intern(runtime::BankItem::Part, part_of(section, learned)));
+  }
   for (int s = 0; s < count; ++s) {
     runtime::Section section;
     require(runtime::read_section(cursor, section));
@@ -149,16 +185,15 @@ PackedClip pack_clip(std::span<const std::byte> file, const InternItem& intern) 
       part = intern(runtime::BankItem::Part, part_of(section, payload));
     } else {
       if (runtime::has_told_size(section)) write_varint(sizes, payload.size());
-      append(payloads, payload);
+      append(payloads, motion && section.is("MOTN") ? *motion : payload);
     }
-    append(list, std::as_bytes(std::span(section.tag)));
-    append_number(list, part);
+    put_section(section.tag, part);
   }
   PackedClip packed;
   const bool are_whole =
       append_errors(description.subspan(runtime::kErrorsAt, 2 * sizeof(float)), packed.bytes);
   std::vector<std::byte> outline;
-  append_number(outline, count);
+  append_number(outline, static_cast<std::uint16_t>(count + (motion ? 1 : 0)));
   append_number(outline, static_cast<std::uint16_t>(orders.size() |
                                                     (are_whole ? runtime::kWholeErrors : 0U)));
   append(outline, list);
@@ -176,12 +211,22 @@ std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEnt
   runtime::PackedSections packed(bank, entry);
   std::uint16_t count = 0;
   require(packed.begin(count));
+  const std::span<const std::byte> learned = span_of(sections.learned);
   ByteWriter file;
-  write_head(file, count);
+  write_head(file, static_cast<std::uint16_t>(count - (learned.empty() ? 0 : 1)));
   for (int s = 0; s < count; ++s) {
     runtime::Section section;
     require(packed.next(section));
     const std::string_view tag(section.tag, sizeof section.tag);
+    if (tag == runtime::kLearned) continue;
+    if (tag == "MOTN" && !learned.empty()) {
+      const std::vector<SignalNeighbours> neighbours = neighbours_of(sections);
+      const QuantisedSignals coded =
+          adaptive_decode(span_of(section.payload), neighbours, static_cast<int>(sections.frames),
+                          section.payload.offset, learned);
+      write_section(file, tag, adaptive_encode(coded, neighbours));
+      continue;
+    }
     if (!section.is("JNTS") || packed.orders().size == 0) {
       write_section(file, tag, span_of(section.payload));
       continue;

@@ -20,8 +20,10 @@ struct PackedClip {
   std::vector<std::byte> bytes;
 };
 
-/// Throws FormatError where the file is no .mcpr.
-PackedClip pack_clip(std::span<const std::byte> file, const InternItem& intern);
+/// Its motion is coded by what clips of the bank taught (learned_priors.h) where that takes fewer
+/// bytes. Throws FormatError where the file is no .mcpr.
+PackedClip pack_clip(std::span<const std::byte> file, const InternItem& intern,
+                     std::span<const std::byte> learned = {});
 
 /// The file that was packed. Throws FormatError.
 std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEntry& entry);

@@ -302,6 +302,51 @@ TEST_P(BothForms, WhatFailsLeavesTheOldBank) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 3);
 }
 
+/// Clips that are alike, so that a few teach much.
+class LearnedBank : public BankTest {
+ protected:
+  LearnedBank() {
+    fs::create_directories(folder_ / "clips/more");
+    for (int i = 0; i < 80; ++i)
+      put("more/" + std::to_string(100 + i), encoded(test::smooth_motion(60 + i % 9)));
+  }
+};
+
+TEST_F(LearnedBank, IsSmallerAndGivesEveryFileBackByteForByteThoseAddedLaterToo) {
+  make();
+  const std::uint64_t plain = BankFile(bank()).bank().bytes;
+  make({.learn = true});
+  EXPECT_LT(BankFile(bank()).bank().bytes, plain);
+  put("later", encoded(test::smooth_motion(77)));
+  add_to_bank(bank(), {{"later", folder_ / "clips/later.mcpr", {}}}, {});
+  const BankFile made(bank());
+  for (std::uint32_t clip = 0; clip < made.clips(); ++clip) {
+    const runtime::BankEntry entry = made.entry(clip);
+    EXPECT_EQ(made.extract(entry), file(entry.name)) << entry.name;
+    EXPECT_TRUE(made.play(clip)) << entry.name;
+  }
+  const auto later = static_cast<std::uint32_t>(mcpk_find(&made.bank(), "later"));
+  EXPECT_LT(made.describe(later).motion_bytes, sections_of(file("later")).motion_bytes());
+}
+
+TEST_F(LearnedBank, CanBeStoppedWhileItLearns) {
+  int asked = 0;
+  make_bank(bank(), find_bank_sources({folder_ / "clips"}), {.learn = true},
+            [&](const BankProgress& progress) {
+              EXPECT_EQ(progress.done, 0U);
+              return ++asked < 20;
+            });
+  EXPECT_EQ(asked, 20);
+  EXPECT_FALSE(fs::exists(bank()));
+}
+
+TEST_F(BankTest, LearnsNothingFromAFewClips) {
+  make();
+  const std::vector<std::byte> plain = read_bytes(bank());
+  make({.learn = true});
+  EXPECT_EQ(read_bytes(bank()), plain);
+}
+
 /// A bank in memory whose bytes are changed.
 class HostileBank : public BothForms {
  protected:

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What the clips of a packed bank teach of each other: PRIO of FORMAT.md.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/bank/bank.h"
+
+namespace mocapress {
+
+/// From some hundred of the clips. Empty where it would take more bytes than it saves, or the
+/// observer said no. Throws InputError.
+std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
+                                  const Observer<BankProgress>& observer = {});
+
+}  // namespace mocapress

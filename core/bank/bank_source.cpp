@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "core/bank/bank_source.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lower_extension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+  });
+  return extension;
+}
+
+void find_below(const fs::path& folder, std::vector<BankSource>& sources) {
+  const std::size_t before = sources.size();
+  std::error_code error;
+  fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && at != fs::recursive_directory_iterator(); at.increment(error))
+    if (at->is_regular_file() && lower_extension(at->path()) == ".mcpr")
+      sources.push_back({at->path().lexically_relative(folder).replace_extension().generic_string(),
+                         at->path(),
+                         {}});
+  if (error) throw InputError(folder.string(), 0, 0, error.message());
+  if (sources.size() == before) throw InputError(folder.string(), 0, 0, "holds no .mcpr file");
+}
+
+void take_from(const fs::path& path, std::vector<BankSource>& sources) {
+  const BankFile bank(path);
+  if (bank.is_cooked())
+    throw InputError(path.string(), 0, 0,
+                     "the bank is cooked: clips are taken from packed banks and .mcpr files");
+  for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) {
+    const std::string name = bank.entry(clip).name;
+    sources.push_back({name, path, name});
+  }
+}
+
+}  // namespace
+
+std::vector<BankSource> find_bank_sources(const std::vector<fs::path>& inputs) {
+  std::vector<BankSource> sources;
+  for (const fs::path& input : inputs) {
+    if (fs::is_directory(input))
+      find_below(input, sources);
+    else if (lower_extension(input) == ".mcpk")
+      take_from(input, sources);
+    else
+      sources.push_back({input.stem().string(), input, {}});
+  }
+  return sources;
+}
+
+BankSourceReader::File BankSourceReader::read(const BankSource& source) {
+  if (source.of_bank.empty()) return {read_bytes(source.file), {}};
+  if (!bank_ || path_ != source.file) {
+    bank_.emplace(source.file);
+    path_ = source.file;
+  }
+  const std::int64_t clip =
+      runtime::find_clip(bank_->bank(), source.of_bank.data(), source.of_bank.size());
+  if (clip < 0) throw InputError(source.file.string(), 0, 0, "no clip " + source.of_bank);
+  const runtime::BankEntry entry = bank_->entry(static_cast<std::uint32_t>(clip));
+  return {bank_->extract(entry), bank_->tags(entry)};
+}
+
+}  // namespace mocapress

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/format/prior_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/base/parallel.h"
+#include "core/base/random.h"
+#include "core/codec/format/coefficient_priors.h"
+
+namespace mocapress {
+namespace {
+
+using runtime::ContextLayout;
+using runtime::MixingSets;
+using runtime::MixingWeights;
+
+constexpr std::size_t kShares = 4;  // of the work, however many cores: sums keep their order
+constexpr std::size_t kWeightsOfSet = MixingWeights::kMost;
+
+/// Calls visit(i, share) for all i below count, those of a share one after the other.
+template <typename Visit>
+void in_shares(std::size_t count, const Visit& visit) {
+  parallel_for(std::size_t{0}, kShares, [&](std::size_t share) {
+    for (std::size_t i = share; i < count; i += kShares) visit(i, share);
+  });
+}
+
+struct NotingBits {
+  static constexpr bool kWrites = true;
+  static bool code(bool bit, runtime::Probability) { return bit; }
+  void refuse() {}
+  static constexpr bool failed() { return false; }
+  void note(const runtime::BitSources& sources, bool bit) {
+    NotedBit noted{};
+    std::copy(sources.contexts.begin(), sources.contexts.end(), noted.contexts.begin());
+    std::transform(sources.opinions.begin(), sources.opinions.end(), noted.opinions.begin(),
+                   [](std::int32_t opinion) { return static_cast<std::int16_t>(opinion); });
+    noted.set = static_cast<std::int8_t>(sources.set);
+    noted.scale = static_cast<std::int8_t>(sources.scale);
+    noted.context_count = static_cast<std::uint8_t>(sources.context_count) & 15;
+    noted.opinion_count = static_cast<std::uint8_t>(sources.opinion_count) & 7;
+    noted.bit = bit ? 1 : 0;
+    bits.push_back(noted);
+  }
+  std::vector<NotedBit> bits;
+};
+
+/// Contexts of a clip that are known: those of its signals only if it has as many.
+std::size_t known_contexts(const NotedClip& clip, const CodingKnowledge& known) {
+  return clip.signals == known.signals ? known.log_odds.size()
+                                       : static_cast<std::size_t>(ContextLayout(0).shared);
+}
+
+// ---------------------------------------------------------------- each context by itself
+
+double log_beta(double a, double b) {
+  return std::lgamma(a) + std::lgamma(b) - std::lgamma(a + b);
+}
+
+struct ContextPrior {
+  double log_odds = 0;
+  int seen = 0;
+};
+
+/// The beta distribution that most likely gave the shares of set bits in all clips.
+ContextPrior most_likely(const std::vector<ContextTally>& tallies,
+                         std::span<const std::uint16_t> trusts) {
+  constexpr double kMostSeen = 60;  // of a clip: its bits are alike
+  ContextPrior best;
+  double highest = -std::numeric_limits<double>::infinity();
+  const auto likelihood = [&](double log_odds, double trust) {
+    const double share = 1 / (1 + std::exp(-log_odds));
+    const double a = trust * share + 1e-3;
+    const double b = trust * (1 - share) + 1e-3;
+    double sum = -0.02 * log_odds * log_odds;
+    for (const ContextTally& tally : tallies) {
+      const double seen = tally.seen;
+      const double set = tally.set;
+      const double part = std::min(1.0, kMostSeen / seen);
+      sum += log_beta(a + part * set, b + part * (seen - set));
+    }
+    return sum - static_cast<double>(tallies.size()) * log_beta(a, b);
+  };
+  for (const int trust : trusts) {
+    const double unlikely = 0.5 * std::pow(std::log(trust / 40.0), 2);
+    double at = 0;
+    double found = 0;
+    for (double width = 2; width > 0.1; width /= 4) {
+      found = -std::numeric_limits<double>::infinity();
+      const double middle = at;
+      for (int k = -4; k <= 4; ++k) {
+        const double value = likelihood(middle + k * width, trust);
+        if (value <= found) continue;
+        found = value;
+        at = middle + k * width;
+      }
+    }
+    if (found - unlikely <= highest) continue;
+    highest = found - unlikely;
+    best = {std::clamp(at, -8.0, 8.0), trust};
+  }
+  return best;
+}
+
+// ---------------------------------------------------------------- all together
+
+struct Gradient {
+  explicit Gradient(const CodingKnowledge& known)
+      : log_odds(known.log_odds.size()), weights(known.weights.size()) {}
+  std::vector<double> log_odds;
+  std::vector<double> weights;
+  std::array<std::vector<double>*, 2> parts() { return {&log_odds, &weights}; }
+};
+
+struct Believed {
+  float one = 0.5F;
+  float first = 0.5F;  // what was known of it
+  float left = 1;      // how much of that still counts
+  int seen = 0;
+};
+
+float log_odds_of(float one) {
+  return std::log(one / (1 - one));
+}
+float share_of(float log_odds) {
+  return 1 / (1 + std::exp(-log_odds));
+}
+
+/// What all clips are coded with and nothing here changes.
+struct Fixed {
+  std::vector<float> weights_by_scale =
+      std::vector<float>(MixingSets::kCount * MixingSets::kScaleSteps * kWeightsOfSet);
+  Fixed() {
+    const std::int16_t* share = runtime::weight_priors_by_scale().data();
+    float* weight = weights_by_scale.data();
+    for (int set = 0; set < MixingSets::kCount; ++set)
+      for (std::size_t i = 0; i < MixingSets::kScaleSteps * kWeightsOfSet; ++i, ++weight)
+        if (MixingSets::has_scales(set)) *weight = static_cast<float>(*share++) / 1024;
+  }
+};
+
+/// Codes a clip and adds the gradient of its bits, as if what is learned on the way did not depend
+/// on what is known beforehand. Returns the bits.
+double code(const NotedClip& clip, const CodingKnowledge& known, const Fixed& fixed,
+            Gradient* gradient) {
+  constexpr float kMixingRate = 3.0F * 256 / (1 << 17);
+  constexpr float kLeast = 1.0F / 65536;
+  constexpr float kSeldom = 6000.0F / 65536;
+  const ContextLayout layout(clip.signals);
+  const std::size_t told = known_contexts(clip, known);
+  std::vector<Believed> contexts(static_cast<std::size_t>(layout.end));
+  for (int c = layout.zero_own.first; c < layout.class_own.first; ++c)
+    contexts[static_cast<std::size_t>(c)] = {kSeldom, kSeldom, 1, 1};
+  for (std::size_t c = 0; c < told; ++c) {
+    const float one = share_of(static_cast<float>(known.log_odds[c]));
+    contexts[c] = {one, one, 1, known.seen[c]};
+  }
+  std::vector<float> weights(known.weights.begin(), known.weights.end());
+  std::vector<float> weights_by_scale = fixed.weights_by_scale;
+  const auto follow = [](Believed& context, float bit, float least) {
+    const float rate = 2 / static_cast<float>(2 * context.seen + 3);
+    context.one = std::clamp(context.one + (bit - context.one) * rate, least, 1 - least);
+    context.left *= 1 - rate;
+    context.seen = std::min<int>(context.seen + 1, runtime::AdaptiveBit::kSlowest);
+  };
+  double bits = 0;
+  for (const NotedBit& noted : clip.bits) {
+    const auto bit = static_cast<float>(noted.bit);
+    const std::size_t count = noted.context_count;
+    if (noted.set < 0) {
+      Believed& context = contexts[noted.contexts[0]];
+      bits -= std::log2(noted.bit != 0 ? context.one : 1 - context.one);
+      follow(context, bit, 64 * kLeast);
+      continue;
+    }
+    const auto set = static_cast<std::size_t>(noted.set);
+    float* const of_set = weights.data() + set * kWeightsOfSet;
+    float* const of_scale =
+        noted.scale < 0 ? nullptr
+                        : weights_by_scale.data() + (set * MixingSets::kScaleSteps +
+                                                     static_cast<std::size_t>(noted.scale)) *
+                                                        kWeightsOfSet;
+    const auto& confidences =
+        runtime::confidences()[static_cast<std::size_t>(MixingSets::kind_of(noted.set))];
+    const std::size_t all = count + noted.opinion_count;
+    std::array<float, kWeightsOfSet> evidence{};
+    std::array<float, kWeightsOfSet> weight{};
+    std::array<float, kWeightsOfSet> confidence{};
+    float log_odds = 0;
+    for (std::size_t i = 0; i < all; ++i) {
+      if (i < count) {
+        const Believed& context = contexts[noted.contexts[i]];
+        confidence[i] =
+            static_cast<float>(
+                confidences[i][runtime::kSeenStep[static_cast<std::size_t>(context.seen)]]) /
+            256;
+        evidence[i] = std::clamp(log_odds_of(context.one), -8.0F, 8.0F) * confidence[i];
+      } else {
+        evidence[i] = static_cast<float>(noted.opinions[i - count]) / 256;
+      }
+      weight[i] = of_set[i] + (of_scale == nullptr ? 0 : of_scale[i]);
+      log_odds += weight[i] * evidence[i];
+    }
+    const float one =
+        std::clamp(share_of(std::clamp(log_odds, -8.0F, 8.0F)), 22 * kLeast, 1 - 22 * kLeast);
+    bits -= std::log2(noted.bit != 0 ? one : 1 - one);
+    const float surprise = bit - one;
+    if (gradient != nullptr) {
+      for (std::size_t i = 0; i < all; ++i)
+        gradient->weights[set * kWeightsOfSet + i] -= static_cast<double>(surprise * evidence[i]);
+      for (std::size_t i = 0; i < count; ++i) {
+        const Believed& context = contexts[noted.contexts[i]];
+        if (noted.contexts[i] >= told || context.left < 1e-3F) continue;
+        gradient->log_odds[noted.contexts[i]] -= static_cast<double>(
+            surprise * weight[i] * confidence[i] * context.left * context.first *
+            (1 - context.first) / (context.one * (1 - context.one)));
+      }
+    }
+    for (std::size_t i = 0; i < all; ++i) {
+      const float change = kMixingRate * surprise * evidence[i];
+      of_set[i] += change;
+      if (of_scale != nullptr) of_scale[i] += change;
+    }
+    for (std::size_t i = 0; i < count; ++i) follow(contexts[noted.contexts[i]], bit, kLeast);
+  }
+  return bits;
+}
+
+/// D. Kingma and J. Ba, "Adam: A Method for Stochastic Optimization", 2015: steps in the direction
+/// of the gradient, each number by what its own has been.
+class Descent {
+ public:
+  explicit Descent(const CodingKnowledge& known) : means_(known), squares_(known) {}
+
+  void step(Gradient& gradient, double rate, CodingKnowledge& known) {
+    constexpr std::array<double, 2> kStep = {3, 1};  // of log odds, of weights
+    ++steps_;
+    const std::array<std::vector<double>*, 2> moved = {&known.log_odds, &known.weights};
+    for (std::size_t part = 0; part < moved.size(); ++part)
+      for (std::size_t i = 0; i < moved[part]->size(); ++i) {
+        const double slope = (*gradient.parts()[part])[i];
+        double& mean = (*means_.parts()[part])[i];
+        double& square = (*squares_.parts()[part])[i];
+        mean += 0.1 * (slope - mean);
+        square += 0.01 * (slope * slope - square);
+        const double down = mean / (1 - std::pow(0.9, steps_));
+        const double size = std::sqrt(square / (1 - std::pow(0.99, steps_)));
+        (*moved[part])[i] -= kStep[part] * rate * down / (size + 1e-4);
+      }
+    for (double& log_odds : known.log_odds) log_odds = std::clamp(log_odds, -8.0, 8.0);
+  }
+
+ private:
+  Gradient means_;
+  Gradient squares_;
+  int steps_ = 0;
+};
+
+}  // namespace
+
+NotedClip note_bits(QuantisedSignals coded, const std::vector<SignalNeighbours>& neighbours) {
+  const auto signals = static_cast<int>(neighbours.size());
+  auto model = CoefficientModel::untaught(signals);
+  NotingBits bits;
+  code_coefficients(bits, neighbours, *model, coded);
+  bits.bits.shrink_to_fit();
+  return {signals, std::move(bits.bits)};
+}
+
+CodingKnowledge CodingKnowledge::of_all_clips(int signals) {
+  CoefficientModel model(signals);
+  const auto count = static_cast<std::size_t>(ContextLayout(signals).end);
+  CodingKnowledge known{signals, std::vector<double>(count), std::vector<int>(count), {}};
+  for (std::size_t c = 0; c < count; ++c) {
+    const runtime::AdaptiveBit& context = model->contexts[c];
+    known.log_odds[c] = std::log(context.one / (65536.0 - context.one));
+    known.seen[c] = context.seen;
+  }
+  for (const MixingWeights& set : model->weights)
+    for (const std::int32_t weight : set.of) known.weights.push_back(weight / 65536.0);
+  return known;
+}
+
+double coded_bits(std::span<const NotedClip> clips, const CodingKnowledge& known) {
+  const Fixed fixed;
+  std::vector<double> bits(clips.size());
+  in_shares(clips.size(),
+            [&](std::size_t i, std::size_t) { bits[i] = code(clips[i], known, fixed, nullptr); });
+  return std::accumulate(bits.begin(), bits.end(), 0.0);
+}
+
+std::vector<std::vector<ContextTally>> tally_contexts(std::span<const NotedClip> clips,
+                                                      const CodingKnowledge& known) {
+  std::vector<std::vector<ContextTally>> tallies(clips.size());
+  in_shares(clips.size(), [&](std::size_t i, std::size_t) {
+    tallies[i].resize(known.log_odds.size());
+    const std::size_t told = known_contexts(clips[i], known);
+    for (const NotedBit& noted : clips[i].bits)
+      for (std::size_t c = 0; c < noted.context_count; ++c) {
+        if (noted.contexts[c] >= told) continue;
+        tallies[i][noted.contexts[c]].seen += 1;
+        tallies[i][noted.contexts[c]].set += noted.bit;
+      }
+  });
+  return tallies;
+}
+
+void fit_contexts(std::span<const NotedClip> clips, std::span<const std::uint16_t> trusts,
+                  CodingKnowledge& known) {
+  constexpr double kFewest = 4;
+  const auto of_clips = tally_contexts(clips, known);
+  in_shares(known.log_odds.size(), [&](std::size_t c, std::size_t) {
+    std::vector<ContextTally> tallies;
+    double seen = 0;
+    for (const auto& of_clip : of_clips) {
+      if (of_clip[c].seen == 0) continue;
+      tallies.push_back(of_clip[c]);
+      seen += static_cast<double>(of_clip[c].seen);
+    }
+    if (seen < kFewest) return;
+    const ContextPrior prior = most_likely(tallies, trusts);
+    known.log_odds[c] = prior.log_odds;
+    known.seen[c] = prior.seen;
+  });
+}
+
+void descend(std::span<const NotedClip> clips, const std::vector<bool>& may_change, int rounds,
+             const std::function<bool()>& go_on, CodingKnowledge& known) {
+  constexpr std::size_t kBatch = 64;
+  constexpr double kFirstStep = 0.01;
+  const Fixed fixed;
+  Descent descent(known);
+  std::vector<std::size_t> order(clips.size());
+  std::iota(order.begin(), order.end(), 0);
+  Random random(1);
+  const std::size_t batches = (clips.size() + kBatch - 1) / kBatch;
+  double step = 0;
+  for (int round = 0; round < rounds && go_on(); ++round) {
+    for (std::size_t i = order.size(); i > 1; --i)
+      std::swap(order[i - 1], order[static_cast<std::size_t>(random.below(i))]);
+    for (std::size_t batch = 0; batch < batches; ++batch, ++step) {
+      const std::size_t first = batch * kBatch;
+      const std::size_t count = std::min(kBatch, clips.size() - first);
+      std::vector<Gradient> gradients(kShares, Gradient(known));
+      in_shares(count, [&](std::size_t i, std::size_t share) {
+        code(clips[order[first + i]], known, fixed, &gradients[share]);
+      });
+      for (std::size_t share = 1; share < kShares; ++share)
+        for (std::size_t part = 0; part < 2; ++part)
+          std::transform(gradients[share].parts()[part]->begin(),
+                         gradients[share].parts()[part]->end(), gradients[0].parts()[part]->begin(),
+                         gradients[0].parts()[part]->begin(), std::plus<>());
+      for (std::size_t c = 0; c < may_change.size(); ++c)
+        if (!may_change[c]) gradients[0].log_odds[c] = 0;
+      descent.step(gradients[0],
+                   kFirstStep * (1 - 0.9 * step / (rounds * static_cast<double>(batches))), known);
+    }
+  }
+}
+
+}  // namespace mocapress
