@@ -129,6 +129,7 @@ int most_frequent_signals(const std::vector<NotedClip>& clips) {
 std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
                                   const Observer<BankProgress>& observer) {
   constexpr int kRounds = 6;
+  constexpr double kFinest = 0.1;  // of log odds, to begin with
   constexpr int kMoreRounds = 4;
   constexpr std::size_t kCounts[] = {500, 1000, 2000, 4000};  // of contexts that are told
   bool is_stopped = false;
@@ -140,8 +141,9 @@ std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
   if (clips.empty() || is_stopped) return {};
   const CodingKnowledge before = CodingKnowledge::of_all_clips(most_frequent_signals(clips));
   CodingKnowledge after = before;
-  fit_contexts(clips, runtime::kLearnedTrusts, after);
-  descend(clips, std::vector<bool>(after.log_odds.size(), true), kRounds, go_on, after);
+  const auto round = [&](const std::vector<double>&) { return go_on(); };
+  fit_contexts(clips, runtime::kLearnedTrusts, kFinest, after);
+  descend(clips, {.rounds = kRounds}, round, after);
   const std::vector<LearnedContext> contexts = learned_contexts(clips, before, after);
   const double clips_for_each =
       static_cast<double>(sources.size()) / static_cast<double>(clips.size());
@@ -159,7 +161,7 @@ std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
       told.log_odds[context] = after.log_odds[context];
       told.seen[context] = after.seen[context];
     }
-    descend(clips, is_told, kMoreRounds, go_on, told);
+    descend(clips, {.rounds = kMoreRounds, .may_change = is_told}, round, told);
     const Lesson lesson = lesson_of(is_told, before, told);
     const double saved = clips_for_each * (bits_before - coded_bits(clips, lesson.known)) / 8 -
                          static_cast<double>(lesson.bytes.size());

@@ -67,7 +67,7 @@ struct ContextPrior {
 
 /// The beta distribution that most likely gave the shares of set bits in all clips.
 ContextPrior most_likely(const std::vector<ContextTally>& tallies,
-                         std::span<const std::uint16_t> trusts) {
+                         std::span<const std::uint16_t> trusts, double finest) {
   constexpr double kMostSeen = 60;  // of a clip: its bits are alike
   ContextPrior best;
   double highest = -std::numeric_limits<double>::infinity();
@@ -88,10 +88,10 @@ ContextPrior most_likely(const std::vector<ContextTally>& tallies,
     const double unlikely = 0.5 * std::pow(std::log(trust / 40.0), 2);
     double at = 0;
     double found = 0;
-    for (double width = 2; width > 0.1; width /= 4) {
+    for (double width = 1; width > finest; width /= 8) {
       found = -std::numeric_limits<double>::infinity();
       const double middle = at;
-      for (int k = -4; k <= 4; ++k) {
+      for (int k = -8; k <= 8; ++k) {
         const double value = likelihood(middle + k * width, trust);
         if (value <= found) continue;
         found = value;
@@ -109,11 +109,21 @@ ContextPrior most_likely(const std::vector<ContextTally>& tallies,
 
 struct Gradient {
   explicit Gradient(const CodingKnowledge& known)
-      : log_odds(known.log_odds.size()), weights(known.weights.size()) {}
+      : log_odds(known.log_odds.size()),
+        weights(known.weights.size()),
+        weights_by_scale(known.weights_by_scale.size()),
+        confidences(known.confidences.size()) {}
   std::vector<double> log_odds;
   std::vector<double> weights;
-  std::array<std::vector<double>*, 2> parts() { return {&log_odds, &weights}; }
+  std::vector<double> weights_by_scale;
+  std::vector<double> confidences;
 };
+
+constexpr std::size_t kParts = 4;
+template <typename Known>
+auto parts_of(Known& known) {
+  return std::array{&known.log_odds, &known.weights, &known.weights_by_scale, &known.confidences};
+}
 
 struct Believed {
   float one = 0.5F;
@@ -129,23 +139,9 @@ float share_of(float log_odds) {
   return 1 / (1 + std::exp(-log_odds));
 }
 
-/// What all clips are coded with and nothing here changes.
-struct Fixed {
-  std::vector<float> weights_by_scale =
-      std::vector<float>(MixingSets::kCount * MixingSets::kScaleSteps * kWeightsOfSet);
-  Fixed() {
-    const std::int16_t* share = runtime::weight_priors_by_scale().data();
-    float* weight = weights_by_scale.data();
-    for (int set = 0; set < MixingSets::kCount; ++set)
-      for (std::size_t i = 0; i < MixingSets::kScaleSteps * kWeightsOfSet; ++i, ++weight)
-        if (MixingSets::has_scales(set)) *weight = static_cast<float>(*share++) / 1024;
-  }
-};
-
 /// Codes a clip and adds the gradient of its bits, as if what is learned on the way did not depend
-/// on what is known beforehand. Returns the bits.
-double code(const NotedClip& clip, const CodingKnowledge& known, const Fixed& fixed,
-            Gradient* gradient) {
+/// on what is known beforehand; a bit counts `share`. Returns the bits.
+double code(const NotedClip& clip, const CodingKnowledge& known, float share, Gradient* gradient) {
   constexpr float kMixingRate = 3.0F * 256 / (1 << 17);
   constexpr float kLeast = 1.0F / 65536;
   constexpr float kSeldom = 6000.0F / 65536;
@@ -159,7 +155,7 @@ double code(const NotedClip& clip, const CodingKnowledge& known, const Fixed& fi
     contexts[c] = {one, one, 1, known.seen[c]};
   }
   std::vector<float> weights(known.weights.begin(), known.weights.end());
-  std::vector<float> weights_by_scale = fixed.weights_by_scale;
+  std::vector<float> weights_by_scale(known.weights_by_scale.begin(), known.weights_by_scale.end());
   const auto follow = [](Believed& context, float bit, float least) {
     const float rate = 2 / static_cast<float>(2 * context.seen + 3);
     context.one = std::clamp(context.one + (bit - context.one) * rate, least, 1 - least);
@@ -177,31 +173,31 @@ double code(const NotedClip& clip, const CodingKnowledge& known, const Fixed& fi
       continue;
     }
     const auto set = static_cast<std::size_t>(noted.set);
-    float* const of_set = weights.data() + set * kWeightsOfSet;
-    float* const of_scale =
-        noted.scale < 0 ? nullptr
-                        : weights_by_scale.data() + (set * MixingSets::kScaleSteps +
-                                                     static_cast<std::size_t>(noted.scale)) *
-                                                        kWeightsOfSet;
-    const auto& confidences =
-        runtime::confidences()[static_cast<std::size_t>(MixingSets::kind_of(noted.set))];
+    const std::size_t first = set * kWeightsOfSet;
+    const std::size_t first_of_scale =
+        noted.scale < 0 ? 0
+                        : (set * MixingSets::kScaleSteps + static_cast<std::size_t>(noted.scale)) *
+                              kWeightsOfSet;
     const std::size_t all = count + noted.opinion_count;
     std::array<float, kWeightsOfSet> evidence{};
+    std::array<float, kWeightsOfSet> plain{};
     std::array<float, kWeightsOfSet> weight{};
-    std::array<float, kWeightsOfSet> confidence{};
+    std::array<std::size_t, kWeightsOfSet> confidence{};
     float log_odds = 0;
     for (std::size_t i = 0; i < all; ++i) {
       if (i < count) {
         const Believed& context = contexts[noted.contexts[i]];
         confidence[i] =
-            static_cast<float>(
-                confidences[i][runtime::kSeenStep[static_cast<std::size_t>(context.seen)]]) /
-            256;
-        evidence[i] = std::clamp(log_odds_of(context.one), -8.0F, 8.0F) * confidence[i];
+            (static_cast<std::size_t>(MixingSets::kind_of(noted.set)) * runtime::kMostContexts +
+             i) *
+                runtime::kSeenSteps +
+            runtime::kSeenStep[static_cast<std::size_t>(context.seen)];
+        plain[i] = std::clamp(log_odds_of(context.one), -8.0F, 8.0F);
+        evidence[i] = plain[i] * static_cast<float>(known.confidences[confidence[i]]);
       } else {
         evidence[i] = static_cast<float>(noted.opinions[i - count]) / 256;
       }
-      weight[i] = of_set[i] + (of_scale == nullptr ? 0 : of_scale[i]);
+      weight[i] = weights[first + i] + (noted.scale < 0 ? 0 : weights_by_scale[first_of_scale + i]);
       log_odds += weight[i] * evidence[i];
     }
     const float one =
@@ -209,20 +205,24 @@ double code(const NotedClip& clip, const CodingKnowledge& known, const Fixed& fi
     bits -= std::log2(noted.bit != 0 ? one : 1 - one);
     const float surprise = bit - one;
     if (gradient != nullptr) {
-      for (std::size_t i = 0; i < all; ++i)
-        gradient->weights[set * kWeightsOfSet + i] -= static_cast<double>(surprise * evidence[i]);
+      const float slope = -surprise * share;
+      for (std::size_t i = 0; i < all; ++i) {
+        gradient->weights[first + i] += slope * evidence[i];
+        if (noted.scale >= 0) gradient->weights_by_scale[first_of_scale + i] += slope * evidence[i];
+      }
       for (std::size_t i = 0; i < count; ++i) {
+        gradient->confidences[confidence[i]] += slope * weight[i] * plain[i];
         const Believed& context = contexts[noted.contexts[i]];
         if (noted.contexts[i] >= told || context.left < 1e-3F) continue;
-        gradient->log_odds[noted.contexts[i]] -= static_cast<double>(
-            surprise * weight[i] * confidence[i] * context.left * context.first *
-            (1 - context.first) / (context.one * (1 - context.one)));
+        gradient->log_odds[noted.contexts[i]] +=
+            slope * weight[i] * static_cast<float>(known.confidences[confidence[i]]) *
+            context.left * context.first * (1 - context.first) / (context.one * (1 - context.one));
       }
     }
     for (std::size_t i = 0; i < all; ++i) {
       const float change = kMixingRate * surprise * evidence[i];
-      of_set[i] += change;
-      if (of_scale != nullptr) of_scale[i] += change;
+      weights[first + i] += change;
+      if (noted.scale >= 0) weights_by_scale[first_of_scale + i] += change;
     }
     for (std::size_t i = 0; i < count; ++i) follow(contexts[noted.contexts[i]], bit, kLeast);
   }
@@ -233,27 +233,33 @@ double code(const NotedClip& clip, const CodingKnowledge& known, const Fixed& fi
 /// of the gradient, each number by what its own has been.
 class Descent {
  public:
-  explicit Descent(const CodingKnowledge& known) : means_(known), squares_(known) {}
+  Descent(const CodingKnowledge& known, const DescentPlan& plan)
+      : plan_(plan), means_(known), squares_(known) {}
 
-  void step(Gradient& gradient, double rate, CodingKnowledge& known) {
-    constexpr std::array<double, 2> kStep = {3, 1};  // of log odds, of weights
+  /// By the sum of gradients of so many clips.
+  void step(Gradient& gradient, std::size_t count, double rate, CodingKnowledge& known) {
+    constexpr double kStepOfLogOdds = 3;  // times that of the others
+    for (std::size_t c = 0; c < plan_.may_change.size(); ++c)
+      if (!plan_.may_change[c]) gradient.log_odds[c] = 0;
     ++steps_;
-    const std::array<std::vector<double>*, 2> moved = {&known.log_odds, &known.weights};
-    for (std::size_t part = 0; part < moved.size(); ++part)
-      for (std::size_t i = 0; i < moved[part]->size(); ++i) {
-        const double slope = (*gradient.parts()[part])[i];
-        double& mean = (*means_.parts()[part])[i];
-        double& square = (*squares_.parts()[part])[i];
+    for (std::size_t part = 0; part < (plan_.weights_by_scale ? kParts : 2); ++part) {
+      std::vector<double>& of_part = *parts_of(known)[part];
+      for (std::size_t i = 0; i < of_part.size(); ++i) {
+        const double slope = (*parts_of(gradient)[part])[i] / static_cast<double>(count);
+        double& mean = (*parts_of(means_)[part])[i];
+        double& square = (*parts_of(squares_)[part])[i];
         mean += 0.1 * (slope - mean);
         square += 0.01 * (slope * slope - square);
         const double down = mean / (1 - std::pow(0.9, steps_));
         const double size = std::sqrt(square / (1 - std::pow(0.99, steps_)));
-        (*moved[part])[i] -= kStep[part] * rate * down / (size + 1e-4);
+        of_part[i] -= (part == 0 ? kStepOfLogOdds : 1) * rate * down / (size + 1e-6);
       }
+    }
     for (double& log_odds : known.log_odds) log_odds = std::clamp(log_odds, -8.0, 8.0);
   }
 
  private:
+  const DescentPlan& plan_;
   Gradient means_;
   Gradient squares_;
   int steps_ = 0;
@@ -273,7 +279,10 @@ NotedClip note_bits(QuantisedSignals coded, const std::vector<SignalNeighbours>&
 CodingKnowledge CodingKnowledge::of_all_clips(int signals) {
   CoefficientModel model(signals);
   const auto count = static_cast<std::size_t>(ContextLayout(signals).end);
-  CodingKnowledge known{signals, std::vector<double>(count), std::vector<int>(count), {}};
+  CodingKnowledge known;
+  known.signals = signals;
+  known.log_odds.resize(count);
+  known.seen.resize(count);
   for (std::size_t c = 0; c < count; ++c) {
     const runtime::AdaptiveBit& context = model->contexts[c];
     known.log_odds[c] = std::log(context.one / (65536.0 - context.one));
@@ -281,14 +290,19 @@ CodingKnowledge CodingKnowledge::of_all_clips(int signals) {
   }
   for (const MixingWeights& set : model->weights)
     for (const std::int32_t weight : set.of) known.weights.push_back(weight / 65536.0);
+  for (const auto& sets : model->weights_by_scale)
+    for (const MixingWeights& set : sets)
+      for (const std::int32_t weight : set.of) known.weights_by_scale.push_back(weight / 65536.0);
+  for (const auto& of_kind : runtime::confidences())
+    for (const runtime::Confidence& of_context : of_kind)
+      for (const int confidence : of_context) known.confidences.push_back(confidence / 256.0);
   return known;
 }
 
 double coded_bits(std::span<const NotedClip> clips, const CodingKnowledge& known) {
-  const Fixed fixed;
   std::vector<double> bits(clips.size());
   in_shares(clips.size(),
-            [&](std::size_t i, std::size_t) { bits[i] = code(clips[i], known, fixed, nullptr); });
+            [&](std::size_t i, std::size_t) { bits[i] = code(clips[i], known, 1, nullptr); });
   return std::accumulate(bits.begin(), bits.end(), 0.0);
 }
 
@@ -309,7 +323,7 @@ std::vector<std::vector<ContextTally>> tally_contexts(std::span<const NotedClip>
 }
 
 void fit_contexts(std::span<const NotedClip> clips, std::span<const std::uint16_t> trusts,
-                  CodingKnowledge& known) {
+                  double finest, CodingKnowledge& known) {
   constexpr double kFewest = 4;
   const auto of_clips = tally_contexts(clips, known);
   in_shares(known.log_odds.size(), [&](std::size_t c, std::size_t) {
@@ -321,42 +335,45 @@ void fit_contexts(std::span<const NotedClip> clips, std::span<const std::uint16_
       seen += static_cast<double>(of_clip[c].seen);
     }
     if (seen < kFewest) return;
-    const ContextPrior prior = most_likely(tallies, trusts);
+    const ContextPrior prior = most_likely(tallies, trusts, finest);
     known.log_odds[c] = prior.log_odds;
     known.seen[c] = prior.seen;
   });
 }
 
-void descend(std::span<const NotedClip> clips, const std::vector<bool>& may_change, int rounds,
-             const std::function<bool()>& go_on, CodingKnowledge& known) {
+void descend(std::span<const NotedClip> clips, const DescentPlan& plan,
+             const std::function<bool(const std::vector<double>&)>& go_on, CodingKnowledge& known) {
   constexpr std::size_t kBatch = 64;
   constexpr double kFirstStep = 0.01;
-  const Fixed fixed;
-  Descent descent(known);
+  constexpr float kUsualBits = 3000;  // of a clip
+  Descent descent(known, plan);
   std::vector<std::size_t> order(clips.size());
   std::iota(order.begin(), order.end(), 0);
   Random random(1);
   const std::size_t batches = (clips.size() + kBatch - 1) / kBatch;
+  const double steps = plan.rounds * static_cast<double>(batches);
   double step = 0;
-  for (int round = 0; round < rounds && go_on(); ++round) {
+  std::vector<double> bits(clips.size());
+  for (int round = 0; round < plan.rounds && go_on(bits); ++round) {
     for (std::size_t i = order.size(); i > 1; --i)
       std::swap(order[i - 1], order[static_cast<std::size_t>(random.below(i))]);
-    for (std::size_t batch = 0; batch < batches; ++batch, ++step) {
-      const std::size_t first = batch * kBatch;
+    for (std::size_t first = 0; first < clips.size(); first += kBatch) {
       const std::size_t count = std::min(kBatch, clips.size() - first);
       std::vector<Gradient> gradients(kShares, Gradient(known));
       in_shares(count, [&](std::size_t i, std::size_t share) {
-        code(clips[order[first + i]], known, fixed, &gradients[share]);
+        const NotedClip& clip = clips[order[first + i]];
+        const float bits_of_clip =
+            plan.clips_count_alike ? static_cast<float>(clip.bits.size()) : kUsualBits;
+        bits[order[first + i]] = code(clip, known, 1 / bits_of_clip, &gradients[share]);
       });
       for (std::size_t share = 1; share < kShares; ++share)
-        for (std::size_t part = 0; part < 2; ++part)
-          std::transform(gradients[share].parts()[part]->begin(),
-                         gradients[share].parts()[part]->end(), gradients[0].parts()[part]->begin(),
-                         gradients[0].parts()[part]->begin(), std::plus<>());
-      for (std::size_t c = 0; c < may_change.size(); ++c)
-        if (!may_change[c]) gradients[0].log_odds[c] = 0;
-      descent.step(gradients[0],
-                   kFirstStep * (1 - 0.9 * step / (rounds * static_cast<double>(batches))), known);
+        for (std::size_t part = 0; part < kParts; ++part) {
+          std::vector<double>& sum = *parts_of(gradients[0])[part];
+          std::ranges::transform(sum, *parts_of(gradients[share])[part], sum.begin(),
+                                 std::plus<>());
+        }
+      ++step;
+      descent.step(gradients[0], count, kFirstStep * (1 - 0.9 * step / steps), known);
     }
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the adaptive coding should know of clips before their first bit, found from such clips:
-// each context by itself first, from how alike clips are, then log odds and mixing weights
-// together, by the gradient of the coded bits.
+// each context by itself first, from how alike clips are, then log odds, mixing weights and
+// confidences together, by the gradient of the coded bits.
 #pragma once
 
 #include <array>
@@ -38,7 +38,11 @@ struct CodingKnowledge {
   int signals = 0;               // of clips whose single signals are known, too
   std::vector<double> log_odds;  // of each context that is known
   std::vector<int> seen;         // how many observations these are worth
-  std::vector<double> weights;   // runtime::MixingWeights::kMost of each set
+  // runtime::MixingWeights::kMost of each set, of each step of the scale of each set, and how far
+  // each context of each kind of bit counts by how often it was seen.
+  std::vector<double> weights;
+  std::vector<double> weights_by_scale;
+  std::vector<double> confidences;
 
   /// What all clips are coded with.
   static CodingKnowledge of_all_clips(int signals);
@@ -57,14 +61,21 @@ struct ContextTally {
 std::vector<std::vector<ContextTally>> tally_contexts(std::span<const NotedClip> clips,
                                                       const CodingKnowledge& known);
 
-/// Learns each context by itself, how many observations it is worth from among `trusts`.
+/// Learns each context by itself: log odds within `finest`, and how many observations they are
+/// worth, from among `trusts`. Contexts that are hardly seen stay as they are.
 void fit_contexts(std::span<const NotedClip> clips, std::span<const std::uint16_t> trusts,
-                  CodingKnowledge& known);
+                  double finest, CodingKnowledge& known);
 
-/// Goes through the clips so many times and lets log odds, of contexts that may change, and weights
-/// follow the gradient of the coded bits. Calls `go_on` before each round; when that is false, what
-/// there is is as good as it got.
-void descend(std::span<const NotedClip> clips, const std::vector<bool>& may_change, int rounds,
-             const std::function<bool()>& go_on, CodingKnowledge& known);
+struct DescentPlan {
+  int rounds = 0;                  // through all clips
+  std::vector<bool> may_change;    // contexts; empty: all
+  bool weights_by_scale = false;   // and confidences, may change, too
+  bool clips_count_alike = false;  // and not their bits
+};
+
+/// Lets what is known follow the gradient of the coded bits. Before each round `go_on` is given the
+/// bits of each clip in the round before; when that says no, what there is is as good as it got.
+void descend(std::span<const NotedClip> clips, const DescentPlan& plan,
+             const std::function<bool(const std::vector<double>&)>& go_on, CodingKnowledge& known);
 
 }  // namespace mocapress
