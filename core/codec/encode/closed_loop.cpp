@@ -92,7 +92,7 @@ ClosedLoop::Result ClosedLoop::coarsen(QuantisedSignals coded, ErrorBound& bound
 ClosedLoop::Result ClosedLoop::quantise_to(double eps_cm, double scale,
                                            const Observer<ClosedLoopProgress>& observer) const {
   constexpr int kMostScales = 3;
-  constexpr double kNear = 0.03;   // from there, what a bit is worth makes up for the rest
+  constexpr double kNear = 0.05;   // from there, what a bit is worth makes up for the rest
   constexpr double kMostOff = 3;   // logarithms
   constexpr double kPower = 1.35;  // of eps_x, with which the scale follows it
   for (int i = 1;; ++i) {

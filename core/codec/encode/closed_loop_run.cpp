@@ -36,13 +36,38 @@ double price_of(int sweep, int sweeps) {
   return kFirstBitPrice + (kLastBitPrice - kFirstBitPrice) * sweep / std::max(sweeps - 1, 1);
 }
 
-/// How much dearer a bit must be for a sweep that makes eps_x grow by that logarithm more than it
-/// would at the same price: about, as clips from 0.2 to 0.6 cm have it.
-double dearer_for(double growth) {
-  constexpr double kMost = 0.7;
-  constexpr double kSlope = 0.035;
-  return std::exp(std::clamp(growth / kSlope, -kMost, kMost));
-}
+/// What a bit must be worth for eps_x to grow by so much in the next sweep. By the growth of the
+/// sweep before, of which a part goes on at the same price, and by how much eps_x has grown with
+/// the price: that differs from clip to clip and is learned on the way. With less than there is,
+/// prices would go up and down for ever without coming to the error.
+class PriceControl {
+ public:
+  /// The growth of eps_x in the last sweep. All growths are logarithms.
+  explicit PriceControl(double growth) : growth_(growth) {}
+
+  /// The factor by which to change the price.
+  double factor_for(double growth) {
+    constexpr double kMost = 0.7;  // a logarithm
+    dearer_ = std::clamp((growth - kKept * growth_) / slope_, -kMost, kMost);
+    return std::exp(dearer_);
+  }
+
+  void observe(double growth) {
+    constexpr double kTells = 0.1;
+    constexpr double kLeastSlope = 0.03;
+    constexpr double kMostSlope = 0.08;
+    if (std::abs(dearer_) > kTells)
+      slope_ = std::clamp((growth - kKept * growth_) / dearer_, kLeastSlope, kMostSlope);
+    growth_ = growth;
+  }
+
+ private:
+  // About, as clips of corpus/train from 0.1 to 0.5 cm have it.
+  static constexpr double kKept = 0.5;
+  double slope_ = 0.045;
+  double growth_;
+  double dearer_ = 0;
+};
 
 std::span<float> span_of(Eigen::ArrayXf& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
@@ -172,7 +197,6 @@ double ClosedLoopRun::begin_settling() {
 ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
                                          const Observer<ClosedLoopProgress>& observer) {
   constexpr int kMost = 4;
-  constexpr double kKept = 0.6;  // of a sweep's growth has the next one at the same price
   constexpr double kLeastEps = 1e-12;
   ClosedLoop::Result result;
   const auto sweep_all = [&] {
@@ -188,11 +212,13 @@ ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
     bit_price_ = kSettlingPrices[static_cast<std::size_t>(settling_)];
     sweep_all();
   }
+  PriceControl control(growth_);
   for (int i = 0; i < kMost && result.complete; ++i) {
     const double off = std::log(std::max(result.eps_cm, kLeastEps) / eps_cm);
     if (off <= 0 && off >= -ClosedLoop::kSettled) break;
-    bit_price_ *= dearer_for(-ClosedLoop::kSettled / 2 - off - kKept * growth_);
+    bit_price_ *= control.factor_for(-ClosedLoop::kSettled / 2 - off);
     sweep_all();
+    control.observe(growth_);
   }
   result.bit_price = bit_price_;
   result.growth = growth_;

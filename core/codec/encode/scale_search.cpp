@@ -134,7 +134,7 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
 /// A trial whose eps_x by the model is the target's, then settled anew by how far the model is off.
 void settle(const SettleTrial& settled, const Target& target, double first_scale,
             ScaleSearch& search) {
-  constexpr int kMost = 3;
+  constexpr int kMost = 5;  // one or two sweeps each, far less than what seek() would try
   constexpr double kNear = 0.01;
   constexpr double kLeastEps = 1e-9;  // cm, of what does not move
   Trial trial = settled(target.value, first_scale, nullptr);
