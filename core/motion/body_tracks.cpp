@@ -11,20 +11,34 @@
 
 namespace mocapress {
 
-Eigen::MatrixXd body_tracks(const Skeleton& skeleton, const Clip& clip) {
-  const std::vector<Landmark> points = landmarks(skeleton);
+namespace {
+
+/// Those of some frames, into the first rows of `tracks`.
+void fill_tracks(const Skeleton& skeleton, const std::vector<Landmark>& points,
+                 const Eigen::MatrixXd& channels, int from, int end, Eigen::MatrixXd& tracks) {
   const Eigen::Index shell = 3 * std::ssize(points);
-  const Eigen::Index joints = skeleton.joint_count();
-  Eigen::MatrixXd tracks(clip.frames(), shell + 9 * joints);
-  visit_poses(skeleton, clip.channels, [&](const PoseBlock& poses, int first, int frames) {
-    place_landmarks(points, poses, first, frames, tracks);
+  visit_poses(skeleton, channels, from, end, [&](const PoseBlock& poses, int first, int frames) {
+    const int row = first - from;
+    place_landmarks(points, poses, row, frames, tracks);
     // The points of shell_points(): of each joint along its axes.
     for (int j = 0; j < skeleton.joint_count(); ++j)
       for (int axis = 0; axis < 3; ++axis)
         for (int i = 0; i < 3; ++i)
-          tracks.col(shell + 9 * j + 3 * axis + i).segment(first, frames) =
+          tracks.col(shell + 9 * j + 3 * axis + i).segment(row, frames) =
               (poses.origin(j).col(i) + kShellRadius * poses.axis(j, axis).col(i)).matrix();
   });
+}
+
+Eigen::Index columns_of(const Skeleton& skeleton, const std::vector<Landmark>& points) {
+  return 3 * std::ssize(points) + Eigen::Index{9} * skeleton.joint_count();
+}
+
+}  // namespace
+
+Eigen::MatrixXd body_tracks(const Skeleton& skeleton, const Clip& clip) {
+  const std::vector<Landmark> points = landmarks(skeleton);
+  Eigen::MatrixXd tracks(clip.frames(), columns_of(skeleton, points));
+  fill_tracks(skeleton, points, clip.channels, 0, clip.frames(), tracks);
   return tracks;
 }
 
@@ -114,12 +128,14 @@ Eigen::VectorXd JointErrors::degrees(const OfJoint& of_joint) {
 }
 
 void visit_tracks(const Skeleton& skeleton, const Clip& clip, const TrackBlock& visit) {
-  constexpr int kBlock = 8192;
-  if (clip.frames() <= kBlock) return visit(0, body_tracks(skeleton, clip));
-  for (int first = 0; first < clip.frames(); first += kBlock) {
-    const int count = std::min(kBlock, clip.frames() - first);
-    visit(first,
-          body_tracks(skeleton, Clip{clip.sample_rate_hz, clip.channels.middleRows(first, count)}));
+  constexpr int kBlock = 512;  // frames at a time: in memory that stays near the processor
+  const std::vector<Landmark> points = landmarks(skeleton);
+  Eigen::MatrixXd tracks;
+  for (int first = 0; first == 0 || first < clip.frames(); first += kBlock) {
+    const int end = std::min(first + kBlock, clip.frames());
+    tracks.resize(end - first, columns_of(skeleton, points));
+    fill_tracks(skeleton, points, clip.channels, first, end, tracks);
+    visit(first, tracks);
   }
 }
 

@@ -48,8 +48,8 @@ using TrackRows = Eigen::Ref<const Eigen::MatrixXd>;
 /// Gets body_tracks() of the frames from `first_frame` on.
 using TrackBlock = std::function<void(int first_frame, const Eigen::MatrixXd& tracks)>;
 
-/// Visits body_tracks() of a clip in order of time. A short clip comes at once, a long one some
-/// thousand frames at a time, so that its tracks are never all in memory.
+/// Visits body_tracks() of a clip in order of time, some frames at a time, so that its tracks are
+/// never all in memory.
 void visit_tracks(const Skeleton& skeleton, const Clip& clip, const TrackBlock& visit);
 
 }  // namespace mocapress

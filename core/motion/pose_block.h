@@ -50,23 +50,29 @@ class PoseBlock {
   Eigen::MatrixXd in_parent_;  // kMostFrames x 3: a joint's origin
 };
 
-/// Calls visit(poses, first frame, frames) for all frames of a clip, on all cores and in any order.
-/// `axes` as for PoseBlock::compute().
+/// Calls visit(poses, first frame, frames) for the frames of a clip from `from` to before `end`, on
+/// all cores and in any order. `axes` as for PoseBlock::compute().
 template <typename Visit>
-void visit_poses(const Skeleton& skeleton, const Eigen::MatrixXd& channels, const Visit& visit,
-                 Eigen::MatrixXd* axes = nullptr) {
-  constexpr int kBlocks = 8;  // at least, for one PoseBlock
-  const auto all = static_cast<int>(channels.rows());
-  const int blocks = (all + PoseBlock::kMostFrames - 1) / PoseBlock::kMostFrames;
-  parallel_ranges(0, blocks, kBlocks, [&](int first_block, int end) {
+void visit_poses(const Skeleton& skeleton, const Eigen::MatrixXd& channels, int from, int end,
+                 const Visit& visit, Eigen::MatrixXd* axes = nullptr) {
+  constexpr int kBlocks = 4;  // at least, for one PoseBlock
+  const int blocks = (end - from + PoseBlock::kMostFrames - 1) / PoseBlock::kMostFrames;
+  parallel_ranges(0, blocks, kBlocks, [&](int first_block, int end_block) {
     PoseBlock poses(skeleton);
-    for (int block = first_block; block < end; ++block) {
-      const int first = block * PoseBlock::kMostFrames;
-      const int frames = std::min(PoseBlock::kMostFrames, all - first);
+    for (int block = first_block; block < end_block; ++block) {
+      const int first = from + block * PoseBlock::kMostFrames;
+      const int frames = std::min(PoseBlock::kMostFrames, end - first);
       poses.compute(channels, first, frames, axes);
       visit(poses, first, frames);
     }
   });
+}
+
+/// For all frames.
+template <typename Visit>
+void visit_poses(const Skeleton& skeleton, const Eigen::MatrixXd& channels, const Visit& visit,
+                 Eigen::MatrixXd* axes = nullptr) {
+  visit_poses(skeleton, channels, 0, static_cast<int>(channels.rows()), visit, axes);
 }
 
 }  // namespace mocapress

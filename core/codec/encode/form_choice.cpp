@@ -20,6 +20,8 @@ namespace {
 // Orders that are best at one error are so at others: one choice will do for all targets.
 constexpr double kScale = 1.8;     // cm: steps as for half a centimetre of eps_x
 constexpr double kRate = 30;       // Hz; faster than that little of a motion differs between orders
+constexpr double kLongRate = 15;   // Hz; does where that leaves
+constexpr int kEnough = 256;       // frames
 constexpr int kMostFrames = 2048;  // at a time
 constexpr double kWorthIt = 0.98;  // of the bits; a skeleton as it came is worth something too
 constexpr double kTurnedBits = 40;  // as counted here, for what turned axes take in the file
@@ -196,7 +198,10 @@ struct Count {
 
 Count count_bits(const Motion& motion) {
   const MeasuredPoints measured = measured_points(motion.skeleton, Weighting::Surface);
-  const int step = std::max(1, static_cast<int>(std::lround(motion.clip.sample_rate_hz / kRate)));
+  const auto step_at = [&](double rate) {
+    return std::max(1, static_cast<int>(std::lround(motion.clip.sample_rate_hz / rate)));
+  };
+  const int step = std::clamp(motion.clip.frames() / kEnough, step_at(kRate), step_at(kLongRate));
   const auto joints = static_cast<std::size_t>(motion.skeleton.joint_count());
   Count count{std::vector<Bits>(joints, Bits{}), RotationForms(joints)};
   // Of a long clip, the first part's axes will do.

@@ -43,12 +43,17 @@ TEST(EndFit, EvenEndsAreNoFurtherOffThanTheTargetInClipsOfAnyLength) {
 }
 
 TEST(EndFit, AnEvenEndIsMendedByFewChannels) {
-  const Motion motion = test::smooth_motion(150, 7);
-  const CompressedClip compressed = Encoder(motion).encode(with_ends(Ends::Even)).compressed;
-  ASSERT_TRUE(compressed.ends);
-  const auto channels = motion.clip.channels.cols();
-  EXPECT_GT((compressed.ends->steps.array() != 0).count(), 0);
-  EXPECT_LE((compressed.ends->steps.array() != 0).count(), channels);  // of twice as many
+  Eigen::Index mended = 0;
+  Eigen::Index channels = 0;
+  for (unsigned seed = 1; seed <= 16; ++seed) {  // one clip more, another less
+    const Motion motion = test::smooth_motion(150, seed);
+    const CompressedClip compressed = Encoder(motion).encode(with_ends(Ends::Even)).compressed;
+    ASSERT_TRUE(compressed.ends);
+    mended += (compressed.ends->steps.array() != 0).count();
+    channels += 2 * motion.clip.channels.cols();  // of both ends
+  }
+  EXPECT_GT(mended, 0);
+  EXPECT_LE(2 * mended, channels);
 }
 
 TEST(EndFit, ExactEndsAreWithinATenthOfTheTargetInEveryWeighting) {
