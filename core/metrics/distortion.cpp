@@ -30,14 +30,16 @@ double DistanceCounts::percentile(double share) const {
 
 namespace {
 
-/// The smallest value that at least `share` of all values do not exceed. Reorders `values`.
-double percentile(std::vector<float>& values, double share) {
+/// The smallest value that at least `share` of all values do not exceed. Reorders `values`. What
+/// was asked for a smaller share before left the larger ones behind: `after` is where.
+double percentile(std::vector<float>& values, double share, std::ptrdiff_t* after = nullptr) {
   if (values.empty()) return 0;
   const auto rank =
       static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size())));
-  const auto nth = values.begin() + std::max<std::ptrdiff_t>(rank - 1, 0);
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
+  const std::ptrdiff_t place = std::max<std::ptrdiff_t>(rank - 1, 0);
+  std::nth_element(values.begin() + (after ? *after : 0), values.begin() + place, values.end());
+  if (after) *after = place;
+  return values[static_cast<std::size_t>(place)];
 }
 
 std::vector<float> all_of(const Eigen::MatrixXf& values) {
@@ -139,8 +141,8 @@ Eigen::MatrixXd PointErrors::squared(const TrackRows& original, const TrackRows&
   }
   if (weighting_ == Weighting::Skin) return squared_on(*skeleton_.skin(), errors, original.rows());
   for (std::size_t p = 0; p < points.size(); ++p)
-    squared.col(static_cast<Eigen::Index>(p)) =
-        JointErrors::squared(errors.of(points[p].joint), points[p].in_joint);
+    JointErrors::find_squares(errors.of(points[p].joint), points[p].in_joint,
+                              squared.col(static_cast<Eigen::Index>(p)));
   return squared;
 }
 
@@ -176,11 +178,14 @@ DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail de
 
 void DistortionMeter::add(Set& set, int first_frame, const Eigen::MatrixXd& squared) const {
   if (squared.size() == 0) return;
+  double worst = 0;
   for (Eigen::Index p = 0; p < squared.cols(); ++p) {
     set.squares(p) += squared.col(p).sum();
-    set.greatest(p) = std::max(set.greatest(p), squared.col(p).maxCoeff());
+    const double greatest = squared.col(p).maxCoeff();
+    set.greatest(p) = std::max(set.greatest(p), greatest);
+    worst = std::max(worst, greatest);
   }
-  if (const double worst = squared.maxCoeff(); worst > set.worst_square) {
+  if (worst > set.worst_square) {
     Eigen::Index frame = 0;
     Eigen::Index point = 0;
     squared.maxCoeff(&frame, &point);
@@ -193,7 +198,9 @@ void DistortionMeter::add(Set& set, int first_frame, const Eigen::MatrixXd& squa
   const bool has_distances = detail_ == Detail::Distances && &set == &sets_.front();
   if (detail_ == Detail::Means || has_distances) return;
   const Eigen::MatrixXf distances = squared.cwiseSqrt().cast<float>();
-  for (const float distance : distances.reshaped()) set.counts.add(distance);
+  const float* const end = distances.data() + distances.size();
+  for (const float* distance = distances.data(); distance != end; ++distance)
+    set.counts.add(*distance);
 }
 
 void DistortionMeter::add_turns(int first_frame, Eigen::Index frames, JointErrors& errors) {
@@ -286,8 +293,9 @@ Distortion DistortionMeter::distortion() const {
     distortion.joint_degrees = (squared_turns_ / static_cast<double>(frames_)).cwiseSqrt();
   if (detail_ == Detail::Distances) {
     std::vector<float> all = all_of(distances_);
-    distortion.p95 = percentile(all, 0.95);
-    distortion.p99 = percentile(all, 0.99);
+    std::ptrdiff_t after = 0;
+    distortion.p95 = percentile(all, 0.95, &after);
+    distortion.p99 = percentile(all, 0.99, &after);
     all = all_of(turns_);
     distortion.p99_degrees = percentile(all, 0.99);
   } else {

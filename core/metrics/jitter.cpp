@@ -24,24 +24,73 @@ Jitter::Jitter(int joints, int windows, int window_frames, double sample_rate_hz
       states_(static_cast<std::size_t>(joints)),
       squares_(Eigen::MatrixXf::Zero(windows, joints)) {}
 
-Jitter::Place Jitter::filtered(const Place& place, State& state) const {
-  Place value = place;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Section& s = sections_[i];
-    const Place out = s.b0 * value + state.delays[2 * i];
-    state.delays[2 * i] = s.b1 * value - s.a1 * out + state.delays[2 * i + 1];
-    state.delays[2 * i + 1] = s.b2 * value - s.a2 * out;
-    value = out;
+/// So many lanes from `lane` on, over all rows: the same operations for vectors of any length.
+template <typename Vector>
+MOCAPRESS_INLINE void Jitter::filter_lanes(std::size_t lane, State& state, Stretch& stretch) const {
+  constexpr std::size_t kCount = kLanes<Vector, double>;
+  const Section& one = sections_[0];
+  const Section& two = sections_[1];
+  Vector delays[4];
+  Vector last;
+  Vector before;
+  Vector squares;
+  Vector accelerations;
+  for (std::size_t i = 0; i < 4; ++i) load(state.delays[i].data() + lane, delays[i]);
+  load(state.outputs[0].data() + lane, last);
+  load(state.outputs[1].data() + lane, before);
+  load(stretch.squares.data() + lane, squares);
+  load(stretch.accelerations.data() + lane, accelerations);
+  for (int t = 0; t < stretch.rows; ++t) {
+    double coordinates[kCount];
+    for (std::size_t k = 0; k < kCount; ++k) coordinates[k] = stretch.places[lane + k][t];
+    Vector place;
+    load(coordinates, place);
+    const Vector middle = one.b0 * place + delays[0];
+    delays[0] = one.b1 * place - one.a1 * middle + delays[1];
+    delays[1] = one.b2 * place - one.a2 * middle;
+    const Vector off = two.b0 * middle + delays[2];
+    delays[2] = two.b1 * middle - two.a1 * off + delays[3];
+    delays[3] = two.b2 * middle - two.a2 * off;
+    squares += off * off;
+    const Vector acceleration = off - 2 * last + before;
+    accelerations += acceleration * acceleration;
+    before = last;
+    last = off;
   }
-  return value;
+  for (std::size_t i = 0; i < 4; ++i) store(delays[i], state.delays[i].data() + lane);
+  store(last, state.outputs[0].data() + lane);
+  store(before, state.outputs[1].data() + lane);
+  store(squares, stretch.squares.data() + lane);
+  store(accelerations, stretch.accelerations.data() + lane);
+}
+
+#ifdef MOCAPRESS_WITH_AVX2
+MOCAPRESS_FOR_AVX2 void Jitter::filter_with_avx2(State& state, Stretch& stretch) const {
+  filter_lanes<Doubles4>(0, state, stretch);
+}
+#endif
+
+void Jitter::filter(State& state, Stretch& stretch) const {
+#ifdef MOCAPRESS_WITH_AVX2
+  if (has_avx2()) return filter_with_avx2(state, stretch);
+#endif
+  filter_lanes<Doubles2>(0, state, stretch);
+  filter_lanes<Doubles2>(2, state, stretch);
 }
 
 /// As if it had moved as evenly for ever.
-Jitter::State Jitter::state_before(const Place& first, const Place& step) const {
+Jitter::State Jitter::state_before(const TrackRows& tracks, Eigen::Index joint) const {
   const Section& s = sections_[0];
-  const Place before = first - step;
-  const Place none = Place::Zero();
-  return {{s.b1 * before + s.b2 * (before - step), s.b2 * before, none, none}, {none, none}};
+  State state{};
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const auto track = tracks.col(3 * joint + axis);
+    const double step = track.size() > 1 ? track(1) - track(0) : 0;
+    const double before = track(0) - step;
+    const auto lane = static_cast<std::size_t>(axis);
+    state.delays[0][lane] = s.b1 * before + s.b2 * (before - step);
+    state.delays[1][lane] = s.b2 * before;
+  }
+  return state;
 }
 
 void Jitter::add(int first_frame, const TrackRows& tracks) {
@@ -50,29 +99,24 @@ void Jitter::add(int first_frame, const TrackRows& tracks) {
   const int end = first_frame + static_cast<int>(tracks.rows());
   double accelerations = 0;  // squared, per frame
   for (Eigen::Index joint = 0; joint < std::ssize(states_); ++joint) {
-    State state = states_[static_cast<std::size_t>(joint)];
+    State& state = states_[static_cast<std::size_t>(joint)];
     const double* const x = tracks.col(3 * joint).data();
     const double* const y = tracks.col(3 * joint + 1).data();
     const double* const z = tracks.col(3 * joint + 2).data();
-    const auto place = [&](int row) { return Place(x[row], y[row], z[row], 0); };
-    if (first_frame == 0)
-      state = state_before(place(0),
-                           tracks.rows() > 1 ? Place(place(1) - place(0)) : Place(Place::Zero()));
-    Place squared_accelerations = Place::Zero();
+    if (first_frame == 0) state = state_before(tracks, joint);
     for (int t = first_frame; t < end;) {
       const int window = std::min(t / window_frames_, last_window);
       const int until = window == last_window ? end : std::min(end, (window + 1) * window_frames_);
-      Place squares = Place::Zero();
-      for (; t < until; ++t) {
-        const Place off = filtered(place(t - first_frame), state);
-        squares += off.square();
-        squared_accelerations += (off - 2 * state.outputs[0] + state.outputs[1]).square();
-        state.outputs = {off, state.outputs[0]};
-      }
-      squares_(window, joint) += static_cast<float>(squares.sum());
+      const int row = t - first_frame;
+      Stretch stretch{.places = {x + row, y + row, z + row, z + row}, .rows = until - t};
+      filter(state, stretch);
+      const auto of_axes = [](const std::array<double, 4>& sums) {
+        return sums[0] + sums[1] + sums[2];
+      };
+      squares_(window, joint) += static_cast<float>(of_axes(stretch.squares));
+      accelerations += of_axes(stretch.accelerations);
+      t = until;
     }
-    accelerations += squared_accelerations.sum();
-    states_[static_cast<std::size_t>(joint)] = state;
   }
   energy_ += accelerations * std::pow(sample_rate_hz_, 4);
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/instruction_sets.h"
 #include "core/motion/body_tracks.h"
 
 namespace mocapress {
@@ -37,16 +38,28 @@ class Jitter {
     Section(double sample_rate_hz, double quality);
     double b0, b1, b2, a1, a2;
   };
-  /// The three coordinates of a joint, side by side; one lane is left over.
-  using Place = Eigen::Array4d;
 
-  /// Of one joint.
+  /// Of one joint: its three coordinates side by side; one lane is left over.
   struct State {
-    std::array<Place, 4> delays;
-    std::array<Place, 2> outputs;  // the last and the one before
+    std::array<std::array<double, 4>, 4> delays;   // two of each section
+    std::array<std::array<double, 4>, 2> outputs;  // the last and the one before
   };
-  Place filtered(const Place& place, State& state) const;
-  State state_before(const Place& first, const Place& step) const;
+
+  /// Some coordinates of a joint, and what they add to the sums of a window and of the clip.
+  struct Stretch {
+    std::array<const double*, 4> places;  // of the first row
+    int rows;
+    std::array<double, 4> squares{};
+    std::array<double, 4> accelerations{};  // squared, per frame
+  };
+
+  State state_before(const TrackRows& tracks, Eigen::Index joint) const;
+  void filter(State& state, Stretch& stretch) const;
+  template <typename Vector>
+  void filter_lanes(std::size_t lane, State& state, Stretch& stretch) const;
+#ifdef MOCAPRESS_WITH_AVX2
+  void filter_with_avx2(State& state, Stretch& stretch) const;
+#endif
 
   int window_frames_;
   double sample_rate_hz_;

@@ -19,6 +19,12 @@ int windows_in(int frames, double sample_rate_hz) {
   return frames > 0 ? std::max(1, frames / window_frames(sample_rate_hz)) : 0;
 }
 
+/// Of a clip of which nothing was seen yet.
+Jitter no_jitter(const Skeleton& skeleton, int frames, double sample_rate_hz) {
+  return {skeleton.joint_count(), windows_in(frames, sample_rate_hz), window_frames(sample_rate_hz),
+          sample_rate_hz};
+}
+
 /// Lengths (cm) from the root to each point, along the bones.
 Eigen::VectorXd reaches(const Skeleton& skeleton, const std::vector<Landmark>& points) {
   Eigen::VectorXd of_joints = Eigen::VectorXd::Zero(skeleton.joint_count());
@@ -132,7 +138,8 @@ Eigen::ArrayXd SightTable::by_joint() const {
 }
 
 VisibilityMeter::VisibilityMeter(const Skeleton& skeleton, int frames, double sample_rate_hz,
-                                 const std::vector<ContactSpan>& contacts)
+                                 const std::vector<ContactSpan>& contacts,
+                                 const Jitter* original_jitter)
     : skeleton_(skeleton),
       frames_(frames),
       sample_rate_hz_(sample_rate_hz),
@@ -143,9 +150,9 @@ VisibilityMeter::VisibilityMeter(const Skeleton& skeleton, int frames, double sa
       hands_(joints_of(skeleton, BodyPart::Hands)),
       squared_turns_(Eigen::VectorXd::Zero(std::ssize(heads_) + std::ssize(hands_))),
       floor_(std::numeric_limits<double>::infinity()),
-      original_jitter_(skeleton.joint_count(), windows_in(frames, sample_rate_hz),
-                       window_frames(sample_rate_hz), sample_rate_hz),
-      decoded_jitter_(original_jitter_),
+      known_jitter_(original_jitter),
+      own_jitter_(no_jitter(skeleton, frames, sample_rate_hz)),
+      decoded_jitter_(own_jitter_),
       contacts_(contacts, window_frames(sample_rate_hz)) {
   const int windows = windows_in(frames, sample_rate_hz);
   seen_.table.window_frames = window_frames(sample_rate_hz);
@@ -166,7 +173,7 @@ int VisibilityMeter::middle_of(int window) const {
 }
 
 void VisibilityMeter::add(int first_frame, const TrackRows& original, const TrackRows& decoded) {
-  original_jitter_.add(first_frame, original);
+  if (!known_jitter_) own_jitter_.add(first_frame, original);
   decoded_jitter_.add(first_frame, decoded);
   contacts_.add(first_frame, original, decoded);
   const Eigen::Index on_bones = original_sum_.size();
@@ -318,8 +325,8 @@ void VisibilityMeter::see(Visibility& seen, int window, WorstSight what) {
 }
 
 void VisibilityMeter::see_jitter(Visibility& seen) const {
-  if (original_jitter_.energy() > 0)
-    seen.jitter_ratio = decoded_jitter_.energy() / original_jitter_.energy();
+  if (original_jitter().energy() > 0)
+    seen.jitter_ratio = decoded_jitter_.energy() / original_jitter().energy();
   // Two windows at a time: what is a little late is no trembling.
   for (int window = 0; window < seen.table.windows(); ++window) {
     const int before = std::max(window - 1, 0);
@@ -328,7 +335,7 @@ void VisibilityMeter::see_jitter(Visibility& seen) const {
       const auto mean = [&](const Jitter& jitter) {
         return jitter.squares().col(j).segment(before, window - before + 1).sum() / count;
       };
-      const double own = mean(original_jitter_);
+      const double own = mean(original_jitter());
       const double added = mean(decoded_jitter_) - own;
       if (added <= 0) continue;
       const WorstSight what = {Cue::Jitter, j, seen.table.first_frame(window), std::sqrt(added),
@@ -378,6 +385,12 @@ Visibility VisibilityMeter::visibility() const {
       visible += end_of(window) - seen.table.first_frame(window);
   if (frames_ > 0) seen.visible_share = static_cast<double>(visible) / frames_;
   return seen;
+}
+
+Jitter jitter_of(const Skeleton& skeleton, const TrackRows& tracks, double sample_rate_hz) {
+  Jitter jitter = no_jitter(skeleton, static_cast<int>(tracks.rows()), sample_rate_hz);
+  jitter.add(0, tracks);
+  return jitter;
 }
 
 Visibility measure_visibility(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,

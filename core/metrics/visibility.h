@@ -151,9 +151,11 @@ Seen seen_in(const Visibility& visibility, const Skeleton& skeleton);
 /// memory grows by a few numbers for each joint and window.
 class VisibilityMeter {
  public:
-  /// Of clips of so many frames, with feet that stand on the ground in the original.
+  /// Of clips of so many frames, with feet that stand on the ground in the original, whose
+  /// jitter_of() may be known: then it must outlive this.
   VisibilityMeter(const Skeleton& skeleton, int frames, double sample_rate_hz,
-                  const std::vector<ContactSpan>& contacts);
+                  const std::vector<ContactSpan>& contacts,
+                  const Jitter* original_jitter = nullptr);
 
   /// Rows of body_tracks() of both clips, from first_frame on.
   void add(int first_frame, const TrackRows& original, const TrackRows& decoded);
@@ -184,6 +186,7 @@ class VisibilityMeter {
   void see_contacts(Visibility& seen) const;
   void see_floor(Visibility& seen) const;
   int middle_of(int window) const;
+  const Jitter& original_jitter() const { return known_jitter_ ? *known_jitter_ : own_jitter_; }
 
   Skeleton skeleton_;
   int frames_;
@@ -201,13 +204,17 @@ class VisibilityMeter {
   Eigen::VectorXd squared_turns_;  // degrees^2 of heads and hands, the sum so far of the window
   double squared_velocities_ = 0;  // (cm/s)^2
   std::int64_t velocities_ = 0;
-  double floor_;            // cm
-  Eigen::MatrixXf lowest_;  // windows x joints: cm, of the decoded
-  Jitter original_jitter_;
+  double floor_;                // cm
+  Eigen::MatrixXf lowest_;      // windows x joints: cm, of the decoded
+  const Jitter* known_jitter_;  // the original's; null: it is measured here
+  Jitter own_jitter_;
   Jitter decoded_jitter_;
   ContactsMeter contacts_;
   Visibility seen_;
 };
+
+/// How a clip trembles, in the windows that are looked at.
+Jitter jitter_of(const Skeleton& skeleton, const TrackRows& tracks, double sample_rate_hz);
 
 /// The same of whole body_tracks().
 Visibility measure_visibility(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,

@@ -52,20 +52,69 @@ JointErrors::JointErrors(const Skeleton& skeleton,
   assert(original.rows() == decoded.rows() && original.cols() == decoded.cols() && shell_ >= 0);
 }
 
+namespace {
+
+/// Columns of two matrices of tracks, and where what differs between them goes.
+struct TrackColumns {
+  const double* original;
+  const double* decoded;
+  Eigen::Index original_stride;
+  Eigen::Index decoded_stride;
+  Eigen::Index rows;
+
+  template <typename Vector>
+  MOCAPRESS_INLINE void difference(Eigen::Index column, Eigen::Index row, Vector& found) const {
+    Vector before;
+    load(decoded + column * decoded_stride + row, found);
+    load(original + column * original_stride + row, before);
+    found -= before;
+  }
+};
+
+/// Errors of a joint from row t on, as OfJoint has them; returns the first row that is left over.
+template <typename Vector>
+MOCAPRESS_INLINE Eigen::Index find_errors(const TrackColumns& tracks, Eigen::Index origin,
+                                          Eigen::Index shell, Eigen::Index t, double* errors) {
+  constexpr double kPerLength = 1 / kShellRadius;
+  for (; t + kLanes<Vector, double> <= tracks.rows; t += kLanes<Vector, double>)
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      Vector of_origin;
+      tracks.difference(origin + i, t, of_origin);
+      store(of_origin, errors + i * tracks.rows + t);
+      for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        Vector along;
+        tracks.difference(shell + 3 * axis + i, t, along);
+        const Vector error = (along - of_origin) * kPerLength;
+        store(error, errors + (3 + 3 * axis + i) * tracks.rows + t);
+      }
+    }
+  return t;
+}
+
+#ifdef MOCAPRESS_WITH_AVX2
+MOCAPRESS_FOR_AVX2 Eigen::Index find_errors_with_avx2(const TrackColumns& tracks,
+                                                      Eigen::Index origin, Eigen::Index shell,
+                                                      double* errors) {
+  return find_errors<Doubles4>(tracks, origin, shell, 0, errors);
+}
+#endif
+
+}  // namespace
+
 const JointErrors::OfJoint& JointErrors::of(int joint) {
   std::optional<OfJoint>& found = found_[static_cast<std::size_t>(joint)];
   if (found) return *found;
-  // Column by column: of blocks Eigen makes slower loops.
   OfJoint& errors = found.emplace(original_.rows(), 12);
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    const Eigen::Index origin = Eigen::Index{3} * joint + i;
-    errors.col(i) = decoded_.col(origin) - original_.col(origin);
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const Eigen::Index column = shell_ + Eigen::Index{9} * joint + 3 * axis + i;
-      errors.col(3 + 3 * axis + i) =
-          (decoded_.col(column) - original_.col(column) - errors.col(i)) * (1 / kShellRadius);
-    }
-  }
+  const TrackColumns tracks{original_.data(), decoded_.data(), original_.outerStride(),
+                            decoded_.outerStride(), original_.rows()};
+  const Eigen::Index origin = Eigen::Index{3} * joint;
+  const Eigen::Index shell = shell_ + Eigen::Index{9} * joint;
+  Eigen::Index t = 0;
+#ifdef MOCAPRESS_WITH_AVX2
+  if (has_avx2()) t = find_errors_with_avx2(tracks, origin, shell, errors.data());
+#endif
+  t = find_errors<Doubles2>(tracks, origin, shell, t, errors.data());
+  find_errors<Doubles1>(tracks, origin, shell, t, errors.data());
   return errors;
 }
 
@@ -108,15 +157,14 @@ MOCAPRESS_FOR_AVX2 Eigen::Index square_with_avx2(const double* columns, Eigen::I
 
 }  // namespace
 
-Eigen::VectorXd JointErrors::squared(const OfJoint& of_joint, const Eigen::Vector3d& in_joint) {
-  Eigen::VectorXd squares(of_joint.rows());
+void JointErrors::find_squares(const OfJoint& of_joint, const Eigen::Vector3d& in_joint,
+                               Eigen::Ref<Eigen::VectorXd> squares) {
   Eigen::Index t = 0;
 #ifdef MOCAPRESS_WITH_AVX2
   if (has_avx2()) t = square_with_avx2(of_joint.data(), of_joint.rows(), in_joint, squares.data());
 #endif
   t = square_of<Doubles2>(of_joint.data(), of_joint.rows(), in_joint, t, squares.data());
   square_of<Doubles1>(of_joint.data(), of_joint.rows(), in_joint, t, squares.data());
-  return squares;
 }
 
 Eigen::VectorXd JointErrors::degrees(const OfJoint& of_joint) {

@@ -30,7 +30,8 @@ class JointErrors {
   const OfJoint& of(int joint);
 
   /// The squared error of a point at each frame, cm^2.
-  static Eigen::VectorXd squared(const OfJoint& of_joint, const Eigen::Vector3d& in_joint);
+  static void find_squares(const OfJoint& of_joint, const Eigen::Vector3d& in_joint,
+                           Eigen::Ref<Eigen::VectorXd> squares);
 
   /// The angle by which the joint is turned, at each frame.
   static Eigen::VectorXd degrees(const OfJoint& of_joint);

@@ -3,6 +3,7 @@
 
 #include "core/codec/encode/form_choice.h"
 #include "core/codec/encode/segmented_encode.h"
+#include "core/metrics/visibility.h"
 #include "core/motion/body_tracks.h"
 
 namespace mocapress {
@@ -38,6 +39,15 @@ const Eigen::MatrixXd& ClipAnalysis::original_body() const {
   if (same_) return same_->original_body();
   return original_body_.get(Only(), [&] {
     return std::make_unique<Eigen::MatrixXd>(body_tracks(motion_.skeleton, motion_.clip));
+  });
+}
+
+const Jitter& ClipAnalysis::original_jitter() const {
+  if (same_) return same_->original_jitter();
+  const Eigen::MatrixXd& tracks = original_body();
+  return original_jitter_.get(Only(), [&] {
+    return std::make_unique<Jitter>(
+        jitter_of(motion_.skeleton, tracks, motion_.clip.sample_rate_hz));
   });
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/codec/encode/closed_loop.h"
 #include "core/feet/contact_spans.h"
+#include "core/metrics/jitter.h"
 #include "core/motion/loop.h"
 #include "core/motion/rotation_form.h"
 #include "core/select/error_model.h"
@@ -53,6 +54,8 @@ class ClipAnalysis {
   const ErrorModel& model(Weighting weighting) const;
   const ClosedLoop& closed_loop(Basis basis, Weighting weighting) const;
 
+  const Jitter& original_jitter() const;  // jitter_of()
+
   Loop loop() const;  // find_loop()
 
   /// The contacts of the feet, found on the original; empty if there are no feet.
@@ -90,6 +93,7 @@ class ClipAnalysis {
   OnDemand<Only, Eigen::MatrixXd> original_tracks_;
   OnDemand<Only, Eigen::MatrixXd> original_body_;
   OnDemand<Only, std::vector<ContactSpan>> contacts_;
+  OnDemand<Only, Jitter> original_jitter_;
   OnDemand<Only, Loop> loop_;
   OnDemand<Basis, Coefficients> coefficients_;
   OnDemand<Basis, BasisAnalysis> bases_;

@@ -42,6 +42,7 @@ class ClosedLoop {
     // by which logarithm eps_x grew in it.
     double bit_price = 0;
     double growth = 0;
+    Eigen::MatrixXf errors;  // of quantise(): decoded minus original, frames x channels
   };
 
   /// Quantises in steps that move the landmarks by about `scale` cm. Each frame's errors count by

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/base/instruction_sets.h"
 #include "core/base/parallel.h"
 
 #ifdef __SSE2__
@@ -68,6 +69,68 @@ class PriceControl {
   double growth_;
   double dearer_ = 0;
 };
+
+// Loops below are over so many numbers as are known beforehand: of such the compiler makes vector
+// instructions.
+constexpr int kAtATime = 8;
+
+/// Whole steps in what is left of some coefficients when `less` is taken off.
+template <int kCount>
+MOCAPRESS_INLINE void cut_to_steps(const double* __restrict coefficients,
+                                   const float* __restrict less, double per_unit, double added,
+                                   int* __restrict values) {
+  for (int i = 0; i < kCount; ++i) {
+    const double steps = (coefficients[i] - static_cast<double>(less[i])) * per_unit;
+    const double size = std::abs(steps) < kMostSteps ? std::abs(steps) : kMostSteps;
+    values[i] = static_cast<int>(std::copysign(size + added, steps));
+  }
+}
+
+/// What so many steps lack of the coefficients.
+template <int kCount>
+MOCAPRESS_INLINE void find_differences(const int* __restrict values, double step,
+                                       const double* __restrict coefficients,
+                                       float* __restrict differences) {
+  for (int i = 0; i < kCount; ++i)
+    differences[i] = static_cast<float>(values[i] * step - coefficients[i]);
+}
+
+#ifdef MOCAPRESS_WITH_AVX2
+MOCAPRESS_FOR_AVX2 void cut_to_steps_with_avx2(const double* coefficients, const float* less,
+                                               double per_unit, double added, int* values) {
+  cut_to_steps<kAtATime>(coefficients, less, per_unit, added, values);
+}
+MOCAPRESS_FOR_AVX2 void find_differences_with_avx2(const int* values, double step,
+                                                   const double* coefficients, float* differences) {
+  find_differences<kAtATime>(values, step, coefficients, differences);
+}
+#endif
+
+void cut_to_steps(const double* coefficients, const float* less, int count, double per_unit,
+                  double added, int* values) {
+  int i = 0;
+#ifdef MOCAPRESS_WITH_AVX2
+  if (has_avx2())
+    for (; i + kAtATime <= count; i += kAtATime)
+      cut_to_steps_with_avx2(coefficients + i, less + i, per_unit, added, values + i);
+#endif
+  for (; i + 4 <= count; i += 4)
+    cut_to_steps<4>(coefficients + i, less + i, per_unit, added, values + i);
+  for (; i < count; ++i) cut_to_steps<1>(coefficients + i, less + i, per_unit, added, values + i);
+}
+
+void find_differences(const int* values, int count, double step, const double* coefficients,
+                      float* differences) {
+  int i = 0;
+#ifdef MOCAPRESS_WITH_AVX2
+  if (has_avx2())
+    for (; i + kAtATime <= count; i += kAtATime)
+      find_differences_with_avx2(values + i, step, coefficients + i, differences + i);
+#endif
+  for (; i + 4 <= count; i += 4)
+    find_differences<4>(values + i, step, coefficients + i, differences + i);
+  for (; i < count; ++i) find_differences<1>(values + i, step, coefficients + i, differences + i);
+}
 
 std::span<float> span_of(Eigen::ArrayXf& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
@@ -153,10 +216,9 @@ void ClosedLoopRun::begin() {
     Eigen::ArrayXf differences(errors_.rows());
     for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
       const Band& band = bands_[static_cast<std::size_t>(b)];
-      const double step = step_in(j, b);
-      for (int c = band.first; c < band.first + band.size; ++c)
-        differences(c) =
-            static_cast<float>(coded_.values(c, j) * step - loop_.transform_.values(c, j));
+      find_differences(values_of(j) + band.first, band.size, step_in(j, b),
+                       loop_.transform_.values.col(j).data() + band.first,
+                       differences.data() + band.first);
     }
     loop_.transform_.lifting.inverse(span_of(differences), span_of(differences));
     errors_.col(j) = differences;
@@ -182,6 +244,7 @@ ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
     result.complete = should_continue(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
   }
   result.coded = std::move(coded_);
+  result.errors = std::move(errors_);
   return result;
 }
 
@@ -343,13 +406,8 @@ Eigen::VectorXi ClosedLoopRun::quantised(int j, const Samples& less) const {
   for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
     const Band& band = bands_[static_cast<std::size_t>(b)];
     const double per_unit = 1 / step_in(j, b);
-    const double added = b == 0 ? 0.5 : kDeadZone;
-    for (int c = band.first; c < band.first + band.size; ++c) {
-      const double steps =
-          (loop_.transform_.values(c, j) - static_cast<double>(less(c))) * per_unit;
-      const auto cut = static_cast<int>(std::min<double>(std::abs(steps), kMostSteps) + added);
-      values(c) = steps < 0 ? -cut : cut;
-    }
+    cut_to_steps(loop_.transform_.values.col(j).data() + band.first, less.data() + band.first,
+                 band.size, per_unit, b == 0 ? 0.5 : kDeadZone, values.data() + band.first);
   }
   return values;
 }

@@ -21,17 +21,21 @@ namespace {
 /// Decodes what an encoding came to, measures it, and keeps of it what is asked for.
 class Outcome {
  public:
+  /// `source`: the forms of angles that the decoded clip is to have, if others than are coded.
   Outcome(const ClipAnalysis& analysis, const EncodeOptions& options,
-          const CompressedClip& compressed)
+          const CompressedClip& compressed, const std::optional<RotationForms>& source)
       : original_(compressed.segments ? Original(analysis.motion()) : original_of(analysis)),
         keeps_all_(!options.figures_only),
         compressed_(compressed),
+        source_(source),
+        landmark_columns_(3 * std::ssize(landmarks(compressed.skeleton))),
         finish_(compressed),
         distortion_(compressed.skeleton, compressed.frames,
                     keeps_all_ || !compressed.segments ? Detail::Distances : Detail::Figures),
         footskate_(contacts_for(analysis, options), compressed.sample_rate_hz),
         visibility_(compressed.skeleton, compressed.frames, compressed.sample_rate_hz,
-                    contacts_for(analysis, options)) {
+                    contacts_for(analysis, options),
+                    compressed.segments ? nullptr : &analysis.original_jitter()) {
     if (compressed.correction)
       knees_.emplace(compressed.skeleton, compressed.correction->effectors);
   }
@@ -40,6 +44,7 @@ class Outcome {
     if (keeps_all_) decoded_.sample_rate_hz = compressed_.sample_rate_hz;
     visit_decoded(compressed_, [&](int first, Uncorrected& block) { add(first, block); });
     encoding.decoded = std::move(decoded_);
+    encoding.tracks = std::move(tracks_);
     encoding.distortion = distortion_.distortion();
     if (!keeps_all_) encoding.distortion.distances.resize(0, 0);
     encoding.footskate = footskate_.footskate();
@@ -57,14 +62,36 @@ class Outcome {
  private:
   void add(int first, Uncorrected& block) {
     finish(first, block);
-    original_.compare(first, compressed_.skeleton, block.clip,
-                      [&](int from, const TrackRows& original, const TrackRows& decoded) {
-                        distortion_.add(from, original, decoded);
-                        footskate_.add(from, original, decoded);
-                        visibility_.add(from, original, decoded);
-                      });
+    if (keeps_all_ && source_) {
+      Clip converted;
+      parallel_for(0, 2, [&](int part) {
+        if (part == 0)
+          compare(first, block.clip);
+        else
+          converted = with_forms(Motion{compressed_.skeleton, block.clip}, *source_).clip;
+      });
+      block.clip = std::move(converted);
+    } else {
+      compare(first, block.clip);
+    }
     if (keeps_all_)
       put_rows(std::move(block.clip.channels), first, compressed_.frames, decoded_.channels);
+  }
+
+  void compare(int first, const Clip& clip) {
+    const auto measure = [&](int from, const TrackRows& original, const TrackRows& decoded) {
+      parallel_for(0, 2, [&](int part) {
+        if (part == 0) {
+          distortion_.add(from, original, decoded);
+        } else {
+          footskate_.add(from, original, decoded);
+          visibility_.add(from, original, decoded);
+        }
+      });
+      if (keeps_all_)
+        put_rows(decoded.leftCols(landmark_columns_), from, compressed_.frames, tracks_);
+    };
+    original_.compare(first, compressed_.skeleton, clip, measure);
   }
 
   void finish(int first, Uncorrected& block) {
@@ -80,6 +107,8 @@ class Outcome {
   const Original original_;
   const bool keeps_all_;
   const CompressedClip& compressed_;
+  const std::optional<RotationForms>& source_;
+  const Eigen::Index landmark_columns_;  // of body_tracks()
   const Finish finish_;
   DistortionMeter distortion_;
   FootskateMeter footskate_;
@@ -87,6 +116,7 @@ class Outcome {
   std::optional<KneeSpeed> knees_;  // none: no correction
   CorrectionResult correction_;
   Clip decoded_;
+  Eigen::MatrixXd tracks_;
 };
 
 /// What is measured is what the bytes say: they are read again, where that can be done at once. A
@@ -167,8 +197,12 @@ Encoding Encoder::encode(const EncodeOptions& options,
   const bool is_draft = options.method == Method::ClosedLoop && options.effort == Effort::Draft;
   if (!is_draft) read_again(found.compressed);
   Encoding encoding;
-  Outcome outcome(analysis, effective, found.compressed);
-  if (is_draft && found.compressed.known && found.compressed.motion.empty()) {
+  const bool in_other_forms = &analysis != analysis_.get();
+  std::optional<RotationForms> source;
+  if (in_other_forms) source = rotation_forms(motion().skeleton);
+  Outcome outcome(analysis, effective, found.compressed, source);
+  const bool is_estimated = found.compressed.likely_bytes.has_value();
+  if (is_draft && found.compressed.known && found.compressed.motion.empty() && !is_estimated) {
     // On a core of its own: coding takes as long as decoding and measuring together.
     std::vector<std::byte> motion;
     parallel_for(0, 2, [&](int part) {
@@ -181,14 +215,14 @@ Encoding Encoder::encode(const EncodeOptions& options,
   } else {
     outcome.run(found, encoding);
   }
-  found.compressed.known.reset();
+  if (!is_estimated) found.compressed.known.reset();
   encoding.compressed = std::move(found.compressed);
   encoding.compressed.loop = *effective.loop;
   if (effective.method == Method::ClosedLoop &&
       analysis_->chosen_forms() != rotation_forms(motion().skeleton)) {
     encoding.compressed.forms = analysis_->chosen_forms();
     encoding.compressed.skeleton = motion().skeleton;
-    if (!options.figures_only)
+    if (!options.figures_only && !in_other_forms)
       encoding.decoded = in_source_channels(encoding.compressed, std::move(encoding.decoded));
   }
   encoding.compressed.provenance = {options.method, options.weighting, options.seed,

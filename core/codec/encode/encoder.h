@@ -35,6 +35,9 @@ struct EncodeOptions {
   Ends ends = Ends::Even;                            // of a closed loop; their bytes count
   std::optional<Loop> loop;                          // whether it is one; unset: find_loop()
   bool figures_only = false;                         // without the decoded clip: see Encoding
+
+  /// A draft of a closed loop in one segment without correction is not coded: see Encoding.
+  bool size_will_do = false;
 };
 
 /// The coding that will be used. The closed loop has its own, whatever was asked for.
@@ -51,13 +54,18 @@ struct CorrectionResult {
   double fastest_knee_of_original = 0;
 };
 
-/// A finished encode, decoded again and measured. With `figures_only` the decoded clip and the
-/// distances stay empty, and percentiles are those of DistanceCounts. A closed loop in segments
-/// then takes memory that hardly grows with the clip. What grows: the contacts, what is seen in
-/// each tenth of a second, the coded bytes and, under a hard maximum, a weight for each frame.
+/// A finished encode, decoded again and measured. With `figures_only` the decoded clip, its tracks
+/// and the distances stay empty, and percentiles are those of DistanceCounts. With `size_will_do`
+/// the bytes of a draft are not there: compressed.likely_bytes says how many they will be, to some
+/// hundredths, and code_motion() makes them. Then all figures are of the very clip that `decoded`
+/// is, which is what these bytes will say but for the rounding of 32-bit floats. A closed loop in
+/// segments then takes memory that hardly grows with the clip. What grows: the contacts, what is
+/// seen in each tenth of a second, the coded bytes and, under a hard maximum, a weight for each
+/// frame.
 struct Encoding {
   CompressedClip compressed;
   Clip decoded;
+  Eigen::MatrixXd tracks;  // landmark_tracks() of it
   Distortion distortion;
   Footskate footskate;
   Visibility visibility;

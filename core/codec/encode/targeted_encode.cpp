@@ -15,6 +15,7 @@
 #include "core/codec/encode/goal.h"
 #include "core/codec/encode/scale_search.h"
 #include "core/codec/encode/segmented_encode.h"
+#include "core/codec/encode/size_estimate.h"
 #include "core/codec/encode/split_search.h"
 #include "core/metrics/rate.h"
 #include "core/select/annealing.h"
@@ -288,6 +289,13 @@ class TargetedEncode {
       compressed.known = std::make_shared<const KnownMotion>(std::move(coded));
   }
 
+  /// What a draft shows at once: how large it will be and how it moves.
+  void finish_draft(ClosedLoop::Result result, CompressedClip& compressed) const {
+    compressed.likely_bytes = estimated_bytes(result.coded, signal_neighbours(compressed));
+    compressed.known = std::make_shared<const KnownMotion>(
+        std::move(result.coded), analysis_.motion().clip.channels + result.errors.cast<double>());
+  }
+
   void weigh(Trial& trial) const {
     const CompressedClip& compressed = trial.compressed;
     trial.achieved = options_.target.kind == Target::Kind::CoefficientRatio
@@ -341,12 +349,14 @@ class TargetedEncode {
     // Trials that are weighed by their error alone need no bytes but for the one that is chosen.
     // What a draft takes is found while it is measured.
     const bool is_draft = effort == Effort::Draft && !correction_;
-    packs_ =
-        options_.target.kind != Target::Kind::Error || (effort != Effort::Default && !is_draft);
+    estimates_ = is_draft && options_.size_will_do;
+    packs_ = !estimates_ && (options_.target.kind != Target::Kind::Error ||
+                             (effort != Effort::Default && !is_draft));
     Trial trial = search_scale(guess, options_.target, goal_, effort,
                                analysis_.motion().clip.frames(), trials);
     if (!packs_ && !is_draft) set_motion(trial.compressed.known, trial.compressed);
     packs_ = true;
+    estimates_ = false;
     return trial;
   }
 
@@ -422,7 +432,10 @@ class TargetedEncode {
                 .growth = result.growth,
                 .iterations = result.sweeps,
                 .complete = result.complete};
-    if (with_bytes) finish(std::move(result.coded), trial.compressed);
+    if (with_bytes && estimates_)
+      finish_draft(std::move(result), trial.compressed);
+    else if (with_bytes)
+      finish(std::move(result.coded), trial.compressed);
     return trial;
   }
 
@@ -488,6 +501,7 @@ class TargetedEncode {
   std::optional<double> slide_without_cm_;
   bool remembers_ = false;  // what splits have in common
   bool packs_ = true;       // trials into bytes
+  bool estimates_ = false;  // how many that would be
   std::map<std::tuple<float, bool, int>, ClosedLoop::Result> quantised_;
   std::map<int, AnnealingReport> annealed_;  // by count
   Goal goal_;

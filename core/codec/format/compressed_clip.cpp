@@ -25,7 +25,7 @@ Skeleton CompressedClip::coded_skeleton() const {
 }
 
 std::size_t CompressedClip::motion_bytes() const {
-  return motion.size() + (segments ? segments->section_bytes() : 0) +
+  return likely_bytes.value_or(motion.size()) + (segments ? segments->section_bytes() : 0) +
          (correction ? correction->section_bytes() : 0) + (ends ? ends->section_bytes() : 0) +
          axes_section_bytes(coded_skeleton());
 }
@@ -98,6 +98,12 @@ void set_motion(QuantisedSignals coded, CompressedClip& clip) {
 void set_motion(std::shared_ptr<const KnownMotion> coded, CompressedClip& clip) {
   clip.motion = pack_adaptive(coded->coded(), clip);
   clip.known = std::move(coded);
+}
+
+void code_motion(CompressedClip& clip) {
+  clip.motion = pack_adaptive(clip.known->coded(), clip);
+  clip.likely_bytes.reset();
+  clip.known.reset();
 }
 
 }  // namespace mocapress

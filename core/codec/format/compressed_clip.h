@@ -70,6 +70,11 @@ class KnownMotion {
  public:
   explicit KnownMotion(QuantisedSignals coded) : coded_(std::move(coded)) {}
 
+  /// Where what it decodes to is known too, but for rounding.
+  KnownMotion(QuantisedSignals coded, Eigen::MatrixXd samples) : coded_(std::move(coded)) {
+    std::call_once(decoded_, [&] { samples_ = std::move(samples); });
+  }
+
   const QuantisedSignals& coded() const { return coded_; }
 
   /// What `decode(coded)` makes of it (frames x signals), asked for once.
@@ -95,6 +100,7 @@ struct CompressedClip {
   Coding coding = Coding::Deflate;
   std::vector<std::byte> motion;  // coefficients of every channel, then of the correction, coded
   std::shared_ptr<const KnownMotion> known;  // where its encoder still knows
+  std::optional<std::size_t> likely_bytes;   // of a motion that is known but not coded yet
   std::optional<CodedSegments> segments;     // of Coding::Adaptive only
   std::optional<CodedCorrection> correction;
   Loop loop = Loop::None;
@@ -105,6 +111,7 @@ struct CompressedClip {
   Skeleton coded_skeleton() const;
 
   /// What a ratio counts: motion, segments, correction, ends and turned axes, not the skeleton.
+  /// An estimate where the motion is not coded yet.
   std::size_t motion_bytes() const;
 
   /// How many of them are the correction's: what the motion alone would not take.
@@ -151,5 +158,11 @@ std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const Compre
 /// Makes them the motion of a clip in one segment.
 void set_motion(QuantisedSignals coded, CompressedClip& clip);
 void set_motion(std::shared_ptr<const KnownMotion> coded, CompressedClip& clip);
+
+/// Codes a motion that was only estimated, and forgets what is known.
+void code_motion(CompressedClip& clip);
+
+/// Which signals of a coded motion resemble one another.
+std::vector<SignalNeighbours> signal_neighbours(const CompressedClip& clip);
 
 }  // namespace mocapress

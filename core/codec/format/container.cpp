@@ -147,6 +147,7 @@ std::vector<std::byte> write_container(const CompressedClip& clip) {
 
 std::vector<std::byte> write_container(const Container& container) {
   const CompressedClip& clip = container.clip;
+  if (clip.likely_bytes) throw Error("the motion to be written is not coded yet");
   check_room({clip.skeleton, clip.sample_rate_hz, clip.segment_layout(),
               clip.correction ? static_cast<int>(clip.correction->effectors.size()) : 0});
   ByteWriter file;
