@@ -1467,6 +1467,10 @@
         <source>%L1 : 1</source>
         <translation>%L1 : 1</translation>
     </message>
+    <message>
+        <source>about %1</source>
+        <translation>environ %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::FolderSearch</name>
@@ -3009,6 +3013,10 @@
         <source>%1 / %2</source>
         <comment>skin</comment>
         <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>environ %1</translation>
     </message>
 </context>
 <context>

@@ -1456,6 +1456,10 @@
         <source>%L1 : 1</source>
         <translation>%L1 : 1</translation>
     </message>
+    <message>
+        <source>about %1</source>
+        <translation>約 %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::FolderSearch</name>
@@ -2992,6 +2996,10 @@
         <source>%1 / %2</source>
         <comment>skin</comment>
         <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>約 %1</translation>
     </message>
 </context>
 <context>

@@ -30,14 +30,22 @@ Tracks tracksOf(const Skeleton& skeleton, const Clip& clip) {
   return std::make_shared<const Eigen::MatrixXd>(landmark_tracks(skeleton, clip));
 }
 
-/// What follows from the compressed clip and its decoded motion.
-void complete(DecodedClip& decoded) {
+/// What follows from the bytes, or from how many there will be.
+void completeSize(DecodedClip& decoded) {
   const std::size_t motion_bytes = decoded.compressed.motion_bytes();
   decoded.ratio = compression_ratio(decoded.clip, motion_bytes);
   decoded.bits_per_joint_sample =
       bits_per_joint_sample({decoded.compressed.skeleton, decoded.clip}, motion_bytes);
-  const Skeleton& skeleton = decoded.compressed.skeleton;
-  decoded.tracks = tracksOf(skeleton, decoded.clip);
+  if (decoded.compressed.likely_bytes) return;
+  decoded.file = decoded.of_wavelets
+                     ? write_container(decoded.compressed)
+                     : write_compared(*find_comparison_method(decoded.method), decoded.compressed);
+}
+
+/// What follows from the compressed clip and its decoded motion.
+void complete(DecodedClip& decoded) {
+  completeSize(decoded);
+  if (!decoded.tracks) decoded.tracks = tracksOf(decoded.compressed.skeleton, decoded.clip);
   if (decoded.compressed.correction) {
     decoded.uncorrected = std::make_shared<const Motion>(Motion{
         decoded.compressed.coded_skeleton(), decoded.correction
@@ -45,9 +53,6 @@ void complete(DecodedClip& decoded) {
                                                  : decode_uncorrected(decoded.compressed).clip});
     decoded.uncorrected_tracks = tracksOf(decoded.uncorrected->skeleton, decoded.uncorrected->clip);
   }
-  decoded.file = decoded.of_wavelets
-                     ? write_container(decoded.compressed)
-                     : write_compared(*find_comparison_method(decoded.method), decoded.compressed);
 }
 
 void findArtifacts(DecodedClip& decoded, const Encoder& encoder,
@@ -56,7 +61,7 @@ void findArtifacts(DecodedClip& decoded, const Encoder& encoder,
     return measure_footskate(contacts, encoder.original_tracks(), tracks,
                              decoded.clip.sample_rate_hz);
   };
-  decoded.footskate = measure(*decoded.tracks);
+  if (!decoded.footskate) decoded.footskate = measure(*decoded.tracks);
   if (!decoded.visibility)
     decoded.visibility = measure_visibility(encoder.motion().skeleton, encoder.original_body(),
                                             body_tracks(encoder.motion().skeleton, decoded.clip),
@@ -98,7 +103,10 @@ DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeOp
   decoded.method = contender_name(encoding.compressed);
   decoded.compressed = std::move(encoding.compressed);
   decoded.clip = std::move(encoding.decoded);
+  if (encoding.tracks.size() > 0)
+    decoded.tracks = std::make_shared<const Eigen::MatrixXd>(std::move(encoding.tracks));
   decoded.distortion = std::move(encoding.distortion);
+  decoded.footskate = std::move(encoding.footskate);
   decoded.visibility = std::move(encoding.visibility);
   decoded.correction = std::move(encoding.correction);
   decoded.coefficient_ratio = encoding.coefficient_ratio;
@@ -126,6 +134,7 @@ DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original,
 
 DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original) {
   DecodedClip result = decoded;
+  result.footskate.reset();
   result.visibility.reset();
   result.distortion =
       measure(original.motion().skeleton, original.encoder->original_body(), result.clip);
@@ -167,8 +176,16 @@ OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character)
   return std::make_shared<const OriginalClip>(std::move(result));
 }
 
+DecodedPtr coded(const DecodedClip& decoded) {
+  DecodedClip result = decoded;
+  code_motion(result.compressed);
+  completeSize(result);
+  return std::make_shared<const DecodedClip>(std::move(result));
+}
+
 std::vector<std::byte> savedFile(const DecodedClip& decoded, const OriginalClip* original,
                                  const CodedTracks& tracks) {
+  if (decoded.compressed.likely_bytes) return savedFile(*coded(decoded), original, tracks);
   if (!original || !decoded.coefficient_ratio) return with_source(decoded.file, decoded.source);
   return with_coded_tracks(with_source(decoded.file, original->source), tracks);
 }

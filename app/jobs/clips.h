@@ -61,7 +61,7 @@ struct DecodedClip {
   std::string method;       // a method's name
   bool of_wavelets = true;  // else `compressed` is as OpenedMcpr has it
   CompressedClip compressed;
-  std::vector<std::byte> file;  // the .mcpr
+  std::vector<std::byte> file;  // the .mcpr; empty for a draft whose size is estimated
   SourceFormat source;          // in the .mcpr it was opened from
   Clip clip;
   Tracks tracks;
@@ -84,6 +84,9 @@ struct DecodedClip {
 
 using OriginalPtr = std::shared_ptr<const OriginalClip>;
 using DecodedPtr = std::shared_ptr<const DecodedClip>;
+
+/// The same clip with the bytes of a draft of which only their number was estimated.
+DecodedPtr coded(const DecodedClip& decoded);
 
 /// The .mcpr that saving writes. `tracks`: those of the original.
 std::vector<std::byte> savedFile(const DecodedClip& decoded, const OriginalClip* original,

@@ -17,7 +17,10 @@ constexpr double kDraftIkRatio = 16;  // of the paper's video
 /// Those of the answer that comes at once.
 EncodeOptions quickOptions(EncodeOptions wanted) {
   if (wanted.method == Method::Annealed) wanted.method = Method::Standard;
-  if (wanted.method == Method::ClosedLoop) wanted.effort = Effort::Draft;
+  if (wanted.method == Method::ClosedLoop) {
+    wanted.effort = Effort::Draft;
+    wanted.size_will_do = true;
+  }
   // To find what to spend on the feet takes many encodings.
   if (wanted.correction && !wanted.correction->ratio) wanted.correction->ratio = kDraftIkRatio;
   return wanted;
@@ -62,6 +65,7 @@ void Compressor::request(const EncodeOptions& options) {
   if (!encoder_) return;
   refine_later_.stop();
   refine_.abandon();
+  code_.abandon();
   wanted_ = options;
   if (const DecodedPtr known = results_.find(settingsKey(wanted_))) {
     quick_.abandon();
@@ -78,18 +82,20 @@ void Compressor::stopEarly() {
     refine_later_.stop();
     if (quick_answer_) emit answered(quick_answer_, true);
   }
+  coded_will_do_ = code_.busy();
   refine_.stopEarly();
 }
 
 void Compressor::abandon() {
   refine_later_.stop();
   refine_.abandon();
+  code_.abandon();
   quick_.abandon();
   newer_wanted_ = false;
 }
 
 bool Compressor::busy() const {
-  return quick_.busy() || refine_.busy() || refine_later_.isActive();
+  return quick_.busy() || code_.busy() || refine_.busy() || refine_later_.isActive();
 }
 
 void Compressor::startQuick() {
@@ -124,11 +130,24 @@ void Compressor::quickDone(const DecodedPtr& decoded) {
   quick_answer_ = decoded;
   if (newer_wanted_)
     startQuick();
+  else if (decoded->compressed.likely_bytes)
+    startCoding();
   else if (refines())
     refine_later_.start();
   else
     return answerFinally(decoded);
   emit answered(decoded, false);
+}
+
+void Compressor::startCoding() {
+  coded_will_do_ = false;
+  code_.start([decoded = quick_answer_](const Job&) { return coded(*decoded); },
+              [this](const DecodedPtr& decoded) {
+                quick_answer_ = decoded;
+                if (!coded_will_do_) refine_later_.start();
+                emit answered(decoded, coded_will_do_);
+              },
+              [this](const QString& message) { fail(message); });
 }
 
 void Compressor::answerFinally(const DecodedPtr& decoded) {

@@ -13,7 +13,8 @@
 namespace mocapress {
 
 /// Turns settings into answers, the newest settings only. The quick answer (a closed loop's draft,
-/// or the standard selection where annealing is asked for) comes at once and is refined then. New
+/// or the standard selection where annealing is asked for) comes at once and is refined then. That
+/// of a draft whose size is estimated comes again with its bytes, before it is refined. New
 /// settings abandon a running refinement at once, but let a quick answer finish: while a slider is
 /// dragged pictures keep coming. Settings answered before are answered at once.
 class Compressor : public QObject {
@@ -55,19 +56,22 @@ class Compressor : public QObject {
   }
   void startQuick();
   void quickDone(const DecodedPtr& decoded);
+  void startCoding();
   void startRefining();
   void refined(const DecodedPtr& decoded);
   void fail(const QString& message);
 
   JobRunner quick_;
+  JobRunner code_;  // the quick answer's bytes
   JobRunner refine_;
   QTimer refine_later_;  // so that a drag does not start them only to abandon them
   std::shared_ptr<const Encoder> encoder_;
   EncodeOptions wanted_;
-  bool newer_wanted_ = false;  // than what the quick job answers
-  bool out_of_reach_ = false;  // what the newest job found
-  DecodedPtr quick_answer_;    // null: there is none to these settings
-  ResultCache results_;        // of the encoder's clip
+  bool newer_wanted_ = false;   // than what the quick job answers
+  bool out_of_reach_ = false;   // what the newest job found
+  bool coded_will_do_ = false;  // no refinement is wanted any more
+  DecodedPtr quick_answer_;     // null: there is none to these settings
+  ResultCache results_;         // of the encoder's clip
 };
 
 }  // namespace mocapress

@@ -84,12 +84,29 @@ TEST_F(Compressing, AnswersWithADraftFirstAndTheClosedLoopAfter) {
     compressor_.setEncoder(makeEncoder(300));
     compressor_.request({.method = Method::ClosedLoop, .target = target, .effort = Effort::Best});
     ASSERT_TRUE(waitForFinal()) << failures_.join(u' ').toStdString();
-    ASSERT_EQ(answers_.size(), 2U);
-    EXPECT_EQ(answers_[0].method(), Method::ClosedLoop);
-    EXPECT_EQ(answers_[0].decoded->effort, Effort::Draft);
-    EXPECT_FALSE(answers_[0].final);
-    EXPECT_EQ(answers_[1].decoded->effort, Effort::Best);
+    ASSERT_EQ(answers_.size(), 3U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(answers_[i].method(), Method::ClosedLoop);
+      EXPECT_EQ(answers_[i].decoded->effort, Effort::Draft);
+      EXPECT_FALSE(answers_[i].final);
+    }
+    EXPECT_TRUE(answers_[0].decoded->compressed.likely_bytes);
+    EXPECT_TRUE(answers_[0].decoded->file.empty());
+    EXPECT_FALSE(answers_[1].decoded->compressed.likely_bytes);
+    EXPECT_FALSE(answers_[1].decoded->file.empty());
+    EXPECT_NEAR(answers_[0].decoded->ratio / answers_[1].decoded->ratio, 1, 0.25);
+    EXPECT_EQ(answers_[2].decoded->effort, Effort::Best);
   }
+}
+
+TEST_F(Compressing, ADraftCanBeSavedBeforeItIsCoded) {
+  compressor_.setEncoder(makeEncoder(200));
+  compressor_.request({.method = Method::ClosedLoop, .target = {Target::Kind::Error, 0.5}});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !answers_.empty(); }, kPatience));
+  compressor_.abandon();
+  const DecodedClip& draft = *answers_[0].decoded;
+  ASSERT_TRUE(draft.compressed.likely_bytes);
+  EXPECT_EQ(savedFile(draft, nullptr, {}), coded(draft)->file);
 }
 
 TEST_F(Compressing, ADraftSearchesForNoIkRatio) {

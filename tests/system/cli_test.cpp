@@ -615,7 +615,8 @@ TEST_F(Cli, BenchReportsExactlyTheDocumentedKeys) {
                                           "reference_us_per_iteration",
                                           "closed_loop_seconds",
                                           "closed_loop_frames_per_second",
-                                          "draft_ms"};
+                                          "draft_ms",
+                                          "coded_draft_ms"};
   std::set<std::string> keys = {"ik_us_per_frame", "ik_cyclic_descent_us_per_frame"};
   for (const std::string& key : measured)
     EXPECT_TRUE(figures.contains(key) && figures[key].is_number() && figures[key] > 0) << key;

@@ -67,10 +67,13 @@ void FiguresBar::setFigures(const std::optional<ResultFigures>& figures) {
   show(p99_, distance(known.p99_cm));
   show(max_, distance(known.max_cm));
   show(footskate_, distance(known.footskate_cm));
-  show(size_, QLocale().formattedDataSize(static_cast<qint64>(known.motion_bytes), 1,
-                                          QLocale::DataSizeSIFormat));
-  show(ratio_, tr("%L1 : 1").arg(known.ratio, 0, 'f', 1));
-  show(bits_, QLocale().toString(known.bits_per_joint_sample, 'f', 2));
+  const auto maybe_about = [&](const QString& text) {
+    return known.size_is_estimated ? tr("about %1").arg(text) : text;
+  };
+  show(size_, maybe_about(QLocale().formattedDataSize(static_cast<qint64>(known.motion_bytes), 1,
+                                                      QLocale::DataSizeSIFormat)));
+  show(ratio_, maybe_about(tr("%L1 : 1").arg(known.ratio, 0, 'f', 1)));
+  show(bits_, maybe_about(QLocale().toString(known.bits_per_joint_sample, 'f', 2)));
 }
 
 }  // namespace mocapress

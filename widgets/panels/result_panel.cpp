@@ -146,12 +146,17 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
       label->setText(kUnknown);
     return;
   }
-  ratio_->setText(tr("%L1 : 1").arg(figures->ratio, 0, 'f', 1));
+  const auto maybe_about = [&](const QString& text) {
+    return figures->size_is_estimated ? tr("about %1").arg(text) : text;
+  };
+  ratio_->setText(maybe_about(tr("%L1 : 1").arg(figures->ratio, 0, 'f', 1)));
   eps_->setText(distance(figures->eps_cm));
   eps_name_->setText(tr("eps_x, %1").arg(displayName(figures->weighting).toLower()));
   setEnds(*figures);
   bytes_->setText(
-      tr("%1 / %2", "bytes").arg(bytes(figures->motion_bytes), bytes(figures->file_bytes)));
+      figures->size_is_estimated
+          ? maybe_about(bytes(figures->motion_bytes))
+          : tr("%1 / %2", "bytes").arg(bytes(figures->motion_bytes), bytes(figures->file_bytes)));
   p95_->setText(distance(figures->p95_cm));
   p99_->setText(distance(figures->p99_cm));
   max_->setText(distance(figures->max_cm));
@@ -164,7 +169,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   coefficient_ratio_->setText(figures->coefficient_ratio
                                   ? tr("%L1 : 1").arg(*figures->coefficient_ratio, 0, 'f', 1)
                                   : kUnknown);
-  bits_->setText(QLocale().toString(figures->bits_per_joint_sample, 'f', 2));
+  bits_->setText(maybe_about(QLocale().toString(figures->bits_per_joint_sample, 'f', 2)));
   footskate_->setText(distance(figures->footskate_cm));
   slide_->setText(figures->slide ? tr("%1 / %2", "footskate")
                                        .arg(lengthText(figures->slide->mean_cm),

@@ -29,7 +29,8 @@ struct SeenFigures {
 struct ResultFigures {
   double ratio = 0;
   std::size_t motion_bytes = 0;
-  std::size_t file_bytes = 0;
+  std::size_t file_bytes = 0;                 // unknown where the size is estimated
+  bool size_is_estimated = false;             // and with it the ratio and the bits
   Weighting weighting = Weighting::BoneEnds;  // of eps_cm
   double eps_cm = 0;
   std::optional<double> p95_cm;

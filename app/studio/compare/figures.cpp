@@ -29,7 +29,8 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
   ResultFigures figures;
   figures.ratio = decoded.ratio;
   figures.motion_bytes = decoded.compressed.motion_bytes();
-  figures.file_bytes = document.file().size();
+  figures.size_is_estimated = decoded.compressed.likely_bytes.has_value();
+  if (!figures.size_is_estimated) figures.file_bytes = document.file().size();
   figures.weighting = provenance.weighting;
   figures.eps_cm = static_cast<double>(provenance.eps_cm);
   figures.max_cm = static_cast<double>(provenance.max_error_cm);

@@ -172,8 +172,8 @@ std::size_t estimated_bytes(const QuantisedSignals& coded,
                             const std::vector<SignalNeighbours>& neighbours) {
   const SizeParts parts = size_parts(coded, neighbours);
   // Fitted on corpus/train: mocapress-draft-study CORPUS/train fit.
-  const double bytes = 0.7163 * parts.details + 1.2267 * parts.signs + 0.8169 * parts.coarse +
-                       1.494 * parts.bands + 0.29 * parts.signals;
+  const double bytes = 0.6894 * parts.details + 1.3928 * parts.signs + 0.7343 * parts.coarse +
+                       1.6141 * parts.bands + 0.3191 * parts.signals;
   return static_cast<std::size_t>(std::lround(std::max(bytes, 1.0)));
 }
 
