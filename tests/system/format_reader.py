@@ -164,8 +164,9 @@ def bit_in_several(bits, contexts, weights, opinions=(), further=None, confidenc
     sets = [weights] if further is None else [weights, further]
     p = squash(sum(sum(w) * e for *w, e in zip(*sets, evidence)) >> 16)
     bit = bits.bit(p)
+    slowness = 18 if confidence else 17
     for i, e in enumerate(evidence):
-        change = (((65536 if bit else 0) - p) * e * 3 + 65536) >> 17
+        change = (((65536 if bit else 0) - p) * e * 3 + (1 << slowness - 1)) >> slowness
         for some in sets:
             some[i] = clamp(some[i] + change, -(2**22), 2**22)
     for context in contexts:
@@ -287,12 +288,14 @@ SHARED = [
     ("number_second", 6, 16, 16), ("number_third", 6, 16, 16), ("number_top", 6, 32),
     ("zero_opinion", 8, 32), ("class_opinion", 8, 8, 32), ("top_opinion", 8, 32),
     ("sign_opinion", 8, 32), ("next_opinion", 8, 32), ("lower_opinion", 8, 32),
+    ("number_fourth", 6, 32, 16),
 ]  # fmt: skip
 OWN = [("zero_own", 8), ("class_own", 8), ("sign_neighbours", 3, 3), ("sign_before", 3, 3)]
 INVERSE = [round(65536 / 2 ** ((q - 12) / 4)) for q in range(64)]
 TAILS = [round(2**30 / (1 + math.exp(j / 4))) for j in range(65)]
 SIZES = [0, 1, 2, 3, 3, 4, 4, 4, 5, 5, 5, 5, 5, 5, 6, 6]
 TAPS = 24
+REST_TAPS = 56
 
 
 def neighbours(joints, effectors):
@@ -362,6 +365,19 @@ class Prediction:
             for n in range(TAPS):
                 left = self.error[n] - (d * self.product[m][n] >> 14)
                 self.error[n] = clamp(left, -(2**40), 2**40)
+
+
+class Rest:
+    def __init__(self):
+        self.weight = [0] * REST_TAPS
+
+    def of(self, taps):
+        whole = 2048 + sum((w >> 8) * t for w, t in zip(self.weight, taps))
+        return clamp(whole >> 12, -2046, 2046)
+
+    def follow(self, taps, error):
+        step = over(error * 121635, 37120 + sum(t * t for t in taps))
+        self.weight = [clamp(w + step * t, -(2**22), 2**22) for w, t in zip(self.weight, taps)]
 
 
 def tail(z):
@@ -523,7 +539,7 @@ class Stream:
             self.confidence[5 * kind : 5 * kind + 5],
         )
 
-    def number(self, kind, a, b, c):
+    def number(self, kind, a, b, c, d):
         n = 0
         while True:
             m = min(n, 15)
@@ -534,6 +550,7 @@ class Stream:
                     ("number_first", kind, a, m),
                     ("number_second", kind, b, m),
                     ("number_third", kind, c, m),
+                    ("number_fourth", kind, d, m),
                 ],
             ):
                 break
@@ -550,8 +567,8 @@ class Stream:
             )
         return v - 1
 
-    def signed(self, kind, a, b, c):
-        v = self.number(kind, a, b, c)
+    def signed(self, kind, a, b, c, d):
+        v = self.number(kind, a, b, c, d)
         return (v + 1) // 2 if v % 2 else -(v // 2)
 
     def run(self):
@@ -561,6 +578,7 @@ class Stream:
         self.restless_of = [0] * len(self.pairs)
         self.deviation = [26 + 2**24 // inverse for inverse in INVERSE]
         self.predictions = [Prediction() for _ in self.pairs]
+        self.rests = [Rest() for _ in self.pairs]
         before = []
         for b in range(1, self.bands.count):
             size = self.bands.size(b) + 2
@@ -578,13 +596,16 @@ class Stream:
         before = 0
         for s, (sibling, mirror) in enumerate(self.pairs):
             model = mirror if mirror >= 0 else s - 1
+            expected = self.exponents[model] if model >= 0 else 0
+            beside = self.exponents[sibling] - expected if sibling >= 0 else 0
             before = self.signed(
                 1 if mirror >= 0 else 0,
                 1 if sibling == s - 1 else 0,
                 min(abs(before), 15),
                 8 + clamp(before, -7, 7),
+                16 + clamp(beside, -15, 15) if sibling >= 0 else 0,
             )
-            self.exponents.append((self.exponents[model] if model >= 0 else 0) + before)
+            self.exponents.append(expected + before)
             if not -128 <= self.exponents[-1] <= 127:
                 refuse("a step exponent out of bounds")
 
@@ -597,10 +618,13 @@ class Stream:
             change = self.values[t][i] - (self.values[t][i - 1] if i > 0 else 0)
             return min(1 + digits(abs(change)), 15)
 
+        half_octaves = (struct.unpack("<I", struct.pack("<f", self.scale))[0] >> 22) - 254
+        fineness = self.exponents[s] + self.bands.depth(0) - half_octaves
+        fineness = clamp(over(fineness, 2) + 6, 0, 31)
         for i in range(self.bands.size(0)):
             b = size(sibling, 0) if i == 0 else 0 if i == 1 else size(s, i - 1)
             kind = (2 if i == 0 else 3) + (2 if s < 3 else 0)
-            change = self.signed(kind, size(mirror, i), b, size(s - 1, i))
+            change = self.signed(kind, size(mirror, i), b, size(s - 1, i), fineness)
             self.values[s][i] = (self.values[s][i - 1] if i > 0 else 0) + change
             if abs(self.values[s][i]) > 2**28:
                 refuse("a value out of bounds")
@@ -675,7 +699,10 @@ class Stream:
 
             taps = [normal(v) for v in own[:2] + parents[:2] + beside]
             taps += [normal(0 if t == sibling else value(t, i)) for t in range(s - 1, s - 15, -1)]
-            predicted = self.predictions[s].of(taps)
+            taps += [normal(value(t, i)) for t in range(s - 15, s - 47, -1)]
+            by_squares = self.predictions[s].of(taps)
+            rest = self.rests[s].of(taps)
+            predicted = clamp(by_squares + rest, -2046, 2046)
             mean = over(predicted * 65536, INVERSE[q])
             expectation = Expected(mean, self.deviation[q])
             # 6.7: the bits
@@ -718,7 +745,8 @@ class Stream:
             excess = clamp((distance * INVERSE[q] >> 14) - 256, -256, 512)
             restless[i + 1] = clamp(restless[i + 1] + over(60 * excess, 256), -2048, 2048)
             self.restless_of[s] = clamp(self.restless_of[s] + over(15 * excess, 256), -2048, 2048)
-            self.predictions[s].follow(taps, normal(result) - predicted)
+            self.predictions[s].follow(taps, normal(result) - by_squares)
+            self.rests[s].follow(taps, normal(result) - by_squares - rest)
             recent += over(64 * min(magnitude, 255) - recent, 8)
             activity[i + 1] += min(magnitude, 8)
 

@@ -60,7 +60,7 @@ void code_coefficients(Bits& bits, const std::vector<SignalNeighbours>& neighbou
   const runtime::QuantisedView view{length, signal_count, coded.step_exponent.data(),
                                     coded.values.data()};
   const OwnMemory<runtime::CoderNotes> notes(bands, signal_count);
-  runtime::CoefficientCoder(bits, neighbours.data(), bands, model, view, *notes).run();
+  runtime::CoefficientCoder(bits, neighbours.data(), bands, model, view, *notes, coded.scale).run();
 }
 
 /// The coded bytes. `learned` is what clips of a bank taught, if any: learned_priors.h.

@@ -28,7 +28,7 @@ mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neig
   RangeDecoder bits(coded.data + 2, coded.size - 2);
   model.begin();
   if (const mcpr_result result = learn(learned, model); failed(result)) return result;
-  CoefficientCoder(bits, neighbours, bands, model, view, notes).run();
+  CoefficientCoder(bits, neighbours, bands, model, view, notes, scale).run();
   const std::size_t offset = coded.offset + 2 + bits.position();
   if (bits.exhausted()) return failure(MCPR_INVALID, offset, "the coded motion ends early");
   if (bits.refused())

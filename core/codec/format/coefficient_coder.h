@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdlib>
 #include <utility>
@@ -41,6 +42,7 @@ struct CoderNotes {
   std::size_t activity_size;
   int* restless_signals;          // the same of each signal
   SignalPrediction* predictions;  // of each signal
+  RestPrediction* rests;          // likewise
 
   CoderNotes(Memory& memory, const Bands& bands, int signal_count)
       : sums(memory.take<std::int64_t>(static_cast<std::uint64_t>(signal_count))),
@@ -50,6 +52,7 @@ struct CoderNotes {
     restless = memory.take<int>(activity_size);
     restless_signals = memory.take<int>(static_cast<std::uint64_t>(signal_count));
     predictions = memory.take<SignalPrediction>(static_cast<std::uint64_t>(signal_count));
+    rests = memory.take<RestPrediction>(static_cast<std::uint64_t>(signal_count));
   }
 };
 
@@ -81,21 +84,26 @@ template <typename Bits>
 class CoefficientCoder {
  public:
   CoefficientCoder(Bits& bits, const SignalNeighbours* neighbours, const Bands& bands,
-                   CoefficientModel& model, const QuantisedView& coded, const CoderNotes& notes)
+                   CoefficientModel& model, const QuantisedView& coded, const CoderNotes& notes,
+                   float scale)
       : bits_(bits),
         neighbours_(neighbours),
         bands_(bands),
         model_(model),
         at_(model.layout),
         coded_(coded),
-        notes_(notes) {}
+        notes_(notes),
+        fineness_(bands.depth(0) - half_octaves_of(scale)) {}
 
   void run() {
     code_fineness();
     for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) code_coarse(s);
     std::fill_n(notes_.sums, coded_.signal_count, 0);
     std::fill_n(notes_.restless_signals, coded_.signal_count, 0);
-    for (int s = 0; s < coded_.signal_count; ++s) notes_.predictions[s].begin();
+    for (int s = 0; s < coded_.signal_count; ++s) {
+      notes_.predictions[s].begin();
+      notes_.rests[s].begin();
+    }
     for (std::size_t scale = 0; scale < deviations_.size(); ++scale)
       deviations_[scale] = 26 + (1 << 24) / kInverseScales[scale];
     for (int b = 1; b < bands_.count; ++b) {
@@ -130,10 +138,10 @@ class CoefficientCoder {
     for (std::size_t i = 0; i < count; ++i) believed[i] = &context_at(contexts[i]);
     const Confidence* const confidence =
         confidences_[static_cast<std::size_t>(MixingSets::kind_of(set))].data();
-    MixedBit<count, opinion_count> mixed(believed, model_.weights[at], opinions, confidence,
-                                         of_scale);
+    using Mixed = MixedBit<count, opinion_count>;
+    Mixed mixed(believed, model_.weights[at], opinions, confidence, of_scale);
     bit = bits_.code(bit, mixed.one());
-    mixed.follow(bit);
+    mixed.follow(bit, Mixed::kSlower);
     note(bit, contexts, set, opinions);
     return bit;
   }
@@ -176,16 +184,28 @@ class CoefficientCoder {
     }
   }
 
-  /// Exp-Golomb: the digits of v + 1 in unary, then those below the first. Relations are 0 ... 15.
-  int code_number(int v, int kind, int first, int second, int third) {
+  /// Of v > 0, rounded down.
+  static int half_octaves_of(float v) {
+    return static_cast<int>(std::bit_cast<std::uint32_t>(v) >> 22) - 2 * 127;
+  }
+
+  /// Whole numbers in the terms of the contexts: three are 0 ... 15, the last 0 ... 31.
+  struct Relations {
+    int first, second, third, fourth;
+  };
+
+  /// Exp-Golomb: the digits of v + 1 in unary, then those below the first.
+  int code_number(int v, int kind, const Relations& relations) {
     constexpr int kMostDigits = 30;
     const int wanted = digits_of(v + 1) - 1;
     int digits = 0;
     for (;; ++digits) {
       const int n = std::min(digits, 15);
       if (!code(digits < wanted,
-                {at_.number_plain.at(kind, digits), at_.number_first.at(kind, first, n),
-                 at_.number_second.at(kind, second, n), at_.number_third.at(kind, third, n)},
+                {at_.number_plain.at(kind, digits), at_.number_first.at(kind, relations.first, n),
+                 at_.number_second.at(kind, relations.second, n),
+                 at_.number_third.at(kind, relations.third, n),
+                 at_.number_fourth.at(kind, relations.fourth, n)},
                 MixingSets::kNumber + kind))
         break;
       if (digits == kMostDigits) {
@@ -203,8 +223,8 @@ class CoefficientCoder {
     return number - 1;
   }
 
-  int code_signed(int v, int kind, int first, int second, int third) {
-    const int folded = code_number(v > 0 ? 2 * v - 1 : -2 * v, kind, first, second, third);
+  int code_signed(int v, int kind, const Relations& relations) {
+    const int folded = code_number(v > 0 ? 2 * v - 1 : -2 * v, kind, relations);
     return folded % 2 != 0 ? (folded + 1) / 2 : -(folded / 2);
   }
 
@@ -225,7 +245,8 @@ class CoefficientCoder {
   const Confidences& confidences_ = confidences();
   QuantisedView coded_;
   CoderNotes notes_;
-  int scale_step_ = -1;                           // of the value in hand
+  int fineness_;         // of coarse samples whose step_exponent is 0, in half octaves
+  int scale_step_ = -1;  // of the value in hand
   std::array<std::int32_t, kScales> deviations_;  // mean distances from predictions, 256ths
 };
 
@@ -245,6 +266,7 @@ void CoefficientCoder<Bits>::begin_restless(int b) {
 
 template <typename Bits>
 void CoefficientCoder<Bits>::code_fineness() {
+  constexpr int kMiddle = kFourthRelations / 2;
   int before = 0;  // how far the last one was from what was expected of it
   for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) {
     const SignalNeighbours& neighbours = neighbours_[s];
@@ -252,9 +274,14 @@ void CoefficientCoder<Bits>::code_fineness() {
     const int model = mirrored ? neighbours.mirror : s - 1;
     const int expected = model < 0 ? 0 : coded_.step_exponent[model];
     std::int32_t& step_exponent = coded_.step_exponent[s];
-    before =
-        code_signed(step_exponent - expected, mirrored ? 1 : 0, neighbours.sibling == s - 1 ? 1 : 0,
-                    std::min(std::abs(before), 15), 8 + std::clamp(before, -7, 7));
+    const int beside =
+        neighbours.sibling < 0
+            ? 0
+            : kMiddle + std::clamp(coded_.step_exponent[neighbours.sibling] - expected, 1 - kMiddle,
+                                   kMiddle - 1);
+    before = code_signed(step_exponent - expected, mirrored ? 1 : 0,
+                         {neighbours.sibling == s - 1 ? 1 : 0, std::min(std::abs(before), 15),
+                          8 + std::clamp(before, -7, 7), beside});
     step_exponent = expected + before;
     if (step_exponent < kLeastStepExponent || step_exponent > kMostStepExponent) bits_.refuse();
   }
@@ -271,13 +298,16 @@ void CoefficientCoder<Bits>::code_coarse(int s) {
     return signal < 0 ? 0 : std::min(1 + digits_of(std::abs(difference(signal, i))), 15);
   };
   std::int32_t* const own = coded_.signal(s);
+  // In steps so fine numbers are as large as angles are.
+  const int fineness =
+      std::clamp((coded_.step_exponent[s] + fineness_) / 2 + 6, 0, kFourthRelations - 1);
   for (int i = 0; i < bands_[0].size && !bits_.failed(); ++i) {
     const int before = i > 0 ? own[i - 1] : 0;
     const int kind = (i == 0 ? 2 : 3) + (s < 3 ? 2 : 0);
     const int second = i == 0 ? size(neighbours.sibling, 0) : i == 1 ? 0 : size(s, i - 1);
     std::int32_t& value = own[i];
-    value = before +
-            code_signed(value - before, kind, size(neighbours.mirror, i), second, size(s - 1, i));
+    value = before + code_signed(value - before, kind,
+                                 {size(neighbours.mirror, i), second, size(s - 1, i), fineness});
     if (std::abs(value) > kMostSteps) bits_.refuse();
   }
 }
@@ -341,6 +371,11 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
   around.level = std::min(bands_.count - 1 - b, kLevels - 1);
   around.density = density;
   int recent = 0;  // 64ths
+  constexpr int kMostPredicted = 2 * SignalPrediction::kFarthest;
+  constexpr int kFurther = SignalPrediction::kTaps - 9;  // signals before: the first that least
+                                                         // squares do not look at
+  const int end_of_taps =
+      std::min(RestPrediction::kTaps, SignalPrediction::kTaps + std::max(s + 1 - kFurther, 0));
   for (int i = 0; i < band.size && !bits_.failed(); ++i) {
     const int own1 = magnitude_at(own, i - 1, band.size);
     const int own2 = magnitude_at(own, i - 2, band.size);
@@ -402,21 +437,28 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
           std::clamp<std::int64_t>(static_cast<std::int64_t>(v) * inverse >> 10,
                                    -SignalPrediction::kFarthest, SignalPrediction::kFarthest));
     };
-    SignalPrediction::Taps taps = {normal(at(own, i - 1, band.size)),
-                                   normal(at(own, i - 2, band.size)),
-                                   normal(has_parents ? at(parents, k, upper.size) : 0),
-                                   normal(has_parents ? at(parents, l, upper.size) : 0),
-                                   normal(at(sibling, i - 1, band.size)),
-                                   normal(at(sibling, i, band.size)),
-                                   normal(at(sibling, i + 1, band.size)),
-                                   normal(at(mirror, i - 1, band.size)),
-                                   normal(at(mirror, i, band.size)),
-                                   normal(at(mirror, i + 1, band.size))};
+    RestPrediction::Taps taps = {normal(at(own, i - 1, band.size)),
+                                 normal(at(own, i - 2, band.size)),
+                                 normal(has_parents ? at(parents, k, upper.size) : 0),
+                                 normal(has_parents ? at(parents, l, upper.size) : 0),
+                                 normal(at(sibling, i - 1, band.size)),
+                                 normal(at(sibling, i, band.size)),
+                                 normal(at(sibling, i + 1, band.size)),
+                                 normal(at(mirror, i - 1, band.size)),
+                                 normal(at(mirror, i, band.size)),
+                                 normal(at(mirror, i + 1, band.size))};
     for (int t = 10, other = s - 1; t < SignalPrediction::kTaps; ++t, --other)
       taps[static_cast<std::size_t>(t)] =
           normal(other == neighbours.sibling ? 0 : at(column(other, band), i, band.size));
+    std::ptrdiff_t further = std::ptrdiff_t{s - kFurther} * coded_.length + band.first + i;
+    for (int t = SignalPrediction::kTaps; t < end_of_taps; ++t, further -= coded_.length)
+      taps[static_cast<std::size_t>(t)] = normal(coded_.values[further]);
     SignalPrediction& prediction = notes_.predictions[s];
-    const int predicted = prediction.of(taps);
+    RestPrediction& rest = notes_.rests[s];
+    const int first_predicted = prediction.of(taps.data());
+    const int rest_predicted = rest.of(taps);
+    const int predicted =
+        std::clamp(first_predicted + rest_predicted, -kMostPredicted, kMostPredicted);
     const int mean = predicted * 65536 / inverse;  // 64ths, at most 2^24
     std::int32_t& deviation = deviations_[static_cast<std::size_t>(scale)];
     ExpectedValue expected(mean, deviation);
@@ -465,7 +507,9 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
         std::clamp<std::int64_t>((distance * inverse >> 14) - 256, -256, 512));  // 256ths
     restless[0] = std::clamp(restless[0] + 60 * excess / 256, -2048, 2048);
     restless_signal = std::clamp(restless_signal + 15 * excess / 256, -2048, 2048);
-    prediction.follow(taps, normal(value) - predicted);
+    const int left = normal(value) - first_predicted;
+    prediction.follow(taps.data(), left);
+    rest.follow(taps, left - rest_predicted);
     recent += (64 * std::min(magnitude, 255) - recent) / 8;
     activity[0] += std::min(magnitude, 8);
     notes_.sums[s] += std::min(magnitude, 255);

@@ -31,6 +31,7 @@ inline constexpr int kExpectations = 32;  // half_octave_of()
 inline constexpr int kClasses = 8;        // binary digits of a magnitude: 1 ... 8 or more
 inline constexpr int kNumberKinds = 6;
 inline constexpr int kNumberRelations = 16;
+inline constexpr int kFourthRelations = 32;
 inline constexpr int kSigns = 3;
 inline constexpr int kOpinionSteps = 32;  // opinion_step()
 
@@ -44,6 +45,7 @@ struct ContextLayout {
   ContextTable significant_level, significant_neighbours, significant_length;
   ContextTable number_plain, number_first, number_second, number_third, number_top;
   ContextTable zero_opinion, class_opinion, top_opinion, sign_opinion, next_opinion, lower_opinion;
+  ContextTable number_fourth;
   int shared = 0;
   ContextTable zero_own, class_own, sign_neighbours, sign_before;
   int end = 0;
@@ -78,6 +80,7 @@ struct ContextLayout {
     sign_opinion = table(kLevels, kOpinionSteps);
     next_opinion = table(kLevels, kOpinionSteps);
     lower_opinion = table(kLevels, kOpinionSteps);
+    number_fourth = table(kNumberKinds, kFourthRelations, 16);
     shared = end;
     zero_own = table(signal_count, kLevels);
     class_own = table(signal_count, kClasses);

@@ -9,202 +9,236 @@ namespace {
 
 // clang-format off
 constexpr std::string_view kContexts =
-    "3FKKNOPSCEGIKKOWFGHILMRVEIGHILRUHKKJLMPWKMMMLMQWOSPOQPRWT[WUUSYX3EJIJMOTHHHGGKLTIJJKKLPUHJ"
-    "JIJKOVJLKLMMPUNNNONNQWTTTSTSTXQ[XY][[[9FKKIMOVHHGHHILVNJKLKLOTHJIIJKPUJMMMMMQUPQQOPQSWTTVU"
-    "UUVYV`WY[Z[^CGMMMLNWMFJHIKLWQJMMLLPTKLJKNNOTQNNMLNQVSURRPQTUZVTUUTUZf[aZ[]Z^JFLMKNOXMHJJLN"
-    "OVRLMMOOQXLKKKLNQWQMMKOQRWTQQQPQTXYWTVRTUYh_]]][Z`MHNNOPTbLJMLMPOZQJMNOQS[MKLNMPR]OMPNPQRY"
-    "UQQRQPTY^WVVTTV[h_cc^_Z_PENPPSXiNJKNNPRYSNMLPRSYOMMMNRT[QPNPPRT^VPSQRRU[[VWVUVW[gb_a_]]`^I"
-    "NTV[bnMLMOQTZ_XNMNPWY]RLOOPUX^SPQRRUX_YSVVXTV__YYZYYY]iid_`a`b<>DCEFGO>?@@CCEQGDDDEGJTCEDC"
-    "DFJRKIHGHILUQOMNMMNT^SSUSSTYi eY[]_c:EGGIJMMDDDDDGIPIGFGIHMNEGCDEEIQHJIHGHKQMPJKHJMUOQMROQ"
-    "OV      SR<GIIJLLQFGEFFGISIGHJHJMQGFFFIHJSGJJHIHMRMMKJKKLTQTOPOOQW   IUXVW>ILKIKMPGFIHHHJT"
-    "IHIJKJNRFHGIJJMSJKIIKKKSNMNKMLMUPRQOQNPVObULZXWXIJNMLLNUJIJKKJNTNKILJNOQIKIIJKNSKKJKLLNRNO"
-    "OMMMOUSTSROOPWV[^YXYWZJJPOOPQWLIKKLNPTMJMNNOQVKKJLNNPVOLLMNOQTSQOONORTVVTSSRSW_^[Z[XXYNJOP"
-    "OSVZNJLJLQQYQLNLORSYMLNLNRTUPNOOOQTWTQQRRSTV^WUTUSUWf_[[[[Z[SIMOPPV`MKLMNPS[RLNQQRWYMLMMMR"
-    "U[RPOPQRWXURTTSRVY^UVVTVXZi[b]^[]^XHKLQTYfMMLOPRV[SMNMORW[SOOPQSV[TQQQRSW[XTTTSUXY]WXWYYWZ"
-    "je]`_^]`@    cgg      ccV   VO``_   fYWd^  c[YYdm  RSW[bfc^ZY[^bl d[Zfbf2-9;<AEEIHJHKMPRTX"
-    "YZ^^^_fef     1,67:ABDEGGHHKPRUXX]^adegim     2.48;>ACGHHIJLQSVWY[^aeeikmp    D-769CBDFHJJ"
-    "KNQUUX[[_acgjmlyj   J07::ADIHJLLONSSVX[^_befjmotr   S9<<?FDGKKMKLNQTWZ]]abehilosv   _<C<DF"
-    "JJLLNNNORUWY]`acfhjmnsw   oHFMILMOQPRTQSTYZ^^acefillopt   ;ILMNMXSW_DBEFGGJJMSHDHKHKROPTIH"
-    "HJIIROONMJKKKLSPSRTWONOQUSUUUO PTQXSUV   MOUaUSV      hXWX      tXX^=AAAEG[LRZ<;C?AA@EJJ?B"
-    "DFIDKHOPEB@EGDQILOIBEDGIRGMMSVMLLJTLNPd  PLOWOOS    OOYORS      cTTT      lYVWDD;;>=ZLMV99"
-    "D@>@ACEK@GDCDCLGJRCG?BEDPDFNA<ADCBQCHLMc;JEGTGILO  UONTKKO     P_NNQ      `SQR      eRRUM<"
-    "  CAZIMS  EHC3ADDK;IH7:=MDFKF  8GGQIKK<  IAEREFJ9= 9=AP?CI    CIUIFL     PWMLM      ]OOP  "
-    "    dRSR      WGHQ      <FNK     =S>@M    8;N;CK     =TCJM     HS@FJ     BSECG     DYJIH  "
-    "    XPLM      `WPP      V:FR        S@      N EH      P<@J      N=;H      SI@L      RDAJ  "
-    "    TCDG      YMHI      ZOKN      V ?R        <       L  I      L  G      N  L      K78H  "
-    "    Q8JK      P;FI      S@?H      ZION      U  R                J  G      L  D      L  H  "
-    "    L  J      K 8G      L HJ      N  J      W EMX;B?DIGIJIKLNPSUWY[^``dfilot{   _>@<?GFGKG"
-    "KIJLOPSUVXZ]`beiiop   Z<:E@GJINMNMKHJKNQTUWWZ^adikl   X    FLJPPTSOMKIJLNPSTVZ^`fgl   U   "
-    " ;FGIQSSPPOLJIKMNQSVXZadi   S     QHLKTUOKNLMKJIKNNRTW[ac   S       NIRTSOJMKKMKIKLMNSV]b "
-    "  R       HIMOSOIKMMKLLQJKOOOTR                                   OA@DFGEGGHHIJLMNOPPPQNOP"
-    "POOL    Q<:FGFGJJGHJJIKLMNNOOOPPOPOPV   L    LGFKHMJKHHHKLNOOPPQPPPQS   K    WLNJOOMOILHIJ"
-    "LLNONPOOPPP   J      JHKKNILJMKIHILKMOOPNPO   L       CGMMHLHLIJKIFJKKNOPOR   K       OHIM"
-    "KLJJKHKJJJHIKKMMM                                                                         "
-    "          M       JI      GHLJ    JHKKK   LKMLLLN LONOMMM MMNMNMMNLMLNMMLLLLNLLMNMKKLMNNNN"
-    "N       EH      DHKM    FIHJL   HIJHIKL KJKKJKN JLLMNNMPMLMMNNNOLMKMLNNLLLMLLLLNN       HI"
-    "      EHLI    GFGMK   EEGGGKK GIIJLGK IHKJKILOILJLNMLNLMMKMMONIJMMLMMMP       KK      GHLI"
-    "    LDGLK   EHEHIOK EEFFHHJ JGHIJIGKGHIGLLJLMHMLKMMNNNIMNLMMM       KM        KF     JJLI "
-    "  H<JGIKN =HCHIHL >FEEBGHKHGGHHKHHHCGHJJJKKLGLKKMMN        ;        FO      <KI      HIIM "
-    "   D8FI   MHGELK; 9EHEEHM9MHHHJJOGHIIKLLK                 N        JI       GKK     <LI   "
-    "  IIHK    K@HK    ;3DH OFJHJIJ                                PLJLNON VNOMOOObOOOKMNP IPNL"
-    "NPQUOKONLOPQJJMMLNOGKPLMJLORM NLLLOQJ NKLLOOO NNNLNQK JKKJLMJ KLKLMMNRLOOMOONQNLMMLONPPSPO"
-    "QPRQQNPMQNNOPPJIFOMJKJHTVTTTQTWRNONOONOOOHJHMKJJLISVUSURUVSPOOMNOQOOLKHLLKMKIQUUPTRRTROOOL"
-    "NNROPMLKLKMOLKPSSMRQRRQONQKNORPQNLMLMMPMMPQQMPQQPQNNPONKROTNMPLMMOOPPOPNNORQQNOPMMNRPTLOQJ"
-    "ONOOTPNOLHORPPOOMPQPLMNIQORQMORSJMPHPIMQMLQNSXPNSRTQMVNXKFIKNPQNKQOS.MOPRV`cl{,EFIKOXZi|4A"
-    "DFINXYe|;CEGKO[[k|=EGHMQXaj|>JJKORWbn|=MOPQSTak|A MPSUPdn|3ECBEH8MPiPPSTUX`]i|9CDEHJCTd|=H"
-    "JJJN?VY[TSSTWYckp{FNMORRM^j|                    8HEEGJWP]|                                "
-    "                  0 <<=ETYdw,@CGLUafvu-QX[_eo{xu                                        1 "
-    " B?BMP_z- :>CGSVk|*B?FJOZimy,ELQW]kv{z                              @   JLWVj|3  A@EOT]|/ "
-    ">=CHTWk|.<CGMR`kp{+BFJPZg|||                    D    XOootC   PPZYl|0  BDGSTfv1 BCGLYao|2C"
-    "CGOVcgo|0CGLQXgo||                    E    ZM`fnB   SR]]p|5  CFJUX`|5 KHKR_l||5FEKQYen{|4D"
-    "HMTZjzy|                    D    ZN]hzB   OPXZgz9  NMQ]gs|9 JJMSat{|6DIKT`ryy|8NLPXasssx  "
-    "                  B    [N]aq>   PPZ^g|;  QQQ`bp|7 ONS[fyy|:MOQVprrsy                      "
-    "        D    XRgn|A   PR]ak{=  SWZfsz|5 MLS]rrsy                    PQNJ#                 "
-    "          F>)                             SVUTRPOONNNMLNOMJ8              QQQPOOMMNNMMKJKP"
-    "MK              [jle__^ZURPQQQONJF=             V^]ZYYXXVRQRQPRNLIH             WMbH&     "
-    "      RROQ#                                                                               "
+    "3FJKMOPSCFGIKJNVGGHILLQUEIGHILQUHKKIKMPWKMMMMMQWOSPOPPRWT[WUUSYX4EJIILOTIHHGGJLTJJJJKLOTHJ"
+    "JIJKOVILKLMMPUNNNOONQWTTTSTSTXQ[XY][[Z:FKKIMNVIHGHHHLVNJKLKLOTHIIIIKOUKMMMMMQUPQQOQQTWUTVT"
+    "UUVYV_WY[Z[_DGMMMLMWMFJHIKLVQJMMLLOTLLJKMNOTPMNNMNQVSURQPQTVZVUUUTVZf[aZ[][^KGMMKMOXMHJJLN"
+    "OURLMLOOQXLKKLLMQVQMMKOPRWURQQPQTXZWTVSTUYh_]]][Z`NHNONPTaMJLLMOOZRJMNNQSZNKLNMPQ]PMPMPQRX"
+    "UQQRQPTY_XVVTUVZi_bc^_[^QENOPSXiNJJNNPRYTMMLPRSXPLLMNRSZRPNPPQT^VPSRRRUZ]VWVUWW[gb_a_]]`^I"
+    "NSU[bnMLMOQTY_XOMNPWY]RLNNOUX^SOQRRUX_YSVUXTV__YXZYYY]iid`_a`b==CCDEEO?@@@BBDQIEEEEFITDFDC"
+    "DFJRKJIHIJLURPMNNMOT^SSUSTTYi eY[^_d:EGGHJLMEDDDDGHPKGFGHHLNEHCDEDHQHJIHGHJQMQKKHKMUOQMROQ"
+    "PV      SR<GIIJLKPGHEFEGISJGIIGHLPHFGFHHJSGJIHIHLRMNLJKLLTQTOPOORW   IUXVW>ILKIJLPHFIHHHJS"
+    "JHJJJIMRFHGHIJLRJKIIKKJSNMNKMLMUPRPOQNPVObULZXWXHINMLLMTJIKKJIMTNKILJMNQIKIJJKMSKKJKLMNROO"
+    "PMMMOTSTSQOOPWV[^YXYW[KJOOOOQVLIKKLNPTNJMNNOPULJJLNOPUOLMMNOQTTQPOOORUWVSSSRSW_^[Z[YXYOIPP"
+    "OSVZNJLJLPPXQLNLPRSXMLNLNRTUPNOOPQTWUQQRRSUV^VVTUTUWf_[[[[Z[THMOPPV`NKLMNPS[RKNQQRWXNLMMMR"
+    "UZRPOOQRWXVRTTSRVY^UVVTVXZi[b^^]]^XHKLPTYfMLLOPRV[TMOMORW[SOOPQTV[UQQQRSX[XTTTTVYZ^WXWYYXZ"
+    "jf]`_^]`@    cgg      bcW   VO``_   fYWd^  c[YYdm  RSW[bfd^ZY[^bl d[Zfbg2-8;<ADDGGIHJMPRTX"
+    "ZZ^^^_fef     0,67:ABCEFGHHLQSUXY]^adegim     1-58;?ABGGHIJLQTVXZ[^aeeikmp    D.86:CBDFHJK"
+    "KNQUUY[[_acgjmlyj   K08:;ADIIJLLONSSWX[^_bffjmotr   S:<<?FDGJKMLMORUWZ]]`behilosv   _<C=DF"
+    "JJLLNNNORUXY]`acfhjmnsw   oHFMILMOQPRTQSUY[^^acefillopt   ;ILMMMYSW_DAEFFGJJLSHDHKHKROPSJH"
+    "HJIIROOOMKKKKLSPSRUWPMOQVRUUUO PTQXSUV   MOUaUSV      hXWX      tXX^>ABBEG[LRZ=;C@ABADJJ?B"
+    "DFJDKHOPEBADGDQHLOJBFDGIRGLMSVNLLJTLMPd  PMOXOOS    OOZOQT      cTTU      mYVXDD;;>>[LMV99"
+    "D@>@ACEK@GCCDDLGJRCG?BEEQEFNB<AECDQDHLMc;JEGTGILO  UOOTKKO     P_OMQ      `SQR      eRRUM<"
+    "  CAZJMS  EHC3ADDL;IH7:=NEFKF  8GGQIKKF  IAERFHJ9= 9=AP@DI    CJUIFL     PWMKM      ]OOP  "
+    "    dRSS      WHIQ      <FNK     =S>@M    8;O;CK     >TDJL     HSAFK     BSFCH     DYJII  "
+    "    XPLM      `WPQ      V:FR        S?      N EI      P<@J      O=;I      SI@M      RDAJ  "
+    "    TCDG      YMHI      ZOKN      W ?R        <       L  I      L  G      O  L      K78I  "
+    "    R8JK      P;FJ      S@?H      ZION      U  R                J  G      M  D      L  H  "
+    "    L  J      L 8G      M HJ      N  J      W EMX<B?DIHHJIJKMPSUXY]_`aegilot{   _>?:?GFGKH"
+    "KIIKNPRUWX[^acfjjop   Z<:E@GJJNNOMKGIKMQTUWX[_beikl   Y    FLJPPTSONKIIKMOSTVZ_afhl   U   "
+    " ;GGJQTSPQOLKIKLMQRVX[bdi   S     QHLKTUOKNMMLJHKMMQTW]ac   S       NIRTSOJNLLMKIKLMMRV]b "
+    "  R       HIMPSPIKMMKLLQJKNOOTR                                   OA@EFGFGGHHIJLMNOPQPQNOP"
+    "POOL    Q<:;GEGJJGGJIHJLMNNOOOPPOPOPV   L    LGFKHNKKHGHJLMOOPPQPQPQS   K    WLNJOOMPILHII"
+    "KLMONQOOPPP   J      JHKKNILJMKIHILJMOOPNPO   L       CHMMHLHLIJKIFJJKNOPPR   K       OIIM"
+    "KLJJKIKKJJHJKKMMM                                                                         "
+    "          M       JI      GHLJ    JHKKK   LJMLLLN LNNOMMN MMNMNMMNLLMNMMLLLLNLLMNMKKLMMNNO"
+    "N       EH      CGKM    FIGJL   HIIHIKL KJKKJJN JLLMNNMPMLMMMNNOLMJMLMNLLLMLLLLNN       HI"
+    "      EGLI    GFGMK   EEGGFKK GIHJKGK IHKJJILOILJLMMLNLMMKMMNNIJMMLMMMP       KK      GHMI"
+    "    LDGLK   EHEHIOK EDFFHHJ JGIIJHGKGHIGLLJLLIMLKMMNNNIMOLMMM       JM        KF     JJLI "
+    "  H<JGIKO =GCHIHL >GFDCGIKIGGHHKHHHCGHJJIKKLHLKKMMN        ;        FO      <KI      HIIM "
+    "   D8FI   MHGELK; 9EHEEHM9MHHHJJOGHIHKLLL                 N        JI       GKK     <LI   "
+    "  IIHK    K@HK    ;3DH OFJHJIJ                                PLJLNON WNOMOOObOOOKMNO IPNM"
+    "NPRUOKOOLOPQJJMMLNOGKPLMJLORM NLLLOQJ NKLKOOO NNNLNQK JKKJLMJ KLKLMMNQMOONONNQNLMNMONPPSPN"
+    "QPRQQNPMQNNOPPKJGOMJLJISVTTTQTVRNONOONOOOHJHMLJJKISUUSURTVSPOOMNOPOOLKHLLLMKHQUUPTRRSROOPL"
+    "NNROPMLKLKMOLJPTSMRQQRQONQLNORPQNLMMMLPMMPQQMPQQPQNMPONLROTNMPLMMOOPPPPNNORQQNOPMMNQPTLOQJ"
+    "ONOOSQMOLHORPPNONPQPLMNJQNRQMNQRJMPHPIMQMLQNSWPMRRTQMVNXKFIKMPRNKPOS.NOPRV`cl{,EFIKNWYi|4A"
+    "DEIMWYe|;CEFKO[Zk|=EGHMQX`i|>KJKORWbm|=MOPQSUaj|A MQSUPdn|2ECAEH8MPiPPSTUX`]i|8DDEHJCTd|=H"
+    "JJJN?VY[TRSTWYckp{FNMPQSM^i|                    8HEEFJWP]|                                "
+    "                  0 <<=ESYdw,ACFLUaevu.QX[_en{xu                                        2 "
+    " C@AMP_z- 8>CGSVk|+B@FJP[imy,FLQW^kv{z                              @   JLWVj|3  A@EOT]|/ "
+    ">=CHTWk|/?CGMR`kp{+BFJQZg|||                    D    XOootC   PPYYl|/  BDGRTfv0 BCGLYao|2C"
+    "CHPVcgo|0CHLQYgo||                    E    ZM`fnB   RR]^p|5  CFJTX`|5 KHKR_l||5FEKQZen{|4E"
+    "HMT[jzy|                    D    ZN^hzA   PPXZgz9  NLQ]gs|9 KJMRat{|6EIKT`ryy|8NLPYasssx  "
+    "                  A    [N]bq=   QP[^g|;  QPQ`bp|7 ONS[gyy|:MOQVprrsy                      "
+    "        D    XRgn|A   OR^al{=  TWZfsz|5 MLS]rrsy                    ORNN#                 "
+    "          HA)                             RUTTRPOONNNMLNOMJ8              OQQQPONMMNMMKJKP"
+    "MK              Wjke_^[YVSRRRRPNJF=             V][ZYXWWVSQRRPSOLIH             PP^J&     "
+    "      PRMO#                                                                               "
     "                                                                                          "
-    "                                                                  M$              E@)     "
-    "                                                                                          "
-    "                                                                                          "
-    "                                                    SUTRQPOONNNNMONJ<GGIILKJI       TIIIHL"
-    "MLH       [UHIKIJLOI      c^VIHFIMPOI     hgaYGEGGMOI     mjgbXFDGLKM     sqigaWFEFHF     "
-    "tunigcWEEGL;    xvspkgaZDDFE    u{toohf`XEEFH   syyroojeaYEDG   xxxxppmggbYC@   uuuuuumimi"
-    "_XC6  ooooooooofo^R3  cccccccccccccc< PPPPOOMMMMMMLKMO@DFHJJGKJ       TLIFKJIJJ       _ULH"
-    "GLPFHI      f_XLHIJOHE      id`WKHMKOF:     lidaXJHMKPMI    okidcXJINJMH    snijdbWJIMJMJ "
-    "  snligb`WHIONNF  |s{ijeb`WKINMN= yyyygjgb`WJFPN< vvvvveed`^WIIPK rrrrrrrjf_dYGC  nnnnnnnn"
-    "neeeW<  dddddddddddWQ   ]jle__^ZURPPPQOK                                                  "
+    "                                                                  M%              FC)     "
     "                                                                                          "
     "                                                                                          "
-    "          V^[ZYXXXVRQRQPRL                                                                "
+    "                                                    MSSSRPPONNNMMOOK<HHJJLKH        XKJJIM"
+    "NMF       `WIKLKJLOI      e^XJIGJNPOI     ihc[HGHHMOI     migcZHEHLKM     rqjhbXGFGHF     "
+    "urnigeYFFHL;    wuspkgb^FEGE    u{soohfaYFEFH   syyrooiebZFEG   xxxxppmggbYD@   uuuuuulimj"
+    "_XC6  ooooooooofo^R3  cccccccccccccc< KQQQOONMNNMMLKMO@EFJLKHKJ       VOIFLKJJJ       _XMH"
+    "HNRGHI      fb[MHJKPIE      igcZKHMLOF:     kjgcZKHMKPMI    okjfdZKINJMH    rnijecYKJLKMJ "
+    "  snmigcaXIIONNF  |s{hjeb`XKINMN= yyyyfjgb`WKFPN< vvvvveed`^WIIPK rrrrrrrjf_dYHC  nnnnnnnn"
+    "neeeW<  dddddddddddWQ   Wjke_^[YVTRRRRPL                                                  "
     "                                                                                          "
-    "                                                                                      OWQQ"
-    "#           RLOR#           TSLK#           ZSJP$           NTOJ(           KMMB6         "
-    "  ORC-            PY6;            MM%             BA-             MK:6            HV,     "
-    "        #               4                                               CA,             O<"
-    "/             DU3             G-              *                                           "
     "                                                                                          "
-    "                                                                          ERUUSRSUSRPPPQOK"
-    "LQMPLKKOONMQO   PQRMNHKILLKI    STSRPPIIJKOI    UXTRQNPIIIML<   WYWTRPNPJKKMK<  X_YVURONQK"
-    "ID:   Xd]ZUUSNNRKIC   Ui_ZYXUTNOPIG8  Sfc^[XXURNPOIE  Rghb][XWSRNLJHM Rrik`[ZXWSQLG7  Qqne"
-    "lc[YWUUNL>  Pmumdi`^XUUSIG  Kessjgd^YWUSTOM;NQPPONNMMMLLMJMO?CEGHLLLI       UFGFGKPNNO    "
-    "  [NIHHEKOI       bUOIIFIIJQ      fXTOJIFIHOM     i^WUNJHHKJJ     je[VUOJHIJ5     lfc]XUOI"
-    "IHIH    lgfb]XUPJKKJE   oohgc^YWPJKHF   pjpedb_ZWOKIHQ  yykhfga]ZVOJA   muimdde_YWUPD:  rr"
-    "rifcdc_[YXN@  llllccblbXWj[VG ||rbXWUSRQPQPNMGriehigeaYTTSSSQLfffffffffVI                 "
-    "    OggggggROO      Pmmmmmm`KNC     P_nnnnnn]KPB    P`ooooof_VILF   QppppppcWUUKME  Uqqrrr"
-    "riSORWKO; VarrejibbSMSUMPFUdfjrc`_^`UNTVKIWqdbqqe^]_aRPTULVppbdppd`]_bSORNVooobbooc]]a_SMM"
-    "[jsssjcegea_][ULW`Z[]YWXXRQQQPSMCLXPPPA         UNYTKJ          XXRPMMT;        [[XZONNR9 "
-    "      _beVXSQMP9      ZZ^aTTSQNP9     c_YWZVTRKNN<    cd_[WYUTSLNU;   mld_bZ]XLSLLM   ullt"
-    "ebb`]ENKM   tttehda`ZZFSOOO srrrdr`gZ[VFULO rrqrrciaf]ZSEN< ppppppppd`[ZVDS<rrrrrrrrrrgrb]"
-    "RK                4+              HQ*             G]YB6           MdXL(           hUHR(   "
-    "        S]LJ#           QJRW#           NVQR#           SSMM'           QNKW'           QT"
-    "PN(           VLGB5           OG=6            |SE-            UL24                        "
-    "                                                    *               E-              Io3   "
-    "          P#              CA,             N>/             @5              L6              "
-    "                                                                                DQSTSSTTSR"
-    "QPPQOKJSMPLKKONNNPQ   ORTOOIKJNLKH    STTSPQIJJLNJI   UXSSQOQJJJNG<   WXWTSPOPKLKMK;  Y_YV"
-    "UROORKKFH   Xe]YVUSNORKIB   Ui_ZXYUSNPQJH7  Sed^ZXXTSNPOIE  Qghb][XXSQNLKHM Rqhj`[ZXWRQLG7"
-    "  Pqndlc[YWVTNK?  Oltlcl_^XTVSII  Kerrjgc^ZVUTTOM;                ELNOOONOOOONLJMNHMKLLLLM"
-    "MPMF    OONLLKKJIH:     UTOPMKKLMJE<    VYRPPLLLNLLI:   X]XTPQMKMMKKI   XbYYTQQNKLNKH<  Zd"
-    "b]ZROQNMMMGE  Zeh`ZZTRQNLLLF  VegbY]YSPQNKKOF WfiacYYXRQOMK?  VifgdbYZXSONLE  Uhgfea^XZWRM"
-    "LF  Sjuddc`^UZVPMLF R^tlgc_]ZVTUVORO||rbXWUSRQOQPNMGriehigeaYTTSSSQLfffffffffVI           "
-    "          OggggggROO      Pmmmmmm`KNC     P_nnnnnn]JOB    P`ooooof^VILF   QppppppbWUUKME  "
-    "UrqrrrriSORWKO; VarrejibbSLSUMPFUdfjrc`_^`UNTVKIWqdbqqe_]_aRPTUKWppbdppd`]_bSORNVooobbooc]"
-    "]a_SMM[jsssjcegea_][ULeeY[TSQPQRRPPNRO[`eecccb]USTSQSLVZ^V]]beZORXWVWLSS[TT^`eXOF;    S[W_"
-    "_WX]ZQRKI   SYZV]XUU[SQTJ<  PabXY[UVTZQROH  R_d_]XWVUSWRQSJ Qbi`ZZXVWYSZUM[HR_heb[[XWUVUZT"
-    "SMR^afeb[ZXWTWS[RJQ`ahhq`]XYXUVRZJQ`pcgggcTZVTQWSRRbnnaendaWZZUTTPQ^kkkaakaYSYUNUQPakkkka]"
+    "          V][ZXXWWVSQRRPSL                                                                "
+    "                                                                                          "
+    "                                                                                      MXPP"
+    "#           SKNP#           SSLK#           ^RIP$           NSNI(           ILLB6         "
+    "  PS@-            OW6;            KM%             A@,             LJ:6            FU,     "
+    "        #               4                                               CB,             R>"
+    "/             GV3             J-              )                                           "
+    "                                                                                          "
+    "                                                                          FSVWUTTUSRPPOPPL"
+    "QRNQLKKOOOMQO   SRSOOILJLLKI    UTSSPQJKKKNI    XWTRQOQKJIML<   YYVTRQOQKLLMK<  Z]YUUSPOQK"
+    "JD:   Zc]YUUTOORKJC   Ug_ZXXVUPOPJG8  Rfc^ZWWUSOPNIE  Qghc][XWTRNMJHM Qqij`[[XVSQLG7  Pqne"
+    "lb[ZWUTNL>  Oluldi_^YUUSIG  Kessjgc]YWUSTOM;PSRRPPONNMMMMJMO?CEGIMMMI       UFGFGLPONO    "
+    "  ZMIGHELOI       bVOIHFJIJQ      eYUOKIFJHOM     i_WVMKIHKKJ     jf[VUOJIJJ5     lfd]WUNI"
+    "JIIG    lheb]XUPJLKJE   ongfc^YWPJLHF   pjpedb_ZWOLIHQ  yykheg`]ZUOJA   muildce_YWUPD:  rr"
+    "rifcdc_[YXN@  llllcbblbXWj[VG ||qaWVSQPPOPPMMGridgigd`YVVUTTQMfffffffffVJ                 "
+    "    MggggggROO      Nmmmnmm_LOC     N^nnnnnn]KPC    N_ooooof_VJLF   OppppppcXUUKNE  Tqqqrr"
+    "riUQRWKO; U`rrekibbUOTUMPFTdfirc`^^_VOUVKIVqdbqqe^[^aTQUULVppbcppd`]^bTPROVooobbooc[]a_TMM"
+    "[jsssjcdfda^[ZUMX^YZ[XVWWTRRRQTNBKXPOQA         UNYTLI          XXRPLMT;        [ZXZONNR9 "
+    "      _beUXSQMP9      ZZ^aSSSPNP9     c_YWYUSRLNM<    cc_[WXUTSLNU;   mlc_bY[WLSLLM   ullt"
+    "dba_[FMKM   ussehca`YZGSOOO srrrcs`gZZUGULO rqqrrbi`e[YSFN< ppppppppd`[ZUES<rrrrrrrrrrfrb]"
+    "RL                5+              GP*             F[YB6           LdWK(           iTFR(   "
+    "        T^LJ$           RHRU#           NXPR#           SSLL'           PNKV'           QS"
+    "ON(           VKFB5           MF=6            |TA,            TK24                        "
+    "                                                    )               H-              Jo3   "
+    "          R$              CB,             Q@/             C6              N6              "
+    "                                                                                FSUVTTUTRR"
+    "PPOPPLLSOQLKKONONPQ   RRSOPJLJNKKH    UTSSQRJKJLNJI   XWTSRORKKJNG<   ZXWTSQOQKLKMK;  [^YV"
+    "USPPRLKFH   Zd]YVVUOORLJB   Ug_ZXYVUPPPKH7  Rec^ZXXUSOPOIE  Pghc][XWTRNMKHM Qqhia[ZXWSQMG7"
+    "  Pqndkb]ZWUTNK?  Nltlcl_^XTVSII  Jdrrifb^ZVUTTPM;                HNPPPPPPPOONLJMNGMLMLLLN"
+    "MPMF    RONLLLKKIH:     XTOQMLLLMKE<    YZSPPMLLNLMJ:   ZbZUPRMKNMKKI   Zc_[TRROLLNKI<  Zf"
+    "b^[SPRNMMMGE  Yfg`]ZURQNLMLF  UeicY]ZTPQNKKOF UficcZZXRQOMK?  TifgcaYZWSONLE  Sgggea^XZWRM"
+    "LF  Riuddb`]UZVPMLF P]tkfb^]ZUTUVORO||qaWUSQPOOPPMMGridgigd`YVVUTTQMfffffffffVJ           "
+    "          MggggggROO      Nmmmnmm_LOC     N^nnnnnn]KPC    N_ooooof_VJLF   OppppppcXUUKNE  "
+    "TqqqrrriUQRWKO; U`rrekibbUOTUMPFTdfirc`^^_VOUVKIVqdbqqe^]^aTQUULVppbcppd`]^bTPROVooobbooc["
+    "]a_TMM[jsssjcdfda^[ZUMfcXYTRQPQQQOPNRO[`deccba]VTUTRSMVZ^V]]adZQRXWVWLSSZTT]_eXPG<    S[W_"
+    "_VW]YRRLI   RYZV]XUTZSQTK<  P_bXYZUVTZRRPH  Q^d_[XWVUSWSQSJ Qbi`ZZXVWYRZUN[HQ_heb[[XWUVUZT"
+    "SMR^aeeb]ZXWSWR[RJQ`ahhq`[XYWUVRZJQ`pcgggcTZVTQWSRRbnnaendaWZZTTTPQ^kkkaakaYSYUNUQPakkkka]"
     "`j`WVYQE RLN>                            LA                              OMMMMMLMMLLKKNMOM"
     "               OMMMMMLLLLKLIJFIO               QQOPOONONNMMMLMMJ=              PMMNMMMMMML"
-    "LMLNJJI                        @;FJIKLOSUUW[][addfbf           A<EGFHKMQRUUY][^`dddf      "
-    "     @?DFFHLNRUVVX[^^beffd           <ABEEHMPTUUVW[^adehjf           <>FAEHLPTVWWXZ_aehgkc"
-    "           ;>=DDHLPTTWX[]_ceiflh           7<=@CGLPSVWZ^_bbegilh           9=>?CFLNRWZZ^ba"
-    "ehihpj   ;ADGJJIJKKLNLPQQWZ[__dfffhnpp   DEIGIKIHGIKILLPQTUW]^aefejhse   EDEFHHHFFJGLMNQRT"
-    "VY]]aehikkjo   BCJCFIHGIKKNQQSUVVY[]cdfjkmmn   DBEDHNIIIMLNOSUUVYZ]^`cgkkmmn   >@DDGFPHJLN"
-    "PRTUUWX]_^begjnpmo   =DIEFGGGIPMNORTVVY[^_cehjnnnn   OG HBBFGIHKWPRSSWXZ_adgijlmmpEFFHGFFE"
-    "GHHIHJKKNQSVX]_`bdgmcqjlCDDBCDDCGEGGEFFIKMPQVX]]acfdgghj@BBCBCBCCBECEHHIMMPUUYY]`dgffhglB@"
-    "@AABCDAEEGGIILOQSUXXZ_bdeijijkHAA@BAEEBFFIKKMOPSTVY[[`_dhhkkmjANA?@ADDEFHJILMPRUUYYZ]_adfh"
-    "jnlk?<@@9<AQEDHIMMMPSSUVZ][baeiiknrn<: AAFCD@FFXLNPQRTVYZ]]adfhlkmkoCDCDBDCDDDFGHJIKJNQVWZ"
-    "Z]b`enmikqBA?ABBBCCBDEEGGHJNPSUXZ^]c`d`fqt=>B>?>@@@A@DDEFJLNPRWY[`_cfeaghg?@<?@@?ECDFDGGIN"
-    "MPTTWYZ_bcfhgfhiC@@E@DBEGHGGFJLNQQTVW[]_`dfjjhfi@F>GBE@DIKIJHKMORTUXZ[Z`bffikhjjPD=DBIBEFG"
-    "HILKMPSTVXZ^^`bghfjhnh5A7HA^AFHKKNMNPPSUWZ[]]bdhiimhjj@CDDBB@CBFFEGGIJIPSTXXZXVfeg cdh=?=>"
-    ">@A@AACDEDGHILQRUVY]ZXd`^fYl<:=;>>>?AAACCFFIJMPTVZ][^`d`obdf=?=F=AB?CEFCGFILNPTUWXZ_abfdhi"
-    "fh?D:G<IG?FFFGHHKMORSVY[^_befegehhAEAHCJICHIHIIHKPQRVWZ[^``dghgjegHGCI@IJGGHJKKKNOQTUXZ[^a"
-    "cdhhkiheIOEVBHKGKLMLNMNOSTWZ]Z_bdfihmojg?C@FACCCCEEFFHJKGNRTQRSc        ;<@>>A@@ACAEEGGHKL"
-    "PUUVYZRNdc   f<<@==>?A@BCDCFHIKNPTWYY^[_a^hhd^@BECCACB@CCCGHKKLPRUX]]`aa`damkaCFFCFDECFGEG"
-    "FJLMOPSVY[^_adcdhea_GGLEIHJEGFEHJJLMOSUXX[^`bdgegcdcKJMCMHJCHJLIHLNMPUWVY]``bcgfdggeKIKLLI"
-    "NKMMOMMMOOQTVZZ[_beehhiidd@F6I>GEHEFCJHJGNJUQX            >BCBB>A@CAFEFFHIIKQPUSe   c     "
-    ";><?>;@>?AACFFEJLNRTUZYY[^fMc  b?<F@AAA?BCDFEGHKLOQUVZ[]^]_aggi^C@H@FDFADEFEHFMKLPTUX[]_``"
-    "ca_j^^IDJCJEFEGFHIIILMMRUVZZ^`_efc_`[`LILHKFICHHIHJKLOPRVXY]_acffc_daaOIOKNIJJLKLMLLMPPSUX"
-    "Z]__begfefbf@GHIBGK9JKKOHRNKOS              ?6A@B@B@DBCEEFHHIONQ            ?:<?A@B@DCDDDF"
-    "HJJMQSWYVZc       @CGEECC@BECEEGJIMNRUW]Z`[[URSV XBBHCECDCFFEEFHIMLPSVY]]]``fc^X^YDGJDGBGA"
-    "GGHHIHKLLPTWZ]]]_^`c_[[_HEICGGJCFFKGIHLNMRSVX]_``bab^bmcNNOKNFMHILIJJLLMNRUXY[_badb`_bgd;<"
-    "<H <; ME7;:;B=                BDED?EHHFHJFFIHJME              ;@H>9@C?BCCCCHHLMORSUP      "
-    "    CCGFECCCBEDDEFIKMOSWWZVSTRIY   WGEBEGCGCEFDEEFKLLPTVX[[Z]WUSSS UGCIIIBGCDDFFHHKLMQTWY["
-    "[_]`_WWZSUHEKHFEHDEHIHGJKMMRTWZ[^_`]aZX`]VKGMLJCKGJKHIJJLNMQTVX[_]^]]Z]_]UIHGGGEGIIIIKJGKL"
-    "PYY[[[g         GDFEECGHIHGIJIIKPTUYZaYe        DBDDCCEEGHHFGGIMOPUWZ_X[        DEACDEEEGH"
-    "HEGHJMPSTV[Z`c       OJDEGDEHFHIHGHILOORUVUZWdc      MKBEFD@HFHJJKKILOPQSUUUT        LKFEH"
-    "GEIGHJLKIHKOPRQPOFU        PLACHMIMIKLLJKLKOPQPQPR         O5569<=>?ADEEIILNPSTVX[[`acedhh"
-    "ik8769<=>?CGIIJKLNPRRUTYZ]_^cbhhjj<8::=A=CDFHGJLLNPRSUUVVX[^_aecdg@><=@CADEGHIIKKMRSTUUTVW"
-    "ZZ]]bac_CA>@BCCBFFHIIJJNSTUUVTTVXWYZ]a]YBDC@BEEHFEIIIHJMRSUWWXUWWYXY[^]WDDCGDGGHFGHIIGHMSU"
-    "WVVWVVWXXYXXYXHGGGHHGIHHHJIHHIRTVVVTWUVUUTSVTVMLHIIJIKKLKKLKKMLUYcb           KO KIIHKKKII"
-    "LJJLOTW]Y           K9 BIIJIJIHKKHIMNUVVW           NI HEKGFKIIIMKJMNRV[WM         QM  ;FG"
-    "KJHKKLNMKNNRUWTb         ON  <MMIHIHHKJJKONRRV           QN     DNIJJMNLLNOQRS           P"
-    "O   I<JMOMNMNMLNPOPR           OL      MPLKJLMMMNUK             I     G  JLLKKLMNSY       "
-    "      L     I< LINMLKMNOS            QP       LLKKNMMMNQS            NQ       JKJKNQNMNOV "
-    "           MQ     II GNNOMMMOO             OP       :<OMNOMMNO             NQ       IQPLKL"
-    "MONNW            M";
+    "LMLNJJI                        @9DHJJLOQTTXZ[]b`dfcg           ?:CFFGKMQRUVX[Z_adcdi      "
+    "     >=BFFHKNRTVWXZ^_bddgd           :?@DEHLOTUUXXZ]`ddhkd           :=DADHKQTVWXY[_`cgeic"
+    "           9==DCGLOSUXY[]_aegfji           6:;@CGLOSWX[]^acdihkg           ;;?\?BFLNRWZ[_`a"
+    "dghkpi   ;AFGJJIJHHHIJMNQUZ]_`cdfffhkt   EBGHIJIIGFIHKKPQTVW]_acefipkh   EDFDGGHGEIHHLOPRU"
+    "UYZ^adfelllo   ACJBGIHGHIKLOQSUVWZZ]`eehjkjm   BCCCFMIIIKLLPSTUVZ[]_abfiklln   ?@DCFGOGILK"
+    "OQSTUWY]^_cefilmmp   4EJGCGGHIQKNNQTVV[]^_beijllnn   MI FE5FGGJIVPQSTXZ]_bchglmlnpEEFEGDGE"
+    "GEFHGHHILPQVY]__beefgkmrBBBBCCCCAGFEECFHILPQTW]]abfffdil@AABAAABCCECEGGHLMQSTYY^^cffgkljB@"
+    "?@@@BB@FGFGIILOPTUXX[^abfgiiljH?@A?CCDBEEIJJLNQRTVY[]_`dfhjjpiAN=<ABDCBDIIHKLOQTTYZ]]_bceh"
+    "iklk=<2@<?\?QECGILLLNSSUV[]]`aeiklkll<; B?ECCFCCXLLOPRTWX[]^adfhlmmjmCCADBACCCDEFHHGHJNOVXY"
+    "[^`ccdmlmtB@@@@@BBBBDCDDFHJMPRVXY]b`b_cdqj==@><?>B@@@CCEEIKNPSVXZ`bcedcdch>A?>>?ACCDFDGFIL"
+    "MQSTWYZ^adfefhfiB?>D?C@GFFGHFIKMQQTVXY]aacfjhigi>F>E@F@EHKIGIKLOQSVW[[[abdfijkgiQA=E=JBEEF"
+    "GIMKLPRTVXZ]_`beghikkh5=7H>_CFIIKMMNOPSUXZ[]]ccfhijnkjAAACBACBBECFDFGJIOSUWYZ]^igefffk<?>@"
+    "=>>@AABDCEEGHMOSVVZ[Z^]c`hYb:::<>><?A@BBCEEIJMQRVX]^]aec`n^d=?>D>CA@CCEDEGILMPSUWXZ]baceid"
+    "cj>E<F>IH@DGEFHHKLORSVXZ^abcefgibh@FCG@JICGGHHIHKOPRVWY[]_bdefghdeHGAGDJIEHHJJJJNPQTVXZZ_a"
+    "ccfgjmgeJM@WDHJGJMMLMMMOSUWZ[]_adfgimjlf<BAADDC?EEDEGGIKHNPTTVX   b     ;=;=?<@@CCABDFFIJL"
+    "OTUW[XRZfU  bf9;:@A<>AABBCCEHIKNPSWYY_^]`ba_ha@CECBAAAACCDFHJKLPRUX[]a_cb`anbbBGFEGDFBGFFG"
+    "GJKLNOSUYZ^`_bechjgaGGMEJHIEIGEGJJLLNSTWX[^`bbefcfahKJNCJIJEHJJJIKMMPTVWY]__adgfdkfeKIKKLI"
+    "NJMLOLMNONQTVZZ]^bdfigglhdBF5ABEEGEEDHHGNLJTSWe           ?B<DB?ABBBFDFEHIIKPPUSOUc       "
+    "8?>6=><?\?ABBFEFIKNRSVXZ[W`ZedQV >@G<>?BA@CFEFFGKLNQTVZ[[`[[d`X[aCAI@ECG@DFFEFFLKLPSUXZ]]b`"
+    "``d__]HDKDJEFDHEGIHIKMMRTVZ[^^_dbddca^KGLELFIEHHIHIKKNPQUYX]_aaeegb_abNIPJNIKILKKMMKLPPSTX"
+    "Z[_`bdegdgbf8IDLH<BCLGJJKNPPNPc             =78AB?@EBDCCEFHGJLNV O          ;C@>/<C@ECCCEE"
+    "GJKMQSVXX^SVY     <BHEDDDBADBDFFJHMOQUV][]^XYUWRcUCAIAGADDFEEEGHHLKPRVX[_]`_c`_ihYCDKDH?FA"
+    "GFHHHHKLLPSWX[^]a_]dca^`HEIDFGJDEGKFIHLMLRSUXZ_^ab`b^adbNNOLMHLGIKJJJKLMNRUXX[_`bea_bfbd=<"
+    "< G << HE899E ;               @98DFHHFHKJBFJILJJ              ;>C>AA>?ADBAFFHLMPQQTTP     "
+    "    DAFFFBC@DEDDDFIJLOSVVWWUVRSK  UUGACEGCGCGEEEEEJKLQSVX[Z[YX[TQdURFDJHGDGCEDEGHGJLLPTWY["
+    "]^[[_ZXWZTHDLFGFGDEGIHFJKLMQTVZZ^___^_aW[VKGMLJCKGIJIIJJKMMPSVY[^]_^XY]eaUJFGFHGHHIHGIHGJK"
+    "QWYYW][XV       FFDDDDGHIGHFGIHKOSVXX]^_c      OCCCDAADEHGFFGGHLOOUUX]Z_W       DAFC?EDGHH"
+    "HGFHJMPRTVWYa`d      OJGGEDEFHGHIHGHLNOPTVVWXhe      JLEDCEBHEGJJKJIKNPSRSVW]b       LKB5F"
+    "FGHGGKKJJHJNPRPRRSM        TLADJLHLHKLLJKKKNQQQSOQI        O564;:=>?BCDGIILMPSUWXZ]^aadegh"
+    "gk7789<=@AEGHHIJLNPRSTWVZ]__bbfihk<9:;=?ABFGFGHJLMQSTUUWWVZ^_adegaB;<=A@BAHGHHIJKKSUUUVUUW"
+    "YZZ_aca_C@?\?AAAFEGHGIIIMSUVVVWUUXX[Z[a^ZBB@BCDDDFGHIHJILSTUVVXWVYXYZ][`XCEDEEDGGGHGHFHILST"
+    "WWVVVWXXYZ]ZXXFHFGHHHGIGJIGGHIRTVWWUVXWWUVVUUVLIIGGLJKLLKKKKJLMSVZUW          K<L?JHHJKIJJ"
+    "LJJLOTVYWf          I= OKJHIHIHJLHIMOSUVUU          N J<FIDGIIGJLLJMNQTXSfc        FM  ICF"
+    "FJKJKLNLKNNPTZUYb        QN   M<FIIIIJKJLNNRSVR          QL     LLJKJMNLLMOPRS           L"
+    "P    <JOKNMLMMLNPPPP           NK     OVKGNLKMKMNQT             G        ILLKJLLNTV       "
+    "      O       KLNKLLKMOPSW           OQ       :MMKMMLMMPUS           MR       INJKOPMMNPUQ"
+    "           NR        MOKOMMMOPU            NQ       F NMONMMNO             NQ        KPLLK"
+    "MNNMW            M#                                                                       "
+    "                                                                                          "
+    "                                                                                          "
+    "    RRPQ#                           F0              C)              ywW&            |{g#  "
+    "          ItR+            r,              y%              vFop1           mmmm3           "
+    "vuvv+           xxwx*                                                                     "
+    "                                                                      E6              56  "
+    "            #               Q*              OR3             ND6             C1            "
+    "  J-              BN3             C*              Q#              9F/             OD/     "
+    "        I=6             Q#              N&              ;8              @.              95"
+    "              ?1              =/              73              $                           "
+    "                                                                                          "
+    "                          ,               .B              9=NijjjO8       CCDVooooG6      "
+    "IIFJKiqqhD6     ONLKFJiqrhC7    SRQLLCJ_pppF7   VURQMKDGXoooH7  W[SSQLKEDcmmcC< X`ZRSSKKDI"
+    "^mmm; WdbXSTQMLFLYmmc;Wdf_YTVRMMDJakkOVggg`YTVSMODHggSVgkee_XUVTOMD5  Wkojgd`XTWSLJH7 Uinj"
+    "ied_YTTSLKJ9Qgwigfa`]WUSOFM=Mnnen^neZYUNNK  5                                             "
+    "                                                                                          "
+    "                                                                                        ) "
+    "              /6              69IMU           :@IPPL:         BBFIRNF<        IFGGHOPK8   "
+    "    MKJHFGLPK9      PMNLIGHINL:     RPOOMKGIKRN8    TRQPPMKGJJOQ9   VWRSPPOKHLKVM9  VXWTRQ"
+    "PNKHKLOQ; V^[XUTRQMKHKLRN<V`_]ZUSRSPLGJMRNWagb_ZVVTSOLJKGPVbhhbaZXVTSPKHNPR`ihidc]WUTPOEQM"
+    "N_pgbddd_USWSP8 3                                                                         "
+    "                                                                                          "
+    "                                                                                          "
+    "  ZpfTYp]NC7      ZfmgR]]_JA5     Xckf]S[V`I@5    Xeemd^SZY_IA6   XwhapabTZYaJB8  Wmvicnb_"
+    "VZXdLD8 Wtttueud[X[[^JB<Vlttuidid`W[[aJFWttttuiiua]X][_HWrrrrrrbbf`[VXVPXnnnnnnnnbnXYQRR  "
+    "                                                                                          "
+    "                                                                                          "
+    "                                                                                          "
+    "                                                                TYWR[`[WJ2      TVWVTX[[WB"
+    "2     UZWVWRT[]V@A    X^YXWXQS]]VF0   Z`_ZXVYRQZ[VH4  Yecd]ZXVRUZZXEE WhwedZX]XVVZZTE8Ydoj"
+    "bd^]YXUV^YYDWhwojia]Y[XWWYZNXftttdab_ZXURPZRYdpppppppaVXRUVQ                              "
+    "                                                                                          "
+    "                                                                                          "
+    "                              ";
 
 constexpr std::string_view kTrust =
-    "kgffdddefeeeddeifffggfeeeeeffffgdfeeefghcddcdegjadcccdehgggegbegigeeedcdefeedddggfffgfefdg"
-    "fffefheffegfhgefffffgjegeefggigggggfhiegdddccceeeeeddgefggfgegeffffffgegfffgghdhfeffijdgge"
-    "gfhjgggggeilafbcccbbdfeeeddgcgfggffhdfffgffgcgefghgibefefghhbedegfhlgggfgfhlagbcdccbddfeee"
-    "egbgghhffhchegfgfgcehefgggabdeffijbcbfefglhggecfilahbcdccddhfggffhbggghffhcffgghgichgggghj"
-    "cffffgiifgdghgiljggghgklaibcccdgbhgfffegagfhggfibfffghghbfggigghddhhghhjfghhfgkkiggghfilbg"
-    "cdeeglagggieegdghfffiidgfiggfhdgffihhieheehhjgfgghhilklggfggklfhffeeedegffedfgcefefefgdecd"
-    "ddfiabccbdfgadcccbejbgggcbfkg gggghllighfeefehgggigffhghhhghdgjegheedccdffegafbadcchggggfe"
-    "af      gglhggffedhfgggeggfgggfggheggffgggbgefffgfadbcdfefgfegbdbe   ggggbghgggfeegggggfgi"
-    "ghhhggfifffgffhfeheffffgdeddffegbgfbcbcdgggggfedahfggfefghiffffjfjiihgghegghhfgifghfgggjdf"
-    "edeeghdhdcdcefggggfdfcagdefeedfgghhgggcgjhihgheihhhhgiehhgghhideeegfhicgdefefhgggggcffafcd"
-    "ddddeggggghhbijhihhhdhgiihhiehihihjjdgfhhikjfgefgghiiggggiilafcdeeeefggghhhhchhghhhiehggij"
-    "jidiiihijjdfiihjkkfhihhhklkgghgfjlafceefflfghfigjichjhhhilfghhjjlkeghikjllegiihlllgheijkll"
-    "kgghghllg    ggg      ggg   ggggg   ggggg  gggggg  ggghhgggggghkg ggggillllllljjhihhiiijlj"
+    "kgffdddefeeeddehfffggfeeeeeffffgdfeeefghcddcdegjaccbcdehgggegbegigdeedcdefeedddggfffgfefdg"
+    "fffefheffegfhgefffffgjegeefggigggggfhiegdddccceeeeeddgefggggegeffffffgegfffgghdhfegfijdgge"
+    "gfhjgggggeilafbccccbdfeeeddgcgfggffhdfffgffgcgefghgibefefghhbedegfhlgggggfhlagbcdccbddfeee"
+    "egbgghhffhcheffgfgcegefgggabdefgijbcbeefglhggecfilahbcdccddigfgffhbggghfghcgfgghgicggggghj"
+    "cffffgiifgdghgiljggghgklaibcccdgbhgfffegagfhggfibfefghhibfggigghddhhghhjfghhfgkkiggghfilbg"
+    "cdeeglagggheegdghfffiidgfiggehdggfihhieheehijgfgghhilklggfggklfhffeeedegffedfgcefefefgdecd"
+    "ddfhabccbdfgadcccbejbgggccfkg gggghllighfeefehgggigffhghhhghdgjfgheecccdegegafbbdcchggggfe"
+    "bf      gglhggffedhfgggeggfgghfggheggfffggcgefffgfadbcdfefgfegbdbe   ggggbghgggfefgggggfgi"
+    "ghhhggfifffgfghfeheffffhceddffegbgfbcbcdgggggfedaheggfefghigfffjgiiihgghfgghhggieghfgggjdf"
+    "edeeghdgdcdcefggggfdfcagdefeeefgghhgggcgjhihgheihhhhgiehhgghhjdfeegfhicgdeeefhgggggcffafcd"
+    "ddddeggggghhbijhihhhdggiihiiehihihjjchfhhikjfgefgghiiggggiilafcdeeeefggghhhichhghhhidhggij"
+    "jieiiihijjdeiihjkkfhihhiklkgghgfjlafceeffleghfigjichjhhhilfghhijlkfghikjllegiihlllgheijkll"
+    "kgghghllg    ggg      ggg   ggggg   ggggg  gggggg  ggghhgggggghkg ggggilllllllkjhihhiiijlj"
     "ihifggggg     lllllkkhhgggggikllllkkkhigg     lllllihhffeffgiklllllllllihg    allljfeeddcd"
-    "degjllllllllllkgg   akjihedbbbabcdfilllllllllllgg   achfeabbaaabbdfhklllljllllljg   agbgba"
-    "aaaaaabceghllllkllllljg   gfggeaaaaaabcdfghjllllllllljg   fcdddffffgadehghhheecdfeghfgeecc"
-    "degiehfecbiggkdkhfgggcihdlligg gghckll   gggdjll      hdjl      kgelgddefedgffgdgfghhghhdf"
-    "dcegfgefcegefhegeefggeghcigegggeeebhhgg  gfgbhjh    ggdhjl      ghil      hgelggggggcegegg"
-    "gghghfhgfgggfdeeegfgghabdfgggggfgfchgfgggghhbhhgg  gegbghh     geegh      fggi      fgfkgg"
-    "  ggchee  gggggefgggggggegfhg  gfbdccig  gggdefhgg gggdghg    ggdehh     gecfh      efdh  "
+    "degjllllllllllkgg   akjihedbbbabcdfilllllllllllgg   acifeabbaaabbdfhklllljllllljg   agbgba"
+    "aaaaaabceghllllkllllljg   gfggeaaaaaabcdfghjllllllllljg   fccddffffgadehghhhfecdfeghfgefcc"
+    "dfgiehfeebiggkdkhfgggcihdlligg gghckll   gggdjll      hdjl      kgelgddefedgffgdgfghhghgdf"
+    "dcegfgefcegefhegeefggeghcigegggedebhhgg  gfgbhjh    ggdhjl      ghil      igelggggggcegegg"
+    "gghghfhgfgggfdeeegfgghabdfgggggfgechgfgggghhbhhgg  gegbghh     geegh      fggi      fgfkgg"
+    "  ggchee  gggggefgggggggegfhg  gfbdccjg  gggdeehgg gggdghg    ggdehh     gecfh      efdh  "
     "    fghl      cggd      gggg     ggggg    ggfghh     ggcbe     gdedf     gedeh     gfbdi  "
-    "    egcg      egci      cggd        gg      g gg      gggg      fggh      hfdf      cfbf  "
+    "    egcg      egci      cggd        gg      g gg      gggg      fggh      hfef      cfbf  "
     "    dgeg      fgci      dggg      d gd        g       g  g      g  g      e  e      hggg  "
     "    ggge      cggf      dggf      dggf      h  f                g  g      h  g      h  h  "
     "    h  i      e gh      i gh      i  h      i gfdggggfggfffghjllllllllllllllg   hgggggcccd"
-    "deghijllllllllllllg   gggggggfcbbdeghijjllllllllllh   g    ggghgddeefghjjkllllllllh   g   "
-    " gggggdcgfeggfijkllllllli   g     ggggfdhfhfhghhjhlllllli   g       gggghfhgfgfgifjjjllli "
+    "deghijllllllllllllg   gggggggfcbbceghijjllllllllllh   g    ggghgddeefghjjkllllllllh   g   "
+    " gggggdcggeggfijkllllllli   g     ggggfdhfhfhgghjhlllllli   g       gggghfhgfgfhifjjjllli "
     "  j       ggjjjihhhihhgfhgkllll                                   gggghhjjkllllllllllllljj"
     "hhhg    gggggggghfhijlllllllllljkiigg   g    gggghgghhkkllllllllljkhg   g    ggggfhgghhjjk"
     "llllllllkgg   g      ggggfghgehijkllllllljg   g       gghggggggdhiljlllllif   g       gggh"
     "gfgfhghhiklllllli                                                                         "
-    "          l       li      iili    llllk   lkllllh lllllll kllllllihhkjkllkihiihklkghfiihll"
-    "l       gh      ihkf    hihih   jiijkji jijllll kjlllllihhjkllllhgfhklllefhhiiklk       hg"
-    "      fghg    gghig   hggghih fghihjl ghikkllihejkklllggiijlllgggfgillj       gg      gghg"
-    "    ggghg   gggfhjg eghghij fgggjikigfgghkllggghhhllgghghillj       gg        gg     gggh "
-    "  ggggfhf gggghgj gggggfigggggfigjgggfgdilggggghllk        g        gg      ggg      gghg "
-    "   gggi   ggggfhg gggggiggggghgjggggfghll                 g        gg       gfg     ggh   "
+    "          l       lj      iili    llllk   lkllllh lllllll kllllllihhkjkllkihiihklkghgiihll"
+    "l       gh      ihke    giiih   jiijkji jikllll kjlllllihhjkllllhgfhklllefhhiiklk       hg"
+    "      fghg    hghig   hggghih fghihjk ghhkklljhejkklllggiijlllgggfgillj       gg      gggg"
+    "    ggghg   gggfhjg eghghij fgggjijigfgghkllggghhhllgghggillj       gg        gg     gggh "
+    "  ggggfhf gggghgi gggggfigggggfigjgggfgdilggggghllk        g        gg      ggg      gghg "
+    "   gggi   ggggfhg gggghiggggghgjggggfghll                 g        gg       gfg     ggh   "
     "  gghh    gghj    ggfi ggggfhl                                ghllllj gghllllgggilllj gghl"
-    "llkggggjlllgggghlllgggdilllgg dikllgg fhillgg fgillgg ggilljg fgeklhlhhkjgjgiedbhicdfddced"
-    "dfedjlfgijghflefcgidfgddcffeggdjlffgjihgldecfieefedcedeggeileefihgglcfcchedgedceeegdehleef"
-    "ghegicecbfeefdcceddhcdhlfeffggejcfbbeedfccbfcchcefldedcfgdhcebbdfdfccbfbbhceelgefdghfeddbd"
-    "ejckdfchbcdehdlldedfilhhijklhiffkiiigglkgjjllhjlggkkggkhlhfgillkjigikaaaaaaadglbaaaaaadglc"
-    "baaaaaagkbbaaaabbgjcdbaaacbghffcbaadhghghfeaadggg ghgdadgglbbcbafaggcebfbffagglaaaaaebdgjd"
-    "fcecdfggbfggcehdgfgdbcbabdeg                    ggggggihgg                                "
-    "                  k fgbbbeegigeaaaaaggjaaaaadggg                                        k "
-    " ggdbdfgl gebaabggkgeaaaaegglbaaaadfgg                              i   ggdcggl  ggfcbcgl "
-    "gfbaaabglgdabbacgglcaaaadggg                    i    gbgggj   gecdhgl  gbbccbgl ggeaadgglg"
-    "fdbabcgglbaaaaehgg                    h    gafggi   gdddggl  gdbccbgl fcabbggglggdbbbfggjb"
-    "ecbaeggg                    h    gahggg   gbbchgk  fcbbgggl gfbacggglgfeeggggghfgggggggg  "
-    "                  h    gahhgg   fabffgh  ggbbcggl gfdeeggghggggggggg                      "
+    "llkggghjlllgggghlllgggdilllgg dikllgg fhillgg fgillgg ggilljg fgeklhlihkjgjgjedbhicdfddced"
+    "dfedjlfgiighfkefcgidfgddcffeggdjlffgjihgkdecfieefedceeeggeileefihgglcfcchedgedceeegdehleef"
+    "ghegicecbfeefdcceddhcdhlfeffgfejcfbbeeefccbfcchcefldedcfgdicebbdfdfccbfbbhceelgefdggfeddbd"
+    "ejckdfchbcdehdlldedfilhhijklhiffkiiigglkgjjllhjlggkkggkhlhfgillkjigijaaaaaaadglaaaaaaadglc"
+    "aaaaaaagkbbbaaabbgjcdbaaacbghffcbaadhghghfeaadggg ghgdadgglbbdbafaggdebfbffagglaaaaaebdgjd"
+    "fcecdfggcfggcehdgfgdbcbbbdeg                    ggggggihgg                                "
+    "                  k fgbbbeegigdaaaaaggjaaaaadggg                                        k "
+    " ggdbdfgl gebaabggkgdaaaaegglbaaaadfgg                              i   ggdcggl  ggfcbcgl "
+    "gfbaaabglgdabbacgglcaaaadggg                    i    gbgggj   gecdhgl  gbbccbgl hgeaadgglg"
+    "fdbabcgglbaaaaehgg                    h    gafggi   gdddggl  gdbccbgl fcabbggglggdbbbfggib"
+    "ecbaeggg                    h    gahggg   fcbchgk  fcbbgggl gfbacggglgfeeggggghfgggggggg  "
+    "                  h    gahhgg   fabffgh  ghbbcggl gfeeeggghggggggggg                      "
     "        f    hagggg   gabeggh  gggggggi gggggggg                    jhclg                 "
     "          jfg                             acddcccccdddidhggg              abcccccccddddhhg"
     "gg              lhghiigfbabbceegggg             fccecbbbcaaaaaabfgg             llilg     "
@@ -213,11 +247,11 @@ constexpr std::string_view kTrust =
     "                                                                  kg              lgg     "
     "                                                                                          "
     "                                                                                          "
-    "                                                    acccccdefhjiighhfddfggggg       hfgggg"
-    "ggg       ifefgggggg      jhheggggggg     ihghdgggggg     ihhhgdegggg     hfihghbgggg     "
+    "                                                    acccccdefhjiighhfddfgggg        hffggg"
+    "ggg       igdggggggg      jhheggggggg     ihhgdgggggg     ihhhgdegggg     hfihghbgggg     "
     "hgghgehcgggg    gggghfhffggg    ggggghgghfggg   ggggggggggfgg   gggggggggeggg   gggggggggf"
-    "gghg  gggggggggggggg  ggggggggggggggg abbccccceeffegghecceggggg       ddcdffggg       hfdb"
-    "dggggg      hgeccegggg      gihfcbfgfgg     ghighdcbgfgg    fghihhcbcggg    gghghegaceggg "
+    "gghg  gggggggggggggg  ggggggggggggggg abbccccceeffeggheccfggggg       ddcdefggg       hfdb"
+    "dggggg      hgeccegggg      gihfcbfgfgg     ghighdcbgfgg    fghihhcbcggg    gghghegbdeggg "
     "  ggghgihgcggggg  ggggghhhhefgggg gggghgghhhbfggg gggggggggfgeggg ggggggggggggeg  gggggggg"
     "ggggfg  ggggggggggggg   lhghiigfbabbceei                                                  "
     "                                                                                          "
@@ -231,11 +265,11 @@ constexpr std::string_view kTrust =
     "g             ghg             gg              g                                           "
     "                                                                                          "
     "                                                                          eddddddddefghghh"
-    "dhefcggfggggg   dhefdcfggggg    chedeeffgggg    cegfceceggggg   cdeedcfcfffggg  bdedddcfcf"
+    "dhefcggfggggg   dhefdcfggggg    chedeeffgggg    cegececeggggg   bdeedcfcfffggg  bdedddcfcf"
     "ggg   bgfdcdcbfdegg   adheeeedcdfegg  aggfdecdcagdgg  aghggfddbebdggg aggfghefebddeg  aggg"
-    "fehhdfeggg  aggggggghegggg  agggggggggggggggabbccccccdddfhghecfhggggg       ddgggggggg    "
-    "  dechgeggg       dddcgggggg      dcdccehgggg     fdccccehggg     egccdbbefgg     ffgcdcbb"
-    "bggg    chegccddbbggg   gggfecdecadgg   gegfgedebbbfgg  ggeehfecdbbef   ggggghffebedgg  gg"
+    "fehhdfeggg  aggggggghegggg  agggggggggggggggabbccccccdddfhghecghggggg       ddgggggggg    "
+    "  ddchgeggg       ddddgggggg      dcdccehgggg     fdccccehggg     egccdbbefgg     ffgcdcbb"
+    "bggg    chehccddbbggg   gggfecdecadgg   gegfgedebbbfgg  ggeehfecdbbef   ggggghffebedgg  gg"
     "gggfggggffag  ggggggggggggggg ggggggggggggggggggggggggggggggghggggggggggg                 "
     "    gggggggggg      ggggggggggg     gggggggggggg    ggggggggggggg   gggggggggggggg  gggggg"
     "ggggggggg ggggggggggggggggggggggggggggggggggggggggggggggggggggggggggggggghgggggggggggggggg"
@@ -248,10 +282,10 @@ constexpr std::string_view kTrust =
     "                                                    g               gg              ggg   "
     "          kg              lig             fgg             hg              gg              "
     "                                                                                edeedccddd"
-    "efhghhdigfdgggggggg   dgfffeghgggg    cheddgggggggg   cegecdeffgggg   bceddcddgggggg  bded"
-    "ddcdegggg   bgfdcdcbdffgg   aehededdccgfgg  aggfdeddcafdgg  aghggfdebfceggg aggfggefebdefg"
-    "  agggfeggefdggg  aggggggghfgggg  aggggggggggggggg                dbccccbbcdcbcgggdcefdcff"
-    "gggg    dgdddecgggg     dfgefdddfggg    cfefefdcfgggg   cheedfgbgdggg   begfefefdegggg  ai"
+    "efhghhdiffdggfggggg   dgfffeghgggg    cheddgggggggg   cegecdeffgggg   bceddcddgggggg  bded"
+    "ddcdegggg   bgfdcdcbdffgg   adhededdccgfgg  aggfdeddcafdgg  aghggfdebfceggg aggfggefebdefg"
+    "  agggfeggefdggg  aggggggghfgggg  aggggggggggggggg                dbccccbbcdcbcgggdcefecff"
+    "gggg    dgdddecgggg     dfgefddcfggg    cfefefdcfgggg   cheedfgbgdggg   begfefefdegggg  ai"
     "effdddfccggg  agffhffeecbggg  adhfdfgeecabcgg adfhedhgddgggg  aggffedefhdggg  afgggfgeheef"
     "gg  aggggfgfggggggg aaggggggfgfgggggggggggggggggggggggggggggggggggghggggggggggg           "
     "          gggggggggg      ggggggggggg     gggggggggggg    ggggggggggggg   gggggggggggggg  "
@@ -259,277 +293,311 @@ constexpr std::string_view kTrust =
     "ggggggggggggggggggggghgdbfgcbbecebaeggfdggggggaaaaaafgfggggggggggggggggggggggggggg    fggg"
     "ggggggggg   eggghggggggggg  agggghgggggggg  agggfgggggggggg agggggggggggggggaggggggggggggg"
     "ggegggggggghggggggeggggggfggggggggagggggggfgggggggegggggggggggggggggggggggggggggggaggggggg"
-    "gggfffgg leil                            fg                              ijhhhjhfhfggggggg"
+    "gggfffgg leil                            fg                              ijhhgjhfhfggggggg"
     "               ljklkkhiigeecgggg               gggggggfafgfffgggg              hggggggfdfg"
-    "ggggggg                        illlllihggeefedgegiee           lkllllkjjhgfggdeeefcd      "
-    "     lilllllkjjihggffefhid           lilllllkjijjihhhhhijd           llllllljkkkijkjikkhhb"
-    "           lklhjkkjljklllljljhjf           likiihihiijllklihihkg           hghhfffgiilkjkk"
-    "ljlglh   gggfgggggghihihhghhhfeecegggg   gfghhgfhgikllllllkjjhgiieggfb   gggghhggjllllllll"
-    "kjkkhilhjgdg   ggfiihighjllllllllllllijikhgh   ghhjihghgjikllllllllllkllljhi   gghhiidiihi"
-    "klllllllllllllljik   gggghfhhiehjhlkjjjkllllllkfgi   gg gggghghiejjkjkkkllllllljhlgfeecdef"
-    "efhhjijikjhihjhghdggfggfggfgffghgjilllllllijkghhhghfdggfhhhghhgigijjlllllllljljkhifhgfgege"
-    "fgehffhiiiillllllllllllljihggeafgdhgghhfhhijklllllllllllllhghfgahgghgfgiiiijjkllllllllllkl"
-    "iheeggfggggahhgfhhhlkkljkklllkkkkgghgg ggggghghbffihllljkklllllklihjeehfgghhhiijjkjjfihhge"
-    "ccfdggggggdegggggijikjljkkijjjjhigggggggggfjgfghiijhikllllkjjjkihjhhefggggfhhhfhghijkkillk"
-    "lllllljkkjiihhggeeeegeggfjiihijklllllllllkjjhghfcgfgggggebfhhgjkllllkllllllkiggeaggggfgegd"
-    "ffghiiljkilllklljjhchfgggggfgfdfcfffijkklkkkllllljjieidggfgcfhiiijigihciihefeggggg gggghgg"
-    "iifghijjijjjgihfiigfggggggggfhfhifjgijkjklkjikjjhkihfgfggggefffaheghihjikljklllllkljijgggg"
-    "gggagagbbgegggijjlkjllljlkkkjhfgggfggdhaafecfegfijhjlllllkkkhhhggeggggggegdcffegfhkjkjlklk"
-    "kikihgheggghggegcedgfihjkjiilkkkjjjhjggdbfggggfhffggihhicfggfggg        gggfhhhfhihjijigij"
-    "iifegggggg   ghggghhhhhhijjjijhjjkkhhhfgggggggaeffdhehghfkkljjiljjljjihhfgggggacffaddgdfjg"
-    "ghhljljjlllkhhfhgggfdaffadagdfhfhgkikjllkllkiihhggggagggcfdgcbdghfhjiilkkjkkijgieggggggggg"
-    "cfcbfdigjjhklkkjllljjigghdfggggggggfheghffcggg            gggggggghfghfgghhgggggg   g     "
-    "ggggghhfhhhjhjjjijfgggggggggg  gdgfgfbgighfiihikkjkkhiihggggggggbgggbfcgeegiihghgllkkkjjhg"
-    "gfggggbffgeegfgcfgfghihlllllljiihgggggfgggfgfgffdghggjjilkkklijgidggfffgegbfgfbeeghijihklj"
-    "lkihiiiggghhgggggggggggggggggg              ggggggggggghgfcggggg            gggggggggghigg"
-    "hfeggiggggg       egggggghgfghhigjggghiihhgggggg gfgggggfgdeheigjijkhihiiiggggggggfgggggcf"
-    "hgchgghjhilijiiihfhgggggggfgfgggfffhhgfhhlkljkkiiegcggggggfgggafgfhggigjkkjkkjkjihgfgggigg"
-    "gg gg gggggggg                gggggggggggggggggg              ggggggggggeghhggghhggg      "
-    "    ggegggfegfiighghhihfhhgggggg   gegggceafgffgghgghjhiihghfggggg gdggbfgdggfeeghgikkkjjh"
-    "ghfggggggicgcfdebhegghhhjjkkkjijjfggfggggjehgghhggfghgiklllllkjkhihhheggglgggggfjjhhijllll"
-    "eifhggg         iggghhhijhilllllkhffgggg        hgfgfikhhijklllllhgfhggg        hhghgfhihi"
-    "lklllllhidgggg       gfggfffhhghillllllhgfdgggg      gfgggggciihjiillllhegggg        ghggg"
-    "ggggfhgikllllibgggg        ggggggggfeigihklllieggg         ggggefgfhffghijlllllhihfgfhhggg"
-    "ghdefgffegeefghjlllljiggfgedgehghgaefhedgfffggikllllkhgfeefeddgecfabfddbedeffgijllllljhfee"
-    "fcbbeceaaafdccdeeffijllllljiigffebbbcgaabbddbcddfgfilklllllijgffeecbdfbafffecbefgegiikjllj"
-    "jiiihgefcdegccgggggfegeghgiijillkihihggffegggfigggegheggiijkllghegg           hg ggggghgih"
-    "jllljhhgg           hg ggggggegjkllllghgg           hg ggggggghijllllihggg         gf  ggg"
-    "ghfghghllllhgggg         gg  ggggggghgiklllhgg           gg     gggggggklllegg           g"
-    "g   ggggggfhijlllegg           gg      gggghehkljeg             g     g  ggghilllgg       "
-    "      f     gg ggfgillleg            hi       ggggghlllhg            hk       ggggfglllkg "
-    "           jl     gg ggggglllk             jl       ggggghklll             jl       gggggh"
-    "lllkg            l";
+    "ggggggg                        kllllljhhgeeffdhfhheg           lkllllkkjhgfggeefigeh      "
+    "     ljlllllkkiihghgefgdge           lklllllkjjiiihhhhjihd           lllllllkjjjijkkjikfic"
+    "           lllhjlkjlklllkljilfjf           kijiigihihikljljhjhjd           hhgigfeghikjklk"
+    "ljkhlh   ggefgfghhhijijiigihgfgfficgfg   ggghgggiilllllllllljjgjhfhggc   gfhhhghgjllllllll"
+    "kjkljjkhiigg   ghbiiiijhjlllllllllklkklljhii   ghehhhhhhiljkllllllllklllljij   gggfiidhhkj"
+    "jlklllllllllklkikk   gggghgggidgjjlkkjklllllljkhih   gg ggggghfhfjjlkljjkllllllhgkgeddddde"
+    "fgijllliklhjiigidghhcgggfgedfgghiilllllllkkikhiighfhdgffihffhghhjikklllllllkklikjihhgghdff"
+    "ehgiehhhikkkklllllllllllliggheadfdgfhhfjggiiikjllklkllllljkhgghaghdhgegehhhjkjllllklllllkk"
+    "ieheggggggfaggfdghgkjkljkklllkjjkgiggg ggggggggaehhillljkkllllllljigdfefefgijiiijkijfkhhig"
+    "ffcgggggggeggghghjijkkklkljjjikjjhihgfggggfighhgiijilkkklklkjkljhiijhggggghggehhhfijjjkllk"
+    "kllllljkkkiihghhdfgfhgheehighjkllllllllllljhhhgghfgegghefbghhgjjkllllllllllkjgggaggggfgeff"
+    "edfhghkiljllllkkkkjhffgggggfggdfegegiiilllkkllllljjificgfgfhdhhiiigjhgchihhdcgggggggggefgg"
+    "ggjjiiijjijjghhhiihhhfggggggfhhghhhiikjjiljikjkjkkhhggfgggggecfchbehgjiijkkljlklkllijihhgg"
+    "fghagcfbaifffhiijkilllljkkljijfgehefgegacebgeghhihikllllllkjihighfgfgggfdgfefhegfghjkjlklk"
+    "kiighggeggggggegfcfighhjikiklkkkkjigjhgdfgggefgghegfghghdgggggg   g     gggghghhhihfiihihh"
+    "hhhggggggg  ggghgggfhghfiikijiikjjihjihffgggggaggeehgggghgjlkkiliklkiighggggggaaegacbfcfgh"
+    "hiijjlilllljifhggggfeeefaacfbhgghgjjjjlljlllkihgggggagggffcgcbdfgfghjjkkkjjkijhhhgfhfgfggg"
+    "fgfcdfgfjkikkkljljljihhggdggggggggggggfgggdgggg           gggggggghhfhhhighhhgggggg       "
+    "gggggggghgiiijjjihighgggggggggg bgfgefhhfigihijjkjjkijhhffggggggagggcfghgefhhigjhklllgjigg"
+    "ggggggdffgfddfecdghhgjhlllllkkiihhggggfgfgfgggfgcghgghjjklkkjjiiifgggfggegbfgecffeghjjhkjl"
+    "kjiikihhhgghggggggggggggggggggg             ggggggggggfgggfhggfg g          gggggggggehihf"
+    "fgfhhhggggggg     ggfgggfhgfhhigikgggkghiggfggggggfgggggfhfhgiihjijjiiihjhhgggggggfgfgfgff"
+    "gghgfihhikkiijjhhffggggggggggfegeggegghhhjlkkhkiifhgggggggbgfgdfgfgfhihijjjkkjjhiigggggjgg"
+    "g g gg gggggg g               gggggggggggggggggg              ggggggggggghhghghhhfggg     "
+    "    ggefggdgghhgggihhhjhgghggggg  ggegggfdahfgghggigijjhhgfeffggggggdgfcegehgefegigikjlkji"
+    "jigfgggggidgfecfbgffggghgjkljjjijhfggggggjcgfghheiefggijlllllkjjgihgfgggglfhhdfhjighhkllll"
+    "gighggggg       igfhhggihijlllllliifegggg      ghggghfiiijjklllllkhdhgggg       gggghhhjih"
+    "kkllllligfcgggg      gdgggggehgijklllllkhfggggg      ghgggggehiihijlllligggggg       ghggg"
+    "ggggghgjkllllicgggg        gfggggggghgfihklllgggggg        gghhgffhhhhkjllllllljjihhhiiiih"
+    "hjfhghggffffhhillllllihggggfgefgggbghgfgefggghjlllllljhgfffdehhggaadhdcffgdggijlllllljihgf"
+    "febedfaaabdbddedfhghllllllliihgffedabcdaaaecccfgfggjjlllllljjhggggbdddbabefecgcdfefjhlkllk"
+    "kiijhfdddfeeedhggffghgfghhiikillljhgeeggfgggfghggggggghghhilllhhgggg          hgggggggggfh"
+    "illllihfgg          eg gggghhgfilllllihggg          g gggggghggikllllihgggg        gg  ggg"
+    "ggfhhhillllihgggg        gg   gggggfggillllhggg          gg     ggggghhjkllgfg           g"
+    "e    gggggghhilllhgg           gg     gggggghilljgg             g        ggggilllfg       "
+    "      g       gggggillligg           gi       gggggilllkgg           ik       ggggggllllgg"
+    "           ij        ggggilllkg            ll       g ggghklll             ll        gggfi"
+    "lllkg            lg                                                                       "
+    "                                                                                          "
+    "                                                                                          "
+    "    igblg                           gg              gg              gggg            gggg  "
+    "          iggg            gg              gg              ggggg           ggggg           "
+    "ggggg           ggggg                                                                     "
+    "                                                                      gg              hg  "
+    "            g               ig              chg             agg             gg            "
+    "  hg              hhg             lg              ig              kfg             ghg     "
+    "        lgg             kg              jg              gg              ag              fg"
+    "              jg              ig              hg              g                           "
+    "                                                                                          "
+    "                          h               jg              efggggggg       beffgggggg      "
+    "adcbagggggg     acdaaagggggg    aeecaaegggggg   agefcaaagggggg  affffcaafgggggg ahfgefcbaf"
+    "ggggg ahiggegcaafgggggahhghhegcbagggghahghigifgcbaggghahghfhihffcbcg  aighfhiiihgccgg ahgh"
+    "gggiigheheggahggghhhhihghgggagggggggfggggg  g                                             "
+    "                                                                                          "
+    "                                                                                        i "
+    "              jg              gdggg           ebggggg         ccabgfgg        acfbaefgg   "
+    "    addfabaggg      adedeaaefgg     aceeddcafggg    aceeedcaefggg   adcfedecbafggg  adddgf"
+    "ddcdbgggg aedddffeddbbggggadgedegfdfceggggaegfedfhgefcggggacgihgdehedfcfggachhgfifdihefhgg"
+    "adggggggdgggggg g                                                                         "
+    "                                                                                          "
+    "                                                                                          "
+    "  hggggggggg      iggghhfghgg     iggghhgefhgg    igggghhgcghgg   igggghhhgcgggg  iggggggh"
+    "hgfghgg iggggggghgggfhgghggggggggghgeghgiggggggggghhggfhhgggggggggggggfhhggggggggggggggh  "
+    "                                                                                          "
+    "                                                                                          "
+    "                                                                                          "
+    "                                                                geghgfggfg      gehhhfgheg"
+    "g     gddhhfdggbfg    febehhfafhffg   ffdgbhgfbfhegg  hhfdccghfeggffg gggfgbghggeggfggffgg"
+    "dfcdhhfbghghgfgggeebgggffgghgfggggeegfhgefghgggggggggffgdfgh                              "
+    "                                                                                          "
+    "                                                                                          "
+    "                              ";
 
 constexpr std::array<std::int16_t, 216> kWeights = {
-    76, 567, 515, 307, 307, 307, 307, 307,
-    257, 358, 342, 4, 207, 57, 392, 307,
-    200, 341, 351, 28, 242, 132, 278, 307,
-    201, 360, 313, 57, 261, 163, 251, 307,
-    280, 282, 291, 59, 289, 211, 213, 307,
-    361, 203, 278, 50, 327, 208, 204, 307,
-    395, 139, 290, 29, 382, 199, 206, 307,
-    399, 74, 277, 29, 383, 177, 234, 307,
-    324, 74, 244, 67, 299, 148, 295, 307,
-    285, 367, 189, 289, 199, 228, 307, 307,
-    308, 348, 198, 298, 189, 240, 307, 307,
-    338, 312, 177, 334, 188, 229, 307, 307,
-    384, 303, 180, 369, 200, 220, 307, 307,
-    344, 337, 205, 370, 197, 209, 307, 307,
-    349, 319, 218, 405, 201, 201, 307, 307,
-    307, 318, 233, 470, 200, 197, 307, 307,
-    373, 329, 77, 579, 219, 187, 307, 307,
-    339, 322, 305, 198, 192, 307, 307, 307,
-    460, 440, 235, 205, 272, 168, 225, 307,
-    215, 463, 335, 563, 307, 307, 307, 307,
-    182, 211, 301, 339, 307, 307, 307, 307,
-    -69, 639, 244, 265, 307, 307, 307, 307,
-    -230, 472, 520, 452, 307, 307, 307, 307,
-    66, 81, 359, 362, 307, 307, 307, 307,
-    38, 16, 480, 275, 307, 307, 307, 307,
-    364, 329, 186, 171, 307, 307, 307, 307,
-    327, 177, 191, 307, 307, 307, 307, 307,
+    103, 561, 476, 307, 307, 307, 307, 307,
+    257, 322, 294, 43, 257, 79, 348, 307,
+    203, 323, 302, 56, 265, 152, 254, 307,
+    204, 338, 283, 75, 272, 178, 232, 307,
+    269, 273, 272, 75, 288, 219, 197, 307,
+    336, 206, 264, 64, 309, 216, 193, 307,
+    369, 152, 282, 42, 344, 206, 200, 307,
+    370, 88, 265, 37, 361, 185, 213, 307,
+    303, 83, 237, 66, 292, 166, 262, 307,
+    269, 339, 182, 276, 204, 219, 307, 307,
+    294, 317, 191, 290, 196, 225, 307, 307,
+    311, 294, 175, 312, 192, 217, 307, 307,
+    346, 299, 176, 334, 204, 210, 307, 307,
+    323, 328, 200, 345, 199, 200, 307, 307,
+    328, 314, 212, 373, 200, 194, 307, 307,
+    305, 301, 227, 429, 194, 191, 307, 307,
+    358, 313, 78, 516, 207, 181, 307, 307,
+    312, 302, 291, 197, 192, 307, 307, 307,
+    447, 422, 225, 203, 277, 179, 217, 307,
+    37, -44, 415, 630, 663, 307, 307, 307,
+    36, 94, 273, 287, 472, 307, 307, 307,
+    -87, 500, 138, 150, 516, 307, 307, 307,
+    -183, 328, 424, 261, 463, 307, 307, 307,
+    -80, -121, 308, 310, 531, 307, 307, 307,
+    6, -11, 383, 208, 321, 307, 307, 307,
+    354, 326, 188, 176, 307, 307, 307, 307,
+    349, 163, 184, 307, 307, 307, 307, 307,
 };
 
 constexpr std::array<std::int16_t, 1280> kWeightsByScale = {
-    24, 191, 136, -389, -103, -251, 131, 0,
-    1, -36, -13, -107, -27, -385, 49, 0,
-    -54, -117, -80, -65, -7, -191, -53, 0,
-    -136, -62, -144, -19, -157, -5, -35, 0,
-    -179, -78, -81, -27, -124, 98, -43, 0,
-    -121, -85, -14, -76, -150, 69, 6, 0,
-    -103, -77, -27, 6, -49, 0, 3, 0,
-    -58, -33, -64, 14, -61, -15, -17, 0,
-    3, 308, 82, -383, -139, -105, 56, 0,
-    16, -59, 56, -150, 80, -379, -29, 0,
-    -125, -76, -74, -109, 59, -276, -94, 0,
-    -196, -139, -76, -92, -139, -46, -109, 0,
-    -203, -124, -39, -184, -204, 83, -99, 0,
-    -93, -101, 5, -146, -123, 33, -63, 0,
-    -153, -66, 21, -204, -96, 15, -28, 0,
-    -102, -124, -13, -175, -80, -10, -26, 0,
-    -3, 273, 113, -388, -151, -85, -6, 0,
-    -27, 39, -23, -161, 55, -325, -62, 0,
-    -113, -116, -89, -175, 42, -284, -86, 0,
-    -244, -96, -46, -132, -176, -50, -75, 0,
-    -174, -89, -91, -136, -79, 33, -96, 0,
-    -73, -74, -23, -181, -63, 8, -65, 0,
-    6, -53, -25, -204, -89, 5, -38, 0,
-    -81, -77, 40, -199, -78, -25, -18, 0,
-    40, 190, 112, -366, -143, -100, -39, 0,
-    21, 6, -18, -202, 94, -301, -90, 0,
-    -31, -81, -108, -198, 26, -293, -111, 0,
-    -58, -139, -139, -175, -71, -43, -123, 0,
-    -100, -107, -32, -178, -80, 27, -89, 0,
-    -83, -34, 29, -242, -62, 54, -92, 0,
-    -34, -24, -11, -324, -52, 5, -46, 0,
-    -78, -108, 37, -272, -21, 2, -9, 0,
-    86, 236, 134, -364, -170, -122, -10, 0,
-    134, -156, 0, -268, 112, -316, -141, 0,
-    64, -122, -133, -213, 23, -282, -109, 0,
-    9, -105, -110, -206, -116, -48, -114, 0,
-    -52, -98, -100, -211, -50, 16, -89, 0,
-    -67, -69, 19, -264, -42, 20, -62, 0,
-    -44, -55, -2, -274, -34, 5, -26, 0,
-    -12, -49, 8, -225, -38, -19, -22, 0,
-    192, 210, 6, -381, 17, -136, -67, 0,
-    153, -220, 94, -341, 162, -315, -129, 0,
-    94, -187, -131, -221, 100, -257, -139, 0,
-    49, -172, -71, -204, -172, -128, -42, 0,
-    30, -131, -99, -240, -53, 45, -98, 0,
-    -38, -108, -43, -233, -17, 22, -51, 0,
-    -30, -84, 46, -211, -18, 4, -55, 0,
-    -47, -80, -5, -264, -20, 6, -5, 0,
-    199, 228, 5, -190, 45, -96, -63, 0,
-    37, 185, -46, -271, 288, -383, -186, 0,
-    41, -307, 14, -275, 159, -351, -110, 0,
-    149, -265, -31, -229, -220, -179, 7, 0,
-    41, -148, -98, -240, -94, 11, -69, 0,
-    -15, -123, -83, -299, -41, 21, -36, 0,
-    16, -74, -39, -255, -21, 5, -34, 0,
-    -18, -66, 23, -239, -30, 1, -24, 0,
-    -232, 211, 83, 187, 92, 13, 40, 0,
-    -325, 224, 54, -138, 270, -200, 24, 0,
-    -248, -51, -138, -227, 230, -338, -170, 0,
-    50, -311, -3, -243, -226, -282, 6, 0,
-    79, -219, -131, -213, -76, -57, 1, 0,
-    51, -129, -31, -193, -59, -4, -17, 0,
-    55, -86, -49, -249, -11, 9, -17, 0,
-    43, -50, 9, -126, -12, 17, -31, 0,
-    -208, 83, 199, -91, -133, -101, 0, 0,
-    40, 84, -203, 64, -203, -99, 0, 0,
-    -5, -131, -135, -109, -264, 14, 0, 0,
-    -1, -108, -149, 0, -96, -90, 0, 0,
-    -22, 38, -126, 11, 34, -118, 0, 0,
-    -46, 114, -66, -31, 21, -94, 0, 0,
-    -48, 149, -42, -63, 7, -86, 0, 0,
-    -62, 88, 43, -62, -20, -36, 0, 0,
-    -43, 330, 111, -125, 1, -238, 0, 0,
-    80, 192, 110, -23, -96, -91, 0, 0,
-    128, -1, -128, 26, -153, -70, 0, 0,
-    100, -92, -102, -42, -358, 60, 0, 0,
-    -13, -138, -118, -12, -145, -53, 0, 0,
-    -37, 11, -117, 11, 26, -152, 0, 0,
-    -8, 105, -124, -11, 33, -136, 0, 0,
-    -110, 139, -78, -47, 18, -90, 0, 0,
-    137, -40, -189, 365, -27, -260, 0, 0,
-    90, 54, 28, 59, -13, -244, 0, 0,
-    218, 41, 46, -21, -99, -92, 0, 0,
-    209, 18, -196, 21, -150, -85, 0, 0,
-    41, -116, -135, 0, -235, -18, 0, 0,
-    -10, -114, -135, -11, -120, -79, 0, 0,
-    -60, 33, -116, 22, 6, -150, 0, 0,
-    -97, 148, -96, -13, 39, -144, 0, 0,
-    50, 52, 31, 257, -148, -44, 0, 0,
-    -50, -153, -162, 160, 25, -162, 0, 0,
-    -52, -123, 97, 77, -19, -152, 0, 0,
-    172, 46, -119, -44, -70, -102, 0, 0,
-    209, 16, -151, 34, -149, -82, 0, 0,
-    81, 2, -118, 34, -197, -45, 0, 0,
-    -16, -85, -105, -6, -136, -79, 0, 0,
-    -130, 68, -140, 72, 70, -204, 0, 0,
-    55, -13, -56, 188, 5, 0, 0, 0,
-    -96, 91, 11, 76, -13, 0, 0, 0,
-    -204, -27, -17, -8, -127, -1, 0, 0,
-    -179, -37, 22, 56, -51, -173, 0, 0,
-    184, 0, -118, -41, -72, -130, 0, 0,
-    212, 24, -47, 27, -145, -86, 0, 0,
-    113, 79, -97, 20, -183, -56, 0, 0,
-    -55, -18, -106, 96, 21, -164, 0, 0,
-    -105, -77, -18, 71, 0, 0, 0, 0,
-    -206, -208, -16, 114, 0, 0, 0, 0,
-    102, 17, -15, 152, 0, 0, 0, 0,
-    -305, -37, 61, 175, -228, -126, 0, 0,
-    -41, 43, 93, -29, -47, -93, 0, 0,
-    244, -93, 71, 27, -80, -137, 0, 0,
-    312, 79, -104, 9, -135, -83, 0, 0,
-    -37, 20, -94, 123, -77, -111, 0, 0,
-    14, 23, 0, -2, 0, 0, 0, 0,
-    -60, -37, 0, 25, 0, 0, 0, 0,
-    -258, -208, 0, 53, 0, 0, 0, 0,
-    -113, -63, -10, 52, -122, -8, 0, 0,
-    -154, 147, 55, 277, -171, -57, 0, 0,
-    -58, 179, 46, 123, -37, -125, 0, 0,
-    305, -12, 88, -54, -72, -149, 0, 0,
-    58, 10, -86, 153, -119, -95, 0, 0,
-    -28, -42, -106, 18, 0, 0, 0, 0,
-    -52, -15, -202, 19, 0, 0, 0, 0,
-    -109, 76, -153, 75, 0, 0, 0, 0,
-    -79, 83, -275, 48, -4, 0, 0, 0,
-    -139, -14, -331, 96, -73, -26, 0, 0,
-    31, 188, -251, 190, -169, -98, 0, 0,
-    141, 337, -333, 146, -98, -86, 0, 0,
-    98, -116, -77, 241, -73, -117, 0, 0,
-    262, 129, -139, -116, -159, 0, 0, 0,
-    59, 11, -20, -149, -110, 0, 0, 0,
-    -12, -8, 27, -54, -140, 0, 0, 0,
-    27, 49, -33, -127, -87, 0, 0, 0,
-    -26, 32, -5, -86, -104, 0, 0, 0,
-    5, -66, -21, -103, -82, 0, 0, 0,
-    -11, 6, -40, -85, -106, 0, 0, 0,
-    -22, -73, -9, -88, -73, 0, 0, 0,
-    171, 216, -106, -144, -158, 112, -174, 0,
-    254, 130, -150, -77, -281, -17, -79, 0,
-    251, 158, -120, -58, -135, -110, -74, 0,
-    200, 145, -105, -65, 4, -160, -59, 0,
-    130, 117, -59, -101, 61, -186, -68, 0,
-    67, 95, -21, -126, 25, -172, -75, 0,
-    59, 83, -13, -100, 7, -182, -75, 0,
-    60, 113, 17, -154, 66, -188, -81, 0,
-    293, 10, -175, -214, 0, 0, 0, 0,
-    195, 43, -162, -180, 0, 0, 0, 0,
-    90, 59, -112, -165, 0, 0, 0, 0,
-    64, 74, -106, -131, 0, 0, 0, 0,
-    32, 9, -88, -111, 0, 0, 0, 0,
-    -33, -41, -90, -77, 0, 0, 0, 0,
-    -10, -103, -62, -97, 0, 0, 0, 0,
-    -38, -77, -53, -66, 0, 0, 0, 0,
-    140, -42, -37, 0, 0, 0, 0, 0,
-    108, -95, -116, 0, 0, 0, 0, 0,
-    122, -34, -134, 0, 0, 0, 0, 0,
-    180, -61, -140, 0, 0, 0, 0, 0,
-    159, -103, -60, 0, 0, 0, 0, 0,
-    44, 61, -109, 0, 0, 0, 0, 0,
-    -190, 16, -37, 0, 0, 0, 0, 0,
-    -98, -161, -54, 0, 0, 0, 0, 0,
+    11, 100, 55, -344, -46, -188, 62, 0,
+    -31, -42, -43, -100, -2, -378, 42, 0,
+    -72, -93, -108, -88, 35, -220, -61, 0,
+    -134, -81, -151, -27, -168, -65, -23, 0,
+    -163, -106, -98, -34, -135, 44, -40, 0,
+    -141, -106, -24, -68, -147, 23, 2, 0,
+    -68, -44, -4, 5, -69, -46, -50, 0,
+    -54, -49, -67, 13, -88, -32, -38, 0,
+    -2, 205, 34, -351, -86, -72, 10, 0,
+    -11, -38, 14, -148, 59, -354, -40, 0,
+    -130, -58, -119, -115, 72, -264, -121, 0,
+    -207, -140, -68, -94, -102, -96, -104, 0,
+    -210, -132, -49, -146, -194, 47, -85, 0,
+    -111, -93, -20, -142, -100, -9, -73, 0,
+    -141, -75, -23, -167, -82, -10, -42, 0,
+    -70, -90, 4, -117, -82, -38, -65, 0,
+    -16, 200, 62, -346, -90, -89, -29, 0,
+    -28, 36, -58, -169, 51, -312, -72, 0,
+    -131, -101, -87, -168, 40, -274, -107, 0,
+    -226, -96, -54, -134, -139, -80, -94, 0,
+    -177, -75, -102, -140, -109, 5, -98, 0,
+    -90, -78, -39, -163, -77, -2, -85, 0,
+    -29, -64, -43, -228, -79, -22, -45, 0,
+    -82, -62, 13, -180, -79, -45, -47, 0,
+    41, 132, 70, -325, -99, -101, -51, 0,
+    -5, 4, -33, -187, 80, -275, -114, 0,
+    -25, -86, -112, -182, 42, -282, -125, 0,
+    -45, -124, -137, -172, -118, -64, -122, 0,
+    -127, -102, -55, -180, -79, 17, -113, 0,
+    -89, -51, -2, -244, -64, 20, -99, 0,
+    -62, -46, -18, -305, -56, -10, -63, 0,
+    -85, -105, 4, -300, -23, -10, -30, 0,
+    103, 150, 79, -314, -136, -95, -17, 0,
+    125, -154, -12, -262, 110, -303, -150, 0,
+    58, -106, -125, -190, 29, -252, -136, 0,
+    22, -111, -115, -197, -114, -87, -114, 0,
+    -64, -91, -102, -214, -79, 4, -96, 0,
+    -72, -68, 3, -260, -47, 0, -89, 0,
+    -61, -75, -21, -270, -39, -10, -39, 0,
+    -42, -60, -10, -241, -48, -34, -40, 0,
+    166, 139, 7, -336, 7, -140, -89, 0,
+    158, -216, 94, -314, 141, -307, -140, 0,
+    99, -169, -142, -209, 101, -266, -160, 0,
+    61, -169, -51, -193, -178, -153, -53, 0,
+    18, -141, -99, -229, -71, 12, -103, 0,
+    -64, -109, -49, -246, -40, 4, -66, 0,
+    -57, -101, -7, -224, -37, -15, -54, 0,
+    -66, -96, -32, -267, -31, -12, -17, 0,
+    174, 233, 52, -144, 67, -164, -129, 0,
+    95, 130, -20, -261, 267, -366, -188, 0,
+    65, -293, 29, -260, 171, -357, -135, 0,
+    128, -253, -34, -217, -174, -192, -23, 0,
+    38, -152, -94, -242, -81, 0, -96, 0,
+    -19, -132, -86, -300, -38, 2, -56, 0,
+    -20, -97, -67, -272, -25, -8, -31, 0,
+    -41, -65, -11, -244, -31, -12, -33, 0,
+    -217, 195, 81, 175, 50, 17, 27, 0,
+    -311, 202, 67, -168, 281, -217, -6, 0,
+    -255, -35, -150, -206, 253, -333, -206, 0,
+    30, -303, -26, -251, -185, -272, -14, 0,
+    62, -214, -126, -210, -71, -54, -39, 0,
+    14, -137, -38, -207, -61, -17, -29, 0,
+    30, -93, -57, -263, -23, -3, -33, 0,
+    21, -66, -13, -154, -22, 2, -36, 0,
+    -194, 86, 170, -40, -144, -105, 0, 0,
+    30, 68, -188, 44, -193, -107, 0, 0,
+    -29, -121, -154, -112, -256, 0, 0, 0,
+    -5, -123, -145, -52, -120, -83, 0, 0,
+    -46, -1, -124, -2, 16, -135, 0, 0,
+    -52, 69, -74, -41, -7, -102, 0, 0,
+    -46, 99, -47, -62, -18, -101, 0, 0,
+    -55, 57, 44, -58, -43, -63, 0, 0,
+    -96, 312, 131, -128, -22, -228, 0, 0,
+    28, 197, 124, -14, -118, -94, 0, 0,
+    128, -22, -150, 26, -136, -87, 0, 0,
+    83, -78, -127, -44, -308, 23, 0, 0,
+    -23, -146, -124, -38, -169, -62, 0, 0,
+    -41, -30, -109, -1, 10, -158, 0, 0,
+    -14, 57, -115, -7, 7, -148, 0, 0,
+    -85, 95, -73, -46, -22, -97, 0, 0,
+    130, -97, -159, 388, -82, -246, 0, 0,
+    88, 42, 62, 55, -32, -224, 0, 0,
+    242, 15, -25, -37, -117, -65, 0, 0,
+    209, 34, -198, -5, -148, -94, 0, 0,
+    49, -86, -151, -7, -222, -42, 0, 0,
+    -3, -137, -140, -22, -126, -95, 0, 0,
+    -49, 0, -118, 6, -14, -156, 0, 0,
+    -75, 89, -83, -17, 4, -136, 0, 0,
+    56, 43, -4, 228, -167, -77, 0, 0,
+    -40, -146, -64, 125, -69, -209, 0, 0,
+    -51, -122, 98, 70, -38, -130, 0, 0,
+    192, 65, -113, -57, -71, -94, 0, 0,
+    226, 27, -172, 2, -140, -94, 0, 0,
+    76, 20, -134, 3, -193, -53, 0, 0,
+    6, -111, -120, -16, -154, -83, 0, 0,
+    -99, 29, -127, 45, 33, -192, 0, 0,
+    23, -20, -60, 149, -7, 0, 0, 0,
+    -82, 97, -7, 133, 3, 1, 0, 0,
+    -201, -32, -28, -12, -133, -27, 0, 0,
+    -165, -35, 2, 85, -51, -155, 0, 0,
+    191, 35, -98, -30, -85, -119, 0, 0,
+    216, 65, -64, 3, -135, -93, 0, 0,
+    94, 75, -106, 4, -186, -67, 0, 0,
+    -45, -40, -110, 62, -5, -175, 0, 0,
+    -109, -81, -7, 63, 0, 0, 0, 0,
+    -202, -204, -8, 111, 0, 0, 0, 0,
+    100, 3, -19, 152, 5, 0, 0, 0,
+    -305, -42, 107, 174, -242, -141, 0, 0,
+    -36, 73, 93, 14, -58, -117, 0, 0,
+    251, -79, 43, 30, -79, -152, 0, 0,
+    291, 97, -85, -9, -137, -87, 0, 0,
+    -25, -3, -101, 75, -89, -120, 0, 0,
+    12, 22, 0, -3, 0, 0, 0, 0,
+    -58, -34, 0, 28, 0, 0, 0, 0,
+    -254, -203, 0, 91, 0, 0, 0, 0,
+    -112, -49, -10, 72, -122, -8, 0, 0,
+    -147, 165, 88, 283, -142, -122, 0, 0,
+    -30, 118, 35, 163, -27, -148, 0, 0,
+    275, -4, 88, 3, -78, -155, 0, 0,
+    49, -5, -91, 98, -123, -105, 0, 0,
+    -30, -41, -107, 24, 0, 0, 0, 0,
+    -53, -14, -200, 29, 0, 0, 0, 0,
+    -121, 71, -155, 92, 0, 0, 0, 0,
+    -87, 69, -271, 55, -4, 0, 0, 0,
+    -147, -26, -328, 79, -125, -61, 0, 0,
+    -9, 156, -245, 220, -161, -103, 0, 0,
+    107, 326, -326, 158, -103, -29, 0, 0,
+    99, -96, -45, 184, -90, -125, 0, 0,
+    171, 88, -104, -104, -169, 0, 0, 0,
+    47, 5, -9, -150, -111, 0, 0, 0,
+    -17, -8, 21, -60, -138, 0, 0, 0,
+    8, 30, -33, -124, -93, 0, 0, 0,
+    -40, 4, -3, -96, -105, 0, 0, 0,
+    -4, -61, -39, -117, -87, 0, 0, 0,
+    -35, 1, -48, -96, -111, 0, 0, 0,
+    -18, -77, -47, -93, -81, 0, 0, 0,
+    205, 220, -109, -131, -150, 85, -175, 0,
+    256, 122, -163, -76, -209, -25, -90, 0,
+    253, 133, -132, -67, -102, -116, -67, 0,
+    184, 140, -117, -69, 11, -146, -71, 0,
+    116, 96, -73, -102, 36, -162, -79, 0,
+    56, 72, -40, -127, 3, -161, -80, 0,
+    46, 72, -27, -102, -7, -172, -89, 0,
+    41, 97, -6, -152, 27, -184, -92, 0,
+    243, 6, -156, -188, 0, 0, 0, 0,
+    186, 54, -164, -185, 0, 0, 0, 0,
+    93, 55, -120, -149, 0, 0, 0, 0,
+    101, 81, -110, -137, 0, 0, 0, 0,
+    11, -1, -100, -93, 0, 0, 0, 0,
+    -15, -27, -74, -108, 0, 0, 0, 0,
+    -30, -79, -59, -100, 0, 0, 0, 0,
+    -48, -88, -69, -79, 0, 0, 0, 0,
+    147, 8, 47, 0, 0, 0, 0, 0,
+    19, -97, -166, 0, 0, 0, 0, 0,
+    94, -72, -152, 0, 0, 0, 0, 0,
+    218, -112, -123, 0, 0, 0, 0, 0,
+    137, -104, -51, 0, 0, 0, 0, 0,
+    53, 17, -109, 0, 0, 0, 0, 0,
+    -135, 31, -69, 0, 0, 0, 0, 0,
+    -100, -148, -89, 0, 0, 0, 0, 0,
 };
 
 constexpr Confidences kConfidences = {{
-    {{{256, 211, 371, 182, 180, 154, 193, 293},
-      {256, 262, 309, 194, 317, 317, 296, 313},
-      {256, 215, 339, 297, 236, 210, 266, 315},
+    {{{256, 208, 376, 184, 184, 150, 221, 295},
+      {256, 260, 313, 197, 319, 323, 298, 310},
+      {256, 220, 345, 305, 245, 217, 266, 313},
       {256, 256, 256, 256, 256, 256, 256, 256},
       {256, 256, 256, 256, 256, 256, 256, 256}}},
-    {{{256, 145, 352, 252, 237, 183, 189, 163},
-      {256, 211, 335, 269, 219, 197, 208, 240},
-      {256, 169, 283, 243, 232, 215, 184, 184},
-      {245, 177, 178, 175, 187, 211, 214, 205},
-      {256, 256, 204, 193, 205, 205, 204, 174}}},
-    {{{256, 289, 326, 376, 245, 196, 145, 114},
-      {256, 256, 140, 229, 256, 249, 277, 178},
-      {244, 249, 195, 136, 119, 119, 143, 165},
-      {254, 184, 177, 165, 187, 207, 211, 191},
+    {{{256, 151, 356, 273, 265, 201, 211, 200},
+      {256, 208, 345, 287, 237, 211, 227, 262},
+      {256, 173, 289, 252, 244, 239, 215, 218},
+      {246, 194, 199, 197, 205, 232, 239, 235},
+      {256, 256, 202, 171, 224, 232, 231, 238}}},
+    {{{256, 285, 326, 385, 274, 216, 160, 116},
+      {256, 256, 149, 238, 254, 256, 299, 196},
+      {247, 269, 231, 163, 138, 130, 161, 191},
+      {257, 207, 172, 179, 206, 230, 247, 236},
       {256, 256, 256, 256, 256, 256, 256, 256}}},
-    {{{256, 256, 256, 234, 251, 253, 235, 219},
-      {256, 256, 256, 240, 253, 277, 222, 230},
-      {256, 256, 230, 207, 203, 181, 216, 245},
+    {{{256, 256, 256, 231, 249, 250, 244, 251},
+      {256, 256, 256, 222, 269, 281, 235, 245},
+      {256, 256, 231, 204, 215, 201, 231, 274},
       {256, 256, 256, 256, 256, 256, 256, 256},
       {256, 256, 256, 256, 256, 256, 256, 256}}},
-    {{{256, 256, 356, 342, 279, 276, 289, 270},
-      {256, 256, 256, 314, 234, 292, 311, 281},
-      {195, 231, 207, 217, 267, 303, 286, 274},
-      {187, 209, 234, 258, 275, 221, 195, 252},
-      {256, 150, 132, 134, 144, 190, 242, 301}}},
-    {{{256, 180, 193, 237, 211, 203, 233, 248},
-      {256, 182, 343, 294, 240, 277, 328, 176},
-      {258, 149, 308, 266, 241, 256, 304, 296},
-      {256, 221, 317, 229, 217, 319, 319, 274},
-      {256, 256, 256, 256, 256, 256, 256, 256}}},
-    {{{256, 256, 256, 275, 283, 302, 242, 259},
-      {256, 256, 256, 251, 230, 217, 256, 240},
+    {{{256, 256, 361, 341, 272, 260, 268, 265},
+      {256, 256, 256, 315, 239, 294, 303, 262},
+      {211, 247, 229, 228, 248, 284, 302, 282},
+      {198, 231, 258, 294, 309, 242, 221, 254},
+      {256, 148, 149, 138, 158, 208, 246, 331}}},
+    {{{256, 192, 197, 214, 200, 206, 209, 214},
+      {256, 235, 271, 249, 186, 306, 286, 189},
+      {257, 153, 325, 274, 210, 253, 167, 231},
+      {256, 207, 345, 275, 229, 280, 248, 190},
+      {271, 349, 331, 277, 292, 325, 301, 101}}},
+    {{{256, 256, 256, 274, 282, 300, 238, 269},
+      {256, 256, 256, 260, 256, 220, 252, 265},
       {256, 256, 256, 256, 256, 256, 256, 256},
       {256, 256, 256, 256, 256, 256, 256, 256},
       {256, 256, 256, 256, 256, 256, 256, 256}}},
-    {{{256, 256, 256, 257, 249, 262, 246, 261},
+    {{{256, 256, 256, 256, 272, 232, 262, 268},
       {256, 256, 256, 256, 256, 256, 256, 256},
       {256, 256, 256, 256, 256, 256, 256, 256},
       {256, 256, 256, 256, 256, 256, 256, 256},

@@ -98,14 +98,18 @@ class MixedBit {
 
   Probability one() const { return one_; }
 
-  void follow(bool bit) {
+  /// Weights that other bits taught already may follow more slowly.
+  static constexpr int kSlow = 17;
+  static constexpr int kSlower = 18;
+
+  void follow(bool bit, int slowness = kSlow) {
     constexpr std::int32_t kRate = 3;
     constexpr std::int64_t kMost = 1 << 22;  // 64: hostile bytes cannot overflow
     const std::int32_t surprise = (bit ? 65536 : 0) - static_cast<std::int32_t>(one_);
     for (std::size_t i = 0; i < kAll; ++i) {
       // 65536ths of weight; the product fits 64 bits by far.
       const std::int64_t step = static_cast<std::int64_t>(surprise) * evidence_[i] * kRate;
-      const std::int64_t change = (step + (1 << 16)) >> 17;
+      const std::int64_t change = (step + (std::int64_t{1} << (slowness - 1))) >> slowness;
       const auto follow = [&](std::int32_t& weight) {
         weight =
             static_cast<std::int32_t>(std::clamp<std::int64_t>(weight + change, -kMost, kMost));

@@ -142,7 +142,7 @@ float share_of(float log_odds) {
 /// Codes a clip and adds the gradient of its bits, as if what is learned on the way did not depend
 /// on what is known beforehand; a bit counts `share`. Returns the bits.
 double code(const NotedClip& clip, const CodingKnowledge& known, float share, Gradient* gradient) {
-  constexpr float kMixingRate = 3.0F * 256 / (1 << 17);
+  constexpr float kMixingRate = 3.0F * 256 / (1 << 18);
   constexpr float kLeast = 1.0F / 65536;
   constexpr float kSeldom = 6000.0F / 65536;
   const ContextLayout layout(clip.signals);

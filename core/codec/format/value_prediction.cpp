@@ -41,13 +41,13 @@ void SignalPrediction::begin() {
   seen = 0;
 }
 
-int SignalPrediction::of(const Taps& taps) const {
+int SignalPrediction::of(const std::int16_t* taps) const {
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < kTaps; ++i) sum += static_cast<std::int64_t>(weights[i]) * taps[i];
   return static_cast<int>(std::clamp<std::int64_t>(sum >> 14, -2 * kFarthest, 2 * kFarthest));
 }
 
-void SignalPrediction::follow(const Taps& taps, int error) {
+void SignalPrediction::follow(const std::int16_t* taps, int error) {
   constexpr std::int32_t kMost = 512;  // then what was seen counts half
   bool any = false;
   std::int32_t* row = products.data();
@@ -98,6 +98,27 @@ void SignalPrediction::move_weight(int tap) {
     std::int64_t& left = errors[static_cast<std::size_t>(i)];
     left = std::clamp(left - (moved * both >> 14), -kMostLeft, kMostLeft);
   }
+}
+
+// Sums of 32 bits and products of 16, which machines add up several at a time: weights are within
+// 4, and errors within 5 kFarthest.
+
+int RestPrediction::of(const Taps& taps) const {
+  std::int32_t sum = 1 << 11;
+  for (std::size_t i = 0; i < kTaps; ++i)
+    sum += static_cast<std::int16_t>(weights[i] >> 8) * taps[i];
+  return std::clamp(sum >> 12, -2 * SignalPrediction::kFarthest, 2 * SignalPrediction::kFarthest);
+}
+
+void RestPrediction::follow(const Taps& taps, int error) {
+  constexpr std::int32_t kRate = 121635;     // 0.116
+  constexpr std::int32_t kRidge = 58 * 640;  // squares that count beside those of the taps
+  constexpr std::int32_t kMost = 4 << 20;
+  std::int32_t squares = kRidge;
+  for (const std::int16_t tap : taps) squares += tap * tap;
+  const auto step = static_cast<std::int16_t>(error * kRate / squares);
+  for (std::size_t i = 0; i < kTaps; ++i)
+    weights[i] = std::clamp(weights[i] + step * taps[i], -kMost, kMost);
 }
 
 }  // namespace mocapress::runtime

@@ -41,13 +41,14 @@ extern const ScaleWeights kScaleWeights;
 struct SignalPrediction {
   static constexpr int kTaps = 24;
   static constexpr int kFarthest = 1023;
-  using Taps = std::array<std::int16_t, kTaps>;
 
   void begin();
-  int of(const Taps& taps) const;
+
+  /// `taps` are kTaps, and may be followed by others.
+  int of(const std::int16_t* taps) const;
 
   /// Learns what came instead of the prediction: `error` = value - prediction.
-  void follow(const Taps& taps, int error);
+  void follow(const std::int16_t* taps, int error);
 
   std::array<std::int32_t, kTaps * kTaps> products;  // of two taps, row after row
   std::array<std::int64_t, kTaps> errors;            // of each tap and what its weight leaves
@@ -59,6 +60,21 @@ struct SignalPrediction {
   std::int32_t& product(int row, int column) {
     return products[static_cast<std::size_t>(row * kTaps + column)];
   }
+};
+
+/// What recursive least squares leave of one signal: the same coefficients and those of further
+/// signals, with weights that follow slowly and cost little (normalised least mean squares).
+struct RestPrediction {
+  static constexpr int kTaps = 56;  // those of SignalPrediction come first
+  using Taps = std::array<std::int16_t, kTaps>;
+
+  void begin() { weights.fill(0); }
+  int of(const Taps& taps) const;
+
+  /// Learns what came instead: `error` = what was left - prediction.
+  void follow(const Taps& taps, int error);
+
+  std::array<std::int32_t, kTaps> weights;  // 2^20 = once
 };
 
 /// 2^30 / (1 + exp(i / 4)), i = 0 ... 64.
