@@ -224,19 +224,20 @@ void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
   for (const PointTerm& term : terms_) term.add_to_gradient(channel, delta, gradient);
   for (Eigen::Index first = 0; first < delta.size(); first += kBlock) {
     const auto step = delta.segment(first, std::min(kBlock, delta.size() - first));
-    if (!step.isZero(0)) spread(channel, first, step.cast<float>().array(), 0, gradient);
+    if (!step.isZero(0))
+      spread(channel, first, step.cast<float>().array(), {0, channels()}, gradient);
   }
 }
 
 void ErrorModel::add_to_gradient(int channel, Eigen::Index first_frame,
-                                 const Eigen::Ref<const Eigen::ArrayXf>& delta, int first_channel,
-                                 Eigen::MatrixXf& gradient) const {
-  spread(channel, first_frame, delta, first_channel, gradient);
+                                 const Eigen::Ref<const Eigen::ArrayXf>& delta,
+                                 const ChannelRange& channels, Eigen::MatrixXf& gradient) const {
+  spread(channel, first_frame, delta, channels, gradient);
 }
 
 template <typename Gradient>
 void ErrorModel::spread(int channel, Eigen::Index first_frame,
-                        const Eigen::Ref<const Eigen::ArrayXf>& delta, int first_channel,
+                        const Eigen::Ref<const Eigen::ArrayXf>& delta, const ChannelRange& channels,
                         Gradient& gradient) const {
   const auto c = static_cast<std::size_t>(channel);
   for (Eigen::Index done = 0; done < delta.size(); done += kBlock) {
@@ -246,7 +247,7 @@ void ErrorModel::spread(int channel, Eigen::Index first_frame,
     // The force that one channel calls up does work along the motion of the other: that of the
     // lower one is of all landmarks that both move.
     const auto add = [&](const Block<6, float>& mine, const Eigen::MatrixXf& theirs, int other) {
-      if (other < first_channel) return;
+      if (!channels.has(other)) return;
       const auto them = columns<6>(theirs, other, first, frames);
       const Block<1, float> work = mine.col(0) * them.col(0) + mine.col(1) * them.col(1) +
                                    mine.col(2) * them.col(2) + mine.col(3) * them.col(3) +

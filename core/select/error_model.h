@@ -62,10 +62,18 @@ class ErrorModel {
   /// Touches only the channels that share landmarks with it.
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
 
-  /// The same of an error in some frames, from `first_frame` on, and for the channels from
-  /// `first_channel` on. Without has_terms() only.
+  /// Channels from `first` on, before `end`.
+  struct ChannelRange {
+    int first;
+    int end;
+
+    bool has(int channel) const { return channel >= first && channel < end; }
+  };
+
+  /// The same of an error in some frames, from `first_frame` on, and for some channels. Without
+  /// has_terms() only.
   void add_to_gradient(int channel, Eigen::Index first_frame,
-                       const Eigen::Ref<const Eigen::ArrayXf>& delta, int first_channel,
+                       const Eigen::Ref<const Eigen::ArrayXf>& delta, const ChannelRange& channels,
                        Eigen::MatrixXf& gradient) const;
 
   /// Whether errors of some points count otherwise.
@@ -87,7 +95,7 @@ class ErrorModel {
                        const Posed& posed);
   template <typename Gradient>
   void spread(int channel, Eigen::Index first_frame, const Eigen::Ref<const Eigen::ArrayXf>& delta,
-              int first_channel, Gradient& gradient) const;
+              const ChannelRange& channels, Gradient& gradient) const;
 
   std::vector<SignalMoves::Place> places_;
   std::vector<int> parents_;             // of joints

@@ -57,8 +57,9 @@ class ClosedLoop {
                  const Observer<ClosedLoopProgress>& observer = {}) const;
 
   /// Seeks what leaves that eps_x by the quadratic model, or up to kSettled less: near `scale`, and
-  /// then by what a bit is worth. All frames count alike.
-  Result quantise_to(double eps_cm, double scale,
+  /// then by what a bit is worth. All frames count alike. `pairs`: where steps are coarse, once
+  /// with two channels at a time, too.
+  Result quantise_to(double eps_cm, double scale, bool pairs = false,
                      const Observer<ClosedLoopProgress>& observer = {}) const;
 
   /// The same for what was settled before, at an eps_x near to that.

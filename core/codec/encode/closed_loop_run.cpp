@@ -33,6 +33,15 @@ constexpr double kLastBitPrice = 0.041;
 constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06,  0.03,
                                         0.06,  0.025, 0.05, 0.025, 0.02};
 
+/// One sweep with pairs of channels among them, where it pays most and where a clip has few
+/// coefficients: from this scale on.
+constexpr int kPairsInSettling = 6;
+constexpr double kLeastScaleOfPairs = 0.35;  // cm
+
+// Channels: a joint, its parent and the parent's are near each other.
+constexpr int kNearReach = 6;
+constexpr int kFarReach = 12;
+
 double price_of(int sweep, int sweeps) {
   return kFirstBitPrice + (kLastBitPrice - kFirstBitPrice) * sweep / std::max(sweeps - 1, 1);
 }
@@ -233,10 +242,10 @@ ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
   ClosedLoop::Result result;
   if (work.compensate) pass([&](int j) { compensate(j); });
   result.eps_cm = eps_cm();
-  const bool with_pairs = work.pairs && !weighted() && !loop_.model_.has_terms();
+  const bool with_pairs = work.pairs && may_pair();
   while (result.sweeps < work.sweeps && result.complete) {
     // Pairs are for what single moves have left.
-    if (with_pairs && 2 * result.sweeps >= work.sweeps) sweep_pairs();
+    if (with_pairs && 2 * result.sweeps >= work.sweeps) sweep_pairs(kFarReach);
     bit_price_ = price_of(result.sweeps, work.sweeps);
     pass([&](int j) { sweep(j); });
     ++result.sweeps;
@@ -257,11 +266,12 @@ double ClosedLoopRun::begin_settling() {
   return eps_cm() * std::exp(-kStillToCome);
 }
 
-ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
+ClosedLoop::Result ClosedLoopRun::settle(double eps_cm, bool pairs,
                                          const Observer<ClosedLoopProgress>& observer) {
   constexpr int kMost = 4;
   constexpr double kLeastEps = 1e-12;
   ClosedLoop::Result result;
+  const bool with_pairs = pairs && coded_.scale >= kLeastScaleOfPairs && may_pair();
   const auto sweep_all = [&] {
     pass([&](int j) { sweep(j); });
     ++result.sweeps;
@@ -273,6 +283,7 @@ ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
   result.eps_cm = this->eps_cm();
   for (; settling_ < std::ssize(kSettlingPrices) && result.complete; ++settling_) {
     bit_price_ = kSettlingPrices[static_cast<std::size_t>(settling_)];
+    if (with_pairs && settling_ == kPairsInSettling) sweep_pairs(kNearReach);
     sweep_all();
   }
   PriceControl control(growth_);
@@ -517,16 +528,24 @@ double ClosedLoopRun::Bits::with(int value) const {
          (after_ ? RateTable::coarse_bits(*after_ - value) : 0);
 }
 
-void ClosedLoopRun::sweep_pairs() {
-  constexpr int kReach = 12;  // channels: a joint, its parent and the parent's are near each other
+void ClosedLoopRun::sweep_pairs(int reach) {
+  // Moves change the gradient of all channels. It is kept only of those that the pairs of a few
+  // channels are about, and looked up again for the next few.
+  constexpr int kGroup = 12;
   Eigen::MatrixXf gradient(gradient_.size(), errors_.cols());
-  pass([&](int j) { gradient.col(j) = gradient_; });
-  for (int a = 0; a < channels(); ++a)
-    for (int b = a + 1; b < std::min(channels(), a + 1 + kReach); ++b)
-      if (loop_.model_.are_related(a, b)) sweep_pair(a, b, gradient);
+  for (int first = 0; first < channels(); first += kGroup) {
+    const ErrorModel::ChannelRange looked_at{first, std::min(channels(), first + kGroup + reach)};
+    pass([&](int j) {
+      if (looked_at.has(j)) gradient.col(j) = gradient_;
+    });
+    for (int a = first; a < std::min(channels(), first + kGroup); ++a)
+      for (int b = a + 1; b <= std::min(channels() - 1, a + reach); ++b)
+        if (loop_.model_.are_related(a, b)) sweep_pair(a, b, {a, looked_at.end}, gradient);
+  }
 }
 
-void ClosedLoopRun::sweep_pair(int a, int b, Eigen::MatrixXf& gradient) {
+void ClosedLoopRun::sweep_pair(int a, int b, const ErrorModel::ChannelRange& looked_at,
+                               Eigen::MatrixXf& gradient) {
   Eigen::ArrayXf entry = Eigen::ArrayXf::Zero(gradient.rows());
   entry.head(errors_.rows()) = loop_.model_.entry(a, b).array();
   for (int band = 1; band < static_cast<int>(bands_.size()); ++band)
@@ -543,8 +562,8 @@ void ClosedLoopRun::sweep_pair(int a, int b, Eigen::MatrixXf& gradient) {
           in_a.step * in_b.step * static_cast<double>(function.dot_of_squares(entry.data()));
       if (!may_pay(in_a, in_b, cross)) continue;
       const auto [by_a, by_b] = best_moves(in_a, in_b, cross);
-      move_of_pair(in_a, by_a, a, gradient);
-      move_of_pair(in_b, by_b, a, gradient);
+      move_of_pair(in_a, by_a, looked_at, gradient);
+      move_of_pair(in_b, by_b, looked_at, gradient);
     }
 }
 
@@ -586,7 +605,8 @@ std::pair<int, int> ClosedLoopRun::best_moves(const Place& a, const Place& b, do
   return best;
 }
 
-void ClosedLoopRun::move_of_pair(const Place& place, int steps, int first_channel,
+void ClosedLoopRun::move_of_pair(const Place& place, int steps,
+                                 const ErrorModel::ChannelRange& looked_at,
                                  Eigen::MatrixXf& gradient) {
   if (steps == 0 || std::abs(value_at(place) + steps) > kMostSteps) return;
   const int j = place.channel;
@@ -594,7 +614,7 @@ void ClosedLoopRun::move_of_pair(const Place& place, int steps, int first_channe
   const Eigen::ArrayXf delta = static_cast<float>(steps * place.step) * place.function.values();
   energy_ += energy_of(j, first, gradient.col(j).segment(first, delta.size()).array(), delta);
   errors_.col(j).segment(first, delta.size()).array() += delta;
-  loop_.model_.add_to_gradient(j, first, delta, first_channel, gradient);
+  loop_.model_.add_to_gradient(j, first, delta, looked_at, gradient);
   set(place, value_at(place) + steps);
 }
 

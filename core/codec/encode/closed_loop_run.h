@@ -32,7 +32,8 @@ class ClosedLoopRun {
 
   /// What remains of these sweeps, and some more until eps_x is what was asked for. Only the latter
   /// where another run was settled before.
-  ClosedLoop::Result settle(double eps_cm, const Observer<ClosedLoopProgress>& observer);
+  ClosedLoop::Result settle(double eps_cm, bool pairs,
+                            const Observer<ClosedLoopProgress>& observer);
   ClosedLoop::Result coarsen(ErrorBound& bound, const Observer<ClosedLoopProgress>& observer);
 
  private:
@@ -83,8 +84,12 @@ class ClosedLoopRun {
 
   /// Moves coefficients of two channels at a time: what neither would do alone, as it makes an
   /// error that the other makes good. Where frames and points count alike.
-  void sweep_pairs();
-  void sweep_pair(int a, int b, Eigen::MatrixXf& gradient);
+  void sweep_pairs(int reach);
+  bool may_pair() const { return !weighted() && !loop_.model_.has_terms(); }
+
+  /// `gradient` is that of the channels looked at, and follows the moves.
+  void sweep_pair(int a, int b, const ErrorModel::ChannelRange& looked_at,
+                  Eigen::MatrixXf& gradient);
 
   /// What moves of both add to the sum of squared errors.
   static double error_of(const Place& a, int by_a, const Place& b, int by_b, double cross);
@@ -92,7 +97,8 @@ class ClosedLoopRun {
   /// Whether any move of both could pay, whatever it saves.
   bool may_pay(const Place& a, const Place& b, double cross) const;
   std::pair<int, int> best_moves(const Place& a, const Place& b, double cross) const;
-  void move_of_pair(const Place& place, int steps, int first_channel, Eigen::MatrixXf& gradient);
+  void move_of_pair(const Place& place, int steps, const ErrorModel::ChannelRange& looked_at,
+                    Eigen::MatrixXf& gradient);
 
   int channels() const { return loop_.transform_.channels(); }
   double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit

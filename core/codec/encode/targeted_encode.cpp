@@ -383,6 +383,12 @@ class TargetedEncode {
     return trial;
   }
 
+  /// Errors of bones alone are for comparison with others, and asked for quickly.
+  bool has_pairs() const {
+    return options_.weighting != Weighting::BoneEnds &&
+           options_.weighting != Weighting::JointOrigins;
+  }
+
   Trial settle(double eps_cm, double scale, const Trial* trial) {
     const auto settle_again = [&] {
       return loop().settle({.coded = trial->compressed.known->coded(),
@@ -390,8 +396,9 @@ class TargetedEncode {
                             .growth = trial->growth},
                            eps_cm, observe_pass());
     };
-    Trial settled =
-        trial_of(trial ? settle_again() : loop().quantise_to(eps_cm, scale, observe_pass()), true);
+    Trial settled = trial_of(
+        trial ? settle_again() : loop().quantise_to(eps_cm, scale, has_pairs(), observe_pass()),
+        true);
     settled.scale = settled.compressed.known->coded().scale;
     finish_ends(settled);
     weigh(settled);
