@@ -16,6 +16,7 @@
 #include "app/studio/window/screenshot.h"
 #include "app/studio/window/theme.h"
 #include "app/studio/window/trace.h"
+#include "core/base/kept_memory.h"
 #include "translations/install.h"
 #include "widgets/viewport/viewport.h"
 
@@ -113,6 +114,7 @@ int run(int argc, char** argv) {
 }  // namespace mocapress
 
 int main(int argc, char** argv) {
+  mocapress::keep_freed_memory();
   try {
     return mocapress::run(argc, argv);
   } catch (const std::exception& error) {

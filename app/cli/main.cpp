@@ -4,6 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "core/base/error.h"
+#include "core/base/kept_memory.h"
 
 namespace {
 
@@ -44,6 +45,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace mocapress;
+  keep_freed_memory();
   try {
     return run(argc, argv);
   } catch (const EndedWith& ended) {

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/kept_memory.h"
 #include "core/codec/encode/encoder.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/rate.h"
@@ -125,6 +126,7 @@ void against_paper(const fs::path& folder, Effort effort) {
 }  // namespace mocapress
 
 int main(int argc, char** argv) {
+  mocapress::keep_freed_memory();  // as the programs do
   const bool best = argc == 3 && std::string_view(argv[2]) == "best";
   if (argc != 2 && !best) {
     std::fprintf(stderr, "Usage: mocapress-closed-loop-study CORPUS/study [best]\n");

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/kept_memory.h"
 #include "core/codec/encode/encoder.h"
 #include "core/codec/encode/size_estimate.h"
 #include "core/formats/motion_file.h"
@@ -148,6 +149,7 @@ void print_weights(const std::vector<Sample>& samples) {
 }  // namespace mocapress
 
 int main(int argc, char** argv) {
+  mocapress::keep_freed_memory();  // as the programs do
   const bool fits = argc == 3 && std::string_view(argv[2]) == "fit";
   if (argc != 2 && !fits) {
     std::fprintf(stderr, "Usage: mocapress-draft-study CORPUS/study [fit]\n");

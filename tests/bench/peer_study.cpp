@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/kept_memory.h"
 #include "core/base/number_text.h"
 #include "core/base/one_thread.h"
 #include "core/base/random.h"
@@ -375,6 +376,7 @@ int run(int count, char** arguments) {
 }  // namespace mocapress
 
 int main(int count, char** arguments) {
+  mocapress::keep_freed_memory();  // as the programs do
   try {
     return mocapress::run(count, arguments);
   } catch (const std::exception& error) {
