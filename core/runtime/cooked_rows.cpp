@@ -171,7 +171,7 @@ float RowWriter::put_steps(const CookedPart& part, std::byte* scales) const {
 
 /// The smallest of all kinds, where a byte of entries, which take time one by one, counts as more.
 CookedBand RowWriter::put_band(const CookedPart& part, int depth) {
-  constexpr std::uint64_t kEntryIsWorth = 3;  // bytes of dense rows
+  constexpr std::uint64_t kEntryIsWorth = 11;  // quarters of bytes of dense rows
   const int rows = rows_of(depth);
   const int first = kGroup * part.first_group;
   const int end = first + kGroup * part.groups;
@@ -185,7 +185,7 @@ CookedBand RowWriter::put_band(const CookedPart& part, int depth) {
     if (entries > (may_have_entries(depth) ? kMostEntries * part.groups / kMostGroupsOfPart : 0))
       continue;
     const std::uint64_t cost =
-        static_cast<std::uint64_t>(bundles_of(kind, rows)) * bundle_bytes(kind) * part.groups +
+        4 * static_cast<std::uint64_t>(bundles_of(kind, rows)) * bundle_bytes(kind) * part.groups +
         kEntryIsWorth * entries;
     if (cost >= least) continue;
     least = cost;
