@@ -28,7 +28,9 @@ std::uint8_t code_of(double log_odds, int seen) {
   const auto step = static_cast<int>(
       std::clamp(std::lround(log_odds / kStep + (runtime::kLearnedSteps - 1) / 2.0), 0L,
                  static_cast<long>(runtime::kLearnedSteps) - 1));
-  const auto trust = std::ranges::find(runtime::kLearnedTrusts, seen);
+  // A context that is hardly seen keeps what it is worth for all clips, which may lie between.
+  const auto trust = std::ranges::min_element(runtime::kLearnedTrusts, {},
+                                              [&](int worth) { return std::abs(worth - seen); });
   return static_cast<std::uint8_t>(step + runtime::kLearnedSteps *
                                               (trust - runtime::kLearnedTrusts.begin()));
 }

@@ -19,6 +19,7 @@
 #include "core/codec/encode/encoder.h"
 #include "core/codec/encode/size_estimate.h"
 #include "core/formats/motion_file.h"
+#include "tests/bench/study_clips.h"
 
 namespace mocapress {
 namespace {
@@ -36,21 +37,6 @@ EncodeOptions draft_at(double eps_cm, Weighting weighting, bool size_will_do) {
           .target = {Target::Kind::Error, eps_cm},
           .effort = Effort::Draft,
           .size_will_do = size_will_do};
-}
-
-Motion every_frame_of(const Motion& motion, int every) {
-  Motion result{motion.skeleton, {motion.clip.sample_rate_hz / every, {}}};
-  const Eigen::Index rows = (motion.clip.channels.rows() + every - 1) / every;
-  result.clip.channels = motion.clip.channels(Eigen::seqN(0, rows, every), Eigen::all);
-  return result;
-}
-
-std::vector<fs::path> clips_in(const fs::path& folder) {
-  std::vector<fs::path> clips;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".amc") clips.push_back(entry.path());
-  std::sort(clips.begin(), clips.end());
-  return clips;
 }
 
 double least_ms(const Encoder& encoder, const EncodeOptions& options) {
@@ -99,7 +85,7 @@ std::vector<Sample> samples_of(const std::vector<fs::path>& clips) {
   for (const fs::path& path : clips) {
     const Motion whole = read_motion(path).motion;
     for (const int every : kEvery) {
-      const Encoder encoder(every_frame_of(whole, every));
+      const Encoder encoder(thinned(whole, every));
       for (const Weighting weighting : kWeightings)
         for (const double eps_cm : kErrors) {
           const Encoding draft = encoder.encode(draft_at(eps_cm, weighting, false));
@@ -156,7 +142,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const auto clips = mocapress::clips_in(argv[1]);
+    const auto clips = mocapress::clips_of(argv[1]);
     if (!fits) mocapress::print_times(clips);
     const auto samples = mocapress::samples_of(clips);
     mocapress::print_accuracy(samples);
