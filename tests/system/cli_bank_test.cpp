@@ -45,6 +45,23 @@ TEST_F(CliBank, WhatWasPutInComesOutByteForByte) {
   EXPECT_EQ(mocapress({"bank", "verify", file("b.mcpk")}).exit_code, 0);
 }
 
+TEST_F(CliBank, ListsOneJsonDocument) {
+  compress_two();
+  ASSERT_EQ(mocapress({"bank", "make", file("b.mcpk"), file("clips"), "--tag", "a \"]\"", "--tag",
+                       "b\nc", "--meta", "k=]}"})
+                .exit_code,
+            0);
+  ASSERT_EQ(
+      mocapress({"bank", "make", file("c.mcpk"), file("clips/walk.mcpr"), "--cooked"}).exit_code,
+      0);
+  for (const char* const bank : {"b.mcpk", "c.mcpk"}) {
+    const std::string listed = mocapress({"bank", "list", file(bank), "--json"}).out;
+    const auto json = nlohmann::ordered_json::parse(listed);
+    EXPECT_EQ(json["clips"].size(), std::string(bank) == "b.mcpk" ? 2U : 1U);
+    EXPECT_EQ(listed, json.dump(2) + '\n');
+  }
+}
+
 TEST_F(CliBank, ACookedBankIsMadeOfAPackedOne) {
   compress_two();
   ASSERT_EQ(mocapress({"bank", "make", file("b.mcpk"), file("clips")}).exit_code, 0);
