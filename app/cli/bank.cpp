@@ -15,6 +15,7 @@
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/number_text.h"
+#include "core/base/parallel_in_order.h"
 #include "core/base/staged_file.h"
 
 namespace mocapress::cli {
@@ -132,6 +133,20 @@ void list_bank(const std::string& path, bool json) {
   print_json(bank, path);
 }
 
+/// A clip as the file it was, and where it goes below the folder.
+struct Extracted {
+  fs::path below;
+  std::vector<std::byte> bytes;
+};
+
+Extracted extracted(const BankFile& bank, const std::string& path, std::uint32_t clip) {
+  const runtime::BankEntry entry = bank.entry(clip);
+  const fs::path below = fs::path(std::string(entry.name) + ".mcpr").lexically_normal();
+  if (below.is_absolute() || *below.begin() == "..")
+    throw InputError(path, 0, 0, std::string("the clip '") + entry.name + "' leaves the folder");
+  return {below, bank.extract(entry)};
+}
+
 void extract_from_bank(const std::string& path, const std::vector<std::string>& names,
                        const std::string& folder) {
   const BankFile bank(path);
@@ -144,26 +159,30 @@ void extract_from_bank(const std::string& path, const std::vector<std::string>& 
   for (std::uint32_t clip = 0; names.empty() && clip < bank.clips(); ++clip) clips.push_back(clip);
   constexpr std::size_t kTogether = 256;  // files that wait for the disk at once
   std::vector<StagedFile> staged;
-  for (const std::uint32_t clip : clips) {
-    const runtime::BankEntry entry = bank.entry(clip);
-    const fs::path below = fs::path(std::string(entry.name) + ".mcpr").lexically_normal();
-    if (below.is_absolute() || *below.begin() == "..")
-      throw InputError(path, 0, 0, std::string("the clip '") + entry.name + "' leaves the folder");
-    const fs::path file = fs::path(folder) / below;
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    staged.emplace_back(file).write(bank.extract(entry));
-    if (staged.size() < kTogether) continue;
-    StagedFile::commit_all(staged);
-    staged.clear();
-  }
+  parallel_in_order(
+      clips.size(), [&](std::size_t i) { return extracted(bank, path, clips[i]); },
+      [&](std::size_t, const Extracted& clip) {
+        const fs::path file = fs::path(folder) / clip.below;
+        std::error_code error;
+        fs::create_directories(file.parent_path(), error);
+        staged.emplace_back(file).write(clip.bytes);
+        if (staged.size() < kTogether) return true;
+        StagedFile::commit_all(staged);
+        staged.clear();
+        return true;
+      });
   StagedFile::commit_all(staged);
 }
 
 void verify_bank(const std::string& path) {
   const BankFile bank(path);
   std::uint32_t unplayed = 0;
-  for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) unplayed += bank.play(clip) ? 0 : 1;
+  parallel_in_order(
+      bank.clips(), [&](std::size_t clip) { return bank.play(static_cast<std::uint32_t>(clip)); },
+      [&](std::size_t, bool is_played) {
+        unplayed += is_played ? 0 : 1;
+        return true;
+      });
   std::fprintf(stderr, "%s: %u clips are whole and play\n", path.c_str(), bank.clips() - unplayed);
   if (unplayed > 0)
     std::fprintf(stderr, "%u are whole, but of a coding that no engine plays\n", unplayed);

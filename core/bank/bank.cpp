@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
+#include <variant>
 
 #include "core/bank/bank_learning.h"
 #include "core/bank/cooked_tables.h"
 #include "core/base/error.h"
+#include "core/base/parallel_in_order.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/bank_check.h"
 
@@ -16,62 +18,98 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A clip that is ready to be put into a bank.
+struct ReadyClip {
+  std::vector<std::string> tags;
+  std::variant<std::monostate, PackedClip, ClipForBank> clip;  // nothing: it is copied
+};
+
 /// Puts clips into a new bank, wherever they come from.
 class Filler {
  public:
-  Filler(BankWriter& writer, runtime::BankForm form, std::vector<std::byte> learned)
-      : writer_(writer), form_(form), learned_(std::move(learned)) {}
+  Filler(BankWriter& writer, runtime::BankForm form, const BankSourceReader& files,
+         std::vector<std::byte> learned)
+      : writer_(writer), form_(form), files_(files), learned_(std::move(learned)) {}
 
-  void put(const BankSource& source, const std::vector<std::string>& tags) {
-    BankSourceReader::File file = reader_.read(source);
-    file.tags.insert(file.tags.end(), tags.begin(), tags.end());
-    put_file(source.name, source.file.string(), file.bytes, file.tags);
+  /// What can be done to a clip before those that come before it are in the bank. May be called by
+  /// many threads.
+  ReadyClip prepare(const BankSource& source) const try {
+    BankSourceReader::File file = files_.read(source);
+    ReadyClip ready{std::move(file.tags), {}};
+    if (form_ == runtime::BankForm::Cooked)
+      ready.clip = cook_for_bank(file.bytes);
+    else
+      ready.clip = pack_clip(file.bytes, learned_);
+    return ready;
+  } catch (const FormatError& error) {
+    throw InputError(source.file.string(), 0, 0, error.what());
+  }
+
+  void put(const std::string& name, ReadyClip ready, const std::vector<std::string>& tags) {
+    ready.tags.insert(ready.tags.end(), tags.begin(), tags.end());
+    if (const auto* const packed = std::get_if<PackedClip>(&ready.clip))
+      writer_.add(name, intern_outline(*packed, intern_), packed->bytes, std::move(ready.tags));
+    else if (const auto* const cooked = std::get_if<ClipForBank>(&ready.clip))
+      put_cooked(name, cooked->cooked(), cooked->skeleton, std::move(ready.tags));
   }
 
   /// A clip as it is in a bank of the same form.
   void copy(const BankFile& bank, const runtime::BankEntry& entry) {
-    const std::vector<std::string> tags = bank.tags(entry);
+    std::vector<std::string> tags = bank.tags(entry);
     if (!bank.is_cooked()) {
       const auto* const first =
           reinterpret_cast<const std::byte*>(bank.bank().at(entry.place.offset));
       writer_.add(entry.name, copy_outline(bank.bank(), entry.kind, intern_),
-                  {first, static_cast<std::size_t>(entry.place.bytes)}, tags);
+                  {first, static_cast<std::size_t>(entry.place.bytes)}, std::move(tags));
       return;
     }
     const mcpr_cooked* cooked = nullptr;
     if (runtime::failed(runtime::cooked_clip_of(bank.bank(), entry, cooked))) return;
     const runtime::Bytes skeleton = bank.bank().item(runtime::BankItem::Part, entry.kind);
-    put_cooked(
-        entry.name,
-        copy_to_bank(*cooked, {reinterpret_cast<const std::byte*>(skeleton.data), skeleton.size},
-                     writer_.tables()),
-        tags);
+    put_cooked(entry.name, *cooked,
+               {reinterpret_cast<const std::byte*>(skeleton.data), skeleton.size}, std::move(tags));
   }
 
  private:
-  void put_file(const std::string& name, const std::string& file,
-                const std::vector<std::byte>& bytes, const std::vector<std::string>& tags) try {
-    if (form_ == runtime::BankForm::Cooked)
-      return put_cooked(name, cook_for_bank(bytes, writer_.tables()), tags);
-    const PackedClip packed = pack_clip(bytes, intern_, learned_);
-    writer_.add(name, packed.outline, packed.bytes, tags);
-  } catch (const FormatError& error) {
-    throw InputError(file, 0, 0, error.what());
-  }
-
-  void put_cooked(const std::string& name, const BankedClip& clip,
-                  const std::vector<std::string>& tags) {
-    writer_.add(name, writer_.intern(runtime::BankItem::Part, clip.skeleton), clip.bytes, tags);
+  void put_cooked(const std::string& name, const mcpr_cooked& clip,
+                  std::span<const std::byte> skeleton, std::vector<std::string> tags) {
+    const std::vector<std::byte> bytes = put_tables(clip, writer_.tables());
+    writer_.add(name, writer_.intern(runtime::BankItem::Part, skeleton), bytes, std::move(tags));
   }
 
   BankWriter& writer_;
   runtime::BankForm form_;
+  const BankSourceReader& files_;
   InternItem intern_ = [this](runtime::BankItem kind, std::span<const std::byte> bytes) {
     return writer_.intern(kind, bytes);
   };
   std::vector<std::byte> learned_;  // PRIO, which clips are coded by
-  BankSourceReader reader_;
 };
+
+/// A clip of the old bank, or a source: which comes next.
+struct Step {
+  std::uint32_t number;
+  bool is_copy;
+};
+
+/// In the order of their names. A clip of the old bank whose name a source has is left out.
+std::vector<Step> merged(const BankFile* old, const std::vector<BankSource>& sources) {
+  std::vector<Step> steps;
+  const auto end = static_cast<std::uint32_t>(sources.size());
+  std::uint32_t source = 0;
+  const std::uint32_t kept = old != nullptr ? old->clips() : 0;
+  for (std::uint32_t clip = 0; clip < kept; ++clip) {
+    const runtime::BankEntry entry = old->entry(clip);
+    const auto order = [&] {
+      const std::string& name = sources[source].name;
+      return runtime::compare_names(entry.name, entry.name_length, name.data(), name.size());
+    };
+    while (source < end && order() > 0) steps.push_back({source++, false});
+    if (source == end || order() != 0) steps.push_back({clip, true});
+  }
+  while (source < end) steps.push_back({source++, false});
+  return steps;
+}
 
 /// What clips of a bank are coded by; nothing where they are coded as all clips are.
 std::vector<std::byte> learned_in(const mcpk_bank& bank) {
@@ -95,38 +133,34 @@ void write_bank(const fs::path& path, const BankFile* old, std::vector<BankSourc
     throw InputError((twice + 1)->file.string(), 0, 0,
                      "would be the clip '" + twice->name + "', as " + twice->file.string());
   BankWriter writer(path, options.form);
+  const BankSourceReader files(sources);
   const bool is_packed = options.form == runtime::BankForm::Packed;
   bool is_stopped = false;
   std::vector<std::byte> learned;
   if (is_packed && old != nullptr) learned = learned_in(old->bank());
   if (is_packed && old == nullptr && options.learn)
-    learned = learn_from(sources, [&](const BankProgress& progress) {
+    learned = learn_from(sources, files, [&](const BankProgress& progress) {
       is_stopped = !should_continue(observer, progress);
       return !is_stopped;
     });
   if (is_stopped) return;
-  Filler filler(writer, options.form, std::move(learned));
-  const std::uint32_t kept = old != nullptr ? old->clips() : 0;
-  BankProgress progress{0, sources.size() + kept};
-  std::uint32_t next = 0;
-  auto source = sources.begin();
-  while (next < kept || source != sources.end()) {
-    int order = next < kept ? -1 : 1;
-    runtime::BankEntry entry;
-    if (next < kept) {
-      entry = old->entry(next);
-      if (source != sources.end())
-        order = runtime::compare_names(entry.name, entry.name_length, source->name.data(),
-                                       source->name.size());
-    }
-    if (order < 0) filler.copy(*old, entry);
-    if (order >= 0) filler.put(*source++, options.tags);
-    if (order <= 0) ++next;
-    if (order == 0) --progress.clips;
-    ++progress.done;
-    if (!should_continue(observer, progress)) return;
-  }
-  writer.finish(texts);
+  Filler filler(writer, options.form, files, std::move(learned));
+  const std::vector<Step> steps = merged(old, sources);
+  parallel_in_order(
+      steps.size(),
+      [&](std::size_t step) {
+        return steps[step].is_copy ? ReadyClip() : filler.prepare(sources[steps[step].number]);
+      },
+      [&](std::size_t step, ReadyClip ready) {
+        const std::uint32_t number = steps[step].number;
+        if (steps[step].is_copy)
+          filler.copy(*old, old->entry(number));
+        else
+          filler.put(sources[number].name, std::move(ready), options.tags);
+        is_stopped = !should_continue(observer, BankProgress{step + 1, steps.size()});
+        return !is_stopped;
+      });
+  if (!is_stopped) writer.finish(texts);
 }
 
 }  // namespace

@@ -100,12 +100,11 @@ Lesson lesson_of(const std::vector<bool>& is_told, const CodingKnowledge& before
 }
 
 /// Those whose motion is one adaptively coded piece.
-std::vector<NotedClip> noted(const std::vector<BankSource>& sources,
+std::vector<NotedClip> noted(const std::vector<BankSource>& sources, const BankSourceReader& files,
                              const std::function<bool()>& go_on) {
   constexpr std::size_t kMostClips = 600;
   const std::size_t count = std::min(sources.size(), kMostClips);
   std::vector<NotedClip> clips;
-  BankSourceReader files;
   for (std::size_t i = 0; i < count && go_on(); ++i) {
     const BankSource& source = sources[i * sources.size() / count];
     try {
@@ -129,6 +128,7 @@ int most_frequent_signals(const std::vector<NotedClip>& clips) {
 }  // namespace
 
 std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
+                                  const BankSourceReader& files,
                                   const Observer<BankProgress>& observer) {
   constexpr int kRounds = 6;
   constexpr double kFinest = 0.1;  // of log odds, to begin with
@@ -139,7 +139,7 @@ std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
     is_stopped = is_stopped || !should_continue(observer, BankProgress{0, sources.size()});
     return !is_stopped;
   };
-  const std::vector<NotedClip> clips = noted(sources, go_on);
+  const std::vector<NotedClip> clips = noted(sources, files, go_on);
   if (clips.empty() || is_stopped) return {};
   const CodingKnowledge before = CodingKnowledge::of_all_clips(most_frequent_signals(clips));
   CodingKnowledge after = before;

@@ -9,9 +9,10 @@
 
 namespace mocapress {
 
-/// From some hundred of the clips. Empty where it would take more bytes than it saves, or the
-/// observer said no. Throws InputError.
+/// From some hundred of the clips, which `files` reads. Empty where it would take more bytes than
+/// it saves, or the observer said no. Throws InputError.
 std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
+                                  const BankSourceReader& files,
                                   const Observer<BankProgress>& observer = {});
 
 }  // namespace mocapress

@@ -59,17 +59,19 @@ std::vector<BankSource> find_bank_sources(const std::vector<fs::path>& inputs) {
   return sources;
 }
 
-BankSourceReader::File BankSourceReader::read(const BankSource& source) {
+BankSourceReader::BankSourceReader(const std::vector<BankSource>& sources) {
+  for (const BankSource& source : sources)
+    if (!source.of_bank.empty()) banks_.try_emplace(source.file.native(), source.file);
+}
+
+BankSourceReader::File BankSourceReader::read(const BankSource& source) const {
   if (source.of_bank.empty()) return {read_bytes(source.file), {}};
-  if (!bank_ || path_ != source.file) {
-    bank_.emplace(source.file);
-    path_ = source.file;
-  }
+  const BankFile& bank = banks_.at(source.file.native());
   const std::int64_t clip =
-      runtime::find_clip(bank_->bank(), source.of_bank.data(), source.of_bank.size());
+      runtime::find_clip(bank.bank(), source.of_bank.data(), source.of_bank.size());
   if (clip < 0) throw InputError(source.file.string(), 0, 0, "no clip " + source.of_bank);
-  const runtime::BankEntry entry = bank_->entry(static_cast<std::uint32_t>(clip));
-  return {bank_->extract(entry), bank_->tags(entry)};
+  const runtime::BankEntry entry = bank.entry(static_cast<std::uint32_t>(clip));
+  return {bank.extract(entry), bank.tags(entry)};
 }
 
 }  // namespace mocapress

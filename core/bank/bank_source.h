@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,7 +24,8 @@ struct BankSource {
 /// none.
 std::vector<BankSource> find_bank_sources(const std::vector<std::filesystem::path>& inputs);
 
-/// Reads sources; the bank of the last one stays open.
+/// Reads sources. The banks that hold some stay open, each once, however the names of their clips
+/// alternate.
 class BankSourceReader {
  public:
   struct File {
@@ -32,11 +33,13 @@ class BankSourceReader {
     std::vector<std::string> tags;
   };
   /// Throws InputError.
-  File read(const BankSource& source);
+  explicit BankSourceReader(const std::vector<BankSource>& sources);
+
+  /// May be called by many threads. Throws InputError.
+  File read(const BankSource& source) const;
 
  private:
-  std::optional<BankFile> bank_;
-  std::filesystem::path path_;
+  std::map<std::string, BankFile> banks_;  // by their paths
 };
 
 }  // namespace mocapress

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "core/codec/format/format_error.h"
-#include "core/codec/format/own_memory.h"
 #include "core/runtime/bank_skeleton.h"
 #include "core/runtime/cooked_builder.h"
 #include "core/runtime/cooked_check.h"
@@ -58,18 +57,6 @@ class TableMover {
   SharedTables& to_;
 };
 
-BankedClip moved(const mcpr_cooked& clip, SharedTables& tables) {
-  const auto* const first = reinterpret_cast<const std::byte*>(&clip);
-  // What is read as a clip has to lie as one: in memory that is aligned.
-  const AlignedBytes copy(static_cast<std::size_t>(clip.bytes));
-  std::memcpy(copy.data(), first, copy.size());
-  auto* const head = reinterpret_cast<mcpr_cooked*>(copy.data());
-  TableMover(clip, tables).move(*head);
-  head->tables = 0;
-  head->checksum = runtime::checksum_of(*head);
-  return {{copy.data(), copy.data() + copy.size()}, {}};
-}
-
 std::vector<std::byte> skeleton_of(const mcpr_clip* clip) {
   const std::uint32_t joints = mcpr_clip_describe(clip).joints;
   std::vector<runtime::BankJoint> made(joints);
@@ -95,7 +82,7 @@ std::vector<std::byte> skeleton_of(const mcpr_clip* clip) {
 
 }  // namespace
 
-BankedClip cook_for_bank(std::span<const std::byte> file, SharedTables& tables) {
+ClipForBank cook_for_bank(std::span<const std::byte> file) {
   mcpr_info info{};
   require(mcpr_inspect(file.data(), file.size(), nullptr, &info));
   const AlignedBytes scratch(info.read_bytes);
@@ -107,23 +94,24 @@ BankedClip cook_for_bank(std::span<const std::byte> file, SharedTables& tables) 
   OwnMemory<runtime::CookedBuilder> builder(*clip, true);
   require(builder->prepare());
   const runtime::CookedBuilder::Size size = builder->lay_out_apart(nullptr, nullptr);
-  const AlignedBytes cooked(static_cast<std::size_t>(size.clip));
-  const AlignedBytes apart(static_cast<std::size_t>(size.tables));
-  std::memset(cooked.data(), 0, cooked.size());
-  std::memset(apart.data(), 0, apart.size());
-  builder->lay_out_apart(cooked.data(), apart.data());
-  auto* const made = reinterpret_cast<mcpr_cooked*>(cooked.data());
-  made->tables = apart.data() - cooked.data();
-  BankedClip banked = moved(*made, tables);
-  banked.skeleton = skeleton_of(clip);
-  return banked;
+  ClipForBank made{AlignedBytes(static_cast<std::size_t>(size.clip)),
+                   AlignedBytes(static_cast<std::size_t>(size.tables)), skeleton_of(clip)};
+  std::memset(made.clip.data(), 0, made.clip.size());
+  std::memset(made.tables.data(), 0, made.tables.size());
+  builder->lay_out_apart(made.clip.data(), made.tables.data());
+  reinterpret_cast<mcpr_cooked*>(made.clip.data())->tables = made.tables.data() - made.clip.data();
+  return made;
 }
 
-BankedClip copy_to_bank(const mcpr_cooked& clip, std::span<const std::byte> skeleton,
-                        SharedTables& tables) {
-  BankedClip banked = moved(clip, tables);
-  banked.skeleton.assign(skeleton.begin(), skeleton.end());
-  return banked;
+std::vector<std::byte> put_tables(const mcpr_cooked& clip, SharedTables& tables) {
+  // What is read as a clip has to lie as one: in memory that is aligned.
+  const AlignedBytes copy(static_cast<std::size_t>(clip.bytes));
+  std::memcpy(copy.data(), &clip, copy.size());
+  auto* const head = reinterpret_cast<mcpr_cooked*>(copy.data());
+  TableMover(clip, tables).move(*head);
+  head->tables = 0;
+  head->checksum = runtime::checksum_of(*head);
+  return {copy.data(), copy.data() + copy.size()};
 }
 
 }  // namespace mocapress

@@ -7,22 +7,24 @@
 #include <vector>
 
 #include "core/bank/bank_writer.h"
+#include "core/codec/format/own_memory.h"
 #include "core/runtime/cooked_clip.h"
 
 namespace mocapress {
 
-/// A clip for a cooked bank.
-struct BankedClip {
-  std::vector<std::byte> bytes;     // but for where its tables are
+/// A cooked clip that is in no bank yet.
+struct ClipForBank {
+  AlignedBytes clip;
+  AlignedBytes tables;
   std::vector<std::byte> skeleton;  // the item of the bank
+
+  const mcpr_cooked& cooked() const { return *reinterpret_cast<const mcpr_cooked*>(clip.data()); }
 };
 
-/// Cooks a .mcpr with its IK correction, and puts its tables among those of a bank. Throws
-/// FormatError.
-BankedClip cook_for_bank(std::span<const std::byte> file, SharedTables& tables);
+/// Cooks a .mcpr with its IK correction. Throws FormatError.
+ClipForBank cook_for_bank(std::span<const std::byte> file);
 
-/// A clip of a cooked bank for another one.
-BankedClip copy_to_bank(const mcpr_cooked& clip, std::span<const std::byte> skeleton,
-                        SharedTables& tables);
+/// The bytes of a clip in a bank, but for where its tables are: they are put among the bank's.
+std::vector<std::byte> put_tables(const mcpr_cooked& clip, SharedTables& tables);
 
 }  // namespace mocapress

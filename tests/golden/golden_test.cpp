@@ -251,9 +251,8 @@ void write_learned_bank(const std::filesystem::path& path) {
   };
   const std::vector<std::byte> lesson = golden_lesson();
   for (const char* const name : {"v1_ends", "v1_joints", "v1_segments"}) {
-    const PackedClip clip =
-        pack_clip(read_bytes(golden(std::string(name) + ".mcpr")), intern, lesson);
-    bank.add(name, clip.outline, clip.bytes, {});
+    const PackedClip clip = pack_clip(read_bytes(golden(std::string(name) + ".mcpr")), lesson);
+    bank.add(name, intern_outline(clip, intern), clip.bytes, {});
   }
   bank.finish({});
 }

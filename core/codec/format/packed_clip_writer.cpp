@@ -142,67 +142,69 @@ void write_varint(std::vector<std::byte>& bytes, std::uint64_t value) {
   bytes.push_back(static_cast<std::byte>(value));
 }
 
-PackedClip pack_clip(std::span<const std::byte> file, const InternItem& intern,
-                     std::span<const std::byte> learned) {
+PackedClip pack_clip(std::span<const std::byte> file, std::span<const std::byte> learned) {
   const runtime::FileSections sections = sections_of(file);
   const std::optional<std::vector<std::byte>> motion = recoded(sections, learned);
   runtime::Cursor cursor(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());
   std::uint16_t count = 0;
   require(runtime::read_head(cursor, count));
-  std::vector<std::byte> list;
+  PackedClip packed;
   std::vector<std::byte> sizes;
   std::vector<std::byte> orders;
   std::vector<std::byte> payloads;
   std::span<const std::byte> description;
-  const auto put_section = [&](const char(&tag)[4], std::uint32_t part) {
-    append(list, std::as_bytes(std::span(tag)));
-    append_number(list, part);
-  };
   if (motion) {
     runtime::Section section;
     std::memcpy(section.tag, runtime::kLearned, sizeof section.tag);
-    put_section(section.tag, intern(runtime::BankItem::Part, part_of(section, learned)));
+    packed.sections.push_back({std::to_array(section.tag), part_of(section, learned)});
   }
   for (int s = 0; s < count; ++s) {
     runtime::Section section;
     require(runtime::read_section(cursor, section));
     const std::span<const std::byte> payload = span_of(section.payload);
-    std::uint32_t part = runtime::kOwnPart;
+    std::vector<std::byte> part;
     if (section.is("JNTS")) {
       JointText joints(sections);
       const auto taken = take_orders(payload, joints);
       if (taken) orders = *taken;
       const std::vector<std::byte> ordered =
           orders.empty() ? std::vector(payload.begin(), payload.end()) : joints.payload();
-      part = intern(runtime::BankItem::Part, part_of(section, ordered));
+      part = part_of(section, ordered);
     } else if (section.is("CLIP")) {
       description = payload;
       std::vector<std::byte> common(payload.begin(), payload.end());
       std::fill_n(common.begin() + runtime::kFramesAt, 4, std::byte{});
       std::fill_n(common.begin() + runtime::kErrorsAt, 8, std::byte{});
-      part = intern(runtime::BankItem::Part, part_of(section, common));
+      part = part_of(section, common);
     } else if (section.is_optional()) {
-      part = intern(runtime::BankItem::Part, part_of(section, payload));
+      part = part_of(section, payload);
     } else {
       if (runtime::has_told_size(section)) write_varint(sizes, payload.size());
       append(payloads, motion && section.is("MOTN") ? *motion : payload);
     }
-    put_section(section.tag, part);
+    packed.sections.push_back({std::to_array(section.tag), std::move(part)});
   }
-  PackedClip packed;
   const bool are_whole =
       append_errors(description.subspan(runtime::kErrorsAt, 2 * sizeof(float)), packed.bytes);
-  std::vector<std::byte> outline;
-  append_number(outline, static_cast<std::uint16_t>(count + (motion ? 1 : 0)));
-  append_number(outline, static_cast<std::uint16_t>(orders.size() |
-                                                    (are_whole ? runtime::kWholeErrors : 0U)));
-  append(outline, list);
-  packed.outline = intern(runtime::BankItem::Outline, outline);
+  packed.orders_head =
+      static_cast<std::uint16_t>(orders.size() | (are_whole ? runtime::kWholeErrors : 0U));
   write_varint(packed.bytes, sections.frames);
   append(packed.bytes, sizes);
   append(packed.bytes, orders);
   append(packed.bytes, payloads);
   return packed;
+}
+
+std::uint32_t intern_outline(const PackedClip& clip, const InternItem& intern) {
+  std::vector<std::byte> outline;
+  append_number(outline, static_cast<std::uint16_t>(clip.sections.size()));
+  append_number(outline, clip.orders_head);
+  for (const PackedClip::Section& section : clip.sections) {
+    append(outline, std::as_bytes(std::span(section.tag)));
+    append_number(outline, section.part.empty() ? runtime::kOwnPart
+                                                : intern(runtime::BankItem::Part, section.part));
+  }
+  return intern(runtime::BankItem::Outline, outline);
 }
 
 std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEntry& entry) {

@@ -277,6 +277,19 @@ TEST_P(BothForms, AddingOneByOneMakesTheBytesOfMakingAllAtOnce) {
   EXPECT_EQ(read_bytes(bank()), at_once);
 }
 
+TEST_P(BothForms, IsTheSameOfFilesAndOfBanksWhoseNamesAlternate) {
+  make({.form = GetParam()});
+  std::vector<BankSource> sources = find_bank_sources({folder_ / "clips"});
+  std::ranges::sort(sources, {}, &BankSource::name);
+  std::vector<BankSource> halves[2];
+  for (std::size_t i = 0; i < sources.size(); ++i) halves[i % 2].push_back(sources[i]);
+  for (const int half : {0, 1})
+    make_bank(folder_ / (std::to_string(half) + ".mcpk"), halves[half], {});
+  make_bank(folder_ / "merged.mcpk", find_bank_sources({folder_ / "0.mcpk", folder_ / "1.mcpk"}),
+            {.form = GetParam()});
+  EXPECT_EQ(read_bytes(folder_ / "merged.mcpk"), read_bytes(bank()));
+}
+
 TEST_P(BothForms, AddingReplacesByName) {
   make({.form = GetParam()});
   const std::uint32_t clips = BankFile(bank()).clips();
