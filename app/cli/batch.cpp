@@ -46,6 +46,7 @@ struct BatchCommand {
   PresetArguments preset;
   std::vector<std::string> formats = {"mcpr"};
   std::string bank;
+  bool learn = false;
   std::string names = kUsualNames;
   std::string shard = "1/1";
   int jobs = 0;
@@ -83,6 +84,7 @@ struct BatchCommand {
       if (std::count(batch.formats.begin(), batch.formats.end(), *output_format(format)) == 0)
         batch.formats.push_back(*output_format(format));
     if (!bank.empty()) batch.bank = bank_form(bank);
+    batch.learn = learn;
     try {
       check(batch);
     } catch (const Error& error) {
@@ -194,6 +196,11 @@ void add_batch(CLI::App& app) {
                        "cooked, which engines sample as it lies")
           ->type_name("FORM")
           ->check(CLI::IsMember({"packed", "cooked"}));
+  command
+      ->add_flag("--learn", call->learn,
+                 "Code motions of a packed bank by what the clips teach of each other: up to a "
+                 "minute, and 1 to 2 % fewer bytes where there are some hundred")
+      ->needs(bank);
   command
       ->add_option("--name", call->names,
                    "Output names: {folder}, {stem}, {type}, {preset}, {method} [{folder}/{stem}]")

@@ -11,11 +11,13 @@ namespace {
 class BatchReporter {
  public:
   using Send = std::function<void(const BatchCounts&, std::vector<BatchStep>)>;
+  using SendBank = std::function<void(const BankProgress&)>;
 
-  explicit BatchReporter(Send send) : send_(std::move(send)) {}
+  BatchReporter(Send send, SendBank send_bank)
+      : send_(std::move(send)), send_bank_(std::move(send_bank)) {}
 
   void add(const BatchProgress& progress) {
-    if (progress.bank) return;  // the last of all steps, and a short one
+    if (progress.bank) return add(*progress.bank);
     BatchStep& step = steps_[progress.index];
     step.index = progress.index;
     step.progress = progress.clip;
@@ -29,6 +31,15 @@ class BatchReporter {
     if (std::chrono::steady_clock::now() - sent_ >= kReportInterval) flush();
   }
 
+  void add(const BankProgress& bank) {
+    if (!steps_.empty()) flush();
+    const auto now = std::chrono::steady_clock::now();
+    if (is_at_bank_ && now - sent_ < kReportInterval) return;
+    is_at_bank_ = true;
+    send_bank_(bank);
+    sent_ = now;
+  }
+
   void flush() {
     std::vector<BatchStep> steps;
     for (auto& [index, step] : steps_) steps.push_back(std::move(step));
@@ -39,6 +50,8 @@ class BatchReporter {
 
  private:
   Send send_;
+  SendBank send_bank_;
+  bool is_at_bank_ = false;
   BatchCounts counts_;
   std::map<std::size_t, BatchStep> steps_;
   std::chrono::steady_clock::time_point sent_;
@@ -57,9 +70,11 @@ void BatchRunner::start(BatchTask task) {
   if (busy()) return;
   control_ = std::make_shared<BatchControl>();
   const auto work = [this, task = std::move(task), control = control_](const Job& job) {
-    BatchReporter reporter([&](const BatchCounts& counts, std::vector<BatchStep> steps) {
-      job.post([this, counts, steps = std::move(steps)] { emit advanced(counts, steps); });
-    });
+    BatchReporter reporter(
+        [&](const BatchCounts& counts, std::vector<BatchStep> steps) {
+          job.post([this, counts, steps = std::move(steps)] { emit advanced(counts, steps); });
+        },
+        [&](const BankProgress& bank) { job.post([this, bank] { emit bankAdvanced(bank); }); });
     const std::filesystem::path folder = task.folder.toStdU16String();
     const BatchOutcome outcome =
         run_batch_in(folder, task.batch, task.options, *control, [&](const BatchProgress& step) {

@@ -49,6 +49,8 @@ class BatchRunner : public QObject {
  signals:
   /// Since the last time; of each clip the newest.
   void advanced(const BatchCounts& counts, const std::vector<BatchStep>& steps);
+  /// All clips have ended, and their bank is made.
+  void bankAdvanced(const BankProgress& bank);
   void ended(const BatchOutcome& outcome);
   void failed(const QString& message);
 

@@ -132,6 +132,8 @@ void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t
 void check(const Batch& batch) {
   if (batch.bank && std::ranges::find(batch.formats, OutputFormat::Mcpr) == batch.formats.end())
     throw Error("a bank is made of .mcpr files, which are not among the formats");
+  if (batch.learn && batch.bank != runtime::BankForm::Packed)
+    throw Error("only a packed bank is coded by what its clips teach");
 }
 
 void mark_collisions(Batch& batch) {

@@ -47,6 +47,7 @@ struct Batch {
   ReadOptions reading;
   WriteOptions writing;                   // of formats other than .mcpr
   std::optional<runtime::BankForm> bank;  // made of the .mcpr files when all are done
+  bool learn = false;  // the bank, a packed one, codes motions by what its clips teach
   ItemList items;
 
   const ReadOptions& reading_of(const BatchItem& item) const {
@@ -66,7 +67,8 @@ std::string output_name(std::string_view pattern, const SourceClip& source, cons
 void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t preset,
                std::string_view pattern);
 
-/// Throws Error for what cannot be made: a bank without .mcpr files.
+/// Throws Error for what cannot be made: a bank without .mcpr files, a bank that is to learn and is
+/// not packed.
 void check(const Batch& batch);
 
 /// Gives every item that would be written where an earlier one is a problem that says so, and

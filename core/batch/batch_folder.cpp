@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/batch_folder.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -40,7 +42,7 @@ void check_bank(const fs::path& folder, const Batch& batch, const BatchRunOption
 }
 
 /// False: there was no clip to put in, or it was ended early.
-bool make_bank_of(const fs::path& folder, runtime::BankForm form, JournalReader& reader,
+bool make_bank_of(const fs::path& folder, const BankOptions& options, JournalReader& reader,
                   BatchControl& control, BatchProgress progress,
                   const Observer<BatchProgress>& observer) {
   std::vector<BankSource> sources;
@@ -48,12 +50,11 @@ bool make_bank_of(const fs::path& folder, runtime::BankForm form, JournalReader&
     if (row.done()) sources.push_back({row.output, folder / (row.output + ".mcpr"), {}});
   });
   if (sources.empty()) return false;
-  make_bank(folder / kBankOfBatch, std::move(sources), {.form = form},
-            [&](const BankProgress& bank) {
-              progress.bank = bank;
-              if (!should_continue(observer, progress)) control.cancel();
-              return control.may_continue();
-            });
+  make_bank(folder / kBankOfBatch, std::move(sources), options, [&](const BankProgress& bank) {
+    progress.bank = bank;
+    if (!should_continue(observer, progress)) control.cancel();
+    return control.may_continue();
+  });
   return !control.cancelled();
 }
 
@@ -87,8 +88,11 @@ BatchOutcome run_batch_in(const fs::path& folder, const Batch& batch,
   write_batch_report(
       folder, suffix_of(options.shard), [&](const auto& visit) { reader.for_each(visit); }, 0);
   if (batch.bank) {
-    outcome.has_bank =
-        make_bank_of(folder, *batch.bank, reader, control, {.counts = outcome.counts}, observer);
+    tbb::task_arena arena(options.jobs > 0 ? options.jobs : tbb::task_arena::automatic);
+    arena.execute([&] {
+      outcome.has_bank = make_bank_of(folder, {.form = *batch.bank, .learn = batch.learn}, reader,
+                                      control, {.counts = outcome.counts}, observer);
+    });
     outcome.complete = !control.cancelled();
   }
   return outcome;

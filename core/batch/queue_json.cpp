@@ -41,6 +41,7 @@ std::string queue_text(const Batch& batch) {
   for (const Settings& preset : batch.presets) json["presets"].push_back(to_json(preset));
   for (const OutputFormat format : batch.formats) json["formats"].push_back(name(format));
   if (batch.bank) json["bank"] = name(*batch.bank);
+  if (batch.learn) json["learn"] = true;
   for (const BatchItem item : batch.items) {
     Json reading;
     if (item.reading) put(reading = Json::object(), *item.reading);
@@ -72,6 +73,7 @@ Batch parse_queue(const std::string& file, const std::string& text) {
       batch.bank = bank_form(form);
       if (!batch.bank) throw Error("has an unknown form of bank: " + form);
     }
+    batch.learn = json.value("learn", false);
     check(batch);
     batch.reading = format_options(json);
     batch.writing = format_options(json, "out_");

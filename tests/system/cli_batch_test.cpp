@@ -228,6 +228,15 @@ TEST_F(CliBatch, PutsItsFilesIntoABank) {
               HasSubstr(R"("form": "cooked")"));
 }
 
+TEST_F(CliBatch, LearnsFromTheClipsOfItsBank) {
+  write_clips(2);
+  ASSERT_EQ(mocapress(batch("out", {"--bank", "packed"})).exit_code, 0);
+  const auto plain = read_bytes(file("out/bank.mcpk"));
+  const Outcome learned = mocapress(batch("out", {"--bank", "packed", "--learn", "--resume"}));
+  ASSERT_EQ(learned.exit_code, 0) << learned.err;
+  EXPECT_EQ(read_bytes(file("out/bank.mcpk")), plain);  // two clips teach nothing that pays
+}
+
 TEST_F(CliBatch, MeasuresOnTheSkinOfACharacterThatFits) {
   const fs::path samples = fs::path(MOCAPRESS_SOURCE_DIR) / "resources/samples";
   fs::create_directories(file("in"));
@@ -307,6 +316,8 @@ TEST_F(CliBatch, WrongUseIsTwoAndNoInputThree) {
   EXPECT_EQ(mocapress(batch("out", {"--name", "{nothing}"})).exit_code, 2);
   EXPECT_EQ(mocapress(batch("out", {"--bank", "raw"})).exit_code, 2);
   EXPECT_EQ(mocapress(batch("out", {"--bank", "packed", "--format", "bvh"})).exit_code, 2);
+  EXPECT_EQ(mocapress(batch("out", {"--learn"})).exit_code, 2);
+  EXPECT_EQ(mocapress(batch("out", {"--bank", "cooked", "--learn"})).exit_code, 2);
   EXPECT_EQ(mocapress(batch("out", {"--bank", "packed", "--shard", "1/2"})).exit_code, 2);
   EXPECT_EQ(mocapress(batch("out", {"--coding", "deflate"})).exit_code, 2);
   EXPECT_EQ(mocapress(batch("out", {"--ratio", "2", "--max-error", "1"})).exit_code, 2);

@@ -22,7 +22,10 @@ struct BatchSettings {
   QString names = QString::fromUtf8(kUsualNames);
   std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
   std::optional<runtime::BankForm> bank;
+  bool learn = false;  // of a packed bank; another form leaves it as it was chosen
   bool overwrite = false;
+
+  bool learns() const { return learn && bank == runtime::BankForm::Packed; }
 
   bool operator==(const BatchSettings&) const = default;
 };

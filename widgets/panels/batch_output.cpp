@@ -20,6 +20,7 @@ BatchOutput::BatchOutput(QWidget* parent)
       names_(new QLineEdit(this)),
       example_(new QLabel(this)),
       bank_(new QComboBox(this)),
+      learn_(new QCheckBox(tr("Learn from its clips"), this)),
       overwrite_(new QCheckBox(tr("Replace files that are there"), this)) {
   names_->setAccessibleName(tr("Pattern of the names"));
   names_->setToolTip(
@@ -59,6 +60,10 @@ BatchOutput::BatchOutput(QWidget* parent)
   bank_->setToolTip(
       tr("<p>All compressed files in one, bank.mcpk, beside them.<br>Packed: the smallest, for "
          "shipping.<br>Cooked: engines sample clips as they lie in it.</p>"));
+  learn_->setToolTip(
+      tr("Codes the motions of a packed bank by what its clips teach of each other: 1 to 2 % fewer "
+         "bytes where there are some hundred, for up to a minute more. A few clips teach nothing, "
+         "and their bank stays as it is."));
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setHorizontalSpacing(10);
@@ -69,10 +74,12 @@ BatchOutput::BatchOutput(QWidget* parent)
   form->addRow(QString(), example_);
   form->addRow(tr("Files"), grid);
   form->addRow(tr("Bank"), bank_);
+  form->addRow(QString(), learn_);
   form->addRow(QString(), overwrite_);
   connect(folder_, &QPushButton::clicked, this, &BatchOutput::folderRequested);
   connect(names_, &QLineEdit::textEdited, this, &BatchOutput::change);
   connect(bank_, &QComboBox::activated, this, &BatchOutput::change);
+  connect(learn_, &QCheckBox::clicked, this, &BatchOutput::change);
   connect(overwrite_, &QCheckBox::clicked, this, &BatchOutput::change);
   setSettings({});
 }
@@ -90,6 +97,8 @@ void BatchOutput::setSettings(const BatchSettings& settings) {
     box->setChecked(std::find(settings.formats.begin(), settings.formats.end(), format) !=
                     settings.formats.end());
   bank_->setCurrentIndex(settings.bank ? bank_->findData(static_cast<int>(*settings.bank)) : 0);
+  learn_->setChecked(settings.learn);
+  learn_->setEnabled(settings.bank == runtime::BankForm::Packed);
   overwrite_->setChecked(settings.overwrite);
 }
 
@@ -109,6 +118,8 @@ void BatchOutput::change() {
   const QVariant bank = bank_->currentData();
   settings_.bank.reset();
   if (bank.isValid()) settings_.bank = static_cast<runtime::BankForm>(bank.toInt());
+  settings_.learn = learn_->isChecked();
+  learn_->setEnabled(settings_.bank == runtime::BankForm::Packed);
   settings_.overwrite = overwrite_->isChecked();
   emit settingsChanged(settings_);
 }

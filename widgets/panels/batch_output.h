@@ -31,6 +31,7 @@ class BatchOutput : public QWidget {
   QLineEdit* names() const { return names_; }
   QCheckBox* format(OutputFormat format) const { return formats_.at(format); }
   QComboBox* bank() const { return bank_; }
+  QCheckBox* learn() const { return learn_; }
   QCheckBox* overwrite() const { return overwrite_; }
 
  signals:
@@ -46,6 +47,7 @@ class BatchOutput : public QWidget {
   QLabel* example_;
   std::map<OutputFormat, QCheckBox*> formats_;
   QComboBox* bank_;
+  QCheckBox* learn_;
   QCheckBox* overwrite_;
 };
 

@@ -56,6 +56,7 @@ BatchSettings settingsFrom(const Json& json) {
       settings.formats.push_back(*known);
   if (const auto bank = json.find("bank"); bank != json.end() && bank->is_string())
     settings.bank = bank_form(bank->get<std::string>());
+  settings.learn = json.value("learn", false);
   return settings;
 }
 
@@ -85,6 +86,7 @@ void rememberBatch(const QString& file, const RememberedBatch& batch) {
                   {"character", batch.settings.character.toStdString()},
                   {"formats", formats},
                   {"bank", batch.settings.bank ? Json(name(*batch.settings.bank)) : Json()},
+                  {"learn", batch.settings.learn},
                   {"common", to_json(batch.common)},
                   {"clips", clips}};
   QDir().mkpath(QFileInfo(file).absolutePath());

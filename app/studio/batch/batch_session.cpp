@@ -75,6 +75,10 @@ BatchSession::BatchSession(const QString& memory, PresetShelf* presets, QObject*
     if (!running()) setState(State::Idle);
   });
   connect(&runner_, &BatchRunner::advanced, this, &BatchSession::advance);
+  connect(&runner_, &BatchRunner::bankAdvanced, this, [this](const BankProgress& bank) {
+    bank_ = bank;
+    emit progressed();
+  });
   connect(&runner_, &BatchRunner::ended, this, &BatchSession::end);
   connect(&runner_, &BatchRunner::failed, this, [this](const QString& message) {
     queue_.stopWorking();
@@ -293,7 +297,10 @@ std::vector<int> BatchSession::includedRows() const {
 
 /// The common preset first, then those of locked clips.
 Batch BatchSession::batch() const {
-  Batch batch{.presets = {queue_.common()}, .formats = settings_.formats, .bank = settings_.bank};
+  Batch batch{.presets = {queue_.common()},
+              .formats = settings_.formats,
+              .bank = settings_.bank,
+              .learn = settings_.learns()};
   if (!settings_.character.isEmpty()) batch.reading.character = settings_.character.toStdString();
   const std::string names = settings_.names.toStdString();
   for (const int row : includedRows()) {
@@ -362,6 +369,7 @@ void BatchSession::start() {
   counts_ = {};
   counts_.clips = running_rows_.size();
   time_left_ = {};
+  bank_.reset();
   worked_seconds_ = 0;
   clock_.start();
   setState(State::Running);

@@ -82,6 +82,9 @@ class BatchSession : public QObject {
   const QString& failure() const { return failure_; }
   const BatchCounts& counts() const { return counts_; }
 
+  /// The bank that is made when all clips have ended; unset before.
+  const std::optional<BankProgress>& bank() const { return bank_; }
+
   /// 0 to 1, by the length of the clips.
   double fraction() const;
   const std::optional<double>& secondsLeft() const { return time_left_.seconds(); }
@@ -125,6 +128,7 @@ class BatchSession : public QObject {
   State state_ = State::Idle;
   QString failure_;
   BatchCounts counts_;
+  std::optional<BankProgress> bank_;
   TimeLeft time_left_;
   QElapsedTimer clock_;
   double worked_seconds_ = 0;  // before the last pause

@@ -67,7 +67,13 @@ QString soFar(const BatchCounts& counts) {
   return Status::tr("%L1 of %L2").arg(counts.done).arg(counts.clips) + failedText(counts.failed);
 }
 
+QString atBank(const BankProgress& bank, bool learns) {
+  if (bank.done == 0 && learns) return Status::tr("Learning from the clips for their bank…");
+  return Status::tr("Making the bank: %L1 of %L2").arg(bank.done).arg(bank.clips);
+}
+
 QString running(const BatchSession& session) {
+  if (session.bank()) return atBank(*session.bank(), session.settings().learns());
   const auto left = session.secondsLeft();
   if (!left || session.counts().done == session.counts().clips) return soFar(session.counts());
   return Status::tr("%1, about %2 left").arg(soFar(session.counts()), clockText(*left));

@@ -145,7 +145,8 @@ TEST(Queue, ComesBackFromItsFileAsItWas) {
                           .bvh_root = TranslationConvention::Replaces,
                           .character = "hero.glb"},
               .writing = {.cm_per_unit = 2.54, .up = UpAxis::Z},
-              .bank = runtime::BankForm::Cooked};
+              .bank = runtime::BankForm::Packed,
+              .learn = true};
   batch.items = {{.input = "/a/ü \"x\".bvh", .output = "a/x", .preset = 2},
                  {.input = "/b.amc",
                   .skeleton = "/c.asf",
@@ -157,6 +158,7 @@ TEST(Queue, ComesBackFromItsFileAsItWas) {
   EXPECT_EQ(read.presets, batch.presets);
   EXPECT_EQ(read.formats, batch.formats);
   EXPECT_EQ(read.bank, batch.bank);
+  EXPECT_EQ(read.learn, batch.learn);
   EXPECT_TRUE(read.items == batch.items);
   EXPECT_EQ(read.reading, batch.reading);
   EXPECT_EQ(read.writing, batch.writing);
@@ -171,6 +173,8 @@ TEST(Queue, ThatIsNoneOrLeavesItsFolderIsRefused) {
                                "bank": "raw", "clips": []})",
                            R"({"mocapress_queue": 1, "presets": [], "formats": ["bvh"],
                                "bank": "packed", "clips": []})",
+                           R"({"mocapress_queue": 1, "presets": [], "formats": ["mcpr"],
+                               "bank": "cooked", "learn": true, "clips": []})",
                            R"({"mocapress_queue": 1, "presets": [], "formats": [],
                                "clips": [{"input": "a", "output": "b", "preset": 0}]})"})
     EXPECT_THROW(parse_queue("", text), InputError) << text;

@@ -139,6 +139,40 @@ TEST_F(BatchRun, PutsAllFilesIntoABankByTheNamesOfTheirOutputs) {
   }
 }
 
+TEST_F(BatchRun, LearnsFromTheClipsOfABankAndTellsNothingWhereThatDoesNotPay) {
+  Batch asked = batch();
+  asked.bank = runtime::BankForm::Packed;
+  run(asked);
+  const std::vector<std::byte> plain = read_bytes(out() / kBankOfBatch);
+  asked.learn = true;
+  bool has_begun = false;  // no clip is in the bank yet
+  EXPECT_TRUE(run(asked, {.resumed = true}, [&](const BatchProgress& progress) {
+                has_begun = has_begun || (progress.bank && progress.bank->done == 0);
+                return true;
+              }).has_bank);
+  EXPECT_TRUE(has_begun);
+  EXPECT_EQ(read_bytes(out() / kBankOfBatch), plain);
+}
+
+TEST_F(BatchRun, LearnsWhatABankOfItsFilesWouldLearn) {
+  for (int i = 0; i < 60; ++i)
+    write_motion(folder_ / ("in/walk_" + std::to_string(100 + i) + ".bvh"),
+                 test::smooth_motion(60 + i % 9));
+  Batch asked = batch();
+  asked.presets.front().target.value = 0.1;
+  asked.bank = runtime::BankForm::Packed;
+  run(asked);
+  const std::uint64_t plain = fs::file_size(out() / kBankOfBatch);
+  asked.learn = true;
+  run(asked, {.resumed = true});
+  EXPECT_LT(fs::file_size(out() / kBankOfBatch), plain);
+  const BankFile bank(out() / kBankOfBatch);
+  for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) {
+    const runtime::BankEntry entry = bank.entry(clip);
+    EXPECT_EQ(bank.extract(entry), read_bytes(out() / (std::string(entry.name) + ".mcpr")));
+  }
+}
+
 TEST_F(BatchRun, LeavesWhatFailedOutOfTheBank) {
   write_text(folder_ / "in/broken.bvh", "HIERARCHY");
   Batch asked = batch();
@@ -154,6 +188,13 @@ TEST_F(BatchRun, MakesNoBankWhereItMayNotOrCannot) {
   Batch without_files = asked;
   without_files.formats = {OutputFormat::Bvh};
   EXPECT_THROW(run(without_files), Error);
+  Batch learning = asked;
+  learning.learn = true;
+  for (const auto& form :
+       {std::optional<runtime::BankForm>(), std::optional(runtime::BankForm::Cooked)}) {
+    learning.bank = form;
+    EXPECT_THROW(run(learning), Error);
+  }
   fs::create_directories(out());
   write_text(out() / kBankOfBatch, "somebody's");
   for (const bool resumed : {false, true})
