@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -22,6 +24,7 @@
 #include "tests/qt/well_formed.h"
 #include "tests/support/svg_frame.h"
 #include "tests/support/test_motion.h"
+#include "widgets/panels/batch_output.h"
 
 namespace mocapress {
 namespace {
@@ -181,6 +184,7 @@ TEST_F(BatchInTheStudio, TheQueueOutlivesTheProgram) {
   session_.queue()->setOwn({2}, built_in_presets()[3]);
   BatchSettings settings = session_.settings();
   settings.bank = runtime::BankForm::Cooked;
+  settings.learn = true;
   settings.character = path("hero.glb");
   session_.setSettings(settings);
   session_.start();  // remembers at once, whatever happens then
@@ -365,6 +369,55 @@ TEST_F(BatchInTheStudio, MakesABankOfItsCompressedFilesAndOfNothingElse) {
   settings.formats = {OutputFormat::Bvh};
   session_.setSettings(settings);
   EXPECT_FALSE(session_.obstacle().isEmpty());
+}
+
+TEST_F(BatchInTheStudio, SaysThatItLearnsFromTheClipsOfABank) {
+  addClips(2);
+  BatchSettings settings = session_.settings();
+  settings.bank = runtime::BankForm::Packed;
+  settings.learn = true;
+  session_.setSettings(settings);
+  QStringList said;
+  QObject::connect(&session_, &BatchSession::progressed, &session_,
+                   [&] { said << statusOf(session_); });
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(session_.state(), BatchState::Complete);
+  EXPECT_FALSE(said.filter(QStringLiteral("Learning from the clips")).isEmpty());
+  EXPECT_EQ(BankFile(path("out/bank.mcpk").toStdString()).clips(), 2u);
+}
+
+TEST_F(BatchInTheStudio, ACookedBankLearnsNothingThoughThatIsChosen) {
+  addClips(1);
+  BatchSettings settings = session_.settings();
+  settings.bank = runtime::BankForm::Cooked;
+  settings.learn = true;
+  session_.setSettings(settings);
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(session_.state(), BatchState::Complete) << qPrintable(session_.failure());
+  EXPECT_TRUE(BankFile(path("out/bank.mcpk").toStdString()).is_cooked());
+}
+
+TEST(BatchOutputTest, OffersToLearnForAPackedBankAndRemembersTheChoice) {
+  BatchOutput output;
+  BatchSettings chosen;
+  QObject::connect(&output, &BatchOutput::settingsChanged, &output,
+                   [&](const BatchSettings& settings) { chosen = settings; });
+  const auto choose_bank = [&](runtime::BankForm form) {
+    output.bank()->setCurrentIndex(output.bank()->findData(static_cast<int>(form)));
+    emit output.bank()->activated(output.bank()->currentIndex());
+  };
+  EXPECT_FALSE(output.learn()->isEnabled());
+  choose_bank(runtime::BankForm::Packed);
+  EXPECT_TRUE(output.learn()->isEnabled());
+  output.learn()->click();
+  EXPECT_TRUE(chosen.learn && chosen.learns());
+  choose_bank(runtime::BankForm::Cooked);
+  EXPECT_FALSE(output.learn()->isEnabled());
+  EXPECT_TRUE(chosen.learn && !chosen.learns());
+  output.setSettings({.bank = runtime::BankForm::Packed, .learn = true});
+  EXPECT_TRUE(output.learn()->isEnabled() && output.learn()->isChecked());
 }
 
 TEST_F(BatchInTheStudio, PutsItsCharacterOnEveryClip) {
