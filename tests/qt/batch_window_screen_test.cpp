@@ -130,6 +130,18 @@ TEST(BatchWindowOnScreen, ClipsAreDroppedSetUpExportedAndReportedOn) {
   session->undo();
   EXPECT_NE(window->character()->file()->text(), QStringLiteral("character.glb"));
 
+  // A packed bank may learn.
+  QComboBox* const bank = window->output()->bank();
+  bank->setCurrentIndex(bank->findData(static_cast<int>(runtime::BankForm::Packed)));
+  emit bank->activated(bank->currentIndex());
+  window->output()->learn()->click();
+  EXPECT_TRUE(session->settings().learns());
+  pictureOf(*window, "batch-bank.png");
+  session->undo();
+  EXPECT_FALSE(window->output()->learn()->isChecked());
+  session->undo();
+  EXPECT_FALSE(session->settings().bank);
+
   // What is done to the queue is undone here, and not in the studio.
   window->activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(window));
