@@ -61,12 +61,12 @@ std::vector<BankSource> find_bank_sources(const std::vector<fs::path>& inputs) {
 
 BankSourceReader::BankSourceReader(const std::vector<BankSource>& sources) {
   for (const BankSource& source : sources)
-    if (!source.of_bank.empty()) banks_.try_emplace(source.file.native(), source.file);
+    if (!source.of_bank.empty()) banks_.try_emplace(source.file, source.file);
 }
 
 BankSourceReader::File BankSourceReader::read(const BankSource& source) const {
   if (source.of_bank.empty()) return {read_bytes(source.file), {}};
-  const BankFile& bank = banks_.at(source.file.native());
+  const BankFile& bank = banks_.at(source.file);
   const std::int64_t clip =
       runtime::find_clip(bank.bank(), source.of_bank.data(), source.of_bank.size());
   if (clip < 0) throw InputError(source.file.string(), 0, 0, "no clip " + source.of_bank);

@@ -32,6 +32,7 @@ class BankSourceReader {
     std::vector<std::byte> bytes;  // of a .mcpr
     std::vector<std::string> tags;
   };
+
   /// Throws InputError.
   explicit BankSourceReader(const std::vector<BankSource>& sources);
 
@@ -39,7 +40,7 @@ class BankSourceReader {
   File read(const BankSource& source) const;
 
  private:
-  std::map<std::string, BankFile> banks_;  // by their paths
+  std::map<std::filesystem::path, BankFile> banks_;
 };
 
 }  // namespace mocapress

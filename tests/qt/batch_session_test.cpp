@@ -50,6 +50,13 @@ class BatchInTheStudio : public testing::Test {
     session_.setCommon(rough);
   }
 
+  void chooseBank(runtime::BankForm form, bool learn = false) {
+    BatchSettings settings = session_.settings();
+    settings.bank = form;
+    settings.learn = learn;
+    session_.setSettings(settings);
+  }
+
   bool waitForEnd() {
     return QTest::qWaitFor([this] { return !session_.running(); }, kPatience);
   }
@@ -360,12 +367,11 @@ TEST_F(BatchInTheStudio, WritesItsQueueAndAScriptForSlurm) {
 
 TEST_F(BatchInTheStudio, MakesABankOfItsCompressedFilesAndOfNothingElse) {
   addClips(2);
-  BatchSettings settings = session_.settings();
-  settings.bank = runtime::BankForm::Packed;
-  session_.setSettings(settings);
+  chooseBank(runtime::BankForm::Packed);
   session_.start();
   ASSERT_TRUE(waitForEnd());
   EXPECT_EQ(BankFile(path("out/bank.mcpk").toStdString()).clips(), 2u);
+  BatchSettings settings = session_.settings();
   settings.formats = {OutputFormat::Bvh};
   session_.setSettings(settings);
   EXPECT_FALSE(session_.obstacle().isEmpty());
@@ -373,10 +379,7 @@ TEST_F(BatchInTheStudio, MakesABankOfItsCompressedFilesAndOfNothingElse) {
 
 TEST_F(BatchInTheStudio, SaysThatItLearnsFromTheClipsOfABank) {
   addClips(2);
-  BatchSettings settings = session_.settings();
-  settings.bank = runtime::BankForm::Packed;
-  settings.learn = true;
-  session_.setSettings(settings);
+  chooseBank(runtime::BankForm::Packed, true);
   QStringList said;
   QObject::connect(&session_, &BatchSession::progressed, &session_,
                    [&] { said << statusOf(session_); });
@@ -389,10 +392,7 @@ TEST_F(BatchInTheStudio, SaysThatItLearnsFromTheClipsOfABank) {
 
 TEST_F(BatchInTheStudio, ACookedBankLearnsNothingThoughThatIsChosen) {
   addClips(1);
-  BatchSettings settings = session_.settings();
-  settings.bank = runtime::BankForm::Cooked;
-  settings.learn = true;
-  session_.setSettings(settings);
+  chooseBank(runtime::BankForm::Cooked, true);
   session_.start();
   ASSERT_TRUE(waitForEnd());
   EXPECT_EQ(session_.state(), BatchState::Complete) << qPrintable(session_.failure());
