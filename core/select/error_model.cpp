@@ -4,15 +4,18 @@
 #include "core/select/error_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "core/base/parallel.h"
 #include "core/motion/pose_block.h"
+#include "core/select/composite_body.h"
+#include "core/select/sweep_kernels.h"
 
 namespace mocapress {
 namespace {
 
-constexpr Eigen::Index kBlock = 64;  // frames at a time: what is in flight stays in the first cache
+constexpr Eigen::Index kBlock = CompositeBody::kFrames;  // frames at a time
 
 /// Some numbers for each frame of a block.
 template <int count, typename Number = double>
@@ -24,52 +27,18 @@ auto columns(const Matrix& matrix, int index, Eigen::Index first, Eigen::Index f
   return matrix.block(first, static_cast<Eigen::Index>(index) * count, frames, count).array();
 }
 
-Block<3> cross(const Block<3>& a, const Block<3>& b) {
-  Block<3> product(a.rows(), 3);
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    product.col(i) = a.col(j) * b.col(k) - a.col(k) * b.col(j);
-  }
-  return product;
+/// Three columns of a matrix with three for each thing, from a frame on.
+ThreeColumns three_of(const Eigen::MatrixXd& matrix, int index, Eigen::Index first) {
+  const double* const from = matrix.data() + Eigen::Index{3} * index * matrix.rows() + first;
+  return {from, from + matrix.rows(), from + 2 * matrix.rows()};
 }
 
-/// Weighted landmarks that move as one: the sums of w, w x (3) and of w x x^T (xx yy zz yz zx xy).
-struct Inertia {
-  double mass = 0;
-  Block<3> moment;
-  Block<6> square;
-
-  static Inertia none(Eigen::Index frames) {
-    return {0, Block<3>::Zero(frames, 3), Block<6>::Zero(frames, 6)};
-  }
-  void add(double weight, const Block<3>& place) {
-    mass += weight;
-    moment += weight * place;
-    for (int i = 0; i < 3; ++i) {
-      square.col(i) += weight * place.col(i).square();
-      square.col(3 + i) += weight * place.col((i + 1) % 3) * place.col((i + 2) % 3);
-    }
-  }
-  void add(const Inertia& other) {
-    mass += other.mass;
-    moment += other.moment;
-    square += other.square;
-  }
-
-  /// Of the displacement v + w x x: the sum of forces, and of their moments about the origin.
-  Block<3> force(const Block<3>& w, const Block<3>& v) const { return mass * v + cross(w, moment); }
-  Block<3> torque(const Block<3>& w, const Block<3>& v) const {
-    Block<3> sum = cross(moment, v);
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3;
-      const int k = (i + 2) % 3;
-      sum.col(i) += (square.col(j) + square.col(k)) * w.col(i) - square.col(3 + k) * w.col(j) -
-                    square.col(3 + j) * w.col(k);
-    }
-    return sum;
-  }
-};
+std::array<float*, 6> six_from(Eigen::MatrixXf& matrix, Eigen::Index index, Eigen::Index first) {
+  std::array<float*, 6> columns;
+  for (Eigen::Index i = 0; i < 6; ++i)
+    columns[static_cast<std::size_t>(i)] = matrix.col(6 * index + i).data() + first;
+  return columns;
+}
 
 }  // namespace
 
@@ -144,35 +113,29 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
   const Eigen::Index blocks = (rows + kBlock - 1) / kBlock;
   parallel_for(Eigen::Index{0}, blocks, [&](Eigen::Index block) {
     const Eigen::Index first = block * kBlock;
-    const Eigen::Index frames = std::min(kBlock, rows - first);
+    const auto frames = static_cast<int>(std::min(kBlock, rows - first));
     // Seen from the first joint, lest far places cost digits.
-    const auto place = [&](const Eigen::MatrixXd& tracks, int index) -> Block<3> {
-      return columns<3>(tracks, index, first, frames) - columns<3>(posed.origins, 0, first, frames);
-    };
-    std::vector<Inertia> inertias(static_cast<std::size_t>(skeleton.joint_count()),
-                                  Inertia::none(frames));
+    const ThreeColumns origin = three_of(posed.origins, 0, first);
+    std::vector<CompositeBody> bodies(static_cast<std::size_t>(skeleton.joint_count()));
     for (int p = 0; p < weights.size(); ++p)
       if (weights(p) > 0)
-        inertias[static_cast<std::size_t>(points[static_cast<std::size_t>(p)].joint)].add(
-            weights(p), place(posed.points, p));
+        bodies[static_cast<std::size_t>(points[static_cast<std::size_t>(p)].joint)].add(
+            weights(p), three_of(posed.points, p, first), origin, frames);
     for (int j = skeleton.joint_count() - 1; j >= 0; --j)
       if (const int parent = skeleton.joint(j).parent; parent >= 0)
-        inertias[static_cast<std::size_t>(parent)].add(inertias[static_cast<std::size_t>(j)]);
+        bodies[static_cast<std::size_t>(parent)].add(bodies[static_cast<std::size_t>(j)], frames);
 
     for (int c = 0; c < static_cast<int>(channels); ++c) {
       const auto [joint, rotates] = moves.places[static_cast<std::size_t>(c)];
-      const Inertia& inertia = inertias[static_cast<std::size_t>(joint)];
-      const Block<3> axis = columns<3>(moves.axes, c, first, frames);
-      const Block<3> still = Block<3>::Zero(frames, 3);
-      const Block<3> turn = rotates ? axis : still;
-      const Block<3> shift = rotates ? cross(place(posed.origins, joint), axis) : axis;
-      Block<6> motion(frames, 6);
-      Block<6> force(frames, 6);
-      motion << turn, shift;
-      force << inertia.torque(turn, shift), inertia.force(turn, shift);
-      motions_.block(first, Eigen::Index{6} * c, frames, 6) = motion.cast<float>();
-      forces_.block(first, Eigen::Index{6} * c, frames, 6) = force.cast<float>();
-      curvature_.col(c).segment(first, frames) = (motion * force).rowwise().sum().matrix();
+      const CompositeBody& body = bodies[static_cast<std::size_t>(joint)];
+      const ThreeColumns axis = three_of(moves.axes, c, first);
+      const ChannelResponse response{.motion = six_from(motions_, c, first),
+                                     .force = six_from(forces_, c, first),
+                                     .curvature = curvature_.col(c).data() + first};
+      if (rotates)
+        turn_body(body, axis, three_of(posed.origins, joint, first), origin, frames, response);
+      else
+        shift_body(body, axis, frames, response);
     }
   });
 }
@@ -183,14 +146,13 @@ bool ErrorModel::are_related(int a, int b) const {
   return moves(a, lower) || moves(b, upper);
 }
 
-Eigen::VectorXf ErrorModel::entry(int a, int b) const {
+Eigen::ArrayXf ErrorModel::entry(int a, int b) const {
   const bool a_is_upper = moves(a, places_[static_cast<std::size_t>(b)].joint);
-  const int upper = a_is_upper ? a : b;
-  const int lower = a_is_upper ? b : a;
-  return motions_.middleCols(Eigen::Index{6} * upper, 6)
-      .cwiseProduct(forces_.middleCols(Eigen::Index{6} * lower, 6))
-      .rowwise()
-      .sum();
+  Eigen::ArrayXf work = Eigen::ArrayXf::Zero(frames());
+  const Eigen::ArrayXf once = Eigen::ArrayXf::Ones(frames());
+  add_work(six_of(forces_, a_is_upper ? b : a), six_of(motions_, a_is_upper ? a : b), once.data(),
+           work.size(), work.data());
+  return work;
 }
 
 bool ErrorModel::moves(int channel, int joint) const {
@@ -219,47 +181,38 @@ void ErrorModel::add(const PointResponse& response) {
   terms_.push_back(std::move(term));
 }
 
+/// The force that one channel calls up does work along the motion of the other: that of the lower
+/// one is of all landmarks that both move.
+template <typename Visit>
+void ErrorModel::visit_related(int channel, const Visit& visit) const {
+  const auto c = static_cast<std::size_t>(channel);
+  for (const int other : below_[c]) visit(other, six_of(forces_, other), six_of(motions_, channel));
+  for (const int other : above_[c]) visit(other, six_of(forces_, channel), six_of(motions_, other));
+}
+
 void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
                                  Eigen::MatrixXd& gradient) const {
   for (const PointTerm& term : terms_) term.add_to_gradient(channel, delta, gradient);
   for (Eigen::Index first = 0; first < delta.size(); first += kBlock) {
-    const auto step = delta.segment(first, std::min(kBlock, delta.size() - first));
-    if (!step.isZero(0))
-      spread(channel, first, step.cast<float>().array(), {0, channels()}, gradient);
+    const Eigen::Index frames = std::min(kBlock, delta.size() - first);
+    const Block<1, float> step = delta.segment(first, frames).cast<float>();
+    if ((step == 0).all()) continue;
+    visit_related(channel, [&](int other, const SixColumns& force, const SixColumns& motion) {
+      Block<1, float> work = Block<1, float>::Zero(frames, 1);
+      add_work(force.from(first), motion.from(first), step.data(), frames, work.data());
+      gradient.col(other).segment(first, frames).array() += work.cast<double>();
+    });
   }
 }
 
 void ErrorModel::add_to_gradient(int channel, Eigen::Index first_frame,
                                  const Eigen::Ref<const Eigen::ArrayXf>& delta,
                                  const ChannelRange& channels, Eigen::MatrixXf& gradient) const {
-  spread(channel, first_frame, delta, channels, gradient);
-}
-
-template <typename Gradient>
-void ErrorModel::spread(int channel, Eigen::Index first_frame,
-                        const Eigen::Ref<const Eigen::ArrayXf>& delta, const ChannelRange& channels,
-                        Gradient& gradient) const {
-  const auto c = static_cast<std::size_t>(channel);
-  for (Eigen::Index done = 0; done < delta.size(); done += kBlock) {
-    const Eigen::Index first = first_frame + done;
-    const Eigen::Index frames = std::min(kBlock, delta.size() - done);
-    const auto step = delta.segment(done, frames);
-    // The force that one channel calls up does work along the motion of the other: that of the
-    // lower one is of all landmarks that both move.
-    const auto add = [&](const Block<6, float>& mine, const Eigen::MatrixXf& theirs, int other) {
-      if (!channels.has(other)) return;
-      const auto them = columns<6>(theirs, other, first, frames);
-      const Block<1, float> work = mine.col(0) * them.col(0) + mine.col(1) * them.col(1) +
-                                   mine.col(2) * them.col(2) + mine.col(3) * them.col(3) +
-                                   mine.col(4) * them.col(4) + mine.col(5) * them.col(5);
-      gradient.col(other).segment(first, frames).array() +=
-          work.template cast<typename Gradient::Scalar>();
-    };
-    const Block<6, float> motion = columns<6>(motions_, channel, first, frames).colwise() * step;
-    for (const int other : below_[c]) add(motion, forces_, other);
-    const Block<6, float> force = columns<6>(forces_, channel, first, frames).colwise() * step;
-    for (const int other : above_[c]) add(force, motions_, other);
-  }
+  visit_related(channel, [&](int other, const SixColumns& force, const SixColumns& motion) {
+    if (channels.has(other))
+      add_work(force.from(first_frame), motion.from(first_frame), delta.data(), delta.size(),
+               gradient.col(other).data() + first_frame);
+  });
 }
 
 ErrorState::ErrorState(const ErrorModel& model)

@@ -48,7 +48,7 @@ class ErrorModel {
 
   /// Whether G_t has an entry for two channels, and what it is at each frame.
   bool are_related(int a, int b) const;
-  Eigen::VectorXf entry(int a, int b) const;
+  Eigen::ArrayXf entry(int a, int b) const;
 
   /// Whether a channel moves a joint's origin, and how it moves what is at `places` (frames x 3,
   /// cm, in the world): cm per unit.
@@ -93,9 +93,9 @@ class ErrorModel {
   ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, const Posed& posed);
   void compute_motions(const Skeleton& skeleton, const MeasuredPoints& measured,
                        const Posed& posed);
-  template <typename Gradient>
-  void spread(int channel, Eigen::Index first_frame, const Eigen::Ref<const Eigen::ArrayXf>& delta,
-              const ChannelRange& channels, Gradient& gradient) const;
+  /// Calls visit(other channel, what works on it, what moves it) for all related to a channel.
+  template <typename Visit>
+  void visit_related(int channel, const Visit& visit) const;
 
   std::vector<SignalMoves::Place> places_;
   std::vector<int> parents_;             // of joints

@@ -14,10 +14,6 @@ auto six(Eigen::MatrixXf& matrix, int index) {
   return matrix.middleCols(Eigen::Index{6} * index, 6);
 }
 
-SixColumns columns_of(const Eigen::MatrixXf& matrix, int index) {
-  return {matrix.data() + Eigen::Index{6} * index * matrix.rows(), matrix.rows()};
-}
-
 /// Adds what units of channels from `first` to before `end` come to, each times its error: frames x
 /// 6. Three at a time, so that the sum is read and written once for most joints.
 template <typename Factor>
@@ -95,13 +91,16 @@ void ErrorSweep::enter_joint(int joint) {
   }
 }
 
-const Eigen::ArrayXf& ErrorSweep::next() {
+void ErrorSweep::skip() {
   ++channel_;
-  const int joint = model_.places_[static_cast<std::size_t>(channel_)].joint;
-  enter_joint(joint);
-  find_work(columns_of(model_.forces_, channel_), columns_of(motions_, joint),
-            columns_of(forces_, joint), columns_of(model_.motions_, channel_), gradient_.size(),
-            gradient_.data());
+  enter_joint(model_.places_[static_cast<std::size_t>(channel_)].joint);
+}
+
+const Eigen::ArrayXf& ErrorSweep::next() {
+  skip();
+  const int joint = joint_;
+  find_work(six_of(model_.forces_, channel_), six_of(motions_, joint), six_of(forces_, joint),
+            six_of(model_.motions_, channel_), gradient_.size(), gradient_.data());
   if (of_terms_.empty()) return gradient_;
   Eigen::VectorXd with_terms = gradient_.matrix().cast<double>();
   for (std::size_t i = 0; i < of_terms_.size(); ++i)

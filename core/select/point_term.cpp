@@ -55,7 +55,7 @@ PointTerm::PointTerm(const ErrorModel& model, const PointResponse& response)
     for (Eigen::Index a = 0; a < std::ssize(response.angles); ++a) {
       const int angle = response.angles[static_cast<std::size_t>(a)];
       if (model.are_related(angle, channel))
-        coupling(i) += model.entry(angle, channel).cast<double>().asDiagonal() * turns(a);
+        coupling(i) += model.entry(angle, channel).cast<double>().matrix().asDiagonal() * turns(a);
     }
   }
 

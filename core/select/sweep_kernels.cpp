@@ -37,6 +37,22 @@ MOCAPRESS_INLINE Eigen::Index find_work_of(const SixColumns& force, const SixCol
   return t;
 }
 
+template <typename Vector>
+MOCAPRESS_INLINE Eigen::Index add_work_of(const SixColumns& force, const SixColumns& motion,
+                                          const float* factors, Eigen::Index t, Eigen::Index frames,
+                                          float* sums) {
+  for (; t + kLanes<Vector, float> <= frames; t += kLanes<Vector, float>) {
+    Vector work;
+    Vector factor;
+    Vector sum;
+    dot(force, motion, t, work);
+    load(factors + t, factor);
+    load(sums + t, sum);
+    store<Vector>(sum + factor * work, sums + t);
+  }
+  return t;
+}
+
 template <typename Vector, int count>
 MOCAPRESS_INLINE Eigen::Index add_products_of(const AddedProducts& columns, Eigen::Index t,
                                               Eigen::Index frames) {
@@ -75,6 +91,11 @@ MOCAPRESS_FOR_AVX2 Eigen::Index find_work_with_avx2(const SixColumns& force,
                                                     Eigen::Index frames, float* out) {
   return find_work_of<Floats8>(force, motion, other_force, other_motion, 0, frames, out);
 }
+MOCAPRESS_FOR_AVX2 Eigen::Index add_work_with_avx2(const SixColumns& force,
+                                                   const SixColumns& motion, const float* factors,
+                                                   Eigen::Index frames, float* sum) {
+  return add_work_of<Floats8>(force, motion, factors, 0, frames, sum);
+}
 MOCAPRESS_FOR_AVX2 Eigen::Index add_products_with_avx2(const AddedProducts& columns, int count,
                                                        Eigen::Index frames) {
   return add_products_of<Floats8>(columns, count, 0, frames);
@@ -91,6 +112,16 @@ void find_work(SixColumns force, SixColumns motion, SixColumns other_force, SixC
 #endif
   t = find_work_of<Floats4>(force, motion, other_force, other_motion, t, frames, out);
   find_work_of<Floats1>(force, motion, other_force, other_motion, t, frames, out);
+}
+
+void add_work(SixColumns force, SixColumns motion, const float* factors, Eigen::Index frames,
+              float* sum) {
+  Eigen::Index t = 0;
+#ifdef MOCAPRESS_WITH_AVX2
+  if (has_avx2()) t = add_work_with_avx2(force, motion, factors, frames, sum);
+#endif
+  t = add_work_of<Floats4>(force, motion, factors, t, frames, sum);
+  add_work_of<Floats1>(force, motion, factors, t, frames, sum);
 }
 
 void add_products(const AddedProducts& columns, int count, Eigen::Index frames) {

@@ -13,11 +13,21 @@ struct SixColumns {
   Eigen::Index stride;
 
   const float* operator[](Eigen::Index i) const { return first + i * stride; }
+  SixColumns from(Eigen::Index frame) const { return {first + frame, stride}; }
 };
+
+/// Those of a joint or channel, of a matrix with six for each.
+inline SixColumns six_of(const Eigen::MatrixXf& matrix, int index) {
+  return {matrix.data() + Eigen::Index{6} * index * matrix.rows(), matrix.rows()};
+}
 
 /// out = force . motion + other_force . other_motion, at each frame.
 void find_work(SixColumns force, SixColumns motion, SixColumns other_force, SixColumns other_motion,
                Eigen::Index frames, float* out);
+
+/// sum += factor * (force . motion), at each frame.
+void add_work(SixColumns force, SixColumns motion, const float* factors, Eigen::Index frames,
+              float* sum);
 
 /// A column that is added to, and up to three that are, each times another.
 struct AddedProducts {

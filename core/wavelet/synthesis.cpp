@@ -4,7 +4,51 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/instruction_sets.h"
+
 namespace mocapress {
+namespace {
+
+/// Sums of every kVector-th product, as the vectors have it.
+template <typename Vector, bool squared>
+MOCAPRESS_INLINE float dot_of(const float* values, int size, const float* samples) {
+  constexpr int kVectors = ShortFunction::kVector / kLanes<Vector, float>;
+  Vector sums[kVectors] = {};
+  for (int i = 0; i < size; i += ShortFunction::kVector)
+    for (int v = 0; v < kVectors; ++v) {
+      const int at = i + v * kLanes<Vector, float>;
+      Vector value;
+      Vector sample;
+      load(values + at, value);
+      load(samples + at, sample);
+      if constexpr (squared)
+        sums[v] += value * value * sample;
+      else
+        sums[v] += value * sample;
+    }
+  float parts[ShortFunction::kVector];
+  for (int v = 0; v < kVectors; ++v) store(sums[v], parts + v * kLanes<Vector, float>);
+  const float quarters[4] = {parts[0] + parts[4], parts[1] + parts[5], parts[2] + parts[6],
+                             parts[3] + parts[7]};
+  return (quarters[0] + quarters[2]) + (quarters[1] + quarters[3]);
+}
+
+#ifdef MOCAPRESS_WITH_AVX2
+template <bool squared>
+MOCAPRESS_FOR_AVX2 float dot_with_avx2(const float* values, int size, const float* samples) {
+  return dot_of<Floats8, squared>(values, size, samples);
+}
+#endif
+
+template <bool squared>
+float dot(const float* values, int size, const float* samples) {
+#ifdef MOCAPRESS_WITH_AVX2
+  if (has_avx2()) return dot_with_avx2<squared>(values, size, samples);
+#endif
+  return dot_of<Floats4, squared>(values, size, samples);
+}
+
+}  // namespace
 
 Synthesis::Synthesis(const Lifting& lifting) {
   constexpr int kBorder = 10;  // coefficients whose functions feel a border, at either end
@@ -38,6 +82,14 @@ Synthesis::Place Synthesis::add(const Lifting& lifting, int coefficient) {
                     static_cast<int>(last.base() - first), std::ssize(values_)};
   values_.insert(values_.end(), first, last.base());
   return place;
+}
+
+float ShortFunction::dot(const float* samples) const {
+  return mocapress::dot<false>(values_, size_, samples + first_);
+}
+
+float ShortFunction::dot_of_squares(const float* samples) const {
+  return mocapress::dot<true>(values_, size_, samples + first_);
 }
 
 ShortFunctions::ShortFunctions(const Lifting& lifting) {

@@ -57,16 +57,8 @@ class ShortFunction {
   }
 
   /// The inner product with samples that go on for kVector - 1 more; and that of its squares.
-  float dot(const float* samples) const {
-    Vector sums = Vector::Zero();
-    visit([&](int at, const Values& values) { sums += values * Values(samples + at); });
-    return (sums.head<4>() + sums.tail<4>()).sum();
-  }
-  float dot_of_squares(const float* samples) const {
-    Vector sums = Vector::Zero();
-    visit([&](int at, const Values& values) { sums += values * values * Values(samples + at); });
-    return (sums.head<4>() + sums.tail<4>()).sum();
-  }
+  float dot(const float* samples) const;
+  float dot_of_squares(const float* samples) const;
 
   auto values() const { return Eigen::Map<const Eigen::ArrayXf>(values_, size_); }
 

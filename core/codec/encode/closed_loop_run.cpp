@@ -502,10 +502,9 @@ void ClosedLoopRun::sweep_pairs(int reach) {
   constexpr int kGroup = 12;
   Eigen::MatrixXf gradient(gradient_.size(), errors_.cols());
   for (int first = 0; first < channels(); first += kGroup) {
-    const ErrorModel::ChannelRange looked_at{first, std::min(channels(), first + kGroup + reach)};
-    pass([&](int j) {
-      if (looked_at.has(j)) gradient.col(j) = gradient_;
-    });
+    const ErrorModel::ChannelRange looked_at{.first = first,
+                                             .end = std::min(channels(), first + kGroup + reach)};
+    pass(looked_at, [&](int j) { gradient.col(j) = gradient_; });
     for (int a = first; a < std::min(channels(), first + kGroup); ++a)
       for (int b = a + 1; b <= std::min(channels() - 1, a + reach); ++b)
         if (loop_.model_.are_related(a, b)) sweep_pair(a, b, {a, looked_at.end}, gradient);
@@ -515,7 +514,7 @@ void ClosedLoopRun::sweep_pairs(int reach) {
 void ClosedLoopRun::sweep_pair(int a, int b, const ErrorModel::ChannelRange& looked_at,
                                Eigen::MatrixXf& gradient) {
   Eigen::ArrayXf entry = Eigen::ArrayXf::Zero(gradient.rows());
-  entry.head(errors_.rows()) = loop_.model_.entry(a, b).array();
+  entry.head(errors_.rows()) = loop_.model_.entry(a, b);
   for (int band = 1; band < static_cast<int>(bands_.size()); ++band)
     for (int i = 0; i < bands_[static_cast<std::size_t>(band)].size; ++i) {
       const int c = bands_[static_cast<std::size_t>(band)].first + i;

@@ -57,20 +57,25 @@ class ClosedLoopRun {
   ClosedLoopRun(const ClosedLoop& loop, const Eigen::VectorXd& frame_weights);
   void begin();
 
-  /// Visits every channel, from the root to the leaves, with its gradient.
+  /// Visits channels, from the root to the leaves, with the gradient of each.
   template <typename Visit>
-  void pass(const Visit& visit) {
+  void pass(const ErrorModel::ChannelRange& range, const Visit& visit) {
     if (errors_.rows() == 0) return;  // no frames, no errors
     if (under_way_)
       under_way_->restart();
     else
       under_way_.emplace(loop_.model_, errors_);
-    for (int j = 0; j < channels(); ++j) {
+    for (int j = 0; j < range.first; ++j) under_way_->skip();
+    for (int j = range.first; j < range.end; ++j) {
       auto gradient = gradient_.head(errors_.rows());
       gradient = under_way_->next();
       if (weighted()) gradient *= frame_weights_;
       visit(j);
     }
+  }
+  template <typename Visit>
+  void pass(const Visit& visit) {
+    pass({0, channels()}, visit);
   }
 
   /// Moves the channel that is being visited, whose gradient was that.

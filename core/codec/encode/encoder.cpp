@@ -119,18 +119,6 @@ class Outcome {
   Eigen::MatrixXd tracks_;
 };
 
-/// What is measured is what the bytes say: they are read again, where that can be done at once. A
-/// draft, which promises nothing, is measured by what was written.
-void read_again(CompressedClip& compressed) {
-  const std::shared_ptr<const KnownMotion> written = std::exchange(compressed.known, nullptr);
-  if (compressed.segments || uses_rle(compressed.coding)) return;
-  QuantisedSignals read = AdaptiveSegments(compressed).next();
-  // What was decoded of the same values need not be decoded again.
-  compressed.known = written && written->coded() == read
-                         ? written
-                         : std::make_shared<const KnownMotion>(std::move(read));
-}
-
 /// The clip that these options lead to.
 ClipShape shape_for(const Motion& motion, const EncodeOptions& options) {
   const int frames = motion.clip.frames();
@@ -195,7 +183,6 @@ Encoding Encoder::encode(const EncodeOptions& options,
   TargetedEncoding found = encode_to_target(analysis, effective, observer);
 
   const bool is_draft = options.method == Method::ClosedLoop && options.effort == Effort::Draft;
-  if (!is_draft) read_again(found.compressed);
   Encoding encoding;
   const bool in_other_forms = &analysis != analysis_.get();
   std::optional<RotationForms> source;

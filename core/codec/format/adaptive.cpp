@@ -53,7 +53,7 @@ void append_correction_neighbours(int count, std::vector<SignalNeighbours>& neig
 std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
                                        const std::vector<SignalNeighbours>& neighbours,
                                        std::span<const std::byte> learned) {
-  RangeEncoder bits;
+  CheckedRangeEncoder bits;
   QuantisedSignals copy = coded;
   CoefficientModel model(static_cast<int>(neighbours.size()));
   require(runtime::learn(bytes_of(learned), *model));

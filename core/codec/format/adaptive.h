@@ -63,7 +63,8 @@ void code_coefficients(Bits& bits, const std::vector<SignalNeighbours>& neighbou
   runtime::CoefficientCoder(bits, neighbours.data(), bands, model, view, *notes, coded.scale).run();
 }
 
-/// The coded bytes. `learned` is what clips of a bank taught, if any: learned_priors.h.
+/// The coded bytes, which were seen to hold every bit that was coded. `learned` is what clips of a
+/// bank taught, if any: learned_priors.h.
 std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
                                        const std::vector<SignalNeighbours>& neighbours,
                                        std::span<const std::byte> learned = {});

@@ -2,6 +2,7 @@
 #include "core/codec/format/range_coder.h"
 
 #include <cassert>
+#include <stdexcept>
 
 namespace mocapress {
 
@@ -31,6 +32,17 @@ std::vector<std::byte> RangeEncoder::finish() {
     break;
   }
   return std::move(bytes_);
+}
+
+std::vector<std::byte> CheckedRangeEncoder::finish() {
+  std::vector<std::byte> bytes = encoder_.finish();
+  runtime::RangeDecoder decoder(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  bool all_come_back = true;
+  for (const std::uint32_t coded : coded_)
+    all_come_back &= decoder.code(false, coded >> 1) == ((coded & 1) != 0);
+  if (!all_come_back || decoder.failed() || !decoder.is_at_end())
+    throw std::logic_error("the range coder's bytes do not say what was coded");
+  return bytes;
 }
 
 }  // namespace mocapress

@@ -36,4 +36,27 @@ class RangeEncoder {
   std::vector<std::byte> bytes_;
 };
 
+/// The same, and reads its bytes once they are there. What a bit is predicted from is what was
+/// coded before it: where every bit comes back, so does all that they tell, which need not be
+/// decoded to know it.
+class CheckedRangeEncoder {
+ public:
+  static constexpr bool kWrites = true;
+
+  bool code(bool bit, Probability probability_of_one) {
+    coded_.push_back(probability_of_one << 1 | static_cast<std::uint32_t>(bit));
+    return encoder_.code(bit, probability_of_one);
+  }
+
+  void refuse() {}
+  static constexpr bool failed() { return false; }
+
+  /// Throws std::logic_error where they do not say what was coded.
+  std::vector<std::byte> finish();
+
+ private:
+  RangeEncoder encoder_;
+  std::vector<std::uint32_t> coded_;  // probability, bit
+};
+
 }  // namespace mocapress

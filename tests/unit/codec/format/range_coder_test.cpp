@@ -55,6 +55,16 @@ TEST(RangeCoder, RestoresEveryLengthAndProbability) {
   EXPECT_EQ(decode(encode(many), many.probabilities), many.bits);
 }
 
+TEST(RangeCoder, WritesTheSameBytesWhereTheyAreChecked) {
+  for (const int count : {0, 1, 7, 200, 30000}) {
+    const CodedBits coded = random_bits(count, 11);
+    CheckedRangeEncoder encoder;
+    for (std::size_t i = 0; i < coded.bits.size(); ++i)
+      encoder.code(coded.bits[i], coded.probabilities[i]);
+    EXPECT_EQ(encoder.finish(), encode(coded)) << count;
+  }
+}
+
 TEST(RangeCoder, RestoresTheLeastLikelyBits) {
   CodedBits unlikely;
   for (int i = 0; i < 500; ++i) {

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Based on: R. Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapter 6 (composite rigid
+// bodies).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace mocapress {
+
+/// Places or axes at some frames: three columns of numbers.
+using ThreeColumns = std::array<const double*, 3>;
+
+/// Weighted landmarks that move as one, at up to kFrames frames: the sums of w, w x (3) and of
+/// w x x^T (xx yy zz yz zx xy).
+struct CompositeBody {
+  static constexpr int kFrames = 64;  // what is in flight stays in the first cache
+  using Column = std::array<double, kFrames>;
+
+  double mass = 0;
+  std::array<Column, 3> moment{};
+  std::array<Column, 6> square{};
+
+  /// Places are seen from `origin`.
+  void add(double weight, const ThreeColumns& places, const ThreeColumns& origin, int frames);
+  void add(const CompositeBody& other, int frames);
+};
+
+/// What a unit of a channel does to all it moves.
+struct ChannelResponse {
+  std::array<float*, 6> motion;  // turn and shift of the world's origin
+  std::array<float*, 6> force;   // torque about it and force that this calls up
+  double* curvature;             // the work that the force does along the motion
+};
+
+/// Of a channel that turns the body about an axis through a joint's origin. All in the world, and
+/// seen from `origin`.
+void turn_body(const CompositeBody& body, const ThreeColumns& axis,
+               const ThreeColumns& joint_origin, const ThreeColumns& origin, int frames,
+               const ChannelResponse& response);
+
+/// Of one that shifts it along an axis.
+void shift_body(const CompositeBody& body, const ThreeColumns& axis, int frames,
+                const ChannelResponse& response);
+
+}  // namespace mocapress
