@@ -243,6 +243,7 @@ class CoefficientCoder {
   CoefficientModel& model_;
   const ContextLayout& at_;
   const Confidences& confidences_ = confidences();
+  const PredictionKernels& kernels_ = best_prediction();
   QuantisedView coded_;
   CoderNotes notes_;
   int fineness_;         // of coarse samples whose step_exponent is 0, in half octaves
@@ -376,6 +377,7 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
                                                          // squares do not look at
   const int end_of_taps =
       std::min(RestPrediction::kTaps, SignalPrediction::kTaps + std::max(s + 1 - kFurther, 0));
+  std::array<std::int32_t, RestPrediction::kTaps> around_it{};
   for (int i = 0; i < band.size && !bits_.failed(); ++i) {
     const int own1 = magnitude_at(own, i - 1, band.size);
     const int own2 = magnitude_at(own, i - 2, band.size);
@@ -432,31 +434,28 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
         0, kScales - 1);
     scale_step_ = MixingSets::scale_step(scale);
     const std::int32_t inverse = kInverseScales[static_cast<std::size_t>(scale)];
-    const auto normal = [inverse](int v) {
-      return static_cast<std::int16_t>(
-          std::clamp<std::int64_t>(static_cast<std::int64_t>(v) * inverse >> 10,
-                                   -SignalPrediction::kFarthest, SignalPrediction::kFarthest));
-    };
-    RestPrediction::Taps taps = {normal(at(own, i - 1, band.size)),
-                                 normal(at(own, i - 2, band.size)),
-                                 normal(has_parents ? at(parents, k, upper.size) : 0),
-                                 normal(has_parents ? at(parents, l, upper.size) : 0),
-                                 normal(at(sibling, i - 1, band.size)),
-                                 normal(at(sibling, i, band.size)),
-                                 normal(at(sibling, i + 1, band.size)),
-                                 normal(at(mirror, i - 1, band.size)),
-                                 normal(at(mirror, i, band.size)),
-                                 normal(at(mirror, i + 1, band.size))};
+    around_it = {at(own, i - 1, band.size),
+                 at(own, i - 2, band.size),
+                 has_parents ? at(parents, k, upper.size) : 0,
+                 has_parents ? at(parents, l, upper.size) : 0,
+                 at(sibling, i - 1, band.size),
+                 at(sibling, i, band.size),
+                 at(sibling, i + 1, band.size),
+                 at(mirror, i - 1, band.size),
+                 at(mirror, i, band.size),
+                 at(mirror, i + 1, band.size)};
     for (int t = 10, other = s - 1; t < SignalPrediction::kTaps; ++t, --other)
-      taps[static_cast<std::size_t>(t)] =
-          normal(other == neighbours.sibling ? 0 : at(column(other, band), i, band.size));
+      around_it[static_cast<std::size_t>(t)] =
+          other == neighbours.sibling ? 0 : at(column(other, band), i, band.size);
     std::ptrdiff_t further = std::ptrdiff_t{s - kFurther} * coded_.length + band.first + i;
     for (int t = SignalPrediction::kTaps; t < end_of_taps; ++t, further -= coded_.length)
-      taps[static_cast<std::size_t>(t)] = normal(coded_.values[further]);
+      around_it[static_cast<std::size_t>(t)] = coded_.values[further];
+    RestPrediction::Taps taps;
+    kernels_.normalise(around_it, inverse, taps);
     SignalPrediction& prediction = notes_.predictions[s];
     RestPrediction& rest = notes_.rests[s];
-    const int first_predicted = prediction.of(taps.data());
-    const int rest_predicted = rest.of(taps);
+    const int first_predicted = kernels_.of_signal(prediction, taps.data());
+    const int rest_predicted = kernels_.of_rest(rest, taps);
     const int predicted =
         std::clamp(first_predicted + rest_predicted, -kMostPredicted, kMostPredicted);
     const int mean = predicted * 65536 / inverse;  // 64ths, at most 2^24
@@ -507,9 +506,9 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
         std::clamp<std::int64_t>((distance * inverse >> 14) - 256, -256, 512));  // 256ths
     restless[0] = std::clamp(restless[0] + 60 * excess / 256, -2048, 2048);
     restless_signal = std::clamp(restless_signal + 15 * excess / 256, -2048, 2048);
-    const int left = normal(value) - first_predicted;
-    prediction.follow(taps.data(), left);
-    rest.follow(taps, left - rest_predicted);
+    const int left = normalised(value, inverse) - first_predicted;
+    kernels_.signal_follows(prediction, taps.data(), left);
+    kernels_.rest_follows(rest, taps, left - rest_predicted);
     recent += (64 * std::min(magnitude, 255) - recent) / 8;
     activity[0] += std::min(magnitude, 8);
     notes_.sums[s] += std::min(magnitude, 255);

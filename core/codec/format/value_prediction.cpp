@@ -47,8 +47,27 @@ int SignalPrediction::of(const std::int16_t* taps) const {
   return static_cast<int>(std::clamp<std::int64_t>(sum >> 14, -2 * kFarthest, 2 * kFarthest));
 }
 
+void SignalPrediction::halve() {
+  seen /= 2;
+  for (std::int32_t& product : products) product >>= 1;
+  for (std::int64_t& left : errors) left >>= 1;
+}
+
+std::int64_t SignalPrediction::move_weight(int tap) {
+  constexpr std::int64_t kLargestMove = 8192;
+  constexpr std::int64_t kLargest = 1 << 17;
+  auto& weight = weights[static_cast<std::size_t>(tap)];
+  const std::int64_t wanted =
+      (errors[static_cast<std::size_t>(tap)] << 14) / std::max(product(tap, tap), 1);
+  const std::int64_t moved =
+      std::clamp<std::int64_t>(weight + std::clamp(wanted, -kLargestMove, kLargestMove), -kLargest,
+                               kLargest) -
+      weight;
+  weight += static_cast<std::int32_t>(moved);
+  return moved;
+}
+
 void SignalPrediction::follow(const std::int16_t* taps, int error) {
-  constexpr std::int32_t kMost = 512;  // then what was seen counts half
   bool any = false;
   std::int32_t* row = products.data();
   for (std::size_t i = 0; i < kTaps; row += kTaps, ++i) {
@@ -59,13 +78,8 @@ void SignalPrediction::follow(const std::int16_t* taps, int error) {
     errors[i] += static_cast<std::int64_t>(tap) * error;
   }
   if (!any) return;
-  if (++seen == kMost) {
-    seen /= 2;
-    for (std::int32_t& product : products) product >>= 1;
-    for (std::int64_t& left : errors) left >>= 1;
-  }
+  if (++seen == kMostSeen) halve();
   // The weights that would change most.
-  constexpr int kMoves = 3;
   for (int move = 0; move < kMoves; ++move) {
     int most = 0;
     std::int64_t largest = -1;
@@ -76,27 +90,12 @@ void SignalPrediction::follow(const std::int16_t* taps, int error) {
       largest = size;
       most = i;
     }
-    move_weight(most);
-  }
-}
-
-void SignalPrediction::move_weight(int tap) {
-  constexpr std::int64_t kLargestMove = 8192;
-  constexpr std::int64_t kLargest = 1 << 17;
-  constexpr std::int64_t kMostLeft = std::int64_t{1} << 40;  // hostile bytes cannot overflow
-  auto& weight = weights[static_cast<std::size_t>(tap)];
-  const std::int64_t wanted =
-      (errors[static_cast<std::size_t>(tap)] << 14) / std::max(product(tap, tap), 1);
-  const std::int64_t moved =
-      std::clamp<std::int64_t>(weight + std::clamp(wanted, -kLargestMove, kLargestMove), -kLargest,
-                               kLargest) -
-      weight;
-  if (moved == 0) return;
-  weight += static_cast<std::int32_t>(moved);
-  for (int i = 0; i < kTaps; ++i) {
-    const std::int32_t both = product(tap, i);
-    std::int64_t& left = errors[static_cast<std::size_t>(i)];
-    left = std::clamp(left - (moved * both >> 14), -kMostLeft, kMostLeft);
+    const std::int64_t moved = move_weight(most);
+    if (moved == 0) continue;
+    for (int i = 0; i < kTaps; ++i) {
+      std::int64_t& left = errors[static_cast<std::size_t>(i)];
+      left = std::clamp(left - (moved * product(most, i) >> 14), -kMostLeft, kMostLeft);
+    }
   }
 }
 
@@ -111,14 +110,34 @@ int RestPrediction::of(const Taps& taps) const {
 }
 
 void RestPrediction::follow(const Taps& taps, int error) {
-  constexpr std::int32_t kRate = 121635;     // 0.116
-  constexpr std::int32_t kRidge = 58 * 640;  // squares that count beside those of the taps
-  constexpr std::int32_t kMost = 4 << 20;
   std::int32_t squares = kRidge;
   for (const std::int16_t tap : taps) squares += tap * tap;
-  const auto step = static_cast<std::int16_t>(error * kRate / squares);
+  const std::int16_t step = step_of(error, squares);
   for (std::size_t i = 0; i < kTaps; ++i)
     weights[i] = std::clamp(weights[i] + step * taps[i], -kMost, kMost);
+}
+
+const PredictionKernels kPlainPrediction = {
+    [](const SignalPrediction& prediction, const std::int16_t* taps) {
+      return prediction.of(taps);
+    },
+    [](SignalPrediction& prediction, const std::int16_t* taps, int error) {
+      prediction.follow(taps, error);
+    },
+    [](const RestPrediction& rest, const RestPrediction::Taps& taps) { return rest.of(taps); },
+    [](RestPrediction& rest, const RestPrediction::Taps& taps, int error) {
+      rest.follow(taps, error);
+    },
+    [](const std::array<std::int32_t, RestPrediction::kTaps>& values, std::int32_t inverse,
+       RestPrediction::Taps& taps) {
+      for (std::size_t i = 0; i < taps.size(); ++i) taps[i] = normalised(values[i], inverse);
+    }};
+
+const PredictionKernels& best_prediction() {
+#ifdef MOCAPRESS_PREDICTION_AVX2
+  if (__builtin_cpu_supports("avx2") != 0) return kAvx2Prediction;
+#endif
+  return kPlainPrediction;
 }
 
 }  // namespace mocapress::runtime

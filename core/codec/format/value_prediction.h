@@ -55,8 +55,16 @@ struct SignalPrediction {
   std::array<std::int32_t, kTaps> weights;           // 16384 = once
   std::int32_t seen;
 
- private:
-  void move_weight(int tap);
+  static constexpr std::int32_t kMostSeen = 512;  // then what was seen counts half
+  static constexpr int kMoves = 3;                // weights that are moved at a time
+  static constexpr std::int64_t kMostLeft = std::int64_t{1}
+                                            << 40;  // of an error: hostile bytes cannot overflow
+
+  void halve();
+
+  /// Returns by how much a weight is moved.
+  std::int64_t move_weight(int tap);
+
   std::int32_t& product(int row, int column) {
     return products[static_cast<std::size_t>(row * kTaps + column)];
   }
@@ -74,8 +82,49 @@ struct RestPrediction {
   /// Learns what came instead: `error` = what was left - prediction.
   void follow(const Taps& taps, int error);
 
+  /// The weights move by this times their taps.
+  static std::int16_t step_of(int error, std::int32_t squares) {
+    constexpr std::int32_t kRate = 121635;  // 0.116
+    return static_cast<std::int16_t>(error * kRate / squares);
+  }
+  static constexpr std::int32_t kRidge = 58 * 640;  // squares that count beside those of the taps
+  static constexpr std::int32_t kMost = 4 << 20;    // of a weight
+
   std::array<std::int32_t, kTaps> weights;  // 2^20 = once
 };
+
+/// What the two predict and learn, in the instruction set that the machine has. Integers: all do
+/// the same.
+struct PredictionKernels {
+  int (*of_signal)(const SignalPrediction&, const std::int16_t* taps);
+  void (*signal_follows)(SignalPrediction&, const std::int16_t* taps, int error);
+  int (*of_rest)(const RestPrediction&, const RestPrediction::Taps& taps);
+  void (*rest_follows)(RestPrediction&, const RestPrediction::Taps& taps, int error);
+
+  /// Values divided by their scale, in 64ths: `inverse` of kInverseScales.
+  void (*normalise)(const std::array<std::int32_t, RestPrediction::kTaps>& values,
+                    std::int32_t inverse, RestPrediction::Taps& taps);
+};
+
+extern const PredictionKernels kPlainPrediction;
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define MOCAPRESS_PREDICTION_AVX2
+extern const PredictionKernels kAvx2Prediction;  // where the machine has AVX2
+#endif
+
+const PredictionKernels& best_prediction();
+
+/// One of them. Its product with a value in 64 bits, for what is no larger once it is clamped so.
+constexpr std::int32_t largest_normal(std::int32_t inverse) {
+  return ((SignalPrediction::kFarthest + 1) << 10) / inverse + 1;
+}
+inline std::int16_t normalised(std::int32_t value, std::int32_t inverse) {
+  const std::int32_t most = largest_normal(inverse);
+  return static_cast<std::int16_t>(std::clamp(std::clamp(value, -most, most) * inverse >> 10,
+                                              -SignalPrediction::kFarthest,
+                                              SignalPrediction::kFarthest));
+}
 
 /// 2^30 / (1 + exp(i / 4)), i = 0 ... 64.
 extern const std::array<std::int32_t, 65> kLogisticTails;
