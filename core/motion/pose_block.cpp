@@ -140,8 +140,8 @@ bool takes_avx2(int frames) {
 
 PoseBlock::PoseBlock(const Skeleton& skeleton)
     : skeleton_(skeleton),
-      origins_(Eigen::MatrixXd::Zero(kMostFrames, Eigen::Index{3} * skeleton.joint_count())),
-      axes_(Eigen::MatrixXd::Zero(kMostFrames, Eigen::Index{9} * skeleton.joint_count())),
+      origins_(kMostFrames, Eigen::Index{3} * skeleton.joint_count()),
+      axes_(kMostFrames, Eigen::Index{9} * skeleton.joint_count()),
       in_parent_(kMostFrames, 3) {}
 
 void PoseBlock::compute(const Eigen::MatrixXd& channels, int first, int frames,

@@ -365,9 +365,10 @@ void ClosedLoopRun::sweep(int j) {
     });
   }
   if (end_changed == 0) return;
-  Eigen::ArrayXf gradient = under_way_->gradient();
-  if (weighted()) gradient *= frame_weights_;
-  move(j, gradient, delta_.head(frames));
+  if (weighted())
+    move(j, under_way_->gradient() * frame_weights_, delta_.head(frames));
+  else
+    move(j, under_way_->gradient(), delta_.head(frames));
 }
 
 double ClosedLoopRun::eps_cm() const {
@@ -540,11 +541,10 @@ double ClosedLoopRun::error_of(const Place& a, int by_a, const Place& b, int by_
 }
 
 bool ClosedLoopRun::may_pay(const Place& a, const Place& b, double cross) const {
-  constexpr double kMostBits = 8;  // that a move by a step can well save
-  for (const int by_a : {-1, 0, 1})
-    for (const int by_b : {-1, 0, 1})
-      if ((by_a != 0 || by_b != 0) && error_of(a, by_a, b, by_b, cross) < kMostBits * lambda())
-        return true;
+  constexpr double kMostBits = 8;  // that moves by a step can well save
+  for (const int by_a : {-1, 1})
+    for (const int by_b : {-1, 1})
+      if (error_of(a, by_a, b, by_b, cross) < kMostBits * lambda()) return true;
   return false;
 }
 

@@ -99,7 +99,7 @@ class ClosedLoopRun {
   /// What moves of both add to the sum of squared errors.
   static double error_of(const Place& a, int by_a, const Place& b, int by_b, double cross);
 
-  /// Whether any move of both could pay, whatever it saves.
+  /// Whether any move of both could pay, whatever it saves. Those of one alone are sweep()'s.
   bool may_pay(const Place& a, const Place& b, double cross) const;
   std::pair<int, int> best_moves(const Place& a, const Place& b, double cross) const;
   void move_of_pair(const Place& place, int steps, const ErrorModel::ChannelRange& looked_at,

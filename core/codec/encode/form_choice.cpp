@@ -149,7 +149,9 @@ class Turns {
     Eigen::Vector3d last = Eigen::Vector3d::Zero();
     for (int t = 0; t < frames_; ++t) {
       const auto i = static_cast<std::size_t>(t);
-      const Eigen::Matrix3d rotation = left * joint.rotations[i] * right;
+      const Eigen::Matrix3d rotation = form.has_fixed_turns()
+                                           ? Eigen::Matrix3d(left * joint.rotations[i] * right)
+                                           : joint.rotations[i];
       last = three_angles(axes, rotation, last);
       angles.row(t) = last.transpose();
       // The second axis is turned by the first angle; the last turns itself no further.
@@ -171,10 +173,15 @@ class Turns {
       lifting.forward(signal, signal);
       // Left-out frames would have made coefficients larger by the root of their number.
       const double steps_per_unit = std::sqrt(curvature(k) * step_) / kScale;
+      double product = 1;  // a logarithm for several at a time, which is dear
       for (int c = lifting.bands()[0].size; c < frames_; ++c) {
         const double steps = angles(c, k) * gains[static_cast<std::size_t>(c)] * steps_per_unit;
-        sum += std::log2(1 + steps * steps);
+        product *= 1 + steps * steps;
+        if (product < 1e100) continue;
+        sum += std::log2(product);
+        product = 1;
       }
+      sum += std::log2(product);
     }
     return sum;
   }
