@@ -454,9 +454,16 @@ int ClosedLoopRun::best_move(const Place& place) const {
     return x * (2 * place.slope + x * place.curve);
   };
   // Most coefficients are where they should be, and no saving would pay for another error.
-  if (nearest == now && place.band > 0 &&
-      error_at(smaller) >= lambda() * (RateTable::kMostSaved + waking_bits(place)))
-    return 0;
+  if (nearest == now && place.band > 0) {
+    const double waking = waking_bits(place);
+    const auto pays = [&](double saved) { return error_at(smaller) < lambda() * (saved + waking); };
+    if (!pays(RateTable::kMostSaved)) return 0;
+    const Magnitudes& magnitudes = magnitudes_of(place.channel);
+    const auto bits_of = [&](int value) {
+      return rates_.bits(magnitudes, place.band, place.index, value);
+    };
+    if (!pays(bits_of(now) - bits_of(smaller) + RateTable::kMostSavedBeside)) return 0;
+  }
   const Bits bits(*this, place);
   const double bits_now = bits.with(now);
   int move = 0;

@@ -74,8 +74,9 @@ class RateTable {
     std::array<Follower, 6> followers_;
   };
 
-  /// No move by one step towards zero saves more.
+  /// No move by one step towards zero saves more, or more in the coefficients beside it.
   static constexpr double kMostSaved = 8.6;
+  static constexpr double kMostSavedBeside = 3;
 
   /// The bits of a difference between coarse samples.
   static double coarse_bits(int difference) {
