@@ -34,10 +34,17 @@ constexpr double kLastBitPrice = 0.041;
 constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06,  0.03,
                                         0.06,  0.025, 0.05, 0.025, 0.02};
 
-/// One sweep with pairs of channels among them, where it pays most and where a clip has few
-/// coefficients: from this scale on.
+/// Where steps are fine a clip has many coefficients, and two sweeps less leave as many bytes.
+constexpr std::array kFineSettlingPrices = {0.054, 0.02, 0.06, 0.03, 0.06, 0.02, 0.05, 0.025};
+constexpr double kLeastCoarseScale = 0.35;  // cm
+
+std::span<const double> settling_prices(double scale) {
+  if (scale < kLeastCoarseScale) return kFineSettlingPrices;
+  return kSettlingPrices;
+}
+
+/// One sweep with pairs of channels among those of coarse steps, where it pays most.
 constexpr int kPairsInSettling = 6;
-constexpr double kLeastScaleOfPairs = 0.35;  // cm
 
 // Channels: a joint, its parent and the parent's are near each other.
 constexpr int kNearReach = 6;
@@ -184,7 +191,7 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, ClosedLoop::Result settled)
     : ClosedLoopRun(loop, std::move(settled.coded), {}) {
   bit_price_ = settled.bit_price;
   growth_ = settled.growth;
-  settling_ = static_cast<int>(std::ssize(kSettlingPrices));
+  settling_ = static_cast<int>(std::ssize(settling_prices(coded_.scale)));
 }
 
 void ClosedLoopRun::begin() {
@@ -228,7 +235,7 @@ ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
 double ClosedLoopRun::begin_settling() {
   constexpr double kStillToCome = 0.12;  // a logarithm; alike for all clips, to 0.02
   pass([&](int j) { compensate(j); });
-  bit_price_ = kSettlingPrices[0];
+  bit_price_ = settling_prices(coded_.scale).front();
   pass([&](int j) { sweep(j); });
   settling_ = 1;
   return eps_cm() * std::exp(-kStillToCome);
@@ -239,7 +246,8 @@ ClosedLoop::Result ClosedLoopRun::settle(double eps_cm, bool pairs,
   constexpr int kMost = 4;
   constexpr double kLeastEps = 1e-12;
   ClosedLoop::Result result;
-  const bool with_pairs = pairs && coded_.scale >= kLeastScaleOfPairs && may_pair();
+  const std::span<const double> prices = settling_prices(coded_.scale);
+  const bool with_pairs = pairs && coded_.scale >= kLeastCoarseScale && may_pair();
   const auto sweep_all = [&] {
     pass([&](int j) { sweep(j); });
     ++result.sweeps;
@@ -247,10 +255,10 @@ ClosedLoop::Result ClosedLoopRun::settle(double eps_cm, bool pairs,
     growth_ = std::log(std::max(result.eps_cm, kLeastEps) / std::max(before, kLeastEps));
     result.complete = should_continue(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
   };
-  result.sweeps = settling_ < std::ssize(kSettlingPrices) ? settling_ : 0;
+  result.sweeps = settling_ < std::ssize(prices) ? settling_ : 0;
   result.eps_cm = this->eps_cm();
-  for (; settling_ < std::ssize(kSettlingPrices) && result.complete; ++settling_) {
-    bit_price_ = kSettlingPrices[static_cast<std::size_t>(settling_)];
+  for (; settling_ < std::ssize(prices) && result.complete; ++settling_) {
+    bit_price_ = prices[static_cast<std::size_t>(settling_)];
     if (with_pairs && settling_ == kPairsInSettling) sweep_pairs(kNearReach);
     sweep_all();
   }
