@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/bank/bank.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -8,6 +9,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "app/cli/commands.h"
@@ -29,6 +31,30 @@ std::string wrong_pair(const std::string& text) {
              ? "'" + text + "' is not key=value"
              : std::string();
 }
+
+/// Counts clips on a line while they are done, until the user or the system asks to stop.
+class ClipCount {
+ public:
+  ~ClipCount() { end(); }
+
+  /// Of so many. False: to be stopped.
+  bool done(std::size_t done, std::size_t clips) {
+    done_ = done;
+    clips_ = clips;
+    if (line_.due()) line_.show(text());
+    return stop_signal == 0;
+  }
+  std::string text() const {
+    return std::to_string(done_) + " of " + std::to_string(clips_) + " clips";
+  }
+  void end() const { line_.clear(); }
+
+ private:
+  const StopOnSignals stop_;
+  ProgressLine line_{false};
+  std::size_t done_ = 0;
+  std::size_t clips_ = 0;
+};
 
 struct BankFilling {
   std::string bank;
@@ -66,18 +92,16 @@ struct BankFilling {
       const std::size_t at = text.find('=');
       options.texts.emplace_back(text.substr(0, at), text.substr(at + 1));
     }
-    const StopOnSignals stop;
-    ProgressLine line(false);
-    const auto show = [&](const BankProgress& progress) {
-      if (line.due())
-        line.show(std::to_string(progress.done) + " of " + std::to_string(progress.clips) +
-                  " clips");
-      return stop_signal == 0;
-    };
+    ClipCount count;
     std::vector<BankSource> sources = find_bank_sources({inputs.begin(), inputs.end()});
-    (make ? make_bank : add_to_bank)(bank, std::move(sources), options, show);
-    line.clear();
-    if (stop_signal != 0) throw EndedWith{128 + stop_signal};
+    const bool is_whole = (make ? make_bank : add_to_bank)(
+        bank, std::move(sources), options,
+        [&](const BankProgress& progress) { return count.done(progress.done, progress.clips); });
+    count.end();
+    if (!is_whole) {
+      std::fprintf(stderr, "Stopped after %s. Nothing was written.\n", count.text().c_str());
+      throw EndedWith{128 + stop_signal};
+    }
     const BankFile made(bank);
     std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", bank.c_str(), made.clips(),
                  static_cast<unsigned long long>(made.bank().bytes), name(made.bank().form).data());
@@ -133,56 +157,107 @@ void list_bank(const std::string& path, bool json) {
   print_json(bank, path);
 }
 
-/// A clip as the file it was, and where it goes below the folder.
-struct Extracted {
-  fs::path below;
-  std::vector<std::byte> bytes;
+struct Extraction {
+  std::string bank;
+  std::vector<std::string> names;
+  std::string folder = ".";
+  bool overwrite = false;
+
+  void run() const {
+    ClipCount count;
+    const BankFile file(bank);
+    const std::vector<std::uint32_t> clips = asked(file);
+    const std::vector<std::string> places = places_of(file, clips);
+    constexpr std::size_t kTogether = 256;  // files that wait for the disk at once
+    const auto existing = overwrite ? StagedFile::Existing::Replace : StagedFile::Existing::Refuse;
+    std::vector<StagedFile> staged;
+    std::size_t written = 0;
+    const auto commit = [&] {
+      StagedFile::commit_all(staged, existing);
+      written += staged.size();
+      staged.clear();
+    };
+    parallel_in_order(
+        clips.size(), [&](std::size_t i) { return file.extract(file.entry(clips[i])); },
+        [&](std::size_t i, const std::vector<std::byte>& bytes) {
+          stage(fs::path(folder) / places[i], bytes, staged);
+          if (staged.size() == kTogether || i + 1 == clips.size()) commit();
+          return count.done(written, clips.size());
+        });
+    count.end();
+    if (written == clips.size()) return;
+    std::fprintf(stderr,
+                 "Stopped. %s are written, each whole. For all, run the same command with "
+                 "--overwrite.\n",
+                 count.text().c_str());
+    throw EndedWith{128 + stop_signal};
+  }
+
+ private:
+  /// Each once.
+  std::vector<std::uint32_t> asked(const BankFile& file) const {
+    std::vector<std::uint32_t> clips;
+    for (const std::string& name : names) {
+      const std::int64_t clip = runtime::find_clip(file.bank(), name.data(), name.size());
+      if (clip < 0) throw InputError(bank, 0, 0, "holds no clip '" + name + "'");
+      clips.push_back(static_cast<std::uint32_t>(clip));
+    }
+    for (std::uint32_t clip = 0; names.empty() && clip < file.clips(); ++clip)
+      clips.push_back(clip);
+    std::ranges::sort(clips);
+    clips.erase(std::unique(clips.begin(), clips.end()), clips.end());
+    return clips;
+  }
+
+  /// Below the folder, however clips are named: none takes another's place, or that of a file which
+  /// is there.
+  std::vector<std::string> places_of(const BankFile& file,
+                                     const std::vector<std::uint32_t>& clips) const {
+    std::vector<std::string> places;
+    std::unordered_set<std::string> taken;
+    for (const std::uint32_t clip : clips) {
+      const std::string name = file.entry(clip).name;
+      const fs::path below = fs::path(name + ".mcpr").lexically_normal();
+      if (below.is_absolute() || *below.begin() == "..")
+        throw InputError(bank, 0, 0, "the clip '" + name + "' leaves the folder");
+      if (!taken.insert(below.string()).second)
+        throw InputError(bank, 0, 0, "the clip '" + name + "' would take another's place");
+      places.push_back(below.string());
+      const fs::path place = fs::path(folder) / below;
+      std::error_code error;
+      if (!overwrite && fs::exists(fs::symlink_status(place, error)))
+        throw WriteError(place.string() + " exists: not overwritten");
+    }
+    return places;
+  }
+
+  static void stage(const fs::path& place, const std::vector<std::byte>& bytes,
+                    std::vector<StagedFile>& staged) {
+    std::error_code error;
+    fs::create_directories(place.parent_path(), error);
+    if (error)
+      throw WriteError(place.parent_path().string() + ": cannot be made: " + error.message());
+    staged.emplace_back(place).write(bytes);
+  }
 };
 
-Extracted extracted(const BankFile& bank, const std::string& path, std::uint32_t clip) {
-  const runtime::BankEntry entry = bank.entry(clip);
-  const fs::path below = fs::path(std::string(entry.name) + ".mcpr").lexically_normal();
-  if (below.is_absolute() || *below.begin() == "..")
-    throw InputError(path, 0, 0, std::string("the clip '") + entry.name + "' leaves the folder");
-  return {below, bank.extract(entry)};
-}
-
-void extract_from_bank(const std::string& path, const std::vector<std::string>& names,
-                       const std::string& folder) {
-  const BankFile bank(path);
-  std::vector<std::uint32_t> clips;
-  for (const std::string& name : names) {
-    const std::int64_t clip = runtime::find_clip(bank.bank(), name.data(), name.size());
-    if (clip < 0) throw InputError(path, 0, 0, "holds no clip '" + name + "'");
-    clips.push_back(static_cast<std::uint32_t>(clip));
-  }
-  for (std::uint32_t clip = 0; names.empty() && clip < bank.clips(); ++clip) clips.push_back(clip);
-  constexpr std::size_t kTogether = 256;  // files that wait for the disk at once
-  std::vector<StagedFile> staged;
-  parallel_in_order(
-      clips.size(), [&](std::size_t i) { return extracted(bank, path, clips[i]); },
-      [&](std::size_t, const Extracted& clip) {
-        const fs::path file = fs::path(folder) / clip.below;
-        std::error_code error;
-        fs::create_directories(file.parent_path(), error);
-        staged.emplace_back(file).write(clip.bytes);
-        if (staged.size() < kTogether) return true;
-        StagedFile::commit_all(staged);
-        staged.clear();
-        return true;
-      });
-  StagedFile::commit_all(staged);
-}
-
 void verify_bank(const std::string& path) {
+  ClipCount count;
   const BankFile bank(path);
   std::uint32_t unplayed = 0;
+  bool is_stopped = false;
   parallel_in_order(
       bank.clips(), [&](std::size_t clip) { return bank.play(static_cast<std::uint32_t>(clip)); },
-      [&](std::size_t, bool is_played) {
+      [&](std::size_t clip, bool is_played) {
         unplayed += is_played ? 0 : 1;
-        return true;
+        is_stopped = !count.done(clip + 1, bank.clips());
+        return !is_stopped;
       });
+  count.end();
+  if (is_stopped) {
+    std::fprintf(stderr, "Stopped after %s.\n", count.text().c_str());
+    throw EndedWith{128 + stop_signal};
+  }
   std::fprintf(stderr, "%s: %u clips are whole and play\n", path.c_str(), bank.clips() - unplayed);
   if (unplayed > 0)
     std::fprintf(stderr, "%u are whole, but of a coding that no engine plays\n", unplayed);
@@ -223,19 +298,14 @@ void add_bank(CLI::App& app) {
   list->add_flag("--json", listing->json, "Print one JSON object");
   list->callback([listing] { list_bank(listing->bank, listing->json); });
 
-  struct Extraction {
-    std::string bank;
-    std::vector<std::string> names;
-    std::string folder = ".";
-  };
   CLI::App* extract =
       command->add_subcommand("extract", "Write clips of a packed bank as the files they were");
   const auto extraction = std::make_shared<Extraction>();
   add_bank_argument(*extract, extraction->bank);
   extract->add_option("name", extraction->names, "Clips [all]")->type_name("NAME...");
   extract->add_option("-o,--output", extraction->folder, "Where files go [.]")->type_name("DIR");
-  extract->callback(
-      [extraction] { extract_from_bank(extraction->bank, extraction->names, extraction->folder); });
+  extract->add_flag("--overwrite", extraction->overwrite, "Replace files that are there");
+  extract->callback([extraction] { extraction->run(); });
 
   CLI::App* verify =
       command->add_subcommand("verify", "Check every byte of a bank, play each clip");

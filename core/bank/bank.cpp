@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <optional>
 #include <variant>
 
@@ -122,7 +123,21 @@ std::vector<std::byte> learned_in(const mcpk_bank& bank) {
   return {};
 }
 
-void write_bank(const fs::path& path, const BankFile* old, std::vector<BankSource> sources,
+/// A slip in the command line does not cost a clip, or the bank that others are made of.
+void require_place_for_bank(const fs::path& path, const std::vector<BankSource>& sources) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return;
+  for (const BankSource& source : sources)
+    if (fs::equivalent(path, source.file, error))
+      throw WriteError(path.string() + ": is one of the inputs: not overwritten");
+  char magic[sizeof mcpk_bank::kMagic] = {};
+  std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
+  if (fs::file_size(path, error) > 0 && !std::ranges::equal(magic, mcpk_bank::kMagic))
+    throw WriteError(path.string() + ": is there and is no bank: not overwritten");
+}
+
+/// False: the observer said no.
+bool write_bank(const fs::path& path, const BankFile* old, std::vector<BankSource> sources,
                 const BankOptions& options, const BankTexts& texts,
                 const Observer<BankProgress>& observer) {
   std::ranges::stable_sort(sources, [](const BankSource& a, const BankSource& b) {
@@ -143,7 +158,7 @@ void write_bank(const fs::path& path, const BankFile* old, std::vector<BankSourc
       is_stopped = !should_continue(observer, progress);
       return !is_stopped;
     });
-  if (is_stopped) return;
+  if (is_stopped) return false;
   Filler filler(writer, options.form, files, std::move(learned));
   const std::vector<Step> steps = merged(old, sources);
   parallel_in_order(
@@ -161,6 +176,7 @@ void write_bank(const fs::path& path, const BankFile* old, std::vector<BankSourc
         return !is_stopped;
       });
   if (!is_stopped) writer.finish(texts);
+  return !is_stopped;
 }
 
 }  // namespace
@@ -175,12 +191,13 @@ std::optional<runtime::BankForm> bank_form(std::string_view name) {
   return std::nullopt;
 }
 
-void make_bank(const fs::path& bank, std::vector<BankSource> sources, const BankOptions& options,
+bool make_bank(const fs::path& bank, std::vector<BankSource> sources, const BankOptions& options,
                const Observer<BankProgress>& observer) {
-  write_bank(bank, nullptr, std::move(sources), options, options.texts, observer);
+  require_place_for_bank(bank, sources);
+  return write_bank(bank, nullptr, std::move(sources), options, options.texts, observer);
 }
 
-void add_to_bank(const fs::path& bank, std::vector<BankSource> sources, const BankOptions& options,
+bool add_to_bank(const fs::path& bank, std::vector<BankSource> sources, const BankOptions& options,
                  const Observer<BankProgress>& observer) {
   const BankFile old(bank);
   BankTexts texts = old.texts();
@@ -193,7 +210,7 @@ void add_to_bank(const fs::path& bank, std::vector<BankSource> sources, const Ba
   }
   BankOptions of_old = options;
   of_old.form = old.bank().form;
-  write_bank(bank, &old, std::move(sources), of_old, texts, observer);
+  return write_bank(bank, &old, std::move(sources), of_old, texts, observer);
 }
 
 }  // namespace mocapress

@@ -35,14 +35,15 @@ struct BankProgress {
   std::size_t clips = 0;
 };
 
-/// Makes a bank, which takes its place whole or not at all. Throws InputError, WriteError, and
-/// Error where two clips have one name.
-void make_bank(const std::filesystem::path& bank, std::vector<BankSource> sources,
+/// Makes a bank, which takes its place whole or not at all. False: the observer said no, and the
+/// place is as it was. Throws InputError, also where two clips have one name, and WriteError, also
+/// where the place has a file that is no bank or a bank of which a source is.
+bool make_bank(const std::filesystem::path& bank, std::vector<BankSource> sources,
                const BankOptions& options, const Observer<BankProgress>& observer = {});
 
 /// The same with what the bank holds already, in its form: a clip of a name that is there takes its
-/// place.
-void add_to_bank(const std::filesystem::path& bank, std::vector<BankSource> sources,
+/// place, also if it came from there.
+bool add_to_bank(const std::filesystem::path& bank, std::vector<BankSource> sources,
                  const BankOptions& options, const Observer<BankProgress>& observer = {});
 
 }  // namespace mocapress

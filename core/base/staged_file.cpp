@@ -215,11 +215,11 @@ void StagedFile::commit(Existing existing) {
   if (!synchronise_folder(folder_.number())) fail(errno);
 }
 
-void StagedFile::commit_all(std::span<StagedFile> files) {
+void StagedFile::commit_all(std::span<StagedFile> files, Existing existing) {
   synchronise_all(files, false);
   for (StagedFile& file : files) {
     if (file.name_.empty()) file.give_name();
-    file.take_place(Existing::Replace);
+    file.take_place(existing);
   }
   synchronise_all(files, true);
 }

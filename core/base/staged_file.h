@@ -98,7 +98,7 @@ class StagedFile {
 
   /// The same of many files, all of which wait for the disk together: twice, not twice each. Where
   /// one cannot take its place, those before it have.
-  static void commit_all(std::span<StagedFile> files);
+  static void commit_all(std::span<StagedFile> files, Existing existing = Existing::Replace);
 
  private:
   static void synchronise_all(std::span<StagedFile> files, bool names);

@@ -50,12 +50,12 @@ bool make_bank_of(const fs::path& folder, const BankOptions& options, JournalRea
     if (row.done()) sources.push_back({row.output, folder / (row.output + ".mcpr"), {}});
   });
   if (sources.empty()) return false;
-  make_bank(folder / kBankOfBatch, std::move(sources), options, [&](const BankProgress& bank) {
-    progress.bank = bank;
-    if (!should_continue(observer, progress)) control.cancel();
-    return control.may_continue();
-  });
-  return !control.cancelled();
+  return make_bank(folder / kBankOfBatch, std::move(sources), options,
+                   [&](const BankProgress& bank) {
+                     progress.bank = bank;
+                     if (!should_continue(observer, progress)) control.cancel();
+                     return control.may_continue();
+                   });
 }
 
 }  // namespace

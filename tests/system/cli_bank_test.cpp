@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "core/bank/bank.h"
 #include "core/base/file.h"
 #include "tests/system/command.h"
-#include "tests/system/sample_clips.h"
+#include "tests/system/running.h"
 
 namespace mocapress::test {
 namespace {
@@ -24,6 +26,40 @@ class CliBank : public CommandLine {
     ASSERT_EQ(
         mocapress({"compress", clip, "--ratio", "5", "-o", file("clips/slow/walk.mcpr")}).exit_code,
         0);
+  }
+
+  /// A folder of one clip by many names.
+  void write_many(const std::string& folder, int count) {
+    const std::string clip = write("walk.bvh", test_bvh());
+    ASSERT_EQ(mocapress({"compress", clip, "-o", file("many.mcpr")}).exit_code, 0);
+    fs::create_directories(file(folder));
+    for (int i = 0; i < count; ++i)
+      fs::create_hard_link(file("many.mcpr"), file(folder) / ("c" + std::to_string(i) + ".mcpr"));
+  }
+
+  /// Everything in a folder of files, by name.
+  std::set<std::string> names(const std::string& folder) const {
+    std::set<std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(file(folder)))
+      if (!entry.is_directory()) all.insert(entry.path().lexically_relative(file(folder)));
+    return all;
+  }
+
+  /// Runs a command of banks, and sends a signal once it tells of its clips.
+  std::optional<int> stopped(std::vector<std::string> words, int signal) {
+    words.insert(words.begin(), {MOCAPRESS_EXECUTABLE, "bank"});
+    Running running(words, "/dev/null", file("err"));
+    const auto tells = [&] {
+      return running.ended() || (fs::exists(file("err")) && fs::file_size(file("err")) > 0);
+    };
+    EXPECT_TRUE(comes_true(tells));
+    running.send(signal);
+    return running.wait();
+  }
+  std::string last_line_of_err() const {
+    std::string text = read_text(file("err"));
+    if (!text.empty()) text.pop_back();
+    return text.substr(text.rfind('\n') + 1);
   }
 };
 
@@ -83,6 +119,111 @@ TEST_F(CliBank, SaysWhatIsWrong) {
   EXPECT_THAT(twice.err, HasSubstr("would be the clip 'walk'"));
   EXPECT_EQ(mocapress({"bank", "list", file("clips/walk.mcpr")}).exit_code, 3);
   EXPECT_EQ(mocapress({"bank", "verify", file("b.mcpk")}).exit_code, 0);
+}
+
+class StoppedBank : public CliBank, public testing::WithParamInterface<int> {};
+
+TEST_P(StoppedBank, IsAsItWas) {
+  write_many("clips", 2000);
+  fs::create_directories(file("out"));
+  EXPECT_EQ(stopped({"make", file("out/b.mcpk"), file("clips")}, GetParam()), 128 + GetParam());
+  EXPECT_THAT(last_line_of_err(), testing::MatchesRegex("Stopped after [0-9]+ of 2000 clips. "
+                                                        "Nothing was written."));
+  EXPECT_THAT(names("out"), testing::IsEmpty());
+  ASSERT_EQ(mocapress({"bank", "make", file("out/b.mcpk"), file("many.mcpr")}).exit_code, 0);
+  const auto before = read_bytes(file("out/b.mcpk"));
+  EXPECT_EQ(stopped({"add", file("out/b.mcpk"), file("clips")}, GetParam()), 128 + GetParam());
+  EXPECT_THAT(last_line_of_err(), HasSubstr(" of 2001 clips. Nothing was written."));
+  EXPECT_EQ(read_bytes(file("out/b.mcpk")), before);
+  EXPECT_EQ(names("out").size(), 1U);
+}
+
+TEST_P(StoppedBank, WritesWholeFilesUntilThen) {
+  write_many("clips", 1000);
+  const std::string bank = file("b.mcpk");
+  ASSERT_EQ(mocapress({"bank", "make", bank, file("clips")}).exit_code, 0);
+  fs::create_directories(file("out"));
+  EXPECT_EQ(stopped({"extract", bank, "-o", file("out")}, GetParam()), 128 + GetParam());
+  EXPECT_THAT(last_line_of_err(),
+              testing::MatchesRegex("Stopped. [0-9]+ of 1000 clips are written, each whole. .*"));
+  const auto one = read_bytes(file("many.mcpr"));
+  for (const std::string& name : names("out"))
+    EXPECT_EQ(read_bytes(file("out") / name), one) << name;
+  EXPECT_LT(names("out").size(), 1000U);
+  EXPECT_EQ(mocapress({"bank", "extract", bank, "-o", file("out"), "--overwrite"}).exit_code, 0);
+  EXPECT_EQ(names("out"), names("clips"));
+  EXPECT_EQ(stopped({"verify", bank}, GetParam()), 128 + GetParam());
+  EXPECT_THAT(last_line_of_err(), testing::MatchesRegex("Stopped after [0-9]+ of 1000 clips."));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, StoppedBank, testing::Values(SIGINT, SIGTERM));
+
+TEST_F(CliBank, ExtractingOverwritesNothingUnasked) {
+  compress_two();
+  ASSERT_EQ(mocapress({"bank", "make", file("b.mcpk"), file("clips")}).exit_code, 0);
+  fs::create_directories(file("out"));
+  write("out/walk.mcpr", "mine");
+  const Outcome refused = mocapress({"bank", "extract", file("b.mcpk"), "-o", file("out")});
+  EXPECT_EQ(refused.exit_code, 5);
+  EXPECT_EQ(refused.err,
+            "mocapress: " + file("out/walk.mcpr").string() + " exists: not overwritten\n");
+  EXPECT_EQ(names("out"), std::set<std::string>{"walk.mcpr"});
+  EXPECT_EQ(read_text(file("out/walk.mcpr")), "mine");
+  ASSERT_EQ(
+      mocapress({"bank", "extract", file("b.mcpk"), "-o", file("out"), "--overwrite"}).exit_code,
+      0);
+  EXPECT_EQ(read_bytes(file("out/walk.mcpr")), read_bytes(file("clips/walk.mcpr")));
+}
+
+TEST_F(CliBank, ClipsStayInTheFolderWhateverTheirNames) {
+  compress_two();
+  const fs::path clip = file("clips/walk.mcpr");
+  const auto extracted = [&](const std::vector<std::string>& names) {
+    std::vector<BankSource> sources;
+    for (const std::string& name : names) sources.push_back({name, clip, {}});
+    make_bank(file("odd.mcpk"), sources, {});
+    fs::remove_all(file("in"));
+    fs::create_directories(file("in/out"));
+    return mocapress({"bank", "extract", file("odd.mcpk"), "-o", file("in/out")});
+  };
+  for (const std::string name : {"../up", "a/../../up", "/tmp/mocapress-odd", "..//up"}) {
+    const Outcome refused = extracted({name, "walk"});
+    EXPECT_EQ(refused.exit_code, 3) << name;
+    EXPECT_EQ(refused.err, "mocapress: " + file("odd.mcpk").string() + ": the clip '" + name +
+                               "' leaves the folder\n");
+    EXPECT_THAT(names("in"), testing::IsEmpty());
+  }
+  const Outcome same = extracted({"a/../walk", "walk"});
+  EXPECT_EQ(same.exit_code, 3);
+  EXPECT_THAT(same.err, HasSubstr("would take another's place"));
+  EXPECT_THAT(names("in"), testing::IsEmpty());
+  EXPECT_EQ(extracted({"A/Walk", "a/walk", "a//b", "..", "."}).exit_code, 0);
+  EXPECT_THAT(names("in/out"),
+              testing::ElementsAre("...mcpr", "..mcpr", "A/Walk.mcpr", "a/b.mcpr", "a/walk.mcpr"));
+}
+
+TEST_F(CliBank, MakingOneCostsNoInput) {
+  compress_two();
+  const std::string clip = file("clips/walk.mcpr");
+  const auto before = read_bytes(clip);
+  const Outcome slip = mocapress({"bank", "make", clip, file("clips/slow/walk.mcpr")});
+  EXPECT_EQ(slip.exit_code, 5);
+  EXPECT_EQ(slip.err, "mocapress: " + clip + ": is there and is no bank: not overwritten\n");
+  EXPECT_EQ(read_bytes(clip), before);
+  const std::string bank = file("b.mcpk");
+  ASSERT_EQ(mocapress({"bank", "make", bank, file("clips"), "--meta", "by=us"}).exit_code, 0);
+  const auto packed = read_bytes(bank);
+  const Outcome onto_itself = mocapress({"bank", "make", bank, bank, "--cooked"});
+  EXPECT_EQ(onto_itself.exit_code, 5);
+  EXPECT_EQ(onto_itself.err, "mocapress: " + bank + ": is one of the inputs: not overwritten\n");
+  EXPECT_EQ(read_bytes(bank), packed);
+  EXPECT_EQ(mocapress({"bank", "add", bank, bank}).exit_code, 0);
+  EXPECT_EQ(read_bytes(bank), packed);
+  write("clips/broken.mcpr", "no clip");
+  const Outcome broken = mocapress({"bank", "add", bank, file("clips")});
+  EXPECT_EQ(broken.exit_code, 3);
+  EXPECT_THAT(broken.err, HasSubstr("broken.mcpr"));
+  EXPECT_EQ(read_bytes(bank), packed);
 }
 
 }  // namespace

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A batch from outside: files, reports, exit codes, signals and being killed.
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <fstream>
@@ -16,6 +12,7 @@
 
 #include "core/base/file.h"
 #include "tests/system/command.h"
+#include "tests/system/running.h"
 #include "tests/system/sample_clips.h"
 
 namespace mocapress::test {
@@ -24,52 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
-
-/// A program that runs while the test looks on.
-class Running {
- public:
-  Running(const std::vector<std::string>& words, const fs::path& out) {
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(),
-                                     O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    EXPECT_EQ(posix_spawn(&pid_, words[0].c_str(), &files, nullptr, arguments.data(), environ), 0);
-    posix_spawn_file_actions_destroy(&files);
-  }
-
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
-  ~Running() {
-    send(SIGKILL);
-    wait();
-  }
-
-  void send(int signal) {
-    if (!ended()) kill(pid_, signal);
-  }
-
-  bool ended() {
-    if (!status_) {
-      int status = 0;
-      if (waitpid(pid_, &status, WNOHANG) == pid_) status_ = status;
-    }
-    return status_.has_value();
-  }
-
-  /// The exit code, or the number of the signal that ended it, negative. Unset: it does not end.
-  std::optional<int> wait() {
-    if (!comes_true([this] { return ended(); })) return std::nullopt;
-    return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : -WTERMSIG(*status_);
-  }
-
- private:
-  pid_t pid_ = -1;
-  std::optional<int> status_;
-};
 
 class CliBatch : public CommandLine {
  protected:
