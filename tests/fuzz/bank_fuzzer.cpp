@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Banks and cooked clips on any bytes: opens them, checksums mended, and plays what opens.
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
-#include "core/codec/format/bank.h"
 #include "core/codec/format/own_memory.h"
-#include "core/runtime/cooked_check.h"
+#include "core/runtime/mocapress_runtime.h"
+#include "tests/fuzz/mended_bank.h"
 
 namespace {
 
 using mocapress::AlignedBytes;
-namespace runtime = mocapress::runtime;
 
 /// So many beside each other that frames are lifted for them.
 void sample_crowd(const mcpr_cooked* clip) {
@@ -56,22 +54,6 @@ void sample(const mcpr_cooked* clip) {
   }
 }
 
-/// Makes a checksum right where what it is of lies within the bytes.
-void mend(std::byte* bytes, std::size_t size, const runtime::BankRegion& region,
-          std::uint32_t& checksum) {
-  if (region.offset <= size && region.bytes <= size - region.offset)
-    checksum =
-        runtime::bank_checksum(bytes + region.offset, static_cast<std::size_t>(region.bytes));
-}
-
-void mend_bank(std::byte* bytes, std::size_t size) {
-  auto* const head = reinterpret_cast<mcpk_bank*>(bytes);
-  mend(bytes, size, head->index, head->index_checksum);
-  mend(bytes, size, head->items, head->items_checksum);
-  mend(bytes, size, head->tables, head->tables_checksum);
-  head->checksum = runtime::bank_checksum(head, offsetof(mcpk_bank, checksum));
-}
-
 void read_packed(const mcpk_bank* bank, std::uint32_t clip) {
   mcpr_limits limits = mcpr_default_limits();
   limits.values = 1U << 16;
@@ -85,23 +67,22 @@ void read_packed(const mcpk_bank* bank, std::uint32_t clip) {
     return;
   const AlignedBytes resident(bytes);
   const mcpr_clip* made = nullptr;
-  mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &made);
+  if (mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &made).status !=
+      MCPR_OK)
+    return;
+  const mcpr_request request{.output = MCPR_LOCAL};
+  const AlignedBytes working(mcpr_scratch_bytes(made, &request));
+  std::vector<float> pose(mcpr_frame_values(made, &request));
+  mcpr_decode_moment(made, &request, 0.5 * info.frames, pose.data(), working.data(),
+                     working.size());
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const AlignedBytes bytes(std::max({size, sizeof(mcpk_bank), sizeof(mcpr_cooked)}));
-  std::memset(bytes.data(), 0, bytes.size());
-  if (size > 0) std::memcpy(bytes.data(), data, size);
-  if (size >= sizeof(mcpr_cooked)) {
-    auto* const cooked = reinterpret_cast<mcpr_cooked*>(bytes.data());
-    if (runtime::check_cooked_head(*cooked, size).status == MCPR_OK)
-      cooked->checksum = runtime::checksum_of(*cooked);
-    const mcpr_cooked* clip = nullptr;
-    if (mcpr_open_cooked(bytes.data(), size, 1, &clip).status == MCPR_OK) sample(clip);
-  }
-  if (size >= sizeof(mcpk_bank)) mend_bank(bytes.data(), size);
+  const mocapress::test::MendedBank bytes(data, size);
+  const mcpr_cooked* alone = nullptr;
+  if (mcpr_open_cooked(bytes.data(), size, 1, &alone).status == MCPR_OK) sample(alone);
   const mcpk_bank* bank = nullptr;
   // The head alone: the index and packed clips may be anything then.
   if (mcpk_open(bytes.data(), size, 0, &bank).status == MCPR_OK) {
