@@ -16,9 +16,11 @@
 #include "app/cli/report.h"
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
+#include "core/base/mapped_file.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel_in_order.h"
 #include "core/base/staged_file.h"
+#include "core/codec/format/format_error.h"
 
 namespace mocapress::cli {
 namespace {
@@ -55,6 +57,15 @@ class ClipCount {
   std::size_t done_ = 0;
   std::size_t clips_ = 0;
 };
+
+/// Of a bank that was just written, and so found sound.
+void tell_of(const std::string& path) {
+  const MappedFile file(path);
+  const mcpk_bank* bank = nullptr;
+  require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank));
+  std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", path.c_str(), bank->clips,
+               static_cast<unsigned long long>(bank->bytes), name(bank->form).data());
+}
 
 struct BankFilling {
   std::string bank;
@@ -102,9 +113,7 @@ struct BankFilling {
       std::fprintf(stderr, "Stopped after %s. Nothing was written.\n", count.text().c_str());
       throw EndedWith{128 + stop_signal};
     }
-    const BankFile made(bank);
-    std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", bank.c_str(), made.clips(),
-                 static_cast<unsigned long long>(made.bank().bytes), name(made.bank().form).data());
+    tell_of(bank);
   }
 };
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
+#include <unordered_map>
 #include <variant>
 
 #include "core/bank/bank_learning.h"
@@ -60,7 +61,7 @@ class Filler {
     if (!bank.is_cooked()) {
       const auto* const first =
           reinterpret_cast<const std::byte*>(bank.bank().at(entry.place.offset));
-      writer_.add(entry.name, copy_outline(bank.bank(), entry.kind, intern_),
+      writer_.add(entry.name, copied_outline(bank.bank(), entry.kind),
                   {first, static_cast<std::size_t>(entry.place.bytes)}, std::move(tags));
       return;
     }
@@ -68,13 +69,22 @@ class Filler {
     if (runtime::failed(runtime::cooked_clip_of(bank.bank(), entry, cooked))) return;
     const runtime::Bytes skeleton = bank.bank().item(runtime::BankItem::Part, entry.kind);
     put_cooked(entry.name, *cooked,
-               {reinterpret_cast<const std::byte*>(skeleton.data), skeleton.size}, std::move(tags));
+               {reinterpret_cast<const std::byte*>(skeleton.data), skeleton.size}, std::move(tags),
+               &copied_tables_);
   }
 
  private:
+  /// Its number in the new bank, which is looked for once.
+  std::uint32_t copied_outline(const mcpk_bank& bank, std::uint32_t outline) {
+    const auto there = copied_outlines_.find(outline);
+    if (there != copied_outlines_.end()) return there->second;
+    return copied_outlines_[outline] = copy_outline(bank, outline, intern_);
+  }
+
   void put_cooked(const std::string& name, const mcpr_cooked& clip,
-                  std::span<const std::byte> skeleton, std::vector<std::string> tags) {
-    const std::vector<std::byte> bytes = put_tables(clip, writer_.tables());
+                  std::span<const std::byte> skeleton, std::vector<std::string> tags,
+                  CopiedTables* copied = nullptr) {
+    const std::vector<std::byte> bytes = put_tables(clip, writer_.tables(), copied);
     writer_.add(name, writer_.intern(runtime::BankItem::Part, skeleton), bytes, std::move(tags));
   }
 
@@ -85,6 +95,8 @@ class Filler {
     return writer_.intern(kind, bytes);
   };
   std::vector<std::byte> learned_;  // PRIO, which clips are coded by
+  std::unordered_map<std::uint32_t, std::uint32_t> copied_outlines_;  // those of the old bank
+  CopiedTables copied_tables_;
 };
 
 /// A clip of the old bank, or a source: which comes next.
