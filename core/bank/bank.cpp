@@ -69,8 +69,7 @@ class Filler {
     if (runtime::failed(runtime::cooked_clip_of(bank.bank(), entry, cooked))) return;
     const runtime::Bytes skeleton = bank.bank().item(runtime::BankItem::Part, entry.kind);
     put_cooked(entry.name, *cooked,
-               {reinterpret_cast<const std::byte*>(skeleton.data), skeleton.size}, std::move(tags),
-               &copied_tables_);
+               {reinterpret_cast<const std::byte*>(skeleton.data), skeleton.size}, std::move(tags));
   }
 
  private:
@@ -82,9 +81,8 @@ class Filler {
   }
 
   void put_cooked(const std::string& name, const mcpr_cooked& clip,
-                  std::span<const std::byte> skeleton, std::vector<std::string> tags,
-                  CopiedTables* copied = nullptr) {
-    const std::vector<std::byte> bytes = put_tables(clip, writer_.tables(), copied);
+                  std::span<const std::byte> skeleton, std::vector<std::string> tags) {
+    const std::vector<std::byte> bytes = put_tables(clip, writer_.tables());
     writer_.add(name, writer_.intern(runtime::BankItem::Part, skeleton), bytes, std::move(tags));
   }
 
@@ -96,7 +94,6 @@ class Filler {
   };
   std::vector<std::byte> learned_;  // PRIO, which clips are coded by
   std::unordered_map<std::uint32_t, std::uint32_t> copied_outlines_;  // those of the old bank
-  CopiedTables copied_tables_;
 };
 
 /// A clip of the old bank, or a source: which comes next.

@@ -3,7 +3,6 @@
 
 #include <cstring>
 #include <string>
-#include <type_traits>
 
 #include "core/codec/format/format_error.h"
 #include "core/runtime/bank_skeleton.h"
@@ -18,52 +17,44 @@ using runtime::TableOffset;
 /// Copies the tables of a clip to where a bank has them.
 class TableMover {
  public:
-  TableMover(const mcpr_cooked& from, SharedTables& to, CopiedTables* copied)
-      : from_(from), to_(to), copied_(copied) {}
+  TableMover(const mcpr_cooked& from, SharedTables& to) : from_(from), to_(to) {}
 
   /// Tells the head where they are then.
   void move(mcpr_cooked& head) {
     const std::uint32_t columns = runtime::kGroup * from_.groups;
     const std::uint32_t row_columns = runtime::kGroup * from_.row_groups;
-    head.rest = move<mcpr_transform>(from_.rest, from_.joints);
-    head.rotors = move<runtime::RotorGroup>(from_.rotors, from_.rotor_groups);
-    head.moving = move<runtime::MovingAxis>(from_.moving, from_.moving_axes);
-    head.added = move<runtime::AddedColumn>(from_.added, from_.added_columns);
-    head.turns = move<runtime::OtherTurn>(from_.turns, from_.other_turns);
-    head.bases = move<float>(from_.bases, columns - row_columns);
-    head.part_table = move<runtime::CookedPart>(from_.part_table, from_.parts);
+    head.rest = put(all_of<mcpr_transform>(from_.rest, from_.joints));
+    std::vector rotors = all_of<runtime::RotorGroup>(from_.rotors, from_.rotor_groups);
+    for (runtime::RotorGroup& group : rotors)
+      if (group.around_kind != runtime::AroundKind::None)
+        group.around = put(all_of<float>(group.around, runtime::floats_around(group.around_kind)));
+    head.rotors = put(rotors);
+    head.moving = put(all_of<runtime::MovingAxis>(from_.moving, from_.moving_axes));
+    head.added = put(all_of<runtime::AddedColumn>(from_.added, from_.added_columns));
+    std::vector turns = all_of<runtime::OtherTurn>(from_.turns, from_.other_turns);
+    for (runtime::OtherTurn& turn : turns)
+      if (turn.axis == runtime::OtherTurn::kConstant)
+        turn.column = put(all_of<float>(TableOffset{turn.column}, 4)).bytes;
+    head.turns = put(turns);
+    head.bases = put(all_of<float>(from_.bases, columns - row_columns));
+    head.part_table = put(all_of<runtime::CookedPart>(from_.part_table, from_.parts));
     if (from_.loop == runtime::LoopKind::Follows)
-      head.column_kinds = move<runtime::ColumnKind>(from_.column_kinds, row_columns);
+      head.column_kinds = put(all_of<runtime::ColumnKind>(from_.column_kinds, row_columns));
   }
 
  private:
   template <typename T>
-  TableOffset move(TableOffset offset, std::size_t count) {
-    constexpr bool kNamesTables =
-        std::is_same_v<T, runtime::RotorGroup> || std::is_same_v<T, runtime::OtherTurn>;
-    const BankTable key{offset.bytes, count * sizeof(T), kNamesTables};
-    if (copied_ != nullptr)
-      if (const auto there = copied_->find(key); there != copied_->end()) return there->second;
+  std::vector<T> all_of(TableOffset offset, std::size_t count) const {
     const T* const first = from_.at<T>(offset);
-    std::vector<T> table(first, first + count);
-    if constexpr (kNamesTables)
-      for (T& entry : table) move_below(entry);
-    const TableOffset place{to_.intern(std::as_bytes(std::span(table)))};
-    if (copied_ != nullptr) copied_->emplace(key, place);
-    return place;
+    return {first, first + count};
   }
-  void move_below(runtime::RotorGroup& group) {
-    if (group.around_kind != runtime::AroundKind::None)
-      group.around = move<float>(group.around, runtime::floats_around(group.around_kind));
-  }
-  void move_below(runtime::OtherTurn& turn) {
-    if (turn.axis == runtime::OtherTurn::kConstant)
-      turn.column = move<float>(TableOffset{turn.column}, 4).bytes;
+  template <typename T>
+  TableOffset put(const std::vector<T>& table) {
+    return {to_.intern(std::as_bytes(std::span(table)))};
   }
 
   const mcpr_cooked& from_;
   SharedTables& to_;
-  CopiedTables* copied_;
 };
 
 std::vector<std::byte> skeleton_of(const mcpr_clip* clip) {
@@ -112,13 +103,12 @@ ClipForBank cook_for_bank(std::span<const std::byte> file) {
   return made;
 }
 
-std::vector<std::byte> put_tables(const mcpr_cooked& clip, SharedTables& tables,
-                                  CopiedTables* copied) {
+std::vector<std::byte> put_tables(const mcpr_cooked& clip, SharedTables& tables) {
   // What is read as a clip has to lie as one: in memory that is aligned.
   const AlignedBytes copy(static_cast<std::size_t>(clip.bytes));
   std::memcpy(copy.data(), &clip, copy.size());
   auto* const head = reinterpret_cast<mcpr_cooked*>(copy.data());
-  TableMover(clip, tables, copied).move(*head);
+  TableMover(clip, tables).move(*head);
   head->tables = 0;
   head->checksum = runtime::checksum_of(*head);
   return {copy.data(), copy.data() + copy.size()};
