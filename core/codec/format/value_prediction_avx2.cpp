@@ -8,6 +8,7 @@
 #define MOCAPRESS_PREDICTION_TARGET __attribute__((target("avx2")))
 
 namespace mocapress::runtime {
+namespace avx2_prediction {
 namespace {
 
 MOCAPRESS_PREDICTION_TARGET inline __m256i eight_ints(const std::int32_t* from) {
@@ -192,9 +193,11 @@ MOCAPRESS_PREDICTION_TARGET void normalise(
 }
 
 }  // namespace
+}  // namespace avx2_prediction
 
-const PredictionKernels kAvx2Prediction = {of_signal, signal_follows, of_rest, rest_follows,
-                                           normalise};
+const PredictionKernels kAvx2Prediction = {
+    avx2_prediction::of_signal, avx2_prediction::signal_follows, avx2_prediction::of_rest,
+    avx2_prediction::rest_follows, avx2_prediction::normalise};
 
 }  // namespace mocapress::runtime
 #endif
