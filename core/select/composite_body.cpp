@@ -21,6 +21,12 @@ MOCAPRESS_INLINE void load_three(const ThreeColumns& from, int t, Three<Vector>&
 }
 
 template <typename Vector>
+MOCAPRESS_INLINE void load_three(const std::array<CompositeBody::Column, 3>& from, int t,
+                                 Three<Vector>& three) {
+  load_three({from[0].data(), from[1].data(), from[2].data()}, t, three);
+}
+
+template <typename Vector>
 MOCAPRESS_INLINE void subtract(const Three<Vector>& less, Three<Vector>& three) {
   three.x -= less.x;
   three.y -= less.y;
@@ -73,9 +79,9 @@ MOCAPRESS_INLINE int add_points(CompositeBody& body, double weight, const ThreeC
     increase<Vector>(body.square[0], t, x * place.x);
     increase<Vector>(body.square[1], t, y * place.y);
     increase<Vector>(body.square[2], t, z * place.z);
-    increase<Vector>(body.square[3], t, y * place.z);
-    increase<Vector>(body.square[4], t, z * place.x);
-    increase<Vector>(body.square[5], t, x * place.y);
+    increase<Vector>(body.mixed[0], t, y * place.z);
+    increase<Vector>(body.mixed[1], t, z * place.x);
+    increase<Vector>(body.mixed[2], t, x * place.y);
   }
   return t;
 }
@@ -85,7 +91,7 @@ template <typename Vector, bool turns>
 MOCAPRESS_INLINE void respond(const CompositeBody& body, const Three<Vector>& turn,
                               const Three<Vector>& shift, int t, const ChannelResponse& response) {
   Three<Vector> moment;
-  load_three({body.moment[0].data(), body.moment[1].data(), body.moment[2].data()}, t, moment);
+  load_three(body.moment, t, moment);
   Three<Vector> torque;
   cross(moment, shift, torque);
   Three<Vector> force = {body.mass * shift.x, body.mass * shift.y, body.mass * shift.z};
@@ -98,8 +104,8 @@ MOCAPRESS_INLINE void respond(const CompositeBody& body, const Three<Vector>& tu
     force.z += of_turn.z;
     Three<Vector> square;
     Three<Vector> mixed;
-    load_three({body.square[0].data(), body.square[1].data(), body.square[2].data()}, t, square);
-    load_three({body.square[3].data(), body.square[4].data(), body.square[5].data()}, t, mixed);
+    load_three(body.square, t, square);
+    load_three(body.mixed, t, mixed);
     torque.x += (square.y + square.z) * turn.x - mixed.z * turn.y - mixed.y * turn.z;
     torque.y += (square.z + square.x) * turn.y - mixed.x * turn.z - mixed.z * turn.x;
     torque.z += (square.x + square.y) * turn.z - mixed.y * turn.x - mixed.x * turn.y;
@@ -182,12 +188,13 @@ void CompositeBody::add(double weight, const ThreeColumns& places, const ThreeCo
 
 void CompositeBody::add(const CompositeBody& other, int frames) {
   mass += other.mass;
-  const auto add_column = [frames](const Column& more, Column& to) {
-    for (int t = 0; t < frames; ++t)
-      to[static_cast<std::size_t>(t)] += more[static_cast<std::size_t>(t)];
+  const auto add_three = [frames](const std::array<Column, 3>& more, std::array<Column, 3>& to) {
+    for (std::size_t i = 0; i < to.size(); ++i)
+      for (std::size_t t = 0; t < static_cast<std::size_t>(frames); ++t) to[i][t] += more[i][t];
   };
-  for (std::size_t i = 0; i < moment.size(); ++i) add_column(other.moment[i], moment[i]);
-  for (std::size_t i = 0; i < square.size(); ++i) add_column(other.square[i], square[i]);
+  add_three(other.moment, moment);
+  add_three(other.square, square);
+  add_three(other.mixed, mixed);
 }
 
 void turn_body(const CompositeBody& body, const ThreeColumns& axis,

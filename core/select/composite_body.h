@@ -11,15 +11,15 @@ namespace mocapress {
 /// Places or axes at some frames: three columns of numbers.
 using ThreeColumns = std::array<const double*, 3>;
 
-/// Weighted landmarks that move as one, at up to kFrames frames: the sums of w, w x (3) and of
-/// w x x^T (xx yy zz yz zx xy).
+/// Weighted landmarks that move as one, at up to kFrames frames: the sums of w, w x and w x x^T.
 struct CompositeBody {
   static constexpr int kFrames = 64;  // what is in flight stays in the first cache
   using Column = std::array<double, kFrames>;
 
   double mass = 0;
   std::array<Column, 3> moment{};
-  std::array<Column, 6> square{};
+  std::array<Column, 3> square{};  // xx yy zz
+  std::array<Column, 3> mixed{};   // yz zx xy
 
   /// Places are seen from `origin`.
   void add(double weight, const ThreeColumns& places, const ThreeColumns& origin, int frames);
