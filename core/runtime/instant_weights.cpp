@@ -126,8 +126,8 @@ struct Fold {
   void to_cubic(int row, int next, int way) const {
     const float weight = take(row);
     if (weight == 0) return;
-    constexpr float kWeights[4] = {4, -6, 4, -1};
-    for (int i = 0; i < 4; ++i) at(next + i * way) += kWeights[i] * weight;
+    constexpr float kCubic[4] = {4, -6, 4, -1};
+    for (int i = 0; i < 4; ++i) at(next + i * way) += kCubic[i] * weight;
   }
 };
 

@@ -25,18 +25,6 @@ int width_of(std::int32_t least, std::int32_t most) {
   return static_cast<int>(std::bit_width(magnitude)) + 1;
 }
 
-/// The best shift of a Rice code, found as its numbers pass by.
-struct RiceCosts {
-  std::uint64_t bits[kMostRiceShift + 1] = {};
-  void add(std::uint32_t v) {
-    for (int shift = 0; shift <= kMostRiceShift; ++shift)
-      bits[shift] += static_cast<std::uint64_t>(rice_bits(v, shift));
-  }
-  int best() const {
-    return static_cast<int>(std::min_element(bits, bits + kMostRiceShift + 1) - bits);
-  }
-};
-
 }  // namespace
 
 /// Lays out a resident form; without memory it only measures.
@@ -239,6 +227,18 @@ class ResidentBuilder {
                       : static_cast<std::uint32_t>(value)) -
            1;
   }
+
+  /// The best shift of a Rice code, found as its numbers pass by.
+  struct RiceCosts {
+    std::uint64_t bits[kMostRiceShift + 1] = {};
+    void add(std::uint32_t v) {
+      for (int shift = 0; shift <= kMostRiceShift; ++shift)
+        bits[shift] += static_cast<std::uint64_t>(rice_bits(v, shift));
+    }
+    int best() const {
+      return static_cast<int>(std::min_element(bits, bits + kMostRiceShift + 1) - bits);
+    }
+  };
 
   /// Returns how many bits the band takes with them.
   std::uint64_t choose_shifts(const Band& band, Entry& entry) const {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace mocapress {
+namespace mocapress::footskate_test {
 namespace {
 
 constexpr double kRate = 120;
@@ -106,4 +106,4 @@ TEST(SlidePerContact, IsZeroWhereNothingSlid) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::footskate_test

@@ -7,7 +7,7 @@
 #include "core/motion/forward_kinematics.h"
 #include "tests/support/motion_texts.h"
 
-namespace mocapress {
+namespace mocapress::amc_reader_test {
 namespace {
 
 using test::kSmallAmc;
@@ -208,4 +208,4 @@ TEST(Amc, RefusesFramesThatAreMostlyEmptyBeforeTheyTakeMemory) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::amc_reader_test

@@ -7,7 +7,7 @@
 #include "core/formats/asf.h"
 #include "tests/support/motion_texts.h"
 
-namespace mocapress {
+namespace mocapress::asf_reader_test {
 namespace {
 
 using test::kSmallAsf;
@@ -162,4 +162,4 @@ TEST(Asf, RefusesWhatNoFileMayHold) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::asf_reader_test

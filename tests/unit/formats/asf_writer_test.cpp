@@ -7,7 +7,7 @@
 #include "tests/support/same_motion.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::asf_writer_test {
 namespace {
 
 constexpr double kMove = 1e-4;  // cm
@@ -99,4 +99,4 @@ TEST(AcclaimWriter, RefusesWhatNoReaderHereWouldTake) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::asf_writer_test

@@ -8,7 +8,7 @@
 #include "core/motion/forward_kinematics.h"
 #include "tests/support/motion_texts.h"
 
-namespace mocapress {
+namespace mocapress::bvh_reader_test {
 namespace {
 
 using test::kSmallBvh;
@@ -324,4 +324,4 @@ TEST(Bvh, RefusesMoreThanSixChannelsOfAJoint) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::bvh_reader_test

@@ -8,7 +8,7 @@
 #include "tests/support/same_motion.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::bvh_writer_test {
 namespace {
 
 constexpr double kMove = 1e-4;  // cm
@@ -197,4 +197,4 @@ TEST(BvhStyle, TakesTheUnitOfBvhSourcesAlone) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::bvh_writer_test

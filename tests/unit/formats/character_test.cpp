@@ -9,7 +9,7 @@
 #include "tests/support/corpus.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::character_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -119,4 +119,4 @@ TEST_F(Character, IsReadOfFilesThatHaveMeshes) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::character_test

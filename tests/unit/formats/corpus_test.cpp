@@ -14,7 +14,7 @@
 #include "core/motion/forward_kinematics.h"
 #include "tests/support/same_motion.h"
 
-namespace mocapress {
+namespace mocapress::corpus_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -271,4 +271,4 @@ TEST_F(Corpus, WristsAreContinuousWhere3DofAreForced) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::corpus_test

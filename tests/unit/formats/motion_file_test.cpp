@@ -12,7 +12,7 @@
 #include "tests/support/same_motion.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::motion_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -193,4 +193,4 @@ TEST_F(MotionFiles, OfAcclaimKeepTheirUnit) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::motion_file_test

@@ -11,7 +11,7 @@
 
 #include "core/motion/landmarks.h"
 
-namespace mocapress {
+namespace mocapress::node_motion_test {
 namespace {
 
 using Eigen::Quaterniond;
@@ -286,4 +286,4 @@ TEST(NodeMotion, RefusesWhatNoMotionCanHold) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::node_motion_test

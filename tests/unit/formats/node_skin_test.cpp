@@ -11,7 +11,7 @@
 
 #include "core/formats/node_motion.h"
 
-namespace mocapress {
+namespace mocapress::node_skin_test {
 namespace {
 
 using Eigen::Affine3d;
@@ -202,4 +202,4 @@ TEST(MaterialColour, IsAsScreensHaveItAndPlainWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::node_skin_test

@@ -15,7 +15,7 @@
 #include "core/formats/motion_file.h"
 #include "tests/support/small_gltf.h"
 
-namespace mocapress {
+namespace mocapress::skin_picture_test {
 namespace {
 
 using test::SmallGltf;
@@ -168,4 +168,4 @@ TEST(CompressedMesh, OfMeshoptIsLeftOutInOneSentence) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::skin_picture_test

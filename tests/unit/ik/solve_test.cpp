@@ -12,7 +12,7 @@
 #include "core/motion/landmarks.h"
 #include "resources/samples/generator/samples.h"
 
-namespace mocapress {
+namespace mocapress::solve_test {
 namespace {
 
 constexpr IkSolver kSolvers[] = {IkSolver::CyclicDescent, IkSolver::NearestPose};
@@ -228,4 +228,4 @@ TEST(LimbResponses, TurnsMoveTheEffectorAsFarAsAsked) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::solve_test

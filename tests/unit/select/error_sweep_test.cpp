@@ -6,7 +6,7 @@
 #include "core/base/random.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::error_sweep_test {
 namespace {
 
 constexpr int kFrames = 90;
@@ -68,4 +68,4 @@ TEST_F(ErrorSweepOf, WithoutErrorHasNoGradient) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::error_sweep_test

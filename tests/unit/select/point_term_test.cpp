@@ -8,7 +8,7 @@
 #include "tests/support/landmark_jacobian.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::point_term_test {
 namespace {
 
 constexpr int kFrames = 70;
@@ -101,4 +101,4 @@ TEST_F(PointTermOf, WithoutAnglesIsAWeightOfThePoint) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::point_term_test

@@ -10,7 +10,7 @@
 #include "core/motion/body_part.h"
 #include "resources/samples/generator/samples.h"
 
-namespace mocapress {
+namespace mocapress::importance_test {
 namespace {
 
 const Encoder& walk() {
@@ -122,4 +122,4 @@ TEST(NamedImportance, APartThatIsLackingIsLeftOutAJointIsRefused) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::importance_test

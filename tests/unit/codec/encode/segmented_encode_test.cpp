@@ -20,7 +20,7 @@
 #include "tests/support/segmented_clip.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::segmented_encode_test {
 namespace {
 
 using File = std::vector<std::byte>;
@@ -463,4 +463,4 @@ TEST(SegmentedEncode, WhatIsMeasuredInBlocksIsWhatTheWholeMeasures) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::segmented_encode_test
