@@ -55,7 +55,7 @@ CodingKnowledge fit(const std::filesystem::path& folder) {
 /// As C++ has to be told what is no trigraph.
 std::string without_trigraphs(std::string letters) {
   for (std::size_t at = 0; (at = letters.find("??", at)) != std::string::npos; at += 2)
-    letters.insert(at + 1, "\\");
+    letters.insert(at + 1, 1, '\\');
   return letters;
 }
 

@@ -12,7 +12,7 @@
 
 #include "core/base/file.h"
 
-namespace mocapress::test {
+namespace mocapress::test::number_format_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,4 +62,4 @@ TEST(NumberFormatChecker, PassesIntegersTextsAndPlacesOfTranslations) {
 }
 
 }  // namespace
-}  // namespace mocapress::test
+}  // namespace mocapress::test::number_format_test

@@ -14,7 +14,7 @@
 namespace mocapress {
 namespace {
 
-struct Texts {
+struct PresetTexts {
   Q_DECLARE_TR_FUNCTIONS(mocapress::PresetViews)
 };
 
@@ -22,7 +22,7 @@ struct Texts {
 QString askForText(const QString& title, const QString& text, QWidget* window) {
   bool accepted = false;
   const QString name =
-      QInputDialog::getText(window, title, Texts::tr("Name"), QLineEdit::Normal, text, &accepted);
+      QInputDialog::getText(window, title, PresetTexts::tr("Name"), QLineEdit::Normal, text, &accepted);
   return accepted ? name.trimmed() : QString();
 }
 
@@ -32,21 +32,21 @@ void connectShelf(PresetChooser* chooser, PresetShelf* shelf, QWidget* window) {
   QObject::connect(chooser, &PresetChooser::removeRequested, shelf, &PresetShelf::remove);
   QObject::connect(chooser, &PresetChooser::renameRequested, shelf,
                    [shelf, window](const QString& name) {
-                     const QString to = askForText(Texts::tr("Rename Preset"), name, window);
+                     const QString to = askForText(PresetTexts::tr("Rename Preset"), name, window);
                      if (!to.isEmpty()) shelf->rename(name, to);
                    });
   QObject::connect(chooser, &PresetChooser::importRequested, shelf, [shelf, window] {
-    const QString path = QFileDialog::getOpenFileName(window, Texts::tr("Import Presets"), {},
-                                                      Texts::tr("Presets (*.json)"));
+    const QString path = QFileDialog::getOpenFileName(window, PresetTexts::tr("Import Presets"), {},
+                                                      PresetTexts::tr("Presets (*.json)"));
     if (!path.isEmpty()) shelf->importFrom(path);
   });
   QObject::connect(chooser, &PresetChooser::exportRequested, shelf,
                    [shelf, window](const Settings& preset) {
                      const QString word = QString::fromStdString(slug(preset.name));
                      const QString name = word.isEmpty() ? QStringLiteral("preset") : word;
-                     QString path = QFileDialog::getSaveFileName(window, Texts::tr("Export Preset"),
+                     QString path = QFileDialog::getSaveFileName(window, PresetTexts::tr("Export Preset"),
                                                                  name + QStringLiteral(".json"),
-                                                                 Texts::tr("Presets (*.json)"));
+                                                                 PresetTexts::tr("Presets (*.json)"));
                      if (path.isEmpty()) return;
                      if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
                      Settings named = preset;
@@ -59,7 +59,7 @@ void connectShelf(PresetChooser* chooser, PresetShelf* shelf, QWidget* window) {
 Settings askForName(const Settings& preset, QWidget* window) {
   Settings named = preset;
   const std::string offered = PresetShelf::isBuiltIn(preset.name) ? std::string() : preset.name;
-  named.name = askForText(Texts::tr("Save as Preset"), QString::fromStdString(offered), window)
+  named.name = askForText(PresetTexts::tr("Save as Preset"), QString::fromStdString(offered), window)
                    .toStdString();
   return named;
 }

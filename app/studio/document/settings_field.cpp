@@ -8,7 +8,7 @@
 namespace mocapress {
 namespace {
 
-struct Texts {
+struct FieldTexts {
   Q_DECLARE_TR_FUNCTIONS(mocapress::SettingsField)
 };
 
@@ -25,34 +25,34 @@ bool differIn(const EncodeOptions& a, EncodeOptions b, const Copy& copy) {
 QString nameOf(SettingsField field) {
   switch (field) {
     case SettingsField::Preset:
-      return Texts::tr("Preset");
+      return FieldTexts::tr("Preset");
     case SettingsField::Target:
-      return Texts::tr("Target");
+      return FieldTexts::tr("Target");
     case SettingsField::Method:
-      return Texts::tr("Method");
+      return FieldTexts::tr("Method");
     case SettingsField::Effort:
-      return Texts::tr("Effort");
+      return FieldTexts::tr("Effort");
     case SettingsField::Importance:
-      return Texts::tr("Importance");
+      return FieldTexts::tr("Importance");
     case SettingsField::Weighting:
-      return Texts::tr("Weighting");
+      return FieldTexts::tr("Weighting");
     case SettingsField::Ends:
-      return Texts::tr("Ends");
+      return FieldTexts::tr("Ends");
     case SettingsField::Coding:
-      return Texts::tr("Coding");
+      return FieldTexts::tr("Coding");
     case SettingsField::Correction:
-      return Texts::tr("Held Feet");
+      return FieldTexts::tr("Held Feet");
     case SettingsField::TrackError:
-      return Texts::tr("Tracks");
+      return FieldTexts::tr("Tracks");
     case SettingsField::Contacts:
-      return Texts::tr("Contacts");
+      return FieldTexts::tr("Contacts");
     case SettingsField::Slot:
-      return Texts::tr("A or B");
+      return FieldTexts::tr("A or B");
     case SettingsField::None:
     case SettingsField::Other:
       break;
   }
-  return Texts::tr("Settings");
+  return FieldTexts::tr("Settings");
 }
 
 SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {

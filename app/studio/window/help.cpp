@@ -14,7 +14,7 @@
 namespace mocapress {
 namespace {
 
-struct Texts {
+struct HelpTexts {
   Q_DECLARE_TR_FUNCTIONS(mocapress::Help)
 };
 
@@ -48,16 +48,16 @@ QString shortcutSheet(const QMenuBar& menus) {
                   .arg(plain(top->text()), rows);
   }
   const QStringList mouse = {
-      Texts::tr("Left drag in the 3D view: turn"),
-      Texts::tr("Right or middle drag: move"),
-      Texts::tr("Wheel: nearer or further"),
-      Texts::tr("Click on a joint: choose it"),
-      Texts::tr("Wheel over the timeline: zoom; with Shift: move along"),
-      Texts::tr("Click on the scale of the error strip: choose another"),
-      Texts::tr("Drag an end of a contact: move it; right button: add or remove"),
-      Texts::tr("Shift and drag on the error strip: choose the range that is played")};
+      HelpTexts::tr("Left drag in the 3D view: turn"),
+      HelpTexts::tr("Right or middle drag: move"),
+      HelpTexts::tr("Wheel: nearer or further"),
+      HelpTexts::tr("Click on a joint: choose it"),
+      HelpTexts::tr("Wheel over the timeline: zoom; with Shift: move along"),
+      HelpTexts::tr("Click on the scale of the error strip: choose another"),
+      HelpTexts::tr("Drag an end of a contact: move it; right button: add or remove"),
+      HelpTexts::tr("Shift and drag on the error strip: choose the range that is played")};
   html += QStringLiteral("<h3>%1</h3><ul><li>%2</li></ul>")
-              .arg(Texts::tr("Mouse"), mouse.join(QStringLiteral("</li><li>")));
+              .arg(HelpTexts::tr("Mouse"), mouse.join(QStringLiteral("</li><li>")));
   return html;
 }
 
@@ -87,17 +87,17 @@ HelpWindow::HelpWindow(const QString& title, const QString& html, QWidget* paren
 }
 
 void showGuide(QWidget* window) {
-  (new HelpWindow(Texts::tr("Guide"), guideHtml(), window))->show();
+  (new HelpWindow(HelpTexts::tr("Guide"), guideHtml(), window))->show();
 }
 
 void showShortcuts(const QMenuBar& menus, QWidget* window) {
-  (new HelpWindow(Texts::tr("Keyboard Shortcuts"), shortcutSheet(menus), window))->show();
+  (new HelpWindow(HelpTexts::tr("Keyboard Shortcuts"), shortcutSheet(menus), window))->show();
 }
 
 void showAbout(QWidget* window) {
   QMessageBox::about(
-      window, Texts::tr("About Mocapress"),
-      Texts::tr(
+      window, HelpTexts::tr("About Mocapress"),
+      HelpTexts::tr(
           "<h3>Mocapress %1</h3>"
           "<p>Compresses human motion capture clips with wavelets, after Philippe Beaudoin, Pierre "
           "Poulin and Michiel van de Panne, <i>Adapting Wavelet Compression to Human Motion "

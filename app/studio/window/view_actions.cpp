@@ -14,7 +14,7 @@
 namespace mocapress {
 namespace {
 
-struct Texts {
+struct ViewTexts {
   Q_DECLARE_TR_FUNCTIONS(mocapress::ViewActions)
 };
 
@@ -61,48 +61,48 @@ ViewActions makeViewActions(QMainWindow* window) {
                                   const QKeySequence& shortcut, const QString& explanation) {
     return make(window, icon, text, shortcut, explanation);
   };
-  actions.mode = {make_here("overlay", Texts::tr("&Overlay"), Qt::Key_1,
-                            Texts::tr("The original as a ghost over the compressed figure")),
-                  make_here("side-by-side", Texts::tr("&Side by Side"), Qt::Key_2,
-                            Texts::tr("Original and compressed figure beside each other")),
-                  make_here("wipe", Texts::tr("&Wipe"), Qt::Key_3,
-                            Texts::tr("One picture with a divider to drag, also while it plays"))};
+  actions.mode = {make_here("overlay", ViewTexts::tr("&Overlay"), Qt::Key_1,
+                            ViewTexts::tr("The original as a ghost over the compressed figure")),
+                  make_here("side-by-side", ViewTexts::tr("&Side by Side"), Qt::Key_2,
+                            ViewTexts::tr("Original and compressed figure beside each other")),
+                  make_here("wipe", ViewTexts::tr("&Wipe"), Qt::Key_3,
+                            ViewTexts::tr("One picture with a divider to drag, also while it plays"))};
   actions.modes = new QActionGroup(window);
   for (QAction* mode : actions.mode) {
     mode->setCheckable(true);
     actions.modes->addAction(mode);
   }
   actions.mode[0]->setChecked(true);
-  actions.swap = make_here("swap", Texts::tr("Sw&ap"), Qt::Key_X,
-                           Texts::tr("Exchange the places of original and compressed figure"));
-  actions.blink = make_here("blink", Texts::tr("&Blink"), Qt::Key_C,
-                            Texts::tr("Original and compressed figure take turns in one place"));
+  actions.swap = make_here("swap", ViewTexts::tr("Sw&ap"), Qt::Key_X,
+                           ViewTexts::tr("Exchange the places of original and compressed figure"));
+  actions.blink = make_here("blink", ViewTexts::tr("&Blink"), Qt::Key_C,
+                            ViewTexts::tr("Original and compressed figure take turns in one place"));
   actions.by_error =
-      make_here("by-error", Texts::tr("Colour by &Error"), Qt::Key_E,
-                Texts::tr("Colour every joint by its distance from the original, in cm"));
-  actions.skin = make_here("skin", Texts::tr("Show Skin"), Qt::Key_M,
-                           Texts::tr("Figures with their skin, or as skeletons"));
-  actions.path = make_here("path", Texts::tr("&Path of the Joint"), Qt::Key_P,
-                           Texts::tr("The path of the chosen joint, half a second around now"));
+      make_here("by-error", ViewTexts::tr("Colour by &Error"), Qt::Key_E,
+                ViewTexts::tr("Colour every joint by its distance from the original, in cm"));
+  actions.skin = make_here("skin", ViewTexts::tr("Show Skin"), Qt::Key_M,
+                           ViewTexts::tr("Figures with their skin, or as skeletons"));
+  actions.path = make_here("path", ViewTexts::tr("&Path of the Joint"), Qt::Key_P,
+                           ViewTexts::tr("The path of the chosen joint, half a second around now"));
   actions.trail =
-      make_here("trail", Texts::tr("Ghost &Trail"), Qt::Key_T,
-                Texts::tr("Where the compressed figure was (blue) and will be (orange), faded"));
+      make_here("trail", ViewTexts::tr("Ghost &Trail"), Qt::Key_T,
+                ViewTexts::tr("Where the compressed figure was (blue) and will be (orange), faded"));
   actions.trail_poses = new QActionGroup(window);
   for (const int poses : {2, 4, 8}) {
     QAction* choice =
-        actions.trail_poses->addAction(Texts::tr("%Ln pose(s) before and after", nullptr, poses));
+        actions.trail_poses->addAction(ViewTexts::tr("%Ln pose(s) before and after", nullptr, poses));
     choice->setCheckable(true);
     choice->setData(poses);
   }
   actions.trail_poses->actions().at(1)->setChecked(true);
-  actions.follow = make_here("follow", Texts::tr("&Follow"), Qt::Key_F,
-                             Texts::tr("The camera moves with the figure"));
-  actions.in_place = make_here("in-place", Texts::tr("I&n Place"), Qt::Key_G,
-                               Texts::tr("Play without the root's way over the ground"));
-  actions.floor = make_here("floor", Texts::tr("F&loor View"), Qt::Key_V,
-                            Texts::tr("Look straight down, as on a plan"));
-  actions.reset_camera = make_here("fit", Texts::tr("&Reset Camera"), Qt::Key_R,
-                                   Texts::tr("Look at the whole figure again"));
+  actions.follow = make_here("follow", ViewTexts::tr("&Follow"), Qt::Key_F,
+                             ViewTexts::tr("The camera moves with the figure"));
+  actions.in_place = make_here("in-place", ViewTexts::tr("I&n Place"), Qt::Key_G,
+                               ViewTexts::tr("Play without the root's way over the ground"));
+  actions.floor = make_here("floor", ViewTexts::tr("F&loor View"), Qt::Key_V,
+                            ViewTexts::tr("Look straight down, as on a plan"));
+  actions.reset_camera = make_here("fit", ViewTexts::tr("&Reset Camera"), Qt::Key_R,
+                                   ViewTexts::tr("Look at the whole figure again"));
   for (QAction* action : {actions.swap, actions.blink, actions.by_error, actions.skin, actions.path,
                           actions.trail, actions.follow, actions.in_place})
     action->setCheckable(true);
@@ -125,7 +125,7 @@ void connectViewActions(const ViewActions& actions, Viewport* viewport) {
 
 void addInGroups(QMenu* menu, const ViewActions& actions) {
   addAll(menu, actions);
-  menu->addMenu(Texts::tr("Poses of the Tra&il"))->addActions(actions.trail_poses->actions());
+  menu->addMenu(ViewTexts::tr("Poses of the Tra&il"))->addActions(actions.trail_poses->actions());
 }
 
 void addInGroups(QToolBar* bar, const ViewActions& actions) {
