@@ -65,7 +65,8 @@ std::string worst_scene(const WorstPose& pose, const std::string& label) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  low.y() = std::min(low.y(), pose.ground_cm);
+  // With the ground below it, unless that would make a figure in the air too small to see.
+  low.y() = std::min(low.y(), std::max(pose.ground_cm, low.y() - 0.3 * (high - low).norm()));
   SceneSvg scene(picture, {.centre = (low + high) / 2,
                            .facing = pose.facing,
                            .height_cm = 1.15 * (high - low).norm(),

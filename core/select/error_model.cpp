@@ -15,6 +15,7 @@
 namespace mocapress {
 namespace {
 
+constexpr Eigen::Index kVector = 8;                      // numbers
 constexpr Eigen::Index kBlock = CompositeBody::kFrames;  // frames at a time
 
 /// Some numbers for each frame of a block.
@@ -95,6 +96,10 @@ ErrorModel::ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured,
         below_[static_cast<std::size_t>(other)].push_back(static_cast<int>(c));
       }
   }
+  is_moved_by_.resize(places_.size() * places_.size());
+  for (std::size_t c = 0; c < places_.size(); ++c)
+    for (const int other : below_[c])
+      is_moved_by_[static_cast<std::size_t>(other) * places_.size() + c] = 1;
   compute_motions(skeleton, measured, posed);
 }
 
@@ -155,6 +160,48 @@ Eigen::ArrayXf ErrorModel::entry(int a, int b) const {
   return work;
 }
 
+void ErrorModel::sum_squares(const std::vector<int>& channels, const ShortFunction& function,
+                             Eigen::MatrixXf& sums) const {
+  constexpr int kSamples = 16;
+  const Eigen::Index apart = std::max(1, function.size() / kSamples);
+  const Eigen::ArrayXf weights =
+      function.values()(Eigen::seq(0, function.size() - 1, apart)).square();
+  const auto count = static_cast<Eigen::Index>(channels.size());
+  const Eigen::Index samples = weights.size();
+  // Six numbers of each sample, and zeros up to whole vectors.
+  const Eigen::Index rows = (6 * samples + kVector - 1) / kVector * kVector;
+  Eigen::MatrixXf motions(rows, count);
+  Eigen::MatrixXf forces(rows, count);
+  motions.bottomRows(std::min(rows, kVector)).setZero();
+  forces.bottomRows(std::min(rows, kVector)).setZero();
+  const auto read = [&](const float* column, auto&& out) {
+    if (apart == 1)
+      out = Eigen::Map<const Eigen::ArrayXf>(column + function.first(), samples);
+    else
+      out = Eigen::Map<const Eigen::ArrayXf, 0, Eigen::InnerStride<>>(
+          column + function.first(), samples, Eigen::InnerStride<>(apart));
+  };
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const SixColumns motion = six_of(motions_, channels[static_cast<std::size_t>(i)]);
+    const SixColumns force = six_of(forces_, channels[static_cast<std::size_t>(i)]);
+    for (Eigen::Index k = 0; k < 6; ++k) {
+      auto weighted_motion = motions.col(i).segment(k * samples, samples).array();
+      read(motion[k], weighted_motion);
+      weighted_motion *= weights;
+      read(force[k], forces.col(i).segment(k * samples, samples).array());
+    }
+  }
+  for (Eigen::Index lower = 0; lower < count; ++lower) {
+    const auto below = static_cast<std::size_t>(channels[static_cast<std::size_t>(lower)]);
+    for (Eigen::Index upper = 0; upper <= lower; ++upper) {
+      const int above = channels[static_cast<std::size_t>(upper)];
+      if (is_moved_by_[below * places_.size() + static_cast<std::size_t>(above)])
+        sums(upper, lower) = sums(lower, upper) =
+            inner_product(motions.col(upper).data(), forces.col(lower).data(), rows);
+    }
+  }
+}
+
 bool ErrorModel::moves(int channel, int joint) const {
   while (joint > places_[static_cast<std::size_t>(channel)].joint)
     joint = parents_[static_cast<std::size_t>(joint)];
@@ -203,16 +250,6 @@ void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
       gradient.col(other).segment(first, frames).array() += work.cast<double>();
     });
   }
-}
-
-void ErrorModel::add_to_gradient(int channel, Eigen::Index first_frame,
-                                 const Eigen::Ref<const Eigen::ArrayXf>& delta,
-                                 const ChannelRange& channels, Eigen::MatrixXf& gradient) const {
-  visit_related(channel, [&](int other, const SixColumns& force, const SixColumns& motion) {
-    if (channels.has(other))
-      add_work(force.from(first_frame), motion.from(first_frame), delta.data(), delta.size(),
-               gradient.col(other).data() + first_frame);
-  });
 }
 
 ErrorState::ErrorState(const ErrorModel& model)

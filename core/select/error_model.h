@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "core/motion/landmarks.h"
 #include "core/select/point_term.h"
+#include "core/wavelet/synthesis.h"
 
 namespace mocapress {
 
@@ -50,6 +52,13 @@ class ErrorModel {
   bool are_related(int a, int b) const;
   Eigen::ArrayXf entry(int a, int b) const;
 
+  /// Writes G of some channels into the first columns and rows of `sums`, summed over the frames of
+  /// a function, each counted by its square; what is zero stays as it is. How channels go together
+  /// changes slowly: of long functions some frames tell. Channels are in the order of their joints.
+  /// Without has_terms() only.
+  void sum_squares(const std::vector<int>& channels, const ShortFunction& function,
+                   Eigen::MatrixXf& sums) const;
+
   /// Whether a channel moves a joint's origin, and how it moves what is at `places` (frames x 3,
   /// cm, in the world): cm per unit.
   bool moves(int channel, int joint) const;
@@ -61,20 +70,6 @@ class ErrorModel {
   /// gradient += G times an error of `delta` (one value a frame) in `channel` alone.
   /// Touches only the channels that share landmarks with it.
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
-
-  /// Channels from `first` on, before `end`.
-  struct ChannelRange {
-    int first;
-    int end;
-
-    bool has(int channel) const { return channel >= first && channel < end; }
-  };
-
-  /// The same of an error in some frames, from `first_frame` on, and for some channels. Without
-  /// has_terms() only.
-  void add_to_gradient(int channel, Eigen::Index first_frame,
-                       const Eigen::Ref<const Eigen::ArrayXf>& delta, const ChannelRange& channels,
-                       Eigen::MatrixXf& gradient) const;
 
   /// Whether errors of some points count otherwise.
   bool has_terms() const { return !terms_.empty(); }
@@ -98,12 +93,13 @@ class ErrorModel {
   void visit_related(int channel, const Visit& visit) const;
 
   std::vector<SignalMoves::Place> places_;
-  std::vector<int> parents_;             // of joints
-  Eigen::MatrixXd origin_;               // what places are seen from: frames x 3, cm
-  std::vector<std::vector<int>> above_;  // channels of the joints above each channel's own
-  std::vector<std::vector<int>> below_;  // of its own joint and of those below
-  Eigen::MatrixXf motions_;              // frames x 6 * channels
-  Eigen::MatrixXf forces_;               // frames x 6 * channels
+  std::vector<int> parents_;               // of joints
+  Eigen::MatrixXd origin_;                 // what places are seen from: frames x 3, cm
+  std::vector<std::vector<int>> above_;    // channels of the joints above each channel's own
+  std::vector<std::vector<int>> below_;    // of its own joint and of those below
+  std::vector<std::uint8_t> is_moved_by_;  // channels x channels, row by row: below_ as a table
+  Eigen::MatrixXf motions_;                // frames x 6 * channels
+  Eigen::MatrixXf forces_;                 // frames x 6 * channels
   Eigen::MatrixXd curvature_;
   std::vector<PointTerm> terms_;
 };

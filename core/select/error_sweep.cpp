@@ -91,14 +91,10 @@ void ErrorSweep::enter_joint(int joint) {
   }
 }
 
-void ErrorSweep::skip() {
-  ++channel_;
-  enter_joint(model_.places_[static_cast<std::size_t>(channel_)].joint);
-}
-
 const Eigen::ArrayXf& ErrorSweep::next() {
-  skip();
-  const int joint = joint_;
+  ++channel_;
+  const int joint = model_.places_[static_cast<std::size_t>(channel_)].joint;
+  enter_joint(joint);
   find_work(six_of(model_.forces_, channel_), six_of(motions_, joint), six_of(forces_, joint),
             six_of(model_.motions_, channel_), gradient_.size(), gradient_.data());
   if (of_terms_.empty()) return gradient_;

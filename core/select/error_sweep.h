@@ -27,9 +27,6 @@ class ErrorSweep {
   /// until the next one is entered.
   const Eigen::ArrayXf& next();
 
-  /// Enters the next channel, where nobody asks for the gradient.
-  void skip();
-
   /// The same again.
   const Eigen::ArrayXf& gradient() const { return gradient_; }
 

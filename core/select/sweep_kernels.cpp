@@ -6,6 +6,8 @@
 namespace mocapress {
 namespace {
 
+constexpr int kAtATime = 8;
+
 /// The sum of six products from frame t on.
 template <typename Vector>
 MOCAPRESS_INLINE void dot(const SixColumns& a, const SixColumns& b, Eigen::Index t, Vector& sum) {
@@ -53,6 +55,25 @@ MOCAPRESS_INLINE Eigen::Index add_work_of(const SixColumns& force, const SixColu
   return t;
 }
 
+/// Sums of every eighth product, as the vectors have it.
+template <typename Vector>
+MOCAPRESS_INLINE float inner_product_of(const float* a, const float* b, Eigen::Index count) {
+  constexpr int kVectors = kAtATime / kLanes<Vector, float>;
+  Vector sums[kVectors] = {};
+  for (Eigen::Index i = 0; i < count; i += kAtATime)
+    for (int v = 0; v < kVectors; ++v) {
+      Vector x;
+      Vector y;
+      load(a + i + v * kLanes<Vector, float>, x);
+      load(b + i + v * kLanes<Vector, float>, y);
+      sums[v] += x * y;
+    }
+  float parts[kAtATime];
+  for (int v = 0; v < kVectors; ++v) store(sums[v], parts + v * kLanes<Vector, float>);
+  return ((parts[0] + parts[4]) + (parts[2] + parts[6])) +
+         ((parts[1] + parts[5]) + (parts[3] + parts[7]));
+}
+
 template <typename Vector, int count>
 MOCAPRESS_INLINE Eigen::Index add_products_of(const AddedProducts& columns, Eigen::Index t,
                                               Eigen::Index frames) {
@@ -96,6 +117,10 @@ MOCAPRESS_FOR_AVX2 Eigen::Index add_work_with_avx2(const SixColumns& force,
                                                    Eigen::Index frames, float* sum) {
   return add_work_of<Floats8>(force, motion, factors, 0, frames, sum);
 }
+MOCAPRESS_FOR_AVX2 float inner_product_with_avx2(const float* a, const float* b,
+                                                 Eigen::Index count) {
+  return inner_product_of<Floats8>(a, b, count);
+}
 MOCAPRESS_FOR_AVX2 Eigen::Index add_products_with_avx2(const AddedProducts& columns, int count,
                                                        Eigen::Index frames) {
   return add_products_of<Floats8>(columns, count, 0, frames);
@@ -122,6 +147,13 @@ void add_work(SixColumns force, SixColumns motion, const float* factors, Eigen::
 #endif
   t = add_work_of<Floats4>(force, motion, factors, t, frames, sum);
   add_work_of<Floats1>(force, motion, factors, t, frames, sum);
+}
+
+float inner_product(const float* a, const float* b, Eigen::Index count) {
+#ifdef MOCAPRESS_WITH_AVX2
+  if (has_avx2()) return inner_product_with_avx2(a, b, count);
+#endif
+  return inner_product_of<Floats4>(a, b, count);
 }
 
 void add_products(const AddedProducts& columns, int count, Eigen::Index frames) {

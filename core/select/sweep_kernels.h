@@ -29,6 +29,9 @@ void find_work(SixColumns force, SixColumns motion, SixColumns other_force, SixC
 void add_work(SixColumns force, SixColumns motion, const float* factors, Eigen::Index frames,
               float* sum);
 
+/// The inner product of so many numbers, a multiple of eight.
+float inner_product(const float* a, const float* b, Eigen::Index count);
+
 /// A column that is added to, and up to three that are, each times another.
 struct AddedProducts {
   float* sum;

@@ -69,7 +69,9 @@ inline std::string misfit(const std::string& html) {
     const double share = std::max(body->width() / width, body->height() / height);
     if (!(share >= 0.25) || body->left > width || body->right < 0 || body->top > height ||
         body->bottom < 0)
-      return "the figure is not in sight in " + box;
+      return "the figure is not in sight in " + box + ", but from " + std::to_string(body->left) +
+             ", " + std::to_string(body->top) + " to " + std::to_string(body->right) + ", " +
+             std::to_string(body->bottom);
   }
   return "";
 }

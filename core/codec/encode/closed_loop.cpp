@@ -89,7 +89,7 @@ ClosedLoop::Result ClosedLoop::coarsen(QuantisedSignals coded, ErrorBound& bound
   return ClosedLoopRun(*this, std::move(coded), {}).coarsen(bound, observer);
 }
 
-ClosedLoop::Result ClosedLoop::quantise_to(double eps_cm, double scale, bool pairs,
+ClosedLoop::Result ClosedLoop::quantise_to(double eps_cm, double scale,
                                            const Observer<ClosedLoopProgress>& observer) const {
   constexpr int kMostScales = 3;
   constexpr double kNear = 0.05;   // from there, what a bit is worth makes up for the rest
@@ -98,14 +98,14 @@ ClosedLoop::Result ClosedLoop::quantise_to(double eps_cm, double scale, bool pai
   for (int i = 1;; ++i) {
     ClosedLoopRun run(*this, scale, {});
     const double off = std::clamp(std::log(run.begin_settling() / eps_cm), -kMostOff, kMostOff);
-    if (std::abs(off) <= kNear || i == kMostScales) return run.settle(eps_cm, pairs, observer);
+    if (std::abs(off) <= kNear || i == kMostScales) return run.settle(eps_cm, observer);
     scale = std::max(scale * std::exp(-kPower * off), finest_scale());
   }
 }
 
 ClosedLoop::Result ClosedLoop::settle(Result settled, double eps_cm,
                                       const Observer<ClosedLoopProgress>& observer) const {
-  return ClosedLoopRun(*this, std::move(settled)).settle(eps_cm, false, observer);
+  return ClosedLoopRun(*this, std::move(settled)).settle(eps_cm, observer);
 }
 
 }  // namespace mocapress

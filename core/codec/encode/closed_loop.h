@@ -14,7 +14,7 @@ namespace mocapress {
 struct ClosedLoopWork {
   bool compensate = true;  // each channel for the others, once
   int sweeps = 8;          // over all coefficients
-  bool pairs = false;      // the later ones with two channels at a time, too
+  bool joint = false;      // before the later ones, all channels together, too
 };
 
 struct ClosedLoopProgress {
@@ -57,9 +57,8 @@ class ClosedLoop {
                  const Observer<ClosedLoopProgress>& observer = {}) const;
 
   /// Seeks what leaves that eps_x by the quadratic model, or up to kSettled less: near `scale`, and
-  /// then by what a bit is worth. All frames count alike. `pairs`: where steps are coarse, once
-  /// with two channels at a time, too.
-  Result quantise_to(double eps_cm, double scale, bool pairs = false,
+  /// then by what a bit is worth. All frames count alike.
+  Result quantise_to(double eps_cm, double scale,
                      const Observer<ClosedLoopProgress>& observer = {}) const;
 
   /// The same for what was settled before, at an eps_x near to that.

@@ -9,6 +9,7 @@
 
 #include "core/base/instruction_sets.h"
 #include "core/base/parallel.h"
+#include "core/codec/encode/joint_search.h"
 #include "core/codec/encode/price_control.h"
 
 #ifdef __SSE2__
@@ -31,24 +32,13 @@ constexpr double kLastBitPrice = 0.041;
 
 /// Of the sweeps of what settles at an error. Bits that are now cheap, now dear, shake coefficients
 /// out of where they would stay: fewer bytes than prices that fall, in fewer sweeps (ADAPTIVE.md).
-constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06,  0.03,
-                                        0.06,  0.025, 0.05, 0.025, 0.02};
+constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06, 0.03, 0.025};
 
-/// Where steps are fine a clip has many coefficients, and two sweeps less leave as many bytes.
-constexpr std::array kFineSettlingPrices = {0.054, 0.02, 0.06, 0.03, 0.06, 0.02, 0.05, 0.025};
-constexpr double kLeastCoarseScale = 0.35;  // cm
+/// From the last of them on all channels' coefficients are moved together before.
+constexpr int kFirstJoint = static_cast<int>(kSettlingPrices.size()) - 1;
 
-std::span<const double> settling_prices(double scale) {
-  if (scale < kLeastCoarseScale) return kFineSettlingPrices;
-  return kSettlingPrices;
-}
-
-/// One sweep with pairs of channels among those of coarse steps, where it pays most.
-constexpr int kPairsInSettling = 6;
-
-// Channels: a joint, its parent and the parent's are near each other.
-constexpr int kNearReach = 6;
-constexpr int kFarReach = 12;
+/// Where they cannot be moved together.
+constexpr std::array kSingleSettlingPrices = {0.054, 0.02, 0.06, 0.03, 0.06, 0.02, 0.05, 0.025};
 
 double price_of(int sweep, int sweeps) {
   return kFirstBitPrice + (kLastBitPrice - kFirstBitPrice) * sweep / std::max(sweeps - 1, 1);
@@ -191,7 +181,7 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, ClosedLoop::Result settled)
     : ClosedLoopRun(loop, std::move(settled.coded), {}) {
   bit_price_ = settled.bit_price;
   growth_ = settled.growth;
-  settling_ = static_cast<int>(std::ssize(settling_prices(coded_.scale)));
+  settling_ = static_cast<int>(std::ssize(settling_prices()));
 }
 
 void ClosedLoopRun::begin() {
@@ -208,8 +198,7 @@ void ClosedLoopRun::begin() {
     errors_.col(j) = differences;
     look_at(j);
   });
-  const Eigen::Index frames = errors_.rows();
-  pass([&](int j) { energy_ += errors_.col(j).dot(gradient_.head(frames).matrix()); });
+  find_energy();
 }
 
 ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
@@ -217,10 +206,10 @@ ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
   ClosedLoop::Result result;
   if (work.compensate) pass([&](int j) { compensate(j); });
   result.eps_cm = eps_cm();
-  const bool with_pairs = work.pairs && may_pair();
+  const bool with_joint = work.joint && may_move_together();
   while (result.sweeps < work.sweeps && result.complete) {
-    // Pairs are for what single moves have left.
-    if (with_pairs && 2 * result.sweeps >= work.sweeps) sweep_pairs(kFarReach);
+    // For what single moves have left.
+    if (with_joint && 2 * result.sweeps >= work.sweeps) sweep_together();
     bit_price_ = price_of(result.sweeps, work.sweeps);
     pass([&](int j) { sweep(j); });
     ++result.sweeps;
@@ -232,23 +221,28 @@ ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
   return result;
 }
 
+std::span<const double> ClosedLoopRun::settling_prices() const {
+  if (may_move_together()) return kSettlingPrices;
+  return kSingleSettlingPrices;
+}
+
 double ClosedLoopRun::begin_settling() {
   constexpr double kStillToCome = 0.12;  // a logarithm; alike for all clips, to 0.02
   pass([&](int j) { compensate(j); });
-  bit_price_ = settling_prices(coded_.scale).front();
+  bit_price_ = settling_prices().front();
   pass([&](int j) { sweep(j); });
   settling_ = 1;
   return eps_cm() * std::exp(-kStillToCome);
 }
 
-ClosedLoop::Result ClosedLoopRun::settle(double eps_cm, bool pairs,
+ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
                                          const Observer<ClosedLoopProgress>& observer) {
   constexpr int kMost = 4;
   constexpr double kLeastEps = 1e-12;
   ClosedLoop::Result result;
-  const std::span<const double> prices = settling_prices(coded_.scale);
-  const bool with_pairs = pairs && coded_.scale >= kLeastCoarseScale && may_pair();
-  const auto sweep_all = [&] {
+  const std::span<const double> prices = settling_prices();
+  const auto sweep_all = [&](bool together) {
+    if (together) sweep_together();
     pass([&](int j) { sweep(j); });
     ++result.sweeps;
     const double before = std::exchange(result.eps_cm, this->eps_cm());
@@ -259,15 +253,15 @@ ClosedLoop::Result ClosedLoopRun::settle(double eps_cm, bool pairs,
   result.eps_cm = this->eps_cm();
   for (; settling_ < std::ssize(prices) && result.complete; ++settling_) {
     bit_price_ = prices[static_cast<std::size_t>(settling_)];
-    if (with_pairs && settling_ == kPairsInSettling) sweep_pairs(kNearReach);
-    sweep_all();
+    sweep_all(may_move_together() && settling_ >= kFirstJoint);
   }
-  PriceControl control(growth_);
+  PriceControl control(growth_,
+                       may_move_together() ? PriceControl::kTogether : PriceControl::kSingle);
   for (int i = 0; i < kMost && result.complete; ++i) {
     const double off = std::log(std::max(result.eps_cm, kLeastEps) / eps_cm);
     if (off <= 0 && off >= -ClosedLoop::kSettled) break;
     bit_price_ *= control.factor_for(-ClosedLoop::kSettled / 2 - off);
-    sweep_all();
+    sweep_all(may_move_together());
     control.observe(growth_);
   }
   result.bit_price = bit_price_;
@@ -328,6 +322,12 @@ void ClosedLoopRun::compensate(int j) {
   move(j, gradient, delta);
 }
 
+void ClosedLoopRun::find_slopes() {
+  loop_.transform_.lifting.correlate(
+      std::span(std::as_const(gradient_).data(), static_cast<std::size_t>(errors_.rows())),
+      span_of(slopes_));
+}
+
 void ClosedLoopRun::sweep(int j) {
   // A zero that needs less than half a step stays one; moves of its neighbours change that
   // little.
@@ -337,9 +337,7 @@ void ClosedLoopRun::sweep(int j) {
   const float* const curve = curvature().col(j).data();
   const float* const coefficient_curve = coefficient_curvature().col(j).data();
   if (bound_) bound_->next();
-  loop_.transform_.lifting.correlate(
-      std::span(std::as_const(gradient_).data(), static_cast<std::size_t>(frames)),
-      span_of(slopes_));
+  find_slopes();
   // Where moves have changed the gradient, slopes are no longer what they were.
   int first_changed = static_cast<int>(frames);
   int end_changed = 0;
@@ -512,92 +510,86 @@ double ClosedLoopRun::Bits::with(int value) const {
          (after_ ? RateTable::coarse_bits(*after_ - value) : 0);
 }
 
-void ClosedLoopRun::sweep_pairs(int reach) {
-  // Moves change the gradient of all channels. It is kept only of those that the pairs of a few
-  // channels are about, and looked up again for the next few.
-  constexpr int kGroup = 12;
-  Eigen::MatrixXf gradient(gradient_.size(), errors_.cols());
-  for (int first = 0; first < channels(); first += kGroup) {
-    const ErrorModel::ChannelRange looked_at{.first = first,
-                                             .end = std::min(channels(), first + kGroup + reach)};
-    pass(looked_at, [&](int j) { gradient.col(j) = gradient_; });
-    for (int a = first; a < std::min(channels(), first + kGroup); ++a)
-      for (int b = a + 1; b <= std::min(channels() - 1, a + reach); ++b)
-        if (loop_.model_.are_related(a, b)) sweep_pair(a, b, {a, looked_at.end}, gradient);
-  }
-}
-
-void ClosedLoopRun::sweep_pair(int a, int b, const ErrorModel::ChannelRange& looked_at,
-                               Eigen::MatrixXf& gradient) {
-  Eigen::ArrayXf entry = Eigen::ArrayXf::Zero(gradient.rows());
-  entry.head(errors_.rows()) = loop_.model_.entry(a, b);
-  for (int band = 1; band < static_cast<int>(bands_.size()); ++band)
-    for (int i = 0; i < bands_[static_cast<std::size_t>(band)].size; ++i) {
-      const int c = bands_[static_cast<std::size_t>(band)].first + i;
-      if (coded_.values(c, a) == 0 && coded_.values(c, b) == 0) continue;
-      const ShortFunction function = loop_.functions_[c];
-      const auto place_in = [&](int j) {
-        return place_of(j, band, i, step_in(j, band), function.dot(gradient.col(j).data()));
-      };
-      const Place in_a = place_in(a);
-      const Place in_b = place_in(b);
-      const double cross =
-          in_a.step * in_b.step * static_cast<double>(function.dot_of_squares(entry.data()));
-      if (!may_pay(in_a, in_b, cross)) continue;
-      const auto [by_a, by_b] = best_moves(in_a, in_b, cross);
-      move_of_pair(in_a, by_a, looked_at, gradient);
-      move_of_pair(in_b, by_b, looked_at, gradient);
+void ClosedLoopRun::sweep_together() {
+  // Bands so far apart have little to do with each other: moves in one leave the slopes in the
+  // other as they are, nearly. So do neighbours in a band.
+  constexpr int kApart = 3;
+  const auto count = static_cast<int>(bands_.size());
+  for (int first = 0; first < std::min(kApart, count); ++first) {
+    std::vector<Slopes> slopes(bands_.size());
+    for (int b = first; b < count; b += kApart) {
+      const int size = bands_[static_cast<std::size_t>(b)].size;
+      slopes[static_cast<std::size_t>(b)] = {
+          Slopes::Products(size, channels()),
+          std::vector<std::vector<int>>(static_cast<std::size_t>(size))};
     }
-}
-
-double ClosedLoopRun::error_of(const Place& a, int by_a, const Place& b, int by_b, double cross) {
-  return by_a * (2 * a.slope + by_a * a.curve) + by_b * (2 * b.slope + by_b * b.curve) +
-         2 * by_a * by_b * cross;
-}
-
-bool ClosedLoopRun::may_pay(const Place& a, const Place& b, double cross) const {
-  constexpr double kMostBits = 8;  // that moves by a step can well save
-  for (const int by_a : {-1, 1})
-    for (const int by_b : {-1, 1})
-      if (error_of(a, by_a, b, by_b, cross) < kMostBits * lambda()) return true;
-  return false;
-}
-
-std::pair<int, int> ClosedLoopRun::best_moves(const Place& a, const Place& b, double cross) const {
-  std::array<double, 3> bits_of_a;
-  std::array<double, 3> bits_of_b;
-  const Bits with_a(*this, a);
-  const Bits with_b(*this, b);
-  for (int by = -1; by <= 1; ++by) {
-    bits_of_a[static_cast<std::size_t>(by + 1)] = with_a.with(value_at(a) + by);
-    bits_of_b[static_cast<std::size_t>(by + 1)] = with_b.with(value_at(b) + by);
+    pass([&](int j) {
+      find_slopes();
+      for (int b = first; b < count; b += kApart)
+        read_slopes(j, b, slopes[static_cast<std::size_t>(b)]);
+    });
+    const Eigen::MatrixXi before = coded_.values;
+    for (int b = first; b < count; b += kApart)
+      for (int i = 0; i < bands_[static_cast<std::size_t>(b)].size; ++i)
+        move_together(b, i, slopes[static_cast<std::size_t>(b)]);
+    for (int j = 0; j < channels(); ++j)
+      if (const Eigen::VectorXi moves = coded_.values.col(j) - before.col(j);
+          (moves.array() != 0).any())
+        errors_.col(j).array() += samples_of(j, moves.cast<float>().array());
   }
-  const double bits_now = bits_of_a[1] + bits_of_b[1];
-  std::pair<int, int> best{0, 0};
-  double least = 0;
-  for (int by_a = -1; by_a <= 1; ++by_a)
-    for (int by_b = -1; by_b <= 1; ++by_b) {
-      const double bits = bits_of_a[static_cast<std::size_t>(by_a + 1)] +
-                          bits_of_b[static_cast<std::size_t>(by_b + 1)];
-      const double cost = error_of(a, by_a, b, by_b, cross) + lambda() * (bits - bits_now);
-      if (cost >= least) continue;
-      least = cost;
-      best = {by_a, by_b};
-    }
-  return best;
+  find_energy();
 }
 
-void ClosedLoopRun::move_of_pair(const Place& place, int steps,
-                                 const ErrorModel::ChannelRange& looked_at,
-                                 Eigen::MatrixXf& gradient) {
-  if (steps == 0 || std::abs(value_at(place) + steps) > kMostSteps) return;
-  const int j = place.channel;
-  const Eigen::Index first = place.function.first();
-  const Eigen::ArrayXf delta = static_cast<float>(steps * place.step) * place.function.values();
-  energy_ += energy_of(j, first, gradient.col(j).segment(first, delta.size()).array(), delta);
-  errors_.col(j).segment(first, delta.size()).array() += delta;
-  loop_.model_.add_to_gradient(j, first, delta, looked_at, gradient);
-  set(place, value_at(place) + steps);
+void ClosedLoopRun::find_energy() {
+  energy_ = 0;
+  pass([&](int j) { energy_ += errors_.col(j).dot(gradient_.head(errors_.rows()).matrix()); });
+}
+
+void ClosedLoopRun::read_slopes(int j, int b, Slopes& slopes) {
+  constexpr double kPromising = 0.4;  // steps that a zero needs by itself to take part
+  const Band& band = bands_[static_cast<std::size_t>(b)];
+  slopes.products.col(j) = slopes_.segment(band.first, band.size).matrix();
+  visit_where(band, values_of(j), slopes_.data(), coefficient_curvature().col(j).data(),
+              static_cast<float>(kPromising * step_in(j, b)), [&](int c) {
+                if (std::abs(coded_.values(c, j)) <= kMostSteps - 1)
+                  slopes.taking_part[static_cast<std::size_t>(c - band.first)].push_back(j);
+              });
+}
+
+void ClosedLoopRun::move_together(int band, int index, const Slopes& slopes) {
+  const std::vector<int>& taking_part = slopes.taking_part[static_cast<std::size_t>(index)];
+  const auto count = std::ssize(taking_part);
+  if (count < 2) return;
+  const auto in_bits = static_cast<float>(1 / lambda());
+  std::vector<Place> places;
+  std::vector<JointSearch::Coefficient> coefficients;
+  places.reserve(taking_part.size());
+  coefficients.reserve(taking_part.size());
+  for (const int j : taking_part) {
+    const Place& place = places.emplace_back(
+        place_of(j, band, index, step_in(j, band), static_cast<double>(slopes.products(index, j))));
+    const Bits bits(*this, place);
+    const int value = value_at(place);
+    const auto price_of = [&](int by) { return static_cast<float>(bits.with(value + by)); };
+    coefficients.push_back({static_cast<float>(place.slope) * in_bits,
+                            static_cast<float>(place.curve) * in_bits,
+                            {price_of(-1), price_of(0), price_of(1)}});
+  }
+  Eigen::MatrixXf cross = Eigen::MatrixXf::Zero(JointSearch::rows_for(count), count);
+  loop_.model_.sum_squares(taking_part, places.front().function, cross);
+  // To the scale of the curves, which are of every frame.
+  Eigen::ArrayXf factors = Eigen::ArrayXf::Zero(cross.rows());
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (cross(i, i) > 0)
+      factors(i) = std::sqrt(coefficients[static_cast<std::size_t>(i)].curve / cross(i, i));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    cross.col(i).array() *= factors(i) * factors;
+    cross(i, i) = coefficients[static_cast<std::size_t>(i)].curve;
+  }
+  JointSearch search(coefficients, cross);
+  const std::vector<int>& moves = search.run();
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (moves[i] != 0) set(places[i], value_at(places[i]) + moves[i]);
 }
 
 }  // namespace mocapress

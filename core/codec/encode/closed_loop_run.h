@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "core/codec/encode/closed_loop.h"
@@ -32,8 +32,7 @@ class ClosedLoopRun {
 
   /// What remains of these sweeps, and some more until eps_x is what was asked for. Only the latter
   /// where another run was settled before.
-  ClosedLoop::Result settle(double eps_cm, bool pairs,
-                            const Observer<ClosedLoopProgress>& observer);
+  ClosedLoop::Result settle(double eps_cm, const Observer<ClosedLoopProgress>& observer);
   ClosedLoop::Result coarsen(ErrorBound& bound, const Observer<ClosedLoopProgress>& observer);
 
  private:
@@ -59,23 +58,18 @@ class ClosedLoopRun {
 
   /// Visits channels, from the root to the leaves, with the gradient of each.
   template <typename Visit>
-  void pass(const ErrorModel::ChannelRange& range, const Visit& visit) {
+  void pass(const Visit& visit) {
     if (errors_.rows() == 0) return;  // no frames, no errors
     if (under_way_)
       under_way_->restart();
     else
       under_way_.emplace(loop_.model_, errors_);
-    for (int j = 0; j < range.first; ++j) under_way_->skip();
-    for (int j = range.first; j < range.end; ++j) {
+    for (int j = 0; j < channels(); ++j) {
       auto gradient = gradient_.head(errors_.rows());
       gradient = under_way_->next();
       if (weighted()) gradient *= frame_weights_;
       visit(j);
     }
-  }
-  template <typename Visit>
-  void pass(const Visit& visit) {
-    pass({0, channels()}, visit);
   }
 
   /// Moves the channel that is being visited, whose gradient was that.
@@ -87,23 +81,26 @@ class ClosedLoopRun {
   /// Moves each coefficient of a channel to the cheapest of the values around its best one.
   void sweep(int j);
 
-  /// Moves coefficients of two channels at a time: what neither would do alone, as it makes an
-  /// error that the other makes good. Where frames and points count alike.
-  void sweep_pairs(int reach);
-  bool may_pair() const { return !weighted() && !loop_.model_.has_terms(); }
+  /// What the gradient of the channel that is being visited comes to in each coefficient.
+  void find_slopes();
 
-  /// `gradient` is that of the channels looked at, and follows the moves.
-  void sweep_pair(int a, int b, const ErrorModel::ChannelRange& looked_at,
-                  Eigen::MatrixXf& gradient);
+  /// Moves the coefficients that all channels have at a time and scale together: joint_search.h.
+  /// Where frames and points count alike.
+  void sweep_together();
+  bool may_move_together() const { return !weighted() && !loop_.model_.has_terms(); }
 
-  /// What moves of both add to the sum of squared errors.
-  static double error_of(const Place& a, int by_a, const Place& b, int by_b, double cross);
+  /// Of a band: what the gradient comes to in each coefficient (coefficients x channels), and the
+  /// channels whose coefficients may move.
+  struct Slopes {
+    using Products = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Products products;
+    std::vector<std::vector<int>> taking_part;
+  };
+  void read_slopes(int j, int band, Slopes& slopes);
+  void move_together(int band, int index, const Slopes& slopes);
 
-  /// Whether any move of both could pay, whatever it saves. Those of one alone are sweep()'s.
-  bool may_pay(const Place& a, const Place& b, double cross) const;
-  std::pair<int, int> best_moves(const Place& a, const Place& b, double cross) const;
-  void move_of_pair(const Place& place, int steps, const ErrorModel::ChannelRange& looked_at,
-                    Eigen::MatrixXf& gradient);
+  /// Of the errors as they are.
+  void find_energy();
 
   int channels() const { return loop_.transform_.channels(); }
   double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit
@@ -160,6 +157,8 @@ class ClosedLoopRun {
   /// zero throughout takes next to nothing.
   double waking_bits(const Place& place) const;
   void set(const Place& place, int value);
+
+  std::span<const double> settling_prices() const;
 
   /// After all values of a channel have changed.
   void look_at(int j);

@@ -9,7 +9,7 @@ namespace mocapress {
 enum class Effort {
   Draft,    // while a slider moves: near the target, which is not promised
   Default,  // the target is met
-  Best,     // a few per cent smaller, for some ten times the time
+  Best,     // a little smaller at times, for some four times the time
 };
 
 /// "draft", "default", "best".

@@ -13,29 +13,39 @@ namespace mocapress {
 /// prices would go up and down for ever without coming to the error.
 class PriceControl {
  public:
-  /// The growth of eps_x in the last sweep. All growths are logarithms.
-  explicit PriceControl(double growth) : growth_(growth) {}
+  /// What the growth of eps_x does, in logarithms: as clips of corpus/train from 0.1 to 0.5 cm have
+  /// it, about.
+  struct Response {
+    double kept;  // of a sweep's growth in the next at the same price
+    double with_price;
+    double least_with_price;
+    double most_with_price;
+  };
+  static constexpr Response kSingle = {0.5, 0.045, 0.03, 0.08};
+  static constexpr Response kTogether = {0.35, 0.15, 0.06, 0.25};
+
+  /// The growth of eps_x in the last sweep, and how sweeps answer.
+  PriceControl(double growth, const Response& response)
+      : response_(response), slope_(response.with_price), growth_(growth) {}
 
   /// The factor by which to change the price.
   double factor_for(double growth) {
     constexpr double kMost = 0.7;  // a logarithm
-    dearer_ = std::clamp((growth - kKept * growth_) / slope_, -kMost, kMost);
+    dearer_ = std::clamp((growth - response_.kept * growth_) / slope_, -kMost, kMost);
     return std::exp(dearer_);
   }
 
   void observe(double growth) {
     constexpr double kTells = 0.1;
-    constexpr double kLeastSlope = 0.03;
-    constexpr double kMostSlope = 0.08;
     if (std::abs(dearer_) > kTells)
-      slope_ = std::clamp((growth - kKept * growth_) / dearer_, kLeastSlope, kMostSlope);
+      slope_ = std::clamp((growth - response_.kept * growth_) / dearer_, response_.least_with_price,
+                          response_.most_with_price);
     growth_ = growth;
   }
 
  private:
-  // About, as clips of corpus/train from 0.1 to 0.5 cm have it.
-  static constexpr double kKept = 0.5;
-  double slope_ = 0.045;
+  Response response_;
+  double slope_;
   double growth_;
   double dearer_ = 0;
 };

@@ -40,7 +40,10 @@ class ScaleSearch {
   int tried() const { return tried_; }
   bool may_go_on() const { return !best_ || best_->complete; }
   bool met() const { return best_ && goal_.met(best_->excess); }
-  bool is_near(double distance) const { return met() && std::abs(best_->excess) < distance; }
+  bool is_near(const Trial& trial, double distance) const {
+    return goal_.met(trial.excess) && std::abs(trial.excess) < distance;
+  }
+  bool is_near(double distance) const { return best_ && is_near(*best_, distance); }
   Trial& best() { return *best_; }
 
  private:
@@ -69,7 +72,7 @@ ClosedLoopWork work_of(Effort effort) {
     case Effort::Draft:
       return {.sweeps = 0};
     case Effort::Best:
-      return {.sweeps = 6, .pairs = true};
+      return {.sweeps = 6, .joint = true};
     default:
       return {};
   }
@@ -139,7 +142,7 @@ void settle(const SettleTrial& settled, const Target& target, double first_scale
   constexpr double kLeastEps = 1e-9;  // cm, of what does not move
   Trial trial = settled(target.value, first_scale, nullptr);
   search.tried(trial);
-  for (int i = 1; i < kMost && search.may_go_on() && !search.is_near(kNear); ++i) {
+  for (int i = 1; i < kMost && search.may_go_on() && !search.is_near(trial, kNear); ++i) {
     const double model_over_exact = trial.eps_cm / std::max(trial.achieved, kLeastEps);
     trial = settled(target.value * model_over_exact, trial.scale, &trial);
     search.tried(trial);
@@ -157,6 +160,14 @@ void try_harder(const Target& target, const ClosedLoopWork& work, ScaleSearch& t
     const double excess = trials.try_scale(scale, work);
     scale *= std::exp(power_of_scale(target) * excess - kAside);
   }
+}
+
+/// The same where a trial settles at the target: from scales beside the one it came from.
+void settle_beside(const SettleTrial& settled, const Target& target, ScaleSearch& search) {
+  search.prefer_cheap();
+  const double scale = search.best().scale;
+  for (const double coarser : {0.92, 0.96, 1.04, 1.08})
+    if (search.may_go_on()) settle(settled, target, coarser * scale, search);
 }
 
 /// Larger scales may do where the frames weigh more that exceed the bound. Replaces `best` where
@@ -233,7 +244,12 @@ Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& go
   if (!search.is_near(kSettledNear))
     seek(guess, goal, trials.settle ? search.best().scale : first_scale, near_enough(guess, target),
          work_of(Effort::Default), search);
-  if (effort == Effort::Best && search.met()) try_harder(target, work, search);
+  if (effort == Effort::Best && search.met()) {
+    if (trials.settle)
+      settle_beside(trials.settle, target, search);
+    else
+      try_harder(target, work, search);
+  }
   if (is_by_worst(target) && search.may_go_on()) {
     if (!guess.dear) hold_worst_frames(goal, frames, work, trials.attempt, search.best());
     if (target.kind == Target::Kind::MaxError && search.may_go_on())

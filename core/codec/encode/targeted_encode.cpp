@@ -334,7 +334,7 @@ class TargetedEncode {
               return coarser;
             },
         .settle =
-            effort == Effort::Default && options_.target.kind == Target::Kind::Error && !correction_
+            effort != Effort::Draft && options_.target.kind == Target::Kind::Error && !correction_
                 ? SettleTrial([this](double eps_cm, double scale, const Trial* trial) {
                     return settle(eps_cm, scale, trial);
                   })
@@ -383,12 +383,6 @@ class TargetedEncode {
     return trial;
   }
 
-  /// Errors of bones alone are for comparison with others, and asked for quickly.
-  bool has_pairs() const {
-    return options_.weighting != Weighting::BoneEnds &&
-           options_.weighting != Weighting::JointOrigins;
-  }
-
   Trial settle(double eps_cm, double scale, const Trial* trial) {
     const auto settle_again = [&] {
       return loop().settle({.coded = trial->compressed.known->coded(),
@@ -396,9 +390,8 @@ class TargetedEncode {
                             .growth = trial->growth},
                            eps_cm, observe_pass());
     };
-    Trial settled = trial_of(
-        trial ? settle_again() : loop().quantise_to(eps_cm, scale, has_pairs(), observe_pass()),
-        true);
+    Trial settled =
+        trial_of(trial ? settle_again() : loop().quantise_to(eps_cm, scale, observe_pass()), true);
     settled.scale = settled.compressed.known->coded().scale;
     finish_ends(settled);
     weigh(settled);

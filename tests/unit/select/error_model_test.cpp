@@ -50,22 +50,21 @@ TEST_P(ErrorModelOf, GradientIsTheBruteForceFormTimesTheError) {
   }
 }
 
-TEST_P(ErrorModelOf, GradientOfSomeFramesAndChannelsIsPartOfTheWhole) {
-  Random random(5);
-  Eigen::VectorXd delta(40);
-  for (double& d : delta) d = random.unit() - 0.5;
-  for (const int channel : {0, 4, model_.channels() - 1}) {
-    Eigen::VectorXd padded = Eigen::VectorXd::Zero(150);
-    padded.segment(70, 40) = delta;
-    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(150, model_.channels());
-    model_.add_to_gradient(channel, padded, whole);
-    Eigen::MatrixXf part = Eigen::MatrixXf::Zero(150, model_.channels());
-    const int end = model_.channels() - 2;
-    model_.add_to_gradient(channel, 70, delta.cast<float>().array(), {3, end}, part);
-    EXPECT_TRUE(part.leftCols(3).isZero(0));
-    EXPECT_TRUE(part.rightCols(2).isZero(0));
-    EXPECT_TRUE(
-        part.middleCols(3, end - 3).isApprox(whole.middleCols(3, end - 3).cast<float>(), 1e-5F));
+TEST_P(ErrorModelOf, SumIsThatOfTheBruteForceFormOfSomeChannels) {
+  const std::vector<int> channels = {0, 3, 4, model_.channels() - 1};
+  // Of the latter every second frame counts.
+  for (const int size : {11, 37}) {
+    const int apart = size / 16 > 1 ? size / 16 : 1;
+    const Eigen::ArrayXf values = Eigen::ArrayXf::LinSpaced(size, 0.5F, 2);
+    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(4, 4);
+    for (int i = 0; i < size; i += apart)
+      expected += static_cast<double>(values(i) * values(i)) *
+                  brute_force_form(motion_, 20 + i, measured_)(channels, channels);
+    const ShortFunction function(20, size, values.data());
+    Eigen::MatrixXf sums = Eigen::MatrixXf::Zero(5, 4);
+    model_.sum_squares(channels, function, sums);
+    EXPECT_TRUE(sums.topRows(4).isApprox(expected.cast<float>(), 1e-5F));
+    EXPECT_TRUE(sums.bottomRows(1).isZero(0));
   }
 }
 

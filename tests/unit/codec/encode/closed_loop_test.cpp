@@ -32,9 +32,9 @@ double exact_eps_of(const QuantisedSignals& coded) {
 }
 
 TEST(ClosedLoop, KnowsTheErrorItMakes) {
-  for (const bool pairs : {false, true})
+  for (const bool joint : {false, true})
     for (const double scale : {0.02, 0.2, 1.5}) {
-      const ClosedLoop::Result result = loop().quantise(scale, {.pairs = pairs});
+      const ClosedLoop::Result result = loop().quantise(scale, {.joint = joint});
       EXPECT_NEAR(result.eps_cm / exact_eps_of(result.coded), 1, 0.02) << scale;
     }
 }

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/joint_search.h"
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+
+#include "core/base/instruction_sets.h"
+
+namespace mocapress {
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::infinity();
+
+}  // namespace
+
+JointSearch::JointSearch(std::span<const Coefficient> coefficients, const Eigen::MatrixXf& cross)
+    : coefficients_(coefficients),
+      cross_(cross),
+      slopes_(Eigen::ArrayXf::Zero(rows_for(count()))),
+      low_(Eigen::ArrayXf::Constant(slopes_.size(), -kNone)),
+      high_(Eigen::ArrayXf::Constant(slopes_.size(), kNone)),
+      moved_(coefficients.size()) {
+  assert(cross.rows() == slopes_.size() && cross.cols() == count());
+  for (int c = 0; c < count(); ++c) {
+    slopes_(c) = coefficients[static_cast<std::size_t>(c)].slope;
+    set_limits(c);
+  }
+}
+
+const std::vector<int>& JointSearch::run() {
+  constexpr int kRounds = 2;
+  bool gains = true;
+  for (int round = 0; round < kRounds && gains; ++round) {
+    gains = false;
+    for (int c = 0; c < count(); ++c)
+      for (const int by : {-1, 1}) {
+        if (std::abs(moved_[static_cast<std::size_t>(c)] + by) > 1) continue;
+        if (has_avx2() ? attempt_with_avx2(c, by) : attempt<Floats4>(c, by)) gains = true;
+      }
+  }
+  return moved_;
+}
+
+template <typename Vector>
+MOCAPRESS_INLINE bool JointSearch::attempt(int c, int by) {
+  constexpr int kAnswers = 2;
+  constexpr float kLeastGain = 1e-3F;
+  slopes_before_ = slopes_;
+  changed_.clear();
+  float cost = move<Vector>(c, by);
+  for (int i = 0; i < kAnswers; ++i) {
+    const float before = cost;
+    for (int first = 0; first < count(); first += kLanes<Vector, float>) {
+      if (!is_any_beyond_limits<Vector>(first)) continue;
+      for (int other = first; other < first + kLanes<Vector, float>; ++other) {
+        if (other == c) continue;
+        if (slopes_(other) < low_(other)) cost += move<Vector>(other, 1);
+        if (slopes_(other) > high_(other)) cost += move<Vector>(other, -1);
+      }
+    }
+    if (cost == before) break;
+  }
+  if (cost < -kLeastGain) return true;
+  slopes_.swap(slopes_before_);
+  for (; !changed_.empty(); changed_.pop_back()) {
+    const auto [which, step] = changed_.back();
+    moved_[static_cast<std::size_t>(which)] -= step;
+    set_limits(which);
+  }
+  return false;
+}
+
+#ifdef MOCAPRESS_WITH_AVX2
+MOCAPRESS_FOR_AVX2 bool JointSearch::attempt_with_avx2(int c, int by) {
+  return attempt<Floats8>(c, by);
+}
+#else
+bool JointSearch::attempt_with_avx2(int c, int by) {
+  return attempt<Floats4>(c, by);
+}
+#endif
+
+template <typename Vector>
+MOCAPRESS_INLINE float JointSearch::move(int c, int by) {
+  const auto& [slope, curve, prices] = coefficients_[static_cast<std::size_t>(c)];
+  int& moved = moved_[static_cast<std::size_t>(c)];
+  const auto steps = static_cast<float>(by);
+  const float cost = 2 * steps * slopes_(c) + curve +
+                     prices[static_cast<std::size_t>(moved + by + 1)] -
+                     prices[static_cast<std::size_t>(moved + 1)];
+  moved += by;
+  changed_.emplace_back(c, by);
+  const float* const column = cross_.col(c).data();
+  for (Eigen::Index i = 0; i < slopes_.size(); i += kLanes<Vector, float>) {
+    Vector slope_of_others;
+    Vector both;
+    load(slopes_.data() + i, slope_of_others);
+    load(column + i, both);
+    store<Vector>(slope_of_others + steps * both, slopes_.data() + i);
+  }
+  set_limits(c);
+  return cost;
+}
+
+MOCAPRESS_INLINE void JointSearch::set_limits(int c) {
+  const auto& [slope, curve, prices] = coefficients_[static_cast<std::size_t>(c)];
+  const int moved = moved_[static_cast<std::size_t>(c)];
+  const auto saved_by = [&](int step) {
+    return prices[static_cast<std::size_t>(moved + 1)] -
+           prices[static_cast<std::size_t>(moved + step + 1)];
+  };
+  low_(c) = moved < 1 ? (saved_by(1) - curve) / 2 : -kNone;
+  high_(c) = moved > -1 ? (curve - saved_by(-1)) / 2 : kNone;
+}
+
+template <typename Vector>
+MOCAPRESS_INLINE bool JointSearch::is_any_beyond_limits(int first) const {
+  Vector slope;
+  Vector low;
+  Vector high;
+  load(slopes_.data() + first, slope);
+  load(low_.data() + first, low);
+  load(high_.data() + first, high);
+  const auto beyond = (slope < low) | (slope > high);
+  std::array<std::uint64_t, sizeof(Vector) / sizeof(std::uint64_t)> parts;
+  std::memcpy(parts.data(), &beyond, sizeof beyond);
+  std::uint64_t any = 0;
+  for (const std::uint64_t part : parts) any |= part;
+  return any != 0;
+}
+
+}  // namespace mocapress
