@@ -13,8 +13,8 @@ namespace mocapress {
 /// prices would go up and down for ever without coming to the error.
 class PriceControl {
  public:
-  /// What the growth of eps_x does, in logarithms: as clips of corpus/train from 0.1 to 0.5 cm have
-  /// it, about.
+  /// What the growth of eps_x does, in logarithms: about as clips of corpus/train from 0.1 to 0.5
+  /// cm have it where single coefficients move, and a few others where all channels' do.
   struct Response {
     double kept;  // of a sweep's growth in the next at the same price
     double with_price;
