@@ -21,8 +21,8 @@ struct PresetTexts {
 /// Empty: the user thought better of it.
 QString askForText(const QString& title, const QString& text, QWidget* window) {
   bool accepted = false;
-  const QString name =
-      QInputDialog::getText(window, title, PresetTexts::tr("Name"), QLineEdit::Normal, text, &accepted);
+  const QString name = QInputDialog::getText(window, title, PresetTexts::tr("Name"),
+                                             QLineEdit::Normal, text, &accepted);
   return accepted ? name.trimmed() : QString();
 }
 
@@ -40,27 +40,27 @@ void connectShelf(PresetChooser* chooser, PresetShelf* shelf, QWidget* window) {
                                                       PresetTexts::tr("Presets (*.json)"));
     if (!path.isEmpty()) shelf->importFrom(path);
   });
-  QObject::connect(chooser, &PresetChooser::exportRequested, shelf,
-                   [shelf, window](const Settings& preset) {
-                     const QString word = QString::fromStdString(slug(preset.name));
-                     const QString name = word.isEmpty() ? QStringLiteral("preset") : word;
-                     QString path = QFileDialog::getSaveFileName(window, PresetTexts::tr("Export Preset"),
-                                                                 name + QStringLiteral(".json"),
-                                                                 PresetTexts::tr("Presets (*.json)"));
-                     if (path.isEmpty()) return;
-                     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
-                     Settings named = preset;
-                     if (named.name.empty())
-                       named.name = QFileInfo(path).completeBaseName().toStdString();
-                     shelf->exportTo(path, named);
-                   });
+  QObject::connect(
+      chooser, &PresetChooser::exportRequested, shelf, [shelf, window](const Settings& preset) {
+        const QString word = QString::fromStdString(slug(preset.name));
+        const QString name = word.isEmpty() ? QStringLiteral("preset") : word;
+        QString path = QFileDialog::getSaveFileName(window, PresetTexts::tr("Export Preset"),
+                                                    name + QStringLiteral(".json"),
+                                                    PresetTexts::tr("Presets (*.json)"));
+        if (path.isEmpty()) return;
+        if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
+        Settings named = preset;
+        if (named.name.empty()) named.name = QFileInfo(path).completeBaseName().toStdString();
+        shelf->exportTo(path, named);
+      });
 }
 
 Settings askForName(const Settings& preset, QWidget* window) {
   Settings named = preset;
   const std::string offered = PresetShelf::isBuiltIn(preset.name) ? std::string() : preset.name;
-  named.name = askForText(PresetTexts::tr("Save as Preset"), QString::fromStdString(offered), window)
-                   .toStdString();
+  named.name =
+      askForText(PresetTexts::tr("Save as Preset"), QString::fromStdString(offered), window)
+          .toStdString();
   return named;
 }
 

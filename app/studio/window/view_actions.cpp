@@ -61,12 +61,13 @@ ViewActions makeViewActions(QMainWindow* window) {
                                   const QKeySequence& shortcut, const QString& explanation) {
     return make(window, icon, text, shortcut, explanation);
   };
-  actions.mode = {make_here("overlay", ViewTexts::tr("&Overlay"), Qt::Key_1,
-                            ViewTexts::tr("The original as a ghost over the compressed figure")),
-                  make_here("side-by-side", ViewTexts::tr("&Side by Side"), Qt::Key_2,
-                            ViewTexts::tr("Original and compressed figure beside each other")),
-                  make_here("wipe", ViewTexts::tr("&Wipe"), Qt::Key_3,
-                            ViewTexts::tr("One picture with a divider to drag, also while it plays"))};
+  actions.mode = {
+      make_here("overlay", ViewTexts::tr("&Overlay"), Qt::Key_1,
+                ViewTexts::tr("The original as a ghost over the compressed figure")),
+      make_here("side-by-side", ViewTexts::tr("&Side by Side"), Qt::Key_2,
+                ViewTexts::tr("Original and compressed figure beside each other")),
+      make_here("wipe", ViewTexts::tr("&Wipe"), Qt::Key_3,
+                ViewTexts::tr("One picture with a divider to drag, also while it plays"))};
   actions.modes = new QActionGroup(window);
   for (QAction* mode : actions.mode) {
     mode->setCheckable(true);
@@ -75,8 +76,9 @@ ViewActions makeViewActions(QMainWindow* window) {
   actions.mode[0]->setChecked(true);
   actions.swap = make_here("swap", ViewTexts::tr("Sw&ap"), Qt::Key_X,
                            ViewTexts::tr("Exchange the places of original and compressed figure"));
-  actions.blink = make_here("blink", ViewTexts::tr("&Blink"), Qt::Key_C,
-                            ViewTexts::tr("Original and compressed figure take turns in one place"));
+  actions.blink =
+      make_here("blink", ViewTexts::tr("&Blink"), Qt::Key_C,
+                ViewTexts::tr("Original and compressed figure take turns in one place"));
   actions.by_error =
       make_here("by-error", ViewTexts::tr("Colour by &Error"), Qt::Key_E,
                 ViewTexts::tr("Colour every joint by its distance from the original, in cm"));
@@ -84,13 +86,13 @@ ViewActions makeViewActions(QMainWindow* window) {
                            ViewTexts::tr("Figures with their skin, or as skeletons"));
   actions.path = make_here("path", ViewTexts::tr("&Path of the Joint"), Qt::Key_P,
                            ViewTexts::tr("The path of the chosen joint, half a second around now"));
-  actions.trail =
-      make_here("trail", ViewTexts::tr("Ghost &Trail"), Qt::Key_T,
-                ViewTexts::tr("Where the compressed figure was (blue) and will be (orange), faded"));
+  actions.trail = make_here(
+      "trail", ViewTexts::tr("Ghost &Trail"), Qt::Key_T,
+      ViewTexts::tr("Where the compressed figure was (blue) and will be (orange), faded"));
   actions.trail_poses = new QActionGroup(window);
   for (const int poses : {2, 4, 8}) {
-    QAction* choice =
-        actions.trail_poses->addAction(ViewTexts::tr("%Ln pose(s) before and after", nullptr, poses));
+    QAction* choice = actions.trail_poses->addAction(
+        ViewTexts::tr("%Ln pose(s) before and after", nullptr, poses));
     choice->setCheckable(true);
     choice->setData(poses);
   }

@@ -511,8 +511,8 @@ double ClosedLoopRun::Bits::with(int value) const {
 }
 
 void ClosedLoopRun::sweep_together() {
-  // Bands so far apart have little to do with each other: moves in one leave the slopes in the
-  // other as they are, nearly. So do neighbours in a band.
+  // Bands so far apart have little to do with each other: moves in one hardly change the slopes in
+  // the other. Those of neighbours in a band do, but following them saves no bytes (ADAPTIVE.md).
   constexpr int kApart = 3;
   const auto count = static_cast<int>(bands_.size());
   for (int first = 0; first < std::min(kApart, count); ++first) {
