@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "core/codec/encode/count_search.h"
 
@@ -139,12 +140,17 @@ void settle(const SettleTrial& settled, const Target& target, double first_scale
             ScaleSearch& search) {
   constexpr int kMost = 5;  // one or two sweeps each, far less than what seek() would try
   constexpr double kNear = 0.01;
+  constexpr double kFar = 0.05;       // a logarithm
   constexpr double kLeastEps = 1e-9;  // cm, of what does not move
-  Trial trial = settled(target.value, first_scale, nullptr);
+  double aim_cm = target.value;
+  Trial trial = settled(aim_cm, first_scale, nullptr);
   search.tried(trial);
   for (int i = 1; i < kMost && search.may_go_on() && !search.is_near(trial, kNear); ++i) {
     const double model_over_exact = trial.eps_cm / std::max(trial.achieved, kLeastEps);
-    trial = settled(target.value * model_over_exact, trial.scale, &trial);
+    const double before_cm = std::exchange(aim_cm, target.value * model_over_exact);
+    // Far off, as where some parts weigh more, another scale is the right one, not another price.
+    const bool is_far = std::abs(std::log(aim_cm / before_cm)) > kFar;
+    trial = settled(aim_cm, trial.scale, is_far ? nullptr : &trial);
     search.tried(trial);
   }
 }
