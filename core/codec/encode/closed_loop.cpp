@@ -78,7 +78,7 @@ double likely_scale(const Target& target, std::size_t raw_bytes) {
   return 1;
 }
 
-ClosedLoop::Result ClosedLoop::quantise(double scale, const ClosedLoopWork& work,
+ClosedLoop::Result ClosedLoop::quantise(double scale, ClosedLoopWork work,
                                         const Eigen::VectorXd& frame_weights,
                                         const Observer<ClosedLoopProgress>& observer) const {
   return ClosedLoopRun(*this, scale, frame_weights).run(work, observer);

@@ -10,12 +10,9 @@
 
 namespace mocapress {
 
-/// How much work a closed loop does.
-struct ClosedLoopWork {
-  bool compensate = true;  // each channel for the others, once
-  int sweeps = 8;          // over all coefficients
-  bool joint = false;      // before the later ones, all channels together, too
-};
+/// How much work a closed loop does: coefficients are rounded to steps, then channels make up for
+/// each other once, then sweeps change single coefficients and, last, those of all channels.
+enum class ClosedLoopWork { Rounding, Compensation, Sweeps };
 
 struct ClosedLoopProgress {
   int sweep = 0;
@@ -47,7 +44,7 @@ class ClosedLoop {
 
   /// Quantises in steps that move the landmarks by about `scale` cm. Each frame's errors count by
   /// its weight; without weights all frames count alike.
-  Result quantise(double scale, const ClosedLoopWork& work = {},
+  Result quantise(double scale, ClosedLoopWork work = ClosedLoopWork::Sweeps,
                   const Eigen::VectorXd& frame_weights = {},
                   const Observer<ClosedLoopProgress>& observer = {}) const;
 

@@ -26,12 +26,9 @@ constexpr double kDeadZone = 0.25;  // what is added before details are cut to w
 /// the same share of the error; on corpus/train this takes the fewest bytes (ADAPTIVE.md).
 constexpr double kStepPower = 0.9;
 
-// Squared steps of error that a bit is worth, in the first sweep and in the last.
-constexpr double kFirstBitPrice = 0.054;
-constexpr double kLastBitPrice = 0.041;
-
-/// Of the sweeps of what settles at an error. Bits that are now cheap, now dear, shake coefficients
-/// out of where they would stay: fewer bytes than prices that fall, in fewer sweeps (ADAPTIVE.md).
+/// Squared steps of error that a bit is worth, from sweep to sweep. Bits that are now cheap, now
+/// dear, shake coefficients out of where they would stay: fewer bytes than prices that fall, in
+/// fewer sweeps (ADAPTIVE.md).
 constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06, 0.03, 0.025};
 
 /// From the last of them on all channels' coefficients are moved together before.
@@ -39,10 +36,6 @@ constexpr int kFirstJoint = static_cast<int>(kSettlingPrices.size()) - 1;
 
 /// Where they cannot be moved together.
 constexpr std::array kSingleSettlingPrices = {0.054, 0.02, 0.06, 0.03, 0.06, 0.02, 0.05, 0.025};
-
-double price_of(int sweep, int sweeps) {
-  return kFirstBitPrice + (kLastBitPrice - kFirstBitPrice) * sweep / std::max(sweeps - 1, 1);
-}
 
 // Loops below are over so many numbers as are known beforehand: of such the compiler makes vector
 // instructions.
@@ -146,7 +139,7 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, const Eigen::VectorXd& fram
       magnitudes_(static_cast<std::size_t>(channels()), Magnitudes(bands_)),
       significant_(static_cast<std::size_t>(channels()), Significant(bands_.size())),
       errors_(loop.original_.frames(), channels()),
-      bit_price_(kFirstBitPrice),
+      bit_price_(kSettlingPrices.front()),
       gradient_(Eigen::ArrayXf::Zero(errors_.rows() + ShortFunction::kVector)),
       delta_(gradient_),
       slopes_(errors_.rows()) {
@@ -201,20 +194,18 @@ void ClosedLoopRun::begin() {
   find_energy();
 }
 
-ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
+ClosedLoop::Result ClosedLoopRun::run(ClosedLoopWork work,
                                       const Observer<ClosedLoopProgress>& observer) {
+  constexpr int kMoreTogether = 1;
   ClosedLoop::Result result;
-  if (work.compensate) pass([&](int j) { compensate(j); });
+  if (work != ClosedLoopWork::Rounding) pass([&](int j) { compensate(j); });
   result.eps_cm = eps_cm();
-  const bool with_joint = work.joint && may_move_together();
-  while (result.sweeps < work.sweeps && result.complete) {
-    // For what single moves have left.
-    if (with_joint && 2 * result.sweeps >= work.sweeps) sweep_together();
-    bit_price_ = price_of(result.sweeps, work.sweeps);
-    pass([&](int j) { sweep(j); });
-    ++result.sweeps;
-    result.eps_cm = eps_cm();
-    result.complete = should_continue(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
+  if (work == ClosedLoopWork::Sweeps) {
+    settle_by_prices(result, observer);
+    for (int i = 0; i < kMoreTogether && may_move_together() && result.complete; ++i)
+      sweep_all(true, result, observer);
+    result.bit_price = bit_price_;
+    result.growth = growth_;
   }
   result.coded = std::move(coded_);
   result.errors = std::move(errors_);
@@ -224,6 +215,26 @@ ClosedLoop::Result ClosedLoopRun::run(const ClosedLoopWork& work,
 std::span<const double> ClosedLoopRun::settling_prices() const {
   if (may_move_together()) return kSettlingPrices;
   return kSingleSettlingPrices;
+}
+
+void ClosedLoopRun::sweep_all(bool together, ClosedLoop::Result& result,
+                              const Observer<ClosedLoopProgress>& observer) {
+  constexpr double kLeastEps = 1e-12;
+  if (together) sweep_together();
+  pass([&](int j) { sweep(j); });
+  ++result.sweeps;
+  const double before = std::exchange(result.eps_cm, eps_cm());
+  growth_ = std::log(std::max(result.eps_cm, kLeastEps) / std::max(before, kLeastEps));
+  result.complete = should_continue(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
+}
+
+void ClosedLoopRun::settle_by_prices(ClosedLoop::Result& result,
+                                     const Observer<ClosedLoopProgress>& observer) {
+  const std::span<const double> prices = settling_prices();
+  for (; settling_ < std::ssize(prices) && result.complete; ++settling_) {
+    bit_price_ = prices[static_cast<std::size_t>(settling_)];
+    sweep_all(may_move_together() && settling_ >= kFirstJoint, result, observer);
+  }
 }
 
 double ClosedLoopRun::begin_settling() {
@@ -240,28 +251,16 @@ ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
   constexpr int kMost = 4;
   constexpr double kLeastEps = 1e-12;
   ClosedLoop::Result result;
-  const std::span<const double> prices = settling_prices();
-  const auto sweep_all = [&](bool together) {
-    if (together) sweep_together();
-    pass([&](int j) { sweep(j); });
-    ++result.sweeps;
-    const double before = std::exchange(result.eps_cm, this->eps_cm());
-    growth_ = std::log(std::max(result.eps_cm, kLeastEps) / std::max(before, kLeastEps));
-    result.complete = should_continue(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
-  };
-  result.sweeps = settling_ < std::ssize(prices) ? settling_ : 0;
+  result.sweeps = settling_ < std::ssize(settling_prices()) ? settling_ : 0;
   result.eps_cm = this->eps_cm();
-  for (; settling_ < std::ssize(prices) && result.complete; ++settling_) {
-    bit_price_ = prices[static_cast<std::size_t>(settling_)];
-    sweep_all(may_move_together() && settling_ >= kFirstJoint);
-  }
+  settle_by_prices(result, observer);
   PriceControl control(growth_,
                        may_move_together() ? PriceControl::kTogether : PriceControl::kSingle);
   for (int i = 0; i < kMost && result.complete; ++i) {
     const double off = std::log(std::max(result.eps_cm, kLeastEps) / eps_cm);
     if (off <= 0 && off >= -ClosedLoop::kSettled) break;
     bit_price_ *= control.factor_for(-ClosedLoop::kSettled / 2 - off);
-    sweep_all(may_move_together());
+    sweep_all(may_move_together(), result, observer);
     control.observe(growth_);
   }
   result.bit_price = bit_price_;

@@ -25,7 +25,7 @@ class ClosedLoopRun {
   /// Begins where another run was settled.
   ClosedLoopRun(const ClosedLoop& loop, ClosedLoop::Result settled);
 
-  ClosedLoop::Result run(const ClosedLoopWork& work, const Observer<ClosedLoopProgress>& observer);
+  ClosedLoop::Result run(ClosedLoopWork work, const Observer<ClosedLoopProgress>& observer);
 
   /// The first of the sweeps that settle. Returns about the eps_x that all of them will leave.
   double begin_settling();
@@ -159,6 +159,13 @@ class ClosedLoopRun {
   void set(const Place& place, int value);
 
   std::span<const double> settling_prices() const;
+
+  /// Those of the sweeps that settle which were not done yet.
+  void settle_by_prices(ClosedLoop::Result& result, const Observer<ClosedLoopProgress>& observer);
+
+  /// Over all coefficients, those of all channels together where they may be.
+  void sweep_all(bool together, ClosedLoop::Result& result,
+                 const Observer<ClosedLoopProgress>& observer);
 
   /// After all values of a channel have changed.
   void look_at(int j);

@@ -25,9 +25,7 @@ class ScaleSearch {
       : goal_(goal), target_(target), attempt_(attempt) {}
 
   /// Returns the excess.
-  double try_scale(double scale, const ClosedLoopWork& work) {
-    return tried(attempt_(scale, work, {}));
-  }
+  double try_scale(double scale, ClosedLoopWork work) { return tried(attempt_(scale, work, {})); }
   double tried(Trial trial) {
     ++tried_;
     const double excess = trial.excess;
@@ -69,29 +67,24 @@ class ScaleSearch {
 };
 
 ClosedLoopWork work_of(Effort effort) {
-  switch (effort) {
-    case Effort::Draft:
-      return {.sweeps = 0};
-    case Effort::Best:
-      return {.sweeps = 6, .joint = true};
-    default:
-      return {};
-  }
+  return effort == Effort::Draft ? ClosedLoopWork::Compensation : ClosedLoopWork::Sweeps;
 }
+
+constexpr double kPowerOfScale = 1.35;  // with which the scale follows the error
 
 /// With which the scale follows the target.
 double power_of_scale(const Target& target) {
-  return is_by_error(target) ? 1.35 : 1.7;
+  return is_by_error(target) ? kPowerOfScale : 1.7;
 }
 
 /// How much coarser the scale is at which `work` meets the target, by a rough trial's excess. How
 /// much more error and bytes that has than work would leave differs little from clip to clip
 /// (measured on corpus/train).
-double coarser_after_rough_trial(double excess, const Target& target, const ClosedLoopWork& work,
+double coarser_after_rough_trial(double excess, const Target& target, ClosedLoopWork work,
                                  bool corrected) {
   const bool by_error = is_by_error(target);
-  const bool swept = work.sweeps > 0;
-  const double more = by_error ? (swept ? -0.575 : -0.32) : (swept ? 0.15 : 0.06);  // logarithms
+  const bool swept = work == ClosedLoopWork::Sweeps;
+  const double more = by_error ? (swept ? -0.575 : -0.32) : (swept ? 0.17 : 0.06);  // logarithms
   const double unmended = by_error && corrected ? 0.12 : 0;
   return std::exp(power_of_scale(target) * std::clamp(excess - more - unmended, -3.0, 3.0));
 }
@@ -104,7 +97,7 @@ double near_enough(const ScaleGuess& guess, const Target& target) {
 /// Tries scales until the target is met. The scale is sought as a count that grows as it gets
 /// finer: by a power with which 1 / error and bytes grow about in proportion.
 void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double near_enough,
-          const ClosedLoopWork& work, ScaleSearch& trials) {
+          ClosedLoopWork work, ScaleSearch& trials) {
   constexpr double kLength = 1e6;  // cm
   constexpr double kPower = 0.7;
   constexpr double kNear = 0.02;  // so near, one trial is enough
@@ -135,29 +128,38 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
   }
 }
 
-/// A trial whose eps_x by the model is the target's, then settled anew by how far the model is off.
-void settle(const SettleTrial& settled, const Target& target, double first_scale,
+/// A trial that settles, then settled anew by how far it is off the target.
+void settle(const ScaleTrials& trials, const Target& target, double first_scale,
             ScaleSearch& search) {
-  constexpr int kMost = 5;  // one or two sweeps each, far less than what seek() would try
-  constexpr double kNear = 0.01;
-  constexpr double kFar = 0.05;       // a logarithm
-  constexpr double kLeastEps = 1e-9;  // cm, of what does not move
+  constexpr int kMost = 5;       // one or two sweeps each, far less than what seek() would try
+  constexpr double kFar = 0.05;  // a logarithm
+  const bool by_error = target.kind == Target::Kind::Error;
+  const double near = by_error ? 0.01 : 0.02;  // enough; bytes differ more by chance
+  const double middle = target.kind == Target::Kind::Size ? -near / 2 : 0;  // of what will do
+  const double power = power_of_scale(target) / kPowerOfScale;
+  const auto settle_at = [&](double scale, double aim_cm) {
+    return by_error ? trials.settle(aim_cm, scale, nullptr)
+                    : trials.attempt(scale, ClosedLoopWork::Sweeps, {});
+  };
   double aim_cm = target.value;
-  Trial trial = settled(aim_cm, first_scale, nullptr);
+  Trial trial = settle_at(first_scale, aim_cm);
+  if (!by_error) aim_cm = trial.eps_cm;
   search.tried(trial);
-  for (int i = 1; i < kMost && search.may_go_on() && !search.is_near(trial, kNear); ++i) {
-    const double model_over_exact = trial.eps_cm / std::max(trial.achieved, kLeastEps);
-    const double before_cm = std::exchange(aim_cm, target.value * model_over_exact);
+  for (int i = 1; i < kMost && search.may_go_on() && !search.is_near(trial, near); ++i) {
+    const double coarser = power * (trial.excess - middle);
+    const double before_cm = std::exchange(aim_cm, trial.eps_cm * std::exp(coarser));
     // Far off, as where some parts weigh more, another scale is the right one, not another price.
     const bool is_far = std::abs(std::log(aim_cm / before_cm)) > kFar;
-    trial = settled(aim_cm, trial.scale, is_far ? nullptr : &trial);
+    trial =
+        is_far ? settle_at(by_error ? trial.scale : trial.scale * std::exp(kPowerOfScale * coarser),
+                           aim_cm)
+               : trials.settle(aim_cm, trial.scale, &trial);
     search.tried(trial);
   }
 }
 
-/// A few more trials, each with more work, at scales where that should just meet the target. They
-/// differ by chance, too.
-void try_harder(const Target& target, const ClosedLoopWork& work, ScaleSearch& trials) {
+/// A few more trials at scales where the target should just be met: they differ by chance.
+void try_harder(const Target& target, ClosedLoopWork work, ScaleSearch& trials) {
   constexpr int kTrials = 4;
   constexpr double kAside = 0.003;  // where a scale was tried
   trials.prefer_cheap();
@@ -168,17 +170,17 @@ void try_harder(const Target& target, const ClosedLoopWork& work, ScaleSearch& t
   }
 }
 
-/// The same where a trial settles at the target: from scales beside the one it came from.
-void settle_beside(const SettleTrial& settled, const Target& target, ScaleSearch& search) {
+/// The same where trials settle: from scales beside the one it came from.
+void settle_beside(const ScaleTrials& trials, const Target& target, ScaleSearch& search) {
   search.prefer_cheap();
   const double scale = search.best().scale;
   for (const double coarser : {0.92, 0.96, 1.04, 1.08})
-    if (search.may_go_on()) settle(settled, target, coarser * scale, search);
+    if (search.may_go_on()) settle(trials, target, coarser * scale, search);
 }
 
 /// Larger scales may do where the frames weigh more that exceed the bound. Replaces `best` where
 /// something smaller is found.
-void hold_worst_frames(const Goal& goal, int frames, const ClosedLoopWork& work,
+void hold_worst_frames(const Goal& goal, int frames, ClosedLoopWork work,
                        const AttemptScale& attempt, Trial& best) {
   constexpr int kRounds = 5;
   constexpr double kLeastStep = 1.04;
@@ -211,15 +213,17 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
   constexpr double kNear = 0.01;
   constexpr double kRounding = 1e-4;    // between what is coarsened and what is decoded
   constexpr double kMostWider = 1.1;    // a time
+  constexpr double kTighter = 0.6;      // all frames' bounds, of what was exceeded
   constexpr double kWidest = 2;         // times the target
   constexpr Eigen::Index kBeside = 16;  // frames that what is changed at one of them reaches
   const Trial fine = best;
   Eigen::VectorXd bound_cm = Eigen::VectorXd::Constant(frames, (1 - kRounding) * target.value);
-  for (int i = 0; i < kMost && (i == 0 || best.excess > kNear); ++i) {
+  for (int i = 0; i < kMost; ++i) {
     Trial coarser = coarsen(fine, bound_cm);
     best.complete = coarser.complete;
     if (!coarser.complete) return;
     const bool met = goal.met(coarser.excess);
+    const bool is_near = met && coarser.excess <= kNear;
     const Eigen::ArrayXd room =
         (1 - kNear / 2) * target.value /
         goal.worst_of_frames(coarser.compressed).array().max(1e-9 * target.value);
@@ -228,9 +232,11 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
       const Eigen::Index end = std::min<Eigen::Index>(t + kBeside + 1, frames);
       bound_cm(t) *= std::min(room.segment(first, end - first).minCoeff(), met ? kMostWider : 1);
     }
+    if (!met) bound_cm *= std::exp(kTighter * coarser.excess);
     bound_cm = bound_cm.cwiseMin(kWidest * target.value);
     if (met && coarser.compressed.motion_bytes() < best.compressed.motion_bytes())
       best = std::move(coarser);
+    if (is_near) return;
   }
 }
 
@@ -239,20 +245,20 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
 Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
                    int frames, const ScaleTrials& trials) {
   const ClosedLoopWork work = work_of(effort);
-  Trial rough = trials.attempt(guess.likely, {.compensate = false, .sweeps = 0}, {});
+  Trial rough = trials.attempt(guess.likely, ClosedLoopWork::Rounding, {});
   if (!rough.complete) return rough;
   const double first_scale =
       guess.likely * coarser_after_rough_trial(rough.excess, target, work, guess.corrected);
   if (effort == Effort::Draft) return trials.attempt(first_scale, work, {});
   constexpr double kSettledNear = 0.02;
   ScaleSearch search(goal, target, trials.attempt);
-  if (trials.settle) settle(trials.settle, target, first_scale, search);
+  if (trials.settle) settle(trials, target, first_scale, search);
   if (!search.is_near(kSettledNear))
     seek(guess, goal, trials.settle ? search.best().scale : first_scale, near_enough(guess, target),
-         work_of(Effort::Default), search);
+         work, search);
   if (effort == Effort::Best && search.met()) {
     if (trials.settle)
-      settle_beside(trials.settle, target, search);
+      settle_beside(trials, target, search);
     else
       try_harder(target, work, search);
   }

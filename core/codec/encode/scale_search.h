@@ -10,8 +10,8 @@
 namespace mocapress {
 
 /// Quantises at a scale and codes the result. `frame_weights` is empty where frames count alike.
-using AttemptScale = std::function<Trial(double scale, const ClosedLoopWork& work,
-                                         const Eigen::VectorXd& frame_weights)>;
+using AttemptScale =
+    std::function<Trial(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights)>;
 
 /// Seeks what leaves that eps_x by the quadratic model: ClosedLoop::quantise_to() near a scale, and
 /// ClosedLoop::settle() of a trial, whose scale is given again.
@@ -32,7 +32,7 @@ struct ScaleGuess {
 struct ScaleTrials {
   AttemptScale attempt;
   CoarsenTrial coarsen;
-  SettleTrial settle = {};  // where the target is an error and trials can be settled
+  SettleTrial settle = {};  // where trials can be settled
 };
 
 /// Searches the closed loop's scale and returns the best trial, with its bytes coded. It meets the

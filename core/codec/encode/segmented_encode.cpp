@@ -60,7 +60,7 @@ class SegmentedEncode {
   TargetedEncoding run() {
     const ScaleTrials trials{
         .attempt =
-            [this](double scale, const ClosedLoopWork& work, const Eigen::VectorXd& weights) {
+            [this](double scale, ClosedLoopWork work, const Eigen::VectorXd& weights) {
               return attempt_scale(scale, work, weights);
             },
         .coarsen = [this](const Trial& trial,
@@ -125,24 +125,22 @@ class SegmentedEncode {
     return options;
   }
 
-  Trial attempt_scale(double scale, const ClosedLoopWork& work,
-                      const Eigen::VectorXd& frame_weights) {
+  Trial attempt_scale(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights) {
     Trial trial = encode_all(scale, [&](const Part& part, const EncodeOptions& options,
                                         const Observer<EncodeProgress>& observer) {
-      const ClosedLoopWork cancelled{.compensate = false, .sweeps = 0};
       const Eigen::VectorXd weights = frame_weights.size() > 0
                                           ? frame_weights.segment(part.first, part.frames).eval()
                                           : frame_weights;
-      ScaleTrial coded =
-          encode_at_scale(part.analysis, options, scale, part.should_continue ? work : cancelled,
-                          weights, observer);
+      ScaleTrial coded = encode_at_scale(part.analysis, options, scale,
+                                         part.should_continue ? work : ClosedLoopWork::Rounding,
+                                         weights, observer);
       finest_scale_ = std::max(finest_scale_, coded.finest_scale);
       // Without sweeps nobody was asked yet.
-      if (work.sweeps == 0 && part.should_continue)
+      if (work != ClosedLoopWork::Sweeps && part.should_continue)
         coded.trial.complete = observer(EncodeProgress{.iteration = part.index + 1});
       return std::move(coded.trial);
     });
-    if (trial.complete && work.compensate) finish_ends(trial);
+    if (trial.complete && work != ClosedLoopWork::Rounding) finish_ends(trial);
     weigh(work, trial);
     return trial;
   }
@@ -168,7 +166,7 @@ class SegmentedEncode {
     });
     if (!coarser.complete) return coarser;
     finish_ends(coarser);
-    weigh({}, coarser);
+    weigh(ClosedLoopWork::Sweeps, coarser);
     return coarser;
   }
 
@@ -220,8 +218,8 @@ class SegmentedEncode {
     whole.complete = whole.complete && segment.complete;
   }
 
-  void weigh(const ClosedLoopWork& work, Trial& trial) const {
-    const bool is_guess = options_.effort == Effort::Draft || !work.compensate;
+  void weigh(ClosedLoopWork work, Trial& trial) const {
+    const bool is_guess = options_.effort == Effort::Draft || work == ClosedLoopWork::Rounding;
     const bool by_model = is_guess && options_.target.kind == Target::Kind::Error &&
                           !options_.correction && options_.importance.is_even();
     if (by_model)

@@ -9,7 +9,7 @@ namespace mocapress {
 namespace {
 
 constexpr double kShareLeft = 0.1;
-constexpr double kUnseen = 0.01;  // cm of slide in all
+constexpr double kUnseen = 0.1;  // cm of slide in all: a correction may bring as much
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 #include "core/codec/decode/decoder.h"
 #include "core/codec/encode/count_search.h"
@@ -69,8 +69,7 @@ class TargetedEncode {
   }
 
   /// The closed loop at one scale, not weighed against the target.
-  ScaleTrial run_at(double scale, const ClosedLoopWork& work,
-                    const Eigen::VectorXd& frame_weights) {
+  ScaleTrial run_at(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights) {
     return {code_at(scale, work, frame_weights), loop().finest_scale()};
   }
 
@@ -129,7 +128,7 @@ class TargetedEncode {
     importance.joints.resize(static_cast<std::size_t>(analysis_.motion().skeleton.joint_count()),
                              1.0);
     for (int round = 0; round < kRounds; ++round) {
-      const Trial trial = code_at(scale, {.sweeps = 0}, {});
+      const Trial trial = code_at(scale, ClosedLoopWork::Compensation, {});
       if (!trial.complete) break;
       const Eigen::ArrayXd noticed = goal_.seen(trial.compressed).table.by_joint();
       const double mean = noticed.max(1e-6).log().mean();
@@ -322,8 +321,7 @@ class TargetedEncode {
   Trial closed_loop(Effort effort) {
     const ScaleTrials trials{
         .attempt =
-            [this, effort](double scale, const ClosedLoopWork& work,
-                           const Eigen::VectorXd& weights) {
+            [this, effort](double scale, ClosedLoopWork work, const Eigen::VectorXd& weights) {
               return attempt_scale(scale, work, weights, effort);
             },
         .coarsen =
@@ -333,12 +331,11 @@ class TargetedEncode {
               weigh(coarser);
               return coarser;
             },
-        .settle =
-            effort != Effort::Draft && options_.target.kind == Target::Kind::Error && !correction_
-                ? SettleTrial([this](double eps_cm, double scale, const Trial* trial) {
-                    return settle(eps_cm, scale, trial);
-                  })
-                : SettleTrial()};
+        .settle = effort != Effort::Draft && !is_by_worst(options_.target) && !correction_
+                      ? SettleTrial([this](double eps_cm, double scale, const Trial* trial) {
+                          return settle(eps_cm, scale, trial);
+                        })
+                      : SettleTrial()};
     double likely = likely_scale(options_.target, raw_bytes(analysis_.motion().clip));
     if (options_.target.kind == Target::Kind::Visibility && effort != Effort::Draft)
       likely = balance_joints(likely);
@@ -360,9 +357,9 @@ class TargetedEncode {
     return trial;
   }
 
-  Trial attempt_scale(double scale, const ClosedLoopWork& work,
-                      const Eigen::VectorXd& frame_weights, Effort effort) {
-    const bool is_rough = !work.compensate;  // its coding is not asked for
+  Trial attempt_scale(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights,
+                      Effort effort) {
+    const bool is_rough = work == ClosedLoopWork::Rounding;  // its coding is not asked for
     const bool model_will_do = (effort == Effort::Draft || is_rough) &&
                                options_.target.kind == Target::Kind::Error && !own_model_;
     Trial trial = code_at(scale, work, frame_weights, !model_will_do || !is_rough);
@@ -376,7 +373,7 @@ class TargetedEncode {
     return trial;
   }
 
-  Trial code_at(double scale, const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
+  Trial code_at(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights,
                 bool with_bytes = true) {
     Trial trial = trial_of(quantise(scale, work, frame_weights), with_bytes);
     trial.scale = scale;
@@ -399,9 +396,9 @@ class TargetedEncode {
   }
 
   /// Once for each scale that a file can hold, while splits are compared.
-  ClosedLoop::Result quantise(double scale, const ClosedLoopWork& work,
+  ClosedLoop::Result quantise(double scale, ClosedLoopWork work,
                               const Eigen::VectorXd& frame_weights) {
-    const std::tuple key(file_scale(scale), work.compensate, work.sweeps);
+    const std::pair key(file_scale(scale), work);
     const bool remembered = remembers_ && frame_weights.size() == 0;
     if (const auto found = quantised_.find(key); remembered && found != quantised_.end())
       return found->second;
@@ -502,7 +499,7 @@ class TargetedEncode {
   bool remembers_ = false;  // what splits have in common
   bool packs_ = true;       // trials into bytes
   bool estimates_ = false;  // how many that would be
-  std::map<std::tuple<float, bool, int>, ClosedLoop::Result> quantised_;
+  std::map<std::pair<float, ClosedLoopWork>, ClosedLoop::Result> quantised_;
   std::map<int, AnnealingReport> annealed_;  // by count
   Goal goal_;
   int pass_ = 0;
@@ -528,7 +525,7 @@ TargetedEncoding encode_to_target(const ClipAnalysis& analysis, const EncodeOpti
 }
 
 ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& options, double scale,
-                           const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
+                           ClosedLoopWork work, const Eigen::VectorXd& frame_weights,
                            const Observer<EncodeProgress>& observer) {
   return TargetedEncode(analysis, options, observer).run_at(scale, work, frame_weights);
 }

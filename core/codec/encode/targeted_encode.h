@@ -32,7 +32,7 @@ struct ScaleTrial {
 
 /// A closed loop at one scale, whatever the target. A correction must have its ratio.
 ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& options, double scale,
-                           const ClosedLoopWork& work, const Eigen::VectorXd& frame_weights,
+                           ClosedLoopWork work, const Eigen::VectorXd& frame_weights,
                            const Observer<EncodeProgress>& observer);
 
 /// ClosedLoop::coarsen() of a coded clip, without a target: to a bound for each frame.
