@@ -29,10 +29,10 @@ constexpr double kStepPower = 0.9;
 /// Squared steps of error that a bit is worth, from sweep to sweep. Bits that are now cheap, now
 /// dear, shake coefficients out of where they would stay: fewer bytes than prices that fall, in
 /// fewer sweeps (ADAPTIVE.md).
-constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06, 0.03, 0.025};
+constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06, 0.03, 0.03};
 
-/// From the last of them on all channels' coefficients are moved together before.
-constexpr int kFirstJoint = static_cast<int>(kSettlingPrices.size()) - 1;
+/// From this one on all channels' coefficients are moved together before.
+constexpr int kFirstJoint = static_cast<int>(kSettlingPrices.size()) - 3;
 
 /// Where they cannot be moved together.
 constexpr std::array kSingleSettlingPrices = {0.054, 0.02, 0.06, 0.03, 0.06, 0.02, 0.05, 0.025};
@@ -196,14 +196,11 @@ void ClosedLoopRun::begin() {
 
 ClosedLoop::Result ClosedLoopRun::run(ClosedLoopWork work,
                                       const Observer<ClosedLoopProgress>& observer) {
-  constexpr int kMoreTogether = 1;
   ClosedLoop::Result result;
   if (work != ClosedLoopWork::Rounding) pass([&](int j) { compensate(j); });
   result.eps_cm = eps_cm();
   if (work == ClosedLoopWork::Sweeps) {
     settle_by_prices(result, observer);
-    for (int i = 0; i < kMoreTogether && may_move_together() && result.complete; ++i)
-      sweep_all(true, result, observer);
     result.bit_price = bit_price_;
     result.growth = growth_;
   }

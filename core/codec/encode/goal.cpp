@@ -102,7 +102,7 @@ bool Goal::met(double excess) const {
   switch (target_.kind) {
     case Target::Kind::Ratio:
     case Target::Kind::CoefficientRatio:
-      return std::abs(excess) <= kTolerance;
+      return std::abs(std::expm1(-excess)) <= kTolerance;
     case Target::Kind::Size:
       return excess <= 0;
     default:

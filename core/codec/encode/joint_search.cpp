@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/encode/joint_search.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstdint>
@@ -13,6 +14,7 @@
 namespace mocapress {
 namespace {
 
+constexpr int kMostLanes = 8;
 constexpr float kNone = std::numeric_limits<float>::infinity();
 
 }  // namespace
@@ -49,6 +51,7 @@ template <typename Vector>
 MOCAPRESS_INLINE bool JointSearch::attempt(int c, int by) {
   constexpr int kAnswers = 2;
   constexpr float kLeastGain = 1e-3F;
+  if (cost_of(c, by) - gain_of_answers<Vector>(c, by) >= -kLeastGain) return false;
   slopes_before_ = slopes_;
   changed_.clear();
   float cost = move<Vector>(c, by);
@@ -86,13 +89,9 @@ bool JointSearch::attempt_with_avx2(int c, int by) {
 
 template <typename Vector>
 MOCAPRESS_INLINE float JointSearch::move(int c, int by) {
-  const auto& [slope, curve, prices] = coefficients_[static_cast<std::size_t>(c)];
-  int& moved = moved_[static_cast<std::size_t>(c)];
+  const float cost = cost_of(c, by);
   const auto steps = static_cast<float>(by);
-  const float cost = 2 * steps * slopes_(c) + curve +
-                     prices[static_cast<std::size_t>(moved + by + 1)] -
-                     prices[static_cast<std::size_t>(moved + 1)];
-  moved += by;
+  moved_[static_cast<std::size_t>(c)] += by;
   changed_.emplace_back(c, by);
   const float* const column = cross_.col(c).data();
   for (Eigen::Index i = 0; i < slopes_.size(); i += kLanes<Vector, float>) {
@@ -104,6 +103,43 @@ MOCAPRESS_INLINE float JointSearch::move(int c, int by) {
   }
   set_limits(c);
   return cost;
+}
+
+MOCAPRESS_INLINE float JointSearch::cost_of(int c, int by) const {
+  const auto& [slope, curve, prices] = coefficients_[static_cast<std::size_t>(c)];
+  const int moved = moved_[static_cast<std::size_t>(c)];
+  return 2 * static_cast<float>(by) * slopes_(c) + curve +
+         prices[static_cast<std::size_t>(moved + by + 1)] -
+         prices[static_cast<std::size_t>(moved + 1)];
+}
+
+template <typename Vector>
+MOCAPRESS_INLINE float JointSearch::gain_of_answers(int c, int by) const {
+  constexpr int kParts = kMostLanes / kLanes<Vector, float>;
+  const Vector none{};
+  std::array<Vector, kParts> beyond{};
+  const float* const column = cross_.col(c).data();
+  for (Eigen::Index i = 0; i < slopes_.size(); i += kMostLanes)
+    for (int part = 0; part < kParts; ++part) {
+      const Eigen::Index first = i + part * kLanes<Vector, float>;
+      Vector slope;
+      Vector both;
+      Vector low;
+      Vector high;
+      load(slopes_.data() + first, slope);
+      load(column + first, both);
+      load(low_.data() + first, low);
+      load(high_.data() + first, high);
+      slope += static_cast<float>(by) * both;
+      beyond[static_cast<std::size_t>(part)] +=
+          (slope > high ? slope - high : none) + (slope < low ? low - slope : none);
+    }
+  std::array<float, kMostLanes> sums;
+  std::memcpy(sums.data(), beyond.data(), sizeof sums);
+  float sum = 0;
+  for (const float of_lane : sums) sum += of_lane;
+  const float slope = slopes_(c) + static_cast<float>(by) * column[c];
+  return 2 * (sum - std::max(slope - high_(c), 0.0F) - std::max(low_(c) - slope, 0.0F));
 }
 
 MOCAPRESS_INLINE void JointSearch::set_limits(int c) {

@@ -40,7 +40,14 @@ class JointSearch {
   bool attempt(int c, int by);
   bool attempt_with_avx2(int c, int by);
 
-  /// Moves one. Returns the change of error and price.
+  /// The change of error and price that a move of one makes.
+  float cost_of(int c, int by) const;
+
+  /// What others would gain by answering to it, each by itself.
+  template <typename Vector>
+  float gain_of_answers(int c, int by) const;
+
+  /// Moves one. Returns cost_of().
   template <typename Vector>
   float move(int c, int by);
   void set_limits(int c);
