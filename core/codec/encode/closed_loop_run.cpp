@@ -37,6 +37,8 @@ constexpr int kFirstJoint = static_cast<int>(kSettlingPrices.size()) - 3;
 /// Where they cannot be moved together.
 constexpr std::array kSingleSettlingPrices = {0.054, 0.02, 0.06, 0.03, 0.06, 0.02, 0.05, 0.025};
 
+constexpr double kLeastEps = 1e-12;  // cm, of what does not move
+
 // Loops below are over so many numbers as are known beforehand: of such the compiler makes vector
 // instructions.
 constexpr int kAtATime = 8;
@@ -214,10 +216,9 @@ std::span<const double> ClosedLoopRun::settling_prices() const {
   return kSingleSettlingPrices;
 }
 
-void ClosedLoopRun::sweep_all(bool together, ClosedLoop::Result& result,
+void ClosedLoopRun::sweep_all(ClosedLoop::Result& result,
                               const Observer<ClosedLoopProgress>& observer) {
-  constexpr double kLeastEps = 1e-12;
-  if (together) sweep_together();
+  if (may_move_together() && settling_ >= kFirstJoint) sweep_together();
   pass([&](int j) { sweep(j); });
   ++result.sweeps;
   const double before = std::exchange(result.eps_cm, eps_cm());
@@ -230,12 +231,12 @@ void ClosedLoopRun::settle_by_prices(ClosedLoop::Result& result,
   const std::span<const double> prices = settling_prices();
   for (; settling_ < std::ssize(prices) && result.complete; ++settling_) {
     bit_price_ = prices[static_cast<std::size_t>(settling_)];
-    sweep_all(may_move_together() && settling_ >= kFirstJoint, result, observer);
+    sweep_all(result, observer);
   }
 }
 
 double ClosedLoopRun::begin_settling() {
-  constexpr double kStillToCome = 0.12;  // a logarithm; alike for all clips, to 0.02
+  constexpr double kStillToCome = 0.12;  // a logarithm; too much, which pays (ADAPTIVE.md)
   pass([&](int j) { compensate(j); });
   bit_price_ = settling_prices().front();
   pass([&](int j) { sweep(j); });
@@ -246,7 +247,6 @@ double ClosedLoopRun::begin_settling() {
 ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
                                          const Observer<ClosedLoopProgress>& observer) {
   constexpr int kMost = 4;
-  constexpr double kLeastEps = 1e-12;
   ClosedLoop::Result result;
   result.sweeps = settling_ < std::ssize(settling_prices()) ? settling_ : 0;
   result.eps_cm = this->eps_cm();
@@ -257,7 +257,7 @@ ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
     const double off = std::log(std::max(result.eps_cm, kLeastEps) / eps_cm);
     if (off <= 0 && off >= -ClosedLoop::kSettled) break;
     bit_price_ *= control.factor_for(-ClosedLoop::kSettled / 2 - off);
-    sweep_all(may_move_together(), result, observer);
+    sweep_all(result, observer);
     control.observe(growth_);
   }
   result.bit_price = bit_price_;

@@ -163,9 +163,8 @@ class ClosedLoopRun {
   /// Those of the sweeps that settle which were not done yet.
   void settle_by_prices(ClosedLoop::Result& result, const Observer<ClosedLoopProgress>& observer);
 
-  /// Over all coefficients, those of all channels together where they may be.
-  void sweep_all(bool together, ClosedLoop::Result& result,
-                 const Observer<ClosedLoopProgress>& observer);
+  /// Over all coefficients, those of all channels together before where that is due.
+  void sweep_all(ClosedLoop::Result& result, const Observer<ClosedLoopProgress>& observer);
 
   /// After all values of a channel have changed.
   void look_at(int j);

@@ -309,7 +309,7 @@ TEST(SegmentedEncode, HoldsAHardMaximum) {
 TEST(SegmentedEncode, LeavesNothingToSee) {
   const Encoding encoding = walk().encode(options({Target::Kind::Visibility, 1}));
   EXPECT_EQ(encoding.visibility.sight(), Sight::NotVisible);
-  EXPECT_GT(encoding.visibility.worst().times_noticed(), 0.6);
+  EXPECT_GT(encoding.visibility.worst().times_noticed(), 0.65);
 }
 
 TEST(SegmentedEncode, WhatIsMeasuredIsWhatTheFileDecodesTo) {
@@ -365,7 +365,7 @@ TEST(SegmentedEncode, CorrectsTheSameFeetInEverySegment) {
   EXPECT_NEAR(compression_ratio(walk().motion().clip, with.compressed.motion_bytes()) / 200, 1,
               0.02);
   EXPECT_EQ(with.compressed.correction->effectors.size(), 2u);
-  EXPECT_GT(with.compressed.correction_bytes(), 20u);
+  EXPECT_GT(with.compressed.correction_bytes(), 50u);
   const Encoding without = walk().encode(options({Target::Kind::Ratio, 200}));
   EXPECT_LT(with.footskate.total_cm, without.footskate.total_cm);
 }
