@@ -43,10 +43,12 @@ class ClipCount {
   bool done(std::size_t done, std::size_t clips) {
     done_ = done;
     clips_ = clips;
-    if (line_.due()) line_.show(text());
+    if (line_.due())
+      line_.show(clips_ > 0 ? text() : "waiting: another program is changing the bank");
     return stop_signal == 0;
   }
   std::string text() const {
+    if (clips_ == 0) return "no clip";
     return std::to_string(done_) + " of " + std::to_string(clips_) + " clips";
   }
   void end() const { line_.clear(); }
@@ -58,8 +60,13 @@ class ClipCount {
   std::size_t clips_ = 0;
 };
 
-/// Of a bank that was just written, and so found sound.
-void tell_of(const std::string& path) {
+/// Of a bank that was just written, and so found sound; or that it was not.
+void tell_of(const std::string& path, bool is_whole, const ClipCount& count) {
+  count.end();
+  if (!is_whole) {
+    std::fprintf(stderr, "Stopped after %s. Nothing was written.\n", count.text().c_str());
+    throw EndedWith{128 + stop_signal};
+  }
   const MappedFile file(path);
   const mcpk_bank* bank = nullptr;
   require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank));
@@ -108,12 +115,20 @@ struct BankFilling {
     const bool is_whole = (make ? make_bank : add_to_bank)(
         bank, std::move(sources), options,
         [&](const BankProgress& progress) { return count.done(progress.done, progress.clips); });
-    count.end();
-    if (!is_whole) {
-      std::fprintf(stderr, "Stopped after %s. Nothing was written.\n", count.text().c_str());
-      throw EndedWith{128 + stop_signal};
-    }
-    tell_of(bank);
+    tell_of(bank, is_whole, count);
+  }
+};
+
+struct BankRemoval {
+  std::string bank;
+  std::vector<std::string> names;
+
+  void run() const {
+    ClipCount count;
+    const bool is_whole = remove_from_bank(bank, names, [&](const BankProgress& progress) {
+      return count.done(progress.done, progress.clips);
+    });
+    tell_of(bank, is_whole, count);
   }
 };
 
@@ -152,12 +167,13 @@ void list_bank(const std::string& path, bool json) {
   const BankFile bank(path);
   if (!json) {
     for (const auto& [key, value] : bank.texts())
-      std::fprintf(stderr, "%s: %s\n", key.c_str(), value.c_str());
+      std::fprintf(stderr, "%s: %s\n", printable(key).c_str(), printable(value).c_str());
     for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) {
       const BankClip described = bank.describe(clip);
       std::string tags;
-      for (const std::string& tag : described.tags) tags += "  " + tag;
-      std::fprintf(stderr, "%-32s %9llu bytes %7d frames at %s Hz%s\n", described.name.c_str(),
+      for (const std::string& tag : described.tags) tags += "  " + printable(tag);
+      std::fprintf(stderr, "%-32s %9llu bytes %7d frames at %s Hz%s\n",
+                   printable(described.name).c_str(),
                    static_cast<unsigned long long>(described.bytes), described.frames,
                    significant_text(described.sample_rate_hz, 6).c_str(), tags.c_str());
     }
@@ -206,11 +222,7 @@ struct Extraction {
   /// Each once.
   std::vector<std::uint32_t> asked(const BankFile& file) const {
     std::vector<std::uint32_t> clips;
-    for (const std::string& name : names) {
-      const std::int64_t clip = runtime::find_clip(file.bank(), name.data(), name.size());
-      if (clip < 0) throw InputError(bank, 0, 0, "holds no clip '" + name + "'");
-      clips.push_back(static_cast<std::uint32_t>(clip));
-    }
+    for (const std::string& name : names) clips.push_back(file.find(name));
     for (std::uint32_t clip = 0; names.empty() && clip < file.clips(); ++clip)
       clips.push_back(clip);
     std::ranges::sort(clips);
@@ -296,6 +308,12 @@ void add_bank(CLI::App& app) {
   const auto adding = std::make_shared<BankFilling>();
   adding->add_options(*add);
   add->callback([adding] { adding->run(false); });
+
+  CLI::App* remove = command->add_subcommand("remove", "Take clips out of a bank");
+  const auto removal = std::make_shared<BankRemoval>();
+  add_bank_argument(*remove, removal->bank);
+  remove->add_option("name", removal->names, "Clips")->required()->type_name("NAME...");
+  remove->callback([removal] { removal->run(); });
 
   struct Listing {
     std::string bank;

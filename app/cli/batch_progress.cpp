@@ -65,13 +65,13 @@ void BatchReporter::tell(const BatchProgress& progress) {
   if (ended) last_ = described(*progress.row);
   if (ended && !progress.row->done()) {
     line_.clear();
-    std::fprintf(stderr, "failed: %s: %s\n", progress.row->input.c_str(),
-                 progress.row->error.c_str());
+    std::fprintf(stderr, "failed: %s: %s\n", printable(progress.row->input).c_str(),
+                 printable(progress.row->error).c_str());
   }
   if (ended) {
     for (const std::string& warning : progress.row->warnings) {
       line_.clear();
-      std::fprintf(stderr, "warning: %s\n", warning.c_str());
+      std::fprintf(stderr, "warning: %s\n", printable(warning).c_str());
     }
     warned_ += !progress.row->warnings.empty();
   }

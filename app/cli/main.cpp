@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "app/cli/commands.h"
+#include "app/cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/kept_memory.h"
 
@@ -11,7 +12,7 @@ namespace {
 using namespace mocapress::cli;
 
 int fail(ExitCode code, const std::exception& error) {
-  std::fprintf(stderr, "mocapress: %s\n", error.what());
+  std::fprintf(stderr, "mocapress: %s\n", printable(error.what()).c_str());
   return code;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/cli/option_words.h"
+#include "app/cli/terminal.h"
 #include "core/formats/text_cursor.h"
 
 namespace mocapress::cli {
@@ -78,7 +79,7 @@ MotionFile MotionInput::read_file(const std::string& path) const {
 
 void print_warnings(const Warnings& warnings) {
   for (const Warning& warning : warnings)
-    std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
+    std::fprintf(stderr, "warning: %s\n", printable(warning.text()).c_str());
 }
 
 }  // namespace mocapress::cli

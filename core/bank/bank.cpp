@@ -5,12 +5,14 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <variant>
 
 #include "core/bank/bank_learning.h"
 #include "core/bank/cooked_tables.h"
 #include "core/base/error.h"
+#include "core/base/file_lock.h"
 #include "core/base/parallel_in_order.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/bank_check.h"
@@ -102,8 +104,10 @@ struct Step {
   bool is_copy;
 };
 
-/// In the order of their names. A clip of the old bank whose name a source has is left out.
-std::vector<Step> merged(const BankFile* old, const std::vector<BankSource>& sources) {
+/// In the order of their names. Clips of the old bank are left out that are removed, or whose name
+/// a source has.
+std::vector<Step> merged(const BankFile* old, const std::set<std::uint32_t>& removed,
+                         const std::vector<BankSource>& sources) {
   std::vector<Step> steps;
   const auto end = static_cast<std::uint32_t>(sources.size());
   std::uint32_t source = 0;
@@ -115,7 +119,8 @@ std::vector<Step> merged(const BankFile* old, const std::vector<BankSource>& sou
       return runtime::compare_names(entry.name, entry.name_length, name.data(), name.size());
     };
     while (source < end && order() > 0) steps.push_back({source++, false});
-    if (source == end || order() != 0) steps.push_back({clip, true});
+    const bool is_replaced = source < end && order() == 0;
+    if (!is_replaced && !removed.contains(clip)) steps.push_back({clip, true});
   }
   while (source < end) steps.push_back({source++, false});
   return steps;
@@ -145,9 +150,14 @@ void require_place_for_bank(const fs::path& path, const std::vector<BankSource>&
     throw WriteError(path.string() + ": is there and is no bank: not overwritten");
 }
 
+/// Unset: the observer said no.
+std::optional<FileLock> lock_bank(const fs::path& path, const Observer<BankProgress>& observer) {
+  return FileLock::wait_for(path, [&] { return should_continue(observer, BankProgress{}); });
+}
+
 /// False: the observer said no.
-bool write_bank(const fs::path& path, const BankFile* old, std::vector<BankSource> sources,
-                const BankOptions& options, const BankTexts& texts,
+bool write_bank(const fs::path& path, const BankFile* old, const std::set<std::uint32_t>& removed,
+                std::vector<BankSource> sources, const BankOptions& options, const BankTexts& texts,
                 const Observer<BankProgress>& observer) {
   std::ranges::stable_sort(sources, [](const BankSource& a, const BankSource& b) {
     return runtime::compare_names(a.name.data(), a.name.size(), b.name.data(), b.name.size()) < 0;
@@ -169,7 +179,7 @@ bool write_bank(const fs::path& path, const BankFile* old, std::vector<BankSourc
     });
   if (is_stopped) return false;
   Filler filler(writer, options.form, files, std::move(learned));
-  const std::vector<Step> steps = merged(old, sources);
+  const std::vector<Step> steps = merged(old, removed, sources);
   parallel_in_order(
       steps.size(),
       [&](std::size_t step) {
@@ -203,11 +213,15 @@ std::optional<runtime::BankForm> bank_form(std::string_view name) {
 bool make_bank(const fs::path& bank, std::vector<BankSource> sources, const BankOptions& options,
                const Observer<BankProgress>& observer) {
   require_place_for_bank(bank, sources);
-  return write_bank(bank, nullptr, std::move(sources), options, options.texts, observer);
+  const std::optional<FileLock> lock = lock_bank(bank, observer);
+  return lock &&
+         write_bank(bank, nullptr, {}, std::move(sources), options, options.texts, observer);
 }
 
 bool add_to_bank(const fs::path& bank, std::vector<BankSource> sources, const BankOptions& options,
                  const Observer<BankProgress>& observer) {
+  const std::optional<FileLock> lock = lock_bank(bank, observer);
+  if (!lock) return false;
   const BankFile old(bank);
   BankTexts texts = old.texts();
   for (const auto& [key, value] : options.texts) {
@@ -219,7 +233,17 @@ bool add_to_bank(const fs::path& bank, std::vector<BankSource> sources, const Ba
   }
   BankOptions of_old = options;
   of_old.form = old.bank().form;
-  return write_bank(bank, &old, std::move(sources), of_old, texts, observer);
+  return write_bank(bank, &old, {}, std::move(sources), of_old, texts, observer);
+}
+
+bool remove_from_bank(const fs::path& bank, const std::vector<std::string>& names,
+                      const Observer<BankProgress>& observer) {
+  const std::optional<FileLock> lock = lock_bank(bank, observer);
+  if (!lock) return false;
+  const BankFile old(bank);
+  std::set<std::uint32_t> removed;
+  for (const std::string& name : names) removed.insert(old.find(name));
+  return write_bank(bank, &old, removed, {}, {.form = old.bank().form}, old.texts(), observer);
 }
 
 }  // namespace mocapress

@@ -29,11 +29,13 @@ struct BankOptions {
                        // seconds and pays from some hundred clips on
 };
 
-/// Clips done, of so many.
+/// Clips done, of so many; of none while another program changes the bank.
 struct BankProgress {
   std::size_t done = 0;
   std::size_t clips = 0;
 };
+
+// One at a time changes a bank: another waits for it, in this program or any other.
 
 /// Makes a bank, which takes its place whole or not at all. False: the observer said no, and the
 /// place is as it was. Throws InputError, also where two clips have one name, and WriteError, also
@@ -45,5 +47,10 @@ bool make_bank(const std::filesystem::path& bank, std::vector<BankSource> source
 /// place, also if it came from there.
 bool add_to_bank(const std::filesystem::path& bank, std::vector<BankSource> sources,
                  const BankOptions& options, const Observer<BankProgress>& observer = {});
+
+/// The same without some clips, and what only they had. Throws InputError, also for a name that
+/// it does not hold.
+bool remove_from_bank(const std::filesystem::path& bank, const std::vector<std::string>& names,
+                      const Observer<BankProgress>& observer = {});
 
 }  // namespace mocapress

@@ -27,6 +27,12 @@ runtime::BankEntry BankFile::entry(std::uint32_t clip) const {
   return entry;
 }
 
+std::uint32_t BankFile::find(std::string_view name) const {
+  const std::int64_t clip = runtime::find_clip(*bank_, name.data(), name.size());
+  if (clip < 0) throw InputError(path_, 0, 0, "holds no clip '" + std::string(name) + "'");
+  return static_cast<std::uint32_t>(clip);
+}
+
 std::vector<std::string> BankFile::tags(const runtime::BankEntry& entry) const {
   std::vector<std::string> tags;
   runtime::Cursor numbers = bank_->item(runtime::BankItem::TagSet, entry.tag_set).cursor();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/bank/bank_writer.h"
@@ -33,6 +34,8 @@ class BankFile {
   std::uint32_t clips() const { return bank_->clips; }
   bool is_cooked() const { return bank_->is_cooked(); }
   runtime::BankEntry entry(std::uint32_t clip) const;
+  /// The number of a clip. Throws InputError where it holds none of the name.
+  std::uint32_t find(std::string_view name) const;
   BankClip describe(std::uint32_t clip) const;
   std::vector<std::string> tags(const runtime::BankEntry& entry) const;
   BankTexts texts() const;

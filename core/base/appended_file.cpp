@@ -15,14 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether an open file is still the one at a place, and not one that was replaced.
-bool is_at(int file, const fs::path& place) {
-  struct stat opened;
-  struct stat there;
-  return ::fstat(file, &opened) == 0 && ::lstat(place.c_str(), &there) == 0 &&
-         opened.st_dev == there.st_dev && opened.st_ino == there.st_ino;
-}
-
 bool synchronise_folder_of(const fs::path& file) {
   const FileDescriptor folder = open_folder_of(file);
   return folder && synchronise_folder(folder.number());

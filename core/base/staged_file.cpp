@@ -42,6 +42,13 @@ FileDescriptor open_folder_of(const std::filesystem::path& file) {
   return FileDescriptor(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
 }
 
+bool is_at(int file, const std::filesystem::path& place) {
+  struct stat opened;
+  struct stat there;
+  return ::fstat(file, &opened) == 0 && ::lstat(place.c_str(), &there) == 0 &&
+         opened.st_dev == there.st_dev && opened.st_ino == there.st_ino;
+}
+
 bool synchronise_folder(int folder) {
   const FileDescriptor readable(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!readable) return errno == EACCES;  // may be written but not read: nothing can be done

@@ -115,6 +115,9 @@ class StagedFile {
   std::string name_;  // the random one; empty: it has none
 };
 
+/// Whether an open file is still the one at a place, and not one that was replaced.
+bool is_at(int file, const std::filesystem::path& place);
+
 /// Where writing to `path` writes: the end of its links. Throws WriteError.
 std::filesystem::path end_of_links(const std::filesystem::path& path);
 

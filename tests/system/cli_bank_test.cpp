@@ -110,6 +110,36 @@ TEST_F(CliBank, ACookedBankIsMadeOfAPackedOne) {
   EXPECT_THAT(refused.err, HasSubstr("the bank is cooked"));
 }
 
+TEST_F(CliBank, RemovesClips) {
+  compress_two();
+  const std::string bank = file("b.mcpk");
+  ASSERT_EQ(mocapress({"bank", "make", bank, file("clips")}).exit_code, 0);
+  const Outcome none = mocapress({"bank", "remove", bank, "walk", "run"});
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_EQ(none.err, "mocapress: " + bank + ": holds no clip 'run'\n");
+  const Outcome removed = mocapress({"bank", "remove", bank, "walk"});
+  EXPECT_EQ(removed.exit_code, 0);
+  EXPECT_THAT(removed.err, HasSubstr(": 1 clips, "));
+  EXPECT_THAT(mocapress({"bank", "list", bank}).err, testing::StartsWith("slow/walk "));
+  EXPECT_EQ(mocapress({"bank", "verify", bank}).exit_code, 0);
+}
+
+TEST_F(CliBank, ShowsNamesThatATerminalWouldObey) {
+  compress_two();
+  const std::string bank = file("b.mcpk");
+  make_bank(bank,
+            {{"a\x1b[2Jb\xc2\x9b"
+              "c\xc3\xa4",
+              file("clips/walk.mcpr"),
+              {}}},
+            {.tags = {"t\nu"}});
+  const Outcome listed = mocapress({"bank", "list", bank});
+  EXPECT_THAT(listed.err, testing::StartsWith("a\\x1b[2Jb\\x9bc\xc3\xa4 "));
+  EXPECT_THAT(listed.err, testing::EndsWith("  t\\x0au\n"));
+  EXPECT_EQ(mocapress({"bank", "remove", bank, "\x1b[2J"}).err,
+            "mocapress: " + bank + ": holds no clip '\\x1b[2J'\n");
+}
+
 TEST_F(CliBank, SaysWhatIsWrong) {
   compress_two();
   ASSERT_EQ(mocapress({"bank", "make", file("b.mcpk"), file("clips")}).exit_code, 0);

@@ -7,10 +7,12 @@
 #include <cstring>
 #include <filesystem>
 #include <span>
+#include <thread>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/file_lock.h"
 #include "core/base/random.h"
 #include "core/codec/encode/encoder.h"
 #include "core/codec/encode/track_encoder.h"
@@ -107,7 +109,7 @@ TEST_F(BankTest, GivesErrorsBackThatHaveNoCode) {
     std::vector<std::byte> bytes = write_container(clip);
     // A section is its tag, size and checksum, then its payload.
     const auto tag = std::as_bytes(std::span("CLIP", 4));
-    std::byte* const section = &*std::ranges::search(bytes, tag).begin();
+    std::byte* const section = &*std::search(bytes.begin(), bytes.end(), tag.begin(), tag.end());
     std::byte* const payload = section + runtime::kSectionHead;
     std::memcpy(payload + runtime::kErrorsAt, &eps, sizeof eps);
     std::memcpy(payload + runtime::kErrorsAt + 4, &most, sizeof most);
@@ -299,6 +301,60 @@ TEST_P(BothForms, AddingReplacesByName) {
   const auto plain = static_cast<std::uint32_t>(mcpk_find(&made.bank(), "plain"));
   EXPECT_EQ(made.describe(plain).frames, 1);
   EXPECT_TRUE(made.play(plain));
+}
+
+TEST_P(BothForms, RemovingMakesTheBytesOfABankThatNeverHadThem) {
+  make({.form = GetParam()});
+  std::vector<BankSource> sources = find_bank_sources({folder_ / "clips"});
+  const auto is_turned = [](const BankSource& source) {
+    return source.name == "turned" || source.name == "walks/zyx";
+  };
+  std::erase_if(sources, is_turned);
+  ASSERT_TRUE(remove_from_bank(bank(), {"walks/zyx", "turned", "turned"}));
+  make_bank(folder_ / "never.mcpk", sources, {.form = GetParam()});
+  EXPECT_EQ(read_bytes(bank()), read_bytes(folder_ / "never.mcpk"));
+}
+
+TEST_P(BothForms, RemovingAllLeavesAnEmptyBankAndWhatIsNotThereNothing) {
+  make({.form = GetParam(), .texts = {{"by", "us"}}});
+  const std::vector<std::byte> before = read_bytes(bank());
+  EXPECT_THROW(remove_from_bank(bank(), {"plain", "no such"}), InputError);
+  EXPECT_EQ(read_bytes(bank()), before);
+  std::vector<std::string> names;
+  const BankFile full(bank());
+  for (std::uint32_t clip = 0; clip < full.clips(); ++clip)
+    names.emplace_back(full.entry(clip).name);
+  ASSERT_TRUE(remove_from_bank(bank(), names));
+  const BankFile empty(bank());
+  EXPECT_EQ(empty.clips(), 0U);
+  EXPECT_EQ(empty.texts(), (BankTexts{{"by", "us"}}));
+}
+
+// Each reads the bank before it writes it: without waiting, most of what the others add is lost.
+TEST_F(BankTest, ManyWhoAddAtOnceAllAddTheirs) {
+  make_bank(bank(), {}, {});
+  {
+    std::vector<std::jthread> adding;
+    for (int i = 0; i < 12; ++i)
+      adding.emplace_back([this, i] {
+        add_to_bank(bank(), {{std::to_string(i), folder_ / "clips/still.mcpr", {}}}, {});
+      });
+  }
+  EXPECT_EQ(BankFile(bank()).clips(), 12U);
+}
+
+TEST_F(BankTest, WhoWaitsForAnotherCanStop) {
+  make();
+  const std::vector<std::byte> before = read_bytes(bank());
+  const auto held = FileLock::wait_for(bank(), [] { return false; });
+  ASSERT_TRUE(held);
+  int asked = 0;
+  EXPECT_FALSE(remove_from_bank(bank(), {"plain"}, [&](const BankProgress& progress) {
+    EXPECT_EQ(progress.clips, 0U);
+    return ++asked < 3;
+  }));
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(read_bytes(bank()), before);
 }
 
 TEST_P(BothForms, WhatFailsLeavesTheOldBank) {
