@@ -237,6 +237,7 @@ void ClosedLoopRun::settle_by_prices(ClosedLoop::Result& result,
 
 double ClosedLoopRun::begin_settling() {
   constexpr double kStillToCome = 0.12;  // a logarithm; too much, which pays (ADAPTIVE.md)
+  spare_ends();
   pass([&](int j) { compensate(j); });
   bit_price_ = settling_prices().front();
   pass([&](int j) { sweep(j); });
@@ -247,6 +248,7 @@ double ClosedLoopRun::begin_settling() {
 ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
                                          const Observer<ClosedLoopProgress>& observer) {
   constexpr int kMost = 4;
+  spare_ends();
   ClosedLoop::Result result;
   result.sweeps = settling_ < std::ssize(settling_prices()) ? settling_ : 0;
   result.eps_cm = this->eps_cm();
@@ -455,10 +457,11 @@ int ClosedLoopRun::best_move(const Place& place) const {
     const double x = value - now;
     return x * (2 * place.slope + x * place.curve);
   };
+  const double price = lambda_of(place.function);
   // Most coefficients are where they should be, and no saving would pay for another error.
   if (nearest == now && place.band > 0) {
     const double waking = waking_bits(place);
-    const auto pays = [&](double saved) { return error_at(smaller) < lambda() * (saved + waking); };
+    const auto pays = [&](double saved) { return error_at(smaller) < price * (saved + waking); };
     if (!pays(RateTable::kMostSaved)) return 0;
     const Magnitudes& magnitudes = magnitudes_of(place.channel);
     const auto bits_of = [&](int value) {
@@ -472,7 +475,7 @@ int ClosedLoopRun::best_move(const Place& place) const {
   double least = 0;
   for (const int value : {nearest, smaller}) {
     if (value == now) continue;
-    const double cost = error_at(value) + lambda() * (bits.with(value) - bits_now);
+    const double cost = error_at(value) + price * (bits.with(value) - bits_now);
     if (cost >= least) continue;
     least = cost;
     move = value - now;
@@ -490,6 +493,19 @@ ClosedLoopRun::Bits::Bits(const ClosedLoopRun& run, const Place& place) {
   }
   waking_ = run.waking_bits(place);
   around_.emplace(run.rates_, run.magnitudes_of(place.channel), place.band, i);
+}
+
+double ClosedLoopRun::lambda_of(const ShortFunction& function) const {
+  constexpr double kCheaper = 0.5;
+  const Eigen::Index left = errors_.rows() - function.first();
+  const bool is_at_end =
+      std::min<Eigen::Index>(function.first() + function.size(), left) <= frames_at_ends_;
+  return is_at_end ? kCheaper * lambda() : lambda();
+}
+
+void ClosedLoopRun::spare_ends() {
+  constexpr int kAtEnds = 16;
+  if (errors_.rows() >= 8 * kAtEnds) frames_at_ends_ = kAtEnds;
 }
 
 double ClosedLoopRun::waking_bits(const Place& place) const {
@@ -556,7 +572,9 @@ void ClosedLoopRun::move_together(int band, int index, const Slopes& slopes) {
   const std::vector<int>& taking_part = slopes.taking_part[static_cast<std::size_t>(index)];
   const auto count = std::ssize(taking_part);
   if (count < 2) return;
-  const auto in_bits = static_cast<float>(1 / lambda());
+  const ShortFunction function =
+      loop_.functions_[bands_[static_cast<std::size_t>(band)].first + index];
+  const auto in_bits = static_cast<float>(1 / lambda_of(function));
   std::vector<Place> places;
   std::vector<JointSearch::Coefficient> coefficients;
   places.reserve(taking_part.size());
@@ -572,7 +590,7 @@ void ClosedLoopRun::move_together(int band, int index, const Slopes& slopes) {
                             {price_of(-1), price_of(0), price_of(1)}});
   }
   Eigen::MatrixXf cross = Eigen::MatrixXf::Zero(JointSearch::rows_for(count), count);
-  loop_.model_.sum_squares(taking_part, places.front().function, cross);
+  loop_.model_.sum_squares(taking_part, function, cross);
   // To the scale of the curves, which are of every frame.
   Eigen::ArrayXf factors = Eigen::ArrayXf::Zero(cross.rows());
   for (Eigen::Index i = 0; i < count; ++i)

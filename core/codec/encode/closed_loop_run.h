@@ -104,6 +104,13 @@ class ClosedLoopRun {
 
   int channels() const { return loop_.transform_.channels(); }
   double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit
+
+  /// The same of a coefficient: half where it is of spared frames alone.
+  double lambda_of(const ShortFunction& function) const;
+
+  /// Lest a clip begin or end with larger errors than it has elsewhere (ADAPTIVE.md, "Ends and
+  /// loops"): where a mean error is sought, in all but short clips. A bound holds at the ends, too.
+  void spare_ends();
   bool weighted() const { return frame_weights_.size() > 0; }
   const Eigen::MatrixXf& curvature() const {
     return weighted() ? weighted_curvature_ : loop_.curvature_;
@@ -190,6 +197,7 @@ class ClosedLoopRun {
   double bit_price_;                     // squared steps of error
   int settling_ = 0;                     // of the sweeps that settle: how many there were
   double growth_ = 0;                    // of eps_x in the last sweep of a settling: a logarithm
+  int frames_at_ends_ = 0;               // that are spared
   ErrorBound* bound_ = nullptr;          // that must hold, if any
   std::optional<ErrorSweep> under_way_;  // the pass under way
   Eigen::ArrayXf gradient_;  // where it is, frames weighted; zeros beyond the last frame
