@@ -35,7 +35,7 @@ std::vector<std::int8_t> scale_exponents(const Motion& motion, Weighting weighti
   std::vector<std::int8_t> exponents;
   for (const auto& curvature : model.curvature().colwise()) {
     const double mean = curvature.size() > 0 ? curvature.mean() : 0;
-    const double scale = std::max(std::sqrt(mean), kLeast);
+    const double scale = std::sqrt(std::max(mean, kLeast * kLeast));  // rounded, it may be below 0
     exponents.push_back(static_cast<std::int8_t>(
         std::clamp(std::round(kStepsPerOctave * std::log2(scale)), -127.0, 127.0)));
   }

@@ -107,7 +107,8 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
   constexpr int kMost = 12;
   constexpr double kBeside = 0.01;
   const auto count_of = [](double scale) {
-    return static_cast<int>(std::clamp(std::pow(kLength / scale, kPower), 1.0, 1e9));
+    // A clip without frames has no scale: no number.
+    return static_cast<int>(std::fmin(std::fmax(std::pow(kLength / scale, kPower), 1), 1e9));
   };
   // Neighbouring scales differ by chance as much as by their size: a narrow window may stay empty.
   const auto will_do = [&] {

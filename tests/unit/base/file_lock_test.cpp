@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "core/base/file_lock.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/base/file.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileLockTest : public testing::Test {
+ protected:
+  FileLockTest() { write_text(path_, "old"); }
+  ~FileLockTest() override { fs::remove(path_); }
+
+  static bool no() { return false; }
+
+  const fs::path path_ =
+      fs::path(testing::TempDir()) / ("file-lock-" + std::to_string(getpid()) + ".txt");
+};
+
+TEST_F(FileLockTest, OneAtATimeHasIt) {
+  std::optional<FileLock> first = FileLock::wait_for(path_, no);
+  ASSERT_TRUE(first);
+  EXPECT_FALSE(FileLock::wait_for(path_, no));
+  first.reset();
+  EXPECT_TRUE(FileLock::wait_for(path_, no));
+}
+
+TEST_F(FileLockTest, WhoWaitedGetsTheFileThatTookItsPlace) {
+  std::optional<FileLock> first = FileLock::wait_for(path_, no);
+  const std::optional<FileLock> second = FileLock::wait_for(path_, [&] {
+    write_text(path_, "new");
+    first.reset();
+    return true;
+  });
+  ASSERT_TRUE(second);
+  EXPECT_FALSE(FileLock::wait_for(path_, no));  // that is at the place, not the one that was
+}
+
+TEST_F(FileLockTest, WhereThereIsNoFileThereIsNothingToWaitFor) {
+  fs::remove(path_);
+  const std::optional<FileLock> first = FileLock::wait_for(path_, no);
+  EXPECT_TRUE(first);
+  EXPECT_TRUE(FileLock::wait_for(path_, no));
+}
+
+}  // namespace
+}  // namespace mocapress
