@@ -727,6 +727,10 @@
         </translation>
     </message>
     <message>
+        <source>Waiting: another program is changing the bank…</source>
+        <translation>En attente : un autre programme modifie la banque…</translation>
+    </message>
+    <message>
         <source>Learning from the clips for their bank…</source>
         <translation>Apprentissage sur les clips pour leur banque…</translation>
     </message>

@@ -720,6 +720,10 @@
         </translation>
     </message>
     <message>
+        <source>Waiting: another program is changing the bank…</source>
+        <translation>待機中: 別のプログラムがバンクを変更しています…</translation>
+    </message>
+    <message>
         <source>Learning from the clips for their bank…</source>
         <translation>バンクのためにクリップから学習しています…</translation>
     </message>

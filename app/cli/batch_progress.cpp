@@ -86,11 +86,14 @@ void BatchReporter::tell(const BatchProgress& progress) {
 void BatchReporter::tell(const BankProgress& bank) {
   if (json_) {
     const double now = line_.elapsed_seconds();
-    if (bank.done < bank.clips && now < next_step_) return;
+    const bool is_last = bank.clips > 0 && bank.done == bank.clips;
+    if (!is_last && now < next_step_) return;
     next_step_ = now + kStepInterval;
     print_line({{"event", "bank-step"}, {"done", bank.done}, {"clips", bank.clips}});
   } else if (line_.due()) {
-    line_.show("bank: " + std::to_string(bank.done) + " of " + std::to_string(bank.clips));
+    line_.show("bank: " + (bank.clips > 0
+                               ? std::to_string(bank.done) + " of " + std::to_string(bank.clips)
+                               : "waiting, another program is changing it"));
   }
 }
 

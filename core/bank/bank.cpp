@@ -212,10 +212,10 @@ std::optional<runtime::BankForm> bank_form(std::string_view name) {
 
 bool make_bank(const fs::path& bank, std::vector<BankSource> sources, const BankOptions& options,
                const Observer<BankProgress>& observer) {
-  require_place_for_bank(bank, sources);
   const std::optional<FileLock> lock = lock_bank(bank, observer);
-  return lock &&
-         write_bank(bank, nullptr, {}, std::move(sources), options, options.texts, observer);
+  if (!lock) return false;
+  require_place_for_bank(bank, sources);
+  return write_bank(bank, nullptr, {}, std::move(sources), options, options.texts, observer);
 }
 
 bool add_to_bank(const fs::path& bank, std::vector<BankSource> sources, const BankOptions& options,

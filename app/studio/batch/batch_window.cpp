@@ -68,6 +68,7 @@ QString soFar(const BatchCounts& counts) {
 }
 
 QString atBank(const BankProgress& bank, bool learns) {
+  if (bank.clips == 0) return Status::tr("Waiting: another program is changing the bank…");
   if (bank.done == 0 && learns) return Status::tr("Learning from the clips for their bank…");
   return Status::tr("Making the bank: %L1 of %L2").arg(bank.done).arg(bank.clips);
 }

@@ -111,6 +111,7 @@ class ClosedLoopRun {
   /// Lest a clip begin or end with larger errors than it has elsewhere (ADAPTIVE.md, "Ends and
   /// loops"): where a mean error is sought, in all but short clips. A bound holds at the ends, too.
   void spare_ends();
+
   bool weighted() const { return frame_weights_.size() > 0; }
   const Eigen::MatrixXf& curvature() const {
     return weighted() ? weighted_curvature_ : loop_.curvature_;

@@ -145,7 +145,7 @@ MOCAPRESS_INLINE float JointSearch::gain_of_answers(int c, int by) const {
 MOCAPRESS_INLINE void JointSearch::set_limits(int c) {
   const auto& [slope, curve, prices] = coefficients_[static_cast<std::size_t>(c)];
   const int moved = moved_[static_cast<std::size_t>(c)];
-  const auto saved_by = [moved, &prices = prices](int step) {  // clang 14 takes no other way
+  const auto saved_by = [moved, &prices = prices](int step) {  // clang 14 captures no binding
     return prices[static_cast<std::size_t>(moved + 1)] -
            prices[static_cast<std::size_t>(moved + step + 1)];
   };
