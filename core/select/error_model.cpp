@@ -200,6 +200,8 @@ void ErrorModel::sum_squares(const std::vector<int>& channels, const ShortFuncti
             inner_product(motions.col(upper).data(), forces.col(lower).data(), rows);
     }
   }
+  for (const PointTerm& term : terms_)
+    term.add_sums(channels, function.first(), apart, weights, sums);
 }
 
 bool ErrorModel::moves(int channel, int joint) const {

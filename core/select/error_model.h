@@ -55,7 +55,6 @@ class ErrorModel {
   /// Writes G of some channels into the first columns and rows of `sums`, summed over the frames of
   /// a function, each counted by its square; what is zero stays as it is. How channels go together
   /// changes slowly: of long functions some frames tell. Channels are in the order of their joints.
-  /// Without has_terms() only.
   void sum_squares(const std::vector<int>& channels, const ShortFunction& function,
                    Eigen::MatrixXf& sums) const;
 
@@ -70,9 +69,6 @@ class ErrorModel {
   /// gradient += G times an error of `delta` (one value a frame) in `channel` alone.
   /// Touches only the channels that share landmarks with it.
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
-
-  /// Whether errors of some points count otherwise.
-  bool has_terms() const { return !terms_.empty(); }
 
  private:
   friend class ErrorSweep;

@@ -105,6 +105,32 @@ void PointTerm::add_work(int channel, const Eigen::MatrixXd& forces,
         forces.col(n).array() * motions_.col(width_ * place_of(channel) + n).array();
 }
 
+void PointTerm::add_sums(const std::vector<int>& channels, Eigen::Index first, Eigen::Index apart,
+                         const Eigen::ArrayXf& weights, Eigen::MatrixXf& sums) const {
+  std::vector<Eigen::Index> mine;  // of `channels`
+  for (Eigen::Index i = 0; i < std::ssize(channels); ++i)
+    if (place_of(channels[static_cast<std::size_t>(i)]) >= 0) mine.push_back(i);
+  const Eigen::Index samples = weights.size();
+  const auto count = std::ssize(mine);
+  Eigen::MatrixXf motions(width_ * samples, count);
+  Eigen::MatrixXf forces(width_ * samples, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const int channel = channels[static_cast<std::size_t>(mine[static_cast<std::size_t>(i)])];
+    for (Eigen::Index n = 0; n < width_; ++n) {
+      const Eigen::Index column = width_ * place_of(channel) + n;
+      const auto at_samples = [&](const Eigen::MatrixXd& of) {
+        return of.col(column)(Eigen::seqN(first, samples, apart)).cast<float>();
+      };
+      motions.col(i).segment(n * samples, samples) =
+          at_samples(motions_).cwiseProduct(weights.matrix());
+      forces.col(i).segment(n * samples, samples) = at_samples(forces_);
+    }
+  }
+  if (forces.isZero(0)) return;
+  const Eigen::MatrixXf products = motions.transpose() * forces;
+  sums(mine, mine) += products;
+}
+
 void PointTerm::add_to_gradient(int channel, const Eigen::VectorXd& delta,
                                 Eigen::MatrixXd& gradient) const {
   if (place_of(channel) < 0) return;

@@ -43,6 +43,11 @@ class PointTerm {
   void add_work(int channel, const Eigen::MatrixXd& forces,
                 Eigen::Ref<Eigen::VectorXd> gradient) const;
 
+  /// Adds it for each two of some channels, summed over frames from `first` on that are so far
+  /// apart, each times its weight: to the rows and columns that the channels have in `sums`.
+  void add_sums(const std::vector<int>& channels, Eigen::Index first, Eigen::Index apart,
+                const Eigen::ArrayXf& weights, Eigen::MatrixXf& sums) const;
+
   /// Both: adds it times an error of `delta` in `channel` alone.
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
 

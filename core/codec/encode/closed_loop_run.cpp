@@ -34,9 +34,6 @@ constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06, 0.03, 0.03};
 /// From this one on all channels' coefficients are moved together before.
 constexpr int kFirstJoint = static_cast<int>(kSettlingPrices.size()) - 3;
 
-/// Where they cannot be moved together.
-constexpr std::array kSingleSettlingPrices = {0.054, 0.02, 0.06, 0.03, 0.06, 0.02, 0.05, 0.025};
-
 constexpr double kLeastEps = 1e-12;  // cm, of what does not move
 
 // Loops below are over so many numbers as are known beforehand: of such the compiler makes vector
@@ -176,7 +173,7 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, ClosedLoop::Result settled)
     : ClosedLoopRun(loop, std::move(settled.coded), {}) {
   bit_price_ = settled.bit_price;
   growth_ = settled.growth;
-  settling_ = static_cast<int>(std::ssize(settling_prices()));
+  settling_ = static_cast<int>(std::ssize(kSettlingPrices));
 }
 
 void ClosedLoopRun::begin() {
@@ -211,14 +208,9 @@ ClosedLoop::Result ClosedLoopRun::run(ClosedLoopWork work,
   return result;
 }
 
-std::span<const double> ClosedLoopRun::settling_prices() const {
-  if (may_move_together()) return kSettlingPrices;
-  return kSingleSettlingPrices;
-}
-
 void ClosedLoopRun::sweep_all(ClosedLoop::Result& result,
                               const Observer<ClosedLoopProgress>& observer) {
-  if (may_move_together() && settling_ >= kFirstJoint) sweep_together();
+  if (settling_ >= kFirstJoint) sweep_together();
   pass([&](int j) { sweep(j); });
   ++result.sweeps;
   const double before = std::exchange(result.eps_cm, eps_cm());
@@ -228,9 +220,8 @@ void ClosedLoopRun::sweep_all(ClosedLoop::Result& result,
 
 void ClosedLoopRun::settle_by_prices(ClosedLoop::Result& result,
                                      const Observer<ClosedLoopProgress>& observer) {
-  const std::span<const double> prices = settling_prices();
-  for (; settling_ < std::ssize(prices) && result.complete; ++settling_) {
-    bit_price_ = prices[static_cast<std::size_t>(settling_)];
+  for (; settling_ < std::ssize(kSettlingPrices) && result.complete; ++settling_) {
+    bit_price_ = kSettlingPrices[static_cast<std::size_t>(settling_)];
     sweep_all(result, observer);
   }
 }
@@ -239,7 +230,7 @@ double ClosedLoopRun::begin_settling() {
   constexpr double kStillToCome = 0.12;  // a logarithm; too much, which pays (ADAPTIVE.md)
   spare_ends();
   pass([&](int j) { compensate(j); });
-  bit_price_ = settling_prices().front();
+  bit_price_ = kSettlingPrices.front();
   pass([&](int j) { sweep(j); });
   settling_ = 1;
   return eps_cm() * std::exp(-kStillToCome);
@@ -250,11 +241,10 @@ ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
   constexpr int kMost = 4;
   spare_ends();
   ClosedLoop::Result result;
-  result.sweeps = settling_ < std::ssize(settling_prices()) ? settling_ : 0;
+  result.sweeps = settling_ < std::ssize(kSettlingPrices) ? settling_ : 0;
   result.eps_cm = this->eps_cm();
   settle_by_prices(result, observer);
-  PriceControl control(growth_,
-                       may_move_together() ? PriceControl::kTogether : PriceControl::kSingle);
+  PriceControl control(growth_);
   for (int i = 0; i < kMost && result.complete; ++i) {
     const double off = std::log(std::max(result.eps_cm, kLeastEps) / eps_cm);
     if (off <= 0 && off >= -ClosedLoop::kSettled) break;
@@ -552,6 +542,13 @@ void ClosedLoopRun::sweep_together() {
   find_energy();
 }
 
+bool ClosedLoopRun::weigh_alike(const ShortFunction& function) const {
+  constexpr float kMost = 10;
+  if (!weighted()) return true;
+  const auto weights = frame_weights_.segment(function.first(), function.size());
+  return weights.maxCoeff() <= kMost * weights.minCoeff();
+}
+
 void ClosedLoopRun::find_energy() {
   energy_ = 0;
   pass([&](int j) { energy_ += errors_.col(j).dot(gradient_.head(errors_.rows()).matrix()); });
@@ -574,6 +571,7 @@ void ClosedLoopRun::move_together(int band, int index, const Slopes& slopes) {
   if (count < 2) return;
   const ShortFunction function =
       loop_.functions_[bands_[static_cast<std::size_t>(band)].first + index];
+  if (!weigh_alike(function)) return;
   const auto in_bits = static_cast<float>(1 / lambda_of(function));
   std::vector<Place> places;
   std::vector<JointSearch::Coefficient> coefficients;

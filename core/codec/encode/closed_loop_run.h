@@ -85,9 +85,7 @@ class ClosedLoopRun {
   void find_slopes();
 
   /// Moves the coefficients that all channels have at a time and scale together: joint_search.h.
-  /// Where frames and points count alike.
   void sweep_together();
-  bool may_move_together() const { return !weighted() && !loop_.model_.has_terms(); }
 
   /// Of a band: what the gradient comes to in each coefficient (coefficients x channels), and the
   /// channels whose coefficients may move.
@@ -98,6 +96,10 @@ class ClosedLoopRun {
   };
   void read_slopes(int j, int band, Slopes& slopes);
   void move_together(int band, int index, const Slopes& slopes);
+
+  /// Whether its frames do, more or less. Where a few count far more than those around, all that
+  /// reach there would answer to the same error at once, and together overshoot.
+  bool weigh_alike(const ShortFunction& function) const;
 
   /// Of the errors as they are.
   void find_energy();
@@ -165,8 +167,6 @@ class ClosedLoopRun {
   /// zero throughout takes next to nothing.
   double waking_bits(const Place& place) const;
   void set(const Place& place, int value);
-
-  std::span<const double> settling_prices() const;
 
   /// Those of the sweeps that settle which were not done yet.
   void settle_by_prices(ClosedLoop::Result& result, const Observer<ClosedLoopProgress>& observer);

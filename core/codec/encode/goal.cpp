@@ -119,9 +119,11 @@ void Goal::require_met(double excess, double achieved, bool everything_kept) con
 
 void Goal::raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const {
   constexpr double kMostWeight = 1e4;
-  constexpr double kNear = 0.95;  // of the target
+  constexpr double kNear = 0.9;  // of the target
+  constexpr double kPower = 4;   // of what is exceeded; the square alone takes many more rounds
   const auto raise = [&](Eigen::Index frame, double excess) {
-    if (excess > 1) weights(frame) = std::min(weights(frame) * excess * excess, kMostWeight);
+    if (excess > 1)
+      weights(frame) = std::min(weights(frame) * std::pow(excess, kPower), kMostWeight);
   };
   if (target_.kind == Target::Kind::Visibility) {
     const SightTable table = seen(compressed).table;

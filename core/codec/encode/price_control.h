@@ -13,40 +13,33 @@ namespace mocapress {
 /// prices would go up and down for ever without coming to the error.
 class PriceControl {
  public:
-  /// What the growth of eps_x does, in logarithms: about as clips of corpus/train from 0.1 to 0.5
-  /// cm have it where single coefficients move, and a few others where all channels' do.
-  struct Response {
-    double kept;  // of a sweep's growth in the next at the same price
-    double with_price;
-    double least_with_price;
-    double most_with_price;
-  };
-  static constexpr Response kSingle = {0.5, 0.045, 0.03, 0.08};
-  static constexpr Response kTogether = {0.35, 0.15, 0.06, 0.25};
-
-  /// The growth of eps_x in the last sweep, and how sweeps answer.
-  PriceControl(double growth, const Response& response)
-      : response_(response), slope_(response.with_price), growth_(growth) {}
+  /// The growth of eps_x in the last sweep.
+  explicit PriceControl(double growth) : growth_(growth) {}
 
   /// The factor by which to change the price.
   double factor_for(double growth) {
     constexpr double kMost = 0.7;  // a logarithm
-    dearer_ = std::clamp((growth - response_.kept * growth_) / slope_, -kMost, kMost);
+    dearer_ = std::clamp((growth - kKept * growth_) / slope_, -kMost, kMost);
     return std::exp(dearer_);
   }
 
   void observe(double growth) {
     constexpr double kTells = 0.1;
     if (std::abs(dearer_) > kTells)
-      slope_ = std::clamp((growth - response_.kept * growth_) / dearer_, response_.least_with_price,
-                          response_.most_with_price);
+      slope_ = std::clamp((growth - kKept * growth_) / dearer_, kLeastWithPrice, kMostWithPrice);
     growth_ = growth;
   }
 
  private:
-  Response response_;
-  double slope_;
+  // What the growth of eps_x does, in logarithms: about as clips of corpus/train have it from 0.1
+  // to 0.5 cm.
+  static constexpr double kKept = 0.35;  // of a sweep's growth in the next at the same price
+  static constexpr double kWithPrice = 0.15;
+  static constexpr double kLeastWithPrice = 0.06;
+  static constexpr double kMostWithPrice = 0.25;
+
   double growth_;
+  double slope_ = kWithPrice;
   double dearer_ = 0;
 };
 

@@ -132,11 +132,13 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
 /// A trial that settles, then settled anew by how far it is off the target.
 void settle(const ScaleTrials& trials, const Target& target, double first_scale,
             ScaleSearch& search) {
-  constexpr int kMost = 5;       // one or two sweeps each, far less than what seek() would try
+  constexpr int kMost = 8;       // one or two sweeps each, far less than what seek() would try
   constexpr double kFar = 0.05;  // a logarithm
   const bool by_error = target.kind == Target::Kind::Error;
   const double near = by_error ? 0.01 : 0.02;  // enough; bytes differ more by chance
-  const double middle = target.kind == Target::Kind::Size ? -near / 2 : 0;  // of what will do
+  double middle = 0;                           // of what will do
+  if (by_error) middle = near / 4;
+  if (target.kind == Target::Kind::Size) middle = -near / 2;
   const double power = power_of_scale(target) / kPowerOfScale;
   const auto settle_at = [&](double scale, double aim_cm) {
     return by_error ? trials.settle(aim_cm, scale, nullptr)
@@ -147,6 +149,7 @@ void settle(const ScaleTrials& trials, const Target& target, double first_scale,
   if (!by_error) aim_cm = trial.eps_cm;
   search.tried(trial);
   for (int i = 1; i < kMost && search.may_go_on() && !search.is_near(trial, near); ++i) {
+    if (trial.eps_cm <= 0) break;  // nothing moves
     const double coarser = power * (trial.excess - middle);
     const double before_cm = std::exchange(aim_cm, trial.eps_cm * std::exp(coarser));
     // Far off, as where some parts weigh more, another scale is the right one, not another price.
@@ -183,7 +186,7 @@ void settle_beside(const ScaleTrials& trials, const Target& target, ScaleSearch&
 /// something smaller is found.
 void hold_worst_frames(const Goal& goal, int frames, ClosedLoopWork work,
                        const AttemptScale& attempt, Trial& best) {
-  constexpr int kRounds = 5;
+  constexpr int kRounds = 10;
   constexpr double kLeastStep = 1.04;
   for (double step = 1.3; step > kLeastStep;) {
     const double scale = step * best.scale;
@@ -210,17 +213,16 @@ void hold_worst_frames(const Goal& goal, int frames, ClosedLoopWork work,
 /// what the correction made of it the last time.
 void approach_bound(const Goal& goal, const Target& target, int frames, const CoarsenTrial& coarsen,
                     Trial& best) {
-  constexpr int kMost = 8;
+  constexpr int kMost = 12;
   constexpr double kNear = 0.01;
   constexpr double kRounding = 1e-4;    // between what is coarsened and what is decoded
   constexpr double kMostWider = 1.1;    // a time
   constexpr double kTighter = 0.6;      // all frames' bounds, of what was exceeded
   constexpr double kWidest = 2;         // times the target
   constexpr Eigen::Index kBeside = 16;  // frames that what is changed at one of them reaches
-  const Trial fine = best;
   Eigen::VectorXd bound_cm = Eigen::VectorXd::Constant(frames, (1 - kRounding) * target.value);
   for (int i = 0; i < kMost; ++i) {
-    Trial coarser = coarsen(fine, bound_cm);
+    Trial coarser = coarsen(best, bound_cm);
     best.complete = coarser.complete;
     if (!coarser.complete) return;
     const bool met = goal.met(coarser.excess);

@@ -100,5 +100,30 @@ TEST_F(PointTermOf, WithoutAnglesIsAWeightOfThePoint) {
                   .isApprox(form_of(model_, 9) + 2 * velocity.transpose() * velocity, 1e-5));
 }
 
+TEST_F(PointTermOf, SumIsThatOfTheFormsOfSomeChannels) {
+  const int last = motion_.skeleton.joint_count() - 1;
+  const int above = motion_.skeleton.joint(last).parent;
+  ErrorModel model = model_;
+  model.add(response({last}, {model.channels() - 1}));
+  model.add(response({above}, {}));
+  const std::vector<int> channels = {0, 3, 4, model.channels() - 1};
+  const auto forms_sum = [&](const ShortFunction& function, int apart) {
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(4, 4);
+    for (int i = 0; i < function.size(); i += apart)
+      sum += static_cast<double>(function.values()(i) * function.values()(i)) *
+             form_of(model, function.first() + i)(channels, channels);
+    return sum;
+  };
+  // Of the latter every second frame counts.
+  for (const auto& [size, apart] : {std::pair{11, 1}, std::pair{37, 2}}) {
+    const Eigen::ArrayXf values = Eigen::ArrayXf::LinSpaced(size, 0.5F, 2);
+    const ShortFunction function(20, size, values.data());
+    Eigen::MatrixXf sums = Eigen::MatrixXf::Zero(5, 4);
+    model.sum_squares(channels, function, sums);
+    EXPECT_TRUE(sums.topRows(4).isApprox(forms_sum(function, apart).cast<float>(), 1e-4F));
+    EXPECT_TRUE(sums.bottomRows(1).isZero(0));
+  }
+}
+
 }  // namespace
 }  // namespace mocapress::point_term_test
