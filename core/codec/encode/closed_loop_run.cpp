@@ -34,6 +34,8 @@ constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06, 0.03, 0.03};
 /// From this one on all channels' coefficients are moved together before.
 constexpr int kFirstJoint = static_cast<int>(kSettlingPrices.size()) - 3;
 
+constexpr Eigen::Index kFramesSeen = 4;  // at an end, of which price_ends() judges
+
 constexpr double kLeastEps = 1e-12;  // cm, of what does not move
 
 // Loops below are over so many numbers as are known beforehand: of such the compiler makes vector
@@ -486,16 +488,26 @@ ClosedLoopRun::Bits::Bits(const ClosedLoopRun& run, const Place& place) {
 }
 
 double ClosedLoopRun::lambda_of(const ShortFunction& function) const {
-  constexpr double kCheaper = 0.5;
-  const Eigen::Index left = errors_.rows() - function.first();
-  const bool is_at_end =
-      std::min<Eigen::Index>(function.first() + function.size(), left) <= frames_at_ends_;
-  return is_at_end ? kCheaper * lambda() : lambda();
+  if (function.end() <= frames_at_ends_) return end_prices_.front() * lambda();
+  if (errors_.rows() - function.first() <= frames_at_ends_) return end_prices_.back() * lambda();
+  return lambda();
 }
 
 void ClosedLoopRun::spare_ends() {
-  constexpr int kAtEnds = 16;
-  if (errors_.rows() >= 8 * kAtEnds) frames_at_ends_ = kAtEnds;
+  constexpr int kAtEnds = 32;
+  constexpr int kShort = 128;
+  if (errors_.rows() < kShort) return;
+  frames_at_ends_ = kAtEnds;
+  end_prices_.fill(0.5);
+}
+
+void ClosedLoopRun::price_ends(const std::array<double, 2>& energies) {
+  constexpr double kLeast = 0.1;
+  const double usual = kFramesSeen * energy_ / static_cast<double>(errors_.rows());
+  for (std::size_t end = 0; end < energies.size(); ++end)
+    if (energies[end] > 0)
+      end_prices_[end] =
+          std::clamp(end_prices_[end] * std::sqrt(usual / energies[end]), kLeast, 1.0);
 }
 
 double ClosedLoopRun::waking_bits(const Place& place) const {
@@ -551,7 +563,16 @@ bool ClosedLoopRun::weigh_alike(const ShortFunction& function) const {
 
 void ClosedLoopRun::find_energy() {
   energy_ = 0;
-  pass([&](int j) { energy_ += errors_.col(j).dot(gradient_.head(errors_.rows()).matrix()); });
+  std::array<double, 2> of_ends{};
+  pass([&](int j) {
+    const auto errors = errors_.col(j);
+    const auto gradient = gradient_.head(errors_.rows()).matrix();
+    energy_ += errors.dot(gradient);
+    if (frames_at_ends_ == 0) return;
+    of_ends.front() += errors.head(kFramesSeen).dot(gradient.head(kFramesSeen));
+    of_ends.back() += errors.tail(kFramesSeen).dot(gradient.tail(kFramesSeen));
+  });
+  if (frames_at_ends_ > 0) price_ends(of_ends);
 }
 
 void ClosedLoopRun::read_slopes(int j, int b, Slopes& slopes) {

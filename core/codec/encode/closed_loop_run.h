@@ -101,18 +101,22 @@ class ClosedLoopRun {
   /// reach there would answer to the same error at once, and together overshoot.
   bool weigh_alike(const ShortFunction& function) const;
 
-  /// Of the errors as they are.
+  /// Of the errors as they are. Prices the ends by it.
   void find_energy();
 
   int channels() const { return loop_.transform_.channels(); }
   double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit
 
-  /// The same of a coefficient: half where it is of spared frames alone.
+  /// The same of a coefficient: less where it is of spared frames alone.
   double lambda_of(const ShortFunction& function) const;
 
   /// Lest a clip begin or end with larger errors than it has elsewhere (ADAPTIVE.md, "Ends and
   /// loops"): where a mean error is sought, in all but short clips. A bound holds at the ends, too.
   void spare_ends();
+
+  /// Bits there become cheaper while the first or last few frames' errors are larger than others,
+  /// dearer while they are smaller: by what such frames come to, cm^2.
+  void price_ends(const std::array<double, 2>& energies);
 
   bool weighted() const { return frame_weights_.size() > 0; }
   const Eigen::MatrixXf& curvature() const {
@@ -193,14 +197,15 @@ class ClosedLoopRun {
   QuantisedSignals coded_;
   std::vector<Magnitudes> magnitudes_;  // of each channel's values
   std::vector<Significant> significant_;
-  Eigen::MatrixXf errors_;               // frames x channels: decoded minus original
-  double energy_ = 0;                    // the sum of squared errors that makes, frames weighted
-  double bit_price_;                     // squared steps of error
-  int settling_ = 0;                     // of the sweeps that settle: how many there were
-  double growth_ = 0;                    // of eps_x in the last sweep of a settling: a logarithm
-  int frames_at_ends_ = 0;               // that are spared
-  ErrorBound* bound_ = nullptr;          // that must hold, if any
-  std::optional<ErrorSweep> under_way_;  // the pass under way
+  Eigen::MatrixXf errors_;  // frames x channels: decoded minus original
+  double energy_ = 0;       // the sum of squared errors that makes, frames weighted
+  double bit_price_;        // squared steps of error
+  int settling_ = 0;        // of the sweeps that settle: how many there were
+  double growth_ = 0;       // of eps_x in the last sweep of a settling: a logarithm
+  int frames_at_ends_ = 0;  // that are spared
+  std::array<double, 2> end_prices_ = {1, 1};  // of bits there, of those elsewhere
+  ErrorBound* bound_ = nullptr;                // that must hold, if any
+  std::optional<ErrorSweep> under_way_;        // the pass under way
   Eigen::ArrayXf gradient_;  // where it is, frames weighted; zeros beyond the last frame
   // Memory of sweeps: what they add to a channel, and what its coefficients would gain.
   Eigen::ArrayXf delta_;  // zeros beyond the last frame
