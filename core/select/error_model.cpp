@@ -15,7 +15,8 @@
 namespace mocapress {
 namespace {
 
-constexpr Eigen::Index kVector = 8;                      // numbers
+constexpr int kVector = 8;                               // numbers
+constexpr Eigen::Index kSampleEvery = 2;                 // frames
 constexpr Eigen::Index kBlock = CompositeBody::kFrames;  // frames at a time
 
 /// Some numbers for each frame of a block.
@@ -115,6 +116,8 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
   motions_.resize(rows, 6 * channels);
   forces_.resize(rows, 6 * channels);
   curvature_.resize(rows, channels);
+  samples_ =
+      Eigen::MatrixXf::Zero(2 * kVector * channels, (rows + kSampleEvery - 1) / kSampleEvery);
   const Eigen::Index blocks = (rows + kBlock - 1) / kBlock;
   parallel_for(Eigen::Index{0}, blocks, [&](Eigen::Index block) {
     const Eigen::Index first = block * kBlock;
@@ -142,6 +145,7 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
       else
         shift_body(body, axis, frames, response);
     }
+    read_samples(first, frames);
   });
 }
 
@@ -160,35 +164,41 @@ Eigen::ArrayXf ErrorModel::entry(int a, int b) const {
   return work;
 }
 
+void ErrorModel::read_samples(Eigen::Index first, Eigen::Index frames) {
+  const Eigen::Index first_sample = (first + kSampleEvery - 1) / kSampleEvery;
+  const Eigen::Index end_sample = (first + frames + kSampleEvery - 1) / kSampleEvery;
+  for (Eigen::Index k = first_sample; k < end_sample; ++k)
+    for (int c = 0; c < channels(); ++c) {
+      auto numbers = samples_.col(k).segment<2 * kVector>(2 * kVector * c);
+      numbers.head<6>() = motions_.row(k * kSampleEvery).segment<6>(Eigen::Index{6} * c);
+      numbers.segment<6>(kVector) = forces_.row(k * kSampleEvery).segment<6>(Eigen::Index{6} * c);
+    }
+}
+
 void ErrorModel::sum_squares(const std::vector<int>& channels, const ShortFunction& function,
                              Eigen::MatrixXf& sums) const {
-  constexpr int kSamples = 16;
-  const Eigen::Index apart = std::max(1, function.size() / kSamples);
-  const Eigen::ArrayXf weights =
-      function.values()(Eigen::seq(0, function.size() - 1, apart)).square();
-  const auto count = static_cast<Eigen::Index>(channels.size());
-  const Eigen::Index samples = weights.size();
-  // Six numbers of each sample, and zeros up to whole vectors.
-  const Eigen::Index rows = (6 * samples + kVector - 1) / kVector * kVector;
-  Eigen::MatrixXf motions(rows, count);
-  Eigen::MatrixXf forces(rows, count);
-  motions.bottomRows(std::min(rows, kVector)).setZero();
-  forces.bottomRows(std::min(rows, kVector)).setZero();
-  const auto read = [&](const float* column, auto&& out) {
-    if (apart == 1)
-      out = Eigen::Map<const Eigen::ArrayXf>(column + function.first(), samples);
-    else
-      out = Eigen::Map<const Eigen::ArrayXf, 0, Eigen::InnerStride<>>(
-          column + function.first(), samples, Eigen::InnerStride<>(apart));
+  constexpr Eigen::Index kSamples = 16;
+  using Numbers = Eigen::Array<float, kVector, 1>;
+  const auto to_next = [](Eigen::Index frame) {
+    return (frame + kSampleEvery - 1) / kSampleEvery * kSampleEvery;
   };
+  const Eigen::Index first = to_next(function.first());
+  const Eigen::Index apart = std::max(to_next(function.size() / kSamples), kSampleEvery);
+  const Eigen::Index samples =
+      std::max<Eigen::Index>(function.end() - first + apart - 1, 0) / apart;
+  const Eigen::ArrayXf weights =
+      function.values()(Eigen::seqN(first - function.first(), samples, apart)).square();
+  const auto count = std::ssize(channels);
+  Eigen::MatrixXf motions(kVector * samples, count);
+  Eigen::MatrixXf forces(kVector * samples, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const SixColumns motion = six_of(motions_, channels[static_cast<std::size_t>(i)]);
-    const SixColumns force = six_of(forces_, channels[static_cast<std::size_t>(i)]);
-    for (Eigen::Index k = 0; k < 6; ++k) {
-      auto weighted_motion = motions.col(i).segment(k * samples, samples).array();
-      read(motion[k], weighted_motion);
-      weighted_motion *= weights;
-      read(force[k], forces.col(i).segment(k * samples, samples).array());
+    const Eigen::Index row = 2 * kVector * channels[static_cast<std::size_t>(i)];
+    for (Eigen::Index k = 0; k < samples; ++k) {
+      const float* const numbers = samples_.col((first + k * apart) / kSampleEvery).data() + row;
+      Eigen::Map<Numbers>(motions.col(i).data() + kVector * k) =
+          weights(k) * Eigen::Map<const Numbers>(numbers);
+      Eigen::Map<Numbers>(forces.col(i).data() + kVector * k) =
+          Eigen::Map<const Numbers>(numbers + kVector);
     }
   }
   for (Eigen::Index lower = 0; lower < count; ++lower) {
@@ -197,11 +207,10 @@ void ErrorModel::sum_squares(const std::vector<int>& channels, const ShortFuncti
       const int above = channels[static_cast<std::size_t>(upper)];
       if (is_moved_by_[below * places_.size() + static_cast<std::size_t>(above)])
         sums(upper, lower) = sums(lower, upper) =
-            inner_product(motions.col(upper).data(), forces.col(lower).data(), rows);
+            inner_product(motions.col(upper).data(), forces.col(lower).data(), kVector * samples);
     }
   }
-  for (const PointTerm& term : terms_)
-    term.add_sums(channels, function.first(), apart, weights, sums);
+  for (const PointTerm& term : terms_) term.add_sums(channels, first, apart, weights, sums);
 }
 
 bool ErrorModel::moves(int channel, int joint) const {

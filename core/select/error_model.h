@@ -54,7 +54,8 @@ class ErrorModel {
 
   /// Writes G of some channels into the first columns and rows of `sums`, summed over the frames of
   /// a function, each counted by its square; what is zero stays as it is. How channels go together
-  /// changes slowly: of long functions some frames tell. Channels are in the order of their joints.
+  /// changes slowly: some frames tell, multiples of two at most. Channels are in the order of their
+  /// joints.
   void sum_squares(const std::vector<int>& channels, const ShortFunction& function,
                    Eigen::MatrixXf& sums) const;
 
@@ -84,6 +85,7 @@ class ErrorModel {
   ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, const Posed& posed);
   void compute_motions(const Skeleton& skeleton, const MeasuredPoints& measured,
                        const Posed& posed);
+  void read_samples(Eigen::Index first, Eigen::Index frames);
   /// Calls visit(other channel, what works on it, what moves it) for all related to a channel.
   template <typename Visit>
   void visit_related(int channel, const Visit& visit) const;
@@ -96,6 +98,8 @@ class ErrorModel {
   std::vector<std::uint8_t> is_moved_by_;  // channels x channels, row by row: below_ as a table
   Eigen::MatrixXf motions_;                // frames x 6 * channels
   Eigen::MatrixXf forces_;                 // frames x 6 * channels
+  // The same side by side for sum_squares(): 2 * 8 * channels x every second frame; six and zeros.
+  Eigen::MatrixXf samples_;
   Eigen::MatrixXd curvature_;
   std::vector<PointTerm> terms_;
 };

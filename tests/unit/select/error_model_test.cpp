@@ -52,15 +52,17 @@ TEST_P(ErrorModelOf, GradientIsTheBruteForceFormTimesTheError) {
 
 TEST_P(ErrorModelOf, SumIsThatOfTheBruteForceFormOfSomeChannels) {
   const std::vector<int> channels = {0, 3, 4, model_.channels() - 1};
-  // Of the latter every second frame counts.
-  for (const int size : {11, 37}) {
-    const int apart = size / 16 > 1 ? size / 16 : 1;
+  struct Case {
+    int first, size, first_counted, apart;
+  };
+  for (const auto& [first, size, first_counted, apart] :
+       {Case{20, 11, 20, 2}, Case{21, 37, 22, 2}, Case{20, 70, 20, 4}}) {
     const Eigen::ArrayXf values = Eigen::ArrayXf::LinSpaced(size, 0.5F, 2);
     Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(4, 4);
-    for (int i = 0; i < size; i += apart)
-      expected += static_cast<double>(values(i) * values(i)) *
-                  brute_force_form(motion_, 20 + i, measured_)(channels, channels);
-    const ShortFunction function(20, size, values.data());
+    for (int t = first_counted; t < first + size; t += apart)
+      expected += static_cast<double>(values(t - first) * values(t - first)) *
+                  brute_force_form(motion_, t, measured_)(channels, channels);
+    const ShortFunction function(first, size, values.data());
     Eigen::MatrixXf sums = Eigen::MatrixXf::Zero(5, 4);
     model_.sum_squares(channels, function, sums);
     EXPECT_TRUE(sums.topRows(4).isApprox(expected.cast<float>(), 1e-5F));
