@@ -68,9 +68,8 @@ void ErrorSweep::restart() {
   }
   of_terms_.clear();
   for (const PointTerm& term : model_.terms_) {
-    Eigen::MatrixXd& forces = of_terms_.emplace_back(term.no_forces());
-    for (int c = 0; c < model_.channels(); ++c)
-      term.add_forces(c, errors_.col(c).cast<double>(), forces);
+    Eigen::MatrixXf& forces = of_terms_.emplace_back(term.no_forces());
+    for (int c = 0; c < model_.channels(); ++c) term.add_forces(c, errors_.col(c).array(), forces);
   }
 }
 
@@ -97,11 +96,8 @@ const Eigen::ArrayXf& ErrorSweep::next() {
   enter_joint(joint);
   find_work(six_of(model_.forces_, channel_), six_of(motions_, joint), six_of(forces_, joint),
             six_of(model_.motions_, channel_), gradient_.size(), gradient_.data());
-  if (of_terms_.empty()) return gradient_;
-  Eigen::VectorXd with_terms = gradient_.matrix().cast<double>();
   for (std::size_t i = 0; i < of_terms_.size(); ++i)
-    model_.terms_[i].add_work(channel_, of_terms_[i], with_terms);
-  gradient_ = with_terms.cast<float>().array();
+    model_.terms_[i].add_work(channel_, of_terms_[i], gradient_);
   return gradient_;
 }
 
@@ -109,7 +105,7 @@ void ErrorSweep::add(const Eigen::Ref<const Eigen::ArrayXf>& delta) {
   add_units(
       model_.motions_, channel_, channel_ + 1, [&](int) { return delta.data(); }, motions_, joint_);
   for (std::size_t i = 0; i < of_terms_.size(); ++i)
-    model_.terms_[i].add_forces(channel_, delta.matrix().cast<double>(), of_terms_[i]);
+    model_.terms_[i].add_forces(channel_, delta, of_terms_[i]);
 }
 
 }  // namespace mocapress

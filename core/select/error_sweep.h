@@ -44,7 +44,7 @@ class ErrorSweep {
   Eigen::MatrixXf forces_;      // that errors below each joint call up: frames x 6 * joints
   std::vector<bool> is_begun_;  // joints whose forces have begun to be summed
   Eigen::ArrayXf gradient_;
-  std::vector<Eigen::MatrixXd> of_terms_;  // what the model's terms make of the errors
+  std::vector<Eigen::MatrixXf> of_terms_;  // what the model's terms make of the errors
 };
 
 }  // namespace mocapress

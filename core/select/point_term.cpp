@@ -34,14 +34,10 @@ PointTerm::PointTerm(const ErrorModel& model, const PointResponse& response)
       if (model.moves(c, joint)) movers.push_back(c);
   channels_ = related(model, movers);
   const auto count = std::ssize(channels_);
-  width_ = 2 * rows;
-  motions_ = Eigen::MatrixXd::Zero(frames, width_ * count);
-  forces_.resize(frames, width_ * count);
-
-  const auto jacobian = [&](Eigen::Index i) { return motions_.middleCols(width_ * i, rows); };
-  const auto coupling = [&](Eigen::Index i) {
-    return motions_.middleCols(width_ * i + rows, rows);
-  };
+  Eigen::MatrixXd jacobians = Eigen::MatrixXd::Zero(frames, rows * count);
+  Eigen::MatrixXd couplings = jacobians;  // B
+  const auto jacobian = [&](Eigen::Index i) { return jacobians.middleCols(rows * i, rows); };
+  const auto coupling = [&](Eigen::Index i) { return couplings.middleCols(rows * i, rows); };
   const auto turns = [&](Eigen::Index a) { return response.turns.middleCols(rows * a, rows); };
   for (Eigen::Index i = 0; i < count; ++i) {
     const int channel = channels_[static_cast<std::size_t>(i)];
@@ -71,13 +67,19 @@ PointTerm::PointTerm(const ErrorModel& model, const PointResponse& response)
         cost += coupling(place).col(r).cwiseProduct(turns(a).col(s));
       }
     }
+  width_ = response.angles.empty() ? rows : 2 * rows;
+  motions_.resize(frames, width_ * count);
+  forces_.resize(frames, width_ * count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    auto force = forces_.middleCols(width_ * i, width_);
-    force.leftCols(rows) = -coupling(i);
-    force.rightCols(rows) = -jacobian(i);
+    Eigen::MatrixXd force = -coupling(i);
     for (Eigen::Index r = 0; r < rows; ++r)
       for (Eigen::Index s = 0; s < rows; ++s)
         force.col(r) += costs.col(rows * r + s).cwiseProduct(jacobian(i).col(s));
+    motions_.middleCols(width_ * i, rows) = jacobian(i).cast<float>();
+    forces_.middleCols(width_ * i, rows) = force.cast<float>();
+    if (width_ == rows) continue;
+    motions_.middleCols(width_ * i + rows, rows) = coupling(i).cast<float>();
+    forces_.middleCols(width_ * i + rows, rows) = -jacobian(i).cast<float>();
   }
 }
 
@@ -87,22 +89,22 @@ void PointTerm::add_curvature(Eigen::MatrixXd& curvature) const {
         motions_.middleCols(width_ * i, width_)
             .cwiseProduct(forces_.middleCols(width_ * i, width_))
             .rowwise()
-            .sum();
+            .sum()
+            .cast<double>();
 }
 
-void PointTerm::add_forces(int channel, const Eigen::VectorXd& delta,
-                           Eigen::MatrixXd& forces) const {
+void PointTerm::add_forces(int channel, const Eigen::Ref<const Eigen::ArrayXf>& delta,
+                           Eigen::MatrixXf& forces) const {
   if (place_of(channel) < 0) return;
   for (Eigen::Index n = 0; n < width_; ++n)
-    forces.col(n).array() += delta.array() * forces_.col(width_ * place_of(channel) + n).array();
+    forces.col(n).array() += delta * forces_.col(width_ * place_of(channel) + n).array();
 }
 
-void PointTerm::add_work(int channel, const Eigen::MatrixXd& forces,
-                         Eigen::Ref<Eigen::VectorXd> gradient) const {
+void PointTerm::add_work(int channel, const Eigen::MatrixXf& forces,
+                         Eigen::Ref<Eigen::ArrayXf> gradient) const {
   if (place_of(channel) < 0) return;
   for (Eigen::Index n = 0; n < width_; ++n)
-    gradient.array() +=
-        forces.col(n).array() * motions_.col(width_ * place_of(channel) + n).array();
+    gradient += forces.col(n).array() * motions_.col(width_ * place_of(channel) + n).array();
 }
 
 void PointTerm::add_sums(const std::vector<int>& channels, Eigen::Index first, Eigen::Index apart,
@@ -118,8 +120,8 @@ void PointTerm::add_sums(const std::vector<int>& channels, Eigen::Index first, E
     const int channel = channels[static_cast<std::size_t>(mine[static_cast<std::size_t>(i)])];
     for (Eigen::Index n = 0; n < width_; ++n) {
       const Eigen::Index column = width_ * place_of(channel) + n;
-      const auto at_samples = [&](const Eigen::MatrixXd& of) {
-        return of.col(column)(Eigen::seqN(first, samples, apart)).cast<float>();
+      const auto at_samples = [&](const Eigen::MatrixXf& of) {
+        return of.col(column)(Eigen::seqN(first, samples, apart));
       };
       motions.col(i).segment(n * samples, samples) =
           at_samples(motions_).cwiseProduct(weights.matrix());
@@ -134,9 +136,13 @@ void PointTerm::add_sums(const std::vector<int>& channels, Eigen::Index first, E
 void PointTerm::add_to_gradient(int channel, const Eigen::VectorXd& delta,
                                 Eigen::MatrixXd& gradient) const {
   if (place_of(channel) < 0) return;
-  Eigen::MatrixXd forces = no_forces();
-  add_forces(channel, delta, forces);
-  for (const int other : channels_) add_work(other, forces, gradient.col(other));
+  Eigen::MatrixXf forces = no_forces();
+  add_forces(channel, delta.cast<float>().array(), forces);
+  for (const int other : channels_) {
+    Eigen::ArrayXf work = Eigen::ArrayXf::Zero(delta.size());
+    add_work(other, forces, work);
+    gradient.col(other) += work.matrix().cast<double>();
+  }
 }
 
 }  // namespace mocapress

@@ -27,8 +27,8 @@ struct PointResponse {
 ///   G' = (1 - K J)^T G (1 - K J) + J^T W J = G - J^T B - B^T J + J^T C J,
 ///   B = K^T G,   C = B K + W.
 ///
-/// Of rank 6 a point, and zero but for the channels that move the points and what is moved with
-/// them.
+/// Of rank 6 a point, 3 where nothing turns, and zero but for the channels that move the points and
+/// what is moved with them.
 class PointTerm {
  public:
   PointTerm(const ErrorModel& model, const PointResponse& response);
@@ -38,10 +38,11 @@ class PointTerm {
 
   /// What it makes of errors, of which it then makes its part of the gradient: first of an error of
   /// `delta` (one value a frame) in `channel`, then there.
-  Eigen::MatrixXd no_forces() const { return Eigen::MatrixXd::Zero(forces_.rows(), width_); }
-  void add_forces(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& forces) const;
-  void add_work(int channel, const Eigen::MatrixXd& forces,
-                Eigen::Ref<Eigen::VectorXd> gradient) const;
+  Eigen::MatrixXf no_forces() const { return Eigen::MatrixXf::Zero(forces_.rows(), width_); }
+  void add_forces(int channel, const Eigen::Ref<const Eigen::ArrayXf>& delta,
+                  Eigen::MatrixXf& forces) const;
+  void add_work(int channel, const Eigen::MatrixXf& forces,
+                Eigen::Ref<Eigen::ArrayXf> gradient) const;
 
   /// Adds it for each two of some channels, summed over frames from `first` on that are so far
   /// apart, each times its weight: to the rows and columns that the channels have in `sums`.
@@ -57,8 +58,9 @@ class PointTerm {
   std::vector<int> channels_;  // for which it is not zero
   std::vector<int> place_;     // of each channel among them, or -1
   Eigen::Index width_ = 0;     // numbers a channel and frame
-  Eigen::MatrixXd motions_;    // J and B: frames x width * channels_
-  Eigen::MatrixXd forces_;     // C J - B and -J
+  // J and B: frames x width * channels_; J alone where nothing turns. Then C J - B and -J.
+  Eigen::MatrixXf motions_;
+  Eigen::MatrixXf forces_;
 };
 
 }  // namespace mocapress
