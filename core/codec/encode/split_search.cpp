@@ -9,15 +9,15 @@ namespace mocapress {
 namespace {
 
 constexpr double kShareLeft = 0.1;
-constexpr double kUnseen = 0.1;  // cm of slide in all: a correction may bring as much
+constexpr double kUnseen = 0.1;  // cm of slide: a correction may bring as much
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 SplitSearch::SplitSearch(double slide_without_cm, int finer_steps)
-    : enough_cm_(std::max(kShareLeft * slide_without_cm, kUnseen)),
+    : enough_cm_(kShareLeft * slide_without_cm),
       finer_steps_(finer_steps),
-      best_{kFirst, kNone, kNone} {}
+      best_{kFirst, kNone, kNone, kNone} {}
 
 std::optional<double> SplitSearch::next() const {
   if (tried_.empty()) return kFirst;
@@ -47,7 +47,7 @@ bool SplitSearch::tried(const Split& split) {
 }
 
 bool SplitSearch::holds(const Split& split) const {
-  return split.price < kNone && split.slide_cm <= enough_cm_;
+  return split.price < kNone && (split.slide_cm <= enough_cm_ || split.worst_cm <= kUnseen);
 }
 
 bool SplitSearch::is_better(const Split& split) const {

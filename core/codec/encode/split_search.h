@@ -11,10 +11,11 @@ struct Split {
   double ratio;     // r_IK
   double price;     // of what the target leaves open: bytes, or eps_x in cm
   double slide_cm;  // footskate
+  double worst_cm;  // of a contact
 };
 
-/// Finds the cheapest r_IK that removes nine tenths of the slide. If none does, it finds the one
-/// with the least slide. Price and slide come from whole encodes, so the search takes few of them.
+/// Finds the cheapest r_IK that removes nine tenths of the slide, or leaves no contact more than a
+/// millimetre of it. If none does, it finds the one with the least slide. Price and slide come from whole encodes, so the search takes few of them.
 /// It starts at the paper's 16 and goes by factors of two: up until the feet are no longer held,
 /// down until the price rises. Then it takes finer steps between the best and the first that does
 /// not hold.

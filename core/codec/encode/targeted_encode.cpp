@@ -186,7 +186,7 @@ class TargetedEncode {
       pass_ = without.pass_;
       best.complete = uncorrected.complete;
       if (best.complete) {
-        slide_without_cm_ = slide_of(decode(uncorrected.compressed));
+        slide_without_cm_ = footskate_of(decode(uncorrected.compressed)).total_cm;
         SplitSearch search(*slide_without_cm_, is_draft ? 0 : kFinerSteps);
         search.tried(split_of(best));
         while (const std::optional<double> ratio = best.complete ? search.next() : std::nullopt) {
@@ -201,6 +201,7 @@ class TargetedEncode {
     }
     remembers_ = false;
     quantised_.clear();
+    settled_.clear();
     return best;
   }
 
@@ -227,15 +228,15 @@ class TargetedEncode {
                              ? exact_eps(analysis_.motion().skeleton, analysis_.original_body(),
                                          decoded, options_.weighting)
                              : static_cast<double>(trial.compressed.motion_bytes());
+    const Footskate slide = footskate_of(decoded);
     return {correction_ratio_, met ? price : std::numeric_limits<double>::infinity(),
-            slide_of(decoded)};
+            slide.total_cm, slide.findings.empty() ? 0 : slide.findings.front().slid_cm};
   }
 
-  double slide_of(const Clip& decoded) const {
+  Footskate footskate_of(const Clip& decoded) const {
     return measure_footskate(contacts_, analysis_.original_tracks(),
                              landmark_tracks(analysis_.motion().skeleton, decoded),
-                             decoded.sample_rate_hz)
-        .total_cm;
+                             decoded.sample_rate_hz);
   }
 
   Trial search(Method method, int first_guess, int most_trials) {
@@ -331,7 +332,7 @@ class TargetedEncode {
               weigh(coarser);
               return coarser;
             },
-        .settle = effort != Effort::Draft && !is_by_worst(options_.target) && !correction_
+        .settle = effort != Effort::Draft && !is_by_worst(options_.target)
                       ? SettleTrial([this](double eps_cm, double scale, const Trial* trial) {
                           return settle(eps_cm, scale, trial);
                         })
@@ -381,18 +382,30 @@ class TargetedEncode {
   }
 
   Trial settle(double eps_cm, double scale, const Trial* trial) {
-    const auto settle_again = [&] {
-      return loop().settle({.coded = trial->compressed.known->coded(),
-                            .bit_price = trial->bit_price,
-                            .growth = trial->growth},
-                           eps_cm, observe_pass());
-    };
     Trial settled =
-        trial_of(trial ? settle_again() : loop().quantise_to(eps_cm, scale, observe_pass()), true);
+        trial_of(trial ? settle_again(*trial, eps_cm) : settle_anew(eps_cm, scale), true);
     settled.scale = settled.compressed.known->coded().scale;
     finish_ends(settled);
     weigh(settled);
     return settled;
+  }
+
+  ClosedLoop::Result settle_again(const Trial& trial, double eps_cm) {
+    QuantisedSignals coded = trial.compressed.known->coded();
+    drop_correction(coded);
+    return loop().settle(
+        {.coded = std::move(coded), .bit_price = trial.bit_price, .growth = trial.growth}, eps_cm,
+        observe_pass());
+  }
+
+  /// Once for each error and scale, while splits are compared.
+  ClosedLoop::Result settle_anew(double eps_cm, double scale) {
+    const std::pair key(eps_cm, scale);
+    if (const auto found = settled_.find(key); remembers_ && found != settled_.end())
+      return found->second;
+    ClosedLoop::Result result = loop().quantise_to(eps_cm, scale, observe_pass());
+    if (remembers_ && result.complete) settled_[key] = result;
+    return result;
   }
 
   /// Once for each scale that a file can hold, while splits are compared.
@@ -500,7 +513,8 @@ class TargetedEncode {
   bool packs_ = true;       // trials into bytes
   bool estimates_ = false;  // how many that would be
   std::map<std::pair<float, ClosedLoopWork>, ClosedLoop::Result> quantised_;
-  std::map<int, AnnealingReport> annealed_;  // by count
+  std::map<std::pair<double, double>, ClosedLoop::Result> settled_;  // by error and scale
+  std::map<int, AnnealingReport> annealed_;                          // by count
   Goal goal_;
   int pass_ = 0;
 };

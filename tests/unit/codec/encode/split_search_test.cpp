@@ -17,7 +17,8 @@ using Curve = std::function<Split(double ratio)>;
 /// A motion of 4,000 bytes or more, whose correction takes the more the finer it is.
 Curve feet_held_up_to(double ratio) {
   return [ratio](double tried) {
-    return Split{tried, 4000 + 4000 / tried + 3 * tried, tried <= ratio ? 0.5 : 5.0};
+    const double slide = tried <= ratio ? 0.5 : 5.0;
+    return Split{tried, 4000 + 4000 / tried + 3 * tried, slide, slide};
   };
 }
 
@@ -62,24 +63,34 @@ TEST(SplitSearch, TakesFewEncodes) {
 
 TEST(SplitSearch, TakesAFinerCorrectionWhereThatIsCheaper) {
   const auto cheapest_at_four = [](double ratio) {
-    return Split{ratio, 1000 + 500 * std::abs(std::log2(ratio) - 2), 0};
+    return Split{ratio, 1000 + 500 * std::abs(std::log2(ratio) - 2), 0, 0};
   };
   EXPECT_EQ(search_on(cheapest_at_four, 10).search.best().ratio, 4);
 }
 
 TEST(SplitSearch, TakesTheLeastSlideWhereNothingHolds) {
-  const auto sliding = [](double ratio) { return Split{ratio, 5000 / ratio, 5 + ratio}; };
+  const auto sliding = [](double ratio) {
+    return Split{ratio, 5000 / ratio, 5 + ratio, 5 + ratio};
+  };
   EXPECT_EQ(search_on(sliding, 10).search.best().ratio, 1);
 }
 
 TEST(SplitSearch, SpendsNothingOnFeetThatDoNotSlide) {
-  const auto still = [](double ratio) { return Split{ratio, 1000 + 100 / ratio, 0}; };
+  const auto still = [](double ratio) { return Split{ratio, 1000 + 100 / ratio, 0, 0}; };
   EXPECT_EQ(search_on(still, 0).search.best().ratio, 64);
+}
+
+TEST(SplitSearch, LeavesAMillimetreOfAContactAsItIs) {
+  const auto sliding = [](double ratio) {
+    return Split{ratio, 5000 / ratio, ratio / 10, ratio / 400};
+  };
+  EXPECT_EQ(search_on(sliding, 8, 0).search.best().ratio, 32);
 }
 
 TEST(SplitSearch, TakesNoSplitThatMissesTheTarget) {
   const auto out_of_reach = [](double ratio) {
-    return Split{ratio, ratio < 8 ? std::numeric_limits<double>::infinity() : 1000, ratio / 4};
+    return Split{ratio, ratio < 8 ? std::numeric_limits<double>::infinity() : 1000, ratio / 4,
+                 ratio / 4};
   };
   EXPECT_EQ(search_on(out_of_reach, 10).search.best().ratio, 8);
 }
