@@ -1170,8 +1170,8 @@
         <translation>Enregistre où sont les pieds dans l&apos;original et les y ramène par cinématique inverse, pour que les pieds posés ne glissent pas. Ce que cela prend compte dans le taux de compression.</translation>
     </message>
     <message>
-        <source>Let the encoder find how much to spend on the feet: at least nine tenths of the sliding gone, for the fewest bytes.</source>
-        <translation>Laisser l&apos;encodeur trouver combien dépenser pour les pieds : au moins neuf dixièmes du glissement en moins, pour le moins d&apos;octets.</translation>
+        <source>Let the encoder find how much to spend on the feet: at least nine tenths of the sliding gone, or no foot sliding more than a millimetre, for the fewest bytes.</source>
+        <translation>Laisser l&apos;encodeur trouver combien dépenser pour les pieds : au moins neuf dixièmes du glissement en moins, ou aucun pied qui glisse de plus d&apos;un millimètre, pour le moins d&apos;octets.</translation>
     </message>
     <message>
         <source>IK ratio</source>

@@ -1162,8 +1162,8 @@
         <translation>元の足の位置を記録し、逆運動学でそこへ戻すので、接地した足が滑りません。その分も圧縮率に含まれます。</translation>
     </message>
     <message>
-        <source>Let the encoder find how much to spend on the feet: at least nine tenths of the sliding gone, for the fewest bytes.</source>
-        <translation>足にどれだけ使うかをエンコーダに任せます：最も少ないバイト数で、滑りの9割以上をなくします。</translation>
+        <source>Let the encoder find how much to spend on the feet: at least nine tenths of the sliding gone, or no foot sliding more than a millimetre, for the fewest bytes.</source>
+        <translation>足にどれだけ使うかをエンコーダに任せます：最も少ないバイト数で、滑りの9割以上をなくすか、どの足の滑りも1ミリ以下にします。</translation>
     </message>
     <message>
         <source>IK ratio</source>

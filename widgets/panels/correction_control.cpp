@@ -39,7 +39,7 @@ CorrectionControl::CorrectionControl(QWidget* parent)
          "so that planted feet do not slide. What this takes counts in the compression ratio."));
   found_->setToolTip(
       tr("Let the encoder find how much to spend on the feet: at least nine tenths of the sliding "
-         "gone, for the fewest bytes."));
+         "gone, or no foot sliding more than a millimetre, for the fewest bytes."));
   value_->setAccessibleName(tr("IK ratio"));
   value_->setToolTip(
       tr("The paper's r_IK: coefficients of the correction over kept ones. Lower "
