@@ -26,14 +26,18 @@ std::optional<double> SplitSearch::next() const {
   // Feet that a correction holds, a coarser one may hold too; where the finest that was tried is
   // the best, a finer one may be better.
   if (held && holds(tried_.back()) && tried_.back().ratio < kMost) return 2 * tried_.back().ratio;
+  // Feet that hardly slide are held by chance, and the coarsest is the cheapest by far.
+  if (!held && tried_.size() == 1) return kMost;
   const double finest = tried_.front().ratio;
   const bool gets_cheaper = tried_.size() < 2 || tried_[0].price <= tried_[1].price;
   if ((!held || (best_.ratio == finest && gets_cheaper)) && finest > kLeast) return finest / 2;
   if (!held) return {};
   const auto above = std::find_if(tried_.begin(), tried_.end(),
                                   [this](const Split& split) { return split.ratio > best_.ratio; });
-  const auto whole_steps = std::lround(std::log2(tried_.back().ratio / finest)) + 1;
-  if (std::ssize(tried_) - whole_steps >= finer_steps_ || above == tried_.end()) return {};
+  const auto finer = std::count_if(tried_.begin(), tried_.end(), [](const Split& split) {
+    return std::exp2(std::round(std::log2(split.ratio))) != split.ratio;
+  });
+  if (finer >= finer_steps_ || above == tried_.end()) return {};
   return std::sqrt(best_.ratio * above->ratio);
 }
 

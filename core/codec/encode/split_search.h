@@ -15,10 +15,11 @@ struct Split {
 };
 
 /// Finds the cheapest r_IK that removes nine tenths of the slide, or leaves no contact more than a
-/// millimetre of it. If none does, it finds the one with the least slide. Price and slide come from whole encodes, so the search takes few of them.
-/// It starts at the paper's 16 and goes by factors of two: up until the feet are no longer held,
-/// down until the price rises. Then it takes finer steps between the best and the first that does
-/// not hold.
+/// millimetre of it. If none does, it finds the one with the least slide. Price and slide come from
+/// whole encodes, so the search takes few of them. It starts at the paper's 16 and goes by factors
+/// of two: up until the feet are no longer held, down until the price rises; where 16 does not hold
+/// them, the coarsest is tried before finer ones. Then it takes finer steps between the best and
+/// the first that does not hold.
 class SplitSearch {
  public:
   static constexpr double kFirst = 16;  // of the paper's video

@@ -68,6 +68,14 @@ TEST(SplitSearch, TakesAFinerCorrectionWhereThatIsCheaper) {
   EXPECT_EQ(search_on(cheapest_at_four, 10).search.best().ratio, 4);
 }
 
+TEST(SplitSearch, TakesTheCoarsestWhereThatHoldsByChance) {
+  const auto by_chance = [](double ratio) {
+    const double slide = ratio == 64 || ratio <= 2 ? 0 : 5;
+    return Split{ratio, 5000 / ratio, slide, slide};
+  };
+  EXPECT_EQ(search_on(by_chance, 10).search.best().ratio, 64);
+}
+
 TEST(SplitSearch, TakesTheLeastSlideWhereNothingHolds) {
   const auto sliding = [](double ratio) {
     return Split{ratio, 5000 / ratio, 5 + ratio, 5 + ratio};
