@@ -31,7 +31,7 @@ std::span<const Settings> built_in_presets() {
   static const std::vector<Settings> presets = {
       {.name = "Hero close-up", .target = {Target::Kind::Error, 0.065}, .importance = looks},
       {.name = "Gameplay", .target = {Target::Kind::Error, 0.25}, .importance = looks},
-      // A tenth of the sliding is left in the mean of the study clips, for 8 % more bytes.
+      // A seventh of the sliding is left in the mean of the study clips, for 9 % more bytes.
       {.name = "Planted feet", .target = {Target::Kind::Error, 0.25}, .importance = planted},
       {.name = "Crowd", .target = {Target::Kind::Error, 0.6}, .importance = looks},
       {.name = "Archive", .target = {Target::Kind::MaxError, 0.1}}};

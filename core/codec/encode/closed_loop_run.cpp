@@ -488,13 +488,20 @@ ClosedLoopRun::Bits::Bits(const ClosedLoopRun& run, const Place& place) {
 }
 
 double ClosedLoopRun::lambda_of(const ShortFunction& function) const {
-  if (function.end() <= frames_at_ends_) return end_prices_.front() * lambda();
-  if (errors_.rows() - function.first() <= frames_at_ends_) return end_prices_.back() * lambda();
-  return lambda();
+  const auto frames_within = [&](Eigen::Index frames) {
+    return std::clamp<Eigen::Index>(frames, 0, function.size());
+  };
+  const Eigen::Index at_first = frames_within(frames_at_ends_ - function.first());
+  const Eigen::Index at_last = frames_within(function.end() + frames_at_ends_ - errors_.rows());
+  if (at_first == 0 && at_last == 0) return lambda();
+  const Eigen::ArrayXf squares = function.values().square();
+  const auto share = [&](float part) { return static_cast<double>(part / squares.sum()); };
+  return lambda() / (1 + (1 / end_prices_.front() - 1) * share(squares.head(at_first).sum()) +
+                     (1 / end_prices_.back() - 1) * share(squares.tail(at_last).sum()));
 }
 
 void ClosedLoopRun::spare_ends() {
-  constexpr int kAtEnds = 32;
+  constexpr int kAtEnds = 16;
   constexpr int kShort = 128;
   if (errors_.rows() < kShort) return;
   frames_at_ends_ = kAtEnds;

@@ -107,7 +107,7 @@ class ClosedLoopRun {
   int channels() const { return loop_.transform_.channels(); }
   double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit
 
-  /// The same of a coefficient: less where it is of spared frames alone.
+  /// The same of a coefficient: less as far as its function lies in spared frames.
   double lambda_of(const ShortFunction& function) const;
 
   /// Lest a clip begin or end with larger errors than it has elsewhere (ADAPTIVE.md, "Ends and
