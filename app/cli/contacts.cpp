@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
+#include "app/cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number_text.h"
@@ -138,7 +139,8 @@ struct Contacts {
 
   static void print_lines(const Json& all) {
     for (const Json& one : all) {
-      std::fprintf(stderr, "%-16s frames %5d to %5d", one["joint"].get<std::string>().c_str(),
+      std::fprintf(stderr, "%-16s frames %5d to %5d",
+                   printable(one["joint"].get<std::string>()).c_str(),
                    one["first_frame"].get<int>(), one["last_frame"].get<int>());
       if (one.contains("worst_frame"))
         std::fprintf(stderr, "  slid %s cm, %s cm/s at frame %d",

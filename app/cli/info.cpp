@@ -10,6 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
+#include "app/cli/terminal.h"
 #include "core/base/file.h"
 #include "core/baselines/compared_file.h"
 #include "core/codec/decode/track_decoding.h"
@@ -124,7 +125,7 @@ Json describe_compressed(const std::string& path) {
 }
 
 void print_lines(const Json& description) {
-  std::fprintf(stderr, "%s\n", description["input"].get<std::string>().c_str());
+  std::fprintf(stderr, "%s\n", printable(description["input"].get<std::string>()).c_str());
   for (const auto& [key, value] : description.items()) {
     if (key == "input" || key == "warnings" || key == "bvh_names") continue;
     if (key == "tracks") {
@@ -132,7 +133,7 @@ void print_lines(const Json& description) {
       continue;
     }
     std::fprintf(stderr, "  %-16s %s\n", key.c_str(),
-                 value.is_string() ? value.get<std::string>().c_str() : dumped(value).c_str());
+                 printable(value.is_string() ? value.get<std::string>() : dumped(value)).c_str());
   }
 }
 

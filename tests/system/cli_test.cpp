@@ -209,6 +209,19 @@ TEST_F(Cli, ContactsAreDataThatCanBeEditedAndTakenBack) {
   EXPECT_LT(footskate({"--contacts", edited}), footskate({}));
 }
 
+TEST_F(Cli, NamesOfJointsGiveTheTerminalNoOrders) {
+  const std::string samples = std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/";
+  for (const std::string name : {"human.asf", "human_walk.amc"}) {
+    std::string text = read_text(samples + name);
+    for (std::size_t at = 0; (at = text.find("ltoes", at)) != std::string::npos; at += 6)
+      text.replace(at, 5, "\x1b[1mtoes");
+    write(name, text);
+  }
+  const std::string said = mocapress({"contacts", file("human_walk.amc")}).err;
+  EXPECT_THAT(said, testing::HasSubstr("\\x1b[1mtoes"));
+  EXPECT_THAT(said, testing::Not(testing::HasSubstr("\x1b")));
+}
+
 TEST_F(Cli, SaysWhatIsWrongWithAFileOfContacts) {
   compress({});
   const auto message = [&](const std::string& text) {
