@@ -145,7 +145,7 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
       else
         shift_body(body, axis, frames, response);
     }
-    read_samples(first, frames);
+    copy_samples(first, frames);
   });
 }
 
@@ -164,7 +164,7 @@ Eigen::ArrayXf ErrorModel::entry(int a, int b) const {
   return work;
 }
 
-void ErrorModel::read_samples(Eigen::Index first, Eigen::Index frames) {
+void ErrorModel::copy_samples(Eigen::Index first, Eigen::Index frames) {
   const Eigen::Index first_sample = (first + kSampleEvery - 1) / kSampleEvery;
   const Eigen::Index end_sample = (first + frames + kSampleEvery - 1) / kSampleEvery;
   for (Eigen::Index k = first_sample; k < end_sample; ++k)

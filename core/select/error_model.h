@@ -31,7 +31,7 @@ struct SignalMoves {
 /// No G_t is formed. Its entry for two channels is the work that the force called up by one does
 /// along the motion of the other; motion and force are 6-vectors (turn and shift; torque and force)
 /// and the force is that on all landmarks below the lower channel, as in the composite rigid body
-/// algorithm for linkages. Immutable, shared by any number of states. 13 numbers a channel and
+/// algorithm for linkages. Immutable, shared by any number of states. 21 numbers a channel and
 /// frame.
 class ErrorModel {
  public:
@@ -54,8 +54,8 @@ class ErrorModel {
 
   /// Writes G of some channels into the first columns and rows of `sums`, summed over the frames of
   /// a function, each counted by its square; what is zero stays as it is. How channels go together
-  /// changes slowly: some frames tell, multiples of two at most. Channels are in the order of their
-  /// joints.
+  /// changes slowly: even frames tell, of long functions some 16 of them. Channels are in the order
+  /// of their joints.
   void sum_squares(const std::vector<int>& channels, const ShortFunction& function,
                    Eigen::MatrixXf& sums) const;
 
@@ -85,7 +85,7 @@ class ErrorModel {
   ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, const Posed& posed);
   void compute_motions(const Skeleton& skeleton, const MeasuredPoints& measured,
                        const Posed& posed);
-  void read_samples(Eigen::Index first, Eigen::Index frames);
+  void copy_samples(Eigen::Index first, Eigen::Index frames);
   /// Calls visit(other channel, what works on it, what moves it) for all related to a channel.
   template <typename Visit>
   void visit_related(int channel, const Visit& visit) const;

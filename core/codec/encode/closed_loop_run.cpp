@@ -34,8 +34,6 @@ constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06, 0.03, 0.03};
 /// From this one on all channels' coefficients are moved together before.
 constexpr int kFirstJoint = static_cast<int>(kSettlingPrices.size()) - 3;
 
-constexpr Eigen::Index kFramesSeen = 4;  // at an end, of which price_ends() judges
-
 constexpr double kLeastEps = 1e-12;  // cm, of what does not move
 
 // Loops below are over so many numbers as are known beforehand: of such the compiler makes vector
@@ -488,33 +486,11 @@ ClosedLoopRun::Bits::Bits(const ClosedLoopRun& run, const Place& place) {
 }
 
 double ClosedLoopRun::lambda_of(const ShortFunction& function) const {
-  const auto frames_within = [&](Eigen::Index frames) {
-    return std::clamp<Eigen::Index>(frames, 0, function.size());
-  };
-  const Eigen::Index at_first = frames_within(frames_at_ends_ - function.first());
-  const Eigen::Index at_last = frames_within(function.end() + frames_at_ends_ - errors_.rows());
-  if (at_first == 0 && at_last == 0) return lambda();
-  const Eigen::ArrayXf squares = function.values().square();
-  const auto share = [&](float part) { return static_cast<double>(part / squares.sum()); };
-  return lambda() / (1 + (1 / end_prices_.front() - 1) * share(squares.head(at_first).sum()) +
-                     (1 / end_prices_.back() - 1) * share(squares.tail(at_last).sum()));
+  return end_prices_ ? end_prices_->price(function, lambda()) : lambda();
 }
 
 void ClosedLoopRun::spare_ends() {
-  constexpr int kAtEnds = 16;
-  constexpr int kShort = 128;
-  if (errors_.rows() < kShort) return;
-  frames_at_ends_ = kAtEnds;
-  end_prices_.fill(0.5);
-}
-
-void ClosedLoopRun::price_ends(const std::array<double, 2>& energies) {
-  constexpr double kLeast = 0.1;
-  const double usual = kFramesSeen * energy_ / static_cast<double>(errors_.rows());
-  for (std::size_t end = 0; end < energies.size(); ++end)
-    if (energies[end] > 0)
-      end_prices_[end] =
-          std::clamp(end_prices_[end] * std::sqrt(usual / energies[end]), kLeast, 1.0);
+  if (errors_.rows() >= EndPrices::kFewestFrames) end_prices_.emplace(errors_.rows());
 }
 
 double ClosedLoopRun::waking_bits(const Place& place) const {
@@ -575,11 +551,13 @@ void ClosedLoopRun::find_energy() {
     const auto errors = errors_.col(j);
     const auto gradient = gradient_.head(errors_.rows()).matrix();
     energy_ += errors.dot(gradient);
-    if (frames_at_ends_ == 0) return;
-    of_ends.front() += errors.head(kFramesSeen).dot(gradient.head(kFramesSeen));
-    of_ends.back() += errors.tail(kFramesSeen).dot(gradient.tail(kFramesSeen));
+    if (!end_prices_) return;
+    constexpr Eigen::Index kSeen = EndPrices::kSeen;
+    of_ends.front() += errors.head(kSeen).dot(gradient.head(kSeen));
+    of_ends.back() += errors.tail(kSeen).dot(gradient.tail(kSeen));
   });
-  if (frames_at_ends_ > 0) price_ends(of_ends);
+  if (end_prices_)
+    end_prices_->observe(of_ends, EndPrices::kSeen * energy_ / static_cast<double>(errors_.rows()));
 }
 
 void ClosedLoopRun::read_slopes(int j, int b, Slopes& slopes) {

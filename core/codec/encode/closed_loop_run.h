@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/codec/encode/closed_loop.h"
+#include "core/codec/encode/end_prices.h"
 #include "core/codec/encode/rate_table.h"
 #include "core/select/error_sweep.h"
 
@@ -97,8 +98,9 @@ class ClosedLoopRun {
   void read_slopes(int j, int band, Slopes& slopes);
   void move_together(int band, int index, const Slopes& slopes);
 
-  /// Whether its frames do, more or less. Where a few count far more than those around, all that
-  /// reach there would answer to the same error at once, and together overshoot.
+  /// Whether the frames of a function weigh alike, more or less. Where a few count far more than
+  /// those around, all that reach there would answer to the same error at once, and together
+  /// overshoot.
   bool weigh_alike(const ShortFunction& function) const;
 
   /// Of the errors as they are. Prices the ends by it.
@@ -107,16 +109,12 @@ class ClosedLoopRun {
   int channels() const { return loop_.transform_.channels(); }
   double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit
 
-  /// The same of a coefficient: less as far as its function lies in spared frames.
+  /// The same of a coefficient with that function.
   double lambda_of(const ShortFunction& function) const;
 
-  /// Lest a clip begin or end with larger errors than it has elsewhere (ADAPTIVE.md, "Ends and
-  /// loops"): where a mean error is sought, in all but short clips. A bound holds at the ends, too.
+  /// Begins with prices of their own at the ends: where a mean error is sought, in all but short
+  /// clips. A bound holds at the ends, too.
   void spare_ends();
-
-  /// Bits there become cheaper while the first or last few frames' errors are larger than others,
-  /// dearer while they are smaller: by what such frames come to, cm^2.
-  void price_ends(const std::array<double, 2>& energies);
 
   bool weighted() const { return frame_weights_.size() > 0; }
   const Eigen::MatrixXf& curvature() const {
@@ -202,10 +200,9 @@ class ClosedLoopRun {
   double bit_price_;        // squared steps of error
   int settling_ = 0;        // of the sweeps that settle: how many there were
   double growth_ = 0;       // of eps_x in the last sweep of a settling: a logarithm
-  int frames_at_ends_ = 0;  // that are spared
-  std::array<double, 2> end_prices_ = {1, 1};  // of bits there, of those elsewhere
-  ErrorBound* bound_ = nullptr;                // that must hold, if any
-  std::optional<ErrorSweep> under_way_;        // the pass under way
+  std::optional<EndPrices> end_prices_;
+  ErrorBound* bound_ = nullptr;          // that must hold, if any
+  std::optional<ErrorSweep> under_way_;  // the pass under way
   Eigen::ArrayXf gradient_;  // where it is, frames weighted; zeros beyond the last frame
   // Memory of sweeps: what they add to a channel, and what its coefficients would gain.
   Eigen::ArrayXf delta_;  // zeros beyond the last frame

@@ -420,7 +420,7 @@ class TargetedEncode {
     return result;
   }
 
-  /// It is made anew for what is coarser.
+  /// It is made anew for what changes.
   void drop_correction(QuantisedSignals& coded) const {
     const int channels = coefficients_.channels();
     coded.values.conservativeResize(Eigen::NoChange, channels);
