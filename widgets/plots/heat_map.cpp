@@ -220,22 +220,24 @@ void HeatMap::paintLegend(QPainter& painter) const {
                    none);
 }
 
-/// What the colours of verdicts mean, from the right.
+/// What the colours of verdicts mean, from the right, as far as the switches leave room.
 void HeatMap::paintVerdicts(QPainter& painter) const {
   const QRectF area = mapArea();
   const double y = area.bottom() + kLegendHeight / 2.0 + 1;
   const double line = fontMetrics().height();
   double right = area.right();
-  for (const auto& [sight, beyond] : {std::pair(Sight::Visible, QStringLiteral(" > 2×")),
-                                      std::pair(Sight::Borderline, QStringLiteral(" > 1×")),
+  for (const auto& [sight, beyond] : {std::pair(Sight::Visible, QStringLiteral(" >2×")),
+                                      std::pair(Sight::Borderline, QStringLiteral(" >1×")),
                                       std::pair(Sight::NotVisible, QString())}) {
     const QString text = displayName(sight) + beyond;
-    const double width = fontMetrics().horizontalAdvance(text) + 4;
+    const double width = fontMetrics().horizontalAdvance(text) + 2;
+    const double left = right - width - 12;
+    if (!switches_.empty() && left <= switches_.back()->geometry().right()) break;
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(QRectF(right - width, y - line / 2, width, line),
                      Qt::AlignRight | Qt::AlignVCenter, text);
-    painter.fillRect(QRectF(right - width - 12, y - 5, 10, 10), sightColour(sight));
-    right -= width + 26;
+    painter.fillRect(QRectF(left, y - 5, 10, 10), sightColour(sight));
+    right = left - 6;
   }
 }
 
