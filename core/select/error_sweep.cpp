@@ -14,21 +14,25 @@ auto six(Eigen::MatrixXf& matrix, int index) {
   return matrix.middleCols(Eigen::Index{6} * index, 6);
 }
 
-/// Adds what units of channels from `first` to before `end` come to, each times its error: frames x
-/// 6. Three at a time, so that the sum is read and written once for most joints.
+/// The sums of a joint: those of joint `from`, and what units of channels from `first` to before
+/// `end` come to, each times its error. Three at a time, so that sums are read and written once for
+/// most joints.
 template <typename Factor>
-void add_units(const Eigen::MatrixXf& units, int first, int end, const Factor& factor_of,
-               Eigen::MatrixXf& sums, int index) {
+void sum_units(const Eigen::MatrixXf& units, int first, int end, const Factor& factor_of,
+               Eigen::MatrixXf& sums, Eigen::Index from, Eigen::Index joint) {
   constexpr int kMost = 3;
+  if (first == end && from != joint) sums.middleCols(6 * joint, 6) = sums.middleCols(6 * from, 6);
   for (Eigen::Index i = 0; i < 6; ++i) {
-    AddedProducts columns{sums.col(Eigen::Index{6} * index + i).data(), {}, {}};
+    float* const sum = sums.col(6 * joint + i).data();
+    AddedProducts columns{sums.col(6 * from + i).data(), {}, {}};
     for (int c = first; c < end; c += kMost) {
       const int count = std::min(kMost, end - c);
       for (int k = 0; k < count; ++k) {
         columns.units[k] = units.col(Eigen::Index{6} * (c + k) + i).data();
         columns.factors[k] = factor_of(c + k);
       }
-      add_products(columns, count, units.rows());
+      add_products(columns, count, units.rows(), sum);
+      columns.before = sum;
     }
   }
 }
@@ -57,12 +61,10 @@ void ErrorSweep::restart() {
     while (first > 0 && model_.places_[static_cast<std::size_t>(first - 1)].joint == j) --first;
     if (const int parent = model_.parents_[static_cast<std::size_t>(j)]; parent >= 0) {
       // Where nothing hangs on a joint its forces stay zero.
-      if (is_begun_[static_cast<std::size_t>(parent)])
-        six(forces_, parent) += six(forces_, j);
-      else
-        six(forces_, parent) = six(forces_, j);
-      is_begun_[static_cast<std::size_t>(parent)] = true;
-      add_units(model_.forces_, first, end, error_of, forces_, parent);
+      const auto p = static_cast<std::size_t>(parent);
+      if (is_begun_[p]) six(forces_, parent) += six(forces_, j);
+      sum_units(model_.forces_, first, end, error_of, forces_, is_begun_[p] ? parent : j, parent);
+      is_begun_[p] = true;
     }
     end = first;
   }
@@ -76,17 +78,14 @@ void ErrorSweep::restart() {
 void ErrorSweep::enter_joint(int joint) {
   while (joint_ < joint) {
     ++joint_;
-    auto motion = six(motions_, joint_);
-    if (const int parent = model_.parents_[static_cast<std::size_t>(joint_)]; parent >= 0)
-      motion = six(motions_, parent);
-    else
-      motion.setZero();
+    const int parent = model_.parents_[static_cast<std::size_t>(joint_)];
+    if (parent < 0) six(motions_, joint_).setZero();
     int end = channel_;
     while (end < model_.channels() && model_.places_[static_cast<std::size_t>(end)].joint == joint_)
       ++end;
-    add_units(
+    sum_units(
         model_.motions_, channel_, end, [this](int channel) { return errors_.col(channel).data(); },
-        motions_, joint_);
+        motions_, parent < 0 ? joint_ : parent, joint_);
   }
 }
 
@@ -102,8 +101,9 @@ const Eigen::ArrayXf& ErrorSweep::next() {
 }
 
 void ErrorSweep::add(const Eigen::Ref<const Eigen::ArrayXf>& delta) {
-  add_units(
-      model_.motions_, channel_, channel_ + 1, [&](int) { return delta.data(); }, motions_, joint_);
+  sum_units(
+      model_.motions_, channel_, channel_ + 1, [&](int) { return delta.data(); }, motions_, joint_,
+      joint_);
   for (std::size_t i = 0; i < of_terms_.size(); ++i)
     model_.terms_[i].add_forces(channel_, delta, of_terms_[i]);
 }

@@ -76,7 +76,7 @@ MOCAPRESS_INLINE float inner_product_of(const float* a, const float* b, Eigen::I
 
 template <typename Vector, int count>
 MOCAPRESS_INLINE Eigen::Index add_products_of(const AddedProducts& columns, Eigen::Index t,
-                                              Eigen::Index frames) {
+                                              Eigen::Index frames, float* out) {
   for (; t + kLanes<Vector, float> <= frames; t += kLanes<Vector, float>) {
     Vector products;
     Vector unit;
@@ -89,19 +89,19 @@ MOCAPRESS_INLINE Eigen::Index add_products_of(const AddedProducts& columns, Eige
       load(columns.factors[i] + t, factor);
       products += unit * factor;
     }
-    Vector sum;
-    load(columns.sum + t, sum);
-    store<Vector>(sum + products, columns.sum + t);
+    Vector before;
+    load(columns.before + t, before);
+    store<Vector>(before + products, out + t);
   }
   return t;
 }
 
 template <typename Vector>
 MOCAPRESS_INLINE Eigen::Index add_products_of(const AddedProducts& columns, int count,
-                                              Eigen::Index t, Eigen::Index frames) {
-  if (count == 1) return add_products_of<Vector, 1>(columns, t, frames);
-  if (count == 2) return add_products_of<Vector, 2>(columns, t, frames);
-  return add_products_of<Vector, 3>(columns, t, frames);
+                                              Eigen::Index t, Eigen::Index frames, float* out) {
+  if (count == 1) return add_products_of<Vector, 1>(columns, t, frames, out);
+  if (count == 2) return add_products_of<Vector, 2>(columns, t, frames, out);
+  return add_products_of<Vector, 3>(columns, t, frames, out);
 }
 
 #ifdef MOCAPRESS_WITH_AVX2
@@ -122,8 +122,8 @@ MOCAPRESS_FOR_AVX2 float inner_product_with_avx2(const float* a, const float* b,
   return inner_product_of<Floats8>(a, b, count);
 }
 MOCAPRESS_FOR_AVX2 Eigen::Index add_products_with_avx2(const AddedProducts& columns, int count,
-                                                       Eigen::Index frames) {
-  return add_products_of<Floats8>(columns, count, 0, frames);
+                                                       Eigen::Index frames, float* sum) {
+  return add_products_of<Floats8>(columns, count, 0, frames, sum);
 }
 #endif
 
@@ -156,13 +156,13 @@ float inner_product(const float* a, const float* b, Eigen::Index count) {
   return inner_product_of<Floats4>(a, b, count);
 }
 
-void add_products(const AddedProducts& columns, int count, Eigen::Index frames) {
+void add_products(const AddedProducts& columns, int count, Eigen::Index frames, float* sum) {
   Eigen::Index t = 0;
 #ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) t = add_products_with_avx2(columns, count, frames);
+  if (has_avx2()) t = add_products_with_avx2(columns, count, frames, sum);
 #endif
-  t = add_products_of<Floats4>(columns, count, t, frames);
-  add_products_of<Floats1>(columns, count, t, frames);
+  t = add_products_of<Floats4>(columns, count, t, frames, sum);
+  add_products_of<Floats1>(columns, count, t, frames, sum);
 }
 
 }  // namespace mocapress

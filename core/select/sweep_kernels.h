@@ -32,13 +32,15 @@ void add_work(SixColumns force, SixColumns motion, const float* factors, Eigen::
 /// The inner product of so many numbers, a multiple of eight.
 float inner_product(const float* a, const float* b, Eigen::Index count);
 
-/// A column that is added to, and up to three that are, each times another.
+/// A column and up to three that are added to it, each times another.
 struct AddedProducts {
-  float* sum;
+  const float* before;
   const float* units[3];
   const float* factors[3];
 };
 
-void add_products(const AddedProducts& columns, int count, Eigen::Index frames);
+/// Writes the sum there or elsewhere. Column by column: more of them at a time are more than the
+/// processor fetches ahead.
+void add_products(const AddedProducts& columns, int count, Eigen::Index frames, float* sum);
 
 }  // namespace mocapress

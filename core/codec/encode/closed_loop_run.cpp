@@ -421,7 +421,7 @@ ClosedLoopRun::Place ClosedLoopRun::place_of(int j, int band, int index, double 
 void ClosedLoopRun::set(const Place& place, int value) {
   const auto j = static_cast<std::size_t>(place.channel);
   const auto band = static_cast<std::size_t>(place.band);
-  int& mine = values_of(place.channel)[bands_[band].first + place.index];
+  int& mine = values_of(place.channel)[coefficient_at(place)];
   significant_[j][band] += (value != 0) - (mine != 0);
   magnitudes_[j].set(place.band, place.index, value);
   mine = value;
@@ -447,7 +447,7 @@ int ClosedLoopRun::best_move(const Place& place) const {
     const double x = value - now;
     return x * (2 * place.slope + x * place.curve);
   };
-  const double price = lambda_of(place.function);
+  const double price = lambda_of(coefficient_at(place));
   // Most coefficients are where they should be, and no saving would pay for another error.
   if (nearest == now && place.band > 0) {
     const double waking = waking_bits(place);
@@ -485,12 +485,16 @@ ClosedLoopRun::Bits::Bits(const ClosedLoopRun& run, const Place& place) {
   around_.emplace(run.rates_, run.magnitudes_of(place.channel), place.band, i);
 }
 
-double ClosedLoopRun::lambda_of(const ShortFunction& function) const {
-  return end_prices_ ? end_prices_->price(function, lambda()) : lambda();
+double ClosedLoopRun::lambda_of(int coefficient) const {
+  return end_prices_ ? end_prices_->price(reaches_[static_cast<std::size_t>(coefficient)], lambda())
+                     : lambda();
 }
 
 void ClosedLoopRun::spare_ends() {
-  if (errors_.rows() >= EndPrices::kFewestFrames) end_prices_.emplace(errors_.rows());
+  if (end_prices_ || errors_.rows() < EndPrices::kFewestFrames) return;
+  end_prices_.emplace(errors_.rows());
+  for (int c = 0; c < loop_.transform_.per_channel(); ++c)
+    reaches_.push_back(end_prices_->reach_of(loop_.functions_[c]));
 }
 
 double ClosedLoopRun::waking_bits(const Place& place) const {
@@ -575,10 +579,10 @@ void ClosedLoopRun::move_together(int band, int index, const Slopes& slopes) {
   const std::vector<int>& taking_part = slopes.taking_part[static_cast<std::size_t>(index)];
   const auto count = std::ssize(taking_part);
   if (count < 2) return;
-  const ShortFunction function =
-      loop_.functions_[bands_[static_cast<std::size_t>(band)].first + index];
+  const int coefficient = bands_[static_cast<std::size_t>(band)].first + index;
+  const ShortFunction function = loop_.functions_[coefficient];
   if (!weigh_alike(function)) return;
-  const auto in_bits = static_cast<float>(1 / lambda_of(function));
+  const auto in_bits = static_cast<float>(1 / lambda_of(coefficient));
   std::vector<Place> places;
   std::vector<JointSearch::Coefficient> coefficients;
   places.reserve(taking_part.size());

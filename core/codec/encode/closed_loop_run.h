@@ -109,8 +109,8 @@ class ClosedLoopRun {
   int channels() const { return loop_.transform_.channels(); }
   double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit
 
-  /// The same of a coefficient with that function.
-  double lambda_of(const ShortFunction& function) const;
+  /// The same of a coefficient, whatever its channel.
+  double lambda_of(int coefficient) const;
 
   /// Begins with prices of their own at the ends: where a mean error is sought, in all but short
   /// clips. A bound holds at the ends, too.
@@ -181,10 +181,10 @@ class ClosedLoopRun {
   const Magnitudes& magnitudes_of(int j) const { return magnitudes_[static_cast<std::size_t>(j)]; }
   int* values_of(int j) { return coded_.values.col(j).data(); }
   const int* values_of(int j) const { return coded_.values.col(j).data(); }
-  int value_at(const Place& place) const {
-    return values_of(
-        place.channel)[bands_[static_cast<std::size_t>(place.band)].first + place.index];
+  int coefficient_at(const Place& place) const {
+    return bands_[static_cast<std::size_t>(place.band)].first + place.index;
   }
+  int value_at(const Place& place) const { return values_of(place.channel)[coefficient_at(place)]; }
 
   const ClosedLoop& loop_;
   const std::vector<Band>& bands_;
@@ -201,8 +201,9 @@ class ClosedLoopRun {
   int settling_ = 0;        // of the sweeps that settle: how many there were
   double growth_ = 0;       // of eps_x in the last sweep of a settling: a logarithm
   std::optional<EndPrices> end_prices_;
-  ErrorBound* bound_ = nullptr;          // that must hold, if any
-  std::optional<ErrorSweep> under_way_;  // the pass under way
+  std::vector<EndPrices::Reach> reaches_;  // of coefficients, for these
+  ErrorBound* bound_ = nullptr;            // that must hold, if any
+  std::optional<ErrorSweep> under_way_;    // the pass under way
   Eigen::ArrayXf gradient_;  // where it is, frames weighted; zeros beyond the last frame
   // Memory of sweeps: what they add to a channel, and what its coefficients would gain.
   Eigen::ArrayXf delta_;  // zeros beyond the last frame

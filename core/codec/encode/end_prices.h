@@ -20,21 +20,30 @@ class EndPrices {
   static constexpr Eigen::Index kReach = 16;  // frames at an end whose bits have its price
   static constexpr int kFewestFrames = 128;   // of a clip with such prices
 
+  /// How much of a synthesis function lies at the first and at the last frames: shares of its
+  /// energy.
+  using Reach = std::array<float, 2>;
+
   explicit EndPrices(Eigen::Index frames) : frames_(frames) {}
 
-  /// Of a bit of the coefficient with that function, by what it would be elsewhere: as far as the
-  /// function lies at the ends.
-  double price(const ShortFunction& function, double elsewhere) const {
+  Reach reach_of(const ShortFunction& function) const {
     const auto frames_within = [&](Eigen::Index frames) {
       return std::clamp<Eigen::Index>(frames, 0, function.size());
     };
     const Eigen::Index at_first = frames_within(kReach - function.first());
     const Eigen::Index at_last = frames_within(function.end() + kReach - frames_);
-    if (at_first == 0 && at_last == 0) return elsewhere;
+    if (at_first == 0 && at_last == 0) return {};
     const Eigen::ArrayXf squares = function.values().square();
-    const auto share = [&](float part) { return static_cast<double>(part / squares.sum()); };
-    return elsewhere / (1 + (1 / shares_.front() - 1) * share(squares.head(at_first).sum()) +
-                        (1 / shares_.back() - 1) * share(squares.tail(at_last).sum()));
+    return {squares.head(at_first).sum() / squares.sum(),
+            squares.tail(at_last).sum() / squares.sum()};
+  }
+
+  /// Of a bit of the coefficient whose function reaches so far, by what it would be elsewhere.
+  double price(const Reach& reach, double elsewhere) const {
+    double dearer = 1;
+    for (std::size_t end = 0; end < reach.size(); ++end)
+      dearer += (1 / shares_[end] - 1) * static_cast<double>(reach[end]);
+    return elsewhere / dearer;
   }
 
   /// The squared errors of the first and of the last kSeen frames, and what so many frames have

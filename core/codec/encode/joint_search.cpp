@@ -35,15 +35,14 @@ JointSearch::JointSearch(std::span<const Coefficient> coefficients, const Eigen:
 
 const std::vector<int>& JointSearch::run() {
   constexpr int kRounds = 2;
-  bool gains = true;
-  for (int round = 0; round < kRounds && gains; ++round) {
-    gains = false;
+  int idle = 0;  // attempts since the last gain: where all were, no other will
+  for (int round = 0; round < kRounds; ++round)
     for (int c = 0; c < count(); ++c)
       for (const int by : {-1, 1}) {
+        if (++idle > 2 * count()) return moved_;
         if (std::abs(moved_[static_cast<std::size_t>(c)] + by) > 1) continue;
-        if (has_avx2() ? attempt_with_avx2(c, by) : attempt<Floats4>(c, by)) gains = true;
+        if (has_avx2() ? attempt_with_avx2(c, by) : attempt<Floats4>(c, by)) idle = 0;
       }
-  }
   return moved_;
 }
 
