@@ -516,27 +516,21 @@ void ClosedLoopRun::sweep_together() {
   // the other. Those of neighbours in a band do, but following them saves no bytes (ADAPTIVE.md).
   constexpr int kApart = 3;
   const auto count = static_cast<int>(bands_.size());
+  together_.slopes.resize(errors_.rows(), channels());
+  together_.taking_part.resize(static_cast<std::size_t>(errors_.rows()));
   for (int first = 0; first < std::min(kApart, count); ++first) {
-    std::vector<Slopes> slopes(bands_.size());
-    for (int b = first; b < count; b += kApart) {
-      const int size = bands_[static_cast<std::size_t>(b)].size;
-      slopes[static_cast<std::size_t>(b)] = {
-          Slopes::Products(size, channels()),
-          std::vector<std::vector<int>>(static_cast<std::size_t>(size))};
-    }
+    for (std::vector<int>& channels : together_.taking_part) channels.clear();
     pass([&](int j) {
       find_slopes();
-      for (int b = first; b < count; b += kApart)
-        read_slopes(j, b, slopes[static_cast<std::size_t>(b)]);
+      together_.slopes.col(j) = slopes_.matrix();
+      for (int b = first; b < count; b += kApart) find_taking_part(j, b);
     });
-    const Eigen::MatrixXi before = coded_.values;
+    std::vector<Eigen::ArrayXf> moves(static_cast<std::size_t>(channels()));
     for (int b = first; b < count; b += kApart)
-      for (int i = 0; i < bands_[static_cast<std::size_t>(b)].size; ++i)
-        move_together(b, i, slopes[static_cast<std::size_t>(b)]);
+      for (int i = 0; i < bands_[static_cast<std::size_t>(b)].size; ++i) move_together(b, i, moves);
     for (int j = 0; j < channels(); ++j)
-      if (const Eigen::VectorXi moves = coded_.values.col(j) - before.col(j);
-          (moves.array() != 0).any())
-        errors_.col(j).array() += samples_of(j, moves.cast<float>().array());
+      if (Eigen::ArrayXf& steps = moves[static_cast<std::size_t>(j)]; steps.size() > 0)
+        errors_.col(j).array() += samples_of(j, std::move(steps));
   }
   find_energy();
 }
@@ -564,22 +558,22 @@ void ClosedLoopRun::find_energy() {
     end_prices_->observe(of_ends, EndPrices::kSeen * energy_ / static_cast<double>(errors_.rows()));
 }
 
-void ClosedLoopRun::read_slopes(int j, int b, Slopes& slopes) {
+void ClosedLoopRun::find_taking_part(int j, int b) {
   constexpr double kPromising = 0.4;  // steps that a zero needs by itself to take part
-  const Band& band = bands_[static_cast<std::size_t>(b)];
-  slopes.products.col(j) = slopes_.segment(band.first, band.size).matrix();
-  visit_where(band, values_of(j), slopes_.data(), coefficient_curvature().col(j).data(),
-              static_cast<float>(kPromising * step_in(j, b)), [&](int c) {
+  visit_where(bands_[static_cast<std::size_t>(b)], values_of(j), slopes_.data(),
+              coefficient_curvature().col(j).data(), static_cast<float>(kPromising * step_in(j, b)),
+              [&](int c) {
                 if (std::abs(coded_.values(c, j)) <= kMostSteps - 1)
-                  slopes.taking_part[static_cast<std::size_t>(c - band.first)].push_back(j);
+                  together_.taking_part[static_cast<std::size_t>(c)].push_back(j);
               });
 }
 
-void ClosedLoopRun::move_together(int band, int index, const Slopes& slopes) {
-  const std::vector<int>& taking_part = slopes.taking_part[static_cast<std::size_t>(index)];
+void ClosedLoopRun::move_together(int band, int index, std::vector<Eigen::ArrayXf>& moves) {
+  const int coefficient = bands_[static_cast<std::size_t>(band)].first + index;
+  const std::vector<int>& taking_part =
+      together_.taking_part[static_cast<std::size_t>(coefficient)];
   const auto count = std::ssize(taking_part);
   if (count < 2) return;
-  const int coefficient = bands_[static_cast<std::size_t>(band)].first + index;
   const ShortFunction function = loop_.functions_[coefficient];
   if (!weigh_alike(function)) return;
   const auto in_bits = static_cast<float>(1 / lambda_of(coefficient));
@@ -588,8 +582,8 @@ void ClosedLoopRun::move_together(int band, int index, const Slopes& slopes) {
   places.reserve(taking_part.size());
   coefficients.reserve(taking_part.size());
   for (const int j : taking_part) {
-    const Place& place = places.emplace_back(
-        place_of(j, band, index, step_in(j, band), static_cast<double>(slopes.products(index, j))));
+    const Place& place = places.emplace_back(place_of(
+        j, band, index, step_in(j, band), static_cast<double>(together_.slopes(coefficient, j))));
     const Bits bits(*this, place);
     const int value = value_at(place);
     const auto price_of = [&](int by) { return static_cast<float>(bits.with(value + by)); };
@@ -609,9 +603,14 @@ void ClosedLoopRun::move_together(int band, int index, const Slopes& slopes) {
     cross(i, i) = coefficients[static_cast<std::size_t>(i)].curve;
   }
   JointSearch search(coefficients, cross);
-  const std::vector<int>& moves = search.run();
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (moves[i] != 0) set(places[i], value_at(places[i]) + moves[i]);
+  const std::vector<int>& found = search.run();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (found[i] == 0) continue;
+    set(places[i], value_at(places[i]) + found[i]);
+    Eigen::ArrayXf& steps = moves[static_cast<std::size_t>(places[i].channel)];
+    if (steps.size() == 0) steps = Eigen::ArrayXf::Zero(errors_.rows());
+    steps(coefficient) = static_cast<float>(found[i]);
+  }
 }
 
 }  // namespace mocapress

@@ -88,15 +88,16 @@ class ClosedLoopRun {
   /// Moves the coefficients that all channels have at a time and scale together: joint_search.h.
   void sweep_together();
 
-  /// Of a band: what the gradient comes to in each coefficient (coefficients x channels), and the
-  /// channels whose coefficients may move.
-  struct Slopes {
-    using Products = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Products products;
+  /// What moves together: what the gradient comes to in each coefficient (coefficients x channels),
+  /// and of each coefficient the channels that take part.
+  struct Together {
+    Eigen::MatrixXf slopes;
     std::vector<std::vector<int>> taking_part;
   };
-  void read_slopes(int j, int band, Slopes& slopes);
-  void move_together(int band, int index, const Slopes& slopes);
+  void find_taking_part(int j, int band);
+
+  /// Adds to the moves of each channel, in steps; empty where there is none.
+  void move_together(int band, int index, std::vector<Eigen::ArrayXf>& moves);
 
   /// Whether the frames of a function weigh alike, more or less. Where a few count far more than
   /// those around, all that reach there would answer to the same error at once, and together
@@ -208,6 +209,7 @@ class ClosedLoopRun {
   // Memory of sweeps: what they add to a channel, and what its coefficients would gain.
   Eigen::ArrayXf delta_;  // zeros beyond the last frame
   Eigen::ArrayXf slopes_;
+  Together together_;
 };
 
 }  // namespace mocapress

@@ -16,6 +16,15 @@ namespace {
 
 constexpr int kMostLanes = 8;
 constexpr float kNone = std::numeric_limits<float>::infinity();
+constexpr float kLeastGain = 1e-3F;  // bits
+
+/// By how much slopes are beyond their limits.
+template <typename Vector>
+MOCAPRESS_INLINE void add_beyond(const Vector& slope, const Vector& low, const Vector& high,
+                                 Vector& sum) {
+  const Vector none{};
+  sum += (slope > high ? slope - high : none) + (slope < low ? low - slope : none);
+}
 
 }  // namespace
 
@@ -35,22 +44,41 @@ JointSearch::JointSearch(std::span<const Coefficient> coefficients, const Eigen:
 
 const std::vector<int>& JointSearch::run() {
   constexpr int kRounds = 2;
-  int idle = 0;  // attempts since the last gain: where all were, no other will
+  int idle = 0;  // visits since the last gain: where all were visited, no other will come
   for (int round = 0; round < kRounds; ++round)
-    for (int c = 0; c < count(); ++c)
-      for (const int by : {-1, 1}) {
-        if (++idle > 2 * count()) return moved_;
-        if (std::abs(moved_[static_cast<std::size_t>(c)] + by) > 1) continue;
-        if (has_avx2() ? attempt_with_avx2(c, by) : attempt<Floats4>(c, by)) idle = 0;
-      }
+    for (int c = 0; c < count(); ++c) {
+      if (++idle > count()) return moved_;
+      if (has_avx2() ? visit_with_avx2(c) : visit<Floats4>(c)) idle = 0;
+    }
   return moved_;
 }
 
 template <typename Vector>
+MOCAPRESS_INLINE bool JointSearch::visit(int c) {
+  bool gains = false;
+  std::array<float, 2> of_answers = gains_of_answers<Vector>(c);
+  for (const int by : {-1, 1}) {
+    if (std::abs(moved_[static_cast<std::size_t>(c)] + by) > 1) continue;
+    if (cost_of(c, by) - of_answers[by > 0] >= -kLeastGain || !attempt<Vector>(c, by)) continue;
+    gains = true;
+    if (by < 0) of_answers = gains_of_answers<Vector>(c);
+  }
+  return gains;
+}
+
+#ifdef MOCAPRESS_WITH_AVX2
+MOCAPRESS_FOR_AVX2 bool JointSearch::visit_with_avx2(int c) {
+  return visit<Floats8>(c);
+}
+#else
+bool JointSearch::visit_with_avx2(int c) {
+  return visit<Floats4>(c);
+}
+#endif
+
+template <typename Vector>
 MOCAPRESS_INLINE bool JointSearch::attempt(int c, int by) {
   constexpr int kAnswers = 2;
-  constexpr float kLeastGain = 1e-3F;
-  if (cost_of(c, by) - gain_of_answers<Vector>(c, by) >= -kLeastGain) return false;
   slopes_before_ = slopes_;
   changed_.clear();
   float cost = move<Vector>(c, by);
@@ -75,16 +103,6 @@ MOCAPRESS_INLINE bool JointSearch::attempt(int c, int by) {
   }
   return false;
 }
-
-#ifdef MOCAPRESS_WITH_AVX2
-MOCAPRESS_FOR_AVX2 bool JointSearch::attempt_with_avx2(int c, int by) {
-  return attempt<Floats8>(c, by);
-}
-#else
-bool JointSearch::attempt_with_avx2(int c, int by) {
-  return attempt<Floats4>(c, by);
-}
-#endif
 
 template <typename Vector>
 MOCAPRESS_INLINE float JointSearch::move(int c, int by) {
@@ -113,10 +131,10 @@ MOCAPRESS_INLINE float JointSearch::cost_of(int c, int by) const {
 }
 
 template <typename Vector>
-MOCAPRESS_INLINE float JointSearch::gain_of_answers(int c, int by) const {
+MOCAPRESS_INLINE std::array<float, 2> JointSearch::gains_of_answers(int c) const {
   constexpr int kParts = kMostLanes / kLanes<Vector, float>;
-  const Vector none{};
-  std::array<Vector, kParts> beyond{};
+  Vector after_down[kParts] = {};
+  Vector after_up[kParts] = {};
   const float* const column = cross_.col(c).data();
   for (Eigen::Index i = 0; i < slopes_.size(); i += kMostLanes)
     for (int part = 0; part < kParts; ++part) {
@@ -129,16 +147,17 @@ MOCAPRESS_INLINE float JointSearch::gain_of_answers(int c, int by) const {
       load(column + first, both);
       load(low_.data() + first, low);
       load(high_.data() + first, high);
-      slope += static_cast<float>(by) * both;
-      beyond[static_cast<std::size_t>(part)] +=
-          (slope > high ? slope - high : none) + (slope < low ? low - slope : none);
+      add_beyond<Vector>(slope - both, low, high, after_down[part]);
+      add_beyond<Vector>(slope + both, low, high, after_up[part]);
     }
-  std::array<float, kMostLanes> sums;
-  std::memcpy(sums.data(), beyond.data(), sizeof sums);
-  float sum = 0;
-  for (const float of_lane : sums) sum += of_lane;
-  const float slope = slopes_(c) + static_cast<float>(by) * column[c];
-  return 2 * (sum - std::max(slope - high_(c), 0.0F) - std::max(low_(c) - slope, 0.0F));
+  const auto gain = [&](const Vector* after, float own_slope) {
+    std::array<float, kMostLanes> sums;
+    std::memcpy(sums.data(), after, sizeof sums);
+    float sum = 0;
+    for (const float of_lane : sums) sum += of_lane;
+    return 2 * (sum - std::max(own_slope - high_(c), 0.0F) - std::max(low_(c) - own_slope, 0.0F));
+  };
+  return {gain(after_down, slopes_(c) - column[c]), gain(after_up, slopes_(c) + column[c])};
 }
 
 MOCAPRESS_INLINE void JointSearch::set_limits(int c) {

@@ -35,17 +35,21 @@ class JointSearch {
   const std::vector<int>& run();
 
  private:
-  /// Moves one and lets the others answer; keeps that if it pays. Once for each length of vectors.
+  /// Moves one either way if that may pay. Returns whether it did. Once for each length of vectors.
+  template <typename Vector>
+  bool visit(int c);
+  bool visit_with_avx2(int c);
+
+  /// Moves one and lets the others answer; keeps that if it pays.
   template <typename Vector>
   bool attempt(int c, int by);
-  bool attempt_with_avx2(int c, int by);
 
   /// The change of error and price that a move of one makes.
   float cost_of(int c, int by) const;
 
-  /// What others would gain by answering to it, each by itself.
+  /// What others would gain by answering to a step of one down, and up, each by itself.
   template <typename Vector>
-  float gain_of_answers(int c, int by) const;
+  std::array<float, 2> gains_of_answers(int c) const;
 
   /// Moves one. Returns cost_of().
   template <typename Vector>
