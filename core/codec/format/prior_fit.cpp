@@ -56,8 +56,14 @@ std::size_t known_contexts(const NotedClip& clip, const CodingKnowledge& known) 
 
 // ---------------------------------------------------------------- each context by itself
 
+/// std::lgamma also writes the sign into a variable of all threads.
+double log_gamma(double x) {
+  int sign = 0;
+  return ::lgamma_r(x, &sign);
+}
+
 double log_beta(double a, double b) {
-  return std::lgamma(a) + std::lgamma(b) - std::lgamma(a + b);
+  return log_gamma(a) + log_gamma(b) - log_gamma(a + b);
 }
 
 struct ContextPrior {
