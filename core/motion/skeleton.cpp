@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/motion/skeleton.h"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -24,6 +25,16 @@ Eigen::Matrix3d axis_rotation(int axis, double radians) {
   rotation(last, next) = s;
   rotation(last, last) = c;
   return rotation;
+}
+
+// Eigen's FromTwoVectors needs a singular value decomposition, which takes the compiler 5 s.
+Eigen::Matrix3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const Eigen::Vector3d across = from.cross(to);
+  const double sine = across.norm();
+  const double cosine = from.dot(to);
+  const bool in_line = sine <= 1e-12 * std::abs(cosine);
+  const Eigen::Vector3d axis = in_line ? from.unitOrthogonal() : Eigen::Vector3d(across / sine);
+  return Eigen::Quaterniond(Eigen::AngleAxisd(std::atan2(sine, cosine), axis)).toRotationMatrix();
 }
 
 int Skeleton::add(Joint joint) {

@@ -46,6 +46,9 @@ std::string_view short_name(ChannelKind kind);
 /// The rotation by `radians` about coordinate axis 0, 1 or 2.
 Eigen::Matrix3d axis_rotation(int axis, double radians);
 
+/// The shortest turn of one direction to another, of any lengths but zero.
+Eigen::Matrix3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
 /// One joint, with the frame it carries. A point moves from the joint's frame to its parent's by
 ///
 ///   x_in_parent = offset + translation + rotation * x_in_joint

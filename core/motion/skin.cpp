@@ -72,16 +72,6 @@ bool have_same_axes(const Skeleton& from, const Skeleton& to, const std::vector<
   return same >= kSameAxes * all;
 }
 
-/// Eigen's FromTwoVectors needs a singular value decomposition, which takes the compiler 10 s.
-Eigen::Quaterniond shortest_turn(const Vector3d& from, const Vector3d& to) {
-  const Vector3d across = from.cross(to);
-  const double sine = across.norm();
-  const double cosine = from.dot(to);
-  const bool in_line = sine <= 1e-12 * std::abs(cosine);
-  const Vector3d axis = in_line ? from.unitOrthogonal() : Vector3d(across / sine);
-  return Eigen::Quaterniond(Eigen::AngleAxisd(std::atan2(sine, cosine), axis));
-}
-
 /// How the mesh around each joint of `from` has to turn from the bind pose to the rest pose of
 /// another skeleton: its bone points the other way there. Where none says, as around the parent.
 std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, const Skeleton& to,
@@ -92,7 +82,7 @@ std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, con
     in_bind[static_cast<std::size_t>(bone.joint)] = bone.joint_from_bind.inverse().translation();
   const Pose rest = rest_pose(to);
   std::vector<int> children(count);
-  std::vector<Eigen::Quaterniond> swings(count, Eigen::Quaterniond::Identity());
+  std::vector<Matrix3d> swings(count, Matrix3d::Identity());
   for (std::size_t child = 0; child < count; ++child) {
     if (from.joints()[child].parent < 0) continue;
     const auto parent = static_cast<std::size_t>(from.joints()[child].parent);
@@ -110,7 +100,7 @@ std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, con
     const int parent = from.joints()[j].parent;
     const Matrix3d inherited =
         parent < 0 ? Matrix3d::Identity() : turns[static_cast<std::size_t>(parent)];
-    turns.push_back(children[j] == 1 ? swings[j].toRotationMatrix() : inherited);
+    turns.push_back(children[j] == 1 ? swings[j] : inherited);
   }
   return turns;
 }

@@ -10,8 +10,8 @@
 namespace mocapress {
 namespace {
 
-auto six(Eigen::MatrixXf& matrix, int index) {
-  return matrix.middleCols(Eigen::Index{6} * index, 6);
+auto six(Eigen::MatrixXf& matrix, Eigen::Index index) {
+  return matrix.middleCols(6 * index, 6);
 }
 
 /// The sums of a joint: those of joint `from`, and what units of channels from `first` to before
@@ -21,7 +21,7 @@ template <typename Factor>
 void sum_units(const Eigen::MatrixXf& units, int first, int end, const Factor& factor_of,
                Eigen::MatrixXf& sums, Eigen::Index from, Eigen::Index joint) {
   constexpr int kMost = 3;
-  if (first == end && from != joint) sums.middleCols(6 * joint, 6) = sums.middleCols(6 * from, 6);
+  if (first == end && from != joint) six(sums, joint) = six(sums, from);
   for (Eigen::Index i = 0; i < 6; ++i) {
     float* const sum = sums.col(6 * joint + i).data();
     AddedProducts columns{sums.col(6 * from + i).data(), {}, {}};

@@ -76,7 +76,7 @@ MOCAPRESS_INLINE float inner_product_of(const float* a, const float* b, Eigen::I
 
 template <typename Vector, int count>
 MOCAPRESS_INLINE Eigen::Index add_products_of(const AddedProducts& columns, Eigen::Index t,
-                                              Eigen::Index frames, float* out) {
+                                              Eigen::Index frames, float* sum) {
   for (; t + kLanes<Vector, float> <= frames; t += kLanes<Vector, float>) {
     Vector products;
     Vector unit;
@@ -91,17 +91,17 @@ MOCAPRESS_INLINE Eigen::Index add_products_of(const AddedProducts& columns, Eige
     }
     Vector before;
     load(columns.before + t, before);
-    store<Vector>(before + products, out + t);
+    store<Vector>(before + products, sum + t);
   }
   return t;
 }
 
 template <typename Vector>
 MOCAPRESS_INLINE Eigen::Index add_products_of(const AddedProducts& columns, int count,
-                                              Eigen::Index t, Eigen::Index frames, float* out) {
-  if (count == 1) return add_products_of<Vector, 1>(columns, t, frames, out);
-  if (count == 2) return add_products_of<Vector, 2>(columns, t, frames, out);
-  return add_products_of<Vector, 3>(columns, t, frames, out);
+                                              Eigen::Index t, Eigen::Index frames, float* sum) {
+  if (count == 1) return add_products_of<Vector, 1>(columns, t, frames, sum);
+  if (count == 2) return add_products_of<Vector, 2>(columns, t, frames, sum);
+  return add_products_of<Vector, 3>(columns, t, frames, sum);
 }
 
 #ifdef MOCAPRESS_WITH_AVX2

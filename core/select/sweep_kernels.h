@@ -39,8 +39,7 @@ struct AddedProducts {
   const float* factors[3];
 };
 
-/// Writes the sum there or elsewhere. Column by column: more of them at a time are more than the
-/// processor fetches ahead.
+/// Writes the sum there or elsewhere.
 void add_products(const AddedProducts& columns, int count, Eigen::Index frames, float* sum);
 
 }  // namespace mocapress

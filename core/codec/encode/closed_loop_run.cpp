@@ -3,21 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <span>
 
-#include "core/base/instruction_sets.h"
 #include "core/base/parallel.h"
 #include "core/codec/encode/joint_search.h"
 #include "core/codec/encode/price_control.h"
-
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
+#include "core/codec/encode/step_kernels.h"
 
 namespace mocapress {
-
 namespace {
 
 constexpr double kDeadZone = 0.25;  // what is added before details are cut to whole steps
@@ -36,96 +30,8 @@ constexpr int kFirstJoint = static_cast<int>(kSettlingPrices.size()) - 3;
 
 constexpr double kLeastEps = 1e-12;  // cm, of what does not move
 
-// Loops below are over so many numbers as are known beforehand: of such the compiler makes vector
-// instructions.
-constexpr int kAtATime = 8;
-
-/// Whole steps in what is left of some coefficients when `less` is taken off.
-template <int kCount>
-MOCAPRESS_INLINE void cut_to_steps(const double* __restrict coefficients,
-                                   const float* __restrict less, double per_unit, double added,
-                                   int* __restrict values) {
-  for (int i = 0; i < kCount; ++i) {
-    const double steps = (coefficients[i] - static_cast<double>(less[i])) * per_unit;
-    const double size = std::abs(steps) < kMostSteps ? std::abs(steps) : kMostSteps;
-    values[i] = static_cast<int>(std::copysign(size + added, steps));
-  }
-}
-
-/// What so many steps lack of the coefficients.
-template <int kCount>
-MOCAPRESS_INLINE void find_differences(const int* __restrict values, double step,
-                                       const double* __restrict coefficients,
-                                       float* __restrict differences) {
-  for (int i = 0; i < kCount; ++i)
-    differences[i] = static_cast<float>(values[i] * step - coefficients[i]);
-}
-
-#ifdef MOCAPRESS_WITH_AVX2
-MOCAPRESS_FOR_AVX2 void cut_to_steps_with_avx2(const double* coefficients, const float* less,
-                                               double per_unit, double added, int* values) {
-  cut_to_steps<kAtATime>(coefficients, less, per_unit, added, values);
-}
-MOCAPRESS_FOR_AVX2 void find_differences_with_avx2(const int* values, double step,
-                                                   const double* coefficients, float* differences) {
-  find_differences<kAtATime>(values, step, coefficients, differences);
-}
-#endif
-
-void cut_to_steps(const double* coefficients, const float* less, int count, double per_unit,
-                  double added, int* values) {
-  int i = 0;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2())
-    for (; i + kAtATime <= count; i += kAtATime)
-      cut_to_steps_with_avx2(coefficients + i, less + i, per_unit, added, values + i);
-#endif
-  for (; i + 4 <= count; i += 4)
-    cut_to_steps<4>(coefficients + i, less + i, per_unit, added, values + i);
-  for (; i < count; ++i) cut_to_steps<1>(coefficients + i, less + i, per_unit, added, values + i);
-}
-
-void find_differences(const int* values, int count, double step, const double* coefficients,
-                      float* differences) {
-  int i = 0;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2())
-    for (; i + kAtATime <= count; i += kAtATime)
-      find_differences_with_avx2(values + i, step, coefficients + i, differences + i);
-#endif
-  for (; i + 4 <= count; i += 4)
-    find_differences<4>(values + i, step, coefficients + i, differences + i);
-  for (; i < count; ++i) find_differences<1>(values + i, step, coefficients + i, differences + i);
-}
-
 std::span<float> span_of(Eigen::ArrayXf& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
-}
-
-/// Calls visit(coefficient) for those of a band that are not zero or whose slope is steep: at least
-/// `threshold` times their curvature.
-template <typename Visit>
-void visit_where(const Band& band, const int* values, const float* slopes, const float* curves,
-                 float threshold, const Visit& visit) {
-  int c = band.first;
-  const int end = band.first + band.size;
-#ifdef __SSE2__
-  const __m128 no_sign = _mm_castsi128_ps(_mm_set1_epi32(0x7FFFFFFF));
-  const __m128 least = _mm_set1_ps(threshold);
-  const auto found_in_four = [&](int at) {
-    const __m128 steep = _mm_cmpge_ps(_mm_and_ps(_mm_loadu_ps(slopes + at), no_sign),
-                                      _mm_mul_ps(least, _mm_loadu_ps(curves + at)));
-    const __m128i zero = _mm_cmpeq_epi32(
-        _mm_loadu_si128(reinterpret_cast<const __m128i*>(values + at)), _mm_setzero_si128());
-    return _mm_or_ps(steep,
-                     _mm_xor_ps(_mm_castsi128_ps(zero), _mm_castsi128_ps(_mm_set1_epi32(-1))));
-  };
-  for (; c + 4 <= end; c += 4)
-    for (int found = _mm_movemask_ps(found_in_four(c)); found != 0; found &= found - 1)
-      visit(c + std::countr_zero(static_cast<unsigned>(found)));
-#endif
-  for (; c < end; ++c)
-    if (values[c] != 0 || std::abs(slopes[c]) >= threshold * curves[c]) visit(c);
 }
 
 }  // namespace

@@ -26,15 +26,6 @@ double turn_to_perpendicular(const Eigen::Vector3d& axis, const Eigen::Vector3d&
   return agreement(middle + half) > agreement(middle - half) ? middle + half : middle - half;
 }
 
-/// The shortest turn of one unit vector to another, which is not opposite. Eigen's FromTwoVectors has
-/// a singular value decomposition for those, which takes the compiler 5 s.
-Eigen::Matrix3d turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  Eigen::Quaterniond turn;
-  turn.w() = 1 + from.dot(to);
-  turn.vec() = from.cross(to);
-  return turn.normalized().toRotationMatrix();
-}
-
 double knee_flexion(double hip_to_ankle) {
   const double reach =
       std::clamp(hip_to_ankle, leg_length(kMostFlexion), leg_length(kLeastFlexion));
@@ -65,7 +56,7 @@ void place_foot(Posture& posture, Side side, const FootState& foot) {
   const Eigen::Matrix3d world_from_foot = foot.world_from_foot();
   const Eigen::Vector3d axis = leg.normalized();
   Eigen::Matrix3d world_from_femur =
-      turn_between((world_from_pelvis * leg_in_femur).normalized(), axis) * world_from_pelvis;
+      shortest_turn(world_from_pelvis * leg_in_femur, leg) * world_from_pelvis;
   const double turn = turn_to_perpendicular(axis, world_from_femur * femur_from_tibia.col(2),
                                             world_from_foot.col(0), world_from_femur.col(0));
   world_from_femur = Eigen::AngleAxisd(turn, axis).toRotationMatrix() * world_from_femur;

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
@@ -43,6 +46,20 @@ TEST(Skeleton, SumsTheLengthsAJointDrives) {
   const double arm = Eigen::Vector2d(18, 25).norm();
   EXPECT_NEAR(skeleton.driven_lengths()[1], 2 * arm, 1e-12);
   EXPECT_NEAR(skeleton.driven_lengths()[0], 20, 1e-12);
+}
+
+TEST(ShortestTurn, BringsOneDirectionToAnotherAndLeavesWhatIsAcrossBoth) {
+  using Eigen::Vector3d;
+  for (const Vector3d& from : {Vector3d(1, 0, 0), Vector3d(0, -3, 0), Vector3d(1, 2, -2)})
+    for (const Vector3d& to : {Vector3d(2, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 5, 0),
+                               Vector3d(-2, -4, 4), Vector3d(1, 2, -2.0001)}) {
+      const Eigen::Matrix3d turn = shortest_turn(from, to);
+      EXPECT_LT((turn * from.normalized() - to.normalized()).norm(), 1e-9);
+      EXPECT_LT((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+      EXPECT_GT(turn.determinant(), 0);
+      const Vector3d across = from.cross(to);
+      EXPECT_LT((turn * across - across).norm(), 1e-9 * from.norm() * to.norm());
+    }
 }
 
 }  // namespace
