@@ -105,7 +105,7 @@ int run(int argc, char** argv) {
   }
   if (!options.files.isEmpty())
     window.open(options.files, options.skeleton);
-  else if (!goes_on)
+  else if (!goes_on || window.library().isOutOfReach())
     window.files().openFirst();
   return QApplication::exec();
 }

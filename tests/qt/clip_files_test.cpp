@@ -127,6 +127,17 @@ TEST_F(Files, RemembersWhatWasOpenedAndOpensItFirstNextTime) {
   EXPECT_EQ(next.document().title(), QStringLiteral("motion.bvh"));
 }
 
+TEST_F(Files, OfWhatIsNoLongerThereNothingIsOpenedFirst) {
+  openAndSettle();
+  ASSERT_TRUE(directory_.remove());
+  Session next;
+  ClipFiles files(&next, &window_);
+  QSignalSpy opened(&next, &Session::opened);
+  files.openFirst();
+  ASSERT_TRUE(opened.wait(kPatience));
+  EXPECT_EQ(next.document().title(), QStringLiteral("human_walk.amc"));
+}
+
 TEST_F(Files, OffersASkeletonForAnAmcOnly) {
   QSignalSpy failed(&files_, &ClipFiles::openFailed);
   files_.open(directory_.filePath(QStringLiteral("none.amc")));

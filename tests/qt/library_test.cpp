@@ -131,6 +131,19 @@ TEST_F(InALibrary, GoesOnAfterAnEndWithoutTalkOfACrash) {
   EXPECT_EQ(run.session.document().original()->path, walk);
 }
 
+TEST_F(InALibrary, IsOutOfReachWhereTheFilesOfAllItsClipsAreGone) {
+  const QString walk = clip("walk.bvh", 1);
+  const QString jump = clip("jump.bvh", 2);
+  Run run;
+  EXPECT_FALSE(run.library.isOutOfReach());
+  run.library.add({walk, jump});
+  EXPECT_FALSE(run.library.isOutOfReach());
+  ASSERT_TRUE(QFile::remove(walk));
+  EXPECT_FALSE(run.library.isOutOfReach());
+  ASSERT_TRUE(QFile::remove(jump));
+  EXPECT_TRUE(run.library.isOutOfReach());
+}
+
 TEST_F(InALibrary, ReopensAfterAnEndTheProjectThatWasInUseWithItsNewestState) {
   const QString knights = path("knights.mocapress");
   {

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QSettings>
+#include <algorithm>
 #include <utility>
 
 #include "app/studio/document/import_options_dialog.h"
@@ -117,7 +118,10 @@ ClipFiles::ClipFiles(Session* session, QWidget* window)
 
 void ClipFiles::openFirst() {
   const QList<RecentFile> recent = recentFiles();
-  const RecentFile first = recent.isEmpty() ? RecentFile{sampleClip(), {}} : recent.front();
+  const auto left = std::find_if(recent.begin(), recent.end(), [](const RecentFile& file) {
+    return QFileInfo::exists(file.path);
+  });
+  const RecentFile first = left == recent.end() ? RecentFile{sampleClip(), {}} : *left;
   if (!first.path.isEmpty()) session_->open(first.path, first.skeleton);
 }
 

@@ -45,7 +45,7 @@ class ClipFiles : public QObject {
  public:
   ClipFiles(Session* session, QWidget* window);
 
-  /// What was open last, or the bundled walk.
+  /// Of what was open last, what is still there; else the bundled walk.
   void openFirst();
 
   void open(const QString& path, const QString& skeleton = {});

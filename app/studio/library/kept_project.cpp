@@ -113,6 +113,12 @@ bool KeptProject::begin(const QString& folder) {
   return true;
 }
 
+bool KeptProject::isOutOfReach() const {
+  return !project_.clips.empty() &&
+         std::none_of(project_.clips.begin(), project_.clips.end(),
+                      [](const ProjectClip& clip) { return QFileInfo::exists(clip.path); });
+}
+
 bool KeptProject::end() {
   if (!flush()) return false;
   try {

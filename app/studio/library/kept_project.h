@@ -69,6 +69,9 @@ class KeptProject : public QObject {
   /// It would have no name where there is something to name.
   bool needsName() const { return name().isEmpty() && !project_.clips.empty(); }
 
+  /// It has clips, and the files of all of them are gone: it can show none.
+  bool isOutOfReach() const;
+
   /// Changes wait that could not be written.
   bool stuck() const { return !trouble_.isEmpty(); }
 
