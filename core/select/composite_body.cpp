@@ -4,14 +4,10 @@
 #include "core/select/composite_body.h"
 
 #include "core/base/instruction_sets.h"
+#include "core/select/three.h"
 
 namespace mocapress {
 namespace {
-
-template <typename Vector>
-struct Three {
-  Vector x, y, z;
-};
 
 template <typename Vector>
 MOCAPRESS_INLINE void load_three(const ThreeColumns& from, int t, Three<Vector>& three) {
@@ -27,18 +23,11 @@ MOCAPRESS_INLINE void load_three(const std::array<CompositeBody::Column, 3>& fro
 }
 
 template <typename Vector>
-MOCAPRESS_INLINE void subtract(const Three<Vector>& less, Three<Vector>& three) {
-  three.x -= less.x;
-  three.y -= less.y;
-  three.z -= less.z;
-}
-
-template <typename Vector>
-MOCAPRESS_INLINE void cross(const Three<Vector>& a, const Three<Vector>& b,
-                            Three<Vector>& product) {
-  product.x = a.y * b.z - a.z * b.y;
-  product.y = a.z * b.x - a.x * b.z;
-  product.z = a.x * b.y - a.y * b.x;
+MOCAPRESS_INLINE void store_three(const Three<Vector>& three, int t,
+                                  std::array<CompositeBody::Column, 3>& to) {
+  store(three.x, to[0].data() + t);
+  store(three.y, to[1].data() + t);
+  store(three.z, to[2].data() + t);
 }
 
 template <typename Vector>
@@ -46,17 +35,6 @@ MOCAPRESS_INLINE void increase(CompositeBody::Column& column, int t, const Vecto
   Vector sum;
   load(column.data() + t, sum);
   store<Vector>(sum + by, column.data() + t);
-}
-
-MOCAPRESS_INLINE void store_as_floats(const Doubles4& vector, float* to) {
-  store<Floats4>(__builtin_convertvector(vector, Floats4), to);
-}
-MOCAPRESS_INLINE void store_as_floats(const Doubles2& vector, float* to) {
-  to[0] = static_cast<float>(vector[0]);
-  to[1] = static_cast<float>(vector[1]);
-}
-MOCAPRESS_INLINE void store_as_floats(const Doubles1& vector, float* to) {
-  *to = static_cast<float>(vector);
 }
 
 // Each does as many frames as make up vectors, and returns the first that is left over.
@@ -86,75 +64,33 @@ MOCAPRESS_INLINE int add_points(CompositeBody& body, double weight, const ThreeC
   return t;
 }
 
-/// `turn`: about the origin; else there is none, and `shift` is all.
-template <typename Vector, bool turns>
-MOCAPRESS_INLINE void respond(const CompositeBody& body, const Three<Vector>& turn,
-                              const Three<Vector>& shift, int t, const ChannelResponse& response) {
-  Three<Vector> moment;
-  load_three(body.moment, t, moment);
-  Three<Vector> torque;
-  cross(moment, shift, torque);
-  Three<Vector> force = {body.mass * shift.x, body.mass * shift.y, body.mass * shift.z};
-  Vector work;
-  if constexpr (turns) {
-    Three<Vector> of_turn;
-    cross(turn, moment, of_turn);
-    force.x += of_turn.x;
-    force.y += of_turn.y;
-    force.z += of_turn.z;
+template <typename Vector>
+MOCAPRESS_INLINE int move_origin(const CompositeBody& body, const ThreeColumns& place,
+                                 const ThreeColumns& origin, int t, int frames,
+                                 CompositeBody& moved) {
+  for (; t + kLanes<Vector, double> <= frames; t += kLanes<Vector, double>) {
+    Three<Vector> by;
+    Three<Vector> old_origin;
+    load_three(place, t, by);
+    load_three(origin, t, old_origin);
+    subtract(old_origin, by);
+    Three<Vector> before;
+    load_three(body.moment, t, before);
+    Three<Vector> moment = before;
+    add_product(Vector{} - body.mass, by, moment);
     Three<Vector> square;
-    Three<Vector> mixed;
     load_three(body.square, t, square);
+    square.x -= by.x * (before.x + moment.x);
+    square.y -= by.y * (before.y + moment.y);
+    square.z -= by.z * (before.z + moment.z);
+    Three<Vector> mixed;
     load_three(body.mixed, t, mixed);
-    torque.x += (square.y + square.z) * turn.x - mixed.z * turn.y - mixed.y * turn.z;
-    torque.y += (square.z + square.x) * turn.y - mixed.x * turn.z - mixed.z * turn.x;
-    torque.z += (square.x + square.y) * turn.z - mixed.y * turn.x - mixed.x * turn.y;
-    work = turn.x * torque.x + turn.y * torque.y + turn.z * torque.z + shift.x * force.x +
-           shift.y * force.y + shift.z * force.z;
-  } else {
-    work = shift.x * force.x + shift.y * force.y + shift.z * force.z;
-  }
-  store_as_floats(turn.x, response.motion[0] + t);
-  store_as_floats(turn.y, response.motion[1] + t);
-  store_as_floats(turn.z, response.motion[2] + t);
-  store_as_floats(shift.x, response.motion[3] + t);
-  store_as_floats(shift.y, response.motion[4] + t);
-  store_as_floats(shift.z, response.motion[5] + t);
-  store_as_floats(torque.x, response.force[0] + t);
-  store_as_floats(torque.y, response.force[1] + t);
-  store_as_floats(torque.z, response.force[2] + t);
-  store_as_floats(force.x, response.force[3] + t);
-  store_as_floats(force.y, response.force[4] + t);
-  store_as_floats(force.z, response.force[5] + t);
-  store(work, response.curvature + t);
-}
-
-template <typename Vector>
-MOCAPRESS_INLINE int turn_body(const CompositeBody& body, const ThreeColumns& axis,
-                               const ThreeColumns& joint_origin, const ThreeColumns& origin, int t,
-                               int frames, const ChannelResponse& response) {
-  for (; t + kLanes<Vector, double> <= frames; t += kLanes<Vector, double>) {
-    Three<Vector> turn;
-    Three<Vector> place;
-    Three<Vector> seen_from;
-    load_three(axis, t, turn);
-    load_three(joint_origin, t, place);
-    load_three(origin, t, seen_from);
-    subtract(seen_from, place);
-    Three<Vector> shift;
-    cross(place, turn, shift);
-    respond<Vector, true>(body, turn, shift, t, response);
-  }
-  return t;
-}
-
-template <typename Vector>
-MOCAPRESS_INLINE int shift_body(const CompositeBody& body, const ThreeColumns& axis, int t,
-                                int frames, const ChannelResponse& response) {
-  for (; t + kLanes<Vector, double> <= frames; t += kLanes<Vector, double>) {
-    Three<Vector> shift;
-    load_three(axis, t, shift);
-    respond<Vector, false>(body, Three<Vector>{}, shift, t, response);
+    mixed.x -= by.y * before.z + by.z * moment.y;
+    mixed.y -= by.z * before.x + by.x * moment.z;
+    mixed.z -= by.x * before.y + by.y * moment.x;
+    store_three(moment, t, moved.moment);
+    store_three(square, t, moved.square);
+    store_three(mixed, t, moved.mixed);
   }
   return t;
 }
@@ -165,11 +101,10 @@ MOCAPRESS_FOR_AVX2 int add_points_with_avx2(CompositeBody& body, double weight,
                                             int frames) {
   return add_points<Doubles4>(body, weight, places, origin, 0, frames);
 }
-MOCAPRESS_FOR_AVX2 int turn_body_with_avx2(const CompositeBody& body, const ThreeColumns& axis,
-                                           const ThreeColumns& joint_origin,
-                                           const ThreeColumns& origin, int frames,
-                                           const ChannelResponse& response) {
-  return turn_body<Doubles4>(body, axis, joint_origin, origin, 0, frames, response);
+MOCAPRESS_FOR_AVX2 int move_origin_with_avx2(const CompositeBody& body, const ThreeColumns& place,
+                                             const ThreeColumns& origin, int frames,
+                                             CompositeBody& moved) {
+  return move_origin<Doubles4>(body, place, origin, 0, frames, moved);
 }
 #endif
 
@@ -197,21 +132,17 @@ void CompositeBody::add(const CompositeBody& other, int frames) {
   add_three(other.mixed, mixed);
 }
 
-void turn_body(const CompositeBody& body, const ThreeColumns& axis,
-               const ThreeColumns& joint_origin, const ThreeColumns& origin, int frames,
-               const ChannelResponse& response) {
+CompositeBody CompositeBody::seen_from(const ThreeColumns& place, const ThreeColumns& origin,
+                                       int frames) const {
+  CompositeBody moved;
+  moved.mass = mass;
   int t = 0;
 #ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) t = turn_body_with_avx2(body, axis, joint_origin, origin, frames, response);
+  if (has_avx2()) t = move_origin_with_avx2(*this, place, origin, frames, moved);
 #endif
-  t = turn_body<Doubles2>(body, axis, joint_origin, origin, t, frames, response);
-  turn_body<Doubles1>(body, axis, joint_origin, origin, t, frames, response);
-}
-
-void shift_body(const CompositeBody& body, const ThreeColumns& axis, int frames,
-                const ChannelResponse& response) {
-  const int t = shift_body<Doubles2>(body, axis, 0, frames, response);
-  shift_body<Doubles1>(body, axis, t, frames, response);
+  t = move_origin<Doubles2>(*this, place, origin, t, frames, moved);
+  move_origin<Doubles1>(*this, place, origin, t, frames, moved);
+  return moved;
 }
 
 }  // namespace mocapress

@@ -24,23 +24,9 @@ struct CompositeBody {
   /// Places are seen from `origin`.
   void add(double weight, const ThreeColumns& places, const ThreeColumns& origin, int frames);
   void add(const CompositeBody& other, int frames);
+
+  /// What of these sums is left where `place` is the origin.
+  CompositeBody seen_from(const ThreeColumns& place, const ThreeColumns& origin, int frames) const;
 };
-
-/// What a unit of a channel does to all it moves.
-struct ChannelResponse {
-  std::array<float*, 6> motion;  // turn and shift of the world's origin
-  std::array<float*, 6> force;   // torque about it and force that this calls up
-  double* curvature;             // the work that the force does along the motion
-};
-
-/// Of a channel that turns the body about an axis through a joint's origin. All in the world, and
-/// seen from `origin`.
-void turn_body(const CompositeBody& body, const ThreeColumns& axis,
-               const ThreeColumns& joint_origin, const ThreeColumns& origin, int frames,
-               const ChannelResponse& response);
-
-/// Of one that shifts it along an axis.
-void shift_body(const CompositeBody& body, const ThreeColumns& axis, int frames,
-                const ChannelResponse& response);
 
 }  // namespace mocapress

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Based on: R. Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapter 6 (composite rigid
-// bodies).
 #include "core/select/error_model.h"
 
 #include <algorithm>
@@ -10,7 +8,7 @@
 #include "core/base/parallel.h"
 #include "core/motion/pose_block.h"
 #include "core/select/composite_body.h"
-#include "core/select/sweep_kernels.h"
+#include "core/select/inner_product.h"
 
 namespace mocapress {
 namespace {
@@ -19,27 +17,27 @@ constexpr int kVector = 8;                               // numbers
 constexpr Eigen::Index kSampleEvery = 2;                 // frames
 constexpr Eigen::Index kBlock = CompositeBody::kFrames;  // frames at a time
 
-/// Some numbers for each frame of a block.
-template <int count, typename Number = double>
-using Block = Eigen::Array<Number, Eigen::Dynamic, count, Eigen::ColMajor, kBlock, count>;
-
-/// Columns count * index ... of a matrix with as many a thing.
-template <int count, typename Matrix>
-auto columns(const Matrix& matrix, int index, Eigen::Index first, Eigen::Index frames) {
-  return matrix.block(first, static_cast<Eigen::Index>(index) * count, frames, count).array();
-}
-
 /// Three columns of a matrix with three for each thing, from a frame on.
 ThreeColumns three_of(const Eigen::MatrixXd& matrix, int index, Eigen::Index first) {
   const double* const from = matrix.data() + Eigen::Index{3} * index * matrix.rows() + first;
   return {from, from + matrix.rows(), from + 2 * matrix.rows()};
 }
 
-std::array<float*, 6> six_from(Eigen::MatrixXf& matrix, Eigen::Index index, Eigen::Index first) {
-  std::array<float*, 6> columns;
-  for (Eigen::Index i = 0; i < 6; ++i)
-    columns[static_cast<std::size_t>(i)] = matrix.col(6 * index + i).data() + first;
-  return columns;
+/// What columns have at a frame.
+Eigen::Vector3d at(const ThreeColumns& columns, Eigen::Index frame) {
+  return {columns[0][frame], columns[1][frame], columns[2][frame]};
+}
+Eigen::Vector3d at(const std::array<CompositeBody::Column, 3>& columns, Eigen::Index frame) {
+  return at({columns[0].data(), columns[1].data(), columns[2].data()}, frame);
+}
+
+/// The torque that turns of a body about the origin call up.
+Eigen::Matrix3d inertia_of(const Eigen::Vector3d& square, const Eigen::Vector3d& mixed) {
+  Eigen::Matrix3d inertia;
+  inertia << square.y() + square.z(), -mixed.z(), -mixed.y(),  //
+      -mixed.z(), square.z() + square.x(), -mixed.x(),         //
+      -mixed.y(), -mixed.x(), square.x() + square.y();
+  return inertia;
 }
 
 }  // namespace
@@ -79,28 +77,28 @@ ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
                        point_tracks(skeleton, measured.points, original)}) {}
 
 ErrorModel::ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, const Posed& posed)
-    : places_(posed.moves.places),
-      above_(posed.moves.places.size()),
-      below_(posed.moves.places.size()) {
-  const auto joints = static_cast<std::size_t>(skeleton.joint_count());
-  for (int j = 0; j < skeleton.joint_count(); ++j) parents_.push_back(skeleton.joint(j).parent);
-  std::vector<std::vector<int>> joint_channels(joints);
-  for (std::size_t c = 0; c < places_.size(); ++c)
-    joint_channels[static_cast<std::size_t>(places_[c].joint)].push_back(static_cast<int>(c));
-  for (std::size_t c = 0; c < places_.size(); ++c) {
-    int joint = places_[c].joint;
-    const auto& beside = joint_channels[static_cast<std::size_t>(joint)];
-    below_[c].insert(below_[c].end(), beside.begin(), beside.end());
-    while ((joint = skeleton.joint(joint).parent) >= 0)
-      for (const int other : joint_channels[static_cast<std::size_t>(joint)]) {
-        above_[c].push_back(other);
-        below_[static_cast<std::size_t>(other)].push_back(static_cast<int>(c));
-      }
+    : places_(posed.moves.places), origins_(posed.origins) {
+  int channel = 0;
+  for (int j = 0; j < skeleton.joint_count(); ++j) {
+    LinkageJoint joint{.parent = skeleton.joint(j).parent, .first_channel = channel, .turns = {}};
+    for (; channel < std::ssize(places_) && places_[static_cast<std::size_t>(channel)].joint == j;
+         ++channel) {
+      const bool turns = places_[static_cast<std::size_t>(channel)].rotates;
+      joint.turns.push_back(turns);
+      joint.shifts = joint.shifts || !turns;
+    }
+    if (joint.parent >= 0) {
+      linkage_[static_cast<std::size_t>(joint.parent)].is_leaf = false;
+      for (LinkageJoint& other : linkage_)
+        if (other.parent == joint.parent) other.is_last_child = false;
+    }
+    linkage_.push_back(std::move(joint));
   }
+  assert(channel == std::ssize(places_));
   is_moved_by_.resize(places_.size() * places_.size());
   for (std::size_t c = 0; c < places_.size(); ++c)
-    for (const int other : below_[c])
-      is_moved_by_[static_cast<std::size_t>(other) * places_.size() + c] = 1;
+    for (std::size_t other = 0; other < places_.size(); ++other)
+      is_moved_by_[c * places_.size() + other] = moves(static_cast<int>(other), places_[c].joint);
   compute_motions(skeleton, measured, posed);
 }
 
@@ -111,13 +109,16 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
   assert(weights.size() == std::ssize(points));
   const SignalMoves& moves = posed.moves;
   const Eigen::Index rows = moves.axes.rows();
-  origin_ = posed.origins.leftCols(3);
   const auto channels = static_cast<Eigen::Index>(moves.places.size());
-  motions_.resize(rows, 6 * channels);
-  forces_.resize(rows, 6 * channels);
+  const FrameRange all{0, rows};
+  for (LinkageJoint& joint : linkage_)
+    joint.numbers.resize(static_cast<std::size_t>(all.eights() * joint.stride()));
+  for (int p = 0; p < weights.size(); ++p)
+    for (int j = points[static_cast<std::size_t>(p)].joint; j >= 0; j = skeleton.joint(j).parent)
+      linkage_[static_cast<std::size_t>(j)].mass += static_cast<float>(std::max(weights(p), 0.0));
   curvature_.resize(rows, channels);
   samples_ =
-      Eigen::MatrixXf::Zero(2 * kVector * channels, (rows + kSampleEvery - 1) / kSampleEvery);
+      Eigen::MatrixXf::Zero(2 * kVector * ((rows + kSampleEvery - 1) / kSampleEvery), channels);
   const Eigen::Index blocks = (rows + kBlock - 1) / kBlock;
   parallel_for(Eigen::Index{0}, blocks, [&](Eigen::Index block) {
     const Eigen::Index first = block * kBlock;
@@ -132,21 +133,46 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
     for (int j = skeleton.joint_count() - 1; j >= 0; --j)
       if (const int parent = skeleton.joint(j).parent; parent >= 0)
         bodies[static_cast<std::size_t>(parent)].add(bodies[static_cast<std::size_t>(j)], frames);
-
-    for (int c = 0; c < static_cast<int>(channels); ++c) {
-      const auto [joint, rotates] = moves.places[static_cast<std::size_t>(c)];
-      const CompositeBody& body = bodies[static_cast<std::size_t>(joint)];
-      const ThreeColumns axis = three_of(moves.axes, c, first);
-      const ChannelResponse response{.motion = six_from(motions_, c, first),
-                                     .force = six_from(forces_, c, first),
-                                     .curvature = curvature_.col(c).data() + first};
-      if (rotates)
-        turn_body(body, axis, three_of(posed.origins, joint, first), origin, frames, response);
-      else
-        shift_body(body, axis, frames, response);
-    }
-    copy_samples(first, frames);
+    for (int j = 0; j < skeleton.joint_count(); ++j)
+      set_joint(j,
+                bodies[static_cast<std::size_t>(j)].seen_from(three_of(origins_, j, first), origin,
+                                                              frames),
+                moves.axes, first, frames);
   });
+}
+
+void ErrorModel::set_joint(int j, const CompositeBody& body, const Eigen::MatrixXd& axes,
+                           Eigen::Index first, Eigen::Index frames) {
+  LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
+  const ThreeColumns origin = three_of(origins_, j, first);
+  const ThreeColumns parent = three_of(origins_, std::max(joint.parent, 0), first);
+  const ThreeColumns root = three_of(origins_, 0, first);
+  for (Eigen::Index t = 0; t < frames; ++t) {
+    const Eigen::Vector3d place = at(origin, t);
+    const Eigen::Vector3d moment = at(body.moment, t);
+    const Eigen::Vector3d mixed = at(body.mixed, t);
+    const Eigen::Matrix3d inertia = inertia_of(at(body.square, t), mixed);
+    joint.set(first + t, LinkageJoint::kArm, place - at(parent, t));
+    joint.set(first + t, LinkageJoint::kMoment, moment);
+    joint.set(first + t, LinkageJoint::kInertia, inertia.diagonal());
+    joint.set(first + t, LinkageJoint::kMixed, mixed);
+    for (int c = joint.first_channel; c < joint.end_channel(); ++c) {
+      const bool turns = places_[static_cast<std::size_t>(c)].rotates;
+      const Eigen::Vector3d axis = at(three_of(axes, c, first), t);
+      const Eigen::Vector3d torque = turns ? inertia * axis : moment.cross(axis);
+      const Eigen::Vector3d force = turns ? axis.cross(moment) : body.mass * axis;
+      joint.set(first + t, joint.axis_of(c), axis);
+      curvature_(first + t, c) = axis.dot(turns ? torque : force);
+      if ((first + t) % kSampleEvery != 0) continue;
+      const Eigen::Vector3d from_root = place - at(root, t);
+      auto sample =
+          samples_.col(c).segment<2 * kVector>(2 * kVector * ((first + t) / kSampleEvery));
+      if (turns) sample.head<3>() = axis.cast<float>();
+      sample.segment<3>(3) = (turns ? from_root.cross(axis) : axis).cast<float>();
+      sample.segment<3>(kVector) = (torque + from_root.cross(force)).cast<float>();
+      sample.segment<3>(kVector + 3) = force.cast<float>();
+    }
+  }
 }
 
 bool ErrorModel::are_related(int a, int b) const {
@@ -157,22 +183,22 @@ bool ErrorModel::are_related(int a, int b) const {
 
 Eigen::ArrayXf ErrorModel::entry(int a, int b) const {
   const bool a_is_upper = moves(a, places_[static_cast<std::size_t>(b)].joint);
-  Eigen::ArrayXf work = Eigen::ArrayXf::Zero(frames());
+  const int upper = a_is_upper ? a : b;
+  const int lower = a_is_upper ? b : a;
+  const FrameRange all{0, frames()};
   const Eigen::ArrayXf once = Eigen::ArrayXf::Ones(frames());
-  add_work(six_of(forces_, a_is_upper ? b : a), six_of(motions_, a_is_upper ? a : b), once.data(),
-           work.size(), work.data());
+  std::vector<JointState> state(static_cast<std::size_t>(all.eights()));
+  std::vector<JointState> of_parent(state.size());
+  const LinkageJoint* joint = &joint_of(lower);
+  add_error(*joint, lower, once.data(), all, true, state.data());
+  for (; joint != &joint_of(upper); joint = &linkage_[static_cast<std::size_t>(joint->parent)]) {
+    hand_up(*joint, all, state.data(), of_parent.data());
+    state.swap(of_parent);
+  }
+  Eigen::ArrayXf work(EightFrames::kCount * all.eights());
+  find_work(*joint, upper, all, state.data(), work.data());
+  work.conservativeResize(frames());
   return work;
-}
-
-void ErrorModel::copy_samples(Eigen::Index first, Eigen::Index frames) {
-  const Eigen::Index first_sample = (first + kSampleEvery - 1) / kSampleEvery;
-  const Eigen::Index end_sample = (first + frames + kSampleEvery - 1) / kSampleEvery;
-  for (Eigen::Index k = first_sample; k < end_sample; ++k)
-    for (int c = 0; c < channels(); ++c) {
-      auto numbers = samples_.col(k).segment<2 * kVector>(2 * kVector * c);
-      numbers.head<6>() = motions_.row(k * kSampleEvery).segment<6>(Eigen::Index{6} * c);
-      numbers.segment<6>(kVector) = forces_.row(k * kSampleEvery).segment<6>(Eigen::Index{6} * c);
-    }
 }
 
 void ErrorModel::sum_squares(const std::vector<int>& channels, const ShortFunction& function,
@@ -192,9 +218,9 @@ void ErrorModel::sum_squares(const std::vector<int>& channels, const ShortFuncti
   Eigen::MatrixXf motions(kVector * samples, count);
   Eigen::MatrixXf forces(kVector * samples, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Index row = 2 * kVector * channels[static_cast<std::size_t>(i)];
+    const float* const of_channel = samples_.col(channels[static_cast<std::size_t>(i)]).data();
     for (Eigen::Index k = 0; k < samples; ++k) {
-      const float* const numbers = samples_.col((first + k * apart) / kSampleEvery).data() + row;
+      const float* const numbers = of_channel + 2 * kVector * ((first + k * apart) / kSampleEvery);
       Eigen::Map<Numbers>(motions.col(i).data() + kVector * k) =
           weights(k) * Eigen::Map<const Numbers>(numbers);
       Eigen::Map<Numbers>(forces.col(i).data() + kVector * k) =
@@ -214,21 +240,19 @@ void ErrorModel::sum_squares(const std::vector<int>& channels, const ShortFuncti
 }
 
 bool ErrorModel::moves(int channel, int joint) const {
-  while (joint > places_[static_cast<std::size_t>(channel)].joint)
-    joint = parents_[static_cast<std::size_t>(joint)];
-  return joint == places_[static_cast<std::size_t>(channel)].joint;
+  const int own = places_[static_cast<std::size_t>(channel)].joint;
+  while (joint > own) joint = linkage_[static_cast<std::size_t>(joint)].parent;
+  return joint == own;
 }
 
 Eigen::MatrixXd ErrorModel::velocity(int channel, const Eigen::MatrixXd& places) const {
-  const Eigen::ArrayXXd motion = columns<6>(motions_, channel, 0, frames()).cast<double>();
-  const auto turn = motion.leftCols<3>();
-  const auto shift = motion.rightCols<3>();
-  const Eigen::ArrayXXd arm = places - origin_;
-  Eigen::MatrixXd moved(arm.rows(), 3);
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    moved.col(i) = shift.col(i) + turn.col(j) * arm.col(k) - turn.col(k) * arm.col(j);
+  const auto [j, rotates] = places_[static_cast<std::size_t>(channel)];
+  const LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
+  Eigen::MatrixXd moved(places.rows(), 3);
+  for (Eigen::Index t = 0; t < places.rows(); ++t) {
+    const Eigen::RowVector3d axis = joint.at(t, joint.axis_of(channel)).transpose();
+    const Eigen::RowVector3d arm = places.row(t) - origins_.block<1, 3>(t, Eigen::Index{3} * j);
+    moved.row(t) = rotates ? Eigen::RowVector3d(axis.cross(arm)) : axis;
   }
   return moved;
 }
@@ -239,27 +263,84 @@ void ErrorModel::add(const PointResponse& response) {
   terms_.push_back(std::move(term));
 }
 
-/// The force that one channel calls up does work along the motion of the other: that of the lower
-/// one is of all landmarks that both move.
-template <typename Visit>
-void ErrorModel::visit_related(int channel, const Visit& visit) const {
-  const auto c = static_cast<std::size_t>(channel);
-  for (const int other : below_[c]) visit(other, six_of(forces_, other), six_of(motions_, channel));
-  for (const int other : above_[c]) visit(other, six_of(forces_, channel), six_of(motions_, other));
+void ErrorModel::find_gradient(const Eigen::MatrixXf& errors, Eigen::MatrixXf& gradient) const {
+  // Of so many frames all that is met again, from joint to joint and on the way back, stays in the
+  // cache.
+  constexpr Eigen::Index kTile = 64;
+  constexpr Eigen::Index kFewTiles = 4;
+  using State = std::array<JointState, kTile / EightFrames::kCount>;
+  const FrameRange all{0, frames()};
+  const ErrorColumns columns{errors.data(), errors.rows()};
+  gradient.resize(EightFrames::kCount * all.eights(), channels());
+  const Eigen::Index tiles = (frames() + kTile - 1) / kTile;
+  parallel_ranges(Eigen::Index{0}, tiles, kFewTiles, [&](Eigen::Index tile, Eigen::Index end) {
+    std::vector<State> states(linkage_.size());
+    std::array<float, kTile> energies{};
+    const auto state_of = [&](int joint) {
+      return joint < 0 ? nullptr : states[static_cast<std::size_t>(joint)].data();
+    };
+    for (; tile < end; ++tile) {
+      const FrameRange range{tile * kTile, std::min(kTile, frames() - tile * kTile)};
+      for (int j = static_cast<int>(std::ssize(linkage_)) - 1; j >= 0; --j) {
+        const LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
+        hand_up(joint, columns, range, state_of(j), state_of(joint.parent), energies.data());
+      }
+      for (int j = 0; j < std::ssize(linkage_); ++j) {
+        const LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
+        enter(joint, columns, range, state_of(joint.parent), state_of(j));
+        for (int c = joint.first_channel; c < joint.end_channel(); ++c)
+          find_work(joint, c, range, state_of(j), gradient.col(c).data() + range.first);
+      }
+    }
+  });
+  for (const PointTerm& term : terms_) {
+    Eigen::MatrixXf forces = term.no_forces();
+    for (int c = 0; c < channels(); ++c) term.add_forces(c, errors.col(c).array(), forces);
+    for (int c = 0; c < channels(); ++c)
+      term.add_work(c, forces, gradient.col(c).head(frames()).array());
+  }
 }
 
 void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
                                  Eigen::MatrixXd& gradient) const {
   for (const PointTerm& term : terms_) term.add_to_gradient(channel, delta, gradient);
+  constexpr std::size_t kEights = kBlock / EightFrames::kCount;
+  using State = std::array<JointState, kEights>;
+  const int own = places_[static_cast<std::size_t>(channel)].joint;
+  std::vector<State> states(linkage_.size());
   for (Eigen::Index first = 0; first < delta.size(); first += kBlock) {
-    const Eigen::Index frames = std::min(kBlock, delta.size() - first);
-    const Block<1, float> step = delta.segment(first, frames).cast<float>();
+    const FrameRange range{first, std::min(kBlock, delta.size() - first)};
+    const Eigen::ArrayXf step = delta.segment(first, range.count).cast<float>();
     if ((step == 0).all()) continue;
-    visit_related(channel, [&](int other, const SixColumns& force, const SixColumns& motion) {
-      Block<1, float> work = Block<1, float>::Zero(frames, 1);
-      add_work(force.from(first), motion.from(first), step.data(), frames, work.data());
-      gradient.col(other).segment(first, frames).array() += work.cast<double>();
-    });
+    const auto add_work_of = [&](int j) {
+      const LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
+      for (int c = joint.first_channel; c < joint.end_channel(); ++c) {
+        std::array<float, kBlock> work;
+        find_work(joint, c, range, states[static_cast<std::size_t>(j)].data(), work.data());
+        gradient.col(c).segment(first, range.count) +=
+            Eigen::Map<const Eigen::VectorXf>(work.data(), range.count).cast<double>();
+      }
+    };
+    State& state = states[static_cast<std::size_t>(own)];
+    state = {};
+    add_error(linkage_[static_cast<std::size_t>(own)], channel, step.data(), range, true,
+              state.data());
+    add_work_of(own);
+    // The force works on all above, the movement goes to all below.
+    for (int j = own, parent; (parent = linkage_[static_cast<std::size_t>(j)].parent) >= 0;
+         j = parent) {
+      hand_up(linkage_[static_cast<std::size_t>(j)], range,
+              states[static_cast<std::size_t>(j)].data(),
+              states[static_cast<std::size_t>(parent)].data());
+      add_work_of(parent);
+    }
+    for (int j = own + 1; j < std::ssize(linkage_); ++j) {
+      if (!moves(channel, j)) continue;
+      const LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
+      State& moved = states[static_cast<std::size_t>(j)];
+      enter(joint, range, states[static_cast<std::size_t>(joint.parent)].data(), moved.data());
+      add_work_of(j);
+    }
   }
 }
 

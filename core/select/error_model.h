@@ -6,12 +6,16 @@
 #include <vector>
 
 #include "core/motion/landmarks.h"
+#include "core/select/linkage.h"
 #include "core/select/point_term.h"
 #include "core/wavelet/synthesis.h"
 
 namespace mocapress {
 
-/// What one unit more of each signal does to a joint, at the original pose.
+struct CompositeBody;
+
+/// What one unit more of each signal does to a joint, at the original pose. Signals are in the
+/// order of their joints.
 struct SignalMoves {
   struct Place {
     int joint;
@@ -29,10 +33,9 @@ struct SignalMoves {
 ///   eps_x^2 ~ (1/n) sum_t e_t^T G_t e_t,   G_t = J_t^T W J_t.
 ///
 /// No G_t is formed. Its entry for two channels is the work that the force called up by one does
-/// along the motion of the other; motion and force are 6-vectors (turn and shift; torque and force)
-/// and the force is that on all landmarks below the lower channel, as in the composite rigid body
-/// algorithm for linkages. Immutable, shared by any number of states. 21 numbers a channel and
-/// frame.
+/// along the motion of the other, where the force is that on all landmarks below the lower channel
+/// (linkage.h). Immutable, shared by any number of states. 22 numbers a channel and frame where
+/// joints have two.
 class ErrorModel {
  public:
   ErrorModel(const Skeleton& skeleton, const Clip& original, Weighting weighting);
@@ -67,6 +70,10 @@ class ErrorModel {
   /// Lets errors of some points count otherwise.
   void add(const PointResponse& response);
 
+  /// G times errors of all channels (frames x channels): frames to a whole number of eights x
+  /// channels. Frame by frame what an ErrorSweep finds as long as no error changes, in less time.
+  void find_gradient(const Eigen::MatrixXf& errors, Eigen::MatrixXf& gradient) const;
+
   /// gradient += G times an error of `delta` (one value a frame) in `channel` alone.
   /// Touches only the channels that share landmarks with it.
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
@@ -85,20 +92,19 @@ class ErrorModel {
   ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, const Posed& posed);
   void compute_motions(const Skeleton& skeleton, const MeasuredPoints& measured,
                        const Posed& posed);
-  void copy_samples(Eigen::Index first, Eigen::Index frames);
-  /// Calls visit(other channel, what works on it, what moves it) for all related to a channel.
-  template <typename Visit>
-  void visit_related(int channel, const Visit& visit) const;
+  /// `body`: all that a joint moves, seen from it.
+  void set_joint(int j, const CompositeBody& body, const Eigen::MatrixXd& axes, Eigen::Index first,
+                 Eigen::Index frames);
+  const LinkageJoint& joint_of(int channel) const {
+    return linkage_[static_cast<std::size_t>(places_[static_cast<std::size_t>(channel)].joint)];
+  }
 
   std::vector<SignalMoves::Place> places_;
-  std::vector<int> parents_;               // of joints
-  Eigen::MatrixXd origin_;                 // what places are seen from: frames x 3, cm
-  std::vector<std::vector<int>> above_;    // channels of the joints above each channel's own
-  std::vector<std::vector<int>> below_;    // of its own joint and of those below
-  std::vector<std::uint8_t> is_moved_by_;  // channels x channels, row by row: below_ as a table
-  Eigen::MatrixXf motions_;                // frames x 6 * channels
-  Eigen::MatrixXf forces_;                 // frames x 6 * channels
-  // The same side by side for sum_squares(): 2 * 8 * channels x every second frame; six and zeros.
+  std::vector<LinkageJoint> linkage_;
+  Eigen::MatrixXd origins_;                // of joints: frames x 3 * joints, cm
+  std::vector<std::uint8_t> is_moved_by_;  // channels x channels, row by row
+  // What each channel moves and calls up, seen from one place, for sum_squares(): turn and shift,
+  // two zeros, torque and force, two zeros of every second frame; 16 * frames / 2 x channels.
   Eigen::MatrixXf samples_;
   Eigen::MatrixXd curvature_;
   std::vector<PointTerm> terms_;

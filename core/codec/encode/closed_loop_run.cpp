@@ -422,15 +422,17 @@ void ClosedLoopRun::sweep_together() {
   // the other. Those of neighbours in a band do, but following them saves no bytes (ADAPTIVE.md).
   constexpr int kApart = 3;
   const auto count = static_cast<int>(bands_.size());
-  together_.slopes.resize(errors_.rows(), channels());
   together_.taking_part.resize(static_cast<std::size_t>(errors_.rows()));
   for (int first = 0; first < std::min(kApart, count); ++first) {
     for (std::vector<int>& channels : together_.taking_part) channels.clear();
-    pass([&](int j) {
-      find_slopes();
-      together_.slopes.col(j) = slopes_.matrix();
+    loop_.model_.find_gradient(errors_, together_.slopes);
+    for (int j = 0; j < channels(); ++j) {
+      auto slopes = together_.slopes.col(j).head(errors_.rows());
+      if (weighted()) slopes.array() *= frame_weights_;
+      const std::span of_channel(slopes.data(), static_cast<std::size_t>(slopes.size()));
+      loop_.transform_.lifting.correlate(of_channel, of_channel);
       for (int b = first; b < count; b += kApart) find_taking_part(j, b);
-    });
+    }
     std::vector<Eigen::ArrayXf> moves(static_cast<std::size_t>(channels()));
     for (int b = first; b < count; b += kApart)
       for (int i = 0; i < bands_[static_cast<std::size_t>(b)].size; ++i) move_together(b, i, moves);
@@ -450,23 +452,23 @@ bool ClosedLoopRun::weigh_alike(const ShortFunction& function) const {
 
 void ClosedLoopRun::find_energy() {
   energy_ = 0;
-  std::array<double, 2> of_ends{};
-  pass([&](int j) {
-    const auto errors = errors_.col(j);
-    const auto gradient = gradient_.head(errors_.rows()).matrix();
-    energy_ += errors.dot(gradient);
-    if (!end_prices_) return;
-    constexpr Eigen::Index kSeen = EndPrices::kSeen;
-    of_ends.front() += errors.head(kSeen).dot(gradient.head(kSeen));
-    of_ends.back() += errors.tail(kSeen).dot(gradient.tail(kSeen));
-  });
-  if (end_prices_)
-    end_prices_->observe(of_ends, EndPrices::kSeen * energy_ / static_cast<double>(errors_.rows()));
+  if (errors_.rows() == 0) return;
+  if (under_way_)
+    under_way_->restart();
+  else
+    under_way_.emplace(loop_.model_, errors_);
+  Eigen::ArrayXd energies = under_way_->energies().cast<double>();
+  if (weighted()) energies *= frame_weights_.cast<double>();
+  energy_ = energies.sum();
+  if (!end_prices_) return;
+  constexpr Eigen::Index kSeen = EndPrices::kSeen;
+  end_prices_->observe({energies.head(kSeen).sum(), energies.tail(kSeen).sum()},
+                       kSeen * energies.mean());
 }
 
 void ClosedLoopRun::find_taking_part(int j, int b) {
   constexpr double kPromising = 0.4;  // steps that a zero needs by itself to take part
-  visit_where(bands_[static_cast<std::size_t>(b)], values_of(j), slopes_.data(),
+  visit_where(bands_[static_cast<std::size_t>(b)], values_of(j), together_.slopes.col(j).data(),
               coefficient_curvature().col(j).data(), static_cast<float>(kPromising * step_in(j, b)),
               [&](int c) {
                 if (std::abs(coded_.values(c, j)) <= kMostSteps - 1)

@@ -61,10 +61,7 @@ class ClosedLoopRun {
   template <typename Visit>
   void pass(const Visit& visit) {
     if (errors_.rows() == 0) return;  // no frames, no errors
-    if (under_way_)
-      under_way_->restart();
-    else
-      under_way_.emplace(loop_.model_, errors_);
+    if (under_way_->is_under_way()) under_way_->restart();
     for (int j = 0; j < channels(); ++j) {
       auto gradient = gradient_.head(errors_.rows());
       gradient = under_way_->next();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <cstdlib>
@@ -84,14 +85,14 @@ MOCAPRESS_INLINE bool JointSearch::attempt(int c, int by) {
   float cost = move<Vector>(c, by);
   for (int i = 0; i < kAnswers; ++i) {
     const float before = cost;
-    for (int first = 0; first < count(); first += kLanes<Vector, float>) {
-      if (!is_any_beyond_limits<Vector>(first)) continue;
-      for (int other = first; other < first + kLanes<Vector, float>; ++other) {
+    for (int first = 0; first < count(); first += kLanes<Vector, float>)
+      for (int other = next_beyond_limits<Vector>(first, first);
+           other < first + kLanes<Vector, float>;
+           other = next_beyond_limits<Vector>(first, other + 1)) {
         if (other == c) continue;
         if (slopes_(other) < low_(other)) cost += move<Vector>(other, 1);
         if (slopes_(other) > high_(other)) cost += move<Vector>(other, -1);
       }
-    }
     if (cost == before) break;
   }
   if (cost < -kLeastGain) return true;
@@ -172,7 +173,7 @@ MOCAPRESS_INLINE void JointSearch::set_limits(int c) {
 }
 
 template <typename Vector>
-MOCAPRESS_INLINE bool JointSearch::is_any_beyond_limits(int first) const {
+MOCAPRESS_INLINE int JointSearch::next_beyond_limits(int first, int from) const {
   Vector slope;
   Vector low;
   Vector high;
@@ -180,11 +181,17 @@ MOCAPRESS_INLINE bool JointSearch::is_any_beyond_limits(int first) const {
   load(low_.data() + first, low);
   load(high_.data() + first, high);
   const auto beyond = (slope < low) | (slope > high);
-  std::array<std::uint64_t, sizeof(Vector) / sizeof(std::uint64_t)> parts;
-  std::memcpy(parts.data(), &beyond, sizeof beyond);
-  std::uint64_t any = 0;
-  for (const std::uint64_t part : parts) any |= part;
-  return any != 0;
+  // Two at a time, of which each has all bits or none.
+  constexpr int kBits = 64;
+  std::array<std::uint64_t, sizeof(Vector) / sizeof(std::uint64_t)> pairs;
+  std::memcpy(pairs.data(), &beyond, sizeof beyond);
+  const int passed = from - first;
+  for (int pair = passed / 2; pair < static_cast<int>(pairs.size()); ++pair) {
+    std::uint64_t bits = pairs[static_cast<std::size_t>(pair)];
+    if (2 * pair < passed) bits &= ~std::uint64_t{0} << (kBits / 2);
+    if (bits != 0) return first + 2 * pair + (std::countr_zero(bits) >= kBits / 2 ? 1 : 0);
+  }
+  return first + kLanes<Vector, float>;
 }
 
 }  // namespace mocapress

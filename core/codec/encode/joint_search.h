@@ -55,8 +55,11 @@ class JointSearch {
   template <typename Vector>
   float move(int c, int by);
   void set_limits(int c);
+
+  /// Of as many as a vector has, from `first` on, the next from `from` on whose slope is beyond its
+  /// limits; the one after them where there is none.
   template <typename Vector>
-  bool is_any_beyond_limits(int first) const;  // of as many as a vector has
+  int next_beyond_limits(int first, int from) const;
 
   int count() const { return static_cast<int>(coefficients_.size()); }
 

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include "core/base/random.h"
 #include "core/metrics/distortion.h"
 #include "tests/support/landmark_jacobian.h"
@@ -101,6 +105,42 @@ TEST_P(ErrorModelOf, AgreesWithExactDistortionForSmallErrors) {
   }
   const double exact = measure(motion_.skeleton, motion_.clip, decoded).eps(GetParam());
   EXPECT_NEAR(std::sqrt(state.squared_eps()) / exact, 1, 0.003);
+}
+
+/// smooth_motion() of a rig like those of games: every joint shifts, too, and one has no channels.
+Motion shifting_motion(int frames) {
+  using enum ChannelKind;
+  Skeleton skeleton;
+  int parent = -1;
+  for (const bool moves : {true, true, false, true})
+    parent = skeleton.add({.name = "joint" + std::to_string(parent + 1),
+                           .parent = parent,
+                           .offset = {3, 20, 5},
+                           .channels = moves ? std::vector{TranslationX, TranslationY, TranslationZ,
+                                                           RotationZ, RotationX, RotationY}
+                                             : std::vector<ChannelKind>{}});
+  Motion motion{skeleton, {.channels = Eigen::MatrixXd(frames, skeleton.channel_count())}};
+  for (int c = 0; c < skeleton.channel_count(); ++c)
+    for (int t = 0; t < frames; ++t)
+      motion.clip.channels(t, c) = std::sin(0.05 * t * (c + 1)) + 0.1 * c;
+  return motion;
+}
+
+TEST(ErrorModel, GradientIsThatOfTheBruteForceFormWhereEveryJointShifts) {
+  const Motion motion = shifting_motion(20);
+  const MeasuredPoints measured = measured_points(motion.skeleton, Weighting::Shell);
+  const ErrorModel model(motion.skeleton, motion.clip, measured);
+  for (int c = 0; c < model.channels(); ++c) {
+    Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(20, model.channels());
+    model.add_to_gradient(c, Eigen::VectorXd::Ones(20), gradient);
+    for (const int t : {0, 7, 8, 19}) {
+      const Eigen::MatrixXd form = brute_force_form(motion, t, measured);
+      EXPECT_LT((gradient.row(t).transpose() - form.col(c)).norm(), 1e-5 * form.norm());
+      for (int other = 0; other < model.channels(); ++other)
+        EXPECT_NEAR(static_cast<double>(model.entry(c, other)(t)), form(other, c),
+                    1e-5 * form.norm());
+    }
+  }
 }
 
 TEST(ErrorModel, AddingAndTakingBackLeavesNothing) {

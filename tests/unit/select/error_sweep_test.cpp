@@ -39,6 +39,11 @@ class ErrorSweepOf : public testing::Test {
     const double size = eager.norm() / std::sqrt(model_.channels());
     Eigen::MatrixXf in_floats = errors.cast<float>();
     ErrorSweep sweep(model_, in_floats);
+    const Eigen::VectorXd energies = errors.cwiseProduct(eager).rowwise().sum();
+    EXPECT_LT((sweep.energies().matrix().cast<double>() - energies).norm(), 1e-5 * energies.norm());
+    Eigen::MatrixXf at_once;
+    model_.find_gradient(in_floats, at_once);
+    EXPECT_LT((at_once.topRows(kFrames).cast<double>() - eager).norm(), 1e-5 * eager.norm());
     for (int c = 0; c < model_.channels(); ++c) {
       EXPECT_LT((sweep.next().matrix().cast<double>() - eager.col(c)).norm(), 1e-5 * size)
           << "channel " << c;
@@ -59,6 +64,19 @@ TEST_F(ErrorSweepOf, FollowsChangesOnTheWayAsTheEagerGradientDoes) {
 TEST_F(ErrorSweepOf, HeedsTermsOfPoints) {
   add_term();
   compare();
+}
+
+TEST_F(ErrorSweepOf, BeginsAnewWithTheErrorsAsTheyAre) {
+  Eigen::MatrixXf errors = any_errors(model_.channels(), 1).cast<float>();
+  ErrorSweep sweep(model_, errors);
+  for (int c = 0; c < model_.channels(); ++c) sweep.next();
+  EXPECT_TRUE(sweep.is_under_way());
+  errors = any_errors(model_.channels(), 2).cast<float>();
+  sweep.restart();
+  EXPECT_FALSE(sweep.is_under_way());
+  ErrorSweep fresh(model_, errors);
+  EXPECT_TRUE((sweep.energies() == fresh.energies()).all());
+  for (int c = 0; c < model_.channels(); ++c) EXPECT_TRUE((sweep.next() == fresh.next()).all());
 }
 
 TEST_F(ErrorSweepOf, WithoutErrorHasNoGradient) {
