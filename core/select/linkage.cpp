@@ -137,22 +137,19 @@ MOCAPRESS_INLINE void hand_up_of(const Task& task, const JointState* state, Join
         load_three(state[eight].torque.data(), part, torque_below);
         load_three(state[eight].force.data(), part, force_below);
       }
-      // The own energy, and twice what own movements and those below have to do with each other.
-      Vector energy;
-      Vector of_turn;
-      Vector of_shift;
       add(torque_below, torque);
       add(force_below, force);
+      // Its own energy, and twice what its own errors and those below have to do with each other.
+      Vector energy;
+      Vector work;
       load(energies + kEight * eight + part, energy);
-      Three<Vector> twice = torque;
-      add(torque_below, twice);
-      dot(turn, twice, of_turn);
-      energy += of_turn;
+      add(torque, torque_below);
+      dot(turn, torque_below, work);
+      energy += work;
       if constexpr (kShifts) {
-        twice = force;
-        add(force_below, twice);
-        dot(shift, twice, of_shift);
-        energy += of_shift;
+        add(force, force_below);
+        dot(shift, force_below, work);
+        energy += work;
       }
       store(energy, energies + kEight * eight + part);
       if (parent)

@@ -94,7 +94,7 @@ struct ErrorColumns {
 void hand_up(const LinkageJoint& joint, ErrorColumns errors, FrameRange frames,
              const JointState* state, JointState* parent, float* energies);
 
-/// The same of forces alone.
+/// The forces on the parent become those on the joint, with no others.
 void hand_up(const LinkageJoint& joint, FrameRange frames, const JointState* state,
              JointState* parent);
 
@@ -103,7 +103,7 @@ void hand_up(const LinkageJoint& joint, FrameRange frames, const JointState* sta
 void enter(const LinkageJoint& joint, ErrorColumns errors, FrameRange frames,
            const JointState* parent, JointState* state);
 
-/// The same of what only its parent moves.
+/// The same of a joint that only its parent moves and nothing was handed up to.
 void enter(const LinkageJoint& joint, FrameRange frames, const JointState* parent,
            JointState* state);
 

@@ -213,15 +213,20 @@ void hold_worst_frames(const Goal& goal, int frames, ClosedLoopWork work,
 /// what the correction made of it the last time.
 void approach_bound(const Goal& goal, const Target& target, int frames, const CoarsenTrial& coarsen,
                     Trial& best) {
-  constexpr int kMost = 12;
+  constexpr int kMost = 24;
+  constexpr int kMostInVain = 6;
   constexpr double kNear = 0.01;
-  constexpr double kRounding = 1e-4;    // between what is coarsened and what is decoded
-  constexpr double kMostWider = 1.1;    // a time
-  constexpr double kTighter = 0.6;      // all frames' bounds, of what was exceeded
-  constexpr double kWidest = 2;         // times the target
-  constexpr Eigen::Index kBeside = 16;  // frames that what is changed at one of them reaches
+  constexpr double kAlike = 0.005;        // of the bytes: for so many a bound is used up
+  constexpr double kRounding = 1e-4;      // between what is coarsened and what is decoded
+  constexpr double kMostWider = 1.1;      // a time
+  constexpr double kTighter = 0.6;        // all frames' bounds, of what was exceeded,
+  constexpr double kMostTighter = 0.012;  // and so much once it held: the rest lies in few frames
+  constexpr double kWidest = 2;           // times the target
+  constexpr Eigen::Index kBeside = 16;    // frames that what is changed at one of them reaches
   Eigen::VectorXd bound_cm = Eigen::VectorXd::Constant(frames, (1 - kRounding) * target.value);
-  for (int i = 0; i < kMost; ++i) {
+  int in_vain = 0;  // since something better came
+  bool has_held = false;
+  for (int i = 0; i < kMost && in_vain < kMostInVain; ++i) {
     Trial coarser = coarsen(best, bound_cm);
     best.complete = coarser.complete;
     if (!coarser.complete) return;
@@ -235,11 +240,17 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
       const Eigen::Index end = std::min<Eigen::Index>(t + kBeside + 1, frames);
       bound_cm(t) *= std::min(room.segment(first, end - first).minCoeff(), met ? kMostWider : 1);
     }
-    if (!met) bound_cm *= std::exp(kTighter * coarser.excess);
+    const double tighter = kTighter * std::min(coarser.excess, 0.0);
+    bound_cm *= std::exp(has_held ? std::max(tighter, -kMostTighter) : tighter);
+    has_held = has_held || met;
     bound_cm = bound_cm.cwiseMin(kWidest * target.value);
-    if (met && coarser.compressed.motion_bytes() < best.compressed.motion_bytes())
-      best = std::move(coarser);
-    if (is_near) return;
+    const double bytes = static_cast<double>(coarser.compressed.motion_bytes()) /
+                         static_cast<double>(best.compressed.motion_bytes());
+    const bool gets_near = is_near && best.excess > kNear;
+    const bool is_better = met && bytes < (gets_near ? 1 + kAlike : 1);
+    in_vain = is_better || !has_held ? 0 : in_vain + 1;
+    if (is_better) best = std::move(coarser);
+    if (is_near && best.excess <= kNear) return;
   }
 }
 
