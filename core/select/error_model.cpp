@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <memory>
 
 #include "core/base/parallel.h"
 #include "core/motion/pose_block.h"
@@ -304,18 +305,18 @@ void ErrorModel::find_gradient(const Eigen::MatrixXf& errors, Eigen::MatrixXf& g
 void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
                                  Eigen::MatrixXd& gradient) const {
   for (const PointTerm& term : terms_) term.add_to_gradient(channel, delta, gradient);
-  constexpr std::size_t kEights = kBlock / EightFrames::kCount;
-  using State = std::array<JointState, kEights>;
+  constexpr Eigen::Index kTile = 128;
+  using State = std::array<JointState, kTile / EightFrames::kCount>;
   const int own = places_[static_cast<std::size_t>(channel)].joint;
-  std::vector<State> states(linkage_.size());
-  for (Eigen::Index first = 0; first < delta.size(); first += kBlock) {
-    const FrameRange range{first, std::min(kBlock, delta.size() - first)};
+  const auto states = std::make_unique_for_overwrite<State[]>(linkage_.size());
+  for (Eigen::Index first = 0; first < delta.size(); first += kTile) {
+    const FrameRange range{first, std::min(kTile, delta.size() - first)};
     const Eigen::ArrayXf step = delta.segment(first, range.count).cast<float>();
     if ((step == 0).all()) continue;
     const auto add_work_of = [&](int j) {
       const LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
       for (int c = joint.first_channel; c < joint.end_channel(); ++c) {
-        std::array<float, kBlock> work;
+        std::array<float, kTile> work;
         find_work(joint, c, range, states[static_cast<std::size_t>(j)].data(), work.data());
         gradient.col(c).segment(first, range.count) +=
             Eigen::Map<const Eigen::VectorXf>(work.data(), range.count).cast<double>();
