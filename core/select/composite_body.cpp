@@ -22,6 +22,16 @@ MOCAPRESS_INLINE void load_three(const std::array<CompositeBody::Column, 3>& fro
   load_three({from[0].data(), from[1].data(), from[2].data()}, t, three);
 }
 
+/// Seen from `origin`.
+template <typename Vector>
+MOCAPRESS_INLINE void load_place(const ThreeColumns& places, const ThreeColumns& origin, int t,
+                                 Three<Vector>& place) {
+  Three<Vector> seen_from;
+  load_three(origin, t, seen_from);
+  load_three(places, t, place);
+  subtract(seen_from, place);
+}
+
 template <typename Vector>
 MOCAPRESS_INLINE void store_three(const Three<Vector>& three, int t,
                                   std::array<CompositeBody::Column, 3>& to) {
@@ -43,11 +53,8 @@ template <typename Vector>
 MOCAPRESS_INLINE int add_points(CompositeBody& body, double weight, const ThreeColumns& places,
                                 const ThreeColumns& origin, int t, int frames) {
   for (; t + kLanes<Vector, double> <= frames; t += kLanes<Vector, double>) {
-    Three<Vector> seen_from;
     Three<Vector> place;
-    load_three(origin, t, seen_from);
-    load_three(places, t, place);
-    subtract(seen_from, place);
+    load_place(places, origin, t, place);
     const Vector x = weight * place.x;
     const Vector y = weight * place.y;
     const Vector z = weight * place.z;
@@ -70,10 +77,7 @@ MOCAPRESS_INLINE int move_origin(const CompositeBody& body, const ThreeColumns& 
                                  CompositeBody& moved) {
   for (; t + kLanes<Vector, double> <= frames; t += kLanes<Vector, double>) {
     Three<Vector> by;
-    Three<Vector> old_origin;
-    load_three(place, t, by);
-    load_three(origin, t, old_origin);
-    subtract(old_origin, by);
+    load_place(place, origin, t, by);
     Three<Vector> before;
     load_three(body.moment, t, before);
     Three<Vector> moment = before;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <memory>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/motion/pose_block.h"
@@ -77,8 +78,8 @@ ErrorModel::ErrorModel(const Skeleton& skeleton, const Clip& original,
                  Posed{std::move(moves), point_tracks(skeleton, joint_origins(skeleton), original),
                        point_tracks(skeleton, measured.points, original)}) {}
 
-ErrorModel::ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, const Posed& posed)
-    : places_(posed.moves.places), origins_(posed.origins) {
+ErrorModel::ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, Posed posed)
+    : places_(posed.moves.places), origins_(std::move(posed.origins)) {
   int channel = 0;
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     LinkageJoint joint{.parent = skeleton.joint(j).parent, .first_channel = channel, .turns = {}};
@@ -100,15 +101,14 @@ ErrorModel::ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured,
   for (std::size_t c = 0; c < places_.size(); ++c)
     for (std::size_t other = 0; other < places_.size(); ++other)
       is_moved_by_[c * places_.size() + other] = moves(static_cast<int>(other), places_[c].joint);
-  compute_motions(skeleton, measured, posed);
+  compute_motions(skeleton, measured, posed.moves, posed.points);
 }
 
 void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints& measured,
-                                 const Posed& posed) {
+                                 const SignalMoves& moves, const Eigen::MatrixXd& point_tracks) {
   const std::vector<Landmark>& points = measured.points;
   const Eigen::VectorXd& weights = measured.weights;
   assert(weights.size() == std::ssize(points));
-  const SignalMoves& moves = posed.moves;
   const Eigen::Index rows = moves.axes.rows();
   const auto channels = static_cast<Eigen::Index>(moves.places.size());
   const FrameRange all{0, rows};
@@ -125,12 +125,12 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
     const Eigen::Index first = block * kBlock;
     const auto frames = static_cast<int>(std::min(kBlock, rows - first));
     // Seen from the first joint, lest far places cost digits.
-    const ThreeColumns origin = three_of(posed.origins, 0, first);
+    const ThreeColumns origin = three_of(origins_, 0, first);
     std::vector<CompositeBody> bodies(static_cast<std::size_t>(skeleton.joint_count()));
     for (int p = 0; p < weights.size(); ++p)
       if (weights(p) > 0)
         bodies[static_cast<std::size_t>(points[static_cast<std::size_t>(p)].joint)].add(
-            weights(p), three_of(posed.points, p, first), origin, frames);
+            weights(p), three_of(point_tracks, p, first), origin, frames);
     for (int j = skeleton.joint_count() - 1; j >= 0; --j)
       if (const int parent = skeleton.joint(j).parent; parent >= 0)
         bodies[static_cast<std::size_t>(parent)].add(bodies[static_cast<std::size_t>(j)], frames);
@@ -295,8 +295,7 @@ void ErrorModel::find_gradient(const Eigen::MatrixXf& errors, Eigen::MatrixXf& g
     }
   });
   for (const PointTerm& term : terms_) {
-    Eigen::MatrixXf forces = term.no_forces();
-    for (int c = 0; c < channels(); ++c) term.add_forces(c, errors.col(c).array(), forces);
+    const Eigen::MatrixXf forces = term.forces_of(errors);
     for (int c = 0; c < channels(); ++c)
       term.add_work(c, forces, gradient.col(c).head(frames()).array());
   }

@@ -89,9 +89,9 @@ class ErrorModel {
   };
   static Posed pose_channels(const Skeleton& skeleton, const Clip& original,
                              const std::vector<Landmark>& points);
-  ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, const Posed& posed);
+  ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, Posed posed);
   void compute_motions(const Skeleton& skeleton, const MeasuredPoints& measured,
-                       const Posed& posed);
+                       const SignalMoves& moves, const Eigen::MatrixXd& point_tracks);
   /// `body`: all that a joint moves, seen from it.
   void set_joint(int j, const CompositeBody& body, const Eigen::MatrixXd& axes, Eigen::Index first,
                  Eigen::Index frames);

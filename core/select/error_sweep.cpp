@@ -37,8 +37,7 @@ void ErrorSweep::restart() {
   }
   of_terms_.clear();
   for (const PointTerm& term : model_.terms_) {
-    Eigen::MatrixXf& forces = of_terms_.emplace_back(term.no_forces());
-    for (int c = 0; c < model_.channels(); ++c) term.add_forces(c, errors_.col(c).array(), forces);
+    const Eigen::MatrixXf& forces = of_terms_.emplace_back(term.forces_of(errors_));
     for (int c = 0; c < model_.channels(); ++c) {
       Eigen::ArrayXf work = Eigen::ArrayXf::Zero(all_.count);
       term.add_work(c, forces, work);

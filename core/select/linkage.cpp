@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/select/linkage.h"
 
-#include <algorithm>
-
 #include "core/base/instruction_sets.h"
 #include "core/select/three.h"
 

@@ -93,6 +93,12 @@ void PointTerm::add_curvature(Eigen::MatrixXd& curvature) const {
             .cast<double>();
 }
 
+Eigen::MatrixXf PointTerm::forces_of(const Eigen::MatrixXf& errors) const {
+  Eigen::MatrixXf forces = no_forces();
+  for (const int channel : channels_) add_forces(channel, errors.col(channel).array(), forces);
+  return forces;
+}
+
 void PointTerm::add_forces(int channel, const Eigen::Ref<const Eigen::ArrayXf>& delta,
                            Eigen::MatrixXf& forces) const {
   if (place_of(channel) < 0) return;

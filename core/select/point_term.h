@@ -39,6 +39,7 @@ class PointTerm {
   /// What it makes of errors, of which it then makes its part of the gradient: first of an error of
   /// `delta` (one value a frame) in `channel`, then there.
   Eigen::MatrixXf no_forces() const { return Eigen::MatrixXf::Zero(forces_.rows(), width_); }
+  Eigen::MatrixXf forces_of(const Eigen::MatrixXf& errors) const;  // frames x channels
   void add_forces(int channel, const Eigen::Ref<const Eigen::ArrayXf>& delta,
                   Eigen::MatrixXf& forces) const;
   void add_work(int channel, const Eigen::MatrixXf& forces,

@@ -85,8 +85,8 @@ class ClosedLoopRun {
   /// Moves the coefficients that all channels have at a time and scale together: joint_search.h.
   void sweep_together();
 
-  /// What moves together: what the gradient comes to in each coefficient (coefficients x channels),
-  /// and of each coefficient the channels that take part.
+  /// What moves together: what the gradient comes to in each coefficient (coefficients, and what
+  /// makes them a whole number of eights, x channels), and of each the channels that take part.
   struct Together {
     Eigen::MatrixXf slopes;
     std::vector<std::vector<int>> taking_part;
