@@ -84,9 +84,9 @@ ClosedLoop::Result ClosedLoop::quantise(double scale, ClosedLoopWork work,
   return ClosedLoopRun(*this, scale, frame_weights).run(work, observer);
 }
 
-ClosedLoop::Result ClosedLoop::coarsen(QuantisedSignals coded, ErrorBound& bound,
+ClosedLoop::Result ClosedLoop::coarsen(Result quantised, ErrorBound& bound,
                                        const Observer<ClosedLoopProgress>& observer) const {
-  return ClosedLoopRun(*this, std::move(coded), {}).coarsen(bound, observer);
+  return ClosedLoopRun(*this, std::move(quantised)).coarsen(bound, observer);
 }
 
 ClosedLoop::Result ClosedLoop::quantise_to(double eps_cm, double scale,

@@ -35,8 +35,8 @@ class ClosedLoop {
     double eps_cm = 0;  // by the quadratic model, frames weighted as asked
     int sweeps = 0;
     bool complete = true;  // false: the observer ended it
-    // Of what was settled: what a bit was worth in the last sweep, in squared steps of error, and
-    // by which logarithm eps_x grew in it.
+    // Of what was settled or coarsened: what a bit was worth in the last sweep, in squared steps of
+    // error. Of what was settled, by which logarithm eps_x grew in it, too.
     double bit_price = 0;
     double growth = 0;
     Eigen::MatrixXf errors;  // of quantise(): decoded minus original, frames x channels
@@ -49,8 +49,9 @@ class ClosedLoop {
                   const Observer<ClosedLoopProgress>& observer = {}) const;
 
   /// Drops more and more of what was quantised, the cheapest first, as long as the bound holds. All
-  /// frames count alike. It ends near the bound, where a sweep saves little more.
-  Result coarsen(QuantisedSignals coded, ErrorBound& bound,
+  /// frames count alike. It ends near the bound, where a sweep saves little more. What was
+  /// coarsened before goes on from a part of its price.
+  Result coarsen(Result quantised, ErrorBound& bound,
                  const Observer<ClosedLoopProgress>& observer = {}) const;
 
   /// Seeks what leaves that eps_x by the quadratic model, or up to kSettled less: near `scale`, and

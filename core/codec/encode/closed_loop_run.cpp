@@ -167,13 +167,16 @@ ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
 ClosedLoop::Result ClosedLoopRun::coarsen(ErrorBound& bound,
                                           const Observer<ClosedLoopProgress>& observer) {
   constexpr double kDearer = 1.5;  // what a bit may cost, from sweep to sweep
+  constexpr double kAgain = 0.25;  // of what it cost in the last, if this was coarsened before
   constexpr int kMostSweeps = 24;
   constexpr int kLeastSweeps = 4;
   constexpr double kNear = 0.985;
   constexpr double kLeastGain = 0.01;
   ClosedLoop::Result result;
   bound_ = &bound;
-  double bits = total_bits();
+  const double bits_at_first = total_bits();
+  double bits = bits_at_first;
+  bit_price_ = std::max(kSettlingPrices.front(), kAgain * bit_price_);
   for (bool gains = true; gains && result.sweeps < kMostSweeps && result.complete;) {
     bit_price_ *= kDearer;
     bound.begin(decoded());
@@ -182,9 +185,10 @@ ClosedLoop::Result ClosedLoopRun::coarsen(ErrorBound& bound,
     result.eps_cm = eps_cm();
     const double before = std::exchange(bits, total_bits());
     gains = result.sweeps < kLeastSweeps || bound.furthest() < kNear ||
-            bits < (1 - kLeastGain) * before;
+            bits < (1 - kLeastGain) * before || bits > bits_at_first;
     result.complete = should_continue(observer, ClosedLoopProgress{result.sweeps, result.eps_cm});
   }
+  result.bit_price = bit_price_;
   result.coded = std::move(coded_);
   return result;
 }

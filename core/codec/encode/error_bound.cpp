@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/encode/error_bound.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/skin_points.h"
@@ -31,9 +33,11 @@ std::vector<Landmark> bounded_points(const Skeleton& skeleton, Weighting weighti
 
 }  // namespace
 
-ErrorBound::ErrorBound(const Motion& original, Weighting weighting, const Eigen::VectorXd& bound_cm)
+ErrorBound::ErrorBound(const Motion& original, Weighting weighting, const Eigen::VectorXd& bound_cm,
+                       std::vector<bool> still)
     : skeleton_(original.skeleton),
       squared_bound_(bound_cm.array().square()),
+      still_(std::move(still)),
       points_(bounded_points(original.skeleton, weighting)),
       original_tracks_(point_tracks(original.skeleton, points_, original.clip)) {}
 
@@ -49,8 +53,11 @@ void ErrorBound::begin(const Clip& decoded) {
 }
 
 double ErrorBound::furthest() const {
-  if (squared_.size() == 0) return 0;
-  return std::sqrt((squared_.rowwise().maxCoeff().array() / squared_bound_).maxCoeff());
+  double furthest = 0;
+  for (Eigen::Index p = 0; p < squared_.cols() && squared_.rows() > 0; ++p)
+    if (!is_still(points_[static_cast<std::size_t>(p)].joint))
+      furthest = std::max(furthest, (squared_.col(p).array() / squared_bound_).maxCoeff());
+  return std::sqrt(furthest);
 }
 
 void ErrorBound::next() {
@@ -94,6 +101,8 @@ void ErrorBound::enter_joint(int joint) {
 }
 
 void ErrorBound::find_moved() {
+  moved_.clear();
+  if (is_still(joint_)) return;
   const ChannelKind kind = skeleton_.channel_kind(channel_);
   const bool rotates = is_rotation(kind);
   const int parent = skeleton_.joint(joint_).parent;
@@ -111,7 +120,6 @@ void ErrorBound::find_moved() {
     return original_tracks_.middleCols<3>(3 * landmark) + errors_.middleCols<3>(3 * landmark);
   };
   const Eigen::MatrixX3d origin = place(joint_);
-  moved_.clear();
   for (Eigen::Index p = 0; p < std::ssize(points_); ++p) {
     if (!is_at_or_below(points_[static_cast<std::size_t>(p)].joint, joint_)) continue;
     if (!rotates) {
@@ -145,6 +153,7 @@ Eigen::ArrayX3d ErrorBound::errors_after(const Moved& moved, Eigen::Index first_
 }
 
 bool ErrorBound::allows(Eigen::Index first_frame, const Eigen::VectorXd& delta) const {
+  if (is_still(joint_)) return false;
   const Step step = step_of(delta);
   const auto bound = squared_bound_.segment(first_frame, delta.size());
   for (const Moved& moved : moved_) {

@@ -63,11 +63,12 @@ class SegmentedEncode {
             [this](double scale, ClosedLoopWork work, const Eigen::VectorXd& weights) {
               return attempt_scale(scale, work, weights);
             },
-        .coarsen = [this](const Trial& trial,
-                          const Eigen::VectorXd& bound_cm) { return coarsen(trial, bound_cm); }};
+        .coarsen = [this](const Trial& trial, const Eigen::VectorXd& bound_cm,
+                          Coarsened coarsened) { return coarsen(trial, bound_cm, coarsened); }};
     const ScaleGuess guess{.likely = likely_scale(options_.target, raw_bytes(motion_.clip)),
                            .finest = [this] { return finest_scale_; },
-                           .dear = true};
+                           .dear = true,
+                           .corrected = options_.correction.has_value()};
     Trial best =
         search_scale(guess, options_.target, goal_, options_.effort, layout_.frames, trials);
     if (best.complete && options_.effort != Effort::Draft)
@@ -156,13 +157,13 @@ class SegmentedEncode {
 
   /// Each segment by itself: where two are blended, the error is no larger than both of theirs, but
   /// for what is not linear.
-  Trial coarsen(const Trial& trial, const Eigen::VectorXd& bound_cm) {
+  Trial coarsen(const Trial& trial, const Eigen::VectorXd& bound_cm, Coarsened coarsened) {
     AdaptiveSegments coded(trial.compressed);
     Trial coarser = encode_all(trial.scale, [&](const Part& part, const EncodeOptions& options,
                                                 const Observer<EncodeProgress>& observer) {
       if (!part.should_continue) return Trial{.complete = false};
-      return coarsen_to_bound(part.analysis, options, coded.next(),
-                              bound_cm.segment(part.first, part.frames), observer);
+      return coarsen_to_bound(part.analysis, options, coded.next(), trial.bit_price,
+                              bound_cm.segment(part.first, part.frames), coarsened, observer);
     });
     if (!coarser.complete) return coarser;
     finish_ends(coarser);

@@ -126,7 +126,7 @@ TEST(ClosedLoop, CoarsensUpToTheBoundAndNotBeyond) {
   const double bound_cm = 1.5 * furthest_cm(fine);
   ErrorBound bound(motion, Weighting::BoneEnds,
                    Eigen::VectorXd::Constant(motion.clip.frames(), bound_cm));
-  const QuantisedSignals coarse = loop().coarsen(fine, bound).coded;
+  const QuantisedSignals coarse = loop().coarsen({.coded = fine}, bound).coded;
   EXPECT_LE(furthest_cm(coarse), bound_cm * (1 + 1e-6));
   EXPECT_GT(furthest_cm(coarse), 0.98 * bound_cm);
   EXPECT_LT(kept(coarse), 0.95 * static_cast<double>(kept(fine)));
