@@ -40,8 +40,8 @@ struct ClipBlock {
   std::uint16_t limb_count = 0;
   std::uint16_t most_links = 0;  // of a limb
   LoopKind loop = LoopKind::None;
-  std::uint8_t end_reach[kMostEnds] = {};  // frames that have a share in what it lacks; 0: none
-  std::uint32_t joints = 0;                // offsets from the clip
+  EndReaches end_reaches;
+  std::uint32_t joints = 0;  // offsets from the clip
   std::uint32_t names = 0;
   std::uint32_t limbs = 0;
   std::uint32_t ends = 0;     // what each end lacks in each channel

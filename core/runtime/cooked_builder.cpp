@@ -126,8 +126,8 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
       }
   }
   head.skeleton_bytes = static_cast<std::uint32_t>(tables.used() - first_table);
-  if (clip_.end_reach[0] > 0) {
-    std::copy_n(clip_.end_reach, kMostEnds, head.end_reach);
+  if (clip_.end_reaches.any()) {
+    head.end_reaches = clip_.end_reaches;
     lay_out_ends(block, head);
   }
   auto* const rows =
@@ -155,7 +155,7 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
 
 /// What the ends lack. Few channels mend one, so only what is not zero is kept.
 void CookedBuilder::lay_out_ends(CookedBlock& block, mcpr_cooked& head) {
-  const int ends = static_cast<int>(head.end_count());
+  const int ends = head.end_reaches.count();
   const int columns = kGroup * columns_.row_groups();
   const auto lacking = [&](int end, int column) {
     const std::int32_t channel = columns_.column(column).channel;
@@ -174,7 +174,7 @@ void CookedBuilder::lay_out_ends(CookedBlock& block, mcpr_cooked& head) {
   std::uint32_t values_at = 0;
   auto* values = block.reserve_for<std::int16_t>(count, values_at);
   for (int end = 0; values != nullptr && end < ends; ++end) {
-    coefficients_.load(end == kFirstPose ? 0 : head.segments - 1);
+    coefficients_.load(head.end_reaches.is_at_first(end) ? 0 : head.segments - 1);
     const auto in_steps = [&](int c) {
       return lacking(end, c) / (coefficients_.step(columns_.column(c).channel) * 0x1p-15);
     };

@@ -41,10 +41,10 @@ class Checker {
     require(clip_.rotor_groups <= kMostJoints / kGroup);
     check_joints();
     if (clip_.loop == LoopKind::Follows) require_array(clip_.column_kinds, 1, row_columns_, 1);
-    const std::uint8_t* const reach = clip_.end_reach;
-    require((reach[kFirstPose] > 0) == (reach[kLastPose] > 0));
-    require(reach[kLastPose] > 0 || reach[kLastVelocity] == 0);
-    if (reach[kFirstPose] > 0) check_ends();
+    const EndReaches& reaches = clip_.end_reaches;
+    require(reaches.any() == (reaches.frames[kLastPose] > 0));
+    require(reaches.any() || reaches.frames[kVelocity] == 0);
+    if (reaches.any()) check_ends();
     check_parts();
     if (clip_.tracks != 0) check_tracks();
     return sound_;
@@ -70,10 +70,10 @@ class Checker {
   }
 
   void check_ends() {
-    require_array(clip_.ends, clip_.end_count(), clip_.row_groups, 1);
+    require_array(clip_.ends, clip_.end_reaches.count(), clip_.row_groups, 1);
     if (!sound_) return;
     require_array(clip_.end_values(), sizeof(std::int16_t),
-                  clip_.lacking_before(static_cast<int>(clip_.end_count())), 2);
+                  clip_.lacking_before(static_cast<int>(clip_.end_reaches.count())), 2);
   }
 
   void check_joints() {

@@ -196,9 +196,8 @@ struct mcpr_cooked {
   std::uint16_t other_turns;
   mocapress::runtime::Wavelet wavelet;
   mocapress::runtime::LoopKind loop;
-  // As ENDS of FORMAT.md has them: of the first pose, the last, the velocity there.
-  std::uint8_t end_reach[mocapress::runtime::kMostEnds];  // frames; 0: nothing is added
-  std::uint8_t unused[3];
+  mocapress::runtime::EndReaches end_reaches;  // as ENDS of FORMAT.md has them
+  std::uint8_t unused[2];
   float end_units[mocapress::runtime::kMostEnds];
   mocapress::runtime::TableOffset rest;    // mcpr_transform of each joint: of what never changes
   mocapress::runtime::TableOffset rotors;  // RotorGroup
@@ -227,11 +226,6 @@ struct mcpr_cooked {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + tables +
                                       offset.bytes);
   }
-  /// Of a clip that has ends.
-  std::uint32_t end_count() const {
-    using namespace mocapress::runtime;
-    return static_cast<std::uint32_t>(end_reach[kLastVelocity] > 0 ? kMostEnds : kLastVelocity);
-  }
   const std::uint8_t* end_marks(int end) const {
     return at<std::uint8_t>(ends) + static_cast<std::uint32_t>(end) * row_groups;
   }
@@ -242,7 +236,10 @@ struct mcpr_cooked {
       count += static_cast<std::uint32_t>(std::popcount(*mark));
     return count;
   }
-  std::uint32_t end_values() const { return (ends + end_count() * row_groups + 1) / 2 * 2; }
+  std::uint32_t end_values() const {
+    const auto marks = static_cast<std::uint32_t>(end_reaches.count()) * row_groups;
+    return (ends + marks + 1) / 2 * 2;
+  }
   mocapress::runtime::SegmentLayout layout() const {
     return {static_cast<int>(frames), static_cast<int>(segment_length),
             static_cast<int>(segment_overlap)};

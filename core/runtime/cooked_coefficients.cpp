@@ -57,10 +57,11 @@ void CookedCoefficients::decode_corrected() {
   const int frames = clip_.segments.frames;
   FrameDecoder(memory, clip_, request).decode(0, frames, corrected_);
   for (int end = 0; end < kMostEnds; ++end) {
-    const int reach = std::min<int>(clip_.end_reach[end], frames);
+    const int reach = std::min<int>(clip_.end_reaches.frames[end], frames);
     for (int away = 0; away < reach; ++away) {
-      float* const row = corrected_ + std::ptrdiff_t{end == kFirstPose ? away : frames - 1 - away} *
-                                          static_cast<std::ptrdiff_t>(clip_.channel_count);
+      const int frame = clip_.end_reaches.is_at_first(end) ? away : frames - 1 - away;
+      float* const row =
+          corrected_ + std::ptrdiff_t{frame} * static_cast<std::ptrdiff_t>(clip_.channel_count);
       for (int c = 0; c < channel_count(); ++c)
         row[c] -= end_share(end, away, reach) * clip_.end_values(end)[c];
     }

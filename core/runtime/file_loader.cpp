@@ -39,7 +39,7 @@ FileLoader::FileLoader(Memory& memory, const FileSections& sections)
       double_precision_limits_(memory.take<float>(sections.signal_count())),
       reach_(memory.take<float>(sections.joints)),
       ends_(memory.take<float>(sections.ends_bytes > 0
-                                   ? static_cast<std::uint64_t>(sections.end_count()) *
+                                   ? static_cast<std::uint64_t>(sections.end_reaches.count()) *
                                          sections.channels
                                    : 0)),
       notes_(memory.take<std::uint8_t>(sections.signal_count())),
@@ -113,9 +113,8 @@ mcpr_result FileLoader::read_motion() {
     segments_[k] = {first_byte, sections_.segment_size(k), 0};
     const mcpr_result result = read_segment(k);
     if (failed(result)) return result;
-    if (k == 0) read_end(ends, kFirstPose);
-    if (k == sections_.segments.count() - 1)
-      for (int end = kLastPose; end < sections_.end_count(); ++end) read_end(ends, end);
+    if (k == 0) read_ends(ends, kFirstPose);
+    if (k == sections_.segments.count() - 1) read_ends(ends, kLastPose);
     segments_[k].resident_bytes = ResidentSignals::size(source(k));
     first_byte += segments_[k].bytes;
   }
@@ -128,9 +127,17 @@ mcpr_result FileLoader::read_motion() {
   return kOk;
 }
 
+/// A pose and the velocity there, if there is one.
+void FileLoader::read_ends(EndReader& ends, int pose) {
+  const EndReaches& reaches = sections_.end_reaches;
+  if (!reaches.any()) return;
+  read_end(ends, pose);
+  if (reaches.count() > kVelocity && reaches.is_at_first(kVelocity) == (pose == kFirstPose))
+    read_end(ends, kVelocity);
+}
+
 /// In steps of the segment that was decoded last.
 void FileLoader::read_end(EndReader& ends, int end) {
-  if (sections_.ends_bytes == 0) return;
   const std::uint32_t channels = sections_.channels;
   const int step_exponent = sections_.end_step_exponent[end];
   for (std::uint32_t c = 0; c < channels; ++c)
@@ -242,8 +249,9 @@ std::uint64_t FileLoader::lay_out(std::byte* memory) {
   }
   head.loop = sections_.loop;
   if (sections_.ends_bytes > 0) {
-    std::copy_n(sections_.end_reach, kMostEnds, head.end_reach);
-    const std::size_t values = static_cast<std::size_t>(sections_.end_count()) * head.channel_count;
+    head.end_reaches = sections_.end_reaches;
+    const std::size_t values =
+        static_cast<std::size_t>(head.end_reaches.count()) * head.channel_count;
     head.ends = block.reserve(values * sizeof(float));
     if (memory != nullptr) std::copy_n(ends_, values, block.at<float>(head.ends));
   }

@@ -48,6 +48,7 @@ class FileLoader {
   mcpr_result read_segment(int segment);
   mcpr_result decode_segment(int segment, const Bytes& coded);
   void find_double_precision_limits();
+  void read_ends(EndReader& ends, int pose);
   void read_end(EndReader& ends, int end);
   QuantisedSource source(int segment) const;
 

@@ -203,7 +203,7 @@ void FrameDecoder::decode_across(float share, float* out) {
     go(s, straight);
   EndShares shares;
   if (request_.bands_left_out == 0) shares = {{share, 1 - share}};
-  if (clip_.end_reach[0] == 0) shares = {};
+  if (!clip_.end_reaches.any()) shares = {};
   put_out(row, shares, out);
 }
 
@@ -211,9 +211,9 @@ EndShares FrameDecoder::shares_at(int frame, float share_of_next) const {
   EndShares shares;
   if (request_.bands_left_out > 0) return shares;  // of other rows
   const auto of_frame = [&](int end, int of) {
-    return end_share_at(end, of, clip_.segments.frames, clip_.end_reach[end]);
+    return clip_.end_reaches.share_at(end, of, clip_.segments.frames);
   };
-  for (int end = 0; end < kMostEnds && clip_.end_reach[end] > 0; ++end) {
+  for (int end = 0; end < kMostEnds && clip_.end_reaches.frames[end] > 0; ++end) {
     shares.of[end] = of_frame(end, frame);
     if (share_of_next > 0)
       shares.of[end] += share_of_next * (of_frame(end, frame + 1) - shares.of[end]);

@@ -148,11 +148,11 @@ class Sampler {
 
   /// How much of what an end lacks goes to a frame.
   float end_share_of(int end, int frame) const {
-    return end_share_at(end, frame, static_cast<int>(clip_.frames), clip_.end_reach[end]);
+    return clip_.end_reaches.share_at(end, frame, static_cast<int>(clip_.frames));
   }
 
   void add_ends(int frame, float share) {
-    for (int end = 0; end < kMostEnds && clip_.end_reach[end] > 0; ++end) {
+    for (int end = 0; end < kMostEnds && clip_.end_reaches.frames[end] > 0; ++end) {
       float lacking = end_share_of(end, frame);
       if (share > 0) lacking += share * (end_share_of(end, frame + 1) - lacking);
       if (lacking > 0) add_end(end, lacking);
@@ -160,7 +160,7 @@ class Sampler {
   }
 
   void add_end(int end, float share) {
-    const int segment = end == kFirstPose ? 0 : clip_.segments - 1;
+    const int segment = clip_.end_reaches.is_at_first(end) ? 0 : clip_.segments - 1;
     const auto* lacking = clip_.at<std::int16_t>(clip_.end_values()) + clip_.lacking_before(end);
     for (int p = 0; p < clip_.parts; ++p) {
       const CookedPart& part = clip_.part(p);
@@ -203,7 +203,7 @@ class Sampler {
       }
       columns_[c] += share * way;
     }
-    if (clip_.end_reach[0] == 0) return;
+    if (!clip_.end_reaches.any()) return;
     add_end(0, share);
     add_end(1, 1 - share);
   }

@@ -110,7 +110,7 @@ CompressedClip golden_adaptive_clip() {
 CompressedClip golden_ends_clip() {
   CompressedClip clip = golden_adaptive_clip();
   clip.loop = Loop::Follows;
-  CodedEnds ends{.reach = {8, 3, 5}, .step_exponent = {-1, 4, 2}, .steps = {}};
+  CodedEnds ends{.reaches = {{8, 3, 5}}, .step_exponent = {-1, 4, 2}, .steps = {}};
   ends.steps.resize(clip.skeleton.channel_count(), 3);
   for (int c = 0; c < clip.skeleton.channel_count(); ++c)
     ends.steps.row(c) << 3 * c % 11 - 5, -7 * c % 40, 5 * c % 7 - 3;
@@ -143,6 +143,16 @@ CompressedClip golden_segmented_clip() {
     clip.segments->bytes.push_back(static_cast<std::uint32_t>(bytes.size()));
     clip.motion.insert(clip.motion.end(), bytes.begin(), bytes.end());
   }
+  return clip;
+}
+
+CompressedClip golden_velocity_clip() {
+  CompressedClip clip = golden_segmented_clip();
+  CodedEnds ends{.reaches = {{2, 9, 6}, 1}, .step_exponent = {3, 0, 5}, .steps = {}};
+  ends.steps.resize(clip.skeleton.channel_count(), 3);
+  for (int c = 0; c < clip.skeleton.channel_count(); ++c)
+    ends.steps.row(c) << 5 * c % 9 - 4, 4 * c % 13 - 6, 7 * c % 30 - 11;
+  clip.ends = std::move(ends);
   return clip;
 }
 

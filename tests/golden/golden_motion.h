@@ -26,6 +26,9 @@ CompressedClip golden_turned_clip();
 /// 540 frames of the same figure in three segments of Coding::Adaptive, each of another scale.
 CompressedClip golden_segmented_clip();
 
+/// The same with ENDS, whose velocity is the first frame's.
+CompressedClip golden_velocity_clip();
+
 /// golden_clip(Coding::Rle16) with a correction at ltibia.
 CompressedClip golden_corrected_clip();
 

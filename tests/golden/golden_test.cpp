@@ -144,6 +144,16 @@ TEST(GoldenEnds, TheWriterStillMakesTheSameFile) {
   EXPECT_TRUE(write_container(golden_ends_clip()) == read_bytes(golden("v1_ends.mcpr")));
 }
 
+TEST(GoldenVelocity, Version1PlaysToTheSameBits) {
+  const std::vector<std::byte> file = read_bytes(golden("v1_velocity.mcpr"));
+  EXPECT_TRUE(played(file) == read_bytes(golden("v1_velocity_expected.f32")));
+  EXPECT_TRUE(read_container(file).ends->reaches.is_at_first(runtime::kVelocity));
+}
+
+TEST(GoldenVelocity, TheWriterStillMakesTheSameFile) {
+  EXPECT_TRUE(write_container(golden_velocity_clip()) == read_bytes(golden("v1_velocity.mcpr")));
+}
+
 /// Where joints are, cm, as the runtime decoder has them.
 std::vector<float> positions(const std::vector<std::byte>& file) {
   const OpenedClip clip(file);
@@ -298,6 +308,8 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
   write_bytes(golden("v1_tracks_expected.f32"), played_tracks(golden_tracks_file()));
   save_mcpr(golden("v1_ends.mcpr"), golden_ends_clip());
   write_bytes(golden("v1_ends_expected.f32"), played(write_container(golden_ends_clip())));
+  save_mcpr(golden("v1_velocity.mcpr"), golden_velocity_clip());
+  write_bytes(golden("v1_velocity_expected.f32"), played(write_container(golden_velocity_clip())));
   save_mcpr(golden("v1_axes.mcpr"), golden_turned_clip());
   const std::vector<float> places = positions(write_container(golden_turned_clip()));
   write_bytes(golden("v1_axes_expected.f32"), std::as_bytes(std::span(places)));

@@ -1445,15 +1445,22 @@ class Clip:
     def add_ends(self, rows):
         cursor = Cursor(self.sections["ENDS"])
         reaches, exponents = list(cursor.read("BB")), list(cursor.read("bb"))
-        if reaches[1] & 128:
-            reaches[1] &= 127
+        order, at_first = [0, 1], [True, False]
+        for pose in (0, 1):
+            if reaches[pose] & 128:
+                if len(order) > 2:
+                    refuse("a velocity at both ends")
+                reaches[pose] &= 127
+                order.insert(pose + 1, 2)
+                at_first.append(pose == 0)
+        if len(order) > 2:
             for values, value in zip((reaches, exponents), cursor.read("Bb")):
                 values.append(value)
         bits = RangeDecoder(cursor.rest())
         more = [Context() for _ in range(24)]
-        lacking = []
-        for end in range(len(reaches)):
-            steps = self.steps[0 if end == 0 else -1]
+        lacking = [[] for _ in order]
+        for end in order:
+            steps = self.steps[0 if at_first[end] else -1]
             for c in range(self.channels):
                 value = number(bits, more)
                 if value and bits.bit(32768):
@@ -1461,18 +1468,18 @@ class Clip:
                 step = f32(math.ldexp(steps[c], -(exponents[end] >> 1)))
                 if exponents[end] % 2:
                     step = f32(step * ROOT_OF_HALF_32)
-                lacking.append(f32(value * step))
+                lacking[end].append(f32(value * step))
         bits.expect_end()
         for t, row in enumerate(rows):
             for end in range(len(reaches)):
-                away = t if end == 0 else len(rows) - 1 - t
+                away = t if at_first[end] else len(rows) - 1 - t
                 if away < reaches[end]:
                     left = f32((reaches[end] - away) / reaches[end])
                     share = f32(left * left)
                     if end == 2:
                         share = f32(away * share)
                     for c in range(self.channels):
-                        row[c] = f32(row[c] + f32(share * lacking[end * self.channels + c]))
+                        row[c] = f32(row[c] + f32(share * lacking[end][c]))
 
     def track_rows(self):
         tracks = read_tracks(self.sections["trks"], self.frames, self.tables)

@@ -28,6 +28,7 @@ struct Tolerance {
 
 constexpr double kEven = 0.75;  // of the target
 constexpr double kExact = 0.1;
+constexpr int kRowsOfVelocity = 8;  // at an end, where one can be coded
 
 Tolerance tolerance_of(const EncodeOptions& options, double share, double eps_cm) {
   const bool at_most = options.target.kind == Target::Kind::MaxError;
@@ -95,19 +96,22 @@ class End {
 
   std::vector<Reach> reaches(const Eigen::RowVectorXd& added) const {
     std::vector<Reach> found;
-    const Eigen::MatrixXd without = tracks(decoded_);
-    Eigen::MatrixXd at = without;
+    Eigen::MatrixXd at = tracks(decoded_);
     for (int frames = 1; frames <= decoded_.rows(); frames *= 2) {
-      Eigen::MatrixXd with = decoded_.topRows(frames);
-      for (int t = 0; t < frames; ++t)
-        with.row(t) +=
-            static_cast<double>(runtime::end_share(runtime::kLastPose, t, frames)) * added;
-      at.topRows(frames) = tracks(with);
+      at.topRows(frames) = tracks(decoded_with(added, frames).topRows(frames));
       const Eigen::Index beside = std::min<Eigen::Index>(1, at.rows() - 1);
       found.push_back({frames, (errors_.squared(original_, at) * errors_.measured().weights).sum(),
                        at.row(beside) - original_.row(beside) - at.row(0) + original_.row(0)});
     }
     return found;
+  }
+
+  /// The decoded frames, of which so many take part in what is added to the first.
+  Eigen::MatrixXd decoded_with(const Eigen::RowVectorXd& added, int frames) const {
+    Eigen::MatrixXd with = decoded_;
+    for (int t = 0; t < frames; ++t)
+      with.row(t) += static_cast<double>(runtime::end_share(runtime::kLastPose, t, frames)) * added;
+    return with;
   }
 
   /// Nothing where the pose will do as it is, else what takes the fewest bits of what will do:
@@ -292,6 +296,137 @@ std::array<Eigen::MatrixXd, 2> decoded_at_ends(const CompressedClip& compressed,
   return found;
 }
 
+/// The few frames at an end of a clip, that one first, and what a velocity there makes of them.
+class FewFrames {
+ public:
+  static constexpr int kFew = 4;
+  static constexpr std::array kReaches = {3, 4, 6, 8};
+
+  /// Of frames in channels, as many as the longest reach or more, and what the clip is off. All
+  /// must outlive this.
+  FewFrames(const Skeleton& skeleton, const Eigen::MatrixXd& original,
+            const Eigen::MatrixXd& decoded, const Tolerance& clip)
+      : skeleton_(skeleton),
+        clip_(clip),
+        errors_(skeleton, clip.weighting),
+        original_(original),
+        decoded_(decoded) {}
+
+  /// How many times as far off as the clip they are, RMS, with that velocity. Where it reaches
+  /// further, those frames count, too, if they are worse.
+  double off_with(const Eigen::RowVectorXd& velocity, int reach) const {
+    Eigen::MatrixXd with = decoded_.topRows(std::max(kFew, reach));
+    for (int away = 1; away < reach; ++away) with.row(away) += share(away, reach) * velocity;
+    const auto tracks = [&](const Eigen::MatrixXd& channels) {
+      return body_tracks(skeleton_, {1, channels});
+    };
+    const Eigen::VectorXd squared =
+        errors_.squared(tracks(original_.topRows(with.rows())), tracks(with)) *
+        errors_.measured().weights;
+    return std::sqrt(std::max(squared.head(kFew).mean(), squared.mean())) / clip_.cm;
+  }
+  double off() const { return off_with(Eigen::RowVectorXd::Zero(decoded_.cols()), 1); }
+
+  struct Mend {
+    int reach = 0;
+    int fineness = 0;
+    Eigen::VectorXi steps;
+    double off = 0;
+  };
+
+  /// What takes the fewest bits of what leaves them at most so far off, else what brings them
+  /// nearest.
+  Mend cheapest(const std::vector<float>& steps, double most_off) const {
+    Mend best;
+    double least_bits = std::numeric_limits<double>::infinity();
+    for (const int reach : kReaches) {
+      Mend mend = with_reach(steps, reach, most_off);
+      const double bits =
+          mend.off <= most_off ? bits_of(mend.steps) : std::numeric_limits<double>::infinity();
+      const bool is_better = bits < least_bits || (bits == least_bits && mend.off < best.off);
+      if (best.reach > 0 && !is_better) continue;
+      least_bits = bits;
+      best = std::move(mend);
+    }
+    return best;
+  }
+
+ private:
+  static double share(int away, int reach) {
+    if (away >= reach) return 0;
+    return static_cast<double>(runtime::end_share(runtime::kVelocity, away, reach));
+  }
+
+  /// The velocity that suits the frames best, as exact as need be.
+  Mend with_reach(std::vector<float> steps, int reach, double most_off) const {
+    constexpr double kLeast = 0.1;  // squared: what its steps may add, if nothing will do
+    Eigen::RowVectorXd velocity = Eigen::RowVectorXd::Zero(decoded_.cols());
+    double squares = 0;  // of the shares
+    for (int away = 1; away < kFew; ++away) {
+      velocity += share(away, reach) * lacking(skeleton_, original_.row(away), decoded_.row(away));
+      squares += share(away, reach) * share(away, reach);
+    }
+    velocity /= squares;
+    const double best_off = off_with(velocity, reach);
+    const double left = std::max(most_off * most_off - best_off * best_off, kLeast);
+    // As the pose beside the end, which the velocity moves.
+    const double of_pose = share(1, reach);
+    const Eigen::RowVectorXd pose = decoded_.row(1);
+    const Tolerance tolerance{clip_.weighting,
+                              of_pose * std::sqrt(left * kFew / squares) * clip_.cm, false};
+    const End beside(skeleton_, pose + of_pose * velocity, pose, tolerance,
+                     Eigen::RowVectorXd::Zero(pose.size()));
+    for (float& step : steps) step *= static_cast<float>(of_pose);
+    auto [fineness, whole] = beside.cheapest(steps);
+    const double off = off_with(End::values_of(whole, steps, fineness) / of_pose, reach);
+    return {reach, fineness, std::move(whole), off};
+  }
+
+  const Skeleton& skeleton_;
+  const Tolerance clip_;
+  const PointErrors errors_;
+  const Eigen::MatrixXd& original_;
+  const Eigen::MatrixXd& decoded_;
+};
+
+CodedEnds with_velocity(CodedEnds ends, int pose, int reach, int fineness,
+                        const Eigen::VectorXi& steps) {
+  ends.reaches.frames[runtime::kVelocity] = static_cast<std::uint8_t>(reach);
+  ends.reaches.velocity_at_first = pose == runtime::kFirstPose ? 1 : 0;
+  ends.step_exponent[runtime::kVelocity] = fineness;
+  ends.steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
+  ends.steps.col(runtime::kVelocity) = steps;
+  return ends;
+}
+
+/// An end of a clip and the frames beside it, in channels, and the steps of its segment.
+struct EndFrames {
+  const Eigen::MatrixXd& original;
+  Eigen::MatrixXd decoded;
+  const std::vector<float>& steps;
+};
+
+/// Where few frames at an end are further off than may be, as where a clip starts with a jump,
+/// codes what the velocity there lacks: at the worse end, for there is one.
+void mend_few(const Skeleton& skeleton, const Tolerance& clip, const std::array<EndFrames, 2>& both,
+              CodedEnds& ends) {
+  constexpr double kMost = 1.45;  // times as far off as the clip
+  int worse = runtime::kFirstPose;
+  double most = 0;
+  for (const int pose : {runtime::kFirstPose, runtime::kLastPose}) {
+    const EndFrames& end = both[static_cast<std::size_t>(pose)];
+    const double off = FewFrames(skeleton, end.original, end.decoded, clip).off();
+    if (off <= most) continue;
+    most = off;
+    worse = pose;
+  }
+  if (most <= kMost) return;
+  const EndFrames& end = both[static_cast<std::size_t>(worse)];
+  const FewFrames frames(skeleton, end.original, end.decoded, clip);
+  const FewFrames::Mend mend = frames.cheapest(end.steps, kMost);
+  if (mend.off < most) ends = with_velocity(ends, worse, mend.reach, mend.fineness, mend.steps);
+}
+
 /// Where a loop's velocities change more at its seam than between any frames in a row, codes what
 /// the last of them lacks. Originals with the frames at the ends first; so many steps of the last
 /// segment.
@@ -319,13 +454,9 @@ void mend_velocity(const Skeleton& skeleton, const Goal& goal,
                   {Weighting::Surface, share * most, false}, wanted);
     for (int reach = 8; reach <= rows; reach *= 2) {
       std::vector<float> steps = last_steps;
-      for (float& step : steps) step *= runtime::end_share(runtime::kLastVelocity, 1, reach);
+      for (float& step : steps) step *= runtime::end_share(runtime::kVelocity, 1, reach);
       const auto [fineness, whole] = end.cheapest(steps);
-      CodedEnds& ends = compressed.ends.emplace(poses);
-      ends.reach[runtime::kLastVelocity] = reach;
-      ends.step_exponent[runtime::kLastVelocity] = fineness;
-      ends.steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
-      ends.steps.col(runtime::kLastVelocity) = whole;
+      compressed.ends = with_velocity(poses, runtime::kLastPose, reach, fineness, whole);
       // A short reach would only move the break to the frame before.
       const EndErrors after = goal.ends(compressed);
       if (after.seam_cm_per_frame <= after.worst_neighbours_cm_per_frame &&
@@ -374,24 +505,28 @@ void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_
   const End last(coded_skeleton, backwards, std::move(decoded_last),
                  tolerance(is_loop ? kExact : share), error);
   const auto [last_fineness, last_whole] = last.cheapest(last_steps);
-  if (first_whole.isZero() && last_whole.isZero() && !is_loop) return;
+  const Eigen::RowVectorXd to_last = End::values_of(last_whole, last_steps, last_fineness);
 
-  CodedEnds ends{.step_exponent = {first_fineness, last_fineness}, .steps = {}};
-  const std::vector<End::Reach> of_first = first.reaches(to_first);
-  const std::vector<End::Reach> of_last =
-      last.reaches(End::values_of(last_whole, last_steps, last_fineness));
-  // Frames that a correction holds in place are left there.
-  if (!compressed.correction) {
-    const auto [first_reach, last_reach] =
-        is_loop ? smoothest(of_first, of_last)
-                : std::array{best_of(of_first).frames, best_of(of_last).frames};
-    ends.reach = {first_reach, last_reach, 0};
-  }
+  CodedEnds& ends = compressed.ends.emplace();
+  ends.step_exponent = {first_fineness, last_fineness};
   ends.steps.resize(channels, 2);
   ends.steps << first_whole, last_whole;
-  compressed.ends = std::move(ends);
-  if (is_loop && !compressed.correction)
-    mend_velocity(coded_skeleton, goal, original_first, backwards, last_steps, compressed);
+  // Frames that a correction holds in place are left there.
+  if (!compressed.correction) {
+    std::array reaches = {1, 1};
+    if (is_loop)
+      reaches = smoothest(first.reaches(to_first), last.reaches(to_last));
+    else if (!ends.steps.isZero())
+      reaches = {best_of(first.reaches(to_first)).frames, best_of(last.reaches(to_last)).frames};
+    std::ranges::copy(reaches, ends.reaches.frames);
+    if (is_loop)
+      mend_velocity(coded_skeleton, goal, original_first, backwards, last_steps, compressed);
+    else if (rows >= kRowsOfVelocity)
+      mend_few(coded_skeleton, tolerance(1),
+               {{{original_first, first.decoded_with(to_first, reaches[0]), first_steps},
+                 {backwards, last.decoded_with(to_last, reaches[1]), last_steps}}},
+               ends);
+  }
   if (compressed.ends->steps.isZero()) compressed.ends.reset();
 }
 

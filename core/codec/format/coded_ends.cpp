@@ -25,38 +25,50 @@ std::string_view name(Ends ends) {
 std::vector<std::byte> CodedEnds::write() const {
   ByteWriter writer;
   using namespace runtime;
-  const int velocity = count() > kLastVelocity ? kEndsHaveVelocity : 0;
-  writer.write(static_cast<std::uint8_t>(reach[kFirstPose]));
-  writer.write(static_cast<std::uint8_t>(reach[kLastPose] | velocity));
+  const auto has_velocity = [&](int end) {
+    return count() > kVelocity && reaches.is_at_first(kVelocity) == (end == kFirstPose);
+  };
+  for (const int end : {kFirstPose, kLastPose})
+    writer.write(static_cast<std::uint8_t>(reaches.frames[end] |
+                                           (has_velocity(end) ? kVelocityFollows : 0)));
   for (const int end : {kFirstPose, kLastPose})
     writer.write(static_cast<std::int8_t>(step_exponent[static_cast<std::size_t>(end)]));
-  if (velocity != 0) {
-    writer.write(static_cast<std::uint8_t>(reach[kLastVelocity]));
-    writer.write(static_cast<std::int8_t>(step_exponent[kLastVelocity]));
+  if (count() > kVelocity) {
+    writer.write(reaches.frames[kVelocity]);
+    writer.write(static_cast<std::int8_t>(step_exponent[kVelocity]));
   }
   RangeEncoder bits;
-  runtime::EndCoder coder;
-  for (const int value : steps.reshaped()) coder.code(bits, value);
+  EndCoder coder;
+  for (const int end : ends_in_order())
+    for (const int value : steps.col(end)) coder.code(bits, value);
   writer.append(bits.finish());
   return writer.release();
 }
 
+std::vector<int> CodedEnds::ends_in_order() const {
+  using namespace runtime;
+  if (count() == kVelocity) return {kFirstPose, kLastPose};
+  return reaches.is_at_first(kVelocity) ? std::vector{kFirstPose, kVelocity, kLastPose}
+                                        : std::vector{kFirstPose, kLastPose, kVelocity};
+}
+
 CodedEnds read_ends(const runtime::FileSections& sections) {
   CodedEnds ends;
-  std::copy_n(sections.end_reach, runtime::kMostEnds, ends.reach.begin());
+  ends.reaches = sections.end_reaches;
   std::copy_n(sections.end_step_exponent, runtime::kMostEnds, ends.step_exponent.begin());
   runtime::EndReader reader(sections.coded_ends);
-  ends.steps.resize(sections.channels, sections.end_count());
-  for (int& value : ends.steps.reshaped()) value = reader.next();
+  ends.steps.resize(sections.channels, ends.reaches.count());
+  for (const int end : ends.ends_in_order())
+    for (int& value : ends.steps.col(end)) value = reader.next();
   require(reader.finish());
   return ends;
 }
 
 EndPoses::EndPoses(const CodedEnds& coded, const std::vector<float>& first_steps,
                    const std::vector<float>& last_steps)
-    : reach_(coded.reach), values_(coded.steps.rows(), coded.steps.cols()) {
+    : reaches_(coded.reaches), values_(coded.steps.rows(), coded.steps.cols()) {
   for (int end = 0; end < coded.count(); ++end) {
-    const std::vector<float>& steps = end == runtime::kFirstPose ? first_steps : last_steps;
+    const std::vector<float>& steps = reaches_.is_at_first(end) ? first_steps : last_steps;
     for (Eigen::Index c = 0; c < values_.rows(); ++c)
       values_(c, end) = runtime::end_value(coded.steps(c, end), steps[static_cast<std::size_t>(c)],
                                            coded.step_exponent[static_cast<std::size_t>(end)]);
@@ -67,8 +79,7 @@ void EndPoses::add_to(int first_frame, int frames_of_clip, Eigen::MatrixXd& chan
   for (Eigen::Index row = 0; row < channels.rows(); ++row) {
     const int frame = first_frame + static_cast<int>(row);
     for (int end = 0; end < values_.cols(); ++end) {
-      const float share =
-          runtime::end_share_at(end, frame, frames_of_clip, reach_[static_cast<std::size_t>(end)]);
+      const float share = reaches_.share_at(end, frame, frames_of_clip);
       if (share == 0) continue;
       for (Eigen::Index c = 0; c < values_.rows(); ++c)
         channels(row, c) =

@@ -24,14 +24,17 @@ enum class Ends {
 std::string_view name(Ends ends);
 
 /// What the first and the last frame of a clip lack, in steps of their segment's channels times
-/// 2^(-step_exponent / 2), and where that has a reach, the velocity into the last one. The frames
+/// 2^(-step_exponent / 2), and where that has a reach, the velocity at one of them. The frames
 /// beside them take part in it.
 struct CodedEnds {
-  std::array<int, runtime::kMostEnds> reach{1, 1, 0};  // frames, those at the ends counted
+  runtime::EndReaches reaches{{1, 1, 0}};  // those at the ends counted
   std::array<int, runtime::kMostEnds> step_exponent{};
   Eigen::MatrixXi steps;  // channels x (first, last and, if there is one, velocity)
 
   int count() const { return static_cast<int>(steps.cols()); }
+
+  /// Columns of `steps` as they are coded: a velocity after its pose.
+  std::vector<int> ends_in_order() const;
 
   std::size_t section_bytes() const { return write().size(); }
 
@@ -53,7 +56,7 @@ class EndPoses {
   void add_to(int first_frame, int frames_of_clip, Eigen::MatrixXd& channels) const;
 
  private:
-  std::array<int, runtime::kMostEnds> reach_;
+  runtime::EndReaches reaches_;
   Eigen::MatrixXf values_;  // channels x ends
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the first and last frame of a clip still lack, where more was promised of them than the
-// coefficients give, and the velocity with which a loop comes to its last frame: FORMAT.md, ENDS.
+// coefficients give, and the velocity at one of them: FORMAT.md, ENDS.
 // The same walk for writing and reading.
 #pragma once
 
@@ -17,32 +17,43 @@ namespace mocapress::runtime {
 inline constexpr int kLeastEndStepExponent = -16;
 inline constexpr int kMostEndStepExponent = 48;
 
-/// What ENDS adds to: the pose of the first frame, that of the last, and the velocity there.
+/// What ENDS adds to: the pose of the first frame, that of the last, and the velocity at either.
 inline constexpr int kFirstPose = 0;
 inline constexpr int kLastPose = 1;
-inline constexpr int kLastVelocity = 2;  // a frame, backwards in time
+inline constexpr int kVelocity = 2;  // a frame, away from the end
 inline constexpr int kMostEnds = 3;
-inline constexpr int kFarthestReach = 127;              // frames
-inline constexpr std::uint8_t kEndsHaveVelocity = 128;  // beside the last pose's reach
+inline constexpr int kFarthestReach = 127;             // frames
+inline constexpr std::uint8_t kVelocityFollows = 128;  // beside the reach of that end's pose
 
 /// How much of what an end lacks goes to a frame so many frames from it, less than `reach`.
 inline float end_share(int end, int frames_away, int reach) {
   const float left = static_cast<float>(reach - frames_away) / static_cast<float>(reach);
   const float share = left * left;
-  return end == kLastVelocity ? static_cast<float>(frames_away) * share : share;
+  return end == kVelocity ? static_cast<float>(frames_away) * share : share;
 }
 
 /// The most that goes to any frame: a velocity's at a third of its reach.
 inline double largest_end_share(int end, int reach) {
-  return end == kLastVelocity ? 4.0 / 27 * reach : 1;
+  return end == kVelocity ? 4.0 / 27 * reach : 1;
 }
 
-/// How much of what an end lacks goes to a frame of a clip of so many. Without a reach nothing goes
-/// anywhere.
-inline float end_share_at(int end, int frame, int frames, int reach) {
-  const int away = end == kFirstPose ? frame : frames - 1 - frame;
-  return away < reach ? end_share(end, away, reach) : 0.0F;
-}
+/// How many frames have a share in what each of the three lacks.
+struct EndReaches {
+  std::uint8_t frames[kMostEnds] = {};  // 0: nothing is added
+  std::uint8_t velocity_at_first = 0;   // 1: the velocity is that at the first frame
+
+  bool any() const { return frames[kFirstPose] > 0; }
+  int count() const { return frames[kVelocity] > 0 ? kMostEnds : kVelocity; }
+  bool is_at_first(int end) const {
+    return end == kFirstPose || (end == kVelocity && velocity_at_first != 0);
+  }
+
+  /// How much of what an end lacks goes to a frame of a clip of so many.
+  float share_at(int end, int frame, int frames_of_clip) const {
+    const int away = is_at_first(end) ? frame : frames_of_clip - 1 - frame;
+    return away < frames[end] ? end_share(end, away, frames[end]) : 0.0F;
+  }
+};
 
 /// What an end lacks in a channel, in steps of the channel times 2^(-step_exponent / 2). cm or
 /// radians
@@ -65,7 +76,8 @@ class EndCoder {
   DigitCoder magnitude_;
 };
 
-/// Reads the coded numbers of ENDS: those of the first frame, channel by channel, then the last.
+/// Reads the coded numbers of ENDS: those of the first frame, channel by channel, then the last;
+/// after either those of its velocity, if it has one.
 class EndReader {
  public:
   explicit EndReader(const Bytes& coded) : coded_(coded), bits_(coded.data, coded.size) {}

@@ -285,18 +285,25 @@ std::uint32_t FileSections::segment_size(int segment) const {
 
 mcpr_result read_ends(const Bytes& payload, FileSections& sections) {
   Cursor cursor(payload.data, payload.size, payload.offset);
-  std::uint8_t* const reach = sections.end_reach;
+  std::uint8_t* const reach = sections.end_reaches.frames;
   std::int8_t* const step_exponent = sections.end_step_exponent;
-  for (int end : {kFirstPose, kLastPose}) reach[end] = cursor.read<std::uint8_t>();
+  int velocities = 0;
+  for (int end : {kFirstPose, kLastPose}) {
+    reach[end] = cursor.read<std::uint8_t>();
+    if ((reach[end] & kVelocityFollows) == 0) continue;
+    reach[end] &= ~kVelocityFollows;
+    sections.end_reaches.velocity_at_first = end == kFirstPose ? 1 : 0;
+    ++velocities;
+  }
   for (int end : {kFirstPose, kLastPose}) step_exponent[end] = cursor.read<std::int8_t>();
-  const bool has_velocity = (reach[kLastPose] & kEndsHaveVelocity) != 0;
-  reach[kLastPose] &= ~kEndsHaveVelocity;
-  if (has_velocity) {
-    reach[kLastVelocity] = cursor.read<std::uint8_t>();
-    step_exponent[kLastVelocity] = cursor.read<std::int8_t>();
+  if (velocities > 0) {
+    reach[kVelocity] = cursor.read<std::uint8_t>();
+    step_exponent[kVelocity] = cursor.read<std::int8_t>();
   }
   if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "ENDS is too short");
-  for (int end = 0; end < (has_velocity ? kMostEnds : kLastVelocity); ++end) {
+  if (velocities > 1)
+    return failure(MCPR_INVALID, payload.offset, "ENDS has a velocity at both ends");
+  for (int end = 0; end < kVelocity + velocities; ++end) {
     if (reach[end] < 1 || reach[end] > sections.frames || reach[end] > kFarthestReach)
       return failure(MCPR_INVALID, payload.offset, "ENDS has an impossible reach");
     if (step_exponent[end] < kLeastEndStepExponent || step_exponent[end] > kMostEndStepExponent)

@@ -50,9 +50,8 @@ struct FileSections {
   std::size_t correction_bytes = 0;
   std::size_t ends_bytes = 0;  // of ENDS; 0: none
   LoopKind loop = LoopKind::None;
-  std::uint8_t end_reach[kMostEnds] = {};  // frames; 0: nothing is added
+  EndReaches end_reaches;
   std::int8_t end_step_exponent[kMostEnds] = {};
-  int end_count() const { return end_reach[kLastVelocity] > 0 ? kMostEnds : kLastVelocity; }
   Bytes coded_ends;
   Solver solver = Solver::NearestPose;
   std::uint32_t effectors = 0;

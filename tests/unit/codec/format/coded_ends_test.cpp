@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/codec/format/format_error.h"
@@ -13,17 +15,24 @@ namespace {
 constexpr int kChannelsOfClip = 20;
 constexpr int kFramesOfClip = 100;
 
-CodedEnds some_ends(int count = runtime::kLastVelocity) {
+CodedEnds some_ends() {
   Random random(3);
-  CodedEnds ends{.reach = {8, 1}, .step_exponent = {-3, 12}, .steps = {}};
-  if (count > runtime::kLastVelocity) {
-    ends.reach[runtime::kLastVelocity] = 16;
-    ends.step_exponent[runtime::kLastVelocity] = 5;
-  }
-  ends.steps.resize(kChannelsOfClip, count);
+  CodedEnds ends{.reaches = {{8, 1}}, .step_exponent = {-3, 12}, .steps = {}};
+  ends.steps.resize(kChannelsOfClip, 2);
   for (int& steps : ends.steps.reshaped()) steps = static_cast<int>(random.below(41)) - 20;
   ends.steps(4, 0) = (1 << 24) - 1;
   ends.steps(5, 1) = -((1 << 24) - 1);
+  return ends;
+}
+
+CodedEnds ends_with_velocity(bool at_first) {
+  CodedEnds ends = some_ends();
+  ends.reaches.frames[runtime::kVelocity] = 16;
+  ends.reaches.velocity_at_first = at_first ? 1 : 0;
+  ends.step_exponent[runtime::kVelocity] = 5;
+  ends.steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
+  for (Eigen::Index c = 0; c < kChannelsOfClip; ++c)
+    ends.steps(c, runtime::kVelocity) = 1 + static_cast<int>(c) % 7;
   return ends;
 }
 
@@ -36,10 +45,10 @@ CodedEnds read_back(const std::vector<std::byte>& payload, std::uint32_t frames)
 }
 
 TEST(CodedEnds, ReadBackAsWritten) {
-  for (const int count : {2, 3}) {
-    const CodedEnds ends = some_ends(count);
+  for (const CodedEnds& ends : {some_ends(), ends_with_velocity(false), ends_with_velocity(true)}) {
     const CodedEnds read = read_back(ends.write(), kFramesOfClip);
-    EXPECT_EQ(read.reach, ends.reach);
+    EXPECT_TRUE(std::ranges::equal(read.reaches.frames, ends.reaches.frames));
+    EXPECT_EQ(read.reaches.velocity_at_first, ends.reaches.velocity_at_first);
     EXPECT_EQ(read.step_exponent, ends.step_exponent);
     EXPECT_EQ(read.steps, ends.steps);
   }
@@ -64,7 +73,7 @@ TEST(CodedEnds, ImpossibleStepsAndReachesAreRefused) {
     EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
   }
   for (const int reach : {0, 101, 128, 255}) {  // of the velocity
-    std::vector<std::byte> bytes = some_ends(runtime::kMostEnds).write();
+    std::vector<std::byte> bytes = ends_with_velocity(false).write();
     bytes[4] = static_cast<std::byte>(reach);
     EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
   }
@@ -74,6 +83,12 @@ TEST(CodedEnds, ImpossibleStepsAndReachesAreRefused) {
       bytes[byte] = static_cast<std::byte>(step_exponent);
       EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
     }
+}
+
+TEST(CodedEnds, AVelocityAtBothEndsIsRefused) {
+  std::vector<std::byte> bytes = ends_with_velocity(false).write();
+  bytes[0] |= std::byte{runtime::kVelocityFollows};
+  EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
 }
 
 TEST(EndPoses, TakeEffectWithinTheirReachAndWholeAtTheEnds) {
@@ -89,23 +104,26 @@ TEST(EndPoses, TakeEffectWithinTheirReachAndWholeAtTheEnds) {
   EXPECT_TRUE(channels.middleRows(8, kFramesOfClip - 9).isZero(0));
 }
 
-TEST(EndPoses, AVelocityLeavesTheLastFrameAloneAndTurnsTheOneBefore) {
-  CodedEnds ends = some_ends(runtime::kMostEnds);
-  ends.steps.leftCols(2).setZero();
-  const std::vector<float> steps(kChannelsOfClip, 0.25F);
-  Eigen::MatrixXd channels = Eigen::MatrixXd::Zero(kFramesOfClip, kChannelsOfClip);
-  EndPoses(ends, steps, steps).add_to(0, kFramesOfClip, channels);
-  const double velocity = 0.25 * std::exp2(-2.5) * ends.steps(0, 2);
-  ASSERT_NE(velocity, 0);
-  for (int away = 0; away < 16; ++away) {
-    const double left = (16.0 - away) / 16;
-    EXPECT_NEAR(channels(kFramesOfClip - 1 - away, 0), away * left * left * velocity, 1e-5);
+TEST(EndPoses, AVelocityLeavesItsEndAloneAndTurnsTheFrameBeside) {
+  for (const bool at_first : {false, true}) {
+    CodedEnds ends = ends_with_velocity(at_first);
+    ends.steps.leftCols(2).setZero();
+    const std::vector<float> first_steps(kChannelsOfClip, 0.25F);
+    const std::vector<float> last_steps(kChannelsOfClip, 0.5F);
+    Eigen::MatrixXd channels = Eigen::MatrixXd::Zero(kFramesOfClip, kChannelsOfClip);
+    EndPoses(ends, first_steps, last_steps).add_to(0, kFramesOfClip, channels);
+    if (!at_first) channels = channels.colwise().reverse().eval();
+    const double velocity = (at_first ? 0.25 : 0.5) * std::exp2(-2.5) * ends.steps(0, 2);
+    for (int away = 0; away < 16; ++away) {
+      const double left = (16.0 - away) / 16;
+      EXPECT_NEAR(channels(away, 0), away * left * left * velocity, 1e-5);
+    }
+    EXPECT_TRUE(channels.bottomRows(kFramesOfClip - 16).isZero(0));
   }
-  EXPECT_TRUE(channels.topRows(kFramesOfClip - 16).isZero(0));
 }
 
 TEST(EndPoses, AreTheSameInBlocks) {
-  const CodedEnds ends = some_ends(runtime::kMostEnds);
+  const CodedEnds ends = ends_with_velocity(false);
   const std::vector<float> steps(kChannelsOfClip, 0.25F);
   const EndPoses poses(ends, steps, steps);
   Eigen::MatrixXd whole = Eigen::MatrixXd::Ones(kFramesOfClip, kChannelsOfClip);
