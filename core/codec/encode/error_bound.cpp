@@ -11,16 +11,6 @@
 namespace mocapress {
 namespace {
 
-Eigen::MatrixX3d cross(const Eigen::MatrixX3d& a, const Eigen::MatrixX3d& b) {
-  Eigen::MatrixX3d product(a.rows(), 3);
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    product.col(i) = a.col(j).cwiseProduct(b.col(k)) - a.col(k).cwiseProduct(b.col(j));
-  }
-  return product;
-}
-
 std::vector<Landmark> bounded_points(const Skeleton& skeleton, Weighting weighting) {
   if (is_on_bones(weighting)) return landmarks(skeleton);
   std::vector<Landmark> points = joint_origins(skeleton);
@@ -101,33 +91,37 @@ void ErrorBound::enter_joint(int joint) {
 }
 
 void ErrorBound::find_moved() {
-  moved_.clear();
+  moved_count_ = 0;
   if (is_still(joint_)) return;
   const ChannelKind kind = skeleton_.channel_kind(channel_);
-  const bool rotates = is_rotation(kind);
+  const bool turns = is_rotation(kind);
   const int parent = skeleton_.joint(joint_).parent;
-  Eigen::MatrixX3d axes(channels_.rows(), 3);
-  for (Eigen::Index t = 0; t < axes.rows(); ++t) {
+  const Eigen::Index frames = channels_.rows();
+  Eigen::MatrixX3d axes(frames, 3);
+  for (Eigen::Index t = 0; t < frames; ++t) {
     const auto frame = static_cast<std::size_t>(t);
-    if (rotates)
+    if (turns)
       axes.row(t) = world_from_axes_[frame].col(axis_of(kind));
     else if (parent < 0)
       axes.row(t) = Eigen::RowVector3d::Unit(axis_of(kind));
     else
       axes.row(t) = world_from_joint_[static_cast<std::size_t>(parent)][frame].col(axis_of(kind));
   }
-  const auto place = [&](Eigen::Index landmark) -> Eigen::MatrixX3d {
-    return original_tracks_.middleCols<3>(3 * landmark) + errors_.middleCols<3>(3 * landmark);
-  };
-  const Eigen::MatrixX3d origin = place(joint_);
+  const Eigen::MatrixX3d origin =
+      original_tracks_.middleCols<3>(3 * joint_) + errors_.middleCols<3>(3 * joint_);
+  moved_.resize(points_.size());
   for (Eigen::Index p = 0; p < std::ssize(points_); ++p) {
     if (!is_at_or_below(points_[static_cast<std::size_t>(p)].joint, joint_)) continue;
-    if (!rotates) {
-      moved_.push_back({p, axes, {}});
-    } else if (p != joint_) {
-      Eigen::MatrixX3d along = cross(axes, place(p) - origin);
-      moved_.push_back({p, along, cross(axes, along)});
-    }
+    if (turns && p == joint_) continue;
+    Moved& moved = moved_[moved_count_++];
+    moved.landmark = p;
+    moved.along.resize(frames, 3);
+    moved.across.resize(turns ? frames : 0, 3);
+    if (turns)
+      find_way_of_turn({axes.data(), frames}, {origin.data(), frames},
+                       {original_tracks_.col(3 * p).data(), frames}, frames, frames_of(moved, 0));
+    else
+      moved.along = axes;
   }
 }
 
@@ -141,46 +135,32 @@ ErrorBound::Step ErrorBound::step_of(const Eigen::VectorXd& delta) const {
   return {delta.array().sin(), 1 - delta.array().cos()};
 }
 
-Eigen::ArrayX3d ErrorBound::errors_after(const Moved& moved, Eigen::Index first_frame,
-                                         const Step& step) const {
-  const Eigen::Index frames = step.along.size();
-  Eigen::ArrayX3d errors =
-      errors_.block(first_frame, 3 * moved.landmark, frames, 3).array() +
-      moved.along.middleRows(first_frame, frames).array().colwise() * step.along;
-  if (step.across.size() > 0)
-    errors += moved.across.middleRows(first_frame, frames).array().colwise() * step.across;
-  return errors;
+MovedFrames ErrorBound::frames_of(Moved& moved, Eigen::Index first_frame) {
+  const auto columns = [&](double* numbers) -> Columns3<double> {
+    return {numbers + first_frame, channels_.rows()};
+  };
+  return {columns(errors_.col(3 * moved.landmark).data()), columns(moved.along.data()),
+          moved.across.size() > 0 ? columns(moved.across.data()) : Columns3<double>{},
+          squared_.col(moved.landmark).data() + first_frame};
 }
 
-bool ErrorBound::allows(Eigen::Index first_frame, const Eigen::VectorXd& delta) const {
+bool ErrorBound::allows(Eigen::Index first_frame, const Eigen::VectorXd& delta) {
   if (is_still(joint_)) return false;
   const Step step = step_of(delta);
-  const auto bound = squared_bound_.segment(first_frame, delta.size());
-  for (const Moved& moved : moved_) {
-    const Eigen::ArrayXd then = errors_after(moved, first_frame, step).square().rowwise().sum();
-    const auto now = squared_.col(moved.landmark).segment(first_frame, delta.size()).array();
-    if ((then > bound && then > now).any()) return false;
+  const double* const bound = squared_bound_.data() + first_frame;
+  for (std::size_t i = 0; i < moved_count_; ++i) {
+    if (!goes_beyond(frames_of(moved_[i], first_frame), step.of_frames(), bound)) continue;
+    std::swap(moved_[i], moved_[i / 2]);  // the next time it is looked at sooner
+    return false;
   }
   return true;
 }
 
 void ErrorBound::add(Eigen::Index first_frame, const Eigen::VectorXd& delta) {
   const Step step = step_of(delta);
-  const Eigen::Index frames = delta.size();
-  channels_.col(channel_).segment(first_frame, frames) += delta;
-  for (Moved& moved : moved_) {
-    const Eigen::ArrayX3d errors = errors_after(moved, first_frame, step);
-    errors_.block(first_frame, 3 * moved.landmark, frames, 3) = errors.matrix();
-    squared_.col(moved.landmark).segment(first_frame, frames) =
-        errors.square().rowwise().sum().matrix();
-    if (step.across.size() == 0) continue;
-    auto along = moved.along.middleRows(first_frame, frames).array();
-    auto across = moved.across.middleRows(first_frame, frames).array();
-    const Eigen::ArrayX3d turned =
-        along.colwise() * (1 - step.across) + across.colwise() * step.along;
-    across = (across.colwise() * (1 - step.across) - along.colwise() * step.along).eval();
-    along = turned;
-  }
+  channels_.col(channel_).segment(first_frame, delta.size()) += delta;
+  for (std::size_t i = 0; i < moved_count_; ++i)
+    move_point(frames_of(moved_[i], first_frame), step.of_frames());
 }
 
 }  // namespace mocapress

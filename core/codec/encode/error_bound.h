@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/codec/encode/bound_kernels.h"
 #include "core/motion/landmarks.h"
 
 namespace mocapress {
@@ -29,7 +30,7 @@ class ErrorBound {
 
   /// Whether `delta`, added to that channel from a frame on, takes no landmark beyond the bound,
   /// and none that is already beyond it further away.
-  bool allows(Eigen::Index first_frame, const Eigen::VectorXd& delta) const;
+  bool allows(Eigen::Index first_frame, const Eigen::VectorXd& delta);
   void add(Eigen::Index first_frame, const Eigen::VectorXd& delta);
 
  private:
@@ -38,15 +39,17 @@ class ErrorBound {
   /// A landmark that the channel moves, by sin(delta) * along + (1 - cos(delta)) * across, or by
   /// delta * along where it translates. Both frames x 3, cm.
   struct Moved {
-    Eigen::Index landmark;
+    Eigen::Index landmark = 0;
     Eigen::MatrixX3d along;
     Eigen::MatrixX3d across;
   };
 
-  /// What `delta` does, as factors of both.
+  /// What `delta` does, as factors of both. None of across where the channel translates.
   struct Step {
     Eigen::ArrayXd along;
     Eigen::ArrayXd across;
+
+    MovingSteps of_frames() const { return {along.data(), across.data(), along.size()}; }
   };
 
   void enter_joint(int joint);
@@ -56,8 +59,9 @@ class ErrorBound {
     return !still_.empty() && still_[static_cast<std::size_t>(joint)];
   }
   Step step_of(const Eigen::VectorXd& delta) const;
-  Eigen::ArrayX3d errors_after(const Moved& moved, Eigen::Index first_frame,
-                               const Step& step) const;
+
+  /// From that frame on.
+  MovedFrames frames_of(Moved& moved, Eigen::Index first_frame);
 
   const Skeleton& skeleton_;
   const Eigen::ArrayXd squared_bound_;     // of each frame
@@ -71,7 +75,8 @@ class ErrorBound {
   int joint_ = -1;                           // of the channel
   std::vector<Rotations> world_from_joint_;  // of the joints before that
   Rotations world_from_axes_;                // before the channel's own turn
-  std::vector<Moved> moved_;
+  std::vector<Moved> moved_;                 // as many as there are landmarks, to keep their memory
+  std::size_t moved_count_ = 0;
 };
 
 }  // namespace mocapress
