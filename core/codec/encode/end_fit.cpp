@@ -26,7 +26,7 @@ struct Tolerance {
   bool at_most;  // no point further off; else the RMS over the points
 };
 
-constexpr double kEven = 0.75;  // of the target
+constexpr double kEven = 0.9;  // of the target
 constexpr double kExact = 0.1;
 constexpr int kRowsOfVelocity = 8;  // at an end, where one can be coded
 
