@@ -23,7 +23,7 @@ class ClosedLoopRun {
   ClosedLoopRun(const ClosedLoop& loop, QuantisedSignals coded,
                 const Eigen::VectorXd& frame_weights);
 
-  /// Begins where another run was settled.
+  /// Begins where another run was settled or coarsened.
   ClosedLoopRun(const ClosedLoop& loop, ClosedLoop::Result settled);
 
   ClosedLoop::Result run(ClosedLoopWork work, const Observer<ClosedLoopProgress>& observer);

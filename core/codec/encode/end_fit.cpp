@@ -299,18 +299,16 @@ std::array<Eigen::MatrixXd, 2> decoded_at_ends(const CompressedClip& compressed,
 /// The few frames at an end of a clip, that one first, and what a velocity there makes of them.
 class FewFrames {
  public:
-  static constexpr int kFew = 4;
-  static constexpr std::array kReaches = {3, 4, 6, 8};
-
-  /// Of frames in channels, as many as the longest reach or more, and what the clip is off. All
-  /// must outlive this.
-  FewFrames(const Skeleton& skeleton, const Eigen::MatrixXd& original,
-            const Eigen::MatrixXd& decoded, const Tolerance& clip)
+  /// Frames in channels, as many as the longest reach or more; the steps of their segment; and what
+  /// the clip is off. References must outlive this.
+  FewFrames(const Skeleton& skeleton, const Eigen::MatrixXd& original, Eigen::MatrixXd decoded,
+            const std::vector<float>& steps, const Tolerance& clip)
       : skeleton_(skeleton),
         clip_(clip),
         errors_(skeleton, clip.weighting),
         original_(original),
-        decoded_(decoded) {}
+        decoded_(std::move(decoded)),
+        steps_(steps) {}
 
   /// How many times as far off as the clip they are, RMS, with that velocity. Where it reaches
   /// further, those frames count, too, if they are worse.
@@ -336,11 +334,11 @@ class FewFrames {
 
   /// What takes the fewest bits of what leaves them at most so far off, else what brings them
   /// nearest.
-  Mend cheapest(const std::vector<float>& steps, double most_off) const {
+  Mend cheapest(double most_off) const {
     Mend best;
     double least_bits = std::numeric_limits<double>::infinity();
     for (const int reach : kReaches) {
-      Mend mend = with_reach(steps, reach, most_off);
+      Mend mend = with_reach(reach, most_off);
       const double bits =
           mend.off <= most_off ? bits_of(mend.steps) : std::numeric_limits<double>::infinity();
       const bool is_better = bits < least_bits || (bits == least_bits && mend.off < best.off);
@@ -352,13 +350,16 @@ class FewFrames {
   }
 
  private:
+  static constexpr int kFew = 4;
+  static constexpr std::array kReaches = {3, 4, 6, 8};
+
   static double share(int away, int reach) {
     if (away >= reach) return 0;
     return static_cast<double>(runtime::end_share(runtime::kVelocity, away, reach));
   }
 
   /// The velocity that suits the frames best, as exact as need be.
-  Mend with_reach(std::vector<float> steps, int reach, double most_off) const {
+  Mend with_reach(int reach, double most_off) const {
     constexpr double kLeast = 0.1;  // squared: what its steps may add, if nothing will do
     Eigen::RowVectorXd velocity = Eigen::RowVectorXd::Zero(decoded_.cols());
     double squares = 0;  // of the shares
@@ -376,6 +377,7 @@ class FewFrames {
                               of_pose * std::sqrt(left * kFew / squares) * clip_.cm, false};
     const End beside(skeleton_, pose + of_pose * velocity, pose, tolerance,
                      Eigen::RowVectorXd::Zero(pose.size()));
+    std::vector<float> steps = steps_;
     for (float& step : steps) step *= static_cast<float>(of_pose);
     auto [fineness, whole] = beside.cheapest(steps);
     const double off = off_with(End::values_of(whole, steps, fineness) / of_pose, reach);
@@ -386,7 +388,8 @@ class FewFrames {
   const Tolerance clip_;
   const PointErrors errors_;
   const Eigen::MatrixXd& original_;
-  const Eigen::MatrixXd& decoded_;
+  const Eigen::MatrixXd decoded_;
+  const std::vector<float>& steps_;
 };
 
 CodedEnds with_velocity(CodedEnds ends, int pose, int reach, int fineness,
@@ -399,32 +402,18 @@ CodedEnds with_velocity(CodedEnds ends, int pose, int reach, int fineness,
   return ends;
 }
 
-/// An end of a clip and the frames beside it, in channels, and the steps of its segment.
-struct EndFrames {
-  const Eigen::MatrixXd& original;
-  Eigen::MatrixXd decoded;
-  const std::vector<float>& steps;
-};
-
 /// Where few frames at an end are further off than may be, as where a clip starts with a jump,
 /// codes what the velocity there lacks: at the worse end, for there is one.
-void mend_few(const Skeleton& skeleton, const Tolerance& clip, const std::array<EndFrames, 2>& both,
-              CodedEnds& ends) {
+void mend_few(const FewFrames& first, const FewFrames& last, CodedEnds& ends) {
   constexpr double kMost = 1.45;  // times as far off as the clip
-  int worse = runtime::kFirstPose;
-  double most = 0;
-  for (const int pose : {runtime::kFirstPose, runtime::kLastPose}) {
-    const EndFrames& end = both[static_cast<std::size_t>(pose)];
-    const double off = FewFrames(skeleton, end.original, end.decoded, clip).off();
-    if (off <= most) continue;
-    most = off;
-    worse = pose;
-  }
-  if (most <= kMost) return;
-  const EndFrames& end = both[static_cast<std::size_t>(worse)];
-  const FewFrames frames(skeleton, end.original, end.decoded, clip);
-  const FewFrames::Mend mend = frames.cheapest(end.steps, kMost);
-  if (mend.off < most) ends = with_velocity(ends, worse, mend.reach, mend.fineness, mend.steps);
+  const bool first_is_worse = first.off() >= last.off();
+  const FewFrames& worse = first_is_worse ? first : last;
+  const double off = worse.off();
+  if (off <= kMost) return;
+  const FewFrames::Mend mend = worse.cheapest(kMost);
+  if (mend.off < off)
+    ends = with_velocity(ends, first_is_worse ? runtime::kFirstPose : runtime::kLastPose,
+                         mend.reach, mend.fineness, mend.steps);
 }
 
 /// Where a loop's velocities change more at its seam than between any frames in a row, codes what
@@ -522,9 +511,10 @@ void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_
     if (is_loop)
       mend_velocity(coded_skeleton, goal, original_first, backwards, last_steps, compressed);
     else if (rows >= kRowsOfVelocity)
-      mend_few(coded_skeleton, tolerance(1),
-               {{{original_first, first.decoded_with(to_first, reaches[0]), first_steps},
-                 {backwards, last.decoded_with(to_last, reaches[1]), last_steps}}},
+      mend_few({coded_skeleton, original_first, first.decoded_with(to_first, reaches[0]),
+                first_steps, tolerance(1)},
+               {coded_skeleton, backwards, last.decoded_with(to_last, reaches[1]), last_steps,
+                tolerance(1)},
                ends);
   }
   if (compressed.ends->steps.isZero()) compressed.ends.reset();

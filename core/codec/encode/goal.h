@@ -47,7 +47,7 @@ struct Trial {
   int count = 0;
   double scale = 0;      // of a closed loop
   double eps_cm = 0;     // of a closed loop, by the quadratic model
-  double bit_price = 0;  // of a closed loop that was settled: see ClosedLoop::Result
+  double bit_price = 0;  // of a closed loop: see ClosedLoop::Result
   double growth = 0;
   int iterations = 0;
   bool complete = true;

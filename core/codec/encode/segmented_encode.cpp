@@ -162,7 +162,7 @@ class SegmentedEncode {
     Trial coarser = encode_all(trial.scale, [&](const Part& part, const EncodeOptions& options,
                                                 const Observer<EncodeProgress>& observer) {
       if (!part.should_continue) return Trial{.complete = false};
-      return coarsen_to_bound(part.analysis, options, coded.next(), trial.bit_price,
+      return coarsen_to_bound(part.analysis, options, coded.next(),
                               bound_cm.segment(part.first, part.frames), coarsened, observer);
     });
     if (!coarser.complete) return coarser;

@@ -73,17 +73,15 @@ class TargetedEncode {
     return {code_at(scale, work, frame_weights), loop().finest_scale()};
   }
 
-  Trial coarsen(QuantisedSignals coded, double bit_price, const Eigen::VectorXd& bound_cm,
+  Trial coarsen(ClosedLoop::Result quantised, const Eigen::VectorXd& bound_cm,
                 Coarsened coarsened) {
     std::vector<bool> still;
     if (correction_ && coarsened == Coarsened::UncorrectedJoints)
       still = correction_->reached_joints();
     ErrorBound bound(analysis_.motion(), options_.weighting, bound_cm, std::move(still));
-    const double scale = coded.scale;
-    drop_correction(coded);
-    Trial coarser = trial_of(
-        loop().coarsen({.coded = std::move(coded), .bit_price = bit_price}, bound, observe_pass()),
-        true);
+    const double scale = quantised.coded.scale;
+    drop_correction(quantised.coded);
+    Trial coarser = trial_of(loop().coarsen(std::move(quantised), bound, observe_pass()), true);
     coarser.scale = scale;
     return coarser;
   }
@@ -333,7 +331,8 @@ class TargetedEncode {
             },
         .coarsen =
             [this](const Trial& trial, const Eigen::VectorXd& bound_cm, Coarsened coarsened) {
-              Trial coarser = coarsen(AdaptiveSegments(trial.compressed).next(), trial.bit_price,
+              Trial coarser = coarsen({.coded = AdaptiveSegments(trial.compressed).next(),
+                                       .bit_price = trial.bit_price},
                                       bound_cm, coarsened);
               finish_ends(coarser);
               weigh(coarser);
@@ -552,10 +551,10 @@ ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& op
 }
 
 Trial coarsen_to_bound(const ClipAnalysis& analysis, const EncodeOptions& options,
-                       QuantisedSignals coded, double bit_price, const Eigen::VectorXd& bound_cm,
-                       Coarsened coarsened, const Observer<EncodeProgress>& observer) {
+                       QuantisedSignals coded, const Eigen::VectorXd& bound_cm, Coarsened coarsened,
+                       const Observer<EncodeProgress>& observer) {
   return TargetedEncode(analysis, options, observer)
-      .coarsen(std::move(coded), bit_price, bound_cm, coarsened);
+      .coarsen({.coded = std::move(coded)}, bound_cm, coarsened);
 }
 
 double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& options) {

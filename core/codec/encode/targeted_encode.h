@@ -37,8 +37,8 @@ ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& op
 
 /// ClosedLoop::coarsen() of a coded clip, without a target: to a bound for each frame.
 Trial coarsen_to_bound(const ClipAnalysis& analysis, const EncodeOptions& options,
-                       QuantisedSignals coded, double bit_price, const Eigen::VectorXd& bound_cm,
-                       Coarsened coarsened, const Observer<EncodeProgress>& observer);
+                       QuantisedSignals coded, const Eigen::VectorXd& bound_cm, Coarsened coarsened,
+                       const Observer<EncodeProgress>& observer);
 
 /// The r_IK that suits the target best, for options that leave it open.
 double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& options);
