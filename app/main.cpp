@@ -17,6 +17,7 @@
 #include "app/studio/window/theme.h"
 #include "app/studio/window/trace.h"
 #include "core/base/kept_memory.h"
+#include "core/baselines/rivals.h"
 #include "translations/install.h"
 #include "widgets/viewport/viewport.h"
 
@@ -115,6 +116,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   mocapress::keep_freed_memory();
+  mocapress::add_rivals();
   try {
     return mocapress::run(argc, argv);
   } catch (const std::exception& error) {

@@ -12,13 +12,13 @@
 #include "app/cli/report.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/codec/encode/clip_analysis.h"
+#include "core/codec/encode/analysis/clip_analysis.h"
 #include "core/codec/encode/encoder.h"
 #include "core/codec/format/container.h"
-#include "core/codec/format/own_memory.h"
 #include "core/feet/feet.h"
 #include "core/metrics/distortion.h"
 #include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/own_memory.h"
 #include "core/select/annealing.h"
 
 namespace mocapress::cli {

@@ -9,11 +9,11 @@
 #include "app/cli/preset_arguments.h"
 #include "app/cli/report.h"
 #include "core/base/staged_file.h"
-#include "core/baselines/comparison_method.h"
-#include "core/baselines/compression_method.h"
 #include "core/batch/verification.h"
 #include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"
+#include "core/codec/methods/comparison_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/mocapress/encode_options.h"
 
 namespace mocapress::cli {

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number_text.h"
-#include "core/baselines/compared_file.h"
+#include "core/codec/methods/compared_file.h"
 #include "core/feet/footskate.h"
 #include "core/metrics/comparison.h"
 #include "core/motion/landmarks.h"

@@ -6,9 +6,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
 #include "core/base/file.h"
-#include "core/baselines/compared_file.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/source_section.h"
+#include "core/codec/methods/compared_file.h"
 #include "core/formats/motion_file.h"
 
 namespace mocapress::cli {

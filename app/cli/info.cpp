@@ -12,9 +12,9 @@
 #include "app/cli/report.h"
 #include "app/cli/terminal.h"
 #include "core/base/file.h"
-#include "core/baselines/compared_file.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/source_section.h"
+#include "core/codec/methods/compared_file.h"
 #include "core/formats/bvh.h"
 #include "core/metrics/rate.h"
 

@@ -6,6 +6,7 @@
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/kept_memory.h"
+#include "core/baselines/rivals.h"
 
 namespace {
 
@@ -47,6 +48,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace mocapress;
   keep_freed_memory();
+  add_rivals();
   try {
     return run(argc, argv);
   } catch (const EndedWith& ended) {

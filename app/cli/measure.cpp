@@ -7,7 +7,7 @@
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
 #include "core/base/file.h"
-#include "core/baselines/compared_file.h"
+#include "core/codec/methods/compared_file.h"
 #include "core/motion/body_tracks.h"
 
 namespace mocapress::cli {

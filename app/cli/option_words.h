@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 
 namespace mocapress::cli {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/codec/encode/importance.h"
+#include "core/codec/encode/options/importance.h"
 #include "core/mocapress/settings.h"
 
 namespace mocapress::cli {

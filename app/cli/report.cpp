@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/base/number_text.h"
-#include "core/baselines/compression_method.h"
 #include "core/codec/decode/track_decoding.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/feet/footskate.h"
 #include "core/metrics/rate.h"
 #include "core/report/measurement_json.h"

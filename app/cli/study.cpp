@@ -12,7 +12,7 @@
 #include "app/cli/report.h"
 #include "app/cli/terminal.h"
 #include "core/base/number_text.h"
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/formats/clip_files.h"
 #include "core/study/published_figures.h"
 #include "core/study/results.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/jobs/open_clip.h"
-#include "core/baselines/compared_file.h"
+#include "core/codec/methods/compared_file.h"
 #include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/skin.h"

@@ -100,7 +100,7 @@ bool comparable(const Motion& original, const CompressedClip& compressed) {
 
 DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeOptions& options) {
   DecodedClip decoded;
-  decoded.method = contender_name(encoding.compressed);
+  decoded.method = wavelet_method_name(encoding.compressed);
   decoded.compressed = std::move(encoding.compressed);
   decoded.clip = std::move(encoding.decoded);
   if (encoding.tracks.size() > 0)

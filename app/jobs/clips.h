@@ -14,9 +14,9 @@
 
 #include "app/jobs/clip_outline.h"
 #include "core/base/error.h"
-#include "core/baselines/compared_file.h"
 #include "core/codec/encode/encoder.h"
 #include "core/codec/format/tracks_section.h"
+#include "core/codec/methods/compared_file.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/glitches.h"
 

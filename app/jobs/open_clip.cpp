@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/baselines/compression_method.h"
 #include "core/codec/format/source_section.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/formats/motion_file.h"
 #include "core/study/row.h"
 

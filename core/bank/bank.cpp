@@ -15,7 +15,7 @@
 #include "core/base/file_lock.h"
 #include "core/base/parallel_in_order.h"
 #include "core/codec/format/packed_clip_writer.h"
-#include "core/runtime/bank_check.h"
+#include "core/runtime/bank/bank_check.h"
 
 namespace mocapress {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Banks on disk: made, added to, unpacked. The bytes are core/codec/format/bank.h's.
+// Banks on disk: made, added to, unpacked. The bytes are core/runtime/format/bank.h's.
 #pragma once
 
 #include <filesystem>

@@ -2,10 +2,10 @@
 #include "core/bank/bank_file.h"
 
 #include "core/base/error.h"
-#include "core/codec/format/file_sections.h"
-#include "core/codec/format/own_memory.h"
 #include "core/codec/format/packed_clip_writer.h"
-#include "core/runtime/bank_check.h"
+#include "core/runtime/bank/bank_check.h"
+#include "core/runtime/format/file_sections.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress {
 

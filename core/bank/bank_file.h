@@ -9,7 +9,7 @@
 
 #include "core/bank/bank_writer.h"
 #include "core/base/mapped_file.h"
-#include "core/codec/format/bank.h"
+#include "core/runtime/format/bank.h"
 
 namespace mocapress {
 

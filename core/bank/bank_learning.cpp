@@ -10,9 +10,9 @@
 
 #include "core/base/error.h"
 #include "core/codec/format/container.h"
-#include "core/codec/format/learned_priors.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/codec/format/prior_fit.h"
+#include "core/runtime/format/learned_priors.h"
 
 namespace mocapress {
 namespace {

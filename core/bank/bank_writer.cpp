@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/codec/format/packed_clip_writer.h"
-#include "core/runtime/cooked_clip.h"
+#include "core/runtime/pose/cooked_clip.h"
 
 namespace mocapress {
 namespace {

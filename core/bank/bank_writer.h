@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/base/staged_file.h"
-#include "core/codec/format/bank.h"
+#include "core/runtime/format/bank.h"
 
 namespace mocapress {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "core/codec/format/format_error.h"
-#include "core/runtime/bank_skeleton.h"
-#include "core/runtime/cooked_builder.h"
-#include "core/runtime/cooked_check.h"
+#include "core/runtime/bank/bank_skeleton.h"
+#include "core/runtime/pose/cooked_builder.h"
+#include "core/runtime/pose/cooked_check.h"
 
 namespace mocapress {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/bank/bank_writer.h"
-#include "core/codec/format/own_memory.h"
-#include "core/runtime/cooked_clip.h"
+#include "core/runtime/own_memory.h"
+#include "core/runtime/pose/cooked_clip.h"
 
 namespace mocapress {
 

@@ -9,9 +9,9 @@
 
 #include "core/base/byte_cursor.h"
 #include "core/base/error.h"
-#include "core/baselines/comparison_method.h"
 #include "core/baselines/k_means.h"
 #include "core/baselines/principal_components.h"
+#include "core/baselines/rivals.h"
 #include "core/baselines/splines.h"
 #include "core/baselines/virtual_markers.h"
 #include "core/codec/format/deflate.h"

@@ -11,7 +11,7 @@
 
 #include <span>
 
-#include "core/baselines/comparison_method.h"
+#include "core/codec/methods/comparison_method.h"
 #include "core/motion/clip.h"
 #include "core/motion/landmarks.h"
 

@@ -4,7 +4,7 @@
 // - segments are halves of halves, as long as that saves bytes, not grown frame by frame;
 // - feet are not coded apart.
 // The bytes: METHODS.md.
-#include "core/baselines/comparison_method.h"
+#include "core/baselines/rivals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 3.2. The bytes:
 // METHODS.md.
-#include "core/baselines/comparison_method.h"
+#include "core/baselines/rivals.h"
 
 #include <algorithm>
 

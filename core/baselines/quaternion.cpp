@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "core/codec/decode/decoder.h"
-#include "core/codec/encode/clip_analysis.h"
+#include "core/codec/encode/analysis/clip_analysis.h"
 #include "core/codec/format/rle16.h"
 #include "core/codec/format/signal_coder.h"
 #include "core/motion/forward_kinematics.h"

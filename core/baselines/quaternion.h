@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/baselines/comparison_method.h"
+#include "core/codec/methods/comparison_method.h"
 #include "core/motion/clip.h"
 #include "core/select/error_model.h"
 

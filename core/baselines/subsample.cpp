@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Based on: O. Arikan, "Compression of Motion Capture Databases", 2006, which quotes subsampling
 // for comparison. The bytes: METHODS.md.
-#include "core/baselines/comparison_method.h"
+#include "core/baselines/rivals.h"
 
 #include <algorithm>
 

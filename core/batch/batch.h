@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/batch/item_list.h"
-#include "core/codec/format/bank.h"
 #include "core/formats/motion_file.h"
 #include "core/mocapress/settings.h"
+#include "core/runtime/format/bank.h"
 
 namespace mocapress {
 

@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "core/base/file.h"
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/report/markup.h"
 #include "core/report/report_style.h"
 

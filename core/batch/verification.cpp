@@ -5,10 +5,10 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "core/baselines/compared_file.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/decode/runtime_clip.h"
-#include "core/codec/encode/goal.h"
+#include "core/codec/encode/search/goal.h"
+#include "core/codec/methods/compared_file.h"
 
 namespace mocapress {
 namespace {

@@ -102,4 +102,13 @@ std::vector<ContactSpan> find_foot_contacts(const Motion& motion, const ContactS
   return spans;
 }
 
+std::vector<ContactSpan> frames_of(const std::vector<ContactSpan>& contacts, int first, int count) {
+  std::vector<ContactSpan> inside;
+  for (const ContactSpan& span : contacts)
+    if (span.last_frame >= first && span.first_frame < first + count)
+      inside.push_back({span.landmark, std::max(span.first_frame - first, 0),
+                        std::min(span.last_frame - first, count - 1)});
+  return inside;
+}
+
 }  // namespace mocapress

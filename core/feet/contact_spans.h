@@ -30,6 +30,9 @@ struct ContactSpan {
   bool operator==(const ContactSpan&) const = default;
 };
 
+/// The contacts of `count` frames from `first` on, which become frame 0 and so on.
+std::vector<ContactSpan> frames_of(const std::vector<ContactSpan>& contacts, int first, int count);
+
 /// The height (cm) a landmark rests at: low, but not so low as a glitch. `tracks` as
 /// landmark_tracks() gives them, y up.
 double ground_height(const Eigen::MatrixXd& tracks, int landmark);

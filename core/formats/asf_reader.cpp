@@ -5,9 +5,9 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "core/codec/format/format_limits.h"
 #include "core/formats/asf.h"
 #include "core/formats/text_cursor.h"
+#include "core/runtime/format/format_limits.h"
 
 namespace mocapress {
 namespace {

@@ -4,11 +4,11 @@
 #include <unordered_set>
 
 #include "core/base/error.h"
-#include "core/codec/format/format_limits.h"
 #include "core/formats/asf.h"
 #include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
 #include "core/formats/zyx_angles.h"
+#include "core/runtime/format/format_limits.h"
 
 namespace mocapress {
 namespace {

@@ -4,13 +4,13 @@
 #include <unordered_set>
 #include <vector>
 
-#include "core/codec/format/format_limits.h"
 #include "core/formats/bvh.h"
 #include "core/formats/bvh_conventions.h"
 #include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
 #include "core/formats/value_repair.h"
 #include "core/motion/clip.h"
+#include "core/runtime/format/format_limits.h"
 
 namespace mocapress {
 namespace {

@@ -19,13 +19,13 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "core/codec/format/format_limits.h"
 #include "core/formats/fbx_meshes.h"
 #include "core/formats/fbx_reader.h"
 #include "core/formats/fbx_structure.h"
 #include "core/formats/key_times.h"
 #include "core/formats/node_motion.h"
 #include "core/formats/take_choice.h"
+#include "core/runtime/format/format_limits.h"
 
 namespace mocapress {
 namespace {

@@ -9,10 +9,10 @@
 #include <optional>
 #include <set>
 
-#include "core/codec/format/format_limits.h"
 #include "core/formats/gltf_meshes.h"
 #include "core/formats/key_times.h"
 #include "core/formats/take_choice.h"
+#include "core/runtime/format/format_limits.h"
 
 namespace mocapress {
 namespace {

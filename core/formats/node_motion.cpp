@@ -8,11 +8,11 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "core/codec/format/format_limits.h"
 #include "core/formats/text_writer.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/rotation_form.h"
 #include "core/motion/skin_points.h"
+#include "core/runtime/format/format_limits.h"
 
 namespace mocapress {
 namespace {

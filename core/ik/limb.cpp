@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/runtime/limb_planner.h"
+#include "core/runtime/ik/limb_planner.h"
 
 namespace mocapress {
 namespace {

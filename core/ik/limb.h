@@ -5,17 +5,17 @@
 #include <memory>
 #include <vector>
 
-#include "core/codec/format/own_memory.h"
 #include "core/ik/effector.h"
 #include "core/motion/forward_kinematics.h"
-#include "core/runtime/limb.h"
+#include "core/runtime/ik/limb.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress {
 
 /// The joints of a skeleton as the runtime decoder has them, without their names.
 std::vector<runtime::JointModel> models_of(const Skeleton& skeleton);
 
-/// The runtime decoder's limb (core/runtime/limb.h) with memory of its own: effectors that share
+/// The runtime decoder's limb (core/runtime/ik/limb.h) with memory of its own: effectors that share
 /// joints, and the joints between them and the root. `angles` are the rotation channels of the
 /// effectors' chains, which may change; all others keep the values of the frame.
 class Limb {

@@ -8,7 +8,7 @@
 #include "core/ik/correction_kind.h"
 #include "core/ik/limb.h"
 #include "core/motion/clip.h"
-#include "core/runtime/solve.h"
+#include "core/runtime/ik/solve.h"
 
 namespace mocapress {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/codec/encode/effort.h"
+#include "core/codec/encode/options/effort.h"
 #include "core/mocapress/motion.h"
 #include "core/mocapress/settings.h"
 #include "core/report/measurement.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/mocapress/measure.h"
 
-#include "core/baselines/compared_file.h"
+#include "core/codec/methods/compared_file.h"
 #include "core/motion/body_tracks.h"
 #include "core/report/loaded_clip.h"
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/baselines/compared_file.h"
 #include "core/codec/decode/runtime_clip.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/source_section.h"
+#include "core/codec/methods/compared_file.h"
 
 namespace mocapress {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/baselines/comparison_method.h"
-#include "core/baselines/compression_method.h"
 #include "core/codec/encode/encoder.h"
+#include "core/codec/methods/comparison_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/report/markup.h"
 
 namespace mocapress {

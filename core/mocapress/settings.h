@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/codec/encode/effort.h"
-#include "core/codec/encode/importance.h"
-#include "core/codec/encode/target.h"
+#include "core/codec/encode/options/effort.h"
+#include "core/codec/encode/options/importance.h"
+#include "core/codec/encode/options/target.h"
 #include "core/codec/format/coded_ends.h"
 #include "core/codec/format/coding.h"
 #include "core/ik/correction_kind.h"

@@ -44,4 +44,9 @@ Motion with_up_axis(const Motion& motion, UpAxis from, UpAxis to) {
   return turned;
 }
 
+Motion frames_of(const Motion& motion, int first, int count) {
+  return {motion.skeleton,
+          {motion.clip.sample_rate_hz, motion.clip.channels.middleRows(first, count)}};
+}
+
 }  // namespace mocapress

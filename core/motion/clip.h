@@ -24,6 +24,9 @@ struct Motion {
   Clip clip;
 };
 
+/// `count` frames of a motion, from `first` on.
+Motion frames_of(const Motion& motion, int first, int count);
+
 /// Adds whole turns to each rotation channel, so that no step between frames exceeds half a turn.
 /// A wavelet would otherwise spend its bits on jumps that move nothing.
 void unwrap_angles(const Skeleton& skeleton, Clip& clip);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/codec/format/kinematics.h"
+#include "core/runtime/format/kinematics.h"
 
 namespace mocapress {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/codec/encode/target.h"
+#include "core/codec/encode/options/target.h"
 #include "core/feet/footskate.h"
 #include "core/metrics/distortion.h"
 #include "core/metrics/visibility.h"

@@ -3,10 +3,10 @@
 #include <cstring>
 #include <limits>
 
-#include "core/codec/format/file_sections.h"
-#include "core/runtime/bank_check.h"
-#include "core/runtime/bank_skeleton.h"
-#include "core/runtime/file_loader.h"
+#include "core/runtime/bank/bank_check.h"
+#include "core/runtime/bank/bank_skeleton.h"
+#include "core/runtime/decode/file_loader.h"
+#include "core/runtime/format/file_sections.h"
 #include "core/runtime/mocapress_runtime.h"
 
 static_assert(MCPK_NAME_BYTES == mocapress::runtime::kMostNameOfClip + 1);

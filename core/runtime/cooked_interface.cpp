@@ -7,14 +7,14 @@
 #include <limits>
 #include <new>
 
-#include "core/codec/format/result.h"
-#include "core/runtime/cooked_builder.h"
-#include "core/runtime/cooked_check.h"
+#include "core/runtime/format/result.h"
 #include "core/runtime/mocapress_runtime.h"
-#include "core/runtime/pose_crowd.h"
-#include "core/runtime/pose_cursor.h"
-#include "core/runtime/pose_sampler.h"
-#include "core/runtime/pose_selection.h"
+#include "core/runtime/pose/cooked_builder.h"
+#include "core/runtime/pose/cooked_check.h"
+#include "core/runtime/pose/pose_crowd.h"
+#include "core/runtime/pose/pose_cursor.h"
+#include "core/runtime/pose/pose_sampler.h"
+#include "core/runtime/pose/pose_selection.h"
 
 namespace mocapress::runtime {
 namespace {

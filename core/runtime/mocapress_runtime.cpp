@@ -7,9 +7,9 @@
 #include <limits>
 #include <new>
 
-#include "core/codec/format/format_limits.h"
-#include "core/runtime/file_loader.h"
-#include "core/runtime/frame_decoder.h"
+#include "core/runtime/decode/file_loader.h"
+#include "core/runtime/decode/frame_decoder.h"
+#include "core/runtime/format/format_limits.h"
 
 using namespace mocapress::runtime;
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/codec/format/result.h"
-#include "core/runtime/clip.h"
-#include "core/runtime/cooked_clip.h"
+#include "core/runtime/decode/clip.h"
+#include "core/runtime/decode/track_decoder.h"
+#include "core/runtime/format/result.h"
 #include "core/runtime/mocapress_runtime.h"
-#include "core/runtime/track_decoder.h"
+#include "core/runtime/pose/cooked_clip.h"
 
 using namespace mocapress::runtime;
 

@@ -2,7 +2,7 @@
 #include "core/study/plan.h"
 
 #include "core/base/error.h"
-#include "core/baselines/comparison_method.h"
+#include "core/codec/methods/comparison_method.h"
 #include "core/study/published_figures.h"
 
 namespace mocapress {

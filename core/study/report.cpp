@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/report/chart_svg.h"
 #include "core/report/markup.h"
 #include "core/report/report_style.h"

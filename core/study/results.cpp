@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/base/number_text.h"
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/study/plan.h"
 
 namespace mocapress {

@@ -12,7 +12,7 @@
 #include <unordered_map>
 
 #include "core/base/parallel.h"
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/mocapress/encode_options.h"
 #include "core/report/loaded_clip.h"
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <type_traits>
 
-#include "core/codec/format/interpolation.h"
+#include "core/runtime/format/interpolation.h"
 
 #ifdef __SSE2__
 #include <emmintrin.h>

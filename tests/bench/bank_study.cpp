@@ -22,7 +22,7 @@
 #include "core/bank/bank_file.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/codec/format/own_memory.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress {
 namespace {

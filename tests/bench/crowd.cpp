@@ -34,10 +34,10 @@
 #include "core/base/random.h"
 #include "core/codec/encode/encoder.h"
 #include "core/codec/format/container.h"
-#include "core/codec/format/own_memory.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/distortion.h"
 #include "core/motion/body_tracks.h"
+#include "core/runtime/own_memory.h"
 #include "tests/bench/acl_peer.h"
 #include "tests/bench/study_clips.h"
 

@@ -17,7 +17,7 @@
 
 #include "core/base/kept_memory.h"
 #include "core/codec/encode/encoder.h"
-#include "core/codec/encode/size_estimate.h"
+#include "core/codec/encode/search/size_estimate.h"
 #include "core/formats/motion_file.h"
 #include "tests/bench/study_clips.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fits what the adaptive coding knows beforehand: training_samples.h.
-//   mocapress-fit-priors CORPUS/train > core/codec/format/coefficient_priors.cpp
+//   mocapress-fit-priors CORPUS/train > core/runtime/format/coefficient_priors.cpp
 // --scale: the weights of the expected scale instead (value_prediction.cpp). Repeated until they
 // stay, for what is restless follows from them; the priors come after that.
 // All samples count alike, for what is known beforehand matters most where there is little to learn
@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "core/codec/format/coefficient_priors.h"
 #include "core/codec/format/prior_fit.h"
+#include "core/runtime/format/coefficient_priors.h"
 #include "tests/bench/fit_scale.h"
 #include "tests/bench/training_samples.h"
 
@@ -108,7 +108,7 @@ void print(const CodingKnowledge& known) {
         weights_by_scale.push_back(known.weights_by_scale[set * kOfSet + i]);
   std::printf(
       "// SPDX-License-Identifier: MIT\n// Made by tests/bench/fit_priors.cpp.\n"
-      "#include \"core/codec/format/coefficient_priors.h\"\n\n#include <array>\n\n"
+      "#include \"core/runtime/format/coefficient_priors.h\"\n\n#include <array>\n\n"
       "namespace mocapress::runtime {\nnamespace {\n\n// clang-format off\n");
   print_letters("kContexts", log_odds);
   print_letters("kTrust", trust);

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "core/codec/encode/clip_analysis.h"
+#include "core/codec/encode/analysis/clip_analysis.h"
 #include "core/codec/format/adaptive.h"
 #include "core/formats/motion_file.h"
 #include "tests/bench/study_clips.h"

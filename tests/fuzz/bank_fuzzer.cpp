@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/codec/format/own_memory.h"
 #include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/own_memory.h"
 #include "tests/fuzz/mended_bank.h"
 
 namespace {

@@ -7,8 +7,9 @@
 #include <span>
 
 #include "core/base/error.h"
-#include "core/baselines/compared_file.h"
+#include "core/baselines/rivals.h"
 #include "core/codec/format/deflate.h"
+#include "core/codec/methods/compared_file.h"
 
 namespace {
 
@@ -47,6 +48,7 @@ void open(const ComparisonMethod& method, const CompressedClip& clip) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (comparison_methods().empty()) add_rivals();
   if (size < 3) return 0;
   const auto methods = comparison_methods();
   const ComparisonMethod& method = *methods[data[0] % methods.size()];

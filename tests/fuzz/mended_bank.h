@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/codec/format/bank.h"
-#include "core/codec/format/own_memory.h"
-#include "core/runtime/cooked_check.h"
+#include "core/runtime/format/bank.h"
+#include "core/runtime/own_memory.h"
+#include "core/runtime/pose/cooked_check.h"
 
 namespace mocapress::test {
 

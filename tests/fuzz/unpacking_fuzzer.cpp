@@ -10,7 +10,7 @@
 #include "core/bank/cooked_tables.h"
 #include "core/base/error.h"
 #include "core/codec/format/packed_clip_writer.h"
-#include "core/runtime/bank_check.h"
+#include "core/runtime/bank/bank_check.h"
 #include "tests/fuzz/mended_bank.h"
 
 namespace {

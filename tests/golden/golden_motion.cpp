@@ -8,9 +8,9 @@
 #include "core/codec/encode/segmented_encode.h"
 #include "core/codec/format/adaptive.h"
 #include "core/codec/format/deflate.h"
-#include "core/codec/format/learned_priors.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/codec/format/rle16.h"
+#include "core/runtime/format/learned_priors.h"
 #include "core/select/ranking.h"
 #include "tests/support/turned_forms.h"
 

@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 #include <QTranslator>
 
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "widgets/panels/study_panel.h"
 
 #include <QListWidget>

@@ -7,9 +7,11 @@
 #include <QTemporaryDir>
 
 #include "app/studio/window/theme.h"
+#include "core/baselines/rivals.h"
 #include "widgets/viewport/viewport.h"
 
 int main(int argc, char** argv) {
+  mocapress::add_rivals();
   testing::InitGoogleTest(&argc, argv);
   // CTest asks for the names where there need not be a display.
   if (GTEST_FLAG_GET(list_tests)) return RUN_ALL_TESTS();

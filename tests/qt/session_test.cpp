@@ -13,10 +13,10 @@
 
 #include "app/studio/compare/figures.h"
 #include "core/base/file.h"
-#include "core/baselines/compression_method.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/source_section.h"
 #include "core/codec/format/tracks_section.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/formats/motion_file.h"
 #include "tests/qt/patience.h"
 #include "tests/support/small_gltf.h"

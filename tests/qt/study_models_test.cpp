@@ -9,7 +9,7 @@
 #include <map>
 #include <tuple>
 
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "tests/unit/study/study_rows.h"
 #include "widgets/models/colours.h"
 #include "widgets/models/number_text.h"
@@ -76,14 +76,14 @@ TEST(StudySettings, BecomeAPlanOfEveryClipAtEveryTarget) {
             2 * (settings.methods.size() * 3 + 2u));  // feet are held at ratios only
 }
 
-TEST(StudySettings, UsualOnesNameContendersAndUsualTargets) {
+TEST(StudySettings, UsualOnesNameMethodsAndUsualTargets) {
   const StudySettings settings = usualStudySettings();
   for (const QString& method : settings.methods)
     EXPECT_TRUE(find_compression_method(method.toStdString())) << method.toStdString();
   EXPECT_EQ(settings.ratios.size() + settings.errors.size(), usual_targets().size());
 }
 
-TEST(SeriesStyle, TellsAllContendersApart) {
+TEST(SeriesStyle, TellsAllMethodsApart) {
   std::map<std::tuple<QRgb, int, bool, bool>, std::string_view> seen;
   for (const CompressionMethod& compression_method : compression_methods()) {
     const SeriesStyle style = seriesStyle(compression_method.name, false);
@@ -107,7 +107,7 @@ std::vector<StudyRow> twoClips() {
           test::point("b.bvh", "standard", ratio(20), 80, 0.8)};
 }
 
-TEST(RateCurves, OfAClipAreItsRowsInTheOrderOfTheContenders) {
+TEST(RateCurves, OfAClipAreItsRowsInTheOrderOfTheMethods) {
   const auto curves = rateCurves(twoClips(), "a.bvh", {});
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_EQ(curves[0].series.method, "annealed");

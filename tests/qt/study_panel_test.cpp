@@ -11,7 +11,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 
 namespace mocapress {
 namespace {
@@ -36,7 +36,7 @@ class StudyPanelTest : public testing::Test {
   std::vector<StudySettings> told_;
 };
 
-TEST_F(StudyPanelTest, OffersEveryContenderWithItsNote) {
+TEST_F(StudyPanelTest, OffersEveryMethodWithItsNote) {
   EXPECT_TRUE(told_.empty()) << "only of what the user does";
   ASSERT_EQ(panel_.methods()->count(), static_cast<int>(compression_methods().size()));
   for (const CompressionMethod& compression_method : compression_methods()) {

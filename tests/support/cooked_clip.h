@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/codec/format/own_memory.h"
 #include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress::test {
 

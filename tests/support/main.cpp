@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <locale>
 
+#include "core/baselines/rivals.h"
+
 // Assimp does not give back what it has read of a file that it then refuses. Asked by the address
 // sanitizer alone.
 extern "C" const char* __lsan_default_suppressions();
@@ -14,6 +16,7 @@ extern "C" const char* __lsan_default_suppressions() {
 }
 
 int main(int argc, char** argv) {
+  mocapress::add_rivals();  // tests ask for them while they are listed
   testing::InitGoogleTest(&argc, argv);
   if (const char* wanted = std::getenv("MOCAPRESS_TEST_LOCALE"))
     std::locale::global(std::locale(wanted));  // C's too

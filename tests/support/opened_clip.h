@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/codec/format/own_memory.h"
 #include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress::test {
 

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "core/base/file.h"
-#include "core/baselines/comparison_method.h"
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/comparison_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/distortion.h"
 #include "tests/system/command.h"

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <string>
 
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "widgets/models/number_text.h"
 
 namespace mocapress {

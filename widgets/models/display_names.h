@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/codec/encode/correction_encoder.h"
+#include "core/codec/encode/mend/correction_encoder.h"
 #include "core/metrics/visibility.h"
 #include "core/mocapress/settings.h"
 #include "core/motion/body_part.h"

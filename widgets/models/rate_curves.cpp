@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 
 namespace mocapress {
 namespace {

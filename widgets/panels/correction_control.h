@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "core/codec/encode/correction_encoder.h"
+#include "core/codec/encode/mend/correction_encoder.h"
 
 class QCheckBox;
 class QComboBox;

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/codec/encode/encoder.h"
-#include "core/codec/encode/importance.h"
+#include "core/codec/encode/options/importance.h"
 #include "core/motion/body_part.h"
 
 class QLabel;

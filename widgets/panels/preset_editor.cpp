@@ -10,8 +10,8 @@
 #include <QScopedValueRollback>
 #include <QVBoxLayout>
 
-#include "core/baselines/comparison_method.h"
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/comparison_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "widgets/models/display_names.h"
 #include "widgets/panels/preset_chooser.h"
 

@@ -18,7 +18,7 @@
 #include <QScopedValueRollback>
 #include <QVBoxLayout>
 
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "widgets/models/colours.h"
 #include "widgets/models/display_names.h"
 #include "widgets/panels/number_fields.h"

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <map>
 
-#include "core/codec/encode/target.h"
+#include "core/codec/encode/options/target.h"
 
 class QComboBox;
 class QLabel;

@@ -13,7 +13,7 @@
 
 #include "app/studio/document/import_options_dialog.h"
 #include "app/studio/document/session.h"
-#include "core/baselines/comparison_method.h"
+#include "core/codec/methods/comparison_method.h"
 #include "core/formats/clip_files.h"
 
 namespace mocapress {

@@ -6,7 +6,7 @@
 
 #include "app/jobs/result_cache.h"
 #include "core/base/error.h"
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/mocapress/encode_options.h"
 #include "core/mocapress/settings_json.h"
 #include "core/motion/landmarks.h"
@@ -17,7 +17,7 @@ namespace mocapress {
 namespace {
 
 /// The method of compression_methods() that is that one in that basis.
-std::string contenderOf(const EncodeOptions& options) {
+std::string methodOf(const EncodeOptions& options) {
   for (const CompressionMethod& compression_method : compression_methods()) {
     EncodeOptions chosen;
     if (choose_wavelets(compression_method, chosen) && chosen.method == options.method &&
@@ -49,7 +49,7 @@ ClipSettings usualSettings(const Skeleton& skeleton) {
 Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton) {
   const EncodeOptions& options = settings.encode;
   Settings preset{.name = settings.preset.toStdString(),
-                  .method = contenderOf(options),
+                  .method = methodOf(options),
                   .coding = {},
                   .weighting = options.weighting,
                   .target = options.target,

@@ -7,12 +7,12 @@
 #include <limits>
 #include <numeric>
 
-#include "core/codec/format/double_precision_limits.h"
-#include "core/codec/format/own_memory.h"
 #include "core/codec/format/rle16.h"
 #include "core/codec/format/signal_coder.h"
 #include "core/ik/limb.h"
-#include "core/runtime/signal_decoder.h"
+#include "core/runtime/decode/signal_decoder.h"
+#include "core/runtime/format/double_precision_limits.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress {
 

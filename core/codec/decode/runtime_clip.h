@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
-#include "core/codec/format/own_memory.h"
 #include "core/motion/skeleton.h"
 #include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress {
 

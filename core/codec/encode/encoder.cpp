@@ -8,8 +8,9 @@
 
 #include "core/base/parallel.h"
 #include "core/codec/decode/decoder.h"
-#include "core/codec/encode/clip_analysis.h"
-#include "core/codec/encode/goal.h"
+#include "core/codec/encode/analysis/clip_analysis.h"
+#include "core/codec/encode/search/goal.h"
+#include "core/codec/encode/segmented_encode.h"
 #include "core/codec/encode/targeted_encode.h"
 #include "core/codec/format/room.h"
 #include "core/feet/feet.h"
@@ -144,10 +145,6 @@ std::string_view name(Effort effort) {
       return "best";
   }
   return "unknown";
-}
-
-Coding effective_coding(const EncodeOptions& options) {
-  return options.method == Method::ClosedLoop ? Coding::Adaptive : options.coding;
 }
 
 Encoder::Encoder(Motion motion) : analysis_(std::make_unique<ClipAnalysis>(std::move(motion))) {}

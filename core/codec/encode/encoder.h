@@ -7,11 +7,8 @@
 #include <optional>
 
 #include "core/base/progress.h"
-#include "core/codec/encode/correction_encoder.h"
-#include "core/codec/encode/effort.h"
-#include "core/codec/encode/importance.h"
-#include "core/codec/encode/segmented_encode.h"
-#include "core/codec/encode/target.h"
+#include "core/codec/encode/mend/correction_encoder.h"
+#include "core/codec/encode/options/encode_options.h"
 #include "core/feet/footskate.h"
 #include "core/metrics/distortion.h"
 #include "core/metrics/visibility.h"
@@ -19,29 +16,6 @@
 namespace mocapress {
 
 class ClipAnalysis;
-
-struct EncodeOptions {
-  Method method = Method::Annealed;
-  Coding coding = Coding::Deflate;
-  Basis basis = Basis::Cubic;
-  Weighting weighting = Weighting::BoneEnds;
-  Target target;
-  std::uint64_t seed = 1;  // of the annealing; the same seed gives the same bytes
-  Effort effort = Effort::Default;
-  Importance importance;                             // heeded by annealing and the closed loop
-  std::optional<CorrectionOptions> correction;       // its size counts in ratio and size
-  std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
-  SegmentPlan segments;                              // of a closed loop
-  Ends ends = Ends::Even;                            // of a closed loop; their bytes count
-  std::optional<Loop> loop;                          // whether it is one; unset: find_loop()
-  bool figures_only = false;                         // without the decoded clip: see Encoding
-
-  /// A draft of a closed loop in one segment without correction is not coded: see Encoding.
-  bool size_will_do = false;
-};
-
-/// The coding that will be used. The closed loop has its own, whatever was asked for.
-Coding effective_coding(const EncodeOptions& options);
 
 /// What an IK correction did to a clip.
 struct CorrectionResult {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/codec/encode/clip_analysis.h"
-#include "core/codec/encode/end_fit.h"
-#include "core/codec/encode/goal.h"
-#include "core/codec/encode/scale_search.h"
+#include "core/codec/encode/analysis/clip_analysis.h"
+#include "core/codec/encode/mend/end_fit.h"
+#include "core/codec/encode/search/goal.h"
+#include "core/codec/encode/search/scale_search.h"
 #include "core/codec/encode/targeted_encode.h"
 #include "core/metrics/rate.h"
 
@@ -21,20 +21,6 @@ SegmentLayout even_segments(int frames, const SegmentPlan& plan) {
   const int count = SegmentLayout{frames, longest, overlap}.count();
   const int length = (frames + (count - 1) * overlap + count - 1) / count;
   return {frames, std::max(length, kLeast), overlap};
-}
-
-Motion frames_of(const Motion& motion, int first, int count) {
-  return {motion.skeleton,
-          {motion.clip.sample_rate_hz, motion.clip.channels.middleRows(first, count)}};
-}
-
-std::vector<ContactSpan> frames_of(const std::vector<ContactSpan>& contacts, int first, int count) {
-  std::vector<ContactSpan> inside;
-  for (const ContactSpan& span : contacts)
-    if (span.last_frame >= first && span.first_frame < first + count)
-      inside.push_back({span.landmark, std::max(span.first_frame - first, 0),
-                        std::min(span.last_frame - first, count - 1)});
-  return inside;
 }
 
 namespace {

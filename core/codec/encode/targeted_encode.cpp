@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "core/codec/decode/decoder.h"
-#include "core/codec/encode/count_search.h"
-#include "core/codec/encode/end_fit.h"
-#include "core/codec/encode/goal.h"
-#include "core/codec/encode/scale_search.h"
+#include "core/codec/encode/mend/end_fit.h"
+#include "core/codec/encode/search/count_search.h"
+#include "core/codec/encode/search/goal.h"
+#include "core/codec/encode/search/scale_search.h"
+#include "core/codec/encode/search/size_estimate.h"
+#include "core/codec/encode/search/split_search.h"
 #include "core/codec/encode/segmented_encode.h"
-#include "core/codec/encode/size_estimate.h"
-#include "core/codec/encode/split_search.h"
 #include "core/metrics/rate.h"
 #include "core/select/annealing.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/codec/encode/clip_analysis.h"
+#include "core/codec/encode/analysis/clip_analysis.h"
 #include "core/codec/encode/encoder.h"
-#include "core/codec/encode/goal.h"
+#include "core/codec/encode/search/goal.h"
 
 namespace mocapress {
 

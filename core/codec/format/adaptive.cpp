@@ -4,8 +4,8 @@
 #include <bit>
 
 #include "core/codec/format/format_error.h"
-#include "core/codec/format/learned_priors.h"
 #include "core/codec/format/range_coder.h"
+#include "core/runtime/format/learned_priors.h"
 
 namespace mocapress {
 namespace {

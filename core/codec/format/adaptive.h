@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "core/codec/format/coefficient_coder.h"
-#include "core/codec/format/own_memory.h"
 #include "core/codec/format/quantised_signals.h"
-#include "core/codec/format/signal_neighbours.h"
 #include "core/motion/skeleton.h"
+#include "core/runtime/format/coefficient_coder.h"
+#include "core/runtime/format/signal_neighbours.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress {
 

@@ -5,7 +5,7 @@
 
 #include "core/base/byte_cursor.h"
 #include "core/codec/format/format_error.h"
-#include "core/codec/format/turned_axes.h"
+#include "core/runtime/format/turned_axes.h"
 
 namespace mocapress {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/codec/format/section.h"
 #include "core/motion/rotation_form.h"
+#include "core/runtime/format/section.h"
 
 namespace mocapress {
 

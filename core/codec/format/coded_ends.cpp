@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "core/base/byte_cursor.h"
-#include "core/codec/format/end_poses.h"
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/range_coder.h"
+#include "core/runtime/format/end_poses.h"
 
 namespace mocapress {
 

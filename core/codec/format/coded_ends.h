@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/codec/format/file_sections.h"
+#include "core/runtime/format/file_sections.h"
 
 namespace mocapress {
 

@@ -13,13 +13,13 @@
 
 #include "core/codec/format/adaptive.h"
 #include "core/codec/format/coded_ends.h"
-#include "core/codec/format/segment_layout.h"
 #include "core/codec/format/signal_coder.h"
 #include "core/ik/correction.h"
 #include "core/motion/clip.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/loop.h"
 #include "core/motion/rotation_form.h"
+#include "core/runtime/format/segment_layout.h"
 #include "core/wavelet/lifting.h"
 
 namespace mocapress {

@@ -8,12 +8,12 @@
 #include "core/base/byte_cursor.h"
 #include "core/base/file.h"
 #include "core/codec/format/axes_section.h"
-#include "core/codec/format/coded_error.h"
 #include "core/codec/format/format_error.h"
-#include "core/codec/format/format_limits.h"
 #include "core/codec/format/room.h"
 #include "core/codec/format/section_writer.h"
 #include "core/codec/format/skeleton_section.h"
+#include "core/runtime/format/coded_error.h"
+#include "core/runtime/format/format_limits.h"
 
 namespace mocapress {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/codec/format/result.h"
+#include "core/runtime/format/result.h"
 
 namespace mocapress {
 

@@ -7,14 +7,14 @@
 
 #include "core/base/byte_cursor.h"
 #include "core/codec/format/adaptive.h"
-#include "core/codec/format/coded_error.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
-#include "core/codec/format/joint_orders.h"
-#include "core/codec/format/joint_records.h"
-#include "core/codec/format/own_memory.h"
 #include "core/codec/format/section_writer.h"
 #include "core/codec/format/skeleton_section.h"
+#include "core/runtime/format/coded_error.h"
+#include "core/runtime/format/joint_orders.h"
+#include "core/runtime/format/joint_records.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress {
 namespace {

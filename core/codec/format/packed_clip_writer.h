@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "core/codec/format/packed_clip.h"
+#include "core/runtime/format/packed_clip.h"
 
 namespace mocapress {
 

@@ -8,7 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
-#include "core/codec/format/coefficient_priors.h"
+#include "core/runtime/format/coefficient_priors.h"
 
 namespace mocapress {
 namespace {

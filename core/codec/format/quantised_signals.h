@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/codec/format/coded_motion.h"
+#include "core/runtime/format/coded_motion.h"
 #include "core/select/ranking.h"
 #include "core/wavelet/lifting.h"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/codec/format/range_decoder.h"
+#include "core/runtime/format/range_decoder.h"
 
 namespace mocapress {
 

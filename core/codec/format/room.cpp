@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/codec/format/format_limits.h"
+#include "core/runtime/format/format_limits.h"
 
 namespace mocapress {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/codec/format/segment_layout.h"
 #include "core/motion/skeleton.h"
+#include "core/runtime/format/segment_layout.h"
 
 namespace mocapress {
 
@@ -17,7 +17,7 @@ struct ClipShape {
 };
 
 /// Throws Error, which says what is too large and what the limit is, where no .mcpr file can hold a
-/// clip: core/codec/format/format_limits.h. Known before it is encoded.
+/// clip: core/runtime/format/format_limits.h. Known before it is encoded.
 void check_room(const ClipShape& clip);
 
 }  // namespace mocapress

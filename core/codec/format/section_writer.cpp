@@ -2,8 +2,8 @@
 #include "core/codec/format/section_writer.h"
 
 #include "core/codec/format/format_error.h"
-#include "core/codec/format/format_limits.h"
-#include "core/codec/format/section.h"
+#include "core/runtime/format/format_limits.h"
+#include "core/runtime/format/section.h"
 
 namespace mocapress {
 

@@ -5,9 +5,9 @@
 
 #include "core/base/byte_cursor.h"
 #include "core/codec/format/format_error.h"
-#include "core/codec/format/joint_records.h"
-#include "core/codec/format/own_memory.h"
 #include "core/codec/format/range_coder.h"
+#include "core/runtime/format/joint_records.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress {
 namespace {

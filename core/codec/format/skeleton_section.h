@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/codec/format/file_sections.h"
 #include "core/motion/skeleton.h"
+#include "core/runtime/format/file_sections.h"
 
 namespace mocapress {
 

@@ -10,11 +10,11 @@
 #include "core/codec/format/adaptive.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
-#include "core/codec/format/format_limits.h"
-#include "core/codec/format/own_memory.h"
 #include "core/codec/format/range_coder.h"
 #include "core/codec/format/section_writer.h"
-#include "core/codec/format/track_records.h"
+#include "core/runtime/format/format_limits.h"
+#include "core/runtime/format/track_records.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/codec/format/quantised_signals.h"
-#include "core/codec/format/signal_neighbours.h"
 #include "core/motion/scalar_track.h"
+#include "core/runtime/format/signal_neighbours.h"
 
 namespace mocapress {
 

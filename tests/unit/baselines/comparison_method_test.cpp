@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What every comparison method promises.
-#include "core/baselines/comparison_method.h"
+#include "core/codec/methods/comparison_method.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/baselines/comparison_method.h"
+#include "core/baselines/rivals.h"
 
 #include <gtest/gtest.h>
 

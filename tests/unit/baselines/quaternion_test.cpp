@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "core/baselines/compression_method.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/metrics/distortion.h"
 #include "tests/support/test_motion.h"
 

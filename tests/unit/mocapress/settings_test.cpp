@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/baselines/compression_method.h"
 #include "core/codec/encode/encoder.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/metrics/distortion.h"
 #include "core/mocapress/encode_options.h"
 #include "core/mocapress/settings_json.h"

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "core/base/file.h"
-#include "core/baselines/comparison_method.h"
+#include "core/codec/methods/comparison_method.h"
 #include "core/study/row.h"
 #include "core/study/study_folder.h"
 #include "tests/support/test_motion.h"

@@ -6,7 +6,7 @@
 #include "core/base/byte_cursor.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/format/container.h"
-#include "core/runtime/solve.h"
+#include "core/runtime/ik/solve.h"
 
 namespace mocapress {
 namespace {

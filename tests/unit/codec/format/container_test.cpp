@@ -12,7 +12,7 @@
 #include "core/codec/decode/decoder.h"
 #include "core/codec/decode/runtime_clip.h"
 #include "core/codec/encode/encoder.h"
-#include "core/codec/format/coded_error.h"
+#include "core/runtime/format/coded_error.h"
 #include "tests/support/test_motion.h"
 #include "tests/support/turned_forms.h"
 

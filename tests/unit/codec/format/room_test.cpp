@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 
 #include "core/base/error.h"
-#include "core/baselines/compression_method.h"
 #include "core/codec/encode/encoder.h"
+#include "core/codec/methods/compression_method.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {

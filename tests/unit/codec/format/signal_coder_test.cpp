@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/codec/decode/decoder.h"
-#include "core/codec/encode/clip_analysis.h"
+#include "core/codec/encode/analysis/clip_analysis.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/analysis/form_choice.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/parallel.h"
+#include "core/codec/format/adaptive.h"
+#include "core/codec/format/axes_section.h"
+#include "core/motion/forward_kinematics.h"
+#include "core/motion/landmarks.h"
+#include "core/wavelet/lifting.h"
+
+namespace mocapress {
+namespace {
+
+// Orders that are best at one error are so at others: one choice will do for all targets.
+constexpr double kScale = 1.8;     // cm: steps as for half a centimetre of eps_x
+constexpr double kRate = 30;       // Hz; faster than that little of a motion differs between orders
+constexpr double kLongRate = 15;   // Hz; does where that leaves
+constexpr int kEnough = 256;       // frames
+constexpr int kMostFrames = 2048;  // at a time
+constexpr double kWorthIt = 0.98;  // of the bits; a skeleton as it came is worth something too
+constexpr double kTurnedBits = 40;  // as counted here, for what turned axes take in the file
+
+/// About turned axes with the twist innermost.
+constexpr std::array<RotationOrder, 2> kTurnedOrders = {RotationOrder::Yzx, RotationOrder::Zyx};
+constexpr std::size_t kCandidates = kRotationOrders + kTurnedOrders.size();
+
+/// Of each candidate: all orders, then those about turned axes.
+using Bits = std::array<double, kCandidates>;
+
+/// Of the axes that a frame may be given by, some backwards, the one nearest to the identity.
+Eigen::Matrix3d nearest_frame(Eigen::Matrix3d axes) {
+  if (axes.determinant() < 0) axes = -axes;
+  Eigen::Matrix3d best = axes;
+  for (int kept = 0; kept < 3; ++kept) {
+    Eigen::Matrix3d other = -axes;
+    other.col(kept) = axes.col(kept);
+    if (other.trace() > best.trace()) best = other;
+  }
+  return best;
+}
+
+/// Points that hang on a joint: the sums of w, w x and w x x^T.
+struct Burden {
+  double mass = 0;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+
+  void add(double weight, const Eigen::Vector3d& place) {
+    mass += weight;
+    moment += weight * place;
+    square += weight * place * place.transpose();
+  }
+  void add(const Burden& other) {
+    mass += other.mass;
+    moment += other.moment;
+    square += other.square;
+  }
+
+  /// What a small turn about an axis through `origin` moves them, squared: axis^T I axis.
+  Eigen::Matrix3d inertia_about(const Eigen::Vector3d& origin) const {
+    const Eigen::Matrix3d seen = square - moment * origin.transpose() -
+                                 origin * moment.transpose() + mass * origin * origin.transpose();
+    return seen.trace() * Eigen::Matrix3d::Identity() - seen;
+  }
+};
+
+/// How joints turn over some frames, and what that moves.
+class Turns {
+ public:
+  /// `step`: of which frames. As many as given, or up to the clip's end.
+  Turns(const Motion& motion, const MeasuredPoints& measured, int first, int step)
+      : step_(step),
+        frames_(std::min(kMostFrames, (motion.clip.frames() - first + step - 1) / step)),
+        joints_(static_cast<std::size_t>(motion.skeleton.joint_count())) {
+    for (OfJoint& joint : joints_) {
+      joint.rotations.resize(static_cast<std::size_t>(frames_));
+      joint.inertias.resize(static_cast<std::size_t>(frames_));
+    }
+    parallel_ranges(0, frames_, 64, [&](int from, int end) {
+      Pose pose;
+      std::vector<Burden> burdens;
+      for (int t = from; t < end; ++t) {
+        compute_pose(motion.skeleton, motion.clip.channels.row(first + t * step), pose);
+        burdens.assign(joints_.size(), {});
+        for (std::size_t p = 0; p < measured.points.size(); ++p) {
+          const Landmark& point = measured.points[p];
+          burdens[static_cast<std::size_t>(point.joint)].add(
+              measured.weights(static_cast<Eigen::Index>(p)),
+              pose.to_world(point.joint, point.in_joint) - pose.origin[0]);
+        }
+        for (std::size_t j = joints_.size(); j-- > 0;) {
+          const Joint& joint = motion.skeleton.joints()[j];
+          const auto parent = static_cast<std::size_t>(joint.parent);
+          if (joint.parent >= 0) burdens[parent].add(burdens[j]);
+          if (!turns_freely(joint)) continue;
+          const Eigen::Matrix3d axes_from_world =
+              (joint.parent < 0 ? joint.joint_from_axes
+                                : pose.world_from_joint[parent] * joint.joint_from_axes)
+                  .transpose();
+          const auto i = static_cast<std::size_t>(t);
+          joints_[j].rotations[i] =
+              axes_from_world * pose.world_from_joint[j] * joint.joint_from_axes;
+          joints_[j].inertias[i] = axes_from_world *
+                                   burdens[j].inertia_about(pose.origin[j] - pose.origin[0]) *
+                                   axes_from_world.transpose();
+        }
+      }
+    });
+  }
+
+  int frames() const { return frames_; }
+
+  /// Axes along and across what hangs on a joint, in its mean place.
+  RotationForm along_limb(int j) const {
+    const OfJoint& joint = joints_[static_cast<std::size_t>(j)];
+    Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < joint.rotations.size(); ++i) {
+      rotations += joint.rotations[i];
+      inertia += joint.inertias[i];
+    }
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(rotations,
+                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Eigen::Matrix3d mean = svd.matrixU() * svd.matrixV().transpose();
+    if (mean.determinant() < 0) mean -= 2 * svd.matrixU().col(2) * svd.matrixV().col(2).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia);
+    RotationForm form;
+    form.before = fixed_turn_near(nearest_frame(principal.eigenvectors()));
+    form.after = fixed_turn_near(rotation_of(form.before).transpose() * mean);
+    return form;
+  }
+
+  /// Of a joint's details, more or less, in steps in inverse proportion to what its angles move.
+  double bits(int j, const RotationForm& form) const {
+    const OfJoint& joint = joints_[static_cast<std::size_t>(j)];
+    const std::array<int, 3> axes = axes_of(form.order);
+    const Eigen::Matrix3d before = rotation_of(form.before);
+    const Eigen::Matrix3d left = before.transpose();
+    const double sign = (axes[0] + 1) % 3 == axes[1] ? 1 : -1;  // an even or odd order of the axes
+    const Eigen::Matrix3d right = rotation_of(form.after).transpose();
+    Eigen::MatrixXd angles(frames_, 3);
+    Eigen::Vector3d curvature = Eigen::Vector3d::Zero();
+    Eigen::Vector3d last = Eigen::Vector3d::Zero();
+    for (int t = 0; t < frames_; ++t) {
+      const auto i = static_cast<std::size_t>(t);
+      const Eigen::Matrix3d rotation = form.has_fixed_turns()
+                                           ? Eigen::Matrix3d(left * joint.rotations[i] * right)
+                                           : joint.rotations[i];
+      last = three_angles(axes, rotation, last);
+      angles.row(t) = last.transpose();
+      // The second axis is turned by the first angle; the last turns itself no further.
+      const std::array<Eigen::Vector3d, 3> turned = {
+          before.col(axes[0]),
+          before.col(axes[1]) * std::cos(last(0)) +
+              before.col(axes[2]) * (sign * std::sin(last(0))),
+          before * rotation.col(axes[2])};
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d& axis = turned[static_cast<std::size_t>(k)];
+        curvature(k) += axis.dot(joint.inertias[i] * axis) / frames_;
+      }
+    }
+    const Lifting lifting(Basis::Cubic, frames_);
+    const std::vector<double> gains = lifting.gains();
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      const std::span<double> signal(angles.col(k).data(), static_cast<std::size_t>(frames_));
+      lifting.forward(signal, signal);
+      // Left-out frames would have made coefficients larger by the root of their number.
+      const double steps_per_unit = std::sqrt(curvature(k) * step_) / kScale;
+      double product = 1;  // a logarithm for several at a time, which is dear
+      for (int c = lifting.bands()[0].size; c < frames_; ++c) {
+        const double steps = angles(c, k) * gains[static_cast<std::size_t>(c)] * steps_per_unit;
+        product *= 1 + steps * steps;
+        if (product < 1e100) continue;
+        sum += std::log2(product);
+        product = 1;
+      }
+      sum += std::log2(product);
+    }
+    return sum;
+  }
+
+ private:
+  struct OfJoint {
+    std::vector<Eigen::Matrix3d> rotations;  // about its own axes
+    std::vector<Eigen::Matrix3d> inertias;   // of what hangs on it, in the axes of its zero turn
+  };
+
+  int step_;
+  int frames_;
+  std::vector<OfJoint> joints_;
+};
+
+/// Of each joint: what its candidates take, and the axes of those that are turned.
+struct Count {
+  std::vector<Bits> bits;
+  RotationForms turned;
+};
+
+Count count_bits(const Motion& motion) {
+  const MeasuredPoints measured = measured_points(motion.skeleton, Weighting::Surface);
+  const auto step_at = [&](double rate) {
+    return std::max(1, static_cast<int>(std::lround(motion.clip.sample_rate_hz / rate)));
+  };
+  const int step = std::clamp(motion.clip.frames() / kEnough, step_at(kRate), step_at(kLongRate));
+  const auto joints = static_cast<std::size_t>(motion.skeleton.joint_count());
+  Count count{std::vector<Bits>(joints, Bits{}), RotationForms(joints)};
+  // Of a long clip, the first part's axes will do.
+  for (int first = 0; first < motion.clip.frames(); first += step * kMostFrames) {
+    const Turns turns(motion, measured, first, step);
+    parallel_for(0, motion.skeleton.joint_count(), [&](int j) {
+      const Joint& joint = motion.skeleton.joint(j);
+      if (!turns_freely(joint)) return;
+      Bits& bits = count.bits[static_cast<std::size_t>(j)];
+      for (std::size_t o = 0; o < kRotationOrders; ++o)
+        bits[o] += turns.bits(j, {static_cast<RotationOrder>(o)});
+      if (!may_turn_axes(joint)) return;
+      RotationForm& turned = count.turned[static_cast<std::size_t>(j)];
+      if (first == 0) turned = turns.along_limb(j);
+      for (std::size_t o = 0; o < kTurnedOrders.size(); ++o) {
+        turned.order = kTurnedOrders[o];
+        bits[kRotationOrders + o] += turns.bits(j, turned);
+      }
+    });
+  }
+  return count;
+}
+
+/// The joint whose angles predict those of each, or -1.
+std::vector<int> mirrors_of(const Skeleton& skeleton) {
+  const std::vector<SignalNeighbours> neighbours = channel_neighbours(skeleton);
+  std::vector<int> mirrors(static_cast<std::size_t>(skeleton.joint_count()), -1);
+  for (int j = 0; j < skeleton.joint_count(); ++j) {
+    if (skeleton.joint(j).channels.empty()) continue;
+    const int mirror = neighbours[static_cast<std::size_t>(skeleton.first_channel(j))].mirror;
+    if (mirror >= 0) mirrors[static_cast<std::size_t>(j)] = skeleton.channel_joint(mirror);
+  }
+  return mirrors;
+}
+
+}  // namespace
+
+RotationForms choose_forms(const Motion& motion) {
+  const Skeleton& skeleton = motion.skeleton;
+  auto [bits, turned] = count_bits(motion);
+  const std::vector<int> mirrors = mirrors_of(skeleton);
+  RotationForms forms = rotation_forms(skeleton);
+  for (std::size_t j = 0; j < forms.size(); ++j)
+    for (std::size_t o = kRotationOrders; o < kCandidates; ++o)
+      bits[j][o] = may_turn_axes(skeleton.joints()[j]) && turned[j].has_fixed_turns()
+                       ? bits[j][o] + kTurnedBits
+                       : std::numeric_limits<double>::infinity();
+  // The first of several that mirror one another chooses for all.
+  const auto follows = [&](std::size_t j) {
+    return mirrors[j] >= 0 && turns_freely(skeleton.joint(mirrors[j]));
+  };
+  for (std::size_t j = forms.size(); j-- > 0;)
+    if (follows(j))
+      for (std::size_t o = 0; o < kCandidates; ++o)
+        bits[static_cast<std::size_t>(mirrors[j])][o] += bits[j][o];
+  for (std::size_t j = 0; j < forms.size(); ++j) {
+    if (!turns_freely(skeleton.joints()[j])) continue;
+    if (follows(j)) {
+      const RotationForm& leader = forms[static_cast<std::size_t>(mirrors[j])];
+      if (leader.has_fixed_turns()) forms[j] = turned[j];
+      forms[j].order = leader.order;
+      continue;
+    }
+    const auto best = std::min_element(bits[j].begin(), bits[j].end());
+    if (*best >= kWorthIt * bits[j][static_cast<std::size_t>(forms[j].order)]) continue;
+    const auto found = static_cast<std::size_t>(best - bits[j].begin());
+    if (found >= kRotationOrders) forms[j] = turned[j];
+    forms[j].order = found < kRotationOrders ? static_cast<RotationOrder>(found)
+                                             : kTurnedOrders[found - kRotationOrders];
+  }
+  return forms;
+}
+
+}  // namespace mocapress

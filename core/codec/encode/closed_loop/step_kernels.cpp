@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/closed_loop/step_kernels.h"
+
+#include "core/base/instruction_sets.h"
+#include "core/codec/format/quantised_signals.h"
+
+namespace mocapress {
+namespace {
+
+// Loops below are over so many numbers as are known beforehand: of such the compiler makes vector
+// instructions.
+constexpr int kAtATime = 8;
+
+/// Whole steps in what is left of some coefficients when `less` is taken off.
+template <int kCount>
+MOCAPRESS_INLINE void cut_to_steps(const double* __restrict coefficients,
+                                   const float* __restrict less, double per_unit, double added,
+                                   int* __restrict values) {
+  for (int i = 0; i < kCount; ++i) {
+    const double steps = (coefficients[i] - static_cast<double>(less[i])) * per_unit;
+    const double size = std::abs(steps) < kMostSteps ? std::abs(steps) : kMostSteps;
+    values[i] = static_cast<int>(std::copysign(size + added, steps));
+  }
+}
+
+template <int kCount>
+MOCAPRESS_INLINE void find_differences(const int* __restrict values, double step,
+                                       const double* __restrict coefficients,
+                                       float* __restrict differences) {
+  for (int i = 0; i < kCount; ++i)
+    differences[i] = static_cast<float>(values[i] * step - coefficients[i]);
+}
+
+#ifdef MOCAPRESS_WITH_AVX2
+MOCAPRESS_FOR_AVX2 void cut_to_steps_with_avx2(const double* coefficients, const float* less,
+                                               double per_unit, double added, int* values) {
+  cut_to_steps<kAtATime>(coefficients, less, per_unit, added, values);
+}
+MOCAPRESS_FOR_AVX2 void find_differences_with_avx2(const int* values, double step,
+                                                   const double* coefficients, float* differences) {
+  find_differences<kAtATime>(values, step, coefficients, differences);
+}
+#endif
+
+}  // namespace
+
+void cut_to_steps(const double* coefficients, const float* less, int count, double per_unit,
+                  double added, int* values) {
+  int i = 0;
+#ifdef MOCAPRESS_WITH_AVX2
+  if (has_avx2())
+    for (; i + kAtATime <= count; i += kAtATime)
+      cut_to_steps_with_avx2(coefficients + i, less + i, per_unit, added, values + i);
+#endif
+  for (; i + 4 <= count; i += 4)
+    cut_to_steps<4>(coefficients + i, less + i, per_unit, added, values + i);
+  for (; i < count; ++i) cut_to_steps<1>(coefficients + i, less + i, per_unit, added, values + i);
+}
+
+void find_differences(const int* values, int count, double step, const double* coefficients,
+                      float* differences) {
+  int i = 0;
+#ifdef MOCAPRESS_WITH_AVX2
+  if (has_avx2())
+    for (; i + kAtATime <= count; i += kAtATime)
+      find_differences_with_avx2(values + i, step, coefficients + i, differences + i);
+#endif
+  for (; i + 4 <= count; i += 4)
+    find_differences<4>(values + i, step, coefficients + i, differences + i);
+  for (; i < count; ++i) find_differences<1>(values + i, step, coefficients + i, differences + i);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/mend/correction_encoder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/error.h"
+#include "core/feet/feet.h"
+#include "core/ik/solve.h"
+
+namespace mocapress {
+namespace {
+
+constexpr double kBlendSeconds = 0.15;  // before and after a contact
+
+// What errors of the effectors cost, beside a squared cm of a difference. A foot that stands is
+// seen to be off the sooner, and sooner still to slide.
+constexpr double kPlaceInContact = 4;
+constexpr double kStepInContact = 300;
+
+// Beside a squared cm of eps_x: what an effector's place costs the motion, though the correction
+// will mend it. Dearer than that, the motion pays for what is paid twice; cheaper, the differences
+// take more than they are given.
+constexpr double kCorrected = 0.02;
+
+std::vector<Effector> effectors_for(const Skeleton& skeleton, const std::vector<int>& joints) {
+  if (joints.empty()) return find_feet(skeleton);
+  std::vector<Effector> effectors;
+  for (const int joint : joints) effectors.push_back(effector_at(skeleton, joint));
+  return effectors;
+}
+
+/// 1 in the contacts of a joint's origin, falling smoothly to 0 beside them.
+Eigen::VectorXd window_of(int joint, const std::vector<ContactSpan>& contacts, Eigen::Index frames,
+                          double sample_rate_hz) {
+  const double blend = std::max(1.0, kBlendSeconds * sample_rate_hz);  // frames
+  Eigen::VectorXd window = Eigen::VectorXd::Zero(frames);
+  for (const ContactSpan& span : contacts) {
+    if (span.landmark != joint) continue;
+    for (Eigen::Index t = 0; t < frames; ++t) {
+      const double off = std::max({0.0, static_cast<double>(span.first_frame - t),
+                                   static_cast<double>(t - span.last_frame)});
+      const double share = std::min(off / blend, 1.0);
+      window(t) = std::max(window(t), 0.5 + 0.5 * std::cos(std::numbers::pi * share));
+    }
+  }
+  return window;
+}
+
+/// 1 where a contact goes on from the frame before: a step into one does not slide.
+Eigen::VectorXd steps_in_contact(const Eigen::ArrayXd& contact) {
+  Eigen::VectorXd within = Eigen::VectorXd::Zero(contact.size());
+  for (Eigen::Index t = 1; t < contact.size(); ++t)
+    if (contact(t - 1) == 1 && contact(t) == 1) within(t) = 1;
+  return within;
+}
+
+}  // namespace
+
+CorrectionEncoder::CorrectionEncoder(const Skeleton& skeleton,
+                                     const Eigen::MatrixXd& original_tracks,
+                                     const CorrectionOptions& options,
+                                     const std::vector<ContactSpan>& contacts,
+                                     double sample_rate_hz)
+    : skeleton_(skeleton),
+      solver_(options.solver),
+      at_(options.at),
+      effectors_(effectors_for(skeleton, options.joints)) {
+  if (effectors_.empty())
+    throw Error("no feet were found on this skeleton: name the joints to be corrected");
+  check_effectors(skeleton, effectors_);
+  original_ = effector_tracks(original_tracks, effectors_);
+  contacts_.resize(original_.rows(), std::ssize(effectors_));
+  for (Eigen::Index e = 0; e < std::ssize(effectors_); ++e)
+    contacts_.col(e) = window_of(effectors_[static_cast<std::size_t>(e)].joint, contacts,
+                                 original_.rows(), sample_rate_hz);
+}
+
+std::vector<PointResponse> CorrectionEncoder::responses(
+    const Clip& original, const Eigen::MatrixXd& original_tracks) const {
+  std::vector<PointResponse> responses;
+  for (LimbResponse& limb : limb_responses(skeleton_, effectors_, solver_, original)) {
+    PointResponse& response = responses.emplace_back();
+    for (const Effector& effector : limb.effectors) response.joints.push_back(effector.joint);
+    response.places = effector_tracks(original_tracks, limb.effectors);
+    response.angles = std::move(limb.channels);
+    response.turns = std::move(limb.turns);
+    response.weights.setConstant(original.frames(), std::ssize(limb.effectors), kCorrected);
+    if (at_ == CorrectAt::Contacts) limit_to_contacts(limb.effectors, response);
+  }
+  return responses;
+}
+
+std::vector<bool> CorrectionEncoder::reached_joints() const {
+  std::vector<bool> reached(static_cast<std::size_t>(skeleton_.joint_count()));
+  for (const Effector& effector : effectors_)
+    for (const int turned : effector.chain) reached[static_cast<std::size_t>(turned)] = true;
+  for (std::size_t j = 1; j < reached.size(); ++j) {  // parents come before their children
+    const int parent = skeleton_.joint(static_cast<int>(j)).parent;
+    if (reached[static_cast<std::size_t>(parent)]) reached[j] = true;
+  }
+  for (const Effector& effector : effectors_)
+    for (int j = effector.joint; j >= 0; j = skeleton_.joint(j).parent)
+      reached[static_cast<std::size_t>(j)] = true;
+  return reached;
+}
+
+/// Elsewhere a point stays where the motion leaves it.
+void CorrectionEncoder::limit_to_contacts(const std::vector<Effector>& effectors,
+                                          PointResponse& response) const {
+  const Eigen::Index points = std::ssize(effectors);
+  for (Eigen::Index p = 0; p < points; ++p) {
+    const auto joint = effectors[static_cast<std::size_t>(p)].joint;
+    const auto found = std::find_if(effectors_.begin(), effectors_.end(),
+                                    [&](const Effector& e) { return e.joint == joint; });
+    const auto contact = contacts_.col(found - effectors_.begin()).array();
+    response.weights.col(p).array() *= contact;
+    for (Eigen::Index a = 0; a < std::ssize(response.angles); ++a)
+      response.turns.middleCols(3 * (points * a + p), 3).array().colwise() *= contact;
+  }
+}
+
+DifferenceFit CorrectionEncoder::select(const Clip& reconstructed, double ratio, Basis basis,
+                                        const CodedStep& coded_step) const {
+  Clip differences{reconstructed.sample_rate_hz, original_};
+  differences.channels -= effector_tracks(landmark_tracks(skeleton_, reconstructed), effectors_);
+  if (at_ == CorrectAt::Contacts)
+    for (Eigen::Index s = 0; s < differences.channels.cols(); ++s)
+      differences.channels.col(s).array() *= contacts_.col(s / 3).array();
+
+  std::vector<FitWeights> weights;
+  for (Eigen::Index s = 0; s < differences.channels.cols(); ++s) {
+    const auto contact = contacts_.col(s / 3).array();
+    const bool up = s % 3 == 1;  // what rises and falls does not slide
+    weights.push_back({.place = 1 + (kPlaceInContact - 1) * contact,
+                       .step = (up ? 0 : kStepInContact) * steps_in_contact(contact)});
+  }
+  const auto total = static_cast<double>(differences.channels.size());
+  const auto count = static_cast<int>(std::lround(std::clamp(total / ratio, 0.0, total)));
+  return fit_differences(differences, weights, basis, count, coded_step);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,523 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/mend/end_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/codec/decode/decoder.h"
+#include "core/metrics/distortion.h"
+#include "core/motion/body_tracks.h"
+#include "core/runtime/format/end_poses.h"
+#include "core/select/error_model.h"
+
+namespace mocapress {
+namespace {
+
+/// How far an end may be off.
+struct Tolerance {
+  Weighting weighting;
+  double cm;
+  bool at_most;  // no point further off; else the RMS over the points
+};
+
+constexpr double kEven = 0.9;  // of the target
+constexpr double kExact = 0.1;
+constexpr int kRowsOfVelocity = 8;  // at an end, where one can be coded
+
+Tolerance tolerance_of(const EncodeOptions& options, double share, double eps_cm) {
+  const bool at_most = options.target.kind == Target::Kind::MaxError;
+  const bool is_error = at_most || options.target.kind == Target::Kind::Error;
+  return {options.weighting, share * (is_error ? options.target.value : eps_cm), at_most};
+}
+
+/// Angles by the shorter way round.
+Eigen::RowVectorXd lacking(const Skeleton& skeleton, const Eigen::RowVectorXd& original,
+                           const Eigen::RowVectorXd& decoded) {
+  Eigen::RowVectorXd difference = original - decoded;
+  Eigen::Index c = 0;
+  for (const Joint& joint : skeleton.joints())
+    for (const ChannelKind kind : joint.channels) {
+      if (is_rotation(kind)) difference(c) = std::remainder(difference(c), 2 * std::numbers::pi);
+      ++c;
+    }
+  return difference;
+}
+
+/// Counts the bits that a range coder would take.
+struct CountedBits {
+  double bits = 0;
+
+  bool code(bool bit, runtime::Probability one) {
+    bits -= std::log2((bit ? one : 65536 - one) / 65536.0);
+    return bit;
+  }
+};
+
+/// What a whole number takes among others, about.
+double bits_of(int whole) {
+  const int magnitude = std::abs(whole);
+  return magnitude == 0 ? 0.5 : 3 + 2 * std::log2(magnitude);
+}
+
+double bits_of(const Eigen::VectorXi& whole) {
+  CountedBits counted;
+  runtime::EndCoder coder;
+  for (const int value : whole) coder.code(counted, value);
+  return counted.bits;
+}
+
+/// One end of a clip beside its original, the end's own frame first. What is wanted of that frame
+/// is the original's pose but for `error`, in channels.
+class End {
+ public:
+  End(const Skeleton& skeleton, const Eigen::MatrixXd& original, Eigen::MatrixXd decoded,
+      const Tolerance& tolerance, const Eigen::RowVectorXd& error)
+      : skeleton_(skeleton),
+        tolerance_(tolerance),
+        errors_(skeleton, tolerance.weighting),
+        original_(tracks(original)),
+        wanted_pose_(original.row(0) + error),
+        wanted_(tracks(wanted_pose_)),
+        decoded_(std::move(decoded)),
+        lacking_(lacking(skeleton, wanted_pose_, decoded_.row(0))) {}
+
+  /// What becomes of the frames beside it where so many take part.
+  struct Reach {
+    int frames;
+    double squares;            // cm^2, the sum over all frames looked at
+    Eigen::RowVectorXd slope;  // how the errors change to the frame beside it. cm
+  };
+
+  std::vector<Reach> reaches(const Eigen::RowVectorXd& added) const {
+    std::vector<Reach> found;
+    Eigen::MatrixXd at = tracks(decoded_);
+    for (int frames = 1; frames <= decoded_.rows(); frames *= 2) {
+      at.topRows(frames) = tracks(decoded_with(added, frames).topRows(frames));
+      const Eigen::Index beside = std::min<Eigen::Index>(1, at.rows() - 1);
+      found.push_back({frames, (errors_.squared(original_, at) * errors_.measured().weights).sum(),
+                       at.row(beside) - original_.row(beside) - at.row(0) + original_.row(0)});
+    }
+    return found;
+  }
+
+  /// The decoded frames, of which so many take part in what is added to the first.
+  Eigen::MatrixXd decoded_with(const Eigen::RowVectorXd& added, int frames) const {
+    Eigen::MatrixXd with = decoded_;
+    for (int t = 0; t < frames; ++t)
+      with.row(t) += static_cast<double>(runtime::end_share(runtime::kLastPose, t, frames)) * added;
+    return with;
+  }
+
+  /// Nothing where the pose will do as it is, else what takes the fewest bits of what will do:
+  /// whole steps of each channel, which are `steps` made so many half octaves finer.
+  std::pair<int, Eigen::VectorXi> cheapest(const std::vector<float>& steps) const {
+    constexpr int kFirst = -8;
+    constexpr int kFiner = 6;  // that are tried beyond the first that will do
+    constexpr double kStricter = 0.9;
+    std::pair<int, Eigen::VectorXi> best{0, Eigen::VectorXi::Zero(lacking_.size())};
+    if (is_near(values_of(best.second, steps, 0))) return best;
+    const Eigen::MatrixXd gram = gram_of_pose();
+    double most = tolerance_.cm * tolerance_.cm;  // by the quadratic model
+    double least = std::numeric_limits<double>::infinity();
+    int last = runtime::kMostEndStepExponent;
+    for (int step_exponent = kFirst; step_exponent <= last; ++step_exponent) {
+      const Eigen::RowVectorXd step =
+          values_of(Eigen::VectorXi::Ones(lacking_.size()), steps, step_exponent);
+      Eigen::VectorXi whole = sparsest(gram, step, most);
+      // Where all is to be exact, channels one by one are slow to come near.
+      if (error_of(gram, step, whole) > most) whole = rounded(step);
+      const bool is_finest = step_exponent == runtime::kMostEndStepExponent && std::isinf(least);
+      if (!is_finest && error_of(gram, step, whole) > most) continue;
+      const double bits = bits_of(whole);
+      if (bits >= least) continue;
+      if (!is_finest && !is_near(values_of(whole, steps, step_exponent))) {
+        most *= kStricter;
+        continue;
+      }
+      if (std::isinf(least)) last = std::min(last, step_exponent + kFiner);
+      least = bits;
+      best = {step_exponent, std::move(whole)};
+    }
+    return best;
+  }
+
+  /// What steps of each channel come to.
+  static Eigen::RowVectorXd values_of(const Eigen::VectorXi& whole, const std::vector<float>& steps,
+                                      int step_exponent) {
+    Eigen::RowVectorXd values(whole.size());
+    for (Eigen::Index c = 0; c < whole.size(); ++c)
+      values(c) = runtime::end_value(whole(c), steps[static_cast<std::size_t>(c)], step_exponent);
+    return values;
+  }
+
+  /// The error that this leaves.
+  Eigen::RowVectorXd error_with(const Eigen::RowVectorXd& added) const { return added - lacking_; }
+
+ private:
+  /// The squared error of small differences of channels is d gram d^T.
+  Eigen::MatrixXd gram_of_pose() const {
+    const ErrorModel model(skeleton_, Clip{1, wanted_pose_}, tolerance_.weighting);
+    Eigen::MatrixXd gram(lacking_.size(), lacking_.size());
+    const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
+    for (int c = 0; c < model.channels(); ++c) {
+      Eigen::MatrixXd row = Eigen::MatrixXd::Zero(1, model.channels());
+      model.add_to_gradient(c, one, row);
+      gram.col(c) = row.transpose();
+    }
+    return gram;
+  }
+
+  /// Whether the pose will do with that.
+  bool is_near(const Eigen::RowVectorXd& added) const {
+    Eigen::MatrixXd pose = decoded_.topRows(1);
+    for (Eigen::Index c = 0; c < added.size(); ++c)
+      pose(0, c) =
+          static_cast<double>(static_cast<float>(pose(0, c)) + static_cast<float>(added(c)));
+    const Eigen::MatrixXd squared = errors_.squared(wanted_, tracks(pose));
+    const double square =
+        tolerance_.at_most ? squared.maxCoeff() : (squared * errors_.measured().weights).value();
+    return std::sqrt(square) <= tolerance_.cm;
+  }
+
+  static int limited(double steps) {
+    constexpr double kMost = (1 << runtime::DigitCoder::kMostDigits) - 1;
+    return static_cast<int>(std::lround(std::clamp(steps, -kMost, kMost)));
+  }
+
+  /// All that is lacking.
+  Eigen::VectorXi rounded(const Eigen::RowVectorXd& step) const {
+    Eigen::VectorXi whole(lacking_.size());
+    for (Eigen::Index c = 0; c < whole.size(); ++c) whole(c) = limited(lacking_(c) / step(c));
+    return whole;
+  }
+
+  /// The squared error that whole steps leave.
+  double error_of(const Eigen::MatrixXd& gram, const Eigen::RowVectorXd& step,
+                  const Eigen::VectorXi& whole) const {
+    const Eigen::RowVectorXd left = step.cwiseProduct(whole.cast<double>().transpose()) - lacking_;
+    return left.dot(gram * left.transpose());
+  }
+
+  /// Whole steps of few channels: one after another, what mends most for its bits, given the error
+  /// of all others, until no more than that is left or nothing mends any more.
+  Eigen::VectorXi sparsest(const Eigen::MatrixXd& gram, const Eigen::RowVectorXd& step,
+                           double squared_error) const {
+    constexpr double kLeastBits = 0.25;
+    const Eigen::Index channels = lacking_.size();
+    Eigen::VectorXi whole = Eigen::VectorXi::Zero(channels);
+    Eigen::VectorXd slope = -gram * lacking_.transpose();
+    double error = -lacking_.dot(slope);
+    for (Eigen::Index move = 0; error > squared_error && move < 2 * channels; ++move) {
+      double best = 0;
+      Eigen::Index channel = -1;
+      int by = 0;
+      for (Eigen::Index c = 0; c < channels; ++c) {
+        const double wanted = -slope(c) / (gram(c, c) * step(c));
+        if (!(std::abs(wanted) > 0.5) || !std::isfinite(wanted)) continue;
+        const int to = limited(whole(c) + wanted);
+        const double delta = (to - whole(c)) * step(c);
+        const double mended = -delta * (2 * slope(c) + gram(c, c) * delta);
+        const double bits = std::max(bits_of(to) - bits_of(whole(c)), kLeastBits);
+        if (mended <= best * bits) continue;
+        best = mended / bits;
+        channel = c;
+        by = to - whole(c);
+      }
+      if (channel < 0) break;
+      const double delta = by * step(channel);
+      error += delta * (2 * slope(channel) + gram(channel, channel) * delta);
+      slope += delta * gram.col(channel);
+      whole(channel) += by;
+    }
+    return whole;
+  }
+
+  Eigen::MatrixXd tracks(const Eigen::MatrixXd& channels) const {
+    return body_tracks(skeleton_, {1, channels});
+  }
+
+  const Skeleton& skeleton_;
+  Tolerance tolerance_;
+  PointErrors errors_;
+  Eigen::MatrixXd original_;
+  Eigen::RowVectorXd wanted_pose_;
+  Eigen::MatrixXd wanted_;  // tracks of it: one row
+  Eigen::MatrixXd decoded_;
+  Eigen::RowVectorXd lacking_;
+};
+
+/// As far as the errors of neighbouring frames are alike.
+const End::Reach& best_of(const std::vector<End::Reach>& reaches) {
+  return *std::min_element(reaches.begin(), reaches.end(),
+                           [](const auto& a, const auto& b) { return a.squares < b.squares; });
+}
+
+/// Of a loop: where the velocity's error changes least from the last frame to the first, at some
+/// cost to the rest.
+std::array<int, 2> smoothest(const std::vector<End::Reach>& first,
+                             const std::vector<End::Reach>& last) {
+  constexpr double kMost = 1.5;  // times the squares of the best
+  const double most = kMost * (best_of(first).squares + best_of(last).squares);
+  std::array<int, 2> found{best_of(first).frames, best_of(last).frames};
+  double least = std::numeric_limits<double>::infinity();
+  for (const End::Reach& a : first)
+    for (const End::Reach& b : last) {
+      // Seen from the end, the last frame's slope is against time.
+      const double bend = (a.slope + b.slope).squaredNorm();
+      if (a.squares + b.squares > most || bend >= least) continue;
+      least = bend;
+      found = {a.frames, b.frames};
+    }
+  return found;
+}
+
+/// The frames at both ends of what is decoded, those at the ends first.
+std::array<Eigen::MatrixXd, 2> decoded_at_ends(const CompressedClip& compressed, int rows) {
+  const Eigen::Index channels = compressed.coded_skeleton().channel_count();
+  std::array<Eigen::MatrixXd, 2> found{Eigen::MatrixXd(rows, channels),
+                                       Eigen::MatrixXd(rows, channels)};
+  const Finish finish(compressed);
+  visit_decoded(compressed, [&](int first, Uncorrected& block) {
+    finish(first, block);
+    const Eigen::MatrixXd& decoded = block.clip.channels;
+    for (int i = 0; i < rows; ++i) {
+      const int last = compressed.frames - 1 - i;
+      if (i >= first && i < first + decoded.rows()) found[0].row(i) = decoded.row(i - first);
+      if (last >= first && last < first + decoded.rows())
+        found[1].row(i) = decoded.row(last - first);
+    }
+  });
+  return found;
+}
+
+/// The few frames at an end of a clip, that one first, and what a velocity there makes of them.
+class FewFrames {
+ public:
+  /// Frames in channels, as many as the longest reach or more; the steps of their segment; and what
+  /// the clip is off. References must outlive this.
+  FewFrames(const Skeleton& skeleton, const Eigen::MatrixXd& original, Eigen::MatrixXd decoded,
+            const std::vector<float>& steps, const Tolerance& clip)
+      : skeleton_(skeleton),
+        clip_(clip),
+        errors_(skeleton, clip.weighting),
+        original_(original),
+        decoded_(std::move(decoded)),
+        steps_(steps) {}
+
+  /// How many times as far off as the clip they are, RMS, with that velocity. Where it reaches
+  /// further, those frames count, too, if they are worse.
+  double off_with(const Eigen::RowVectorXd& velocity, int reach) const {
+    Eigen::MatrixXd with = decoded_.topRows(std::max(kFew, reach));
+    for (int away = 1; away < reach; ++away) with.row(away) += share(away, reach) * velocity;
+    const auto tracks = [&](const Eigen::MatrixXd& channels) {
+      return body_tracks(skeleton_, {1, channels});
+    };
+    const Eigen::VectorXd squared =
+        errors_.squared(tracks(original_.topRows(with.rows())), tracks(with)) *
+        errors_.measured().weights;
+    return std::sqrt(std::max(squared.head(kFew).mean(), squared.mean())) / clip_.cm;
+  }
+  double off() const { return off_with(Eigen::RowVectorXd::Zero(decoded_.cols()), 1); }
+
+  struct Mend {
+    int reach = 0;
+    int step_exponent = 0;
+    Eigen::VectorXi steps;
+    double off = 0;
+  };
+
+  /// What takes the fewest bits of what leaves them at most so far off, else what brings them
+  /// nearest.
+  Mend cheapest(double most_off) const {
+    Mend best;
+    double least_bits = std::numeric_limits<double>::infinity();
+    for (const int reach : kReaches) {
+      Mend mend = with_reach(reach, most_off);
+      const double bits =
+          mend.off <= most_off ? bits_of(mend.steps) : std::numeric_limits<double>::infinity();
+      const bool is_better = bits < least_bits || (bits == least_bits && mend.off < best.off);
+      if (best.reach > 0 && !is_better) continue;
+      least_bits = bits;
+      best = std::move(mend);
+    }
+    return best;
+  }
+
+ private:
+  static constexpr int kFew = 4;
+  static constexpr std::array kReaches = {3, 4, 6, 8};
+
+  static double share(int away, int reach) {
+    if (away >= reach) return 0;
+    return static_cast<double>(runtime::end_share(runtime::kVelocity, away, reach));
+  }
+
+  /// The velocity that suits the frames best, as exact as need be.
+  Mend with_reach(int reach, double most_off) const {
+    constexpr double kLeast = 0.1;  // squared: what its steps may add, if nothing will do
+    Eigen::RowVectorXd velocity = Eigen::RowVectorXd::Zero(decoded_.cols());
+    double squares = 0;  // of the shares
+    for (int away = 1; away < kFew; ++away) {
+      velocity += share(away, reach) * lacking(skeleton_, original_.row(away), decoded_.row(away));
+      squares += share(away, reach) * share(away, reach);
+    }
+    velocity /= squares;
+    const double best_off = off_with(velocity, reach);
+    const double left = std::max(most_off * most_off - best_off * best_off, kLeast);
+    // As the pose beside the end, which the velocity moves.
+    const double of_pose = share(1, reach);
+    const Eigen::RowVectorXd pose = decoded_.row(1);
+    const Tolerance tolerance{clip_.weighting,
+                              of_pose * std::sqrt(left * kFew / squares) * clip_.cm, false};
+    const End beside(skeleton_, pose + of_pose * velocity, pose, tolerance,
+                     Eigen::RowVectorXd::Zero(pose.size()));
+    std::vector<float> steps = steps_;
+    for (float& step : steps) step *= static_cast<float>(of_pose);
+    auto [step_exponent, whole] = beside.cheapest(steps);
+    const double off = off_with(End::values_of(whole, steps, step_exponent) / of_pose, reach);
+    return {reach, step_exponent, std::move(whole), off};
+  }
+
+  const Skeleton& skeleton_;
+  const Tolerance clip_;
+  const PointErrors errors_;
+  const Eigen::MatrixXd& original_;
+  const Eigen::MatrixXd decoded_;
+  const std::vector<float>& steps_;
+};
+
+CodedEnds with_velocity(CodedEnds ends, int pose, int reach, int step_exponent,
+                        const Eigen::VectorXi& steps) {
+  ends.reaches.frames[runtime::kVelocity] = static_cast<std::uint8_t>(reach);
+  ends.reaches.velocity_at_first = pose == runtime::kFirstPose ? 1 : 0;
+  ends.step_exponent[runtime::kVelocity] = step_exponent;
+  ends.steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
+  ends.steps.col(runtime::kVelocity) = steps;
+  return ends;
+}
+
+/// Where few frames at an end are further off than may be, as where a clip starts with a jump,
+/// codes what the velocity there lacks: at the worse end, for there is one.
+void mend_few(const FewFrames& first, const FewFrames& last, CodedEnds& ends) {
+  constexpr double kMost = 1.45;  // times as far off as the clip
+  const bool first_is_worse = first.off() >= last.off();
+  const FewFrames& worse = first_is_worse ? first : last;
+  const double off = worse.off();
+  if (off <= kMost) return;
+  const FewFrames::Mend mend = worse.cheapest(kMost);
+  if (mend.off < off)
+    ends = with_velocity(ends, first_is_worse ? runtime::kFirstPose : runtime::kLastPose,
+                         mend.reach, mend.step_exponent, mend.steps);
+}
+
+/// Where a loop's velocities change more at its seam than between any frames in a row, codes what
+/// the last of them lacks. Originals with the frames at the ends first; so many steps of the last
+/// segment.
+void mend_velocity(const Skeleton& skeleton, const Goal& goal,
+                   const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last,
+                   const std::vector<float>& last_steps, CompressedClip& compressed) {
+  constexpr int kLeastRows = 8;
+  constexpr double kMostMore = 1.05;  // of what was the most before
+  const auto rows = static_cast<int>(original_first.rows());
+  const EndErrors before = goal.ends(compressed);
+  if (rows < kLeastRows || before.seam_cm_per_frame <= before.worst_neighbours_cm_per_frame) return;
+  const auto [first, last] = decoded_at_ends(compressed, rows);
+  const auto error = [&](const Eigen::MatrixXd& original, const Eigen::MatrixXd& decoded,
+                         int row) -> Eigen::RowVectorXd {
+    return -lacking(skeleton, original.row(row), decoded.row(row));
+  };
+  // Then errors change by as much before the last frame as after the first.
+  const Eigen::RowVectorXd wanted = error(original_last, last, 0) +
+                                    error(original_first, first, 0) -
+                                    error(original_first, first, 1);
+  const double most = before.worst_neighbours_cm_per_frame;
+  const CodedEnds poses = *compressed.ends;
+  for (const double share : {0.7, 0.5, 0.35, 0.2}) {
+    const End end(skeleton, original_last.bottomRows(rows - 1), last.bottomRows(rows - 1),
+                  {Weighting::Surface, share * most, false}, wanted);
+    for (int reach = 8; reach <= rows; reach *= 2) {
+      std::vector<float> steps = last_steps;
+      for (float& step : steps) step *= runtime::end_share(runtime::kVelocity, 1, reach);
+      const auto [step_exponent, whole] = end.cheapest(steps);
+      compressed.ends = with_velocity(poses, runtime::kLastPose, reach, step_exponent, whole);
+      // A short reach would only move the break to the frame before.
+      const EndErrors after = goal.ends(compressed);
+      if (after.seam_cm_per_frame <= after.worst_neighbours_cm_per_frame &&
+          after.worst_neighbours_cm_per_frame <= kMostMore * most)
+        return;
+    }
+  }
+  compressed.ends = poses;
+}
+
+}  // namespace
+
+bool codes_ends(const EncodeOptions& options) {
+  if (options.method != Method::ClosedLoop || options.ends == Ends::Free) return false;
+  if (options.effort == Effort::Draft) return options.ends == Ends::Exact;
+  const bool loops = options.loop.value_or(Loop::None) != Loop::None;
+  return loops || options.ends == Ends::Exact || options.target.kind != Target::Kind::MaxError;
+}
+
+int frames_at_ends(int frames) {
+  constexpr int kMost = 32;
+  return std::min((frames + 1) / 2, kMost);
+}
+
+void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_skeleton,
+              const Goal& goal, const Eigen::MatrixXd& original_first,
+              const Eigen::MatrixXd& original_last) {
+  CompressedClip& compressed = trial.compressed;
+  compressed.ends.reset();
+  const auto rows = static_cast<int>(original_first.rows());
+  const int channels = coded_skeleton.channel_count();
+  auto [decoded_first, decoded_last] = decoded_at_ends(compressed, rows);
+  const Eigen::MatrixXd backwards = original_last.colwise().reverse();
+  const auto tolerance = [&](double share) { return tolerance_of(options, share, trial.eps_cm); };
+  const bool is_exact = options.ends == Ends::Exact || compressed.correction;  // else feet slide
+  const double share = is_exact ? kExact : kEven;
+  const bool is_loop = options.loop.value_or(Loop::None) != Loop::None;
+  const auto [first_steps, last_steps] = steps_at_ends(compressed);
+
+  Eigen::RowVectorXd error = Eigen::RowVectorXd::Zero(channels);
+  const End first(coded_skeleton, original_first, std::move(decoded_first), tolerance(share),
+                  error);
+  const auto [first_exponent, first_whole] = first.cheapest(first_steps);
+  const Eigen::RowVectorXd to_first = End::values_of(first_whole, first_steps, first_exponent);
+  if (is_loop) error = first.error_with(to_first);
+  const End last(coded_skeleton, backwards, std::move(decoded_last),
+                 tolerance(is_loop ? kExact : share), error);
+  const auto [last_exponent, last_whole] = last.cheapest(last_steps);
+  const Eigen::RowVectorXd to_last = End::values_of(last_whole, last_steps, last_exponent);
+
+  CodedEnds& ends = compressed.ends.emplace();
+  ends.step_exponent = {first_exponent, last_exponent};
+  ends.steps.resize(channels, 2);
+  ends.steps << first_whole, last_whole;
+  // Frames that a correction holds in place are left there.
+  if (!compressed.correction) {
+    std::array reaches = {1, 1};
+    if (is_loop)
+      reaches = smoothest(first.reaches(to_first), last.reaches(to_last));
+    else if (!ends.steps.isZero())
+      reaches = {best_of(first.reaches(to_first)).frames, best_of(last.reaches(to_last)).frames};
+    std::ranges::copy(reaches, ends.reaches.frames);
+    if (is_loop)
+      mend_velocity(coded_skeleton, goal, original_first, backwards, last_steps, compressed);
+    else if (rows >= kRowsOfVelocity)
+      mend_few({coded_skeleton, original_first, first.decoded_with(to_first, reaches[0]),
+                first_steps, tolerance(1)},
+               {coded_skeleton, backwards, last.decoded_with(to_last, reaches[1]), last_steps,
+                tolerance(1)},
+               ends);
+  }
+  if (compressed.ends->steps.isZero()) compressed.ends.reset();
+}
+
+}  // namespace mocapress

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What one encode of one clip is asked for. Settings (core/mocapress/settings.h) say the same for
+// any clip, with joints by name.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/codec/encode/options/effort.h"
+#include "core/codec/encode/options/importance.h"
+#include "core/codec/encode/options/target.h"
+#include "core/codec/format/compressed_clip.h"
+#include "core/feet/contact_spans.h"
+#include "core/ik/correction_kind.h"
+#include "core/motion/landmarks.h"
+#include "core/motion/loop.h"
+
+namespace mocapress {
+
+/// How long clips are cut. Encoding a segment takes some 150 bytes for each channel and frame.
+struct SegmentPlan {
+  int longest = 12288;  // frames, 256 at least; a longer clip falls into several
+  int overlap = 48;     // frames that neighbours share, 1 at least
+};
+
+/// Joints that inverse kinematics bring to their true places when the clip is played.
+struct CorrectionOptions {
+  std::vector<int> joints;      // to be effectors; empty: the feet
+  std::optional<double> ratio;  // r_IK: coefficients of the differences / kept ones; unset: the
+                                // encoder finds the split between motion and correction
+  IkSolver solver = IkSolver::NearestPose;
+  CorrectAt at = CorrectAt::EveryFrame;
+};
+
+struct EncodeOptions {
+  Method method = Method::Annealed;
+  Coding coding = Coding::Deflate;
+  Basis basis = Basis::Cubic;
+  Weighting weighting = Weighting::BoneEnds;
+  Target target;
+  std::uint64_t seed = 1;  // of the annealing; the same seed gives the same bytes
+  Effort effort = Effort::Default;
+  Importance importance;                             // heeded by annealing and the closed loop
+  std::optional<CorrectionOptions> correction;       // its size counts in ratio and size
+  std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
+  SegmentPlan segments;                              // of a closed loop
+  Ends ends = Ends::Even;                            // of a closed loop; their bytes count
+  std::optional<Loop> loop;                          // whether it is one; unset: find_loop()
+  bool figures_only = false;                         // without the decoded clip: see Encoding
+
+  /// A draft of a closed loop in one segment without correction is not coded: see Encoding.
+  bool size_will_do = false;
+};
+
+/// The coding that will be used. The closed loop has its own, whatever was asked for.
+inline Coding effective_coding(const EncodeOptions& options) {
+  return options.method == Method::ClosedLoop ? Coding::Adaptive : options.coding;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/options/importance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/feet/contact_spans.h"
+#include "core/motion/body_part.h"
+#include "core/select/point_term.h"
+
+namespace mocapress {
+
+MeasuredPoints important_points(const Skeleton& skeleton, Weighting weighting,
+                                const Importance& importance) {
+  MeasuredPoints measured = measured_points(skeleton, weighting);
+  if (importance.joints.empty()) return measured;
+  if (std::ssize(importance.joints) != skeleton.joint_count())
+    throw Error("the importance of every joint is needed, or of none");
+  for (const double factor : importance.joints)
+    if (!std::isfinite(factor) || factor < 0)
+      throw Error("the importance of a joint must be a number, 0 or more");
+  Eigen::VectorXd& weights = measured.weights;
+  for (Eigen::Index p = 0; p < weights.size(); ++p) {
+    const auto joint = measured.points[static_cast<std::size_t>(p)].joint;
+    weights(p) *= importance.joints[static_cast<std::size_t>(joint)];
+  }
+  if (weights.sum() <= 0) throw Error("no joint is of any importance");
+  weights /= weights.sum();
+  return measured;
+}
+
+std::vector<PointResponse> standing_points(const Skeleton& skeleton,
+                                           const Eigen::MatrixXd& original_tracks,
+                                           const std::vector<ContactSpan>& contacts,
+                                           double importance) {
+  // Of joints, so that feet whose joint carries no weight of its own count too.
+  const double share = 1.0 / std::max(skeleton.joint_count(), 1);
+  std::map<int, PointResponse> points;
+  for (const ContactSpan& span : contacts) {
+    if (span.landmark >= skeleton.joint_count()) continue;  // the end of a bone
+    PointResponse& point = points[span.landmark];
+    if (point.joints.empty()) {
+      point.joints = {span.landmark};
+      point.places = original_tracks.middleCols(3 * Eigen::Index{span.landmark}, 3);
+      point.turns.resize(original_tracks.rows(), 0);
+      point.weights = Eigen::MatrixXd::Zero(original_tracks.rows(), 1);
+    }
+    point.weights.middleRows(span.first_frame, span.frames()).setConstant(importance * share);
+  }
+  std::vector<PointResponse> all;
+  for (auto& [joint, point] : points) all.push_back(std::move(point));
+  return all;
+}
+
+namespace {
+
+/// The factor most joints have; of equally frequent ones the least.
+double usual_factor(const std::vector<double>& factors, const std::vector<int>& joints) {
+  std::map<double, int> counts;
+  for (const int joint : joints) ++counts[factors[static_cast<std::size_t>(joint)]];
+  return std::max_element(counts.begin(), counts.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+}  // namespace
+
+double NamedImportance::factor(std::string_view name) const {
+  const auto found = std::find_if(factors.begin(), factors.end(),
+                                  [&](const auto& one) { return one.first == name; });
+  return found == factors.end() ? 1 : found->second;
+}
+
+void NamedImportance::set(const std::string& name, double factor) {
+  const auto place =
+      std::lower_bound(factors.begin(), factors.end(), name,
+                       [](const auto& one, const std::string& text) { return one.first < text; });
+  if (place != factors.end() && place->first == name)
+    place->second = factor;
+  else
+    factors.insert(place, {name, factor});
+}
+
+bool is_body_part(std::string_view name) {
+  return std::any_of(std::begin(kBodyParts), std::end(kBodyParts),
+                     [&](BodyPart part) { return mocapress::name(part) == name; });
+}
+
+std::vector<int> joints_named(const Skeleton& skeleton, const std::string& name) {
+  for (const BodyPart part : kBodyParts)
+    if (name == mocapress::name(part)) return joints_of(skeleton, part);
+  const int joint = skeleton.find(name);
+  return joint < 0 ? std::vector<int>{} : std::vector{joint};
+}
+
+Importance importance_for(const NamedImportance& named, const Skeleton& skeleton) {
+  Importance importance{.joints = {}, .contacts = named.contacts};
+  std::vector<double> factors(static_cast<std::size_t>(skeleton.joint_count()), 1.0);
+  for (const bool parts : {true, false})
+    for (const auto& [name, factor] : named.factors) {
+      if (is_body_part(name) != parts) continue;
+      const std::vector<int> joints = joints_named(skeleton, name);
+      if (joints.empty() && !parts) throw Error("the skeleton has no joint named " + name);
+      for (const int joint : joints) factors[static_cast<std::size_t>(joint)] = factor;
+    }
+  const bool even =
+      std::all_of(factors.begin(), factors.end(), [](double factor) { return factor == 1; });
+  if (!even) importance.joints = std::move(factors);
+  return importance;
+}
+
+NamedImportance named(const Importance& importance, const Skeleton& skeleton) {
+  NamedImportance named{.factors = {}, .contacts = importance.contacts};
+  if (importance.joints.empty()) return named;
+  std::vector<double> covered(importance.joints.size(), 1.0);
+  for (const BodyPart part : kBodyParts) {
+    const std::vector<int> joints = joints_of(skeleton, part);
+    if (joints.empty()) continue;
+    // A joint of the part's own name can be spoken of by that alone.
+    const int namesake = skeleton.find(std::string(name(part)));
+    const bool has_namesake = std::find(joints.begin(), joints.end(), namesake) != joints.end();
+    const double factor = has_namesake ? importance.joints[static_cast<std::size_t>(namesake)]
+                                       : usual_factor(importance.joints, joints);
+    if (factor == 1) continue;
+    named.set(std::string(name(part)), factor);
+    for (const int joint : joints) covered[static_cast<std::size_t>(joint)] = factor;
+  }
+  for (std::size_t j = 0; j < covered.size(); ++j)
+    if (importance.joints[j] != covered[j])
+      named.set(skeleton.joint(static_cast<int>(j)).name, importance.joints[j]);
+  return named;
+}
+
+}  // namespace mocapress

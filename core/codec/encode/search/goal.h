@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "core/codec/encode/options/target.h"
+#include "core/codec/encode/search/count_search.h"
+#include "core/codec/format/compressed_clip.h"
+#include "core/metrics/end_errors.h"
+#include "core/metrics/visibility.h"
+#include "core/motion/body_tracks.h"
+
+namespace mocapress {
+
+/// The motion that decoded clips are compared with, landmark by landmark, some frames at a time.
+class Original {
+ public:
+  using Tracks = std::function<const Eigen::MatrixXd&()>;
+
+  /// `tracks` gives the motion's body_tracks() when they are first needed. Without it, tracks are
+  /// computed for a few frames at a time and never kept. The motion must outlive this.
+  explicit Original(const Motion& motion, Tracks tracks = {})
+      : motion_(motion), tracks_(std::move(tracks)) {}
+
+  const Motion& motion() const { return motion_; }
+
+  /// Rows of body_tracks() of both clips, from first_frame on: in time, each frame once.
+  using Visit =
+      std::function<void(int first_frame, const TrackRows& original, const TrackRows& decoded)>;
+
+  /// Compares with decoded frames, from first_frame on. Their channels may differ from the
+  /// original's; the bones are the same.
+  void compare(int first_frame, const Skeleton& skeleton, const Clip& decoded,
+               const Visit& visit) const;
+
+  /// Compares with a whole compressed clip, in memory that does not grow with its segments.
+  void compare(const CompressedClip& compressed, const Visit& visit) const;
+
+ private:
+  const Motion& motion_;
+  Tracks tracks_;
+};
+
+/// A number of coefficients, chosen and coded, and how far the result is from a goal.
+struct Trial {
+  CompressedClip compressed;
+  int count = 0;
+  double scale = 0;      // of a closed loop
+  double eps_cm = 0;     // of a closed loop, by the quadratic model
+  double bit_price = 0;  // of a closed loop: see ClosedLoop::Result
+  double growth = 0;
+  int iterations = 0;
+  bool complete = true;
+  double achieved = 0;  // the quantity of the target
+  double excess = 0;    // see Goal
+};
+
+/// Which joints' motion is coarsened: of all, or of those that a correction does not reach.
+enum class Coarsened { AllJoints, UncorrectedJoints };
+
+/// A target put to one clip: how near a coded clip comes, and whether that keeps the promise.
+/// An "excess" is the logarithm of what was reached over what was asked, signed so that it grows
+/// with the number of coefficients.
+class Goal {
+ public:
+  /// `contacts`: of the feet, which the eye looks at.
+  Goal(Original original, const Target& target, Weighting weighting,
+       std::vector<ContactSpan> contacts)
+      : original_(std::move(original)),
+        target_(target),
+        weighting_(weighting),
+        contacts_(std::move(contacts)) {}
+
+  /// The target's quantity for a coded clip, which is only decoded for the errors.
+  double achieved(const CompressedClip& compressed) const;
+  double achieved(std::size_t motion_bytes, const std::function<Clip()>& decoded) const;
+  double excess(double achieved) const;
+
+  /// A bound is not exceeded; a ratio is met within 2 %.
+  bool met(double excess) const;
+
+  /// Throws TargetMissed unless met. Coding every coefficient in less space than asked for keeps
+  /// the promise too.
+  void require_met(double excess, double achieved, bool everything_kept) const;
+
+  /// What the eye sees of a coded clip.
+  Visibility seen(const CompressedClip& compressed) const;
+
+  /// How the first and the last pose fare, and the seam between them.
+  EndErrors ends(const CompressedClip& compressed) const;
+
+  /// How far the worst point of each frame is off. cm
+  Eigen::VectorXd worst_of_frames(const CompressedClip& compressed) const;
+
+  /// Raises the weights of frames at which a clip exceeds a hard maximum or is noticed.
+  void raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const;
+
+  /// Whether `excess` is a better outcome than `other`: a kept promise first, then nearness.
+  bool better(double excess, double other) const;
+
+  /// Excesses so near to the target that a search may end.
+  CountSearch::Window window() const;
+
+  /// A first guess at the paper's r.
+  double likely_coefficient_ratio() const;
+
+ private:
+  /// Visits what was decoded beside the original.
+  using Comparison = std::function<void(const Original::Visit&)>;
+  double achieved(std::size_t motion_bytes, const Comparison& compare) const;
+  Visibility seen(const Comparison& compare) const;
+
+  Original original_;
+  Target target_;
+  Weighting weighting_;
+  std::vector<ContactSpan> contacts_;
+};
+
+}  // namespace mocapress

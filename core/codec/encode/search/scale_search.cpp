@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/search/scale_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "core/codec/encode/search/count_search.h"
+
+namespace mocapress {
+namespace {
+
+bool is_by_error(const Target& target) {
+  return target.kind == Target::Kind::Error || target.kind == Target::Kind::MaxError ||
+         target.kind == Target::Kind::Visibility;
+}
+
+/// Trials of one search, of which the best is kept: what is nearest to the target or, of what meets
+/// it, the cheapest.
+class ScaleSearch {
+ public:
+  ScaleSearch(const Goal& goal, const Target& target, const AttemptScale& attempt)
+      : goal_(goal), target_(target), attempt_(attempt) {}
+
+  /// Returns the excess.
+  double try_scale(double scale, ClosedLoopWork work) { return tried(attempt_(scale, work, {})); }
+  double tried(Trial trial) {
+    ++tried_;
+    const double excess = trial.excess;
+    const bool complete = trial.complete;
+    if (!best_ || is_better(trial)) best_ = std::move(trial);
+    best_->complete = complete;  // a search cut short is not, whichever trial was the best
+    return excess;
+  }
+
+  void prefer_cheap() { cheapest_ = true; }
+  int tried() const { return tried_; }
+  bool may_go_on() const { return !best_ || best_->complete; }
+  bool met() const { return best_ && goal_.met(best_->excess); }
+  bool is_near(const Trial& trial, double distance) const {
+    return goal_.met(trial.excess) && std::abs(trial.excess) < distance;
+  }
+  bool is_near(double distance) const { return best_ && is_near(*best_, distance); }
+  Trial& best() { return *best_; }
+
+ private:
+  bool is_better(const Trial& trial) const {
+    if (cheapest_ && goal_.met(trial.excess) && goal_.met(best_->excess))
+      return price(trial) < price(*best_);
+    return !goal_.better(best_->excess, trial.excess);
+  }
+
+  /// Of what the target does not say.
+  double price(const Trial& trial) const {
+    return is_by_error(target_) ? static_cast<double>(trial.compressed.motion_bytes())
+                                : trial.eps_cm;
+  }
+
+  const Goal& goal_;
+  const Target& target_;
+  const AttemptScale& attempt_;
+  bool cheapest_ = false;
+  std::optional<Trial> best_;
+  int tried_ = 0;
+};
+
+ClosedLoopWork work_of(Effort effort) {
+  return effort == Effort::Draft ? ClosedLoopWork::Compensation : ClosedLoopWork::Sweeps;
+}
+
+constexpr double kPowerOfScale = 1.35;  // with which the scale follows the error
+
+/// With which the scale follows the target.
+double power_of_scale(const Target& target) {
+  return is_by_error(target) ? kPowerOfScale : 1.7;
+}
+
+/// How much coarser the scale is at which `work` meets the target, by a rough trial's excess. How
+/// much more error and bytes that has than work would leave differs little from clip to clip
+/// (measured on corpus/train).
+double coarser_after_rough_trial(double excess, const Target& target, ClosedLoopWork work,
+                                 bool corrected) {
+  const bool by_error = is_by_error(target);
+  const bool swept = work == ClosedLoopWork::Sweeps;
+  const double more = by_error ? (swept ? -0.575 : -0.32) : (swept ? 0.17 : 0.06);  // logarithms
+  const double unmended = by_error && corrected ? 0.12 : 0;
+  return std::exp(power_of_scale(target) * std::clamp(excess - more - unmended, -3.0, 3.0));
+}
+
+/// From where a search need not go on: coarsening makes up for more.
+double near_enough(const ScaleGuess& guess, const Target& target) {
+  return guess.dear && target.kind == Target::Kind::MaxError ? 0.15 : 0.02;
+}
+
+/// Tries scales until the target is met. The scale is sought as a count that grows as it gets
+/// finer: by a power with which 1 / error and bytes grow about in proportion.
+void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double near_enough,
+          ClosedLoopWork work, ScaleSearch& trials) {
+  constexpr double kLength = 1e6;  // cm
+  constexpr double kPower = 0.7;
+  constexpr double kNear = 0.02;  // so near, one trial is enough
+  constexpr int kFew = 2;
+  constexpr int kMany = 4;
+  constexpr int kManyMore = 6;  // where it is met at all
+  constexpr int kMost = 12;
+  constexpr double kBeside = 0.01;
+  const auto count_of = [](double scale) {
+    // A clip without frames has no scale: no number.
+    return static_cast<int>(std::fmin(std::fmax(std::pow(kLength / scale, kPower), 1), 1e9));
+  };
+  // Neighbouring scales differ by chance as much as by their size: a narrow window may stay empty.
+  const auto will_do = [&] {
+    return trials.is_near(kNear) ||
+           (trials.is_near(near_enough) && trials.tried() >= (guess.dear ? kFew : kMany)) ||
+           (trials.met() && trials.tried() >= kManyMore);
+  };
+  CountSearch search(count_of(guess.finest()), count_of(first_scale), goal.window(), kMost);
+  while (!search.done() && trials.may_go_on() && !will_do()) {
+    const double scale = kLength / std::pow(std::max(search.count(), 1), 1 / kPower);
+    search.tried(trials.try_scale(scale, work));
+  }
+  // The search may have closed in on a jump: beside it chance has more to offer.
+  const double middle = trials.best().scale;
+  for (int i = 1; i <= kMost && trials.may_go_on() && !trials.met(); ++i) {
+    const int steps_away = i % 2 == 0 ? -(i / 2) : (i + 1) / 2;
+    trials.try_scale(middle * (1 + kBeside * steps_away), work);
+  }
+}
+
+/// A trial that settles, then settled anew by how far it is off the target.
+void settle(const ScaleTrials& trials, const Target& target, double first_scale,
+            ScaleSearch& search) {
+  constexpr int kMost = 8;       // one or two sweeps each, far less than what seek() would try
+  constexpr double kFar = 0.05;  // a logarithm
+  const bool by_error = target.kind == Target::Kind::Error;
+  const double near = by_error ? 0.01 : 0.02;  // enough; bytes differ more by chance
+  double middle = 0;                           // of what will do
+  if (by_error) middle = near / 4;
+  if (target.kind == Target::Kind::Size) middle = -near / 2;
+  const double power = power_of_scale(target) / kPowerOfScale;
+  const auto settle_at = [&](double scale, double aim_cm) {
+    return by_error ? trials.settle(aim_cm, scale, nullptr)
+                    : trials.attempt(scale, ClosedLoopWork::Sweeps, {});
+  };
+  double aim_cm = target.value;
+  Trial trial = settle_at(first_scale, aim_cm);
+  if (!by_error) aim_cm = trial.eps_cm;
+  search.tried(trial);
+  for (int i = 1; i < kMost && search.may_go_on() && !search.is_near(trial, near); ++i) {
+    if (trial.eps_cm <= 0) break;  // nothing moves
+    const double coarser = power * (trial.excess - middle);
+    const double before_cm = std::exchange(aim_cm, trial.eps_cm * std::exp(coarser));
+    // Far off, as where some parts weigh more, another scale is the right one, not another price.
+    const bool is_far = std::abs(std::log(aim_cm / before_cm)) > kFar;
+    trial =
+        is_far ? settle_at(by_error ? trial.scale : trial.scale * std::exp(kPowerOfScale * coarser),
+                           aim_cm)
+               : trials.settle(aim_cm, trial.scale, &trial);
+    search.tried(trial);
+  }
+}
+
+/// A few more trials at scales where the target should just be met: they differ by chance.
+void try_harder(const Target& target, ClosedLoopWork work, ScaleSearch& trials) {
+  constexpr int kTrials = 4;
+  constexpr double kAside = 0.003;  // where a scale was tried
+  trials.prefer_cheap();
+  double scale = trials.best().scale;
+  for (int i = 0; i < kTrials && trials.may_go_on(); ++i) {
+    const double excess = trials.try_scale(scale, work);
+    scale *= std::exp(power_of_scale(target) * excess - kAside);
+  }
+}
+
+/// The same where trials settle: from scales beside the one it came from.
+void settle_beside(const ScaleTrials& trials, const Target& target, ScaleSearch& search) {
+  search.prefer_cheap();
+  const double scale = search.best().scale;
+  for (const double coarser : {0.92, 0.96, 1.04, 1.08})
+    if (search.may_go_on()) settle(trials, target, coarser * scale, search);
+}
+
+/// Larger scales may do where the frames weigh more that exceed the bound. Replaces `best` where
+/// something smaller is found.
+void hold_worst_frames(const Goal& goal, int frames, ClosedLoopWork work,
+                       const AttemptScale& attempt, Trial& best) {
+  constexpr int kRounds = 10;
+  constexpr double kLeastStep = 1.04;
+  for (double step = 1.3; step > kLeastStep;) {
+    const double scale = step * best.scale;
+    Eigen::VectorXd weights = Eigen::VectorXd::Ones(frames);
+    bool held = false;
+    for (int round = 0; round < kRounds && !held; ++round) {
+      Trial trial = attempt(scale, work, weights);
+      best.complete = trial.complete;
+      if (!trial.complete) return;
+      if (!goal.met(trial.excess)) {
+        goal.raise_where_exceeded(trial.compressed, weights);
+        continue;
+      }
+      held = trial.compressed.motion_bytes() < best.compressed.motion_bytes();
+      if (!held) break;
+      best = std::move(trial);
+    }
+    if (!held) step = std::sqrt(step);
+  }
+}
+
+/// Saves what room is left up to the bound. What is coarsened is the motion without its
+/// correction, which makes more or less of the same errors: each frame gets a bound of its own, by
+/// what the correction made of it the last time.
+void approach_bound(const Goal& goal, const Target& target, int frames, const CoarsenTrial& coarsen,
+                    Trial& best) {
+  constexpr int kMost = 24;
+  constexpr int kMostInVain = 6;
+  constexpr double kNear = 0.01;
+  constexpr double kAlike = 0.005;        // of the bytes: for so many a bound is used up
+  constexpr double kRounding = 1e-4;      // between what is coarsened and what is decoded
+  constexpr double kMostWider = 1.1;      // a time
+  constexpr double kTighter = 0.6;        // all frames' bounds, of what was exceeded,
+  constexpr double kMostTighter = 0.012;  // and so much once it held: the rest lies in few frames
+  constexpr double kWidest = 2;           // times the target
+  constexpr Eigen::Index kBeside = 16;    // frames that what is changed at one of them reaches
+  Eigen::VectorXd bound_cm = Eigen::VectorXd::Constant(frames, (1 - kRounding) * target.value);
+  int in_vain = 0;  // since something better came
+  bool has_held = false;
+  for (int i = 0; i < kMost && in_vain < kMostInVain; ++i) {
+    Trial coarser = coarsen(best, bound_cm, Coarsened::AllJoints);
+    best.complete = coarser.complete;
+    if (!coarser.complete) return;
+    const bool met = goal.met(coarser.excess);
+    const bool is_near = met && coarser.excess <= kNear;
+    const Eigen::ArrayXd room =
+        (1 - kNear / 2) * target.value /
+        goal.worst_of_frames(coarser.compressed).array().max(1e-9 * target.value);
+    for (Eigen::Index t = 0; t < frames; ++t) {
+      const Eigen::Index first = std::max<Eigen::Index>(t - kBeside, 0);
+      const Eigen::Index end = std::min<Eigen::Index>(t + kBeside + 1, frames);
+      bound_cm(t) *= std::min(room.segment(first, end - first).minCoeff(), met ? kMostWider : 1);
+    }
+    const double tighter = kTighter * std::min(coarser.excess, 0.0);
+    bound_cm *= std::exp(has_held ? std::max(tighter, -kMostTighter) : tighter);
+    has_held = has_held || met;
+    bound_cm = bound_cm.cwiseMin(kWidest * target.value);
+    const double bytes = static_cast<double>(coarser.compressed.motion_bytes()) /
+                         static_cast<double>(best.compressed.motion_bytes());
+    const bool gets_near = is_near && best.excess > kNear;
+    const bool is_better = met && bytes < (gets_near ? 1 + kAlike : 1);
+    in_vain = is_better || !has_held ? 0 : in_vain + 1;
+    if (is_better) best = std::move(coarser);
+    if (is_near && best.excess <= kNear) return;
+  }
+}
+
+/// The same for joints that no correction reaches, whose errors are known beforehand.
+void approach_bound_elsewhere(const Goal& goal, const Target& target, int frames,
+                              const CoarsenTrial& coarsen, Trial& best) {
+  constexpr double kRounding = 1e-3;  // between what is coarsened and what is decoded
+  Trial coarser = coarsen(best, Eigen::VectorXd::Constant(frames, (1 - kRounding) * target.value),
+                          Coarsened::UncorrectedJoints);
+  best.complete = coarser.complete;
+  if (coarser.complete && goal.met(coarser.excess) &&
+      coarser.compressed.motion_bytes() < best.compressed.motion_bytes())
+    best = std::move(coarser);
+}
+
+}  // namespace
+
+Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
+                   int frames, const ScaleTrials& trials) {
+  const ClosedLoopWork work = work_of(effort);
+  Trial rough = trials.attempt(guess.likely, ClosedLoopWork::Rounding, {});
+  if (!rough.complete) return rough;
+  const double first_scale =
+      guess.likely * coarser_after_rough_trial(rough.excess, target, work, guess.corrected);
+  if (effort == Effort::Draft) return trials.attempt(first_scale, work, {});
+  constexpr double kSettledNear = 0.02;
+  ScaleSearch search(goal, target, trials.attempt);
+  if (trials.settle) settle(trials, target, first_scale, search);
+  if (!search.is_near(kSettledNear))
+    seek(guess, goal, trials.settle ? search.best().scale : first_scale, near_enough(guess, target),
+         work, search);
+  if (effort == Effort::Best && search.met()) {
+    if (trials.settle)
+      settle_beside(trials, target, search);
+    else
+      try_harder(target, work, search);
+  }
+  if (is_by_worst(target) && search.may_go_on()) {
+    if (!guess.dear) hold_worst_frames(goal, frames, work, trials.attempt, search.best());
+    if (target.kind == Target::Kind::MaxError && search.may_go_on())
+      approach_bound(goal, target, frames, trials.coarsen, search.best());
+    if (target.kind == Target::Kind::MaxError && guess.corrected && search.may_go_on())
+      approach_bound_elsewhere(goal, target, frames, trials.coarsen, search.best());
+  }
+  return std::move(search.best());
+}
+
+}  // namespace mocapress

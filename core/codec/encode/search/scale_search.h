@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "core/codec/encode/closed_loop/closed_loop.h"
+#include "core/codec/encode/options/encode_options.h"
+#include "core/codec/encode/search/goal.h"
+
+namespace mocapress {
+
+/// Quantises at a scale and codes the result. `frame_weights` is empty where frames count alike.
+using AttemptScale =
+    std::function<Trial(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights)>;
+
+/// Seeks what leaves that eps_x by the quadratic model: ClosedLoop::quantise_to() near a scale, and
+/// ClosedLoop::settle() of a trial, whose scale is given again.
+using SettleTrial = std::function<Trial(double eps_cm, double scale, const Trial* trial)>;
+
+/// Drops what a hard maximum allows to be dropped: ClosedLoop::coarsen(). A bound for each frame.
+using CoarsenTrial =
+    std::function<Trial(const Trial& trial, const Eigen::VectorXd& bound_cm, Coarsened coarsened)>;
+
+/// Where a search begins and ends.
+struct ScaleGuess {
+  double likely;                   // the scale that is likely to meet the target
+  std::function<double()> finest;  // asked for after the first trial; finer ones do not fit
+  bool dear = false;               // trials are slow: take few, end anywhere within the tolerance
+  bool corrected = false;          // by IK, which mends less than the sweeps expect
+};
+
+/// What a search tries.
+struct ScaleTrials {
+  AttemptScale attempt;
+  CoarsenTrial coarsen;
+  SettleTrial settle = {};  // where trials can be settled
+};
+
+/// Searches the closed loop's scale and returns the best trial, with its bytes coded. It meets the
+/// goal unless that is out of reach, the effort is a draft, or a trial was incomplete. Under a hard
+/// maximum the errors at single frames decide the scale. The search then also tries larger scales
+/// with more weight on those frames, and coarsens what it finds.
+Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
+                   int frames, const ScaleTrials& trials);
+
+}  // namespace mocapress

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/search/split_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mocapress {
+namespace {
+
+constexpr double kShareLeft = 0.1;
+constexpr double kUnseen = 0.1;  // cm of slide: a correction may bring as much
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+SplitSearch::SplitSearch(double slide_without_cm, int finer_steps)
+    : enough_cm_(kShareLeft * slide_without_cm),
+      finer_steps_(finer_steps),
+      best_{kFirst, kNone, kNone, kNone} {}
+
+std::optional<double> SplitSearch::next() const {
+  if (tried_.empty()) return kFirst;
+  const bool held = std::any_of(tried_.begin(), tried_.end(),
+                                [this](const Split& split) { return holds(split); });
+  // Feet that a correction holds, a coarser one may hold too; where the finest that was tried is
+  // the best, a finer one may be better.
+  if (held && holds(tried_.back()) && tried_.back().ratio < kMost) return 2 * tried_.back().ratio;
+  // Feet that hardly slide are held by chance, and the coarsest is the cheapest by far.
+  if (!held && tried_.size() == 1) return kMost;
+  const double finest = tried_.front().ratio;
+  const bool gets_cheaper = tried_.size() < 2 || tried_[0].price <= tried_[1].price;
+  if ((!held || (best_.ratio == finest && gets_cheaper)) && finest > kLeast) return finest / 2;
+  if (!held) return {};
+  const auto above = std::find_if(tried_.begin(), tried_.end(),
+                                  [this](const Split& split) { return split.ratio > best_.ratio; });
+  const auto finer = std::count_if(tried_.begin(), tried_.end(), [](const Split& split) {
+    return std::exp2(std::round(std::log2(split.ratio))) != split.ratio;
+  });
+  if (finer >= finer_steps_ || above == tried_.end()) return {};
+  return std::sqrt(best_.ratio * above->ratio);
+}
+
+bool SplitSearch::tried(const Split& split) {
+  const auto place = std::find_if(tried_.begin(), tried_.end(),
+                                  [&](const Split& other) { return other.ratio > split.ratio; });
+  const bool better = tried_.empty() || is_better(split);
+  tried_.insert(place, split);
+  if (better) best_ = split;
+  return better;
+}
+
+bool SplitSearch::holds(const Split& split) const {
+  return split.price < kNone && (split.slide_cm <= enough_cm_ || split.worst_cm <= kUnseen);
+}
+
+bool SplitSearch::is_better(const Split& split) const {
+  if (holds(split) != holds(best_)) return holds(split);
+  if (holds(split)) return split.price < best_.price;
+  if ((split.price < kNone) != (best_.price < kNone)) return split.price < kNone;
+  return split.slide_cm < best_.slide_cm;
+}
+
+}  // namespace mocapress

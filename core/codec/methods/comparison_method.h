@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The shape of the methods the wavelets are measured against. Their bytes: METHODS.md.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/motion/clip.h"
+#include "core/motion/landmarks.h"
+
+namespace mocapress {
+
+/// One motion, ready to be compressed by one method with more or less detail.
+class DetailCoder {
+ public:
+  virtual ~DetailCoder() = default;
+
+  /// Details are in [0, most_detail()]: bytes grow with them and the error falls.
+  virtual int most_detail() const = 0;
+
+  /// All the bytes that decode() needs besides the skeleton, the frame count and the rate.
+  virtual std::vector<std::byte> encode(int detail) const = 0;
+};
+
+/// A method of compression other than the wavelets of core/codec.
+class ComparisonMethod {
+ public:
+  virtual ~ComparisonMethod() = default;
+
+  virtual std::string_view name() const = 0;   // as in --method: "pca"
+  virtual std::string_view title() const = 0;  // for a legend: "PCA"
+  virtual std::string_view note() const = 0;   // whose it is, and what is simplified here
+
+  /// `weighting`: of the error, for methods that look at it when they choose what to keep.
+  virtual std::unique_ptr<DetailCoder> analyse(const Motion& motion, Weighting weighting) const = 0;
+
+  /// Throws FormatError on anything encode() cannot have written; checks sizes before allocating.
+  virtual Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
+                      std::span<const std::byte> motion) const = 0;
+};
+
+/// The methods that were added, in that order; none at first, for the library carries none.
+std::span<const ComparisonMethod* const> comparison_methods();
+
+/// Adds methods to those that are found by name. Called once, before anything else asks for
+/// methods: see core/baselines/rivals.h.
+void add_comparison_methods(std::span<const ComparisonMethod* const> methods);
+
+/// nullptr when there is none of that name.
+const ComparisonMethod* find_comparison_method(std::string_view name);
+
+}  // namespace mocapress

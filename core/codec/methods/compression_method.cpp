@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/methods/compression_method.h"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <map>
+#include <mutex>
+
+#include "core/base/error.h"
+#include "core/base/number_text.h"
+#include "core/codec/encode/search/count_search.h"
+#include "core/codec/encode/search/goal.h"
+#include "core/codec/format/container.h"
+#include "core/codec/format/room.h"
+#include "core/codec/methods/compared_file.h"
+
+namespace mocapress {
+namespace {
+
+/// A method that is a selection of wavelet coefficients.
+struct WaveletMethod {
+  CompressionMethod compression_method;
+  Method method;
+  Basis basis;
+};
+
+constexpr std::array kWavelets = {
+    WaveletMethod{{"annealed", "Annealed wavelets",
+                   "Cubic wavelets, coefficients moved between channels by annealing: the "
+                   "paper's Algorithm 1, candidates compared by a quadratic error model."},
+                  Method::Annealed,
+                  Basis::Cubic},
+    WaveletMethod{{"standard", "Standard wavelets",
+                   "Cubic wavelets, the largest coefficients of all channels, angles scaled by "
+                   "the length of the bone: the paper's section 4."},
+                  Method::Standard,
+                  Basis::Cubic},
+    WaveletMethod{{"per-channel", "Per-channel wavelets",
+                   "Cubic wavelets, the largest coefficients of each channel, equally many: the "
+                   "paper's first approach in section 4."},
+                  Method::PerChannel,
+                  Basis::Cubic},
+    WaveletMethod{{"haar", "Haar wavelets",
+                   "Standard selection in the Haar basis, with which Arikan (2006) compared."},
+                  Method::Standard,
+                  Basis::Haar},
+    WaveletMethod{
+        {"linear", "Linear wavelets", "Standard selection in the interpolating linear basis."},
+        Method::Standard,
+        Basis::Linear},
+    WaveletMethod{{"closed-loop", "Closed-loop wavelets",
+                   "Cubic wavelets, each coefficient quantised by what its step does to the "
+                   "error in the world, channels making good what others lost; adaptive coding."},
+                  Method::ClosedLoop,
+                  Basis::Cubic},
+};
+
+const WaveletMethod* find_wavelets(std::string_view name) {
+  const auto found = std::find_if(kWavelets.begin(), kWavelets.end(), [&](const auto& wavelets) {
+    return wavelets.compression_method.name == name;
+  });
+  return found == kWavelets.end() ? nullptr : &*found;
+}
+
+std::vector<CompressionMethod> all_methods() {
+  std::vector<CompressionMethod> all;
+  for (const WaveletMethod& wavelets : kWavelets) all.push_back(wavelets.compression_method);
+  for (const ComparisonMethod* method : comparison_methods())
+    all.push_back({method->name(), method->title(), method->note()});
+  return all;
+}
+
+Compression compress_wavelets(const Encoder& encoder, const EncodeOptions& options,
+                              const Observer<EncodeProgress>& observer) {
+  Encoding encoding = encoder.encode(options, observer);
+  Compression compression;
+  compression.file = write_container(encoding.compressed);
+  compression.motion_bytes = encoding.compressed.motion_bytes();
+  compression.decoded = std::move(encoding.decoded);
+  compression.distortion = std::move(encoding.distortion);
+  compression.footskate = std::move(encoding.footskate);
+  compression.visibility = std::move(encoding.visibility);
+  compression.correction = std::move(encoding.correction);
+  compression.coefficient_ratio = encoding.coefficient_ratio;
+  if (options.method == Method::Annealed) compression.iterations = encoding.iterations;
+  compression.seconds = encoding.seconds;
+  compression.complete = encoding.complete;
+  return compression;
+}
+
+/// Searches the detail of a comparison method that meets the target of one compress() call.
+class DetailSearch {
+ public:
+  DetailSearch(Original original, const ComparisonMethod& method, const DetailCoder& coder,
+               const EncodeOptions& options, std::vector<ContactSpan> contacts)
+      : motion_(original.motion()),
+        method_(method),
+        coder_(coder),
+        target_(options.target),
+        goal_(std::move(original), options.target, options.weighting, std::move(contacts)) {}
+
+  struct Trial {
+    std::vector<std::byte> motion;
+    double achieved = 0;
+    double excess = 0;
+  };
+
+  /// The best trial, and whether the observer let the search come to its end.
+  std::pair<Trial, bool> run(const Observer<EncodeProgress>& observer) const {
+    constexpr int kMostTrials = 24;
+    CountSearch search(coder_.most_detail(), coder_.most_detail() / 16, goal_.window(),
+                       kMostTrials);
+    std::optional<Trial> best;
+    bool complete = true;
+    for (int pass = 0; complete && !search.done(); ++pass) {
+      Trial trial = attempt(search.count());
+      search.tried(trial.excess);
+      if (!best || !goal_.better(best->excess, trial.excess)) best = std::move(trial);
+      complete = should_continue(observer, EncodeProgress{.pass = pass});
+    }
+    return {std::move(*best), complete};
+  }
+
+  /// Throws TargetMissed unless the trial keeps the promise; the nearest step keeps that of a
+  /// ratio.
+  void check(const Trial& trial) const {
+    if (goal_.met(trial.excess)) return;
+    if (target_.kind == Target::Kind::Ratio && within_reach(trial)) return;
+    throw TargetMissed("the target of " + significant_text(target_.value, 4) +
+                       " is out of reach with this method: the nearest is " +
+                       significant_text(trial.achieved, 4));
+  }
+
+  Clip decode(const std::vector<std::byte>& motion) const {
+    return method_.decode(motion_.skeleton, motion_.clip.sample_rate_hz, motion_.clip.frames(),
+                          motion);
+  }
+
+ private:
+  Trial attempt(int detail) const {
+    Trial trial{coder_.encode(detail)};
+    trial.achieved = goal_.achieved(trial.motion.size(), [&] { return decode(trial.motion); });
+    trial.excess = goal_.excess(trial.achieved);
+    return trial;
+  }
+
+  /// Whether the ratio lies between those of the least and the most detail: then its nearest step
+  /// is the answer. Coding everything in less space than asked for will do too.
+  bool within_reach(const Trial& nearest) const {
+    return nearest.excess < 0 || attempt(0).excess <= 0;
+  }
+
+  const Motion& motion_;
+  const ComparisonMethod& method_;
+  const DetailCoder& coder_;
+  Target target_;
+  Goal goal_;
+};
+
+}  // namespace
+
+std::span<const CompressionMethod> compression_methods() {
+  static const std::vector<CompressionMethod> kMethods = all_methods();
+  return kMethods;
+}
+
+const CompressionMethod* find_compression_method(std::string_view name) {
+  const auto all = compression_methods();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const CompressionMethod& c) { return c.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string_view method_title(std::string_view name) {
+  const CompressionMethod* compression_method = find_compression_method(name);
+  return compression_method ? compression_method->title : name;
+}
+
+bool choose_wavelets(const CompressionMethod& compression_method, EncodeOptions& options) {
+  const WaveletMethod* wavelets = find_wavelets(compression_method.name);
+  if (!wavelets) return false;
+  options.method = wavelets->method;
+  options.basis = wavelets->basis;
+  return true;
+}
+
+struct MethodEncoder::Parts {
+  explicit Parts(Motion motion) : wavelets(std::move(motion)) {}
+
+  const DetailCoder& coder(const ComparisonMethod& method, Weighting weighting) {
+    const std::lock_guard lock(mutex);
+    auto& coder = coders[{method.name(), weighting}];
+    // Isolated: a thread that waits inside must not take up a task that asks for the same lock.
+    if (!coder)
+      tbb::this_task_arena::isolate([&] { coder = method.analyse(wavelets.motion(), weighting); });
+    return *coder;
+  }
+
+  Encoder wavelets;
+  std::mutex mutex;
+  std::map<std::pair<std::string_view, Weighting>, std::unique_ptr<const DetailCoder>> coders;
+};
+
+MethodEncoder::MethodEncoder(Motion motion) : parts_(std::make_unique<Parts>(std::move(motion))) {}
+MethodEncoder::~MethodEncoder() = default;
+
+const Encoder& MethodEncoder::wavelets() const {
+  return parts_->wavelets;
+}
+
+Compression MethodEncoder::compress(const CompressionMethod& compression_method,
+                                    const EncodeOptions& options,
+                                    const Observer<EncodeProgress>& observer) const {
+  if (EncodeOptions chosen = options; choose_wavelets(compression_method, chosen))
+    return compress_wavelets(parts_->wavelets, chosen, observer);
+  const ComparisonMethod* method = find_comparison_method(compression_method.name);
+  if (method == nullptr) throw Error("unknown method: " + std::string(compression_method.name));
+  if (options.target.kind == Target::Kind::CoefficientRatio)
+    throw Error("the coefficient ratio is a target of wavelet methods only");
+  if (options.correction) throw Error("inverse kinematics can correct wavelet methods only");
+
+  const auto start = std::chrono::steady_clock::now();
+  const Motion& motion = parts_->wavelets.motion();
+  check_room(
+      {motion.skeleton, motion.clip.sample_rate_hz, SegmentLayout::whole(motion.clip.frames())});
+  const Eigen::MatrixXd& body = parts_->wavelets.original_body();
+  const std::vector<ContactSpan>& contacts =
+      options.contacts ? *options.contacts : parts_->wavelets.contacts();
+  const DetailSearch search(Original(motion, [&]() -> const Eigen::MatrixXd& { return body; }),
+                            *method, parts_->coder(*method, options.weighting), options, contacts);
+  auto [best, complete] = search.run(observer);
+  if (complete) search.check(best);
+
+  Compression compression;
+  compression.decoded = search.decode(best.motion);
+  static_cast<Comparison&>(compression) = compare(motion, body, compression.decoded, contacts);
+  compression.motion_bytes = best.motion.size();
+  compression.complete = complete;
+  CompressedClip clip;
+  clip.skeleton = motion.skeleton;
+  clip.sample_rate_hz = motion.clip.sample_rate_hz;
+  clip.frames = motion.clip.frames();
+  clip.motion = std::move(best.motion);
+  clip.provenance.weighting = options.weighting;
+  clip.provenance.eps_cm = static_cast<float>(compression.distortion.eps(options.weighting));
+  clip.provenance.max_error_cm = static_cast<float>(compression.distortion.max.cm);
+  compression.file = write_compared(*method, clip);
+  compression.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return compression;
+}
+
+}  // namespace mocapress

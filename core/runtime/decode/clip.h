@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// What mcpr_clip is: a skeleton, limbs to solve and signals in one block of bytes without pointers.
+#pragma once
+
+#include "core/runtime/decode/resident_signals.h"
+#include "core/runtime/decode/track_block.h"
+#include "core/runtime/format/end_poses.h"
+#include "core/runtime/format/kinds.h"
+#include "core/runtime/format/segment_layout.h"
+#include "core/runtime/ik/limb.h"
+#include "core/runtime/ik/solve.h"
+#include "core/runtime/mocapress_runtime.h"
+
+namespace mocapress::runtime {
+
+/// A LimbPlan in the block.
+struct ResidentLimb {
+  std::uint16_t effectors;
+  std::uint16_t links;
+  std::uint16_t turns;
+  std::uint16_t is_two_bones;
+  std::uint32_t effector_numbers;  // offsets from the clip
+  std::uint32_t effector_links;
+  std::uint32_t link;
+  std::uint32_t turn;
+};
+
+/// The head of the block. All that follows it is found by offsets from here.
+struct ClipBlock {
+  static constexpr std::uint32_t kMark = 0x7263704D;  // tells a clip from other memory
+  std::uint32_t mark = kMark;
+  std::uint32_t joint_count = 0;
+  std::uint32_t channel_count = 0;
+  std::uint32_t effector_count = 0;
+  double sample_rate = 0;  // Hz
+  std::uint64_t total_bytes = 0;
+  std::uint64_t skeleton_bytes = 0;
+  Solver solver = Solver::NearestPose;
+  std::uint32_t solver_iterations = 0;  // at most, for a limb at a frame
+  std::uint16_t limb_count = 0;
+  std::uint16_t most_links = 0;  // of a limb
+  LoopKind loop = LoopKind::None;
+  EndReaches end_reaches;
+  std::uint32_t joints = 0;  // offsets from the clip
+  std::uint32_t names = 0;
+  std::uint32_t limbs = 0;
+  std::uint32_t ends = 0;     // what each end lacks in each channel
+  std::uint32_t motions = 0;  // of each segment: the offset of its signals
+  std::uint32_t tracks = 0;   // mcpr_tracks; 0: there are none
+  SegmentLayout segments;
+  SignalsShape largest;  // no segment's is larger in any way
+
+  template <typename T>
+  const T* at(std::uint32_t offset) const {
+    return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
+  }
+  const mcpr_tracks* scalar_tracks() const {
+    return tracks == 0 ? nullptr : at<mcpr_tracks>(tracks);
+  }
+  const JointModel* joint_models() const { return at<JointModel>(joints); }
+  const float* end_values(int end) const {
+    return at<float>(ends) + static_cast<std::size_t>(end) * channel_count;
+  }
+  const ResidentSignals& motion(int segment) const {
+    return *at<ResidentSignals>(at<std::uint32_t>(motions)[segment]);
+  }
+  /// Frames of one turn; 0: it is no loop.
+  int turn_frames() const {
+    if (loop == LoopKind::None) return 0;
+    return loop == LoopKind::Repeats ? segments.frames - 1 : segments.frames;
+  }
+  LimbPlan limb(int l) const {
+    const ResidentLimb& limb = at<ResidentLimb>(limbs)[l];
+    return {.effectors = limb.effectors,
+            .links = limb.links,
+            .turns = limb.turns,
+            .is_two_bones = limb.is_two_bones != 0,
+            .effector_numbers = at<std::uint16_t>(limb.effector_numbers),
+            .effector_links = at<std::uint16_t>(limb.effector_links),
+            .link = at<LimbLink>(limb.link),
+            .turn = at<LimbTurn>(limb.turn)};
+  }
+};
+
+}  // namespace mocapress::runtime
+
+struct mcpr_clip {
+  mocapress::runtime::ClipBlock block;
+};

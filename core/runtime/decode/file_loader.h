@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// From the bytes of a file to a clip, in two steps: everything decoded into scratch memory, then
+// the resident form made of it. Of a clip in segments scratch memory holds but one decoded, and the
+// coded bytes of all: each is decoded once to check and to measure it, and again to build it.
+#pragma once
+
+#include "core/runtime/decode/clip.h"
+#include "core/runtime/decode/track_loader.h"
+#include "core/runtime/format/coefficient_coder.h"
+#include "core/runtime/format/end_poses.h"
+#include "core/runtime/format/file_sections.h"
+#include "core/runtime/format/joint_bytes.h"
+#include "core/runtime/format/memory.h"
+#include "core/runtime/format/signal_neighbours.h"
+#include "core/runtime/ik/limb_planner.h"
+
+namespace mocapress::runtime {
+
+/// The scratch memory of reading a file: what stands there, and what reading works in.
+class FileLoader {
+ public:
+  /// With measuring memory only to know how much.
+  FileLoader(Memory& memory, const FileSections& sections);
+
+  /// Decodes skeleton, correction and motion.
+  mcpr_result read();
+
+  /// How many bytes build() makes.
+  std::uint64_t resident_size();
+
+  /// Makes the clip in zeroed memory.
+  const mcpr_clip* build(std::byte* memory);
+
+  static constexpr std::uint32_t kMark = 0x6465704FU;  // tells that read() succeeded
+  std::uint32_t mark = 0;
+
+  std::uint32_t solver_iterations = kMostSweeps;  // that the clip allows
+
+ private:
+  mcpr_result read_joints();
+  mcpr_result order_angles_of_joints();
+  mcpr_result turn_axes_of_joints();
+  mcpr_result plan_limbs();
+  mcpr_result read_tracks() { return tracks_.read(); }
+  mcpr_result read_motion();
+  std::uint64_t lay_out(std::byte* memory);
+  void lay_out_motion(BlockLayout& block, ClipBlock& head, std::byte* memory);
+  mcpr_result read_segment(int segment);
+  mcpr_result decode_segment(int segment, const Bytes& coded);
+  void find_double_precision_limits();
+  void read_ends(EndReader& ends, int pose);
+  void read_end(EndReader& ends, int end);
+  QuantisedSource source(int segment) const;
+
+  FileSections sections_;
+  std::uint8_t* joint_bytes_;
+  JointModel* joints_;
+  std::int16_t* parents_;
+  std::uint8_t* channel_counts_;
+  std::uint16_t* depths_;  // of each joint, 1 at a root
+  std::uint32_t name_bytes_ = 0;
+  SignalNeighbours* neighbours_;
+  AdaptiveBit* contexts_;
+  std::uint8_t* coded_motion_;  // a copy of MOTN, where it is in segments
+  struct Segment {
+    std::size_t first_byte;  // in MOTN
+    std::size_t bytes;
+    std::uint64_t resident_bytes;
+  };
+  Segment* segments_;
+  int decoded_ = -1;  // the segment that the next three are of
+  std::int32_t* step_exponents_;
+  std::int32_t* values_;
+  float* steps_;
+  float* double_precision_limits_;
+  float* reach_;  // of each joint
+  float* ends_;   // what the first frame lacks in each channel, then the last; null: nothing
+  std::uint8_t* notes_;
+  JointByteCoder joint_coder_;
+  NeighbourFinder neighbour_finder_;
+  CoderNotes coder_notes_;
+  LimbPlanner limb_planner_;
+  TrackLoader tracks_;
+  EffectorEnds effectors_[kMostEffectors];
+};
+
+/// The scratch memory that reading takes: refused where the coding is not adaptive, or where it is
+/// more than the limits allow.
+mcpr_result find_read_bytes(const FileSections& sections, const mcpr_limits& limits,
+                            std::uint64_t& bytes);
+
+mcpr_info info_of(const FileSections& sections, std::uint64_t read_bytes);
+
+/// mcpr_read() of sections that take so much scratch memory.
+mcpr_result read_into(const FileSections& sections, std::uint64_t read_bytes,
+                      const mcpr_limits& limits, void* scratch, std::size_t scratch_size,
+                      std::size_t& resident_bytes);
+
+}  // namespace mocapress::runtime

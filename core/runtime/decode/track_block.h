@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Scalar tracks of a clip in one block of bytes without pointers: part of a resident clip and, byte
+// for byte the same, of what is cooked from it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/runtime/decode/resident_signals.h"
+#include "core/runtime/format/kinds.h"
+#include "core/runtime/format/track_records.h"
+#include "core/runtime/mocapress_runtime.h"
+
+namespace mocapress::runtime {
+
+/// A track in the block.
+struct ResidentTrack {
+  std::uint32_t node = 0;  // where its name is among the names, and the track's own
+  std::uint32_t name = 0;
+  std::uint32_t first = 0;  // its number among the curves, or that of its first run
+  std::uint32_t run_count = 0;
+  std::uint8_t kind = 0;
+  std::uint8_t is_curve = 0;
+  std::uint8_t steps = 0;
+  std::uint8_t padding = 0;
+};
+
+}  // namespace mocapress::runtime
+
+struct mcpr_tracks {
+  std::uint32_t bytes;  // of all
+  std::uint32_t frames;
+  std::uint32_t count;
+  std::uint32_t curve_count;
+  std::uint32_t run_count;
+  std::uint32_t name_bytes;
+  std::uint32_t tracks;  // ResidentTrack; offsets from this
+  std::uint32_t names;   // each ends with a zero
+  std::uint32_t runs;    // TrackRun
+  std::uint32_t curves;  // ResidentSignals; 0: there are none
+  mocapress::runtime::LoopKind loop;
+  std::uint8_t padding[7];
+
+  template <typename T>
+  const T* at(std::uint32_t offset) const {
+    return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
+  }
+  const mocapress::runtime::ResidentTrack& track(std::size_t number) const {
+    return at<mocapress::runtime::ResidentTrack>(tracks)[number];
+  }
+  const mocapress::runtime::ResidentSignals& signals() const {
+    return *at<mocapress::runtime::ResidentSignals>(curves);
+  }
+};
+
+namespace mocapress::runtime {
+
+/// Whether a block from anywhere, of which there are so many bytes, can be played: it ends within
+/// them, and so does all that it points to.
+bool are_sound(const mcpr_tracks& tracks, std::uint64_t bytes);
+
+}  // namespace mocapress::runtime

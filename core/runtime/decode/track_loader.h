@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// From the section trks of a file to the tracks of a clip: as FileLoader, in two steps.
+#pragma once
+
+#include "core/runtime/decode/block_layout.h"
+#include "core/runtime/decode/track_block.h"
+#include "core/runtime/format/coefficient_coder.h"
+#include "core/runtime/format/file_sections.h"
+#include "core/runtime/format/memory.h"
+#include "core/runtime/format/track_records.h"
+
+namespace mocapress::runtime {
+
+class TrackLoader {
+ public:
+  /// With measuring memory only to know how much. Works in the memory of what is `done_with`.
+  TrackLoader(Memory& memory, const FileSections& sections, const JointByteCoder& done_with);
+
+  /// Decodes all tracks. The file is not needed afterwards.
+  mcpr_result read();
+
+  /// Puts them into a block as mcpr_tracks, and gives their offset; 0: there are none.
+  std::uint32_t lay_out(BlockLayout& block, LoopKind loop) const;
+
+ private:
+  mcpr_result read_curves();
+  QuantisedSource source() const;
+  std::uint64_t lay_out(std::byte* memory, LoopKind loop) const;
+  void put_records(ResidentTrack* resident, char* names) const;
+
+  TracksHead head_;
+  std::uint32_t frames_;
+  std::uint8_t* records_;
+  TrackRun* runs_;
+  SignalNeighbours* neighbours_;
+  AdaptiveBit* contexts_;
+  std::int32_t* step_exponents_;
+  std::int32_t* values_;
+  float* steps_;
+  float* double_precision_limits_;
+  std::uint8_t* notes_;
+  Bands bands_;
+  CoderNotes coder_notes_;
+  TrackByteCoder byte_coder_;
+};
+
+}  // namespace mocapress::runtime

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// The contexts of the adaptive coding: FORMAT.md, "Adaptive coding".
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <string_view>
+
+#include "core/runtime/format/mixed_bit.h"
+#include "core/runtime/format/value_prediction.h"
+
+namespace mocapress::runtime {
+
+/// A block of contexts with up to three indices.
+struct ContextTable {
+  int first = 0;
+  int second_size = 1;
+  int third_size = 1;
+
+  constexpr int at(int i, int j = 0, int k = 0) const {
+    return first + (i * second_size + j) * third_size + k;
+  }
+};
+
+inline constexpr int kLevels = 8;         // 0: the finest band
+inline constexpr int kSizes = 8;          // size_of()
+inline constexpr int kDegrees = 10;       // degree_of()
+inline constexpr int kExpectations = 32;  // half_octave_of()
+inline constexpr int kClasses = 8;        // binary digits of a magnitude: 1 ... 8 or more
+inline constexpr int kNumberKinds = 6;
+inline constexpr int kNumberRelations = 16;
+inline constexpr int kFourthRelations = 32;
+inline constexpr int kSigns = 3;
+inline constexpr int kOpinionSteps = 32;  // opinion_step()
+
+/// Where each context is. Those before `shared` begin with what other clips taught; the others are
+/// each signal's own.
+struct ContextLayout {
+  ContextTable zero_near, zero_crowd, zero_expected;
+  ContextTable class_recent, class_expected;
+  ContextTable top_expected, top_recent, next_digit;
+  ContextTable sign_near, sign_above;
+  ContextTable significant_level, significant_neighbours, significant_length;
+  ContextTable number_plain, number_first, number_second, number_third, number_top;
+  ContextTable zero_opinion, class_opinion, top_opinion, sign_opinion, next_opinion, lower_opinion;
+  ContextTable number_fourth;
+  int shared = 0;
+  ContextTable zero_own, class_own, sign_neighbours, sign_before;
+  int end = 0;
+
+  explicit constexpr ContextLayout(int signal_count) {
+    const auto table = [this](int i, int j = 1, int k = 1) {
+      const ContextTable made{end, j, k};
+      end += i * j * k;
+      return made;
+    };
+    zero_near = table(kLevels, kSizes, kSizes);
+    zero_crowd = table(kDegrees, kSizes, kSizes);
+    zero_expected = table(kLevels, kExpectations);
+    class_recent = table(kClasses, kDegrees, kDegrees);
+    class_expected = table(kClasses, kExpectations);
+    top_expected = table(kClasses, kExpectations);
+    top_recent = table(kClasses, kDegrees, kSizes);
+    next_digit = table(kClasses, 2, 8);
+    sign_near = table(kLevels, kSigns * kSigns, kSigns);
+    sign_above = table(kSigns * kSigns, kSigns, 2);
+    significant_level = table(kLevels, kDegrees);
+    significant_neighbours = table(3, 3, kDegrees);
+    significant_length = table(kLevels, 8, kDegrees);
+    number_plain = table(kNumberKinds, 32);
+    number_first = table(kNumberKinds, kNumberRelations, 16);
+    number_second = table(kNumberKinds, kNumberRelations, 16);
+    number_third = table(kNumberKinds, kNumberRelations, 16);
+    number_top = table(kNumberKinds, 32);
+    zero_opinion = table(kLevels, kOpinionSteps);
+    class_opinion = table(kClasses, kLevels, kOpinionSteps);
+    top_opinion = table(kLevels, kOpinionSteps);
+    sign_opinion = table(kLevels, kOpinionSteps);
+    next_opinion = table(kLevels, kOpinionSteps);
+    lower_opinion = table(kLevels, kOpinionSteps);
+    number_fourth = table(kNumberKinds, kFourthRelations, 16);
+    shared = end;
+    zero_own = table(signal_count, kLevels);
+    class_own = table(signal_count, kClasses);
+    sign_neighbours = table(signal_count, kSigns, kSigns);
+    sign_before = table(signal_count, kSigns, kSigns);
+  }
+};
+
+/// The sets of mixing weights, by what is coded.
+struct MixingSets {
+  static constexpr int kSignificant = 0;
+  static constexpr int kZero = 1;                 // by level
+  static constexpr int kClass = kZero + kLevels;  // by class
+  static constexpr int kTop = kClass + kClasses;
+  static constexpr int kSign = kTop + 1;
+  static constexpr int kNumber = kSign + 1;  // by kind
+  static constexpr int kNext = kNumber + kNumberKinds;
+  static constexpr int kLower = kNext + 1;
+  static constexpr int kCount = kLower + 1;
+
+  /// What is coded in a set, for what contexts are worth there.
+  static constexpr int kKinds = 8;
+  static constexpr int kind_of(int set) {
+    return set == kSignificant ? 0
+           : set < kClass      ? 1
+           : set < kTop        ? 2
+           : set == kTop       ? 3
+           : set == kSign      ? 4
+           : set < kNext       ? 5
+           : set == kNext      ? 6
+                               : 7;
+  }
+
+  /// The bits of values have further weights, chosen by the scale that is expected of them.
+  static constexpr int kScaleSteps = 8;
+  static constexpr bool has_scales(int set) {
+    return set != kSignificant && (set < kNumber || set >= kNext);
+  }
+  static constexpr int scale_step(int scale) { return std::min(scale / 4, kScaleSteps - 1); }
+};
+
+/// Of each kind of bit, of each of its contexts.
+inline constexpr int kMostContexts = 5;
+using Confidences = std::array<std::array<Confidence, kMostContexts>, MixingSets::kKinds>;
+
+/// All that the coding has learned so far. `contexts` are layout.end, in memory of whoever made it.
+struct CoefficientModel {
+  CoefficientModel(int signal_count, AdaptiveBit* memory)
+      : layout(signal_count), contexts(memory) {}
+
+  /// What it knows before the first bit: coefficient_priors.cpp.
+  void begin();
+
+  /// The same without those: for fitting them.
+  void begin_untaught();
+
+  /// Takes up what is known of contexts, as context_priors() and context_trust() give it.
+  void teach(std::string_view priors, std::string_view trust);
+
+  ContextLayout layout;
+  AdaptiveBit* contexts;
+  std::array<MixingWeights, MixingSets::kCount> weights;
+  std::array<std::array<MixingWeights, MixingSets::kScaleSteps>, MixingSets::kCount>
+      weights_by_scale;
+};
+
+/// Binary digits of v >= 0.
+inline int digits_of(int v) {
+  return static_cast<int>(std::bit_width(static_cast<unsigned>(v)));
+}
+
+/// A sum of neighbouring magnitudes as 0 ... 7.
+inline int size_of(int sum) {
+  constexpr std::array<std::uint8_t, 16> kSmall = {0, 1, 2, 3, 3, 4, 4, 4, 5, 5, 5, 5, 5, 5, 6, 6};
+  return sum < 16 ? kSmall[static_cast<std::size_t>(sum)] : sum < 40 ? 6 : 7;
+}
+
+/// The binary digits of v >= 0, but 9 at most.
+inline int degree_of(int v) {
+  return std::min(digits_of(v), kDegrees - 1);
+}
+
+/// v >= 0 on a scale of two steps an octave, 31 at most.
+inline int half_octave_of(int v) {
+  const int digits = digits_of(v);
+  return v < 2 ? v : std::min(2 * digits - 2 + (v >> (digits - 2) & 1), kExpectations - 1);
+}
+
+/// Log odds in half nats.
+inline int opinion_step(std::int32_t log_odds) {
+  return (log_odds + 2048) >> 7;
+}
+
+/// 0 1 2 for zero, minus, plus.
+inline int sign_of(int v) {
+  return v > 0 ? 2 : v < 0 ? 1 : 0;
+}
+
+}  // namespace mocapress::runtime

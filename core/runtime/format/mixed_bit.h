@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Based on: M. Mahoney, "Adaptive Weighing of Context Models for Lossless Data Compression", 2005
+// (logistic mixing).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/runtime/format/range_decoder.h"
+
+namespace mocapress::runtime {
+
+/// Log odds are in 256ths: 256 = e.
+inline constexpr std::int32_t kLogOddsRange = 2047;  // -8 ... 8
+
+/// The probability (65536ths) of log odds.
+constexpr std::int32_t squash(std::int32_t log_odds) {
+  // 65536 / (1 + exp(-x / 2)) for x = -16 ... 16.
+  constexpr std::array<std::int32_t, 33> kSquashed = {
+      22,    36,    60,    98,    162,   267,   439,   720,   1179,  1921,  3108,
+      4971,  7812,  11955, 17625, 24743, 32768, 40793, 47911, 53581, 57724, 60565,
+      62428, 63615, 64357, 64816, 65097, 65269, 65374, 65438, 65476, 65500, 65514};
+  const std::int32_t x = std::clamp(log_odds, -kLogOddsRange, kLogOddsRange) + 2048;
+  const auto i = static_cast<std::size_t>(x >> 7);
+  const std::int32_t share = x & 127;
+  return (kSquashed[i] * (128 - share) + kSquashed[i + 1] * share + 64) >> 7;
+}
+
+/// The inverse of squash() for the upper 12 bits of a probability.
+extern const std::array<std::int16_t, 4096> kStretched;
+
+/// What is known of the bits of one context: a probability that follows them, fast at first.
+struct AdaptiveBit {
+  static constexpr std::uint16_t kSlowest = 250;
+
+  std::uint16_t one = 32768;  // of a set bit, in 65536ths
+  std::uint16_t seen = 0;     // counts no further than the slowest rate
+
+  void follow(bool bit);
+};
+
+/// How far a context goes to meet a bit that it sees after so many others, in 65536ths.
+extern const std::array<std::int32_t, AdaptiveBit::kSlowest + 1> kRates;
+
+inline void AdaptiveBit::follow(bool bit) {
+  const std::int32_t target = bit ? 65535 : 0;
+  const std::int64_t step = static_cast<std::int64_t>(target - one) * kRates[seen];
+  one = static_cast<std::uint16_t>(one + (step >> 16));
+  if (seen < kSlowest) ++seen;
+}
+
+/// How far the log odds of a context count, by how often it has seen a bit: 256 = as they are. Few
+/// bits say little, and many bits of long ago may say too much.
+inline constexpr int kSeenSteps = 8;
+using Confidence = std::array<std::int16_t, kSeenSteps>;
+
+/// Which of them, by `seen`.
+extern const std::array<std::uint8_t, AdaptiveBit::kSlowest + 1> kSeenStep;
+
+/// How much each of several contexts is to be believed. Integers, 65536 = once.
+struct MixingWeights {
+  static constexpr std::size_t kMost = 8;
+  std::array<std::int32_t, kMost> of{};
+};
+
+/// The prediction of one bit from several contexts, each of which saw its share of the past.
+/// Whatever is coded passes through here, so it is open to the compiler, and the number of contexts
+/// is known to it.
+template <std::size_t count, std::size_t opinion_count = 0>
+class MixedBit {
+ public:
+  static constexpr std::size_t kAll = count + opinion_count;
+  static_assert(kAll <= MixingWeights::kMost);
+
+  /// `opinions` are log odds that come from elsewhere; their weights follow those of the contexts.
+  /// `confidences` are of each context, if they differ from 1. Weights of `more` are added to
+  /// `weights`, and learn as those do.
+  MixedBit(const std::array<AdaptiveBit*, count>& contexts, MixingWeights& weights,
+           const std::array<std::int32_t, opinion_count>& opinions = {},
+           const Confidence* confidences = nullptr, MixingWeights* more = nullptr)
+      : contexts_(contexts), weights_(weights), more_(more) {
+    for (std::size_t i = 0; i < count; ++i) {
+      evidence_[i] = kStretched[contexts[i]->one >> 4];
+      if (confidences != nullptr)
+        evidence_[i] = evidence_[i] * confidences[i][kSeenStep[contexts[i]->seen]] >> 8;
+    }
+    std::copy(opinions.begin(), opinions.end(), evidence_.begin() + count);
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < kAll; ++i) {
+      const std::int64_t weight = weights.of[i] + (more == nullptr ? 0 : more->of[i]);
+      sum += weight * evidence_[i];
+    }
+    const auto log_odds = std::clamp<std::int64_t>(sum >> 16, -kLogOddsRange, kLogOddsRange);
+    one_ = static_cast<Probability>(squash(static_cast<std::int32_t>(log_odds)));
+  }
+
+  Probability one() const { return one_; }
+
+  /// Weights that other bits taught already may follow more slowly.
+  static constexpr int kSlow = 17;
+  static constexpr int kSlower = 18;
+
+  void follow(bool bit, int slowness = kSlow) {
+    constexpr std::int32_t kRate = 3;
+    constexpr std::int64_t kMost = 1 << 22;  // 64: hostile bytes cannot overflow
+    const std::int32_t surprise = (bit ? 65536 : 0) - static_cast<std::int32_t>(one_);
+    for (std::size_t i = 0; i < kAll; ++i) {
+      // 65536ths of weight; the product fits 64 bits by far.
+      const std::int64_t step = static_cast<std::int64_t>(surprise) * evidence_[i] * kRate;
+      const std::int64_t change = (step + (std::int64_t{1} << (slowness - 1))) >> slowness;
+      const auto follow = [&](std::int32_t& weight) {
+        weight =
+            static_cast<std::int32_t>(std::clamp<std::int64_t>(weight + change, -kMost, kMost));
+      };
+      follow(weights_.of[i]);
+      if (more_ != nullptr) follow(more_->of[i]);
+    }
+    for (AdaptiveBit* const context : contexts_) context->follow(bit);
+  }
+
+ private:
+  const std::array<AdaptiveBit*, count> contexts_;
+  MixingWeights& weights_;
+  MixingWeights* more_;
+  std::array<std::int32_t, kAll> evidence_;  // log odds
+  Probability one_;
+};
+
+}  // namespace mocapress::runtime

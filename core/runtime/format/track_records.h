@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Scalar tracks: FORMAT.md, trks. The same walk for writing and reading.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "core/runtime/format/digit_coder.h"
+#include "core/runtime/format/file_sections.h"
+#include "core/runtime/format/joint_bytes.h"
+#include "core/runtime/format/signal_neighbours.h"
+
+namespace mocapress::runtime {
+
+/// Samples of curves beyond this are decoded in double precision, as those of a channel are.
+inline constexpr float kTrackDoublePrecision = 8;
+
+/// Which value of a track the next byte belongs to.
+class TrackFields {
+ public:
+  static constexpr int kCount = 6;  // length of the node's name, that name, the same of the track,
+                                    // kind, flags
+
+  int field() const { return field_; }
+
+  void follow(std::uint8_t byte) {
+    if (field_ == 0 || field_ == 2) left_ = byte;
+    if ((field_ == 1 || field_ == 3) && --left_ > 0) return;
+    const bool is_empty_name = (field_ == 0 || field_ == 2) && left_ == 0;
+    field_ = (field_ + (is_empty_name ? 2 : 1)) % kCount;
+  }
+
+ private:
+  int field_ = 0;
+  int left_ = 0;  // bytes of a name
+};
+
+using TrackByteCoder = RecordByteCoder<TrackFields>;
+
+struct TrackRecord {
+  static constexpr std::uint8_t kIsCurve = 1;  // flags
+  static constexpr std::uint8_t kSteps = 2;
+
+  const std::uint8_t* node = nullptr;  // UTF-8
+  std::uint8_t node_length = 0;
+  const std::uint8_t* name = nullptr;
+  std::uint8_t name_length = 0;
+  std::uint8_t kind = 0;
+  std::uint8_t flags = 0;
+
+  bool is_curve() const { return (flags & kIsCurve) != 0; }
+  bool steps() const { return (flags & kSteps) != 0; }
+};
+
+/// Frames in a row that have one value, bit for bit.
+struct TrackRun {
+  std::uint32_t end;  // the first frame after it
+  float value;
+};
+
+/// Codes the runs of tracks that are held, track after track.
+class RunCoder {
+ public:
+  /// The run that begins at `first`, of a track of so many frames. `Bits` as of CoefficientCoder.
+  template <typename Bits>
+  void code(Bits& bits, std::uint32_t first, std::uint32_t frames, TrackRun& run) {
+    const bool goes_on = first > 0;  // it is not the track's first
+    if (code_bit(bits, is_last_[goes_on], run.end == frames)) {
+      run.end = frames;
+    } else {
+      const auto length = static_cast<std::int32_t>(run.end - first);
+      run.end = first + 1 + static_cast<std::uint32_t>(length_.code(bits, length - 1));
+      if (run.end >= frames) bits.refuse();
+    }
+    code_value(bits, place_[goes_on], run.value);
+  }
+
+ private:
+  static constexpr std::int32_t kRecent = 16;
+
+  /// By how recent it is, or in full.
+  template <typename Bits>
+  void code_value(Bits& bits, DigitCoder& coder, float& value) {
+    auto pattern = std::bit_cast<std::uint32_t>(value);
+    std::int32_t place = 0;
+    while (place < kRecent && recent_[static_cast<std::size_t>(place)] != pattern) ++place;
+    place = coder.code(bits, place);
+    if (place > kRecent) return bits.refuse();
+    if (place == kRecent) {
+      std::uint32_t coded = 0;
+      for (int d = 31; d >= 0; --d)
+        coded =
+            coded << 1 | static_cast<std::uint32_t>(bits.code((pattern >> d & 1) != 0, kEvenOdds));
+      pattern = coded;
+      --place;  // the oldest goes
+    } else {
+      pattern = recent_[static_cast<std::size_t>(place)];
+    }
+    for (auto i = static_cast<std::size_t>(place); i > 0; --i) recent_[i] = recent_[i - 1];
+    recent_[0] = pattern;
+    value = std::bit_cast<float>(pattern);
+    if (!std::isfinite(value)) bits.refuse();
+  }
+
+  AdaptiveBit is_last_[2];
+  DigitCoder length_;
+  DigitCoder place_[2];
+  std::array<std::uint32_t, kRecent> recent_ = {0, 0x3F800000};  // 0, 1, then zeros
+};
+
+/// A curve is like the one before it.
+inline void set_track_neighbours(int curves, SignalNeighbours* neighbours) {
+  for (int s = 0; s < curves; ++s) neighbours[s] = {s - 1, -1};
+}
+
+/// Reads the next track's record.
+mcpr_result read_track_record(Cursor& cursor, TrackRecord& record);
+
+/// Decodes what is not curves: head.record_bytes into `records`, then head.runs into `runs`, those
+/// of each held track in turn. All records are checked.
+mcpr_result decode_tracks(const TracksHead& head, std::uint32_t frames, TrackByteCoder& coder,
+                          std::uint8_t* records, TrackRun* runs);
+
+}  // namespace mocapress::runtime

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// What a coefficient's value is likely to be, given those decoded already: FORMAT.md, "What is
+// expected of a value". Integers only, so that every machine decodes the same bits.
+// Based on: Y. V. Zakharov, G. P. White and J. Liu, "Low-complexity RLS algorithms using
+// dichotomous coordinate descent iterations", 2008 (recursive least squares without a matrix to
+// invert).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "core/runtime/format/mixed_bit.h"
+
+namespace mocapress::runtime {
+
+/// Scales of a coefficient: four an octave, kScaleOfOne stands for 1.
+inline constexpr int kScales = 64;
+inline constexpr int kScaleOfOne = 12;
+
+/// log2(v) in 256ths, between powers of two along a line. v > 0.
+inline int log2_256(std::uint32_t v) {
+  const int digits = static_cast<int>(std::bit_width(v));
+  const std::uint32_t mantissa = digits > 9 ? v >> (digits - 9) : v << (9 - digits);
+  return 256 * (digits - 1) + static_cast<int>(mantissa & 255);
+}
+
+/// 65536 / 2^((scale - kScaleOfOne) / 4), rounded.
+extern const std::array<std::int32_t, kScales> kInverseScales;
+
+/// How much each feature around a coefficient adds to what is expected of its magnitude, by level.
+/// 1024 = once. Fitted to corpus/train.
+inline constexpr int kScaleFeatures = 18;
+inline constexpr int kScaleLevels = 8;
+using ScaleWeights = std::array<std::array<std::int16_t, kScaleFeatures>, kScaleLevels>;
+extern const ScaleWeights kScaleWeights;
+
+/// Recursive least squares for one signal: learns by which weights the coefficients around one add
+/// up to it. Values are divided by the scale that is expected of them, in 64ths.
+struct SignalPrediction {
+  static constexpr int kTaps = 24;
+  static constexpr int kFarthest = 1023;
+
+  void begin();
+
+  /// `taps` are kTaps, and may be followed by others.
+  int of(const std::int16_t* taps) const;
+
+  /// Learns what came instead of the prediction: `error` = value - prediction.
+  void follow(const std::int16_t* taps, int error);
+
+  std::array<std::int32_t, kTaps * kTaps> products;  // of two taps, row after row
+  std::array<std::int64_t, kTaps> errors;            // of each tap and what its weight leaves
+  std::array<std::int32_t, kTaps> weights;           // 16384 = once
+  std::int32_t seen;
+
+  static constexpr std::int32_t kMostSeen = 512;  // then what was seen counts half
+  static constexpr int kMoves = 3;                // weights that are moved at a time
+  static constexpr std::int64_t kMostLeft = std::int64_t{1}
+                                            << 40;  // of an error: hostile bytes cannot overflow
+
+  void halve();
+
+  /// Returns by how much a weight is moved.
+  std::int64_t move_weight(int tap);
+
+  std::int32_t& product(int row, int column) {
+    return products[static_cast<std::size_t>(row * kTaps + column)];
+  }
+};
+
+/// What recursive least squares leave of one signal: the same coefficients and those of further
+/// signals, with weights that follow slowly and cost little (normalised least mean squares).
+struct RestPrediction {
+  static constexpr int kTaps = 56;  // those of SignalPrediction come first
+  using Taps = std::array<std::int16_t, kTaps>;
+
+  void begin() { weights.fill(0); }
+  int of(const Taps& taps) const;
+
+  /// Learns what came instead: `error` = what was left - prediction.
+  void follow(const Taps& taps, int error);
+
+  /// The weights move by this times their taps.
+  static std::int16_t step_of(int error, std::int32_t squares) {
+    constexpr std::int32_t kRate = 121635;  // 0.116
+    return static_cast<std::int16_t>(error * kRate / squares);
+  }
+  static constexpr std::int32_t kRidge = 58 * 640;  // squares that count beside those of the taps
+  static constexpr std::int32_t kMost = 4 << 20;    // of a weight
+
+  std::array<std::int32_t, kTaps> weights;  // 2^20 = once
+};
+
+/// What the two predict and learn, in the instruction set that the machine has. Integers: all do
+/// the same.
+struct PredictionKernels {
+  int (*of_signal)(const SignalPrediction&, const std::int16_t* taps);
+  void (*signal_follows)(SignalPrediction&, const std::int16_t* taps, int error);
+  int (*of_rest)(const RestPrediction&, const RestPrediction::Taps& taps);
+  void (*rest_follows)(RestPrediction&, const RestPrediction::Taps& taps, int error);
+
+  /// Values divided by their scale, in 64ths: `inverse` of kInverseScales.
+  void (*normalise)(const std::array<std::int32_t, RestPrediction::kTaps>& values,
+                    std::int32_t inverse, RestPrediction::Taps& taps);
+};
+
+extern const PredictionKernels kPlainPrediction;
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define MOCAPRESS_PREDICTION_AVX2
+extern const PredictionKernels kAvx2Prediction;  // where the machine has AVX2
+#endif
+
+const PredictionKernels& best_prediction();
+
+/// One of them. Its product with a value in 64 bits, for what is no larger once it is clamped so.
+constexpr std::int32_t largest_normal(std::int32_t inverse) {
+  return ((SignalPrediction::kFarthest + 1) << 10) / inverse + 1;
+}
+inline std::int16_t normalised(std::int32_t value, std::int32_t inverse) {
+  const std::int32_t most = largest_normal(inverse);
+  return static_cast<std::int16_t>(std::clamp(std::clamp(value, -most, most) * inverse >> 10,
+                                              -SignalPrediction::kFarthest,
+                                              SignalPrediction::kFarthest));
+}
+
+/// 2^30 / (1 + exp(i / 4)), i = 0 ... 64.
+extern const std::array<std::int32_t, 65> kLogisticTails;
+
+/// A value as a logistic distribution about what is expected. Its scale is 0.7 of the mean
+/// distance.
+class ExpectedValue {
+ public:
+  /// `mean` in 64ths, `deviation` (mean distance from it) in 256ths, > 0.
+  ExpectedValue(std::int64_t mean, std::int32_t deviation)
+      : mean_(mean), inverse_((1463 << 10) / std::max(deviation, 16)) {}
+
+  /// Two opinions on each bit, as log odds: of this distribution and one half as wide.
+  using Opinions = std::array<std::int32_t, 2>;
+
+  /// Shares of both distributions, of 2^30.
+  using Shares = std::array<std::int32_t, 2>;
+  static constexpr std::int32_t kWhole = 1 << 30;
+
+  /// Of `value` and more; of -`value` and less.
+  Shares from(std::int64_t value) const {
+    return {above(64 * value - 32, 0), above(64 * value - 32, 1)};
+  }
+  Shares down_from_minus(std::int64_t value) const {
+    return {kWhole - above(32 - 64 * value, 0), kWhole - above(32 - 64 * value, 1)};
+  }
+
+  /// The sign is known: what follows is of magnitudes.
+  void fold(bool minus) { mean_ = minus ? -mean_ : mean_; }
+
+  /// Of part / whole.
+  static Opinions opinions(const Shares& part, const Shares& whole) {
+    return {log_odds(part[0], whole[0]), log_odds(part[1], whole[1])};
+  }
+
+ private:
+  /// The share of the distribution above x (64ths), of 2^30.
+  std::int32_t above(std::int64_t x, int half) const {
+    constexpr std::int64_t kFarthest = 16 << 8;
+    const std::int64_t far = std::clamp<std::int64_t>(
+        (x - mean_) * inverse_ >> (half != 0 ? 9 : 10), -kFarthest, kFarthest);
+    const auto z = static_cast<std::uint32_t>(far < 0 ? -far : far);
+    const std::size_t i = z >> 6;
+    const std::int32_t tail =
+        i >= 64 ? kLogisticTails[64]
+                : kLogisticTails[i] -
+                      static_cast<std::int32_t>(
+                          static_cast<std::int64_t>(kLogisticTails[i] - kLogisticTails[i + 1]) *
+                              (z & 63) >>
+                          6);
+    return far < 0 ? kWhole - tail : tail;
+  }
+
+  /// Of part / whole; unknown where so little is left that it says nothing.
+  static std::int32_t log_odds(std::int32_t part, std::int32_t whole) {
+    if (whole < 256) return 0;
+    const int shift =
+        std::max(static_cast<int>(std::bit_width(static_cast<std::uint32_t>(whole))) - 18, 0);
+    const std::uint32_t p = (static_cast<std::uint32_t>(part) >> shift << 12) /
+                            (static_cast<std::uint32_t>(whole) >> shift);
+    return kStretched[std::min<std::uint32_t>(p, 4095)];
+  }
+
+  std::int64_t mean_;
+  std::int32_t inverse_;
+};
+
+inline ExpectedValue::Shares sum(const ExpectedValue::Shares& a, const ExpectedValue::Shares& b) {
+  return {a[0] + b[0], a[1] + b[1]};
+}
+inline ExpectedValue::Shares difference(const ExpectedValue::Shares& a,
+                                        const ExpectedValue::Shares& b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+
+}  // namespace mocapress::runtime

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+#include "core/runtime/pose/cooked_columns.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+namespace mocapress::runtime {
+
+CookedColumns::CookedColumns(Memory& memory, const ClipBlock& clip,
+                             CookedCoefficients& coefficients)
+    : clip_(clip), coefficients_(coefficients) {
+  const auto channels = std::uint64_t{clip_.channel_count};
+  channels_ = memory.take<Channel>(channels);
+  rotors_ = memory.take<Rotor>(clip_.joint_count);
+  vectors_ = reinterpret_cast<int(*)[3]>(
+      memory.take<int>(3 * (std::uint64_t{clip_.joint_count} / kGroup + 1)));
+  columns_ = memory.take<Column>(kMostColumns);
+  moving_ = memory.take<MovingAxis>(channels);
+  added_ = memory.take<AddedColumn>(channels);
+  turns_ = memory.take<Turn>(channels + 2 * std::uint64_t{clip_.joint_count});
+}
+
+mcpr_result CookedColumns::place() {
+  std::fill_n(channels_, clip_.channel_count, Channel{});
+  std::fill_n(columns_, kMostColumns, Column{});
+  for (std::uint32_t j = 0; j < clip_.joint_count; ++j) {
+    const JointModel& joint = clip_.joint_models()[j];
+    for (int c = 0; c < joint.channels; ++c) {
+      Channel& channel = channels_[joint.first_channel + c];
+      channel.joint = static_cast<std::uint16_t>(j);
+      channel.kind = joint.kinds[c];
+      channel.factor = is_rotation(joint.kinds[c]) ? 0.5 : 1;
+      channel.is_wide = channel.changes = coefficients_.is_corrected(joint.first_channel + c);
+      channel.least = std::numeric_limits<double>::max();
+      channel.most = std::numeric_limits<double>::lowest();
+      for (int end = 0; end < kMostEnds && clip_.end_reaches.frames[end] > 0; ++end)
+        channel.changes |= clip_.end_values(end)[joint.first_channel + c] != 0;
+    }
+  }
+  for (int k = 0; k < clip_.segments.count(); ++k) analyse_segment(k);
+  for (int c = 0; c < channel_count(); ++c)
+    for (int end = 0; end < kMostEnds && clip_.end_reaches.frames[end] > 0; ++end)
+      channels_[c].furthest += largest_end_share(end, clip_.end_reaches.frames[end]) *
+                               std::abs(static_cast<double>(clip_.end_values(end)[c]));
+  choose_wide();
+  return place_columns();
+}
+
+void CookedColumns::analyse_segment(int segment) {
+  coefficients_.load(segment);
+  const Bands& bands = coefficients_.bands();
+  for (int c = 0; c < channel_count(); ++c) {
+    Channel& channel = channels_[c];
+    const std::span<double> samples = coefficients_.samples_of(c, kFewestBands);
+    const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
+    channel.least = std::min(channel.least, *least);
+    channel.most = std::max(channel.most, *most);
+    if (is_rotation(channel.kind)) see_angles(c, segment);
+    for (int depth = 1; depth <= kMostKeptBands && depth < bands.count; ++depth)
+      for (int i = 0; i < bands[bands.count - depth].size; ++i)
+        channel.largest[depth - 1] = std::max(
+            channel.largest[depth - 1], std::abs(coefficients_.value(c, bands.count - depth, i)));
+  }
+}
+
+/// How far an angle gets in a segment. Where a loop goes on from the last frame to the first, a
+/// root goes as far again as it came in the last frame.
+void CookedColumns::see_angles(int c, int segment) {
+  Channel& channel = channels_[c];
+  const std::span<const double> angles = coefficients_.samples_of(c, 0);
+  const auto see = [&](double angle) {
+    channel.furthest = std::max(channel.furthest, std::abs(angle));
+  };
+  for (const double angle : angles) see(angle);
+  if (clip_.loop == LoopKind::Follows && segment + 1 == clip_.segments.count() && angles.size() > 1)
+    see(2 * angles.back() - angles[angles.size() - 2]);
+}
+
+/// Of angles, with room for what samples and weights in 16 bits are off.
+bool CookedColumns::is_near(const Channel& channel) const {
+  constexpr double kEighth = 0.785398163;  // radians
+  constexpr double kRoom = 2e-3;
+  const double furthest = channel.changes ? channel.furthest : std::abs(channel.constant);
+  return channel.factor * furthest < kEighth - kRoom;
+}
+
+/// Which channels are too large for 16-bit samples, or for whole weights times their details.
+void CookedColumns::choose_wide() {
+  constexpr double kStill = 1e-7;  // cm or radians
+  for (int c = 0; c < channel_count(); ++c) {
+    Channel& channel = channels_[c];
+    const std::int32_t* const largest = channel.largest;
+    const bool has_details =
+        std::any_of(largest, largest + kMostKeptBands, [](std::int32_t v) { return v != 0; });
+    channel.changes |= has_details || channel.most - channel.least > kStill;
+    channel.constant = 0.5 * (channel.least + channel.most);
+    channel.is_wide |=
+        channel.changes && (channel.most - channel.least > kMostRange ||
+                            *std::max_element(largest, largest + kMostBands) > kMostValue);
+    if (!channel.is_wide) continue;
+    for (int b = 0; b < wide_bands_; ++b)
+      if (largest[b] > kMostValue) wide_bands_ = b;
+  }
+}
+
+/// Channels that are wide come eight at a time: of those that have no column yet, the ones with the
+/// largest details make up the number.
+void CookedColumns::fill_wide() {
+  int wide = 0;
+  for (int c = 0; c < channel_count(); ++c) wide += channels_[c].is_wide ? 1 : 0;
+  const auto size_of = [](const Channel& channel) {
+    return *std::max_element(channel.largest, channel.largest + kMostBands);
+  };
+  for (; wide % kGroup != 0; ++wide) {
+    Channel* largest = nullptr;
+    for (int c = 0; c < channel_count(); ++c) {
+      Channel& channel = channels_[c];
+      if (!channel.is_wide && channel.changes && channel.column < 0 &&
+          (largest == nullptr || size_of(channel) > size_of(*largest)))
+        largest = &channel;
+    }
+    if (largest == nullptr) return;
+    largest->is_wide = true;
+  }
+}
+
+int CookedColumns::new_group() {
+  if (kGroup * (groups_ + 1) > kMostColumns) return -1;
+  for (int i = 0; i < kGroup; ++i) columns_[kGroup * groups_ + i] = {.is_free = true};
+  return groups_++;
+}
+
+/// The first free column for a channel, from the wide ones' on if it is one, or a new one. -1:
+/// there is none.
+std::int32_t CookedColumns::place(int channel) {
+  std::int32_t column = channels_[channel].is_wide ? kGroup * normal_groups_ : 0;
+  while (column < kGroup * groups_ && !columns_[column].is_free) ++column;
+  if (column == kGroup * groups_ && new_group() < 0) return -1;
+  columns_[column] = {.channel = channel, .factor = channels_[channel].factor};
+  return column;
+}
+
+/// Which channels turn a joint, and how: as a rotor, as other turns, or not at all.
+void CookedColumns::place_joint(int j) {
+  const JointModel& joint = clip_.joint_models()[j];
+  Rotor rotor{.joint = static_cast<std::uint16_t>(j)};
+  int turning = 0;
+  bool changes = false;
+  unsigned axes = 0;
+  bool repeats = false;
+  for (int c = 0; c < joint.channels; ++c) {
+    const int number = joint.first_channel + c;
+    const Channel& channel = channels_[number];
+    if (!is_rotation(channel.kind) || (!channel.changes && channel.constant == 0)) continue;
+    changes |= channel.changes;
+    const unsigned axis = 1U << axis_of(channel.kind);
+    repeats |= (axes & axis) != 0;
+    axes |= axis;
+    if (turning < 3) {
+      rotor.channel[turning] = static_cast<std::uint16_t>(number);
+      if (!is_near(channel)) rotor.are_near &= static_cast<std::uint8_t>(~(1U << turning));
+    }
+    ++turning;
+  }
+  if (!changes) return;
+  if (!repeats) {
+    rotor.angles = static_cast<std::uint8_t>(turning);
+    rotors_[rotor_count_++] = rotor;
+    return;
+  }
+  const auto number = static_cast<std::uint16_t>(j);
+  const auto add = [&](int axis, int channel, bool after) {
+    turns_[turn_count_++] = {{number, static_cast<std::uint16_t>(axis), 0}, channel, after};
+  };
+  if (joint.has_axes) add(OtherTurn::kConstant, -1, false);
+  for (int c = 0; c < joint.channels; ++c)
+    if (is_rotation(joint.kinds[c])) {
+      channels_[joint.first_channel + c].changes = true;  // so that it has a column
+      add(axis_of(joint.kinds[c]), joint.first_channel + c, false);
+    }
+  if (joint.has_axes) add(OtherTurn::kConstant, -1, true);
+}
+
+/// The columns in which most joints of a group of rotors have an angle are where the rotors want
+/// them.
+bool CookedColumns::place_full_vectors() {
+  for (int first = 0; first < rotor_count_; first += kGroup)
+    for (int a = 0; a < 3; ++a) {
+      const int joints = std::min(kGroup, rotor_count_ - first);
+      const auto has_own = [&](int i) {
+        const Rotor& rotor = rotors_[first + i];
+        return i < joints && a < rotor.angles && channels_[rotor.channel[a]].changes &&
+               !channels_[rotor.channel[a]].is_wide;
+      };
+      int own = 0;
+      for (int i = 0; i < kGroup; ++i) own += has_own(i) ? 1 : 0;
+      int& group = vectors_[first / kGroup][a];
+      group = -1;
+      if (own <= kGroup / 2) continue;
+      if ((group = new_group()) < 0) return false;
+      for (int i = 0; i < joints; ++i) {
+        const Rotor& rotor = rotors_[first + i];
+        if (a >= rotor.angles) continue;
+        const Channel& channel = channels_[rotor.channel[a]];
+        columns_[kGroup * group + i] = {
+            .channel = has_own(i) ? rotor.channel[a] : -1,
+            .base = channel.changes ? 0 : channel.constant * channel.factor,
+            .factor = channel.factor};
+      }
+    }
+  return true;
+}
+
+/// Angles that are not where their rotors want them, and all that no rotor wants.
+bool CookedColumns::place_others(bool wide) {
+  for (int c = 0; c < channel_count(); ++c) {
+    Channel& channel = channels_[c];
+    if (!channel.changes || channel.is_wide != wide) continue;
+    if (channel.column < 0) channel.column = place(c);
+    if (channel.column < 0) return false;
+    if (!is_rotation(channel.kind))
+      moving_[moving_count_++] = {channel.joint, static_cast<std::uint16_t>(axis_of(channel.kind)),
+                                  static_cast<std::uint32_t>(channel.column)};
+  }
+  return true;
+}
+
+/// Groups of columns that no rows are kept of: they get their values from others.
+bool CookedColumns::place_gathered_vectors() {
+  for (int first = 0; first < rotor_count_; first += kGroup)
+    for (int a = 0; a < rotors_[first].angles; ++a) {
+      int& group = vectors_[first / kGroup][a];
+      const bool is_new = group < 0;
+      if (is_new && (group = new_group()) < 0) return false;
+      for (int i = 0; i < kGroup && first + i < rotor_count_; ++i) {
+        const Rotor& rotor = rotors_[first + i];
+        if (a >= rotor.angles) continue;
+        const Channel& channel = channels_[rotor.channel[a]];
+        const int column = kGroup * group + i;
+        if (is_new && !channel.changes) columns_[column].base = channel.constant * channel.factor;
+        if (channel.changes && channel.column != column)
+          added_[added_count_++] = {static_cast<std::uint16_t>(channel.column),
+                                    static_cast<std::uint16_t>(column)};
+      }
+    }
+  return true;
+}
+
+mcpr_result CookedColumns::place_columns() {
+  const auto too_many = failure(MCPR_LIMIT, 0, "more channels than a cooked clip can have");
+  for (std::uint32_t j = 0; j < clip_.joint_count; ++j) place_joint(static_cast<int>(j));
+  // Those that turn far beside each other: of three angles first, of two last, of one first.
+  std::sort(rotors_, rotors_ + rotor_count_, [](const Rotor& a, const Rotor& b) {
+    if (a.angles != b.angles) return a.angles > b.angles;
+    if (a.are_near != b.are_near) {
+      const bool is_further = a.far() != b.far() ? a.far() > b.far() : a.are_near < b.are_near;
+      return is_further == (a.angles != 2);
+    }
+    return a.joint < b.joint;
+  });
+  if (!place_full_vectors()) return too_many;
+  for (int k = 0; k < kGroup * groups_; ++k)
+    if (columns_[k].channel >= 0) channels_[columns_[k].channel].column = k;
+  fill_wide();
+  if (!place_others(false)) return too_many;
+  normal_groups_ = groups_;
+  if (!place_others(true)) return too_many;
+  row_groups_ = groups_;
+  if (!place_gathered_vectors()) return too_many;
+  place_offsets();
+  const auto add_parts = [&](int first, int end, bool wide) {
+    for (; first < end; first += kMostGroupsOfPart)
+      parts_[part_count_++] = {
+          .first_group = static_cast<std::uint16_t>(first),
+          .groups = static_cast<std::uint16_t>(std::min(end - first, kMostGroupsOfPart)),
+          .kept_bands = static_cast<std::uint8_t>(wide ? wide_bands_ : kMostBands),
+          .wide_samples = static_cast<std::uint8_t>(wide ? 1 : 0)};
+  };
+  add_parts(0, normal_groups_, false);
+  add_parts(normal_groups_, row_groups_, true);
+  return kOk;
+}
+
+/// What does not change of a translation goes with the first column that moves it.
+void CookedColumns::place_offsets() {
+  for (int m = 0; m < moving_count_; ++m) {
+    const JointModel& joint = clip_.joint_models()[moving_[m].joint];
+    double base = joint.offset[moving_[m].axis];
+    for (int c = 0; c < joint.channels; ++c) {
+      const Channel& channel = channels_[joint.first_channel + c];
+      if (!channel.changes && channel.kind == moving_[m].axis) base += channel.constant;
+    }
+    columns_[moving_[m].column].base = base;
+  }
+}
+
+void CookedColumns::keep_bands(int bands) {
+  for (int p = 0; p < part_count_; ++p)
+    if (parts_[p].wide_samples == 0) parts_[p].kept_bands = static_cast<std::uint8_t>(bands);
+}
+
+}  // namespace mocapress::runtime

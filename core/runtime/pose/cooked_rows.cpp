@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+#include "core/runtime/pose/cooked_rows.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <span>
+
+namespace mocapress::runtime {
+namespace {
+
+constexpr std::uint64_t kMostPerBlock = 20;    // on average, if a block has several rows
+constexpr std::uint64_t kMostEntries = 65535;  // of a band: where a block begins is 16 bits
+
+struct Limits {
+  std::int32_t least;
+  std::int32_t most;
+};
+
+constexpr Limits limits_of(RowKind kind) {
+  switch (kind) {
+    case RowKind::None:
+      return {0, 0};
+    case RowKind::Crumbs:
+      return {-2, 1};
+    case RowKind::Nibbles:
+      return {-8, 7};
+    case RowKind::Bytes:
+      return {-128, 127};
+    case RowKind::Words:
+      break;
+  }
+  return {-32768, 32767};
+}
+
+/// What dense rows of a kind leave to entries.
+constexpr std::int32_t left_by(RowKind kind, std::int32_t value) {
+  const Limits limits = limits_of(kind);
+  return value - std::clamp(value, limits.least, limits.most);
+}
+
+constexpr std::int32_t kLeastOfEntry = -(1 << (15 - kColumnBits - kRowBits));
+constexpr std::int32_t kMostOfEntry = -kLeastOfEntry - 1;
+
+/// Entries whose values come to this.
+constexpr std::uint64_t entries_for(std::int32_t value) {
+  return static_cast<std::uint64_t>(value < 0 ? (value + kLeastOfEntry + 1) / kLeastOfEntry
+                                              : (value + kMostOfEntry - 1) / kMostOfEntry);
+}
+
+/// The upper half of a float: to the nearest, or not below.
+std::uint16_t upper_half(double value, bool up) {
+  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  return static_cast<std::uint16_t>((bits + (up ? 0xFFFFU : 0x8000U)) >> 16);
+}
+
+class RowWriter {
+ public:
+  RowWriter(CookedBlock& block, const CookedColumns& columns, CookedCoefficients& coefficients)
+      : block_(block), columns_(columns), coefficients_(coefficients) {}
+
+  CookedRows put_part(const CookedPart& part);
+  /// After all parts.
+  CookedEntries put_entries(int first_group, int depth);
+
+ private:
+  float put_steps(const CookedPart& part, std::byte* scales) const;
+  CookedBand put_band(const CookedPart& part, int depth);
+  void put_dense(std::byte* rows, const CookedPart& part, RowKind kind, int depth) const;
+  const Bands& bands() const { return coefficients_.bands(); }
+  int rows_of(int depth) const { return bands()[bands().count - depth].size; }
+  std::int32_t value(int column, int depth, int row) const {
+    const std::int32_t channel = columns_.column(column).channel;
+    return channel < 0 ? 0 : coefficients_.value(channel, bands().count - depth, row);
+  }
+  bool may_have_entries(int depth) const {
+    return static_cast<std::uint64_t>(rows_of(depth)) >> kMostLog2RowsOfBlock < kMostEntries;
+  }
+
+  CookedBlock& block_;
+  const CookedColumns& columns_;
+  CookedCoefficients& coefficients_;
+  // What was chosen for the bands of each group; not kept bands are neither dense nor entries.
+  struct Chosen {
+    RowKind kind = RowKind::None;
+    bool is_kept = false;
+  };
+  Chosen chosen_[kMostColumns / kGroup][kMostKeptBands];
+};
+
+CookedRows RowWriter::put_part(const CookedPart& part) {
+  CookedRows rows;
+  const int columns = kGroup * part.groups;
+  const int kept = std::min<int>(part.kept_bands, bands().count - 1);
+  const bool is_wide = part.wide_samples != 0;
+  rows.scales = block_.reserve(scale_bytes(is_wide, static_cast<std::uint64_t>(columns)));
+  std::byte* const scales = block_.at(rows.scales);
+  if (scales != nullptr) rows.unit = put_steps(part, scales);
+  const int samples = std::max(bands().length(bands().count - 1 - kept), kSampleWindow);
+  const std::size_t width = is_wide ? 4 : 2;
+  rows.samples =
+      block_.reserve(width * static_cast<std::size_t>(columns) * static_cast<std::size_t>(samples));
+  std::byte* const sample_rows = block_.at(rows.samples);
+  for (int c = 0; sample_rows != nullptr && c < columns; ++c) {
+    const CookedColumns::Column& from = columns_.column(kGroup * part.first_group + c);
+    const bool is_empty = from.channel < 0;  // its base alone, in all rows
+    double none = 0;
+    const std::span<double> own =
+        is_empty ? std::span(&none, 1) : coefficients_.samples_of(from.channel, kept);
+    const std::size_t repeats = is_empty ? static_cast<std::size_t>(samples) : 1;
+    for (double& sample : own) sample = sample * from.factor + from.base;
+    std::byte* to = sample_rows + width * static_cast<std::size_t>(c);
+    const std::size_t row_bytes = width * static_cast<std::size_t>(columns);
+    if (is_wide) {
+      for (const double value : own) {
+        const auto sample = static_cast<float>(value);
+        std::memcpy(to, &sample, sizeof sample);
+        to += row_bytes;
+      }
+      continue;
+    }
+    const auto [least, most] = std::minmax_element(own.begin(), own.end());
+    const std::uint16_t offset = upper_half(0.5 * (*least + *most), false);
+    const auto middle = static_cast<double>(from_upper_half(offset));
+    const std::uint16_t scale =
+        upper_half(std::max({(*most - middle) / 32767, (middle - *least) / 32767, 1e-30}), true);
+    std::memcpy(scales + 2 * c, &offset, sizeof offset);
+    std::memcpy(scales + 2 * (columns + c), &scale, sizeof scale);
+    for (std::size_t i = 0; i < repeats * own.size(); ++i) {
+      const double value = own[is_empty ? 0 : i] - middle;
+      const auto sample = static_cast<std::int16_t>(
+          std::lround(value / static_cast<double>(from_upper_half(scale))));
+      std::memcpy(to, &sample, sizeof sample);
+      to += row_bytes;
+    }
+  }
+  CookedBand* const bands = block_.reserve_for<CookedBand>(part.kept_bands, rows.bands);
+  for (int depth = 1; depth <= kept; ++depth) {
+    const CookedBand band = put_band(part, depth);
+    if (bands != nullptr) bands[depth - 1] = band;
+  }
+  return rows;
+}
+
+/// The steps of columns; returns the unit they are in. Whole sums are times 2^15.
+float RowWriter::put_steps(const CookedPart& part, std::byte* scales) const {
+  const int columns = kGroup * part.groups;
+  const auto step_of = [&](int c) {
+    const CookedColumns::Column& from = columns_.column(kGroup * part.first_group + c);
+    return from.channel < 0 ? 0 : coefficients_.step(from.channel) * from.factor;
+  };
+  if (part.wide_samples != 0) {
+    for (int c = 0; c < columns; ++c) {
+      const auto step = static_cast<float>(step_of(c));
+      std::memcpy(scales + 4 * c, &step, sizeof step);
+    }
+    return 0x1p-15F;
+  }
+  double largest = 0;
+  for (int c = 0; c < columns; ++c) largest = std::max(largest, step_of(c));
+  for (int c = 0; c < columns; ++c) {
+    const std::uint16_t step = upper_half(largest > 0 ? step_of(c) / largest : 0, false);
+    std::memcpy(scales + 2 * (2 * columns + c), &step, sizeof step);
+  }
+  // Steps are the largest by roots of powers of two, of which every other one is cut by 1.07e-4:
+  // that goes half to each.
+  return static_cast<float>(largest * 0x1p-15 * (1 + 0.535e-4));
+}
+
+/// The smallest of all kinds, where a byte of entries, which take time one by one, counts as more.
+CookedBand RowWriter::put_band(const CookedPart& part, int depth) {
+  constexpr std::uint64_t kEntryIsWorth = 11;  // quarters of bytes of dense rows
+  const int rows = rows_of(depth);
+  const int first = kGroup * part.first_group;
+  const int end = first + kGroup * part.groups;
+  CookedBand best;
+  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+  for (const RowKind kind :
+       {RowKind::None, RowKind::Crumbs, RowKind::Nibbles, RowKind::Bytes, RowKind::Words}) {
+    std::uint64_t entries = 0;
+    for (int c = first; c < end; ++c)
+      for (int i = 0; i < rows; ++i) entries += entries_for(left_by(kind, value(c, depth, i)));
+    if (entries > (may_have_entries(depth) ? kMostEntries * part.groups / kMostGroupsOfPart : 0))
+      continue;
+    const std::uint64_t cost =
+        4 * static_cast<std::uint64_t>(bundles_of(kind, rows)) * bundle_bytes(kind) * part.groups +
+        kEntryIsWorth * entries;
+    if (cost >= least) continue;
+    least = cost;
+    best.kind = kind;
+  }
+  for (int g = 0; g < part.groups; ++g)
+    chosen_[part.first_group + g][depth - 1] = {best.kind, true};
+  if (best.kind == RowKind::None) return best;
+  best.rows = block_.reserve(static_cast<std::uint64_t>(bundles_of(best.kind, rows)) *
+                             bundle_bytes(best.kind) * part.groups);
+  if (std::byte* const memory = block_.at(best.rows)) put_dense(memory, part, best.kind, depth);
+  return best;
+}
+
+void RowWriter::put_dense(std::byte* rows, const CookedPart& part, RowKind kind, int depth) const {
+  const int count = rows_of(depth);
+  const int together = rows_together(kind);
+  const Limits limits = limits_of(kind);
+  const auto put = [&](unsigned bits, int bytes) {
+    for (int i = 0; i < bytes; ++i) *rows++ = static_cast<std::byte>(bits >> (8 * i));
+  };
+  for (int bundle = 0; bundle < bundles_of(kind, count); ++bundle)
+    for (int c = 0; c < kGroup * part.groups; ++c) {
+      unsigned bits = 0;
+      for (int i = 0; i < together; ++i) {
+        const int row = together * bundle + i;
+        const std::int32_t number =
+            row < count ? std::clamp(value(kGroup * part.first_group + c, depth, row), limits.least,
+                                     limits.most)
+                        : 0;
+        if (kind == RowKind::Crumbs)
+          bits |= static_cast<unsigned>(number + 2) << (2 * i);
+        else if (kind == RowKind::Nibbles)
+          bits |= static_cast<unsigned>(number + 8) << (4 * i);
+        else if (kind == RowKind::Bytes)
+          bits |= (static_cast<unsigned>(number) & 0xFF) << (8 * i);
+        else
+          bits |= (static_cast<unsigned>(number) & 0xFFFF) << (16 * i);
+      }
+      put(bits, static_cast<int>(bundle_bytes(kind)) / kGroup);
+    }
+}
+
+CookedEntries RowWriter::put_entries(int first_group, int depth) {
+  const int groups = std::min(columns_.row_groups() - first_group, kMostGroupsOfPart);
+  const int rows = depth < bands().count ? rows_of(depth) : 0;
+  const auto each = [&](int first_row, int end_row, const auto& use) {
+    for (int row = first_row; row < end_row; ++row)
+      for (int c = 0; c < kGroup * groups; ++c) {
+        const Chosen& chosen = chosen_[first_group + c / kGroup][depth - 1];
+        if (!chosen.is_kept) continue;
+        use(row, c, left_by(chosen.kind, value(kGroup * first_group + c, depth, row)));
+      }
+  };
+  std::uint64_t count = 0;
+  each(0, rows, [&](int, int, std::int32_t left) { count += entries_for(left); });
+  CookedEntries made;
+  if (count == 0) return made;
+  const auto blocks = [&] { return static_cast<std::uint64_t>((rows - 1) >> made.log2_rows) + 1; };
+  while (made.log2_rows < kMostLog2RowsOfBlock &&
+         (2 * count <= kMostPerBlock * blocks() || blocks() > kMostEntries))
+    ++made.log2_rows;
+  made.blocks = static_cast<std::uint16_t>(blocks());
+  made.begins = block_.reserve(2 * (blocks() + 1 + count), 2);
+  std::byte* const memory = block_.at(made.begins);
+  if (memory == nullptr) return made;
+  const auto put = [&](std::uint64_t at, std::uint16_t word) {
+    std::memcpy(memory + 2 * at, &word, sizeof word);
+  };
+  std::uint64_t entries = 0;
+  for (int block = 0; block < made.blocks; ++block) {
+    put(static_cast<std::uint64_t>(block), static_cast<std::uint16_t>(entries));
+    each(block << made.log2_rows, std::min(rows, (block + 1) << made.log2_rows),
+         [&](int row, int c, std::int32_t left) {
+           while (left != 0) {
+             const std::int32_t now = std::clamp(left, kLeastOfEntry, kMostOfEntry);
+             put(made.blocks + 1U + entries++,
+                 static_cast<std::uint16_t>(static_cast<unsigned>(now) << (kColumnBits + kRowBits) |
+                                            (static_cast<unsigned>(row) & ((1U << kRowBits) - 1))
+                                                << kColumnBits |
+                                            static_cast<unsigned>(c)));
+             left -= now;
+           }
+         });
+  }
+  put(made.blocks, static_cast<std::uint16_t>(entries));
+  return made;
+}
+
+}  // namespace
+
+void lay_out_rows(CookedBlock& block, const CookedColumns& columns,
+                  CookedCoefficients& coefficients, CookedRows* rows, CookedEntries* entries) {
+  RowWriter writer(block, columns, coefficients);
+  for (const CookedPart& part : columns.parts()) {
+    const CookedRows made = writer.put_part(part);
+    if (rows != nullptr) *rows++ = made;
+  }
+  for (int group = 0; group < columns.row_groups(); group += kMostGroupsOfPart)
+    for (int depth = 1; depth <= kMostKeptBands; ++depth) {
+      const CookedEntries made = writer.put_entries(group, depth);
+      if (entries != nullptr) *entries++ = made;
+    }
+}
+
+}  // namespace mocapress::runtime

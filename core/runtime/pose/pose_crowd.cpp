@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "core/runtime/pose/pose_crowd.h"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#include "core/runtime/pose/pose_sampler.h"
+
+namespace mocapress::runtime {
+namespace {
+
+/// By clip, then bands left out, then frame: within one, no order saves anything.
+std::uint64_t sort_key_of(const mcpr_crowd_request& request, const mcpr_character& character) {
+  const PlaceInClip place =
+      place_in_clip(*character.clip, request_of(request, character), character.time);
+  static_assert(MCPR_MOST_BANDS_LEFT_OUT < 8);
+  const auto clip = reinterpret_cast<std::uintptr_t>(character.clip) / kAlignment;
+  return static_cast<std::uint64_t>(clip) << 32 | std::uint64_t{character.bands_left_out} << 29 |
+         static_cast<std::uint64_t>(place.frame);
+}
+
+}  // namespace
+
+mcpr_sample_request request_of(const mcpr_crowd_request& request, const mcpr_character& character) {
+  return {.layout = request.layout,
+          .unit = request.unit,
+          .wrap = character.wrap,
+          .path = request.path,
+          .joints = nullptr,
+          .joint_count = 0,
+          .selection = character.selection,
+          .bands_left_out = character.bands_left_out};
+}
+
+CrowdSorter::CrowdSorter(Memory& memory, std::uint32_t count)
+    : count_(count),
+      keys_(memory.take<Key>(count)),
+      other_keys_(memory.take<Key>(count)),
+      sorted_(memory.take<mcpr_character>(count)) {}
+
+void CrowdSorter::sort(const mcpr_crowd_request& request, mcpr_character* characters) {
+  bool is_sorted = true;
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    keys_[i] = {sort_key_of(request, characters[i]), i};
+    is_sorted = is_sorted && (i == 0 || keys_[i - 1].order <= keys_[i].order);
+  }
+  if (is_sorted) return;
+  sort_keys();
+  for (std::uint32_t i = 0; i < count_; ++i) sorted_[i] = characters[keys_[i].number];
+  std::copy_n(sorted_, count_, characters);
+}
+
+/// Byte by byte, from the lowest on; bytes that are the same in all keys are passed over.
+void CrowdSorter::sort_keys() {
+  constexpr int kBytes = sizeof keys_->order;
+  std::uint32_t counts[kBytes][256] = {};
+  for (std::uint32_t i = 0; i < count_; ++i)
+    for (int b = 0; b < kBytes; ++b) ++counts[b][keys_[i].order >> (8 * b) & 0xFF];
+  for (int b = 0; b < kBytes; ++b) {
+    std::uint32_t(&places)[256] = counts[b];
+    if (places[keys_[0].order >> (8 * b) & 0xFF] == count_) continue;
+    std::uint32_t next = 0;
+    for (std::uint32_t& place : places) next += std::exchange(place, next);
+    for (std::uint32_t i = 0; i < count_; ++i)
+      other_keys_[places[keys_[i].order >> (8 * b) & 0xFF]++] = keys_[i];
+    std::swap(keys_, other_keys_);
+  }
+}
+
+PoseCrowd::PoseCrowd(Memory& memory)
+    : frames_(
+          reinterpret_cast<mcpr_cursor*>(memory.take<std::byte>(mcpr_cursor::kHead + kFrameBytes))),
+      entries_(memory.take<std::int32_t>(kMostEntryValues)),
+      spots_(memory.take<Spot>(kAhead)) {}
+
+PoseCrowd::Spot PoseCrowd::spot_of(const mcpr_crowd_request& request,
+                                   const mcpr_character& character) {
+  const mcpr_cooked& clip = *character.clip;
+  const PlaceInClip place = place_in_clip(clip, request_of(request, character), character.time);
+  Spot spot{place.frame, place.across, 0, -1};
+  if (place.across > 0 || request.exact != 0) return spot;
+  const SegmentLayout layout = clip.layout();
+  const BetweenFrames between = between_frames(layout.frames, place.frame);
+  const SegmentLayout::Stretch stretch = layout.stretch_at(between.before);
+  spot.before = between.before;
+  if (is_liftable(stretch, between)) spot.last = between.before + (between.share > 0 ? 1 : 0);
+  return spot;
+}
+
+/// Of those from the first on whose frames would be lifted together as many as that saves most for.
+PoseCrowd::Together PoseCrowd::together(const mcpr_character* characters, std::uint32_t first,
+                                        std::uint32_t end) const {
+  // What a character takes less where its frames are there, in instructions a group of columns; and
+  // what lifting them takes, whatever they are and for each.
+  constexpr int kSaved = 470;
+  constexpr int kLifting = 1600;
+  constexpr int kFrame = 65;
+  const mcpr_cooked& clip = *characters[first].clip;
+  const int from = spots_[first].before;
+  Together best;
+  if (spots_[first].last < from) return best;
+  const SegmentLayout::Stretch stretch = clip.layout().stretch_at(from);
+  const int most =
+      std::min(stretch.frames, mcpr_cursor::capacity_for(clip, kFrameBytes, kFewestLifted));
+  int last = from;
+  int most_saved = 0;
+  int saved = -kLifting;
+  for (std::uint32_t i = first; i < end; ++i) {
+    const Spot& spot = spots_[i];
+    if (characters[i].clip != &clip ||
+        characters[i].bands_left_out != characters[first].bands_left_out || spot.before < from ||
+        spot.last < spot.before || spot.last >= from + most)
+      break;
+    last = std::max(last, spot.last);
+    saved += kSaved;
+    if (const int now = saved - kFrame * (last - from + 1); now > most_saved) {
+      most_saved = now;
+      best = {i - first + 1, last};
+    }
+  }
+  return best;
+}
+
+void PoseCrowd::pose(const mcpr_crowd_request& request, const mcpr_character* characters,
+                     std::uint32_t count) {
+  const PoseKernels& kernels = *poses_of(request.path);
+  const auto pose_one = [&](std::uint32_t i, mcpr_cursor* frames) {
+    const mcpr_character& character = characters[i];
+    sample(*character.clip, kernels, {spots_[i].frame, spots_[i].across},
+           request_of(request, character), character.out, frames);
+  };
+  for (std::uint32_t begin = 0; begin < count;) {
+    const std::uint32_t ahead = std::min(count - begin, kAhead);
+    for (std::uint32_t i = 0; i < ahead; ++i) spots_[i] = spot_of(request, characters[i]);
+    for (std::uint32_t i = 0; i < ahead;) {
+      const Together lifted = together(characters, i, ahead);
+      if (lifted.count == 0) {
+        pose_one(i++, nullptr);
+        continue;
+      }
+      const mcpr_cooked& clip = *characters[i].clip;
+      const int first = spots_[i].before;
+      new (frames_) mcpr_cursor(mcpr_cursor::empty(clip, kFrameBytes, kFewestLifted));
+      frames_->keep_run(kernels, first, lifted.last - first + 1,
+                        static_cast<int>(characters[i].bands_left_out), entries_);
+      for (const std::uint32_t end = i + lifted.count; i < end; ++i) pose_one(i, frames_);
+    }
+    begin += ahead;
+    characters += ahead;
+  }
+}
+
+}  // namespace mocapress::runtime

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "core/runtime/pose/pose_cursor.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "core/runtime/format/interpolation.h"
+
+namespace mocapress::runtime {
+namespace {
+
+/// What samples of a signal of so many come from, going backwards through a level.
+LiftLevel level_below(Wavelet wavelet, int length, RowRange samples, bool only_evens) {
+  LiftLevel level{.wavelet = wavelet,
+                  .even_count = evens_in(length),
+                  .odd_count = odds_in(length),
+                  .only_evens = only_evens,
+                  .samples = samples};
+  const RowRange odds{samples.first >> 1, only_evens ? samples.first >> 1 : samples.end >> 1};
+  RowRange evens{(samples.first + 1) >> 1, (samples.end + 1) >> 1};
+  if (odds.first < odds.end) {
+    const Neighbours first = neighbours_of(wavelet, odds.first, level.even_count);
+    const Neighbours last = neighbours_of(wavelet, odds.end - 1, level.even_count);
+    evens = {std::min(evens.first, first.first), std::max(evens.end, last.first + last.count)};
+  }
+  level.evens = evens;
+  // From an even row to an odd one.
+  level.details = {std::clamp(std::min(odds.first, evens.first - 1), 0, level.odd_count - 1) & ~1,
+                   (std::min(std::max(odds.end, evens.end), level.odd_count) + 1) & ~1};
+  return level;
+}
+
+/// The entries of a band in rows of their own.
+void spread_entries(const mcpr_cooked& clip, const CookedEntries& entries, RowRange rows,
+                    int row_columns, std::int32_t* out) {
+  const auto* const begins = clip.at<std::uint16_t>(entries.begins);
+  const std::uint16_t* const all = begins + entries.blocks + 1;
+  const auto count = static_cast<unsigned>(rows.end - rows.first);
+  const int end = std::min(((rows.end - 1) >> entries.log2_rows) + 1, int{entries.blocks});
+  for (int block = rows.first >> entries.log2_rows; block < end; ++block) {
+    const int first = block << entries.log2_rows;
+    for (int i = begins[block]; i < begins[block + 1]; ++i) {
+      const int bits = static_cast<std::int16_t>(all[i]);
+      const int row =
+          (((bits >> kColumnBits) - first) & ((1 << kRowBits) - 1)) + (first - rows.first);
+      if (static_cast<unsigned>(row) >= count) continue;
+      out[row * row_columns + (bits & ((1 << kColumnBits) - 1))] +=
+          bits >> (kColumnBits + kRowBits);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mocapress::runtime
+
+namespace runtime = mocapress::runtime;
+
+int mcpr_cursor::capacity_for(const mcpr_cooked& clip, std::size_t bytes, int fewest) {
+  const int columns = runtime::kGroup * static_cast<int>(clip.row_groups);
+  if (columns == 0) return 0;
+  const int fitting = static_cast<int>(bytes) / (4 * columns);
+  return fitting < fewest ? 0 : std::min(fitting, runtime::kMostLiftedFrames);
+}
+
+mcpr_cursor mcpr_cursor::empty(const mcpr_cooked& clip, std::size_t bytes, int fewest) {
+  return {.clip = &clip,
+          .first = 0,
+          .count = 0,
+          .capacity = capacity_for(clip, bytes, fewest),
+          .columns = runtime::kGroup * static_cast<std::int32_t>(clip.row_groups),
+          .step = 1,
+          .last = 0,
+          .left_out = 0};
+}
+
+std::size_t mcpr_cursor::bytes_for(const mcpr_cooked& clip) {
+  return kHead + sizeof(float) * static_cast<std::size_t>(runtime::kGroup) * clip.row_groups *
+                     static_cast<std::size_t>(capacity_for(clip));
+}
+
+bool mcpr_cursor::keep(const runtime::PoseKernels& kernels, int number, bool and_next,
+                       int left_out_bands) {
+  if (capacity == 0) return false;
+  if (std::exchange(left_out, left_out_bands) != left_out_bands) count = 0;
+  const int before = std::exchange(last, number);
+  if (has(number) && (!and_next || has(number + 1))) return true;
+  const runtime::SegmentLayout layout = clip->layout();
+  const runtime::SegmentLayout::Stretch stretch = layout.stretch_at(number);
+  const int first_of_stretch =
+      layout.first(stretch.segment) + (stretch.segment > 0 ? layout.overlap : 0);
+  // Even frames need no odd ones.
+  const bool is_even = (number - layout.first(stretch.segment)) % 2 == 0;
+  step = is_even && !and_next && std::abs(number - before) == 2 ? 2 : 1;
+  // Backwards it goes on before what is kept.
+  first = number;
+  if (number < before)
+    first -=
+        std::min(number - first_of_stretch, step * (capacity - (and_next ? 2 : 1))) / step * step;
+  count = std::min(capacity, (number + stretch.frames - 1 - first) / step + 1);
+  alignas(32) std::int32_t entries[most_entry_values(kMostBytes - kHead, kFewestFrames)];
+  fill(kernels, stretch.segment, entries);
+  return true;
+}
+
+void mcpr_cursor::keep_run(const runtime::PoseKernels& kernels, int from, int frames,
+                           int left_out_bands, std::int32_t* entries) {
+  first = from;
+  count = frames;
+  step = 1;
+  left_out = left_out_bands;
+  fill(kernels, clip->layout().stretch_at(from).segment, entries);
+}
+
+void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment, std::int32_t* entries) {
+  using namespace runtime;
+  const SegmentLayout layout = clip->layout();
+  LiftLevel levels[kMostKeptBands];
+  std::int32_t* next = entries;
+  int length = layout.frames_of(segment);
+  int level_count = 0;
+  const int first_sample = first - layout.first(segment);
+  RowRange samples[kMostKeptBands + 1] = {{first_sample, first_sample + step * (count - 1) + 1}};
+  int most_levels = 0;
+  for (int p = 0; p < clip->parts; ++p)
+    most_levels = std::max<int>(most_levels, clip->part(p).kept_bands);
+  for (; level_count < most_levels && length >= kCoarsest; length = evens_in(length)) {
+    LiftLevel& level = levels[level_count];
+    level = level_below(clip->wavelet, length, samples[level_count], step == 2 && level_count == 0);
+    const int values = (level.details.end - level.details.first) * columns;
+    level.entries = next;
+    level.is_left_out = level_count < left_out;
+    kernels.clear(next, values);
+    for (int e = 0; e < clip->entry_parts() && !level.is_left_out; ++e) {
+      const CookedEntries& band = clip->entries_of(segment, e, level_count);
+      if (band.blocks > 0)
+        spread_entries(*clip, band, level.details, columns, next + kGroup * kMostGroupsOfPart * e);
+    }
+    next += values;
+    samples[++level_count] = level.evens;
+  }
+  float* const frames = const_cast<float*>(frame(first));
+  for (int p = 0; p < clip->parts; ++p) {
+    const CookedPart& part = clip->part(p);
+    const CookedRows& rows = clip->rows_of(segment, p);
+    const int kept = std::min<int>(part.kept_bands, level_count);
+    LiftPart lift{.levels = levels,
+                  .level_count = kept,
+                  .bands = clip->at<CookedBand>(rows.bands),
+                  .clip = clip->at<std::byte>(std::uint32_t{0}),
+                  .samples = clip->at<std::byte>(rows.samples),
+                  .sample_rows = samples[kept],
+                  .sample_step = kept == 0 ? step : 1,
+                  .unit = rows.unit,
+                  .scales = clip->at<std::byte>(rows.scales),
+                  .groups = part.groups,
+                  .wide = part.wide_samples != 0,
+                  .first_column = kGroup * part.first_group,
+                  .row_columns = columns,
+                  .frames = frames};
+    kernels.lift(lift);
+  }
+}

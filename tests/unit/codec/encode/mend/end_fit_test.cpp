@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/mend/end_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/codec/decode/decoder.h"
+#include "core/codec/encode/encoder.h"
+#include "core/codec/format/container.h"
+#include "tests/support/loop_of.h"
+#include "tests/support/opened_clip.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+constexpr double kEndTarget = 0.5;  // cm
+
+EncodeOptions with_ends(Ends ends, Weighting weighting = Weighting::Surface) {
+  return {.method = Method::ClosedLoop,
+          .weighting = weighting,
+          .target = {Target::Kind::Error, kEndTarget},
+          .ends = ends};
+}
+
+/// RMS in the weighting of the first and the last pose, as decode() has them. cm
+std::pair<double, double> errors_at_ends(const Motion& motion, const CompressedClip& compressed,
+                                         Weighting weighting) {
+  const PointErrors errors(motion.skeleton, weighting);
+  const Eigen::VectorXd squares = errors.squared(body_tracks(motion.skeleton, motion.clip),
+                                                 body_tracks(motion.skeleton, decode(compressed))) *
+                                  errors.measured().weights;
+  return {std::sqrt(squares(0)), std::sqrt(squares(squares.size() - 1))};
+}
+
+TEST(EndFit, EvenEndsAreNoFurtherOffThanTheTargetInClipsOfAnyLength) {
+  for (const int frames : {1, 2, 3, 5, 17, 64, 301}) {
+    const Motion motion = test::smooth_motion(frames, 7);
+    const Encoding encoding = Encoder(motion).encode(with_ends(Ends::Even));
+    const auto [first, last] = errors_at_ends(motion, encoding.compressed, Weighting::Surface);
+    EXPECT_LE(first, kEndTarget) << frames;
+    EXPECT_LE(last, kEndTarget) << frames;
+  }
+}
+
+TEST(EndFit, AnEvenEndIsNotMendedByAllChannels) {
+  Eigen::Index mended = 0;
+  Eigen::Index channels = 0;
+  for (unsigned seed = 1; seed <= 16; ++seed) {  // one clip more, another less
+    const Motion motion = test::smooth_motion(150, seed);
+    const CompressedClip compressed = Encoder(motion).encode(with_ends(Ends::Even)).compressed;
+    ASSERT_TRUE(compressed.ends);
+    mended += (compressed.ends->steps.array() != 0).count();
+    channels += 2 * motion.clip.channels.cols();  // of both ends
+  }
+  EXPECT_GT(mended, 0);
+  EXPECT_LE(4 * mended, 3 * channels);
+}
+
+TEST(EndFit, ExactEndsAreWithinATenthOfTheTargetInEveryWeighting) {
+  const Motion motion = test::smooth_motion(200, 2);
+  for (const Weighting weighting : kWeightingsWithoutMesh) {
+    const Encoding encoding = Encoder(motion).encode(with_ends(Ends::Exact, weighting));
+    const auto [first, last] = errors_at_ends(motion, encoding.compressed, weighting);
+    EXPECT_LE(first, 0.1 * kEndTarget) << name(weighting);
+    EXPECT_LE(last, 0.1 * kEndTarget) << name(weighting);
+  }
+}
+
+TEST(EndFit, ExactEndsHoldBesideACorrectionAndInSegments) {
+  const Motion motion = test::smooth_motion(700, 3);
+  EncodeOptions corrected = with_ends(Ends::Exact);
+  corrected.correction = CorrectionOptions{
+      .joints = {motion.skeleton.joint_count() - 1, motion.skeleton.joint_count() - 4},
+      .ratio = 8.0};
+  EncodeOptions in_segments = with_ends(Ends::Exact);
+  in_segments.segments.longest = 256;
+  for (const EncodeOptions& asked : {corrected, in_segments}) {
+    const Encoding encoding = Encoder(motion).encode(asked);
+    const auto [first, last] = errors_at_ends(motion, encoding.compressed, Weighting::Surface);
+    EXPECT_LE(first, 0.1 * kEndTarget);
+    EXPECT_LE(last, 0.1 * kEndTarget);
+  }
+}
+
+TEST(EndFit, OfALoopNothingJumpsFromTheLastFrameToTheFirst) {
+  const Motion loop = test::loop_of(test::smooth_motion(600, 6), 1);
+  ASSERT_GT(loop.clip.frames(), 100);
+  EncodeOptions asked = with_ends(Ends::Even);
+  for (const Target target :
+       {Target{Target::Kind::Error, kEndTarget}, {Target::Kind::MaxError, 3}}) {
+    asked.target = target;
+    asked.loop = Loop::Repeats;
+    const EndErrors told = Encoder(loop).encode(asked).distortion.ends;
+    EXPECT_LE(told.seam_cm, told.worst_neighbours_cm);
+    EXPECT_LE(told.seam_cm, 0.2 * target.value);
+    asked.loop = Loop::None;
+    EXPECT_LT(told.seam_cm, Encoder(loop).encode(asked).distortion.ends.seam_cm);
+  }
+}
+
+TEST(EndFit, VelocitiesOfALoopBreakNoMoreAtItsSeamThanElsewhere) {
+  int mended = 0;
+  for (int seed = 1; seed <= 8; ++seed) {
+    const Motion loop = test::loop_of(test::smooth_motion(300, static_cast<unsigned>(seed)), 0.5);
+    EncodeOptions asked = with_ends(Ends::Even);
+    asked.loop = Loop::Repeats;
+    const Encoding encoding = Encoder(loop).encode(asked);
+    const EndErrors& ends = encoding.distortion.ends;
+    EXPECT_LE(ends.seam_cm_per_frame, ends.worst_neighbours_cm_per_frame) << seed;
+    EXPECT_LE(ends.seam_cm, 0.25 * kEndTarget) << seed;
+    EXPECT_LE(encoding.distortion.surface.rms, kEndTarget) << seed;
+    const std::optional<CodedEnds>& coded = encoding.compressed.ends;
+    mended += coded && coded->count() > runtime::kVelocity;
+  }
+  EXPECT_GT(mended, 0);
+}
+
+TEST(EndFit, AfterAJumpFewFramesAreAtMostOneAndAHalfTimesAsFarOffAsTheClip) {
+  constexpr int kFramesOfJump = 300;
+  constexpr int kFew = 4;
+  int mended = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    const bool at_first = seed % 2 != 0;
+    Motion motion = test::smooth_motion(kFramesOfJump, seed);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> jump(0, 0.08);
+    for (Eigen::Index c = 3; c < motion.clip.channels.cols(); ++c) {
+      const double off = jump(random);
+      for (int away = 0; away < 3; ++away)
+        motion.clip.channels(at_first ? away : kFramesOfJump - 1 - away, c) += off / (1 + away);
+    }
+    const CompressedClip compressed = Encoder(motion).encode(with_ends(Ends::Even)).compressed;
+    const PointErrors errors(motion.skeleton, Weighting::Surface);
+    const Eigen::VectorXd squares =
+        errors.squared(body_tracks(motion.skeleton, motion.clip),
+                       body_tracks(motion.skeleton, decode(compressed))) *
+        errors.measured().weights;
+    EXPECT_LE(squares.head(kFew).mean(), 1.5 * 1.5 * squares.mean()) << seed;
+    EXPECT_LE(squares.tail(kFew).mean(), 1.5 * 1.5 * squares.mean()) << seed;
+    const std::optional<CodedEnds>& ends = compressed.ends;
+    mended += ends && ends->count() > runtime::kVelocity &&
+              ends->reaches.is_at_first(runtime::kVelocity) == at_first;
+  }
+  EXPECT_GT(mended, 0);
+}
+
+TEST(EndFit, OfAHardMaximumNoPointOfAnExactEndIsFurtherOffThanATenth) {
+  const Motion motion = test::smooth_motion(150, 4);
+  EncodeOptions asked = with_ends(Ends::Exact);
+  asked.target = {Target::Kind::MaxError, 3};
+  const Encoding encoding = Encoder(motion).encode(asked);
+  const PointErrors errors(motion.skeleton, Weighting::Surface);
+  const Eigen::MatrixXd squared =
+      errors.squared(body_tracks(motion.skeleton, motion.clip),
+                     body_tracks(motion.skeleton, decode(encoding.compressed)));
+  EXPECT_LE(squared.maxCoeff(), 3.0 * 3.0);
+  EXPECT_LE(squared.row(0).maxCoeff(), 0.3 * 0.3);
+  EXPECT_LE(squared.bottomRows(1).maxCoeff(), 0.3 * 0.3);
+}
+
+TEST(EndFit, NothingIsCodedWhereItIsNotAskedFor) {
+  const Motion motion = test::smooth_motion(100);
+  EXPECT_FALSE(Encoder(motion).encode(with_ends(Ends::Free)).compressed.ends);
+  EncodeOptions bounded = with_ends(Ends::Even);
+  bounded.target = {Target::Kind::MaxError, 3};
+  EXPECT_FALSE(Encoder(motion).encode(bounded).compressed.ends);
+}
+
+TEST(EndFit, TheRuntimeDecoderGivesTheSameBits) {
+  const Motion motion = test::smooth_motion(700, 5);
+  EncodeOptions in_segments = with_ends(Ends::Exact);
+  in_segments.segments.longest = 256;
+  for (const bool at_first : {false, true})
+    for (const EncodeOptions& asked : {with_ends(Ends::Exact), in_segments}) {
+      CompressedClip compressed = Encoder(motion).encode(asked).compressed;
+      ASSERT_TRUE(compressed.ends);
+      CodedEnds& ends = *compressed.ends;
+      ends.reaches.frames[runtime::kVelocity] = 20;
+      ends.reaches.velocity_at_first = at_first ? 1 : 0;
+      ends.step_exponent[runtime::kVelocity] = 9;
+      ends.steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
+      ends.steps.col(runtime::kVelocity).setConstant(-3);
+      const test::OpenedClip opened(write_container(compressed));
+      ASSERT_NE(opened.clip, nullptr) << opened.result.message;
+      EXPECT_EQ(opened.info.motion_bytes, compressed.motion_bytes());
+      const std::vector<float> rows = opened.frames({}, 0, 700);
+      const Eigen::MatrixXf expected =
+          decode_uncorrected(compressed).clip.channels.cast<float>().transpose();
+      ASSERT_EQ(std::ssize(rows), expected.size());
+      EXPECT_EQ(Eigen::Map<const Eigen::MatrixXf>(rows.data(), expected.rows(), 700), expected);
+      for (const int frame : {0, 1, 698, 699}) {
+        const std::vector<float> row = opened.moment({}, frame);
+        EXPECT_EQ(Eigen::Map<const Eigen::VectorXf>(row.data(), std::ssize(row)),
+                  expected.col(frame));
+      }
+    }
+}
+
+TEST(EndFit, EveryPrefixOfAFileWithEndsIsRefused) {
+  const std::vector<std::byte> file =
+      write_container(Encoder(test::smooth_motion(40)).encode(with_ends(Ends::Exact)).compressed);
+  for (std::size_t size = 0; size < file.size(); ++size)
+    EXPECT_EQ(test::OpenedClip(std::span(file).first(size)).clip, nullptr) << size;
+}
+
+}  // namespace
+}  // namespace mocapress

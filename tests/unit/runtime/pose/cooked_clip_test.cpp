@@ -1,0 +1,460 @@
+// SPDX-License-Identifier: MIT
+// Cooked clips against the decoder that they are made by.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/codec/encode/encoder.h"
+#include "core/codec/format/container.h"
+#include "core/runtime/pose/cooked_check.h"
+#include "tests/support/cooked_clip.h"
+#include "tests/support/opened_clip.h"
+#include "tests/support/segmented_clip.h"
+#include "tests/support/test_motion.h"
+#include "tests/support/turned_forms.h"
+
+namespace mocapress {
+namespace {
+
+using test::CookedClip;
+using test::OpenedClip;
+
+// What SAMPLING.md promises.
+constexpr double kMostTurn = 5e-4;   // radians
+constexpr double kMostShift = 2e-3;  // cm
+
+CompressedClip compressed_of(const Motion& motion, EncodeOptions options = {}) {
+  options.method = Method::ClosedLoop;
+  return Encoder(motion).encode(options).compressed;
+}
+
+struct Worst {
+  double turn = 0;   // radians
+  double shift = 0;  // cm
+};
+
+/// How far transforms are from what mcpr_decode_looped, of a loop, or mcpr_decode_moment give.
+void compare(const OpenedClip& opened, const std::vector<float>& made, mcpr_wrap wrap,
+             const mcpr_request& decoded, double frame, Worst& worst) {
+  std::vector<float> expected(mcpr_frame_values(opened.clip, &decoded));
+  const AlignedBytes scratch(mcpr_scratch_bytes(opened.clip, &decoded));
+  const auto decode = wrap == MCPR_LOOP ? mcpr_decode_looped : mcpr_decode_moment;
+  ASSERT_EQ(
+      decode(opened.clip, &decoded, frame, expected.data(), scratch.data(), scratch.size()).status,
+      MCPR_OK);
+  ASSERT_EQ(made.size() / 8, expected.size() / 7);
+  for (std::size_t j = 0; j < made.size() / 8; ++j) {
+    double dot = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      dot += static_cast<double>(made[8 * j + k]) * static_cast<double>(expected[7 * j + k]);
+    double apart = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      apart += std::pow(static_cast<double>(made[8 * j + k]) -
+                            std::copysign(1.0, dot) * static_cast<double>(expected[7 * j + k]),
+                        2);
+    worst.turn = std::max(worst.turn, 2 * std::sqrt(apart));
+    for (std::size_t k = 0; k < 3; ++k)
+      worst.shift = std::max(worst.shift, std::abs(static_cast<double>(made[8 * j + 4 + k]) -
+                                                   static_cast<double>(expected[7 * j + 4 + k])));
+    EXPECT_EQ(made[8 * j + 7], 0);
+  }
+}
+
+/// Frames and instants between them, the ends among them.
+void expect_as_decoded(const CompressedClip& clip, bool apply_ik = false) {
+  const OpenedClip opened(write_container(clip));
+  ASSERT_NE(opened.clip, nullptr) << opened.result.message;
+  const CookedClip cooked(opened.clip, {.apply_ik = apply_ik ? 1 : 0});
+  ASSERT_NE(cooked.clip, nullptr) << cooked.result.message;
+  const mcpr_cooked* checked = nullptr;
+  const mcpr_result check =
+      mcpr_open_cooked(cooked.bytes->data(), cooked.bytes->size(), 1, &checked);
+  ASSERT_EQ(check.status, MCPR_OK) << check.message;
+  const mcpr_request decoded{.output = MCPR_LOCAL, .apply_ik = apply_ik ? 1 : 0};
+  const double last = clip.frames - 1;
+  const AlignedBytes memory(mcpr_cursor_bytes(cooked.clip));
+  mcpr_cursor* cursor = nullptr;
+  ASSERT_EQ(mcpr_make_cursor(cooked.clip, memory.data(), memory.size(), &cursor).status, MCPR_OK);
+  const mcpr_sample_request request{};
+  Worst sampled;
+  Worst played;
+  Random random(static_cast<std::uint64_t>(clip.frames));
+  for (int i = 0; i < 300; ++i) {
+    double frame = last * random.unit();
+    if (i % 3 == 0) frame = std::floor(frame);
+    if (apply_ik) frame = std::floor(frame);  // between frames both are linear, but not alike
+    if (i < 6) frame = std::min<double>(i, last);
+    if (i >= 6 && i < 12) frame = std::max(last - (i - 6), 0.0);
+    compare(opened, cooked.sample({}, frame), MCPR_CLAMP, decoded, frame, sampled);
+    std::vector<float> next(mcpr_sample_values(cooked.clip, &request));
+    ASSERT_EQ(mcpr_sample_next(cursor, &request, frame, next.data()).status, MCPR_OK);
+    compare(opened, next, MCPR_CLAMP, decoded, frame, played);
+  }
+  for (const Worst& worst : {sampled, played}) {
+    EXPECT_LT(worst.turn, kMostTurn) << clip.frames;
+    EXPECT_LT(worst.shift, kMostShift) << clip.frames;
+  }
+}
+
+TEST(CookedClip, GivesTheDecodersPoses) {
+  for (const int frames : {1, 2, 3, 4, 5, 7, 8, 13, 16, 31, 64, 150, 257, 512, 700})
+    expect_as_decoded(
+        compressed_of(test::smooth_motion(frames, static_cast<unsigned>(frames)),
+                      {.target = {Target::Kind::Error, frames % 2 == 0 ? 0.05 : 0.4}}));
+}
+
+TEST(CookedClip, GivesThemWithEveryBasisAndEnds) {
+  for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
+    expect_as_decoded(compressed_of(test::smooth_motion(200), {.basis = basis}));
+  expect_as_decoded(compressed_of(test::smooth_motion(200), {.ends = Ends::Exact}));
+}
+
+TEST(CookedClip, GivesThemWithTheVelocityThatAnEndLacks) {
+  for (const bool at_first : {false, true}) {
+    CompressedClip clip = compressed_of(test::smooth_motion(200), {.ends = Ends::Exact});
+    ASSERT_TRUE(clip.ends);
+    clip.ends->reaches.frames[runtime::kVelocity] = 16;
+    clip.ends->reaches.velocity_at_first = at_first ? 1 : 0;
+    clip.ends->step_exponent[runtime::kVelocity] = 12;
+    clip.ends->steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
+    clip.ends->steps.col(runtime::kVelocity).setConstant(7);
+    expect_as_decoded(clip);
+  }
+}
+
+TEST(CookedClip, GivesThemAboutTurnedAxes) {
+  const Motion motion = test::smooth_motion(180);
+  CompressedClip clip = test::segmented_clip(motion, SegmentLayout::whole(180));
+  clip.forms = test::turned_forms(motion.skeleton);
+  expect_as_decoded(clip);
+}
+
+TEST(CookedClip, GivesThemOfSegments) {
+  const Motion motion = test::smooth_motion(900);
+  expect_as_decoded(test::segmented_clip(motion, {.frames = 900, .length = 300, .overlap = 48}));
+}
+
+TEST(CookedClip, GivesThemWithTheCorrection) {
+  const Motion motion = test::smooth_motion(300);
+  expect_as_decoded(test::segmented_clip(motion, SegmentLayout::whole(300), true), true);
+  expect_as_decoded(test::segmented_clip(motion, SegmentLayout::whole(300), true), false);
+}
+
+/// Joints that turn about one axis twice, by more than three angles, by none, and move by six.
+TEST(CookedClip, GivesThemOfOddJoints) {
+  Motion motion;
+  using enum ChannelKind;
+  motion.skeleton.add(
+      {.name = "root",
+       .channels = {TranslationX, TranslationY, TranslationZ, RotationX, RotationY, RotationX}});
+  motion.skeleton.add({.name = "still", .parent = 0, .offset = {1, 2, 3}, .channels = {}});
+  motion.skeleton.add({.name = "hinge", .parent = 1, .offset = {0, 9, 0}, .channels = {RotationZ}});
+  motion.skeleton.add({.name = "two",
+                       .parent = 2,
+                       .offset = {0, 5, 0},
+                       .channels = {TranslationY, RotationZ, RotationX}});
+  const int channels = motion.skeleton.channel_count();
+  motion.clip.channels.resize(120, channels);
+  for (int c = 0; c < channels; ++c)
+    for (int t = 0; t < 120; ++t)
+      motion.clip.channels(t, c) = (c < 3 ? 40 : 0.8) * std::sin(0.02 * (c + 1) * t + c);
+  motion.clip.channels.col(4).setConstant(0.3);
+  expect_as_decoded(compressed_of(motion, {.target = {Target::Kind::Error, 0.05}}));
+}
+
+/// Half angles within an eighth of a turn and beyond, beside each other: sines of the former take
+/// no quarters off.
+TEST(CookedClip, GivesThemOfAnglesNearAndFar) {
+  Motion motion;
+  using enum ChannelKind;
+  for (int j = 0; j < 20; ++j)
+    motion.skeleton.add({.name = "j" + std::to_string(j),
+                         .parent = j - 1,
+                         .offset = {0, 2, 0},
+                         .channels = {RotationX, RotationY, RotationZ}});
+  const int channels = motion.skeleton.channel_count();
+  motion.clip.channels.resize(150, channels);
+  constexpr double kMost[] = {0.2, 1.5, 1.565, 1.5708, 1.6, 3, 7};
+  for (int c = 0; c < channels; ++c)
+    for (int t = 0; t < 150; ++t)
+      motion.clip.channels(t, c) = kMost[c % 7] * std::sin(0.01 * (c % 9 + 1) * t + c);
+  expect_as_decoded(test::segmented_clip(motion, SegmentLayout::whole(150)));
+}
+
+class CookedPaths : public testing::Test {
+ protected:
+  CookedPaths()
+      : opened_(write_container(compressed_of(test::smooth_motion(333)))), cooked_(opened_.clip) {}
+
+  OpenedClip opened_;
+  CookedClip cooked_;
+};
+
+TEST_F(CookedPaths, GiveTheSameBits) {
+  if (mcpr_path_exists(MCPR_PATH_AVX2) == 0) GTEST_SKIP();
+  Random random(7);
+  for (int i = 0; i < 500; ++i) {
+    const double frame = 332 * random.unit();
+    EXPECT_EQ(cooked_.sample({.path = MCPR_PATH_PLAIN}, frame),
+              cooked_.sample({.path = MCPR_PATH_AVX2}, frame));
+  }
+}
+
+TEST_F(CookedPaths, AllLayoutsAndListsSayTheSame) {
+  const std::vector<std::uint16_t> list = {5, 0, 7};
+  Random random(8);
+  for (int i = 0; i < 60; ++i) {
+    const double frame = 332 * random.unit();
+    const std::vector<float> all = cooked_.sample({}, frame);
+    const std::size_t joints = all.size() / 8;
+    const std::vector<float> arrays = cooked_.sample({.layout = MCPR_ARRAYS}, frame);
+    const std::vector<float> matrices = cooked_.sample({.layout = MCPR_MATRICES}, frame);
+    ASSERT_EQ(arrays.size(), 7 * joints);
+    ASSERT_EQ(matrices.size(), 12 * joints);
+    for (std::size_t j = 0; j < joints; ++j) {
+      const float* const q = &all[8 * j];
+      for (std::size_t k = 0; k < 7; ++k) EXPECT_EQ(arrays[k * joints + j], q[k]);
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(matrices[12 * j + 4 * k + 3], q[4 + k]);
+      EXPECT_NEAR(matrices[12 * j], 1 - 2 * (q[2] * q[2] + q[3] * q[3]), 1e-6);
+      EXPECT_NEAR(matrices[12 * j + 1], 2 * (q[1] * q[2] - q[0] * q[3]), 1e-6);
+      EXPECT_NEAR(matrices[12 * j + 8], 2 * (q[1] * q[3] - q[0] * q[2]), 1e-6);
+    }
+    const std::vector<float> some = cooked_.sample(
+        {.joints = list.data(), .joint_count = static_cast<std::uint32_t>(list.size())}, frame);
+    ASSERT_EQ(some.size(), 8 * list.size());
+    for (std::size_t k = 0; k < list.size(); ++k)
+      EXPECT_EQ(std::memcmp(&some[8 * k], &all[8 * std::size_t{list[k]}], 8 * sizeof(float)), 0);
+  }
+}
+
+/// A selection of a clip, in memory of its own.
+class Selected {
+ public:
+  Selected(const mcpr_cooked* clip, const std::vector<std::uint16_t>& joints)
+      : memory_(mcpr_selection_bytes(clip, static_cast<std::uint32_t>(joints.size()))) {
+    EXPECT_EQ(mcpr_make_selection(clip, joints.data(), static_cast<std::uint32_t>(joints.size()),
+                                  memory_.data(), memory_.size(), &selection)
+                  .status,
+              MCPR_OK);
+  }
+  const mcpr_selection* selection = nullptr;
+
+ private:
+  AlignedBytes memory_;
+};
+
+TEST_F(CookedPaths, SelectionsSayWhatListsSay) {
+  const mcpr_cooked_info info = mcpr_cooked_describe(cooked_.clip);
+  Random random(10);
+  for (int i = 0; i < 100; ++i) {
+    std::vector<std::uint16_t> list;
+    for (std::uint32_t j = info.joints; j-- > 0;)
+      if (random.unit() < 0.02 * i) list.push_back(static_cast<std::uint16_t>(j));
+    if (list.empty()) list = {0};
+    const Selected selected(cooked_.clip, list);
+    const double frame = 332 * random.unit();
+    for (const mcpr_layout layout : {MCPR_TRANSFORMS, MCPR_ARRAYS, MCPR_MATRICES})
+      for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_BEST})
+        EXPECT_EQ(cooked_.sample({.layout = layout, .path = path, .selection = selected.selection},
+                                 frame),
+                  cooked_.sample({.layout = layout,
+                                  .path = path,
+                                  .joints = list.data(),
+                                  .joint_count = static_cast<std::uint32_t>(list.size())},
+                                 frame));
+  }
+}
+
+TEST_F(CookedPaths, RefuseSelectionsThatDoNotSuit) {
+  const std::uint16_t joints[] = {1, 0, 1};
+  const mcpr_selection* made = nullptr;
+  EXPECT_EQ(mcpr_selection_bytes(nullptr, 1), 0u);
+  EXPECT_EQ(mcpr_selection_bytes(cooked_.clip, 1000), 0u);
+  const AlignedBytes others(sizeof(mcpr_cooked));  // no magic number
+  std::memset(others.data(), 0, sizeof(mcpr_cooked));
+  const auto* const no_clip = reinterpret_cast<const mcpr_cooked*>(others.data());
+  EXPECT_EQ(mcpr_selection_bytes(no_clip, 0), 0u);
+  EXPECT_EQ(mcpr_cursor_bytes(no_clip), 0u);
+  const std::size_t size = mcpr_selection_bytes(cooked_.clip, 3);
+  const AlignedBytes memory(size);
+  const auto make = [&](std::uint32_t count, std::size_t bytes) {
+    return mcpr_make_selection(cooked_.clip, joints, count, memory.data(), bytes, &made).status;
+  };
+  EXPECT_EQ(make(3, size), MCPR_ARGUMENT) << "one twice";
+  EXPECT_EQ(mcpr_make_selection(no_clip, joints, 0, memory.data(), size, &made).status,
+            MCPR_ARGUMENT);
+  EXPECT_EQ(make(2, mcpr_selection_bytes(cooked_.clip, 2) - 1), MCPR_MEMORY);
+  ASSERT_EQ(make(2, size), MCPR_OK);
+  const CookedClip other(opened_.clip);
+  const mcpr_sample_request request{.selection = made};
+  EXPECT_EQ(mcpr_sample_values(cooked_.clip, &request), 16u);
+  EXPECT_EQ(mcpr_sample_values(other.clip, &request), 0u) << "of another clip";
+  const mcpr_sample_request both{.joints = joints, .joint_count = 1, .selection = made};
+  EXPECT_EQ(mcpr_sample_values(cooked_.clip, &both), 0u);
+}
+
+/// The more bands, the further away, and all by the same bits.
+TEST_F(CookedPaths, BandsThatAreLeftOutAreMissed) {
+  double before = 0;
+  for (std::uint32_t bands = 0; bands <= MCPR_MOST_BANDS_LEFT_OUT; ++bands) {
+    double apart = 0;
+    for (double frame = 0.3; frame < 332; frame += 1.7) {
+      const std::vector<float> all = cooked_.sample({}, frame);
+      const std::vector<float> coarse = cooked_.sample({.bands_left_out = bands}, frame);
+      EXPECT_EQ(coarse, cooked_.sample({.path = MCPR_PATH_PLAIN, .bands_left_out = bands}, frame));
+      ASSERT_EQ(all.size(), coarse.size());
+      for (std::size_t i = 0; i < all.size(); ++i)
+        apart += std::pow(static_cast<double>(all[i]) - static_cast<double>(coarse[i]), 2);
+    }
+    EXPECT_GE(apart, before) << bands;
+    before = apart;
+    if (bands == 0) {
+      EXPECT_EQ(apart, 0);
+    }
+  }
+  EXPECT_GT(before, 0);
+  const mcpr_sample_request request{.bands_left_out = MCPR_MOST_BANDS_LEFT_OUT + 1};
+  EXPECT_EQ(mcpr_sample_values(cooked_.clip, &request), 0u);
+}
+
+TEST_F(CookedPaths, AnInstantBesideAFrameIsThatFrame) {
+  const std::vector<float> frame = cooked_.sample({}, 7);
+  for (const double beside : {7 - 1e-5, 7 - 1e-12, 7 + 1e-12, 7 + 1e-5})
+    EXPECT_EQ(cooked_.sample({}, beside), frame) << beside;
+  EXPECT_NE(cooked_.sample({}, 7.001), frame);
+}
+
+TEST_F(CookedPaths, SecondsAreFramesAndInstantsBeyondTheEndsStandStill) {
+  const double rate = mcpr_cooked_describe(cooked_.clip).sample_rate;
+  EXPECT_EQ(cooked_.sample({.unit = MCPR_SECONDS}, 100 / rate), cooked_.sample({}, 100));
+  EXPECT_EQ(cooked_.sample({}, -7), cooked_.sample({}, 0));
+  EXPECT_EQ(cooked_.sample({}, 1e12), cooked_.sample({}, 332));
+}
+
+TEST_F(CookedPaths, RefuseWhatTheyCannotDo) {
+  const std::vector<std::uint16_t> twice = {1, 1};
+  const std::vector<std::uint16_t> beyond = {1000};
+  for (const mcpr_sample_request& request :
+       {mcpr_sample_request{.wrap = MCPR_LOOP},
+        mcpr_sample_request{.layout = static_cast<mcpr_layout>(3)},
+        mcpr_sample_request{.joints = twice.data(), .joint_count = 2},
+        mcpr_sample_request{.joints = beyond.data(), .joint_count = 1}})
+    EXPECT_EQ(mcpr_sample_values(cooked_.clip, &request), 0u);
+  float out[512];
+  const mcpr_sample_request request{};
+  EXPECT_EQ(mcpr_sample(cooked_.clip, &request, std::nan(""), out).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_sample(nullptr, &request, 0, out).status, MCPR_ARGUMENT);
+}
+
+/// Of both kinds: the whole seam, before and after, turn after turn.
+TEST(CookedLoop, GivesTheDecodersPosesAcrossTheSeam) {
+  for (const Loop loop : {Loop::Repeats, Loop::Follows}) {
+    const OpenedClip opened(
+        write_container(compressed_of(test::smooth_motion(90), {.loop = loop})));
+    ASSERT_NE(opened.clip, nullptr) << opened.result.message;
+    const CookedClip cooked(opened.clip);
+    ASSERT_NE(cooked.clip, nullptr) << cooked.result.message;
+    Worst worst;
+    for (double frame = -200; frame < 300; frame += 0.37)
+      compare(opened, cooked.sample({.wrap = MCPR_LOOP}, frame), MCPR_LOOP, {.output = MCPR_LOCAL},
+              frame, worst);
+    for (double frame = 88; frame < 91; frame += 0.125)
+      compare(opened, cooked.sample({.wrap = MCPR_LOOP}, frame), MCPR_LOOP, {.output = MCPR_LOCAL},
+              frame, worst);
+    EXPECT_LT(worst.turn, kMostTurn);
+    EXPECT_LT(worst.shift, kMostShift);
+  }
+}
+
+TEST(CookedLoop, MotionAddsUpTurnAfterTurn) {
+  const OpenedClip opened(
+      write_container(compressed_of(test::smooth_motion(90), {.loop = Loop::Repeats})));
+  const CookedClip cooked(opened.clip);
+  const mcpr_sample_request request{.wrap = MCPR_LOOP};
+  const auto motion = [&](double from, double to) {
+    mcpr_transform out;
+    EXPECT_EQ(mcpr_sample_motion(cooked.clip, &request, 0, from, to, &out).status, MCPR_OK);
+    return out;
+  };
+  const auto length = [](const mcpr_transform& by) {
+    return std::hypot(by.translation[0], by.translation[1], by.translation[2]);
+  };
+  EXPECT_NEAR(length(motion(10, 10)), 0, 1e-3);
+  // A whole turn is the same wherever it is looked for, in the root's frame there.
+  EXPECT_NEAR(length(motion(0, 89)), length(motion(89, 178)), 2e-2);
+  EXPECT_NEAR(length(motion(0, 89)), length(motion(89, 0)), 2e-2);
+  EXPECT_NEAR(motion(5, 300).rotation[0], motion(94, 389).rotation[0], 1e-3);
+}
+
+class HostileCooked : public testing::Test {
+ protected:
+  HostileCooked()
+      : opened_(write_container(compressed_of(test::smooth_motion(100), {.ends = Ends::Exact}))),
+        cooked_(opened_.clip) {}
+
+  static mcpr_status open(const AlignedBytes& bytes, std::size_t size, const mcpr_cooked** clip) {
+    return mcpr_open_cooked(bytes.data(), size, 1, clip).status;
+  }
+
+  OpenedClip opened_;
+  CookedClip cooked_;
+};
+
+TEST_F(HostileCooked, EveryTruncationIsRefused) {
+  const std::size_t whole = cooked_.bytes->size();
+  const mcpr_cooked* clip = nullptr;
+  for (std::size_t size = 0; size < whole; ++size) {
+    const AlignedBytes cut(std::max<std::size_t>(size, 1));
+    std::memcpy(cut.data(), cooked_.bytes->data(), size);
+    EXPECT_NE(open(cut, size, &clip), MCPR_OK) << size;
+  }
+}
+
+TEST_F(HostileCooked, EveryFlippedBitIsRefused) {
+  const AlignedBytes copy(cooked_.bytes->size());
+  std::memcpy(copy.data(), cooked_.bytes->data(), copy.size());
+  const mcpr_cooked* clip = nullptr;
+  ASSERT_EQ(open(copy, copy.size(), &clip), MCPR_OK);
+  for (std::size_t i = 0; i < copy.size(); ++i) {
+    const std::byte flip{static_cast<unsigned char>(1U << (i % 8))};
+    copy.data()[i] ^= flip;
+    EXPECT_NE(open(copy, copy.size(), &clip), MCPR_OK) << i;
+    copy.data()[i] ^= flip;
+  }
+}
+
+/// Bytes of malice, with a checksum that suits: refused, or sampled without harm (asan tells).
+TEST_F(HostileCooked, WrongNumbersWithTheRightChecksumAreRefusedOrHarmless) {
+  const std::size_t size = cooked_.bytes->size();
+  const AlignedBytes copy(size);
+  Random random(3);
+  int opened = 0;
+  for (int round = 0; round < 4000; ++round) {
+    std::memcpy(copy.data(), cooked_.bytes->data(), size);
+    for (int k = 0; k <= round % 3; ++k) {
+      // Mostly in the head and the tables.
+      const std::size_t at = 16 + random.below(round % 2 == 0 ? 140 : size - 16);
+      copy.data()[at] = static_cast<std::byte>(random.below(256));
+    }
+    auto* const head = reinterpret_cast<mcpr_cooked*>(copy.data());
+    head->checksum = runtime::checksum_of(*head);
+    const mcpr_cooked* clip = nullptr;
+    if (open(copy, size, &clip) != MCPR_OK) continue;
+    ++opened;
+    for (const mcpr_wrap wrap : {MCPR_CLAMP, MCPR_LOOP})
+      for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_BEST}) {
+        const mcpr_sample_request request{.wrap = wrap, .path = path};
+        std::vector<float> out(mcpr_sample_values(clip, &request));
+        for (const double frame : {0.0, 0.5, 49.3, 98.5, 99.0, 1e9})
+          if (!out.empty()) mcpr_sample(clip, &request, frame, out.data());
+      }
+  }
+  EXPECT_GT(opened, 0);
+}
+
+}  // namespace
+}  // namespace mocapress
