@@ -51,7 +51,7 @@ int pixelsOf(QRgb colour, const QImage& picture) {
 
 /// A picture of the window, kept in the build's folder to be looked at.
 QImage pictureOf(const BatchWindow& window, const char* name) {
-  QTest::qWait(60);
+  runDueEvents();
   const QDir folder(QStringLiteral(MOCAPRESS_BINARY_DIR "/pictures"));
   folder.mkpath(QStringLiteral("."));
   const QString path = folder.filePath(QString::fromLatin1(name));

@@ -152,7 +152,12 @@ TEST_F(Compressing, EndsWithTheAnswerToTheNewestRequest) {
   compressor_.setEncoder(makeEncoder(300));
   for (int i = 0; i < 40; ++i) {
     compressor_.request(ratio(8 + 0.5 * i));
-    QTest::qWait(i % 5 == 0 ? 100 : 3);
+    const std::size_t before = answers_.size();
+    const auto answered = [&] { return answers_.size() > before || !compressor_.busy(); };
+    if (i % 5 == 0)
+      ASSERT_TRUE(QTest::qWaitFor(answered, kPatience));
+    else
+      runDueEvents();
   }
   ASSERT_TRUE(QTest::qWaitFor([&] { return !compressor_.busy(); }, kPatience));
   ASSERT_FALSE(answers_.empty());
@@ -163,11 +168,12 @@ TEST_F(Compressing, EndsWithTheAnswerToTheNewestRequest) {
 
 TEST_F(Compressing, KeepsAnsweringWhileRequestsKeepComing) {
   compressor_.setEncoder(makeEncoder(400));
-  for (int i = 0; i < 200 && answers_.empty(); ++i) {
-    compressor_.request(ratio(10 + 0.05 * i));
-    QTest::qWait(5);
-  }
-  EXPECT_FALSE(answers_.empty());
+  int requests = 0;
+  const auto request_until_answered = [&] {
+    compressor_.request(ratio(10 + 0.05 * requests++));
+    return !answers_.empty();
+  };
+  EXPECT_TRUE(QTest::qWaitFor(request_until_answered, kPatience));
 }
 
 TEST_F(Compressing, CancelKeepsAnAnswerNoWorseThanTheStandardOne) {

@@ -89,7 +89,7 @@ TEST_F(StudioWindow, ShowsBothFiguresOfTheSampleAfterADragAndSavesWhatItShows) {
   QSlider* slider = window_.views().compression->target()->slider();
   for (int position = slider->value(); position < 900; position += 20) {
     slider->setValue(position);
-    QTest::qWait(10);
+    runDueEvents();
   }
   ASSERT_TRUE(settled.wait(kPatience));
   EXPECT_GT(document_.decoded()->ratio, 80);
@@ -147,12 +147,12 @@ TEST_F(StudioWindow, IsNotAwayForLongWhileALongClipIsCompressed) {
   write_motion(path("long.bvh").toStdU16String(), motion);
   openAndSettle(path("long.bvh"));
   window_.trace().setWriting(true);
-  QTest::qWait(100);
+  runDueEvents();
   window_.trace().takeLongestBlock();
   QSlider* slider = window_.views().compression->target()->slider();
   for (int step = 0; step < 20; ++step) {
     slider->setValue(slider->value() + 9);
-    QTest::qWait(40);
+    runDueEvents();
   }
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.session().busy(); }, kPatience));
   const Trace::Block longest = window_.trace().takeLongestBlock();

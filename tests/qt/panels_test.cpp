@@ -19,6 +19,7 @@
 #include <QTreeView>
 #include <cmath>
 
+#include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
 #include "widgets/models/joint_error_model.h"
 #include "widgets/panels/annealing_panel.h"
@@ -345,7 +346,7 @@ TEST(ErrorGraph, AClickSeeksToTheFrameThere) {
                       Distortion{.distances = Eigen::MatrixXf::Random(101, 3).cwiseAbs()}),
                   100, {{QStringLiteral("a"), Qt::red, 0}});
   graph.setCurves({{QStringLiteral("a"), Qt::red, 0}, {QStringLiteral("b"), Qt::blue, 2}});
-  QTest::qWait(50);
+  runDueEvents();
   auto* plot = graph.findChild<QCustomPlot*>();
   EXPECT_EQ(plot->graphCount(), 3);  // and the worst of all
   const QSignalSpy sought(&graph, &ErrorGraph::seekRequested);
@@ -408,7 +409,7 @@ TEST(ErrorGraph, TellsBothErrorsWhereItIsPointedAt) {
   errors.turns(40, 1) = 7;
   graph.setErrors(std::make_shared<Distortion>(errors), 100,
                   {{QStringLiteral("hand"), Qt::red, 1}});
-  QTest::qWait(50);
+  runDueEvents();
   auto* plot = graph.findChild<QCustomPlot*>();
   const QPoint at(static_cast<int>(std::lround(plot->xAxis->coordToPixel(0.4))),
                   plot->height() / 2);

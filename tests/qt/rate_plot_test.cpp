@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QTreeView>
 
+#include "tests/qt/patience.h"
 #include "tests/unit/study/study_rows.h"
 #include "widgets/models/colours.h"
 #include "widgets/models/study_rows_model.h"
@@ -45,7 +46,7 @@ void lay(Widget& widget) {
   widget.resize(700, 500);
   widget.show();
   EXPECT_TRUE(QTest::qWaitForWindowExposed(&widget));
-  QTest::qWait(1);
+  runDueEvents();
 }
 
 void click(RatePlot& plot, const RatePoint& point) {
@@ -57,7 +58,7 @@ TEST(RatePlot, DrawsEveryCurveInItsColour) {
   RatePlot plot;
   lay(plot);
   plot.setCurves(rateCurves(rows(), "walk.bvh", {}));
-  QTest::qWait(1);
+  runDueEvents();
   const QImage picture = plot.grab().toImage();
   EXPECT_GT(pixelsOf(colourOf("standard"), picture), 200);
   EXPECT_GT(pixelsOf(colourOf("pca"), picture), 200);
@@ -68,7 +69,7 @@ TEST(RatePlot, AClickOnAPointChoosesItsRow) {
   RatePlot plot;
   lay(plot);
   plot.setCurves(rateCurves(rows(), "run.bvh", {}));
-  QTest::qWait(1);
+  runDueEvents();
   QSignalSpy chosen(&plot, &RatePlot::pointChosen);
   const RatePoint point = plot.curves()[1].points[2];
   click(plot, point);
@@ -145,7 +146,7 @@ TEST_F(StudyResultsView, KeepsTheClipWhileRowsArrive) {
 TEST_F(StudyResultsView, APointChosenIsSelectedInTheTable) {
   results_.setClip(QStringLiteral("run.bvh"));
   results_.table()->sortByColumn(StudyRowsModel::Eps, Qt::DescendingOrder);
-  QTest::qWait(1);
+  runDueEvents();
   QSignalSpy chosen(&results_, &StudyResults::rowChosen);
   const RatePoint point = results_.plot()->curves()[0].points[1];
   click(*results_.plot(), point);

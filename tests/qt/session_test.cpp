@@ -96,7 +96,7 @@ TEST_F(Studio, SpeaksOfACancelOnlyWhereSomebodyDid) {
   QSignalSpy settled(&session_, &Session::settled);
   for (int i = 0; i < 5; ++i) {
     session_.setOptions(ratio(12 + i));
-    QTest::qWait(20);
+    runDueEvents();
     EXPECT_FALSE(says_cancelled()) << stateOf(document_).toStdString();
   }
   ASSERT_TRUE(QTest::qWaitFor([&] { return !session_.busy(); }, kPatience));

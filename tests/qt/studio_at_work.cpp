@@ -64,7 +64,7 @@ QImage Studio::picture(const QString& name) {
   QSignalSpy captured(window_.views().viewport, &Viewport::captured);
   window_.views().viewport->capture();
   EXPECT_TRUE(captured.count() > 0 || captured.wait(kPatience));
-  QTest::qWait(150);
+  runDueEvents();
   EXPECT_TRUE(writeScreenshot(window_, picturePath(name)));
   QImage picture(picturePath(name));
   // As the guide takes it.

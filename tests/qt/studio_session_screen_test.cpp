@@ -36,6 +36,7 @@
 #include "widgets/panels/preset_chooser.h"
 #include "widgets/panels/preset_editor.h"
 #include "widgets/panels/target_control.h"
+#include "widgets/plots/rate_plot.h"
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
 #include "widgets/timeline/timeline.h"
@@ -94,7 +95,7 @@ TEST_F(StudioTour, AFolderIsReviewedClipByClip) {
   studio->playback().seek(300);
   studio->actions().view.reset_camera->trigger();
   studio->findChild<QDockWidget*>(QStringLiteral("heat-map"))->raise();
-  QTest::qWait(300);
+  runDueEvents();
   const QImage all = studio.picture(QStringLiteral("library"));
   EXPECT_GT(coloursIn(all, studio.areaOf(panel.view())), 12u);
   panel.view()->collapse(tree.indexOf(0).parent());
@@ -141,7 +142,7 @@ void batch(Studio& studio) {
   EXPECT_EQ(session->counts().failed, 0u);
   EXPECT_EQ(
       QDir(out.path() + QStringLiteral("/study")).entryList({QStringLiteral("*.mcpr")}).size(), 15);
-  QTest::qWait(100);
+  runDueEvents();
   EXPECT_TRUE(writeScreenshot(*window, picturePath(QStringLiteral("session-6-batch"))));
   const QImage picture(picturePath(QStringLiteral("session-6-batch")));
   EXPECT_GT(coloursIn(picture, picture.rect()), 60u);
@@ -168,7 +169,7 @@ TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
     studio.settleAfter([&] {
       for (int position = slider->value(); position < 700; position += 25) {
         slider->setValue(position);
-        QTest::qWait(5);
+        runDueEvents();
       }
     });
     EXPECT_GT(document.decoded()->ratio, 50);
@@ -182,7 +183,11 @@ TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
       auto* dock = studio->findChild<QDockWidget*>(QString::fromLatin1(id));
       ASSERT_TRUE(dock);
       dock->raise();
-      QTest::qWait(id == std::string("rate-distortion") ? 2500 : 100);
+      const auto curves_are_drawn = [&] {
+        const RatePlot* plot = dock->findChild<RatePlot*>();
+        return !plot || (!plot->curves().empty() && plot->curves()[0].line.size() > 1);
+      };
+      EXPECT_TRUE(QTest::qWaitFor(curves_are_drawn, kPatience));
       const QImage picture = studio.picture(QStringLiteral("session-3-") + QString::fromLatin1(id));
       EXPECT_TRUE(dock->widget()->isVisible());
       EXPECT_GT(coloursIn(picture, studio.areaOf(dock->widget())), 12u) << id;

@@ -64,7 +64,7 @@ TEST(StudyWindowOnScreen, DrawsCurvesOfTheOpenClipAndLoadsThePointThatIsClicked)
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return plot->curves().size() == 2 && !plot->curves()[0].line.empty(); }, kPatience));
 
-  QTest::qWait(50);
+  runDueEvents();
   const QString picture = directory.filePath(QStringLiteral("study.png"));
   ASSERT_TRUE(writeScreenshot(*study, picture));
   const QImage seen(picture);

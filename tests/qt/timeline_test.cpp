@@ -16,6 +16,7 @@
 #include <QToolTip>
 #include <cmath>
 
+#include "tests/qt/patience.h"
 #include "widgets/models/colours.h"
 #include "widgets/panels/figures_bar.h"
 #include "widgets/plots/channel_graph.h"
@@ -407,7 +408,7 @@ TEST(ChannelGraph, DrawsWhatItIsGivenAndSeeks) {
   graph.setCurves(curves);
   graph.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&graph));
-  QTest::qWait(50);
+  runDueEvents();
   const QImage picture = graph.grab().toImage();
   EXPECT_GT(countOf(picture, QColor(0xd5, 0x5e, 0x00), picture.rect()), 100);  // compressed
   EXPECT_GT(countOf(picture, QColor(0x00, 0x72, 0xb2), picture.rect()), 400);  // bars

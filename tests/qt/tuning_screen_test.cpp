@@ -45,7 +45,10 @@ class Tuning : public testing::Test {
   }
 
   void picture(const char* name) {
-    QTest::qWait(200);
+    QSignalSpy captured(window_.views().viewport, &Viewport::captured);
+    window_.views().viewport->capture();
+    EXPECT_TRUE(captured.count() > 0 || captured.wait(kPatience));
+    runDueEvents();
     const QDir folder(QStringLiteral(MOCAPRESS_BINARY_DIR "/pictures"));
     folder.mkpath(QStringLiteral("."));
     EXPECT_TRUE(writeScreenshot(window_, folder.filePath(QString::fromLatin1(name))));

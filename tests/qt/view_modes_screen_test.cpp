@@ -122,12 +122,12 @@ TEST_F(ViewModes, BlinkingShowsNowOneNowTheOther) {
   const QPoint red = seen(compressed_);
   bool with = false;
   bool without = false;
-  for (int look = 0; look < 40 && !(with && without); ++look) {
+  const auto both_were_seen = [&] {
     const bool now = isRed(picture({.blinking = true}).pixel(red));
     (now ? with : without) = true;
-    QTest::qWait(50);
-  }
-  EXPECT_TRUE(with && without);
+    return with && without;
+  };
+  EXPECT_TRUE(QTest::qWaitFor(both_were_seen, kPatience));
 }
 
 TEST_F(ViewModes, ColoursByErrorFromVioletToYellowWithALegend) {

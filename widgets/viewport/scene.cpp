@@ -221,7 +221,13 @@ void Scene::frameBegins() {
   if (--frames_until_drawn_ == 0) emit drawn();
 }
 
+// What was set a moment ago is uploaded while the first frame is drawn, and seen in the second. The
+// first picture ever captured may be blank, too.
 void Scene::capture() {
+  capture(2);
+}
+
+void Scene::capture(int frames) {
   Qt3DRender::QRenderCaptureReply* reply = capture_->requestCapture();
   auto* timeout = new QTimer(reply);
   connect(timeout, &QTimer::timeout, this, [this, reply, timeout] {
@@ -230,11 +236,10 @@ void Scene::capture() {
     connect(reply, &Qt3DRender::QRenderCaptureReply::completed, reply, &QObject::deleteLater);
     emit captured({});
   });
-  connect(reply, &Qt3DRender::QRenderCaptureReply::completed, this, [this, reply] {
+  connect(reply, &Qt3DRender::QRenderCaptureReply::completed, this, [this, reply, frames] {
     const QImage image = reply->image().convertToFormat(QImage::Format_RGB32);
     reply->deleteLater();
-    // The first picture ever captured may be blank.
-    if (!std::exchange(capture_is_warm_, true)) return capture();
+    if (frames > 1) return capture(frames - 1);
     emit captured(image);
   });
   timeout->start(kCaptureTimeout);

@@ -74,7 +74,7 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   /// Starts the wait for drawn() anew.
   void announce();
 
-  /// Delivers the next picture rendered, a null one after five seconds without.
+  /// Delivers a picture of all that was set before, a null one after five seconds without.
   void capture();
 
  signals:
@@ -85,6 +85,7 @@ class Scene : public Qt3DExtras::Qt3DWindow {
 
  private:
   void frameBegins();
+  void capture(int frames);
   void makeFrameGraph(Qt3DCore::QEntity* backdrop);
 
   Figure* body_;
@@ -105,7 +106,6 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   ShaderMaterial* backdrop_;
   Qt3DRender::QRenderCapture* capture_;
   int frames_until_drawn_ = 0;
-  bool capture_is_warm_ = false;
 };
 
 }  // namespace mocapress
