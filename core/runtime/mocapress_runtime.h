@@ -3,26 +3,31 @@
  * The runtime decoder of Mocapress: plays .mcpr files of the coding "adaptive" in an engine.
  *
  * A file is opened once into a compact resident form, about twice as large as the file's coded
- * motion. From that form the decoder gives any channels, any stretch of frames, any instant between
- * frames and any level of detail, each by itself. It allocates, throws and locks nothing and keeps
- * no globals: all memory is the caller's. A clip is read-only once it was built. Any number of
- * threads may decode from it, each with scratch memory of its own.
+ * motion. From that form the decoder gives any channels, any range of frames, any instant between
+ * frames and any level of detail, without decoding the rest.
  *
- * Units: lengths are centimetres, angles radians, rates frames a second. Instants are counted in
- * frames from the first: seconds * sample_rate.
+ * Memory and threads: the decoder allocates, throws and locks nothing and has no globals. The
+ * caller provides all memory, aligned to MCPR_ALIGNMENT. A built clip is read-only. Any number of
+ * threads may decode from it, each with its own scratch memory.
  *
- * Space: right-handed, y up, the ground is x and z. The clip says where a character stands and
- * faces. A positive angle turns as a right-handed screw along its axis: about y from z to x. An
- * engine with z up takes x y z as x -z y, and does the same with a quaternion's vector part. A
- * left-handed engine also negates one axis, and the two other components of a quaternion's vector
- * part.
+ * Errors: every function that can fail returns an mcpr_result, which says where and why. If a call
+ * fails, the contents of its output arguments are unspecified. A null argument, an unknown enum
+ * value or an index out of range gives MCPR_ARGUMENT. Memory to work in or to build in gives
+ * MCPR_MEMORY if it is null, too small or not aligned. Comments on functions list further errors
+ * only.
  *
- * Rotations: unit quaternions w x y z that turn columns, v' = q v q*; q and -q are the same
- * rotation, and either may come. A joint's transform maps its own frame to its
- * parent's; a pose in the world is parent * child, from the roots on.
+ * Units: lengths are in centimetres, angles in radians, rates in frames per second. Time is counted
+ * in frames from the first, unless a request says seconds: frame = seconds * sample_rate.
  *
- * Memory handed in must be aligned to MCPR_ALIGNMENT. Every function that can fail says where and
- * why; what it writes is then unspecified.
+ * Space: right-handed, y up, the ground is the x-z plane. The clip says where a character stands
+ * and which way it faces. A positive angle turns counter-clockwise as seen from the tip of the
+ * axis: about y, from z to x. An engine with z up converts x y z to x -z y, and the vector part of
+ * a quaternion likewise. A left-handed engine also negates one axis, and the other two components
+ * of a quaternion's vector part.
+ *
+ * Rotations: unit quaternions w x y z that rotate column vectors, v' = q v q*. q and -q are the
+ * same rotation, and the decoder may return either. A joint's transform maps its local space to its
+ * parent's. World transforms are products parent * child, starting at the root.
  */
 #ifndef MOCAPRESS_RUNTIME_H
 #define MOCAPRESS_RUNTIME_H
@@ -34,467 +39,525 @@
 extern "C" {
 #endif
 
-/* The version of the decoder. Until 1.0 the C interface may change with the minor one. */
+/* The version of the decoder. Until 1.0 the C interface may change with the minor version. */
 #define MCPR_VERSION_MAJOR 0
 #define MCPR_VERSION_MINOR 1
 #define MCPR_VERSION_PATCH 0
 #define MCPR_VERSION (MCPR_VERSION_MAJOR * 10000 + MCPR_VERSION_MINOR * 100 + MCPR_VERSION_PATCH)
 
+/* Alignment, in bytes, of all memory handed to the decoder. Files may have any alignment. */
 #define MCPR_ALIGNMENT 32
 
+/* The outcome of a call. */
 typedef enum mcpr_status {
   MCPR_OK = 0,
-  MCPR_NOT_A_CLIP = 1,      /* the bytes are no .mcpr file */
+  MCPR_NOT_A_CLIP = 1,      /* not a Mocapress file, cooked clip or bank */
   MCPR_UNKNOWN_VERSION = 2, /* a version that this decoder does not know */
   MCPR_DAMAGED = 3,         /* cut short, or a checksum differs */
-  MCPR_INVALID = 4,         /* not what FORMAT.md allows */
-  MCPR_UNSUPPORTED = 5,     /* allowed, but not adaptive: the library mocapress reads it */
-  MCPR_LIMIT = 6,           /* larger than the limits given */
+  MCPR_INVALID = 4,         /* the contents violate FORMAT.md */
+  MCPR_UNSUPPORTED = 5,     /* valid, but not coded as "adaptive": the mocapress library reads it */
+  MCPR_LIMIT = 6,           /* larger than the given limits, or than a cooked clip can be */
   MCPR_MEMORY = 7,          /* too little memory given, or not aligned */
-  MCPR_ARGUMENT = 8         /* a request for what the clip does not have */
+  MCPR_ARGUMENT = 8         /* an invalid argument, or a request for what the clip does not have */
 } mcpr_status;
 
+/* The outcome of a call, with the place and the cause of a failure. */
 typedef struct mcpr_result {
   mcpr_status status;
-  size_t offset;       /* of the first offending byte in the file; 0 if no byte is at fault */
-  const char* message; /* a constant, in English; never null */
+  size_t offset;       /* the first offending byte in the file; 0 if no byte is at fault */
+  const char* message; /* a constant string in English; never null */
 } mcpr_result;
 
-/* "damaged file" ...: a name for a status. Never null. */
+/* Returns a short English name for a status, such as "damaged file". Never null. */
 const char* mcpr_status_message(mcpr_status status);
 
-/* Limits for files. A file beyond them is refused before any work is done for it. Only mcpr_read
- * finds out how large the resident form is: beyond that limit a file is refused after it. */
+/* Limits for files. A file beyond any of the first five is refused before anything is decoded. The
+ * size of the resident form is known, and checked, once mcpr_read has decoded the file. */
 typedef struct mcpr_limits {
   uint32_t frames;
   uint32_t joints;
-  uint32_t channels;    /* of all joints together */
-  uint64_t values;      /* frames * (channels + 3 * effectors + tracks that are curves); frames that
-                           two segments of a long clip share count twice */
-  size_t scratch_bytes; /* of mcpr_info.read_bytes */
-  size_t resident_bytes;      /* of the resident form */
-  uint32_t solver_iterations; /* of an IK solver, for a limb at a frame; the format's solvers take
-                                 60 or 12 */
+  uint32_t channels;          /* of all joints together */
+  uint64_t values;            /* frames * (channels + 3 * effectors + curve tracks). A frame shared
+                                 by two segments of a long clip counts twice */
+  size_t scratch_bytes;       /* limit for mcpr_info.read_bytes */
+  size_t resident_bytes;      /* limit for the size of the resident form */
+  uint32_t solver_iterations; /* cap on the IK solver's iterations per limb and frame; the format's
+                                 solvers take up to 60 or 12. Fewer are faster and less exact */
 } mcpr_limits;
 
-/* The limits of the format, within which every valid file opens: frames 2^22, joints 4096, channels
- * 24576, values 2^26, scratch memory 608 MiB, resident form 272 MiB, 60 iterations. That is hours
- * of motion: give less where files come from strangers and memory is scarce. Higher limits do not
- * let in files beyond the format. */
+/* Returns the limits of the format. Every valid file is within them: 2^22 frames, 4096 joints,
+ * 24576 channels, 2^26 values, 608 MiB of scratch memory, 272 MiB for the resident form, 60
+ * iterations. That is hours of motion: set lower limits where files come from strangers and memory
+ * is scarce. Higher limits have no effect. */
 mcpr_limits mcpr_default_limits(void);
 
 /* ---------------------------------------------------------------- opening */
 
-/* What a file holds, by its headers alone. */
+/* The contents of a file as its headers state them. */
 typedef struct mcpr_info {
-  double sample_rate; /* frames a second */
+  double sample_rate; /* frames per second */
   uint32_t frames;
   uint32_t joints;
   uint32_t channels;
-  uint32_t effectors;  /* of the IK correction; 0: none */
-  size_t motion_bytes; /* of the file: coded motion, segments, correction, ends, turned axes */
-  size_t read_bytes;   /* scratch memory that mcpr_read needs; for a long clip in segments: one
-                          decoded segment and motion_bytes */
+  uint32_t effectors;  /* joints placed by the IK correction; 0: the clip has no correction */
+  size_t motion_bytes; /* bytes of the file that code the motion: coefficients, segment table,
+                          correction, clip ends, turned axes */
+  size_t read_bytes;   /* scratch memory that mcpr_read needs. For a segmented clip: one decoded
+                          segment plus motion_bytes */
 } mcpr_info;
 
+/* Reads the headers of a file of `size` bytes into *info. Null `limits` are the default limits.
+ * Checks all checksums, but decodes nothing. Fails with any status from MCPR_NOT_A_CLIP to
+ * MCPR_LIMIT. */
 mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits, mcpr_info* info);
 
-/* Decodes a whole file into `scratch` (info.read_bytes), from which mcpr_build makes a clip of
- * *resident_bytes. The file is not needed afterwards. The work is at most in proportion to
- * values + joints^2 + 2^15 * size, whatever the bytes. */
+/* Decodes a whole file into `scratch`, of at least mcpr_info.read_bytes. Sets *resident_bytes to
+ * the memory that mcpr_build needs. The file is not needed afterwards. Takes time in proportion to
+ * values + joints^2 + 2^15 * size at most, whatever the bytes. Fails as mcpr_inspect does, and with
+ * MCPR_INVALID or MCPR_LIMIT for the decoded contents. */
 mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, void* scratch,
                       size_t scratch_size, size_t* resident_bytes);
 
+/* A clip in its resident form: skeleton, motion and tracks in one block of bytes. */
 typedef struct mcpr_clip mcpr_clip;
 
-/* Makes the resident form. It has no pointers: it may be moved and copied as bytes, within one
- * program and version. `scratch` is what mcpr_read left, in its place. mcpr_build works in it; it
- * is not needed afterwards. For a clip in segments it takes as long as mcpr_read. */
+/* Builds the resident form in `resident`, of the size that mcpr_read returned, and points *clip to
+ * it. `scratch` is the memory that mcpr_read filled, at the same address. It is used as work space
+ * and not needed afterwards. The resident form contains no pointers: within one program and version
+ * it may be moved and copied as bytes. For a segmented clip this takes as long as mcpr_read. Fails
+ * with MCPR_ARGUMENT if mcpr_read did not succeed on `scratch`. */
 mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident, size_t resident_size,
                        const mcpr_clip** clip);
 
 /* ---------------------------------------------------------------- looking at a clip */
 
+/* The dimensions of a clip. */
 typedef struct mcpr_clip_info {
-  double sample_rate; /* frames a second */
+  double sample_rate; /* frames per second */
   uint32_t frames;
   uint32_t joints;
   uint32_t channels;
-  uint32_t effectors;
-  uint32_t bands;        /* levels of detail that can be left out, 0 .. 26; the last segment of a
+  uint32_t effectors;    /* joints placed by the IK correction; 0: the clip has no correction */
+  uint32_t bands;        /* levels of detail that can be left out, 0 to 26. The last segment of a
                             long clip may have fewer */
-  size_t resident_bytes; /* all of the clip */
-  size_t skeleton_bytes; /* of them the skeleton's: names, offsets, axes */
-  uint32_t loop_frames;  /* of one turn of a loop: one less than frames where the last frame shows
-                            the first pose again; 0: the clip is no loop */
-  uint32_t tracks;       /* morph weights, properties, scales: see below */
+  size_t resident_bytes; /* size of the whole clip in memory */
+  size_t skeleton_bytes; /* the part of resident_bytes that holds names, offsets and axes */
+  uint32_t loop_frames;  /* frames in one cycle of a loop: frames - 1 if the last frame repeats the
+                            first pose, else frames. 0: the clip is not a loop */
+  uint32_t tracks;       /* scalar tracks: morph weights, properties, scales */
 } mcpr_clip_info;
 
-/* All zero if `clip` is no clip. */
+/* Returns the dimensions of a clip; all zero if `clip` is null or not a clip. */
 mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip);
 
-/* A joint, parents before children. Its frame maps to its parent's by
+/* A joint of the skeleton. Parents come before their children. A point moves from the joint's space
+ * to its parent's by
  *   x_in_parent = offset + translation + rotation * x_in_joint
- * where offset + translation and rotation are what MCPR_LOCAL decodes to. */
+ * where MCPR_LOCAL gives the rotation and the sum offset + translation. */
 typedef struct mcpr_joint {
-  const char* name; /* UTF-8, ends with a zero; in the clip's memory */
-  int32_t parent;   /* -1: a root */
-  float offset[3];  /* cm, in the parent's frame */
+  const char* name; /* UTF-8, zero-terminated, in the clip's memory */
+  int32_t parent;   /* index of the parent; -1: a root */
+  float offset[3];  /* cm, in the parent's space */
   uint32_t first_channel;
-  uint32_t channels; /* 0 .. 6 */
-  uint8_t kinds[6];  /* 0 1 2: translation x y z, cm; 3 4 5: rotation x y z, radians; of angles the
-                        first leftmost, about axes that suit the clip and are not told here (AXES
-                        in FORMAT.md): MCPR_LOCAL is what poses a joint */
-  uint8_t has_end_site;
-  float end_site[3]; /* cm, in the joint's frame */
+  uint32_t channels;    /* 0 to 6 */
+  uint8_t kinds[6];     /* one per channel. 0 1 2: translation x y z in cm; 3 4 5: rotation x y z in
+                           radians. Rotations are multiplied in this order, the first leftmost, about
+                        axes that the encoder may have turned to suit the clip (AXES in FORMAT.md)
+                        and that are not told here: take poses from MCPR_LOCAL */
+  uint8_t has_end_site; /* 1: `end_site` is set */
+  float end_site[3];    /* the tip of a joint without children. cm, in the joint's space */
 } mcpr_joint;
 
+/* Describes one joint, 0 <= joint < mcpr_clip_info.joints. */
 mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out);
 
-/* The first joint of that name, compared byte for byte. -1: there is none, or clip or name is null.
- * It searches all joints: call it once, not at every frame. */
+/* Returns the index of the first joint with this name, compared byte for byte; -1 if there is none.
+ * Searches all joints: call it once, not at every frame. */
 int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name);
 
 /* ---------------------------------------------------------------- decoding */
 
+/* The values that decoding returns for each frame. */
 typedef enum mcpr_output {
-  MCPR_CHANNELS = 0, /* 1 float a channel: cm or radians, in the order of the request */
-  MCPR_LOCAL = 1,    /* 7 floats a joint: quaternion w x y z of parent_from_joint, then the
-                        joint's origin in its parent's frame, x y z (a root's: in the world), cm */
-  MCPR_POSITIONS = 2 /* 3 floats a joint: its origin in the world, x y z, cm */
+  MCPR_CHANNELS = 0, /* 1 float per channel, in cm or radians, in the order of the request */
+  MCPR_LOCAL = 1,    /* 7 floats per joint: the quaternion w x y z from the joint's space to its
+                        parent's, then the joint's origin x y z in its parent's space (for a root:
+                        in world space), in cm */
+  MCPR_POSITIONS = 2 /* 3 floats per joint: its origin x y z in world space, in cm */
 } mcpr_output;
 
-/* By what instructions rows are computed. All give the same bits. */
+/* The instruction set to compute with. All give the same bits. */
 typedef enum mcpr_path {
-  MCPR_PATH_BEST = 0,
+  MCPR_PATH_BEST = 0, /* the fastest that exists */
   MCPR_PATH_PLAIN = 1,
   MCPR_PATH_SSE2 = 2,
   MCPR_PATH_AVX2 = 3
 } mcpr_path;
 
-/* 1 if this machine and build have the path. */
+/* Returns 1 if this build and this machine have the path, else 0. */
 int mcpr_path_exists(mcpr_path path);
 
-/* What to decode. All zero: every channel, in full detail, without IK correction. */
+/* A request for decoding. All zero: every channel, in full detail, without IK correction. */
 typedef struct mcpr_request {
   mcpr_output output;
-  int apply_ik;             /* 1: with the clip's IK correction, if it has one */
-  uint32_t bands_left_out;  /* how many of the finest; each halves the sample rate of the rest */
-  const uint16_t* channels; /* MCPR_CHANNELS only: which, in any order, none twice; null: all */
-  uint32_t channel_count;   /* of `channels`; 0 where that is null */
+  int apply_ik;             /* 1: apply the clip's IK correction, if it has one */
+  uint32_t bands_left_out;  /* number of finest bands to leave out. Each halves the rate at which
+                               the rest is sampled */
+  const uint16_t* channels; /* channels to decode, in any order, without duplicates; null: all.
+                               Allowed for MCPR_CHANNELS only */
+  uint32_t channel_count;   /* length of `channels`; 0 if that is null */
   mcpr_path path;
-  uint32_t solver_iterations; /* at most, for a limb at a frame; 0: as many as the format's solvers
-                                 take */
+  uint32_t solver_iterations; /* not used yet, set it to 0: mcpr_limits.solver_iterations caps the
+                                 IK solver */
 } mcpr_request;
 
-/* Floats in a frame of output; 0 for a request that the clip cannot fulfil. */
+/* Returns the number of floats that one decoded frame takes; 0 if the request is not possible. */
 size_t mcpr_frame_values(const mcpr_clip* clip, const mcpr_request* request);
 
-/* Scratch memory of mcpr_decode_frames and mcpr_decode_moment, whatever the frames. */
+/* Returns the bytes of scratch memory that decoding this request needs, for any number of frames; 0
+ * if the request is not possible. Every thread needs its own. */
 size_t mcpr_scratch_bytes(const mcpr_clip* clip, const mcpr_request* request);
 
-/* Decodes frames first .. first + count - 1, row after row, each of mcpr_frame_values() floats. For
- * a subset of channels only those are computed, unless the correction turns one of them. */
+/* Decodes frames `first` to `first + count - 1` into `out`, frame after frame: count rows of
+ * mcpr_frame_values() floats. For a subset of channels only those are computed, unless the IK
+ * correction turns one of them. */
 mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request, uint32_t first,
                                uint32_t count, float* out, void* scratch, size_t scratch_size);
 
-/* Decodes one instant, in frames from the first, 0 .. frames - 1. At a frame it is exact; between
- * two, the channels and what the correction adds are linear in time. */
+/* Decodes the pose at one instant, 0 <= frame <= frames - 1, into mcpr_frame_values() floats. Whole
+ * numbers give exactly that frame. Between two frames the channels and the offsets of effectors are
+ * interpolated linearly, and the IK correction is solved for that instant. */
 mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request, double frame,
                                float* out, void* scratch, size_t scratch_size);
 
-/* The same for a loop, at any instant: whole turns are taken off it first. If the first frame
- * follows upon the last, channels go from the last frame to the first, angles by the shorter way.
- * Roots go on as they came: the caller adds up, turn by turn, where a character stands and faces.
- */
+/* Decodes the pose of a loop at any finite instant, as mcpr_decode_moment does after whole cycles
+ * are taken off. Between the last frame and the first of the next cycle, channels are interpolated
+ * linearly, angles the shorter way round; roots go on as they moved in the last frame. The
+ * character starts each cycle at the same place: the caller adds up the distance and the turn of
+ * the cycles. Fails with MCPR_ARGUMENT if the clip is not a loop. */
 mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request, double frame,
                                float* out, void* scratch, size_t scratch_size);
 
 /* ---------------------------------------------------------------- poses at any instant */
 
-/* A cooked clip: laid out for poses at any instant, several times as fast as mcpr_decode_moment,
- * and about three times the coded motion's bytes. One block of bytes without pointers,
- * little-endian, aligned to MCPR_ALIGNMENT: it may be copied, written to disk and used as it is
- * mapped from there. It has the tracks of its clip, but neither names nor parents of joints: joints
- * are those of the clip that it was cooked from, in their order. */
+/* A cooked clip: laid out for sampling poses at any instant, several times as fast as with
+ * mcpr_decode_moment, in about three times the bytes of the coded motion. One little-endian block
+ * without pointers, aligned to MCPR_ALIGNMENT: it may be copied, written to disk, and used in place
+ * when mapped from there. It has the joints of the clip that it was cooked from, in the same order,
+ * but not their names and parents. It has the same scalar tracks. */
 typedef struct mcpr_cooked mcpr_cooked;
 
+/* Options of cooking. Null options are all zero. */
 typedef struct mcpr_cook_options {
-  int apply_ik; /* 1: with the clip's IK correction, if it has one, cooked in */
+  int apply_ik; /* 1: apply the clip's IK correction, if it has one, once and for all */
 } mcpr_cook_options;
 
-/* Scratch memory of cooking, in proportion to frames * channels of the longest segment; with
- * apply_ik of the whole clip. 0: there is no clip. */
+/* Returns the bytes of scratch memory that cooking needs; 0 without a clip. They are in proportion
+ * to frames * channels of the longest segment; with apply_ik, of the whole clip. */
 size_t mcpr_cook_scratch_bytes(const mcpr_clip* clip, const mcpr_cook_options* options);
 
-/* The size of the cooked form. Works as much as mcpr_cook. */
+/* Sets *bytes to the size of the cooked form. Takes as long as mcpr_cook. Fails with MCPR_LIMIT if
+ * the clip has too many channels to be cooked or would take more than 4 GiB. */
 mcpr_result mcpr_cook_size(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
                            size_t scratch_size, size_t* bytes);
 
-/* Makes it. The clip is no longer needed after this. */
+/* Cooks a clip into `memory`, of the size that mcpr_cook_size returned, and points *cooked to it.
+ * The clip is not needed afterwards. Fails as mcpr_cook_size does. */
 mcpr_result mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
                       size_t scratch_size, void* memory, size_t size, const mcpr_cooked** cooked);
 
-/* A block that was cooked before. Unchecked, only its head is looked at, and the rest must be what
- * mcpr_cook made. `check`: every byte is, and whatever is no cooked clip refused: for files from
- * anywhere. */
+/* Opens a block that mcpr_cook made earlier; *cooked points into `memory`. check = 0 looks at the
+ * head only, and trusts the rest to be what mcpr_cook made. check = 1 verifies every byte, so that
+ * blocks from anywhere are safe to sample. Fails with MCPR_NOT_A_CLIP, MCPR_UNKNOWN_VERSION,
+ * MCPR_DAMAGED or MCPR_INVALID. */
 mcpr_result mcpr_open_cooked(const void* memory, size_t size, int check,
                              const mcpr_cooked** cooked);
 
+/* The dimensions of a cooked clip. */
 typedef struct mcpr_cooked_info {
-  double sample_rate; /* frames a second */
+  double sample_rate; /* frames per second */
   uint32_t frames;
   uint32_t joints;
-  uint32_t loop_frames;  /* as of mcpr_clip_info */
-  size_t bytes;          /* all of it */
-  size_t skeleton_bytes; /* of them what is the skeleton's: what never changes, and which channel
-                            turns what */
+  uint32_t loop_frames;  /* frames in one cycle of a loop, as in mcpr_clip_info; 0: not a loop */
+  size_t bytes;          /* size of the whole block */
+  size_t skeleton_bytes; /* the part of `bytes` that does not grow with the motion: constant
+                            transforms, and tables of which channel moves which joint */
 } mcpr_cooked_info;
 
-/* All zero where there is no clip. */
+/* Returns the dimensions of a cooked clip; all zero if it is null. */
 mcpr_cooked_info mcpr_cooked_describe(const mcpr_cooked* cooked);
 
+/* A joint's local transform. */
 typedef struct mcpr_transform {
-  float rotation[4];    /* w x y z of parent_from_joint */
-  float translation[4]; /* the joint's origin in its parent's frame, x y z (a root's: in the world),
-                           cm; then 0 */
+  float rotation[4];    /* quaternion w x y z, from the joint's space to its parent's */
+  float translation[4]; /* the joint's origin x y z in its parent's space (for a root: in world
+                           space), in cm; then 0 */
 } mcpr_transform;
 
+/* The layout of a sampled pose. */
 typedef enum mcpr_layout {
-  MCPR_TRANSFORMS = 0, /* an mcpr_transform a joint */
-  MCPR_ARRAYS = 1,     /* w of all joints, then x, y, z of the rotation, then x, y, z of the
-                          translation: 7 floats a joint */
-  MCPR_MATRICES = 2    /* 12 floats a joint: three rows of rotation and translation */
+  MCPR_TRANSFORMS = 0, /* one mcpr_transform per joint: 8 floats */
+  MCPR_ARRAYS = 1,     /* seven arrays, each with one float per joint: rotation w, x, y, z, then
+                          translation x, y, z */
+  MCPR_MATRICES = 2 /* 12 floats per joint: a 3 x 4 matrix [rotation | translation], row by row */
 } mcpr_layout;
 
+/* The unit of instants in a request. */
 typedef enum mcpr_time { MCPR_FRAMES = 0, MCPR_SECONDS = 1 } mcpr_time;
 
-/* Before the first frame and after the last. */
+/* The pose before the first frame and after the last. */
 typedef enum mcpr_wrap {
-  MCPR_CLAMP = 0, /* these stand still */
-  MCPR_LOOP = 1   /* as mcpr_decode_looped, of a clip that is a loop */
+  MCPR_CLAMP = 0, /* the first or the last frame */
+  MCPR_LOOP = 1   /* the pose in another cycle, as in mcpr_decode_looped; for loops only */
 } mcpr_wrap;
 
-/* Some joints of a cooked clip, checked and looked up beforehand: sampling them takes no more
- * time than all, where a list that is given with each request does. */
+/* A subset of a cooked clip's joints, prepared in advance. Sampling a selection is as fast as
+ * sampling all joints; a list of joints in the request is slower, as it is looked up each time. */
 typedef struct mcpr_selection mcpr_selection;
 
-/* The finest bands of details may be left out of poses that are seen from far away: what moves
- * within 2 frames, then 4, 8 and 16. SAMPLING.md has what that costs and brings. */
+/* The number of finest detail bands that can be left out of poses seen from far away. They carry
+ * what moves within 2 frames, 4, 8 and 16. SAMPLING.md tells the error and the time saved. */
 #define MCPR_MOST_BANDS_LEFT_OUT 4
 
-/* What to sample. All zero: the transforms of all joints, by frames, clamped. */
+/* A request for sampling. All zero: the transforms of all joints, time in frames, clamped. */
 typedef struct mcpr_sample_request {
   mcpr_layout layout;
   mcpr_time unit;
   mcpr_wrap wrap;
   mcpr_path path;
-  const uint16_t* joints;          /* which, in any order, none twice; null: all */
-  uint32_t joint_count;            /* of `joints`; 0 where that is null */
-  const mcpr_selection* selection; /* in place of `joints`; null: what these say */
-  uint32_t bands_left_out;         /* 0: none; up to MCPR_MOST_BANDS_LEFT_OUT, the finest first */
+  const uint16_t* joints; /* joints to sample, in any order, without duplicates; null: all */
+  uint32_t joint_count;   /* length of `joints`; 0 if that is null */
+  const mcpr_selection* selection; /* a selection of this clip; null: `joints` applies */
+  uint32_t bands_left_out;         /* number of finest bands to leave out, 0 to
+                                      MCPR_MOST_BANDS_LEFT_OUT */
 } mcpr_sample_request;
 
-/* Memory of a selection of so many joints: about 1.5 KB for 30 joints. 0: there is no clip, or
- * it has not so many. */
+/* Returns the bytes that a selection of this many joints takes, about 1.5 KB for 30 joints; 0
+ * without a clip, or if it has fewer joints. */
 size_t mcpr_selection_bytes(const mcpr_cooked* cooked, uint32_t joint_count);
 
-/* Makes one of joints in any order, none twice, which is the order in which they come out. The list
- * is no longer needed after this; the clip must stay where it is, and so must the selection. It is
- * for this clip alone. Any number of threads may use it. */
+/* Makes a selection in `memory`, of mcpr_selection_bytes(), and points *selection to it. Poses list
+ * the joints in the order of `joints`, which has no duplicates and is not needed afterwards.
+ * Neither the clip nor the selection may be moved after this. A selection works with its own clip
+ * only, from any number of threads. */
 mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joints,
                                 uint32_t joint_count, void* memory, size_t size,
                                 const mcpr_selection** selection);
 
-/* Floats of a sample; 0 for a request that the clip cannot fulfil. */
+/* Returns the number of floats that one sampled pose takes; 0 if the request is not possible. */
 size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request);
 
-/* Local transforms of one instant. Needs no scratch memory but some stack (112 KiB at most).
- * Between two frames channels are linear in time, as in mcpr_decode_moment, and so is what the
- * correction made of them. Within 2^-16 of one it is that frame. All paths give the same bits. */
+/* Samples the local transforms at one finite instant into mcpr_sample_values() floats. Needs no
+ * scratch memory, but up to 112 KiB of stack. Between two frames channels are interpolated
+ * linearly, as in mcpr_decode_moment, and so are angles that a cooked IK correction changed. An
+ * instant within 2^-16 frames of a frame gives that frame. Results are within 5e-4 radians and 2e-3
+ * cm of mcpr_decode_moment (with an IK correction: at frames), and all paths give the same bits.
+ * Fails with MCPR_ARGUMENT for MCPR_LOOP if the clip is not a loop. */
 mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request, double time,
                         float* out);
 
-/* A cursor remembers some frames of a clip around the last instant: play through it, forwards or
- * backwards, takes less time. It is for one who plays; the clip may have any number. Any instant
- * may be asked for at any time, and what comes out depends on the instant alone. From mcpr_sample
- * it differs by rounding: each is within 5e-4 radians and 2e-3 cm of mcpr_decode_moment. */
+/* A cursor caches some frames of a clip around the last instant, which makes playing forwards or
+ * backwards faster. Each player needs its own cursor; a clip may have any number. Instants may be
+ * asked for in any order, and the result depends on the instant alone. It differs from mcpr_sample
+ * by rounding: either is within 5e-4 radians and 2e-3 cm of mcpr_decode_moment. */
 typedef struct mcpr_cursor mcpr_cursor;
 
-/* Memory of a cursor: 4096 bytes at most. 0: there is no clip. */
+/* Returns the bytes that a cursor takes, at most 4096; 0 without a clip. */
 size_t mcpr_cursor_bytes(const mcpr_cooked* cooked);
 
-/* Makes one. The clip must stay where it is. */
+/* Makes a cursor in `memory`, of mcpr_cursor_bytes(), and points *cursor to it. The clip may not be
+ * moved after this. */
 mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t size,
                              mcpr_cursor** cursor);
 
-/* mcpr_sample of the cursor's clip. */
+/* Samples the cursor's clip as mcpr_sample does, using and updating the cached frames. */
 mcpr_result mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request, double time,
                              float* out);
 
 /* ---------------------------------------------------------------- a crowd */
 
-/* One of many that are posed at once. */
+/* One of many characters that are posed together. */
 typedef struct mcpr_character {
   const mcpr_cooked* clip;
-  const mcpr_selection* selection; /* of the clip's joints; null: all */
-  double time;                     /* in the unit of the request */
-  float* out;                      /* mcpr_sample_values() of them */
+  const mcpr_selection* selection; /* a selection of the clip's joints; null: all */
+  double time;                     /* the instant, in the unit of the request */
+  float* out;                      /* room for the pose: mcpr_sample_values() floats */
   mcpr_wrap wrap;
-  uint32_t bands_left_out; /* as of mcpr_sample_request */
+  uint32_t bands_left_out; /* as in mcpr_sample_request */
 } mcpr_character;
 
-/* What all of them ask for. All zero: transforms, by frames. */
+/* The settings that all characters of a call share. All zero: transforms, time in frames. */
 typedef struct mcpr_crowd_request {
   mcpr_layout layout;
   mcpr_time unit;
   mcpr_path path;
-  int exact; /* 1: the bits of mcpr_sample, whoever else is posed. 0: where many play a clip, some
-                frames are made once for several, as a cursor keeps them: each pose has the bits of
-                mcpr_sample or those of mcpr_sample_next, by which others are beside it. Both are
-                within 5e-4 radians and 2e-3 cm of mcpr_decode_moment, and all paths agree */
+  int exact; /* 1: every pose has the bits of mcpr_sample. 0, faster: where many characters play one
+                clip, some frames are made once for several, as a cursor does. Then a pose has the
+                bits of mcpr_sample or of mcpr_sample_next, depending on the other characters. Both
+                are within 5e-4 radians and 2e-3 cm of mcpr_decode_moment on every path */
 } mcpr_crowd_request;
 
-/* Scratch memory of mcpr_sort_crowd: about 72 bytes a character. */
+/* Returns the bytes of scratch memory that mcpr_sort_crowd needs: about 72 per character. */
 size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
 
-/* Puts the array into the order in which mcpr_sample_crowd is fastest: by clip, bands left out and
- * frame. Characters that were in it a moment before are nearly so yet: it need not be called at
- * every frame. Fails as mcpr_sample_crowd does. */
+/* Sorts the characters, in place, into the order in which mcpr_sample_crowd is fastest: by clip,
+ * bands left out, and frame. The order stays nearly right while time advances, so sorting at every
+ * frame is not necessary. Fails as mcpr_sample_crowd does. */
 mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
                             uint32_t count, void* scratch, size_t scratch_size);
 
-/* Scratch memory of mcpr_sample_crowd, however many they are: about 140 KB. */
+/* Returns the bytes of scratch memory that mcpr_sample_crowd needs: about 140 KB for any number of
+ * characters. */
 size_t mcpr_crowd_scratch_bytes(void);
 
-/* mcpr_sample of each, in any order, fastest in that of mcpr_sort_crowd. Threads take a slice of
- * the array each, with scratch memory of their own. If one of them cannot be posed, nothing is
- * written, and the result's offset is the first such one's number in the array. */
+/* Samples the pose of each character, as mcpr_sample does. Any order is allowed; that of
+ * mcpr_sort_crowd is fastest. Several threads may each take a slice of the array, with their own
+ * scratch memory. If a character cannot be posed, nothing is written, and the offset of the result
+ * is the index of the first such character. */
 mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request, const mcpr_character* characters,
                               uint32_t count, void* scratch, size_t scratch_size);
 
 /* ---------------------------------------------------------------- root motion */
 
-/* How a joint, usually the root, moves from one instant to another: the transform at `from`,
- * inverted, times that at `to`. In a loop, turn after turn is added to it; `to` may be before
- * `from`. Layout and list of the request do not matter. */
+/* Computes the motion of one joint, usually the root, between two instants in the unit of the
+ * request: *out = inverse(transform at `from`) * (transform at `to`). In a loop the motion of whole
+ * cycles is accumulated. `to` may be before `from`. Ignores the layout, joints and selection of the
+ * request. */
 mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
                                uint32_t joint, double from, double to, mcpr_transform* out);
 
 /* ---------------------------------------------------------------- tracks */
 
-/* What moves besides joints: one number without a unit, over time. */
+/* The meaning of a scalar track: a number without a unit that changes over time. */
 typedef enum mcpr_track_kind {
-  MCPR_TRACK_PROPERTY = 0,     /* custom properties, IK and event curves */
-  MCPR_TRACK_MORPH_WEIGHT = 1, /* 0: not at all, 1: all of the shape */
-  MCPR_TRACK_SCALE_X = 2,      /* of a joint against its parent. What MCPR_LOCAL decodes to has the
-                                  places that it gives to the joints below: it is for the skin */
+  MCPR_TRACK_PROPERTY = 0,     /* a custom property, an IK curve or an event curve */
+  MCPR_TRACK_MORPH_WEIGHT = 1, /* weight of a morph target: 0: none, 1: full */
+  MCPR_TRACK_SCALE_X = 2,      /* scale of a joint relative to its parent. MCPR_LOCAL already
+                                  places the joints below accordingly: apply it to the skin only */
   MCPR_TRACK_SCALE_Y = 3,
   MCPR_TRACK_SCALE_Z = 4
 } mcpr_track_kind;
 
+/* A scalar track. Strings are UTF-8, zero-terminated, in the clip's memory. */
 typedef struct mcpr_track {
-  const char* node; /* what has it: a joint, or the node of a mesh; empty: the clip */
-  const char* name; /* of the property or the morph target; empty: a scale. Both are UTF-8, end with
-                       a zero, and are in the clip's memory */
+  const char* node; /* the joint or mesh node that the track belongs to; empty: the clip */
+  const char* name; /* the property or the morph target; empty for a scale */
   mcpr_track_kind kind;
-  int steps; /* 1: between two frames it has the value of the first; 0: it is linear */
+  int steps; /* 1: holds the value of the earlier frame between two frames; 0: interpolates */
 } mcpr_track;
 
-/* The tracks of a clip that was built, or of a cooked one, which has the same, to the bit. They are
- * in the clip's memory. Null: it has none, or there is no clip; whoever asks further is told so. */
+/* The scalar tracks of a clip, in the clip's memory. */
 typedef struct mcpr_tracks mcpr_tracks;
 
+/* Return the tracks of a built or cooked clip; null without a clip or if it has no tracks, which
+ * the functions below accept. A cooked clip has the same values as the clip that it was cooked
+ * from, to the bit. */
 const mcpr_tracks* mcpr_clip_tracks(const mcpr_clip* clip);
 const mcpr_tracks* mcpr_cooked_tracks(const mcpr_cooked* cooked);
 
+/* Returns the number of tracks; 0 for null. */
 uint32_t mcpr_track_count(const mcpr_tracks* tracks);
 
+/* Describes one track, 0 <= track < mcpr_track_count(). */
 mcpr_result mcpr_track_describe(const mcpr_tracks* tracks, uint32_t track, mcpr_track* out);
 
-/* The first track of that kind, node and name, compared byte for byte; a null node or name is any.
- * -1: there is none. It searches all tracks: call it once, not at every frame. */
+/* Returns the index of the first track with this kind, node and name, compared byte for byte; -1 if
+ * there is none. A null node or name matches any. Searches all tracks: call it once, not at every
+ * frame. */
 int32_t mcpr_find_track(const mcpr_tracks* tracks, mcpr_track_kind kind, const char* node,
                         const char* name);
 
-/* Which tracks, in any order, none twice; null: all. */
+/* A request for tracks. All zero: every track. */
 typedef struct mcpr_track_request {
-  const uint16_t* tracks;
-  uint32_t track_count; /* of `tracks`; 0 where that is null */
+  const uint16_t* tracks; /* tracks to decode, in any order, without duplicates; null: all */
+  uint32_t track_count;   /* length of `tracks`; 0 if that is null */
 } mcpr_track_request;
 
-/* Floats in a frame: one for each track; 0 for a request that they cannot fulfil. */
+/* Returns the number of floats that one frame takes, one per track; 0 if the request is not
+ * possible. */
 size_t mcpr_track_values(const mcpr_tracks* tracks, const mcpr_track_request* request);
 
-/* Scratch memory of the next two. 0: none, null will do. */
+/* Returns the bytes of scratch memory that the next two functions need. For 0 a null pointer will
+ * do. */
 size_t mcpr_track_scratch_bytes(const mcpr_tracks* tracks, const mcpr_track_request* request);
 
-/* Decodes frames first .. first + count - 1, row after row, each of mcpr_track_values() floats. */
+/* Decodes frames `first` to `first + count - 1` into `out`, frame after frame: count rows of
+ * mcpr_track_values() floats. */
 mcpr_result mcpr_track_frames(const mcpr_tracks* tracks, const mcpr_track_request* request,
                               uint32_t first, uint32_t count, float* out, void* scratch,
                               size_t scratch_size);
 
-/* One instant, in frames from the first, 0 .. frames - 1. In a loop whose first frame follows upon
- * the last, instants up to frames are between these two. */
+/* Decodes the tracks at one instant, 0 <= frame <= frames - 1, into mcpr_track_values() floats. In
+ * a loop of `frames` frames per cycle, instants up to `frames` lie between the last frame and the
+ * first. */
 mcpr_result mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_request* request,
                               double frame, float* out, void* scratch, size_t scratch_size);
 
 /* ---------------------------------------------------------------- banks */
 
-/* Many clips in one file, .mcpk: their skeletons, tags and names stand once. In a packed bank each
- * clip is read as its file would be, by mcpk_read; in a cooked one each is used as it lies there,
- * by mcpk_cooked. The bank is the bytes of its file, aligned to MCPR_ALIGNMENT, in memory or mapped
- * from disk; they stay there as long as it is used. Clips are numbered in the order of their names,
- * byte by byte. Any number of threads may use a bank. */
+/* Many clips in one file, .mcpk, which stores what they share (skeletons, tags, parts of names)
+ * once. A packed bank holds compressed clips, which mcpk_read decodes as mcpr_read does a file. A
+ * cooked bank holds cooked clips, which mcpk_cooked gives in place. The bank is the bytes of the
+ * file, aligned to MCPR_ALIGNMENT, in memory or mapped from disk; they must stay there while the
+ * bank is in use. Clips are numbered in the byte order of their names. Any number of threads may
+ * use a bank. A bank of the other form gives MCPR_ARGUMENT, a damaged index MCPR_DAMAGED. */
 typedef struct mcpk_bank mcpk_bank;
 
-#define MCPK_NAME_BYTES 256 /* of a clip's name, with the zero at its end */
+/* Longest name of a clip, in bytes, with its terminating zero. */
+#define MCPK_NAME_BYTES 256
 
-/* Unchecked, only the head is looked at, however many clips there are, and the rest must be what
- * `mocapress bank` made. `check`: every byte is, and whatever is no bank refused: for files from
- * anywhere. */
+/* Opens a bank; *bank points to `memory`. check = 0 looks at the head only, in the same time for
+ * any number of clips, and trusts the rest to be what `mocapress bank` made. check = 1 verifies
+ * every byte, so that banks from anywhere are safe to use. Fails with MCPR_NOT_A_CLIP,
+ * MCPR_UNKNOWN_VERSION, MCPR_DAMAGED or MCPR_INVALID. */
 mcpr_result mcpk_open(const void* memory, size_t size, int check, const mcpk_bank** bank);
 
+/* The dimensions of a bank. */
 typedef struct mcpk_info {
-  uint64_t bytes; /* all of it */
+  uint64_t bytes; /* size of the whole bank */
   uint32_t clips;
-  uint32_t tags;      /* different ones */
-  uint32_t texts;     /* keys with a value */
-  int is_cooked;      /* 0: packed */
-  size_t table_bytes; /* of it what cooked clips have in common */
+  uint32_t tags;      /* number of different tags */
+  uint32_t texts;     /* number of key-value pairs */
+  int is_cooked;      /* 1: cooked, 0: packed */
+  size_t table_bytes; /* the part of `bytes` that cooked clips share; 0 in a packed bank */
 } mcpk_info;
 
-/* All zero where there is no bank. */
+/* Returns the dimensions of a bank; all zero if it is null. */
 mcpk_info mcpk_describe(const mcpk_bank* bank);
 
-/* The clip of that name; -1: there is none. Compares about log2(clips) names. */
+/* Returns the number of the clip with this name; -1 if there is none. Compares about log2(clips)
+ * names. */
 int32_t mcpk_find(const mcpk_bank* bank, const char* name);
 
-/* Puts a clip's name where there is room for MCPK_NAME_BYTES. Its length; 0: there is no such clip.
- */
+/* Copies the name of a clip, zero-terminated, to `name`, which has room for MCPK_NAME_BYTES.
+ * Returns the length without the zero; 0 if there is no such clip. */
 size_t mcpk_name(const mcpk_bank* bank, uint32_t clip, char* name);
 
-/* A clip's tags, from number 0 on; null: it has no more. */
+/* Returns tag `number` of a clip, counted from 0, in the bank's memory; null if the clip has fewer
+ * tags. */
 const char* mcpk_tag(const mcpk_bank* bank, uint32_t clip, uint32_t number);
 
-/* The keys and values that the bank has, from number 0 on; null: there are no more. */
+/* Return the key and the value of pair `number` of the bank, counted from 0, in the bank's memory;
+ * null if it has fewer pairs. */
 const char* mcpk_key(const mcpk_bank* bank, uint32_t number);
 const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
 
-/* Of a packed bank: as mcpr_inspect and mcpr_read, whose place they take; mcpr_build follows. */
+/* Inspects and reads a clip of a packed bank, as mcpr_inspect and mcpr_read do with a file.
+ * mcpr_build then makes the clip. */
 mcpr_result mcpk_inspect(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
                          mcpr_info* info);
 mcpr_result mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
                       void* scratch, size_t scratch_size, size_t* resident_bytes);
 
-/* Of a cooked bank: the clip where it lies, for mcpr_sample. */
+/* Points *cooked to a clip of a cooked bank, in the bank's memory, ready for mcpr_sample. */
 mcpr_result mcpk_cooked(const mcpk_bank* bank, uint32_t clip, const mcpr_cooked** cooked);
 
-/* Of a cooked bank: a joint of a clip's skeleton, parents before children; without channels. The
- * name is in the bank. */
+/* Describes a joint of a clip in a cooked bank, parents before children. The name is in the bank's
+ * memory. `first_channel`, `channels` and `kinds` are 0. */
 mcpr_result mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint, mcpr_joint* out);
 
-/* As mcpr_find_joint. */
+/* Returns the index of the first joint with this name in a clip of a cooked bank; -1 if there is
+ * none. Searches all joints. */
 int32_t mcpk_find_joint(const mcpk_bank* bank, uint32_t clip, const char* name);
 
 #ifdef __cplusplus
