@@ -160,10 +160,10 @@ typedef struct mcpr_joint {
   float offset[3];  /* cm, in the parent's space */
   uint32_t first_channel;
   uint32_t channels;    /* 0 to 6 */
-  uint8_t kinds[6];     /* one per channel. 0 1 2: translation x y z in cm; 3 4 5: rotation x y z in
-                           radians. Rotations are multiplied in this order, the first leftmost, about
-                        axes that the encoder may have turned to suit the clip (AXES in FORMAT.md)
-                        and that are not told here: take poses from MCPR_LOCAL */
+  uint8_t kinds[6];     /* one per channel. 0 1 2: translation x y z, cm; 3 4 5: rotation x y z,
+                           radians. Rotations are multiplied in this order, the first leftmost. The
+                           encoder may have turned their axes (AXES in FORMAT.md), which is not told
+                           here: take poses from MCPR_LOCAL */
   uint8_t has_end_site; /* 1: `end_site` is set */
   float end_site[3];    /* the tip of a joint without children. cm, in the joint's space */
 } mcpr_joint;

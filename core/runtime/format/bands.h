@@ -9,7 +9,7 @@ struct Band {
   int size;
 };
 
-inline constexpr int kCoarsest = 4;    // a signal shorter than this is not split further
+inline constexpr int kCoarsest = 4;    // shorter signals are not split further
 inline constexpr int kMostBands = 32;  // a signal of 2^28 samples has 27
 
 constexpr int evens_in(int length) {
@@ -19,8 +19,8 @@ constexpr int odds_in(int length) {
   return length / 2;
 }
 
-/// The bands of signals of one length, coarse to fine: first the coarse samples, fewer than 4, then
-/// the details that double the resolution, again and again.
+/// The bands of a signal of a given length, coarse to fine: first the coarse samples, fewer than
+/// kCoarsest, then bands of details, each of which doubles the resolution.
 struct Bands {
   int count = 0;
   Band band[kMostBands] = {};
@@ -37,11 +37,11 @@ struct Bands {
 
   const Band& operator[](int b) const { return band[b]; }
 
-  /// The length of the signal that bands 0 ... b make up.
+  /// Length of the signal that bands 0 ... b reconstruct.
   int length(int b) const { return band[b].first + band[b].size; }
 
-  /// Steps are divided by 2^(depth / 2): 1 for the finest details, one more for each coarser band,
-  /// for the coarse samples as for the coarsest details.
+  /// Quantisation steps are divided by 2^(depth / 2). The finest details have depth 1, and each
+  /// coarser band has one more; the coarse samples share the depth of the coarsest details.
   int depth(int b) const { return count == 1 ? 0 : count - (b > 1 ? b : 1); }
 };
 

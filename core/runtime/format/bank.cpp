@@ -6,7 +6,7 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr std::uint64_t kMostRegion = 0xFFFFFFFFU;  // offsets within have 32 bits
+constexpr std::uint64_t kMostRegion = 0xFFFFFFFFU;  // offsets within a region have 32 bits
 
 std::uint64_t aligned_in(const mcpk_bank& bank, std::uint64_t offset) {
   return bank.is_cooked() ? (offset + kCookedAlignment - 1) / kCookedAlignment * kCookedAlignment
@@ -98,7 +98,8 @@ bool EntryWalk::next(BankEntry& entry) {
   return true;
 }
 
-/// A number of bytes of a name: what the head says, and what follows where it is beyond that.
+/// Reads a byte count of an entry's name: kNameMask in the head says that a varint with the excess
+/// follows.
 std::uint64_t EntryWalk::name_part(unsigned told) {
   told &= kNameMask;
   return told < kNameMask ? told : kNameMask + read_varint(cursor_);
@@ -115,7 +116,7 @@ bool read_entry(const mcpk_bank& bank, std::uint32_t clip, BankEntry& entry) {
 std::int64_t find_clip(const mcpk_bank& bank, const char* name, std::size_t length) {
   BankEntry entry;
   const auto order = [&] { return compare_names(entry.name, entry.name_length, name, length); };
-  // The last block whose first name is not beyond it.
+  // Binary search for the last block whose first name is not beyond `name`.
   std::uint32_t first = 0;
   std::uint32_t end = bank.blocks();
   while (end - first > 1) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many clips in one file, .mcpk: FORMAT.md, "The bank". Read where it lies, in memory or mapped
-// from disk; nothing is decoded to open it. core/bank writes it.
+// Many clips in one file, .mcpk: FORMAT.md, "The bank". A bank is used in place, in memory or
+// mapped from disk; opening one decodes nothing. core/bank writes it.
 #pragma once
 
 #include <cstddef>
@@ -14,43 +14,45 @@ namespace mocapress::runtime {
 
 enum class BankForm : std::uint16_t { Packed, Cooked };
 
-/// What clips have in common, or what is there once: numbered one kind after the other.
+/// Kinds of items that clips share. Items are numbered kind after kind.
 enum class BankItem : std::uint8_t {
   Part,     // packed: a section of clips, its tag first; cooked: a skeleton
-  Outline,  // packed: which sections a clip has
-  Tag,      // a text that ends with a zero
+  Outline,  // packed: the list of sections of a clip
+  Tag,      // zero-terminated text
   TagSet,   // u32 numbers of tags, ascending
-  Text      // keys and values of the bank, in turn; each ends with a zero
+  Text      // keys and values of the bank, alternating, each zero-terminated
 };
 inline constexpr int kBankItems = 5;
 
-inline constexpr std::uint32_t kClipsOfBlock = 16;  // of the index
+inline constexpr std::uint32_t kClipsOfBlock = 16;  // in the index
 inline constexpr std::uint32_t kMostClipsOfBank = std::uint32_t{1} << 24;
-inline constexpr std::size_t kMostNameOfClip = 255;  // bytes
+inline constexpr std::size_t kMostNameOfClip = 255;  // bytes, without the terminating zero
 inline constexpr std::size_t kMostTextOfBank = 65535;
-// u64 place of the first clip, u32 of its entry, u32 checksum of the clips.
+// A block's head: u64 offset of its first clip, u32 offset of its first entry, u32 checksum of its
+// clips.
 inline constexpr std::size_t kBlockBytes = 16;
-// Of an entry's first byte: how many bytes of the end of the name before are dropped, how many come
-// in their place less 1, and whether kind and tags are told or those of the entry before.
-inline constexpr unsigned kNameMask =
-    7;  // of each: 7 says that a number follows, of what is beyond
+// The first byte of an entry packs four fields: bytes dropped from the end of the previous name (3
+// bits), bytes appended less 1 (3 bits), and a flag each for a kind and for tags that differ from
+// those of the previous entry.
+inline constexpr unsigned kNameMask = 7;  // 7 in either count: a varint with the excess follows
 inline constexpr int kNewNameShift = 3;
 inline constexpr unsigned kHasKind = 0x40;
 inline constexpr unsigned kHasTags = 0x80;
-inline constexpr std::uint64_t kCookedAlignment = 32;  // of cooked clips, and of their tables
-inline constexpr std::uint64_t kFirstTable = 32;  // no table lies before: an offset of 0 is none
+inline constexpr std::uint64_t kCookedAlignment = 32;  // bytes; cooked clips and their tables
+inline constexpr std::uint64_t kFirstTable = 32;  // tables start here, so that offset 0 can mean
+                                                  // "none"
 
-/// Where something lies in a bank.
+/// A range of bytes of the bank.
 struct BankRegion {
   std::uint64_t offset = 0;
   std::uint64_t bytes = 0;
 };
 
-/// What the index says of a clip.
+/// A clip's entry in the index.
 struct BankEntry {
-  char name[kMostNameOfClip + 1] = {};  // ends with a zero
+  char name[kMostNameOfClip + 1] = {};  // zero-terminated
   std::uint8_t name_length = 0;
-  std::uint32_t kind = 0;  // packed: its outline; cooked: its skeleton
+  std::uint32_t kind = 0;  // packed: item number of its outline; cooked: of its skeleton
   std::uint32_t tag_set = 0;
   BankRegion place;
 };
@@ -59,23 +61,23 @@ std::uint32_t bank_checksum(const void* bytes, std::size_t size);
 
 }  // namespace mocapress::runtime
 
-/// The head of the file, and so the bank.
+/// The head of the file. A pointer to it stands for the whole bank.
 struct mcpk_bank {
   static constexpr char kMagic[4] = {'M', 'C', 'P', 'K'};
   static constexpr std::uint16_t kVersion = 2;
   char magic[4];
   std::uint16_t version;
   mocapress::runtime::BankForm form;
-  std::uint64_t bytes;  // of all
+  std::uint64_t bytes;  // size of the whole bank
   mocapress::runtime::BankRegion index;
   mocapress::runtime::BankRegion items;
-  mocapress::runtime::BankRegion tables;  // of cooked clips
+  mocapress::runtime::BankRegion tables;  // shared by cooked clips
   std::uint32_t clips;
   std::uint32_t item_counts[mocapress::runtime::kBankItems];
   std::uint32_t index_checksum;
   std::uint32_t items_checksum;
   std::uint32_t tables_checksum;
-  std::uint32_t checksum;  // of the head before it
+  std::uint32_t checksum;  // over the head up to here
 
   const std::uint8_t* at(std::uint64_t offset) const {
     return reinterpret_cast<const std::uint8_t*>(this) + offset;
@@ -91,30 +93,32 @@ struct mcpk_bank {
   std::uint32_t blocks() const {
     return (clips + mocapress::runtime::kClipsOfBlock - 1) / mocapress::runtime::kClipsOfBlock;
   }
-  /// No data where there is no such item, or it lies beyond the end.
+  /// Returns an item; without data if there is no such item or it lies beyond the end.
   mocapress::runtime::Bytes item(mocapress::runtime::BankItem kind, std::uint32_t number) const;
 
-  /// A text among the items; null where there is none.
+  /// Returns a zero-terminated text item; null if there is none.
   const char* text(mocapress::runtime::BankItem kind, std::uint32_t number) const;
 };
 
 namespace mocapress::runtime {
 
-/// Whether the head is that of a bank in so many bytes, and all that it names lies within. Looks at
-/// nothing else.
+/// Checks that the head is a bank's, of at most `size` bytes, and that all regions lie within it.
+/// Reads nothing else.
 mcpr_result check_bank_head(const mcpk_bank& bank, std::size_t size);
 
-/// Walks the entries of an index, from a block's first. Each needs the one before it.
+/// Walks the entries of a block of the index in order. Each entry is coded relative to the previous
+/// one.
 class EntryWalk {
  public:
   EntryWalk(const mcpk_bank& bank, std::uint32_t block);
 
-  /// False where there is none, or its bytes make no sense.
+  /// Reads the next entry. False at the end of the block, or if its bytes make no sense.
   bool next(BankEntry& entry);
 
-  std::size_t offset() const { return cursor_.offset(); }  // in the file
+  std::size_t offset() const { return cursor_.offset(); }  // position in the file
 
-  /// Of the block: packed: CRC-32 of the bytes of its clips; cooked: of their own checksums.
+  /// Checksum of the block's clips: CRC-32 of their bytes in a packed bank, of their own checksums
+  /// in a cooked one.
   std::uint32_t checksum() const { return checksum_; }
 
  private:
@@ -124,20 +128,20 @@ class EntryWalk {
   Cursor cursor_;
   std::uint64_t data_ = 0;
   std::uint32_t checksum_ = 0;
-  std::uint32_t left_ = 0;  // entries of the block
+  std::uint32_t left_ = 0;  // entries left in the block
   bool is_first_ = true;
 };
 
-/// False where there is none, or its bytes make no sense.
+/// Reads the entry of one clip. False if there is none, or if its bytes make no sense.
 bool read_entry(const mcpk_bank& bank, std::uint32_t clip, BankEntry& entry);
 
-/// The number of the clip of that name; -1: there is none.
+/// Number of the clip with this name; -1 if there is none.
 std::int64_t find_clip(const mcpk_bank& bank, const char* name, std::size_t length);
 
-/// Byte by byte: below 0, 0, above 0.
+/// Compares byte by byte: negative, zero or positive, as memcmp().
 int compare_names(const char* a, std::size_t a_length, const char* b, std::size_t b_length);
 
-/// In groups of 7 bits, the lowest first; the eighth says that more follow.
+/// Reads a varint: groups of 7 bits, lowest first; the eighth bit says that another follows.
 std::uint64_t read_varint(Cursor& cursor);
 
 }  // namespace mocapress::runtime

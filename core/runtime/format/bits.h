@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Plain bits of the resident form: least significant first, numbers of fixed width or Rice coded
-// (R. F. Rice, "Some practical universal noiseless coding techniques", 1979).
+// Bit streams of the resident form: least significant bit first, numbers of fixed width or Rice
+// coded (R. F. Rice, "Some practical universal noiseless coding techniques", 1979).
 #pragma once
 
 #include <bit>
@@ -12,18 +12,18 @@ namespace mocapress::runtime {
 
 static_assert(std::endian::native == std::endian::little, "bits are read in whole words");
 
-inline constexpr int kRiceEscape = 16;  // so many zeros: the number itself follows
-inline constexpr int kPlainBits = 32;   // of a number that follows
+inline constexpr int kRiceEscape = 16;  // this many zeros announce a plain number
+inline constexpr int kPlainBits = 32;   // width of a plain number
 inline constexpr int kMostRiceShift = 24;
 inline constexpr std::size_t kReadAhead = 32;  // bytes that a reader may touch after the last bit
 
-/// How many bits a Rice code of v takes.
+/// Length in bits of the Rice code of `v`.
 constexpr int rice_bits(std::uint32_t v, int shift) {
   const std::uint32_t quotient = v >> shift;
   return quotient < kRiceEscape ? static_cast<int>(quotient) + 1 + shift : kRiceEscape + kPlainBits;
 }
 
-/// Writes bits to zeroed memory or, without any, counts them.
+/// Writes bits to zeroed memory. Without memory it only counts them.
 class BitWriter {
  public:
   explicit BitWriter(std::byte* bytes) : bytes_(bytes) {}
@@ -52,7 +52,7 @@ class BitWriter {
   std::uint64_t at_ = 0;
 };
 
-/// 57 bits or more from any place.
+/// Returns the bits from position `bit` on, at least 57 of them.
 inline std::uint64_t bits_at(const std::byte* bytes, std::uint64_t bit) {
   std::uint64_t word;
   std::memcpy(&word, bytes + (bit >> 3), sizeof word);
@@ -66,7 +66,7 @@ class BitReader {
 
   std::uint32_t rice(int shift) {
     const std::uint64_t word = bits_at(bytes_, at_);
-    // The bit at the escape bounds the count: no branch on an empty word.
+    // The guard bit at the escape bounds the count, so that an empty word needs no branch.
     const int quotient = std::countr_zero(word | std::uint64_t{1} << kRiceEscape);
     if (quotient == kRiceEscape) {
       at_ += kRiceEscape + kPlainBits;
@@ -84,7 +84,7 @@ class BitReader {
     return set;
   }
 
-  std::uint64_t bits() const { return at_; }  // that were read
+  std::uint64_t bits() const { return at_; }  // bits read so far
 
  private:
   const std::byte* bytes_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The errors that a file tells, eps and max_error of CLIP, are written with 12 significant bits,
-// and so take 16 bits in a bank: FORMAT.md, "Packed clips".
+// The errors that a file states, eps and max_error in CLIP, have 12 significant bits, so that a
+// bank stores each in 16 bits: FORMAT.md, "Packed clips".
 #pragma once
 
 #include <bit>
@@ -8,7 +8,7 @@
 
 namespace mocapress::runtime {
 
-inline constexpr int kErrorShift = 12;                     // of a float's bits, which are zero
+inline constexpr int kErrorShift = 12;                     // low bits of the float, always zero
 inline constexpr std::uint32_t kErrorOrigin = 106U << 11;  // 2^-21 cm
 inline constexpr std::uint32_t kErrorHalf = 1U << (kErrorShift - 1);
 
@@ -16,7 +16,7 @@ inline float error_from(std::uint16_t code) {
   return code == 0 ? 0.0F : std::bit_cast<float>((code + kErrorOrigin) << kErrorShift);
 }
 
-/// Whether it is one that a code gives, and that code.
+/// Finds the code of an error. False if it has none.
 inline bool find_error_code(float error, std::uint16_t& code) {
   const auto bits = std::bit_cast<std::uint32_t>(error);
   const std::uint32_t number = bits == 0 ? 0 : (bits >> kErrorShift) - kErrorOrigin;
@@ -24,10 +24,10 @@ inline bool find_error_code(float error, std::uint16_t& code) {
   return number <= 0xFFFF && std::bit_cast<std::uint32_t>(error_from(code)) == bits;
 }
 
-/// To the nearest of 12 significant bits.
+/// Rounds to the nearest value with 12 significant bits.
 inline float rounded_error(float error) {
   const auto bits = std::bit_cast<std::uint32_t>(error);
-  if (bits >= 0x7F000000U) return error;  // huge, none, or below zero
+  if (bits >= 0x7F000000U) return error;  // huge, not a number, or negative
   return std::bit_cast<float>((bits + kErrorHalf) >> kErrorShift << kErrorShift);
 }
 

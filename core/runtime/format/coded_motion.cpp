@@ -12,7 +12,7 @@ namespace mocapress::runtime {
 
 double step_of(int step_exponent, float scale) {
   const double whole = std::ldexp(static_cast<double>(scale), -(step_exponent >> 1));
-  return step_exponent % 2 == 0 ? whole : whole * 0x1.6a09e667f3bcdp-1;  // the root of 1/2
+  return step_exponent % 2 == 0 ? whole : whole * 0x1.6a09e667f3bcdp-1;  // square root of 1/2
 }
 
 mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neighbours,

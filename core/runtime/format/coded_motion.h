@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The motion of a segment in the file: FORMAT.md, "Adaptive coding".
+// The coded motion of a segment: FORMAT.md, "Adaptive coding".
 #pragma once
 
 #include "core/runtime/format/coefficient_coder.h"
@@ -7,11 +7,11 @@
 
 namespace mocapress::runtime {
 
-/// The step of a signal: scale * 2^(-step_exponent / 2).
+/// Quantisation step of a signal: scale * 2^(-step_exponent / 2).
 double step_of(int step_exponent, float scale);
 
-/// Decodes the scale of the steps and all that a view has room for. The model and what the notes
-/// hold begin anew. `learned` is PRIO of a packed clip: learned_priors.h.
+/// Decodes the scale of the steps and the coefficients of all signals that `view` has room for.
+/// Resets the model and the notes first. `learned` is PRIO of a packed clip: learned_priors.h.
 mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neighbours,
                                 const Bands& bands, CoefficientModel& model,
                                 const QuantisedView& view, const CoderNotes& notes, float& scale,

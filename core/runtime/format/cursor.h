@@ -10,8 +10,8 @@ namespace mocapress::runtime {
 
 static_assert(std::endian::native == std::endian::little, "files are little-endian");
 
-/// Reads little-endian values from untrusted bytes. The first read past the end makes it fail, for
-/// good; what is read then is zero.
+/// Reads little-endian values from untrusted bytes. Reading past the end puts the cursor into a
+/// failed state, which is permanent; values read then are zero.
 class Cursor {
  public:
   Cursor(const std::uint8_t* bytes, std::size_t size, std::size_t base_offset = 0)
@@ -24,7 +24,7 @@ class Cursor {
     return value;
   }
 
-  /// The next bytes, not copied; null when there are not as many.
+  /// Returns the next `size` bytes in place; null if there are fewer.
   const std::uint8_t* take(std::size_t size) {
     if (failed_ || size > size_ - at_) {
       failed_ = true;
@@ -39,7 +39,7 @@ class Cursor {
   bool failed() const { return failed_; }
   bool at_end() const { return at_ == size_; }
   std::size_t left() const { return size_ - at_; }
-  std::size_t offset() const { return base_offset_ + at_; }  // in the file
+  std::size_t offset() const { return base_offset_ + at_; }  // position in the file
 
  private:
   const std::uint8_t* bytes_;

@@ -10,7 +10,7 @@
 
 namespace mocapress::runtime {
 
-/// A bit in one context: FORMAT.md, 6.2. `Bits` as of CoefficientCoder.
+/// A bit with an adaptive probability of its own: FORMAT.md, 6.2. `Bits` as in CoefficientCoder.
 template <typename Bits>
 bool code_bit(Bits& bits, AdaptiveBit& believed, bool bit) {
   constexpr Probability kLeast = 64;
@@ -19,10 +19,11 @@ bool code_bit(Bits& bits, AdaptiveBit& believed, bool bit) {
   return bit;
 }
 
-/// Codes whole numbers from 0 by how many digits they have: FORMAT.md, ENDS.
+/// Codes non-negative integers: first the number of binary digits, then the digits. FORMAT.md,
+/// ENDS.
 class DigitCoder {
  public:
-  static constexpr int kMostDigits = 24;  // so that a float holds them
+  static constexpr int kMostDigits = 24;  // a float holds them exactly
 
   template <typename Bits>
   std::int32_t code(Bits& bits, std::int32_t number) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which samples floats are too coarse for: their error after all bands is some 1e-6 of the largest,
-// and what they move should not be off by 1e-3 cm.
+// Decides which signals are decoded in double precision. After all bands the error of floats is
+// about 1e-6 of the largest sample, and no joint may be off by 1e-3 cm for that reason.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace mocapress::runtime {
 
 inline constexpr float kDoublePrecisionLength = 1000;  // cm
 
-/// How far from each joint the furthest joint or end site below it can be. cm
+/// Finds for each joint the distance, along bones, of the furthest joint or end site below it. cm
 inline void find_reach(const JointModel* joints, int count, float* reach) {
   for (int j = 0; j < count; ++j) {
     const float* const end = joints[j].end_site;
@@ -25,8 +25,8 @@ inline void find_reach(const JointModel* joints, int count, float* reach) {
           std::max(reach[parent], reach[j] + static_cast<float>(norm(joints[j].offset)));
 }
 
-/// Samples beyond this are decoded in double precision: so many cm, or an angle that moves the
-/// joint's reach as far.
+/// The largest sample that floats are good enough for: kDoublePrecisionLength for a translation, or
+/// the angle that moves the joint's reach as far.
 inline float double_precision_limit(std::uint8_t kind, float reach) {
   constexpr float kLeastReach = 0.01F;  // cm
   return is_rotation(kind) ? kDoublePrecisionLength / std::max(reach, kLeastReach)

@@ -57,7 +57,7 @@ class SectionsReader {
 
   enum class Expected { Joints, Clip, Segments, Motion, Correction, Ends, Axes, Nothing };
 
-  /// Sections stand in a fixed order; optional ones anywhere.
+  /// Required sections come in a fixed order; optional ones may stand anywhere.
   mcpr_result take(const Section& section) {
     if (next_ == Expected::Joints && section.is("JNTS")) {
       next_ = Expected::Clip;
@@ -193,7 +193,8 @@ class SectionsReader {
     return kOk;
   }
 
-  /// What is decoded, and the time that takes, grows with the file: FORMAT.md, Limits.
+  /// Bounds the decoded size, and so the time of decoding, by the size of the file: FORMAT.md,
+  /// Limits.
   mcpr_result check_room() const {
     if (sections_.room_values() > most_values_of(file_bytes_))
       return failure(MCPR_INVALID, sections_.motion.offset,
@@ -270,7 +271,7 @@ class SectionsReader {
   const mcpr_limits& limits_;
   FileSections& sections_;
   std::size_t file_bytes_ = 0;
-  Bytes tracks_;  // which may stand before CLIP
+  Bytes tracks_;  // kept until CLIP is read, which may come later
   Expected next_ = Expected::Joints;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a .mcpr file may hold: one set of limits for everyone who writes or reads one, stated in
-// FORMAT.md, "Limits". The default limits of the C interface are these, so that whatever was
-// written opens anywhere; an engine that knows its clips may ask for less. Those of a joint
-// stand beside the arrays they size: joint_model.h.
+// Limits of a .mcpr file, shared by all readers and writers and stated in FORMAT.md, "Limits". They
+// are also the default limits of the C interface, so that every file that was written opens
+// anywhere; an engine may set lower ones. The limits of a joint are in joint_model.h, beside the
+// arrays that they size.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 
 namespace mocapress::runtime {
 
-/// Joints from a root down, both ends counted: what a BVH can nest and still be read by programs
-/// that walk it by calling themselves.
+/// Joints on the longest path from a root down, both ends counted. Programs that walk a BVH by
+/// recursion can read this depth.
 inline constexpr int kMostDepth = 1000;
 
 inline constexpr std::uint32_t kMostChannels = kMostChannelsOfJoint * kMostJoints;
 
-/// A name's length is a byte.
+/// The length of a name is stored in one byte.
 inline constexpr std::size_t kMostNameBytes = 255;
 
-/// Of a joint in JNTS, before it is coded: its name, parent, offset, flags, axes, end site and
+/// Size of one joint in JNTS before coding: name, parent, offset, flags, axes, end site and
 /// channels.
 inline constexpr std::size_t kMostBytesOfJoint =
     (1 + kMostNameBytes) + 2 + 3 * 4 + 1 + 4 * 4 + 3 * 4 + (1 + kMostChannelsOfJoint);
@@ -29,35 +29,35 @@ inline constexpr std::size_t kMostBytesOfJoint =
 /// Ten hours at 120 Hz.
 inline constexpr std::uint32_t kMostFrames = std::uint32_t{1} << 22;
 
-/// Scalar tracks: faces have some hundred.
+/// Scalar tracks. Faces have about a hundred.
 inline constexpr std::uint32_t kMostTracks = 4096;
 
-/// Samples of all signals (channels and IKCO's), frames that two segments share counted twice, and
-/// of curves of tracks: two hours and a half of 62 channels at 120 Hz.
+/// Samples of all signals (channels and IKCO's) and of curve tracks. Frames that two segments share
+/// count twice. Enough for two and a half hours of 62 channels at 120 Hz.
 inline constexpr std::uint64_t kMostValues = std::uint64_t{1} << 26;
 
-/// A still clip takes next to no bytes, but what a file of so many bytes may keep a reader busy
-/// with grows with them.
+/// Upper bound for the values of a file of this size. A still clip takes hardly any bytes, so the
+/// first term is generous; the second keeps a small file from demanding much work.
 constexpr std::uint64_t most_values_of(std::uint64_t file_bytes) {
   return (std::uint64_t{1} << 22) + (file_bytes << 15);
 }
 
-/// A solver has room for so many effectors and angles of one limb.
+/// Effectors and angles of one limb that a solver has room for.
 inline constexpr int kMostEffectorsOfLimb = 8;
 inline constexpr int kMostAngles = 64;
 
-/// Joints from the root to the effectors of a limb: each step of a solver walks them.
+/// Joints from the root to the effectors of one limb. Every step of a solver visits them.
 inline constexpr int kMostLinks = 256;
 
-// Memory. A value takes four bytes decoded, at most about as many coded or in the resident form;
-// the rest is for the skeleton, contexts and indices.
+// Memory. A value takes four bytes decoded, and at most about as many coded or in the resident
+// form. The rest is for the skeleton, contexts and indices.
 inline constexpr std::size_t kMemoryBesideValues = std::size_t{16} << 20;
 
-/// What the prediction learns of signals, 2.6 KB each.
+/// Prediction state, 2.6 KB per signal.
 inline constexpr std::size_t kMemoryOfSignals = std::size_t{80} << 20;
 
-/// Of reading: the values of a segment, which may be all, the coded motion of all segments, and
-/// what is learned of signals.
+/// Scratch memory for reading: the decoded values of one segment, possibly the whole clip; the
+/// coded motion of all segments; and the prediction state.
 inline constexpr std::size_t kMostScratchBytes =
     8 * kMostValues + kMemoryOfSignals + kMemoryBesideValues;
 

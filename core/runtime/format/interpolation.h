@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How even samples predict an odd one: FORMAT.md, "The transform". The same for the encoder's
-// transform and the synthesis of an engine.
+// Prediction of odd samples from even ones: FORMAT.md, "The transform". Shared by the encoder's
+// transform and the decoder's synthesis.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,9 @@ struct Neighbours {
   int count;
 };
 
-/// Of odd sample `odd`, which lies between even samples `odd` and `odd + 1`. One after the last
-/// even sample goes on from two: a cubic through four would make 3.4 times their errors of it.
+/// Neighbours of odd sample `odd`, which lies between even samples `odd` and `odd + 1`. An odd
+/// sample after the last even one is extrapolated from two: a cubic through four would amplify
+/// their errors 3.4 times.
 constexpr Neighbours neighbours_of(Wavelet wavelet, int odd, int evens) {
   if (wavelet == Wavelet::Haar) return {odd, 1};
   const bool within = wavelet == Wavelet::Cubic && odd + 1 < evens;
@@ -26,7 +27,8 @@ constexpr Neighbours neighbours_of(Wavelet wavelet, int odd, int evens) {
   return {std::clamp(odd + 1 - count / 2, 0, evens - count), count};
 }
 
-/// Their weights: the Lagrange polynomial through them, where the odd sample is.
+/// Prediction weights: those of the Lagrange polynomial through the neighbours, evaluated at the
+/// odd sample.
 template <typename Real>
 void weights_of(Wavelet wavelet, int odd, const Neighbours& neighbours, Real* weights) {
   const Real position =
@@ -39,7 +41,8 @@ void weights_of(Wavelet wavelet, int odd, const Neighbours& neighbours, Real* we
   }
 }
 
-/// The same away from the borders: of the two samples beside it, and of the two beyond.
+/// Prediction weights away from the borders: for the two nearest samples, and for the two beyond
+/// them.
 struct InnerWeights {
   double near;
   double far;

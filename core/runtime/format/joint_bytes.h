@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The coding of a skeleton's bytes: FORMAT.md, JNTS. The same walk for writing and reading.
+// The coding of a skeleton's bytes: FORMAT.md, JNTS. Writing and reading share this code.
 #pragma once
 
 #include <algorithm>
@@ -13,23 +13,23 @@
 
 namespace mocapress::runtime {
 
-/// Which number of a joint the next byte belongs to.
+/// Tracks which field of a joint record the next byte belongs to.
 class JointFields {
  public:
   enum Field : std::uint8_t {
     NameLength = 0,
     Name = 1,
-    Parent = 2,  // and 3
-    Offset = 4,  // 4 ... 7: the bytes of an f32
+    Parent = 2,  // 2 and 3: two bytes
+    Offset = 4,  // 4 ... 7: the four bytes of an f32
     Flags = 8,
-    Axes = 9,      // ... 12
-    EndSite = 13,  // ... 16
+    Axes = 9,      // 9 ... 12
+    EndSite = 13,  // 13 ... 16
     ChannelCount = 17,
     Channel = 18,
   };
   static constexpr int kCount = 19;
 
-  /// The field and, of a number, the byte within.
+  /// Context number of the next byte: the field plus, for a number, the byte's place in it.
   int field() const { return static_cast<int>(field_) + index_ % width(field_); }
 
   void follow(std::uint8_t byte) {
@@ -77,21 +77,21 @@ class JointFields {
   std::uint8_t flags_ = 0;
 };
 
-/// Codes bytes of records, each bit by what followed upon the same field and the bytes before it.
-/// `Fields` say, byte by byte, what the next one belongs to.
+/// Codes the bytes of records bit by bit. Each bit is predicted from earlier bits that followed the
+/// same field and preceding bytes. `Fields` tells the field of each byte.
 template <typename Fields>
 class RecordByteCoder {
  public:
   static constexpr int kOrders = 5;
-  static constexpr std::uint32_t kSlots = 1 << 14;  // of each order
+  static constexpr std::uint32_t kSlots = 1 << 14;  // for each order
 
   explicit RecordByteCoder(Memory& memory) : slots_(memory.take<AdaptiveBit>(kOrders * kSlots)) {}
 
-  /// In the slots of another, which is done with them.
+  /// Reuses the slots of another coder, which is not used afterwards.
   explicit RecordByteCoder(AdaptiveBit* slots) : slots_(slots) {}
   AdaptiveBit* slots() const { return slots_; }
 
-  /// Codes `count` bytes, which are there beforehand or afterwards. `Bits` as of CoefficientCoder.
+  /// Codes `count` bytes: writes those in `bytes`, or reads into it. `Bits` as in CoefficientCoder.
   template <typename Bits>
   void run(Bits& bits, std::uint8_t* bytes, std::uint32_t count) {
     std::fill_n(slots_, kOrders * kSlots, AdaptiveBit());
@@ -116,7 +116,7 @@ class RecordByteCoder {
   template <typename Bits>
   std::uint8_t code_byte(Bits& bits, std::uint8_t byte,
                          const std::array<std::uint32_t, kOrders>& keys, std::uint32_t field) {
-    std::uint32_t node = 1;  // the bits so far below a leading one
+    std::uint32_t node = 1;  // the bits coded so far, after a leading one
     while (node < 256) {
       std::array<AdaptiveBit*, kOrders> contexts;
       for (std::uint32_t order = 0; order < kOrders; ++order)

@@ -22,7 +22,7 @@ struct JointModel {
   Matrix3 parent_from_axes;  // identity unless has_axes
   Matrix3 axes_from_joint;   // identity unless has_axes
   float end_site[3] = {};    // cm, in the joint's frame
-  std::uint32_t name = 0;    // where it is among the names
+  std::uint32_t name = 0;    // offset into the names
   std::int32_t parent = -1;  // -1: a root
   std::uint16_t first_channel = 0;
   std::uint8_t channels = 0;
@@ -37,7 +37,7 @@ struct JointModel {
   }
 };
 
-/// Where a joint's frame is in the world: x_in_world = origin + world_from_joint * x_in_joint.
+/// World transform of a joint: x_in_world = origin + world_from_joint * x_in_joint.
 struct JointPlace {
   Matrix3 world_from_joint;
   Vector3 origin;  // cm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// In which order each joint that turns freely has its angles, where a bank keeps one skeleton for
-// clips that differ in nothing else: FORMAT.md, "Packed clips". Three joints share a byte.
+// The rotation order of each joint that turns about three axes. A bank stores it per clip, so that
+// clips that differ in nothing else share one skeleton: FORMAT.md, "Packed clips". Three joints
+// share a byte.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +15,11 @@ namespace mocapress::runtime {
 inline constexpr int kOrders = 6;
 inline constexpr int kOrdersOfByte = 3;
 
-/// Axes from the left of each: x y z are 0 1 2.
+/// The axes of each order from left to right; 0 1 2 are x y z.
 inline constexpr std::uint8_t kAxesOfOrder[kOrders][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
                                                           {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
 
-/// Whether there are three rotation channels, about three different axes.
+/// Whether the joint has exactly three rotation channels, about three different axes.
 inline bool turns_about_three_axes(const std::uint8_t* kinds, int channels) {
   unsigned axes = 0;
   int turns = 0;
@@ -30,14 +31,14 @@ inline bool turns_about_three_axes(const std::uint8_t* kinds, int channels) {
   return turns == 3 && axes == 7;
 }
 
-/// Puts the rotations of such channels in order, in the same places.
+/// Rearranges the rotation channels of such a joint into the given order.
 inline void set_order(int order, std::uint8_t* kinds, int channels) {
   const std::uint8_t* axis = kAxesOfOrder[order];
   for (int c = 0; c < channels; ++c)
     if (is_rotation(kinds[c])) kinds[c] = static_cast<std::uint8_t>(3 + *axis++);
 }
 
-/// Reads them one after the other.
+/// Reads the orders of joints, one after the other.
 class JointOrders {
  public:
   explicit JointOrders(const Bytes& bytes) : cursor_(bytes.cursor()) {}
@@ -51,7 +52,7 @@ class JointOrders {
     return order;
   }
 
-  /// Whether these were all, and each was one.
+  /// Fails if bytes are left over or an order was invalid.
   mcpr_result finish() const {
     const bool all = !cursor_.failed() && cursor_.at_end() && fits_ && byte_ == 0;
     return all ? kOk : failure(MCPR_INVALID, cursor_.offset(), "impossible orders of rotations");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A skeleton in the file: FORMAT.md, JNTS.
+// The skeleton in a file: FORMAT.md, JNTS.
 #pragma once
 
 #include "core/runtime/format/cursor.h"
@@ -11,22 +11,22 @@
 
 namespace mocapress::runtime {
 
-/// One joint as it stands in the file.
+/// A joint as stored in the file.
 struct JointRecord {
-  JointModel model;  // without the place of the name
+  JointModel model;  // `name` within it is not set
   const std::uint8_t* name = nullptr;
   std::uint8_t name_length = 0;
 };
 
-/// Reads joint number `index`. The offset of a failure is in the decoded bytes.
+/// Parses joint number `index`. The offset of a failure refers to the decoded bytes.
 mcpr_result read_joint(Cursor& cursor, int index, JointRecord& record);
 
-/// Decodes the bytes of all joints: `sections.joint_bytes` of them.
+/// Decodes the bytes of all joints, `sections.joint_bytes` of them.
 mcpr_result decode_joint_bytes(const FileSections& sections, JointByteCoder& coder,
                                std::uint8_t* bytes);
 
-/// Reads all joints out of them, parents first, and checks what only all of them tell. Calls
-/// visit(index, record). `depths`: room for a number for each joint.
+/// Parses all joints, parents first, and checks what concerns them together. Calls visit(index,
+/// record). `depths` has room for one number per joint.
 template <typename Visit>
 mcpr_result read_joints(const FileSections& sections, const std::uint8_t* bytes,
                         std::uint16_t* depths, const Visit& visit) {

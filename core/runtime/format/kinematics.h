@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What channels do to a joint's frame, and which angles make a rotation: stated once, for Eigen's
-// types, which the encoder computes with, and for those of space.h, which an engine takes. A
-// matrix is anything with (row, column), a vector anything with [i].
+// Rotations of joints: from channels to a matrix and back. Templates, used with Eigen's types by
+// the encoder and with those of space.h by the runtime. A matrix is any type with (row, column), a
+// vector any type with [i].
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr int axis_of(std::uint8_t kind) {
   return kind % 3;
 }
 
-/// m * the rotation by `radians` about coordinate axis 0, 1 or 2: it mixes two columns.
+/// Replaces m by m * rotation by `radians` about coordinate axis 0, 1 or 2. This mixes two columns.
 template <typename Matrix>
 void turn_about(int axis, double radians, Matrix& m) {
   const int next = axis == 2 ? 0 : axis + 1;
@@ -32,9 +32,9 @@ void turn_about(int axis, double radians, Matrix& m) {
   }
 }
 
-/// A joint's channels, one after the other: rotations are multiplied to `rotation`, the first
-/// leftmost, translations (cm) added to `translation`. Kinds are 0 1 2 for translation along x y z,
-/// 3 4 5 for rotation about them; `value(c)` is channel c's.
+/// Applies a joint's channels in order. Rotations are multiplied to `rotation` from the right,
+/// translations (cm) are added to `translation`. Kinds 0 1 2 are translations along x y z, 3 4 5
+/// rotations about them; `value(c)` is the value of channel c.
 template <typename Kind, typename Value, typename Matrix, typename Vector>
 void apply_channels(const Kind* kinds, int count, const Value& value, Matrix& rotation,
                     Vector& translation) {
@@ -47,14 +47,14 @@ void apply_channels(const Kind* kinds, int count, const Value& value, Matrix& ro
   }
 }
 
-/// The angle that differs by whole turns and is nearest to `previous`. radians
+/// The angle equal to `angle` up to whole turns that is nearest to `previous`. radians
 inline double nearest_turn(double angle, double previous) {
   constexpr double kTurn = 2 * std::numbers::pi;
   return angle - kTurn * std::round((angle - previous) / kTurn);
 }
 
-/// Angles with rotation = R_i(a) R_j(b) R_k(c) about three different axes (0 1 2: x y z). Of the
-/// two solutions it takes the one nearer to `previous`.
+/// Decomposes a rotation into angles R_i(a) R_j(b) R_k(c) about three different axes (0 1 2: x y
+/// z). Of the two solutions, returns the one nearer to `previous`.
 template <typename Axes, typename Matrix, typename Vector>
 Vector three_angles(const Axes& axes, const Matrix& rotation, const Vector& previous) {
   constexpr double kGimbalLock = 1e-9;
@@ -66,7 +66,7 @@ Vector three_angles(const Axes& axes, const Matrix& rotation, const Vector& prev
   const double a = std::hypot(rotation(i, i), rotation(i, j)) > kGimbalLock
                        ? std::atan2(-sign * rotation(j, k), rotation(k, k))
                        : previous[0];
-  // R_i(-a) * rotation = R_j(b) R_k(c): rows j and k turn.
+  // R_i(-a) * rotation = R_j(b) R_k(c). Multiplying by R_i(-a) mixes rows j and k.
   const double cosine = std::cos(a);
   const double sine = sign * std::sin(a);
   const auto row_j = [&](int column) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What clips of a packed bank taught, in place of what the adaptive coding knows of all clips:
-// FORMAT.md, "PRIO".
+// Priors learned from the clips of a packed bank, which replace the general ones of
+// coefficient_priors.h: FORMAT.md, "PRIO".
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace mocapress::runtime {
 
-/// Of a context one byte: 32 log odds, and how many observations they are worth.
+/// The byte of a context encodes one of 32 log odds and the number of observations they are worth.
 inline constexpr int kLearnedSteps = 32;
 inline constexpr std::array<std::uint16_t, 8> kLearnedTrusts = {3, 5, 8, 14, 26, 50, 100, 240};
 
-/// In 256ths, -2046 ... 2046, half a nat apart.
+/// Log odds in 256ths, -2046 ... 2046, about half a nat apart.
 constexpr int learned_log_odds(std::uint8_t code) {
   return (2 * (code % kLearnedSteps) - (kLearnedSteps - 1)) * 66;
 }
@@ -23,14 +23,14 @@ constexpr std::uint16_t learned_trust(std::uint8_t code) {
   return kLearnedTrusts[code / kLearnedSteps];
 }
 
-/// What a change of a mixing weight is told in: 65536 = once.
+/// Unit of a change of a mixing weight; 65536 = 1.0.
 inline constexpr int kLearnedWeightStep = 65536 / 32;
 
-/// Whether `learn` would take all of it.
+/// Checks that `learn` would accept all of the bytes.
 mcpr_result check_learned(const Bytes& learned);
 
-/// Changes what a model knows before the first bit; no bytes change nothing. Contexts of single
-/// signals are taken up where the clip has as many signals as those that taught.
+/// Applies learned priors to a model that has not coded a bit yet. Empty bytes change nothing.
+/// Contexts of single signals apply only if the clip has as many signals as the clips learned from.
 mcpr_result learn(const Bytes& learned, CoefficientModel& model);
 
 }  // namespace mocapress::runtime

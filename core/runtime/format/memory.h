@@ -8,14 +8,14 @@ namespace mocapress::runtime {
 
 inline constexpr std::size_t kAlignment = 32;  // MCPR_ALIGNMENT
 
-/// Hands out the caller's memory piece by piece. A measuring one has none and only counts, so that
-/// one function both says how much is needed and lays it out.
+/// Allocates pieces from the caller's memory. A measuring instance has no memory and only counts,
+/// so that one function serves both to measure and to lay out.
 class Memory {
  public:
   Memory() = default;  // measures
   Memory(void* memory, std::size_t size) : base_(static_cast<std::byte*>(memory)), size_(size) {}
 
-  /// Not initialised; null when measuring, and where it does not fit.
+  /// Returns uninitialised memory; null when measuring or when too little is left.
   template <typename T>
   T* take(std::uint64_t count) {
     const std::uint64_t bytes = (count * sizeof(T) + kAlignment - 1) / kAlignment * kAlignment;
@@ -27,7 +27,7 @@ class Memory {
 
   std::uint64_t used() const { return used_; }
 
-  /// Whether all that was taken so far is there and aligned.
+  /// Whether everything taken so far is within the memory, and aligned.
   bool holds() const {
     return base_ != nullptr && used_ <= size_ &&
            reinterpret_cast<std::uintptr_t>(base_) % kAlignment == 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A clip of a packed bank: FORMAT.md, "Packed clips". Its sections are those of its .mcpr, of which
-// some stand once for many clips.
+// A clip of a packed bank: FORMAT.md, "Packed clips". It has the sections of its .mcpr file, some
+// of them stored once for many clips.
 #pragma once
 
 #include <cstdint>
@@ -10,42 +10,43 @@
 
 namespace mocapress::runtime {
 
-inline constexpr std::uint32_t kOwnPart = 0xFFFFFFFFU;  // of an outline: the clip has it itself
+inline constexpr std::uint32_t kOwnPart = 0xFFFFFFFFU;  // in an outline: the clip stores this
+                                                        // section itself
 inline constexpr std::size_t kOutlineHead = 4;          // u16 sections, u16 bytes of orders and a
-inline constexpr std::uint16_t kWholeErrors = 0x8000;   // bit: errors are 4 bytes each, not 2
+inline constexpr std::uint16_t kWholeErrors = 0x8000;   // flag: errors are 4 bytes each, not 2
 inline constexpr std::size_t kOutlineSection = 8;       // tag, u32 part
 
-inline constexpr std::size_t kDescriptionBytes = 32;  // CLIP, of which a clip has its own:
-inline constexpr std::size_t kFramesAt = 8;           // the frames, u32,
-inline constexpr std::size_t kErrorsAt = 24;          // and eps and max_error, f32 each
+inline constexpr std::size_t kDescriptionBytes = 32;  // size of CLIP. Each clip stores its own:
+inline constexpr std::size_t kFramesAt = 8;           // frames, u32, at this offset
+inline constexpr std::size_t kErrorsAt = 24;          // eps and max_error, f32 each
 
-/// The part that has what clips of the bank taught, which no file has: learned_priors.h.
+/// Tag of the part that holds the bank's learned priors; files do not have it: learned_priors.h.
 inline constexpr char kLearned[] = "PRIO";
 
-/// A file that a reader counts as so much longer, where joints were reordered: JNTS is not as long
-/// then as it is in the bank, and how many samples a file may have goes by its length.
+/// Extra bytes allowed for a file whose joints were reordered. JNTS then has another length than in
+/// the bank, and the number of samples that a file may have depends on its length.
 inline constexpr std::size_t kReorderedRoom = 256;
 
-/// Whether a section's size is told: of the motion it is what is left.
+/// Whether the size of a section is stored. The motion has none: it takes the bytes that are left.
 bool has_told_size(const Section& section);
 
-/// Gives the sections of a packed clip as they stand in its .mcpr, but for JNTS where orders() has
-/// bytes: then the joints that turn freely have all their angles in the order x y z.
+/// Reads the sections of a packed clip as its .mcpr has them. JNTS differs if orders() is not
+/// empty: then every joint that turns about three axes has them in the order x y z.
 class PackedSections {
  public:
   PackedSections(const mcpk_bank& bank, const BankEntry& entry) : bank_(bank), entry_(entry) {}
 
-  /// What comes before the sections, and their number.
+  /// Reads the head; sets the number of sections.
   mcpr_result begin(std::uint16_t& sections);
 
-  /// The payload is valid until the next.
+  /// Reads the next section. Its payload is valid until the next call.
   mcpr_result next(Section& section);
 
-  /// How many bytes of the clip no section took.
+  /// Bytes of the clip that no section has taken.
   std::size_t left() const { return left_.left(); }
   std::size_t offset() const { return left_.offset(); }
 
-  /// In which orders the clip's joints have their angles: joint_orders.h.
+  /// Rotation orders of the clip's joints: joint_orders.h.
   const Bytes& orders() const { return orders_; }
 
  private:

@@ -12,7 +12,7 @@ namespace mocapress::runtime {
 using Probability = std::uint32_t;
 inline constexpr Probability kEvenOdds = 32768;
 
-/// Where [low, high] is divided: ones below and at it, zeros above.
+/// The last value of the range that decodes to a one; zeros lie above it.
 constexpr std::uint32_t range_split(std::uint32_t low, std::uint32_t high, Probability one) {
   return low + static_cast<std::uint32_t>((static_cast<std::uint64_t>(high - low) * one) >> 16);
 }
@@ -21,9 +21,9 @@ constexpr bool leading_byte_is_settled(std::uint32_t low, std::uint32_t high) {
   return ((low ^ high) >> 24) == 0;
 }
 
-/// Reads bits from a range coder's bytes. Any bytes decode to something; but it fails, for good,
-/// when more bits are asked for than an encoder could have put into them, so that the work is
-/// bounded by the number of bytes.
+/// Decodes bits that a range coder wrote. Any bytes decode to something. Decoding fails, for good,
+/// when it has returned more bits than an encoder could have stored, which bounds the work by the
+/// number of bytes.
 class RangeDecoder {
  public:
   static constexpr bool kWrites = false;
@@ -32,7 +32,8 @@ class RangeDecoder {
     for (int i = 0; i < kRegister; ++i) shift_in();
   }
 
-  /// What an encoder was given; the bit handed in says nothing. False once it failed.
+  /// Returns the next bit; ignores its first argument, which the encoder uses. Returns false after
+  /// a failure.
   bool code(bool, Probability one) {
     if (failed()) return false;
     const std::uint32_t middle = range_split(low_, high_, one);
@@ -49,17 +50,17 @@ class RangeDecoder {
     return bit;
   }
 
-  /// A number that was read is out of bounds.
+  /// Makes decoding fail: a decoded number is out of bounds.
   void refuse() { refused_ = true; }
 
   bool refused() const { return refused_; }
   bool exhausted() const { return next_ > size_ + kRegister; }
   bool failed() const { return refused_ || exhausted(); }
 
-  /// Whether the bytes end where the encoder's did.
+  /// Whether all bytes were read, as after the encoder's last bit.
   bool is_at_end() const { return next_ >= size_; }
 
-  /// How many bytes were read.
+  /// Bytes read so far.
   std::size_t position() const { return next_ < size_ ? next_ : size_; }
 
  private:
@@ -72,7 +73,7 @@ class RangeDecoder {
 
   const std::uint8_t* bytes_;
   std::size_t size_;
-  std::size_t next_ = 0;  // beyond the end as soon as zeros are read there
+  std::size_t next_ = 0;  // exceeds the size once zeros were read past the end
   std::uint32_t low_ = 0;
   std::uint32_t high_ = 0xFFFFFFFF;
   std::uint32_t code_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the frames of a long clip fall into segments that overlap: FORMAT.md, SEGS.
+// Divides the frames of a long clip into overlapping segments: FORMAT.md, SEGS.
 #pragma once
 
 #include <algorithm>
@@ -7,13 +7,12 @@
 
 namespace mocapress::runtime {
 
-inline constexpr std::uint32_t kLeastSegment =
-    256;  // frames: bounds what a segment costs by itself
+inline constexpr std::uint32_t kLeastSegment = 256;  // frames; bounds the fixed cost of a segment
 
-/// Segments of `length` frames, the last of no more, each sharing `overlap` frames with the next.
-/// Where there is one only, its length is that of the clip and nothing is shared.
+/// Segments of `length` frames; the last may be shorter. Neighbours share `overlap` frames. A
+/// single segment has the length of the clip, and no overlap.
 struct SegmentLayout {
-  int frames = 0;  // of the clip
+  int frames = 0;  // frames of the clip
   int length = 0;
   int overlap = 0;
 
@@ -26,16 +25,16 @@ struct SegmentLayout {
   constexpr int first(int segment) const { return segment * hop(); }
   constexpr int frames_of(int segment) const { return std::min(length, frames - first(segment)); }
 
-  /// Frames of all segments together: those that two share count twice.
+  /// Total frames of all segments. Frames that two segments share count twice.
   constexpr std::int64_t coded_frames() const {
     return frames + static_cast<std::int64_t>(count() - 1) * overlap;
   }
 
-  /// Frames in a row that come from the same segments.
+  /// Consecutive frames that come from the same one or two segments.
   struct Stretch {
-    int segment;  // the last of them
-    int frames;   // how many from the one asked for
-    int shared;   // how far into the frames shared with the segment before, from 0; -1: beyond
+    int segment;  // the later one
+    int frames;   // number, from the frame asked for
+    int shared;   // position in the overlap with the previous segment, from 0; -1: past it
   };
   constexpr Stretch stretch_at(int frame) const {
     const int segment = hop() > 0 ? std::min(frame / hop(), count() - 1) : 0;
@@ -46,15 +45,15 @@ struct SegmentLayout {
   }
 };
 
-/// Whether a file may have segments so: at least two, and no frame in three of them.
+/// Whether a file may have this layout: at least two segments, and no frame in three of them.
 constexpr bool may_be_segments(std::uint32_t frames, std::uint32_t length, std::uint32_t overlap) {
   return length >= kLeastSegment && length < frames && overlap >= 1 && overlap <= length / 2;
 }
 
-/// The share of the later of two segments at a frame that both have, `shared` into them.
+/// Blending weight of the later of two segments at overlap position `shared`.
 float share_of_later(const SegmentLayout& layout, int shared);
 
-/// A sample of both, in floats whose every step is rounded.
+/// Blends the samples of two segments. Every operation is rounded to a float.
 float blended(float earlier, float later, float share_of_later);
 
 }  // namespace mocapress::runtime

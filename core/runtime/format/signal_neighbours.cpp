@@ -35,7 +35,8 @@ bool NeighbourFinder::same_shape(const JointTree& tree, int a, int b) const {
   return of_a == of_b;
 }
 
-/// A subtree's number is that of the first joint found with the same, children first.
+/// Numbers subtrees by shape, children first: a subtree has the number of the first joint with an
+/// equal one.
 void NeighbourFinder::number_shapes(const JointTree& tree) const {
   std::fill_n(table_, table_size_, -1);
   for (int j = tree.joints - 1; j >= 0; --j) {
@@ -54,8 +55,8 @@ void NeighbourFinder::number_shapes(const JointTree& tree) const {
   }
 }
 
-/// Below a mirrored joint the child in the same place; elsewhere the last child before it of the
-/// same shape that mirrors none itself.
+/// A joint below a mirrored joint mirrors the child in the same place. Otherwise it mirrors the
+/// last earlier sibling of the same shape that has no mirror yet.
 void NeighbourFinder::find_mirrors(const JointTree& tree) const {
   std::fill_n(mirror_, tree.joints, -1);
   for (int parent = 0; parent < tree.joints; ++parent) {
@@ -78,7 +79,8 @@ void NeighbourFinder::find(const JointTree& tree, SignalNeighbours* neighbours) 
   number_shapes(tree);
   find_mirrors(tree);
   int channel = 0;
-  int* const last_of = first_child_;  // channel at or above each joint; the children are done with
+  int* const last_of = first_child_;  // last channel at or above each joint; reuses memory that is
+                                      // free by now
   for (int j = 0; j < tree.joints; ++j) {
     first_channel_[j] = channel;
     int last = tree.parents[j] < 0 ? -1 : last_of[tree.parents[j]];

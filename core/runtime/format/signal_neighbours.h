@@ -7,26 +7,27 @@
 
 namespace mocapress::runtime {
 
-/// Which signals resemble one another: an earlier signal, or -1 for none.
+/// Earlier signals that resemble a signal; -1: none.
 struct SignalNeighbours {
-  int sibling = -1;  // turns the same joint or, for the first of a joint, the one above
+  int sibling = -1;  // a channel of the same joint; for a joint's first channel, one of a joint
+                     // above
   int mirror = -1;   // on the other side of the body
 };
 
-/// What the neighbours of channels follow from.
+/// The skeleton as far as neighbours depend on it.
 struct JointTree {
   int joints;
-  const std::int16_t* parents;  // -1: a root; otherwise before the joint
+  const std::int16_t* parents;  // -1: a root; else an earlier joint
   const std::uint8_t* channel_counts;
 };
 
-/// Finds the neighbours of channels from a skeleton's tree alone: FORMAT.md, 6.4. Works in
-/// memory of its own, in time in proportion to joints^2 at worst.
+/// Finds the neighbours of channels from the skeleton alone: FORMAT.md, 6.4. Takes time in
+/// proportion to joints^2 at worst.
 class NeighbourFinder {
  public:
   NeighbourFinder(Memory& memory, int joints);
 
-  /// `neighbours`: one for each channel.
+  /// `neighbours` has one element per channel.
   void find(const JointTree& tree, SignalNeighbours* neighbours) const;
 
  private:
@@ -35,18 +36,19 @@ class NeighbourFinder {
   bool same_shape(const JointTree& tree, int a, int b) const;
   void find_mirrors(const JointTree& tree) const;
 
-  // Of each joint; -1: none.
+  // Arrays with one element per joint; -1: none.
   int* first_child_;
   int* next_sibling_;
-  int* shape_;  // subtrees of the same number are as large and have the same channels
+  int* shape_;  // number of the joint's shape. Subtrees with equal numbers are equally large and
+                // have the same channels
   int* mirror_;
   int* first_channel_;
-  // A hash table of joints by the shape of what is below them.
+  // A hash table from shapes of subtrees to joints.
   std::uint32_t table_size_;  // a power of 2
   int* table_;
 };
 
-/// The same for the differences of an IK correction, which follow `first` channels.
+/// Sets the neighbours of an IK correction's offsets, `count` signals after the first `first`.
 void set_correction_neighbours(int first, int count, SignalNeighbours* neighbours);
 
 }  // namespace mocapress::runtime

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and rotations of space, in double precision: what forward and inverse kinematics need.
+// Vectors and rotations in double precision, for forward and inverse kinematics.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ inline double norm(const Vector3& a) {
   return std::sqrt(dot(a, a));
 }
 
-/// A rotation, or any linear map.
+/// A rotation or any other linear map.
 struct Matrix3 {
   double at[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // row, column
 
@@ -74,7 +74,7 @@ inline Matrix3 rotation_of(double w, double x, double y, double z) {
 
 /// The unit quaternion w x y z of a rotation, w >= 0.
 inline void quaternion_of(const Matrix3& m, double* wxyz) {
-  // The largest component first, so that nothing small is divided by.
+  // Starts from the largest component, so that no division is by a small number.
   const double trace = m(0, 0) + m(1, 1) + m(2, 2);
   int largest = 0;
   double most = trace;

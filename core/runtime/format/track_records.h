@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scalar tracks: FORMAT.md, trks. The same walk for writing and reading.
+// Scalar tracks: FORMAT.md, trks. Writing and reading share this code.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@
 
 namespace mocapress::runtime {
 
-/// Samples of curves beyond this are decoded in double precision, as those of a channel are.
+/// Curves with samples beyond this are decoded in double precision, as channels are.
 inline constexpr float kTrackDoublePrecision = 8;
 
-/// Which value of a track the next byte belongs to.
+/// Tracks which field of a track record the next byte belongs to.
 class TrackFields {
  public:
-  static constexpr int kCount = 6;  // length of the node's name, that name, the same of the track,
-                                    // kind, flags
+  static constexpr int kCount = 6;  // node name's length, node name, track name's length, track
+                                    // name, kind, flags
 
   int field() const { return field_; }
 
@@ -34,7 +34,7 @@ class TrackFields {
 
  private:
   int field_ = 0;
-  int left_ = 0;  // bytes of a name
+  int left_ = 0;  // bytes left of a name
 };
 
 using TrackByteCoder = RecordByteCoder<TrackFields>;
@@ -54,19 +54,20 @@ struct TrackRecord {
   bool steps() const { return (flags & kSteps) != 0; }
 };
 
-/// Frames in a row that have one value, bit for bit.
+/// Consecutive frames with one value, equal to the bit.
 struct TrackRun {
-  std::uint32_t end;  // the first frame after it
+  std::uint32_t end;  // one past its last frame
   float value;
 };
 
-/// Codes the runs of tracks that are held, track after track.
+/// Codes the runs of held tracks, track after track.
 class RunCoder {
  public:
-  /// The run that begins at `first`, of a track of so many frames. `Bits` as of CoefficientCoder.
+  /// Codes the run that begins at frame `first` of a track with this many frames. `Bits` as in
+  /// CoefficientCoder.
   template <typename Bits>
   void code(Bits& bits, std::uint32_t first, std::uint32_t frames, TrackRun& run) {
-    const bool goes_on = first > 0;  // it is not the track's first
+    const bool goes_on = first > 0;  // not the first run of the track
     if (code_bit(bits, is_last_[goes_on], run.end == frames)) {
       run.end = frames;
     } else {
@@ -80,7 +81,7 @@ class RunCoder {
  private:
   static constexpr std::int32_t kRecent = 16;
 
-  /// By how recent it is, or in full.
+  /// Codes a value as a reference to a recent one, or in full.
   template <typename Bits>
   void code_value(Bits& bits, DigitCoder& coder, float& value) {
     auto pattern = std::bit_cast<std::uint32_t>(value);
@@ -94,7 +95,7 @@ class RunCoder {
         coded =
             coded << 1 | static_cast<std::uint32_t>(bits.code((pattern >> d & 1) != 0, kEvenOdds));
       pattern = coded;
-      --place;  // the oldest goes
+      --place;  // drops the oldest
     } else {
       pattern = recent_[static_cast<std::size_t>(place)];
     }
@@ -107,19 +108,19 @@ class RunCoder {
   AdaptiveBit is_last_[2];
   DigitCoder length_;
   DigitCoder place_[2];
-  std::array<std::uint32_t, kRecent> recent_ = {0, 0x3F800000};  // 0, 1, then zeros
+  std::array<std::uint32_t, kRecent> recent_ = {0, 0x3F800000};  // 0.0, 1.0, then zeros
 };
 
-/// A curve is like the one before it.
+/// Each curve has the previous one as its neighbour.
 inline void set_track_neighbours(int curves, SignalNeighbours* neighbours) {
   for (int s = 0; s < curves; ++s) neighbours[s] = {s - 1, -1};
 }
 
-/// Reads the next track's record.
+/// Parses the next track's record.
 mcpr_result read_track_record(Cursor& cursor, TrackRecord& record);
 
-/// Decodes what is not curves: head.record_bytes into `records`, then head.runs into `runs`, those
-/// of each held track in turn. All records are checked.
+/// Decodes all but the curves: head.record_bytes into `records`, and head.runs into `runs`, ordered
+/// by held track. Checks all records.
 mcpr_result decode_tracks(const TracksHead& head, std::uint32_t frames, TrackByteCoder& coder,
                           std::uint8_t* records, TrackRun* runs);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotations that stay, before and after the angles of a joint: FORMAT.md, AXES.
+// Constant rotations before and after a joint's angles: FORMAT.md, AXES.
 #pragma once
 
 #include <cmath>
@@ -10,11 +10,11 @@
 
 namespace mocapress::runtime {
 
-inline constexpr int kTurnBits = 5;     // of each of six numbers
-inline constexpr int kFixedTurns = 16;  // in half a turn
+inline constexpr int kTurnBits = 5;     // width of each of six numbers
+inline constexpr int kFixedTurns = 16;  // units in half a turn
 inline constexpr std::uint32_t kTurnedAxesBytes = 4;
 
-/// A joint whose axes may be turned: it has a parent, and three rotation channels about three
+/// Whether a joint's axes may be turned: it has a parent, and three rotation channels about three
 /// different axes.
 inline bool may_turn_axes(const JointModel& joint) {
   int axes = 0;
@@ -27,7 +27,7 @@ inline bool may_turn_axes(const JointModel& joint) {
   return joint.parent >= 0 && turns == 3 && axes == 7;
 }
 
-/// As they are coded: two rotations, each its axis times its angle, x y z in units of pi / 16.
+/// The coded form: two rotation vectors (axis times angle), x y z in units of pi / 16.
 struct TurnedAxes {
   std::int8_t before[3] = {};
   std::int8_t after[3] = {};
@@ -41,7 +41,7 @@ struct TurnedAxes {
     return word;
   }
 
-  /// False: the word stands for nothing.
+  /// Decodes a word. False if it is not a valid code.
   bool set(std::uint32_t word) {
     if (word >> (6 * kTurnBits) != 0) return false;
     for (int i = 0; i < 3; ++i) {
@@ -52,14 +52,14 @@ struct TurnedAxes {
   }
 
  private:
-  /// Of the lowest bits.
+  /// Extracts the signed number in the lowest bits.
   static std::int8_t number(std::uint32_t word) {
     const auto bits = static_cast<int>(word & 31U);
     return static_cast<std::int8_t>(bits < 16 ? bits : bits - 32);
   }
 };
 
-/// Reads AXES, if it is there: calls set(joint, TurnedAxes) for each joint that has turned ones.
+/// Reads AXES, if present: calls set(joint, TurnedAxes) for each joint with turned axes.
 template <typename MayTurn, typename Set>
 mcpr_result read_turned_axes(const Bytes& axes, int joints, const MayTurn& may_turn,
                              const Set& set) {

@@ -33,7 +33,8 @@ constexpr ScaleWeights kScaleWeights = {
      {247, 45, 34, 119, 69, 79, 13, 19, 18, 18, 206, 13, 137, 1, 162, 3072, 54, 26}}};
 
 void SignalPrediction::begin() {
-  constexpr std::int32_t kRidge = 40 << 12;  // as if each tap had been seen so often beside zero
+  constexpr std::int32_t kRidge = 40 << 12;  // initial regularisation: as many past observations of
+                                             // zero for each tap
   products.fill(0);
   for (int i = 0; i < kTaps; ++i) product(i, i) = kRidge;
   errors.fill(0);
@@ -79,7 +80,7 @@ void SignalPrediction::follow(const std::int16_t* taps, int error) {
   }
   if (!any) return;
   if (++seen == kMostSeen) halve();
-  // The weights that would change most.
+  // Updates the weights that would change most.
   for (int move = 0; move < kMoves; ++move) {
     int most = 0;
     std::int64_t largest = -1;
@@ -99,8 +100,8 @@ void SignalPrediction::follow(const std::int16_t* taps, int error) {
   }
 }
 
-// Sums of 32 bits and products of 16, which machines add up several at a time: weights are within
-// 4, and errors within 5 kFarthest.
+// RestPrediction uses 32-bit sums and 16-bit products, which vector instructions compute several at
+// a time. Weights stay within 4, and errors within 5 kFarthest.
 
 int RestPrediction::of(const Taps& taps) const {
   std::int32_t sum = 1 << 11;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a coefficient's value is likely to be, given those decoded already: FORMAT.md, "What is
-// expected of a value". Integers only, so that every machine decodes the same bits.
-// Based on: Y. V. Zakharov, G. P. White and J. Liu, "Low-complexity RLS algorithms using
-// dichotomous coordinate descent iterations", 2008 (recursive least squares without a matrix to
-// invert).
+// Predicts a coefficient's value from those decoded earlier: FORMAT.md, "What is expected of a
+// value". Uses integers only, so that every machine decodes the same bits. Based on: Y. V.
+// Zakharov, G. P. White and J. Liu, "Low-complexity RLS algorithms using dichotomous coordinate
+// descent iterations", 2008 (recursive least squares without inverting a matrix).
 #pragma once
 
 #include <algorithm>
@@ -15,11 +14,11 @@
 
 namespace mocapress::runtime {
 
-/// Scales of a coefficient: four an octave, kScaleOfOne stands for 1.
+/// Scales of coefficients, four per octave; kScaleOfOne stands for 1.
 inline constexpr int kScales = 64;
 inline constexpr int kScaleOfOne = 12;
 
-/// log2(v) in 256ths, between powers of two along a line. v > 0.
+/// log2(v) in 256ths, linear between powers of two. v > 0.
 inline int log2_256(std::uint32_t v) {
   const int digits = static_cast<int>(std::bit_width(v));
   const std::uint32_t mantissa = digits > 9 ? v >> (digits - 9) : v << (9 - digits);
@@ -29,40 +28,43 @@ inline int log2_256(std::uint32_t v) {
 /// 65536 / 2^((scale - kScaleOfOne) / 4), rounded.
 extern const std::array<std::int32_t, kScales> kInverseScales;
 
-/// How much each feature around a coefficient adds to what is expected of its magnitude, by level.
-/// 1024 = once. Fitted to corpus/train.
+/// Weight of each feature around a coefficient in the estimate of its magnitude, by level. 1024 =
+/// 1.0. Fitted to corpus/train.
 inline constexpr int kScaleFeatures = 18;
 inline constexpr int kScaleLevels = 8;
 using ScaleWeights = std::array<std::array<std::int16_t, kScaleFeatures>, kScaleLevels>;
 extern const ScaleWeights kScaleWeights;
 
-/// Recursive least squares for one signal: learns by which weights the coefficients around one add
-/// up to it. Values are divided by the scale that is expected of them, in 64ths.
+/// Recursive least squares for one signal: predicts a coefficient as a weighted sum of those around
+/// it, and learns the weights. Values are divided by their expected scale, in 64ths.
 struct SignalPrediction {
   static constexpr int kTaps = 24;
   static constexpr int kFarthest = 1023;
 
   void begin();
 
-  /// `taps` are kTaps, and may be followed by others.
+  /// Predicts from `taps`, of which the first kTaps are used.
   int of(const std::int16_t* taps) const;
 
-  /// Learns what came instead of the prediction: `error` = value - prediction.
+  /// Learns from a decoded value: `error` = value - prediction.
   void follow(const std::int16_t* taps, int error);
 
-  std::array<std::int32_t, kTaps * kTaps> products;  // of two taps, row after row
-  std::array<std::int64_t, kTaps> errors;            // of each tap and what its weight leaves
-  std::array<std::int32_t, kTaps> weights;           // 16384 = once
+  std::array<std::int32_t, kTaps * kTaps> products;  // correlations of taps, row by row
+  std::array<std::int64_t, kTaps> errors;            // correlation of each tap with the error that
+                                                     // the weights leave
+  std::array<std::int32_t, kTaps> weights;           // 16384 = 1.0
   std::int32_t seen;
 
-  static constexpr std::int32_t kMostSeen = 512;  // then what was seen counts half
-  static constexpr int kMoves = 3;                // weights that are moved at a time
+  static constexpr std::int32_t kMostSeen = 512;  // observations after which all statistics are
+                                                  // halved
+  static constexpr int kMoves = 3;                // weights updated per observation
   static constexpr std::int64_t kMostLeft = std::int64_t{1}
-                                            << 40;  // of an error: hostile bytes cannot overflow
+                                            << 40;  // bound for `errors`, so that hostile bytes
+                                                    // cannot overflow them
 
   void halve();
 
-  /// Returns by how much a weight is moved.
+  /// Updates one weight, and returns the change.
   std::int64_t move_weight(int tap);
 
   std::int32_t& product(int row, int column) {
@@ -70,38 +72,37 @@ struct SignalPrediction {
   }
 };
 
-/// What recursive least squares leave of one signal: the same coefficients and those of further
-/// signals, with weights that follow slowly and cost little (normalised least mean squares).
+/// Predicts the error that SignalPrediction leaves, from the same coefficients and those of other
+/// signals. Normalised least mean squares: learns slowly and costs little.
 struct RestPrediction {
-  static constexpr int kTaps = 56;  // those of SignalPrediction come first
+  static constexpr int kTaps = 56;  // the first are SignalPrediction's
   using Taps = std::array<std::int16_t, kTaps>;
 
   void begin() { weights.fill(0); }
   int of(const Taps& taps) const;
 
-  /// Learns what came instead: `error` = what was left - prediction.
+  /// Learns from a decoded value: `error` = error left by SignalPrediction - prediction.
   void follow(const Taps& taps, int error);
 
-  /// The weights move by this times their taps.
+  /// Step size: each weight changes by this times its tap.
   static std::int16_t step_of(int error, std::int32_t squares) {
     constexpr std::int32_t kRate = 121635;  // 0.116
     return static_cast<std::int16_t>(error * kRate / squares);
   }
-  static constexpr std::int32_t kRidge = 58 * 640;  // squares that count beside those of the taps
-  static constexpr std::int32_t kMost = 4 << 20;    // of a weight
+  static constexpr std::int32_t kRidge = 58 * 640;  // added to the squares of the taps
+  static constexpr std::int32_t kMost = 4 << 20;    // bound for a weight
 
-  std::array<std::int32_t, kTaps> weights;  // 2^20 = once
+  std::array<std::int32_t, kTaps> weights;  // 2^20 = 1.0
 };
 
-/// What the two predict and learn, in the instruction set that the machine has. Integers: all do
-/// the same.
+/// Predicting and learning of both classes for one instruction set. All compute the same integers.
 struct PredictionKernels {
   int (*of_signal)(const SignalPrediction&, const std::int16_t* taps);
   void (*signal_follows)(SignalPrediction&, const std::int16_t* taps, int error);
   int (*of_rest)(const RestPrediction&, const RestPrediction::Taps& taps);
   void (*rest_follows)(RestPrediction&, const RestPrediction::Taps& taps, int error);
 
-  /// Values divided by their scale, in 64ths: `inverse` of kInverseScales.
+  /// Divides values by their scale, in 64ths; `inverse` is from kInverseScales.
   void (*normalise)(const std::array<std::int32_t, RestPrediction::kTaps>& values,
                     std::int32_t inverse, RestPrediction::Taps& taps);
 };
@@ -110,12 +111,13 @@ extern const PredictionKernels kPlainPrediction;
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define MOCAPRESS_PREDICTION_AVX2
-extern const PredictionKernels kAvx2Prediction;  // where the machine has AVX2
+extern const PredictionKernels kAvx2Prediction;  // only if the machine has AVX2
 #endif
 
 const PredictionKernels& best_prediction();
 
-/// One of them. Its product with a value in 64 bits, for what is no larger once it is clamped so.
+/// Bound for the value in normalised(). Larger values give the same result, but their product with
+/// `inverse` might not fit 32 bits.
 constexpr std::int32_t largest_normal(std::int32_t inverse) {
   return ((SignalPrediction::kFarthest + 1) << 10) / inverse + 1;
 }
@@ -129,22 +131,22 @@ inline std::int16_t normalised(std::int32_t value, std::int32_t inverse) {
 /// 2^30 / (1 + exp(i / 4)), i = 0 ... 64.
 extern const std::array<std::int32_t, 65> kLogisticTails;
 
-/// A value as a logistic distribution about what is expected. Its scale is 0.7 of the mean
-/// distance.
+/// Distribution of a value: logistic, around its prediction. Its scale is 0.7 of the mean absolute
+/// deviation.
 class ExpectedValue {
  public:
-  /// `mean` in 64ths, `deviation` (mean distance from it) in 256ths, > 0.
+  /// `mean` is in 64ths; `deviation`, the mean absolute deviation, in 256ths, > 0.
   ExpectedValue(std::int64_t mean, std::int32_t deviation)
       : mean_(mean), inverse_((1463 << 10) / std::max(deviation, 16)) {}
 
-  /// Two opinions on each bit, as log odds: of this distribution and one half as wide.
+  /// Log odds of a bit from this distribution, and from one half as wide.
   using Opinions = std::array<std::int32_t, 2>;
 
-  /// Shares of both distributions, of 2^30.
+  /// A probability from each of the two distributions, in units of 2^-30.
   using Shares = std::array<std::int32_t, 2>;
   static constexpr std::int32_t kWhole = 1 << 30;
 
-  /// Of `value` and more; of -`value` and less.
+  /// Probabilities of `value` and above, and of -`value` and below.
   Shares from(std::int64_t value) const {
     return {above(64 * value - 32, 0), above(64 * value - 32, 1)};
   }
@@ -152,16 +154,16 @@ class ExpectedValue {
     return {kWhole - above(32 - 64 * value, 0), kWhole - above(32 - 64 * value, 1)};
   }
 
-  /// The sign is known: what follows is of magnitudes.
+  /// Mirrors the distribution once the sign is known, so that what follows is about magnitudes.
   void fold(bool minus) { mean_ = minus ? -mean_ : mean_; }
 
-  /// Of part / whole.
+  /// Log odds of `part` given `whole`.
   static Opinions opinions(const Shares& part, const Shares& whole) {
     return {log_odds(part[0], whole[0]), log_odds(part[1], whole[1])};
   }
 
  private:
-  /// The share of the distribution above x (64ths), of 2^30.
+  /// Probability of values above x (64ths), in units of 2^-30.
   std::int32_t above(std::int64_t x, int half) const {
     constexpr std::int64_t kFarthest = 16 << 8;
     const std::int64_t far = std::clamp<std::int64_t>(
@@ -178,7 +180,7 @@ class ExpectedValue {
     return far < 0 ? kWhole - tail : tail;
   }
 
-  /// Of part / whole; unknown where so little is left that it says nothing.
+  /// Log odds of `part` given `whole`; 0 if `whole` is too small to say anything.
   static std::int32_t log_odds(std::int32_t part, std::int32_t whole) {
     if (whole < 256) return 0;
     const int shift =

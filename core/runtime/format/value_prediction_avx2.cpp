@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// value_prediction.cpp for AVX2: the same integers.
+// value_prediction.cpp for AVX2. Computes the same integers.
 #include "core/runtime/format/value_prediction.h"
 
 #ifdef MOCAPRESS_PREDICTION_AVX2
@@ -27,8 +27,8 @@ MOCAPRESS_PREDICTION_TARGET inline __m256i four_as_longs(const std::int32_t* fro
   return _mm256_cvtepi32_epi64(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)));
 }
 
-/// Products of numbers that fit 16 bits, for less than _mm256_mullo_epi32 takes: the upper halves
-/// of one are zeros.
+/// Masks the upper half of each lane, so that numbers of 16 bits can be multiplied by a cheaper
+/// instruction than _mm256_mullo_epi32.
 MOCAPRESS_PREDICTION_TARGET inline __m256i low_halves(__m256i numbers) {
   return _mm256_and_si256(numbers, _mm256_set1_epi32(0xFFFF));
 }
@@ -45,7 +45,7 @@ MOCAPRESS_PREDICTION_TARGET inline __m256i size_of_longs(__m256i v) {
   return _mm256_sub_epi64(_mm256_xor_si256(v, sign), sign);
 }
 
-constexpr int kLongs = SignalPrediction::kTaps / 4;  // vectors
+constexpr int kLongs = SignalPrediction::kTaps / 4;  // vectors of kTaps numbers
 constexpr int kInts = SignalPrediction::kTaps / 8;
 
 MOCAPRESS_PREDICTION_TARGET int of_signal(const SignalPrediction& prediction,
@@ -65,7 +65,7 @@ MOCAPRESS_PREDICTION_TARGET int of_signal(const SignalPrediction& prediction,
                                                    2 * SignalPrediction::kFarthest));
 }
 
-/// The first of the largest.
+/// Index of the first of the largest errors.
 MOCAPRESS_PREDICTION_TARGET int most_in_error(const SignalPrediction& prediction) {
   __m256i sizes[kLongs];
   for (int v = 0; v < kLongs; ++v)
@@ -85,7 +85,8 @@ MOCAPRESS_PREDICTION_TARGET int most_in_error(const SignalPrediction& prediction
   return std::countr_zero(found);
 }
 
-/// Shifts to the right keep no sign: this is added before and taken off after.
+/// AVX2 has no arithmetic shift of 64-bit lanes: this is added before a logical shift, and
+/// subtracted after it.
 constexpr std::int64_t kBias = std::int64_t{1} << 62;
 
 MOCAPRESS_PREDICTION_TARGET void signal_follows(SignalPrediction& prediction,
