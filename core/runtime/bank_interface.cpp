@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The part of the C interface that reads banks: checks what the caller hands in, and passes on.
+// The part of the C interface that reads banks: checks the arguments, then calls the
+// implementation.
 #include <cstring>
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The part of the C interface that cooks and samples: checks what the caller hands in, and passes
-// on.
+// The part of the C interface that cooks and samples: checks the arguments, then calls the
+// implementation.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -31,7 +31,7 @@ bool is_a_clip(const mcpr_clip* clip) {
   return clip != nullptr && clip->block.mark == ClipBlock::kMark;
 }
 
-/// Scratch memory: the builder itself, then what it takes.
+/// Scratch memory for cooking: the builder and its work space.
 std::uint64_t cooking_bytes(const mcpr_clip& clip, bool apply_ik) {
   Memory memory;
   memory.take<CookedBuilder>(1);
@@ -39,7 +39,7 @@ std::uint64_t cooking_bytes(const mcpr_clip& clip, bool apply_ik) {
   return memory.used();
 }
 
-/// A builder that has found out what is to be made, in scratch memory.
+/// Constructs a builder in scratch memory, and lets it find the layout of the cooked clip.
 mcpr_result prepare(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
                     std::size_t scratch_size, CookedBuilder*& builder, std::uint64_t& bytes) {
   if (!is_a_clip(clip)) return refused("no clip");
@@ -82,7 +82,7 @@ mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_requ
   return check_joints(*clip, request->joints, request->joint_count);
 }
 
-/// The selection, its own joints and what never changes of them, then its tables.
+/// Size of a selection: itself, its joints, their constant transforms, its tables.
 std::uint64_t selection_bytes(const mcpr_cooked& clip, std::uint32_t joint_count) {
   Memory memory;
   memory.take<mcpr_selection>(1);
@@ -110,7 +110,7 @@ mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* r
 constexpr mcpr_result kNoCrowdMemory =
     failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
 
-/// Where one is at fault, its number is the offset.
+/// Checks all characters. The offset of a failure is the character's index.
 mcpr_result check_crowd(const mcpr_crowd_request* request, const mcpr_character* characters,
                         std::uint32_t count) {
   if (request == nullptr) return refused("no request");
@@ -142,7 +142,7 @@ Rigid inverse(const Rigid& a) {
   return {back, back * (Vector3() - a.translation)};
 }
 
-/// How one joint moves.
+/// The motion of one joint between two instants.
 class JointMotion {
  public:
   JointMotion(const mcpr_cooked& clip, const mcpr_sample_request& request, std::uint16_t joint)
@@ -175,8 +175,8 @@ class JointMotion {
               static_cast<double>(out.translation[2])}}};
   }
 
-  /// Where the joint is when the next turn begins: at the last frame, or as far after it as it came
-  /// from the one before.
+  /// The joint's transform at the start of the next cycle: that of the last frame if it repeats the
+  /// first pose; else one frame further, moving on as in the last frame.
   Rigid end_of_turn() const {
     mcpr_transform out;
     const PlaceInClip place = clip_.loop == LoopKind::Repeats ? PlaceInClip{clip_.frames - 1.0, 0}
@@ -189,7 +189,7 @@ class JointMotion {
               static_cast<double>(out.translation[2])}}};
   }
 
-  /// Any number of whole turns, also backwards.
+  /// The power of a transform by any whole number, also negative.
   static Rigid power(Rigid turn, double count) {
     if (count < 0) {
       turn = inverse(turn);

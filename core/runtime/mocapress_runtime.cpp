@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C interface: checks what the caller hands in, and passes on.
+// The C interface: checks the arguments, then calls the implementation.
 #include "core/runtime/mocapress_runtime.h"
 
 #include <cmath>
@@ -225,7 +225,7 @@ mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* reques
   if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
   double within = std::fmod(frame, turn);
   if (within < 0) within += turn;
-  if (within >= turn) within = 0;  // rounded up from just below zero
+  if (within >= turn) within = 0;  // a tiny negative instant rounds up to a whole cycle
   Memory memory(scratch, scratch_size);
   FrameDecoder decoder(memory, clip->block, *request);
   if (within <= clip->block.segments.frames - 1)

@@ -10,7 +10,7 @@
 
 namespace mocapress {
 
-/// Memory for the decoder, which takes none itself.
+/// Aligned memory for the decoder, which allocates none itself.
 class AlignedBytes {
  public:
   explicit AlignedBytes(std::size_t size) : size_(size), bytes_(allocate(size)) {}
@@ -31,7 +31,7 @@ class AlignedBytes {
   std::unique_ptr<std::byte, Free> bytes_;
 };
 
-/// A part of the decoder that is made as Part(memory, arguments...), with memory of its own.
+/// Owns a decoder object constructed as Part(memory, arguments...), together with its memory.
 template <typename Part>
 class OwnMemory {
  public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The C interface to tracks: checks what the caller hands in, and passes on.
+// The part of the C interface that decodes tracks: checks the arguments, then calls the
+// implementation.
 #include <cmath>
 #include <cstring>
 

@@ -37,14 +37,15 @@ bool is_skeleton(const Bytes& item) {
   return true;
 }
 
-/// Of a packed bank. What a section says of a clip is checked with each clip.
+/// Whether an item of a packed bank is a section, or valid learned priors. A section's contents are
+/// checked with each clip.
 bool is_part(const Bytes& item) {
   constexpr std::size_t kTag = 4;
   if (item.size < kTag || std::memcmp(item.data, kLearned, kTag) != 0) return item.size >= kTag;
   return !failed(check_learned({item.data + kTag, item.size - kTag, item.offset + kTag}));
 }
 
-/// Tags of one set, each once.
+/// Whether an item is a valid set of tags, without duplicates.
 bool is_tag_set(const mcpk_bank& bank, const Bytes& item) {
   if (item.size % sizeof(std::uint32_t) != 0) return false;
   std::int64_t before = -1;
@@ -99,7 +100,7 @@ mcpr_result check_clip(const mcpk_bank& bank, const BankEntry& entry) {
                        "a clip of the bank has another skeleton than it says");
 }
 
-/// Nothing but zeros, and no more than an alignment asks for.
+/// Whether bytes are the zeros of an alignment gap, and no more than it needs.
 bool is_padding(const mcpk_bank& bank, std::uint64_t from, std::uint64_t to) {
   if (to < from || to - from >= kCookedAlignment) return false;
   for (; from < to; ++from)
@@ -107,7 +108,7 @@ bool is_padding(const mcpk_bank& bank, std::uint64_t from, std::uint64_t to) {
   return true;
 }
 
-/// The clips of a block, and their checksum.
+/// Checks the clips of a block, and the block's checksum.
 mcpr_result check_clips(const mcpk_bank& bank, std::uint32_t block) {
   const auto damaged = [](std::uint64_t offset) {
     return failure(MCPR_DAMAGED, static_cast<std::size_t>(offset),
@@ -138,7 +139,7 @@ mcpr_result check_clips(const mcpk_bank& bank, std::uint32_t block) {
   return kOk;
 }
 
-/// Blocks follow each other without gaps, and so does what the bank consists of.
+/// Checks that the blocks follow each other without gaps, and so do the regions of the bank.
 mcpr_result check_index(const mcpk_bank& bank) {
   const Bytes index = bank.bytes_of(bank.index);
   const auto refuse = [&](std::size_t offset) {

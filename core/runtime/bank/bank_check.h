@@ -6,11 +6,11 @@
 
 namespace mocapress::runtime {
 
-/// The clip of a cooked bank, of which only the head is looked at.
+/// Opens a clip of a cooked bank. Checks only its head.
 mcpr_result cooked_clip_of(const mcpk_bank& bank, const BankEntry& entry,
                            const mcpr_cooked*& cooked);
 
-/// Whether all of a bank is what reading it may rely on. After check_bank_head().
+/// Verifies everything that reading the bank relies on. Requires check_bank_head() first.
 mcpr_result check_bank(const mcpk_bank& bank);
 
 }  // namespace mocapress::runtime

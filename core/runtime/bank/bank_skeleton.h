@@ -8,16 +8,16 @@
 
 namespace mocapress::runtime {
 
-/// A joint of a skeleton in a cooked bank: an item of so many of these, then the names.
+/// A joint of a skeleton in a cooked bank.
 struct BankJoint {
   std::int32_t parent = -1;  // -1: a root
-  std::uint32_t name = 0;    // where it is in the item; it ends with a zero
+  std::uint32_t name = 0;    // offset in the item of the zero-terminated name
   float offset[3] = {};      // cm, in the parent's frame
   std::uint32_t has_end_site = 0;
   float end_site[3] = {};  // cm, in the joint's frame
 };
 
-/// The item: u32 joints, the joints, the names.
+/// A skeleton item: u32 number of joints, the joints, their names.
 class BankSkeleton {
  public:
   explicit BankSkeleton(const Bytes& item) : item_(item) {
@@ -35,7 +35,7 @@ class BankSkeleton {
     return joint;
   }
 
-  /// Null: it does not end within the item.
+  /// Null if the name does not end within the item.
   const char* name(const BankJoint& joint) const {
     if (joint.name >= item_.size) return nullptr;
     const std::uint8_t* const first = item_.data + joint.name;

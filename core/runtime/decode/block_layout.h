@@ -6,12 +6,12 @@
 
 namespace mocapress::runtime {
 
-/// Places things at the end of a block, or only measures it.
+/// Reserves space at the end of a block. Without memory it only measures.
 class BlockLayout {
  public:
   explicit BlockLayout(std::byte* memory) : memory_(memory) {}
 
-  /// The offset of so many bytes.
+  /// Reserves bytes and returns their offset.
   std::uint32_t reserve(std::uint64_t bytes) {
     used_ = (used_ + 7) / 8 * 8;
     const std::uint64_t at = used_;
@@ -19,7 +19,7 @@ class BlockLayout {
     return static_cast<std::uint32_t>(at);
   }
 
-  /// Null when it only measures.
+  /// Pointer to an offset; null when measuring.
   template <typename T>
   T* at(std::uint32_t offset) const {
     return memory_ == nullptr ? nullptr : reinterpret_cast<T*>(memory_ + offset);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What mcpr_clip is: a skeleton, limbs to solve and signals in one block of bytes without pointers.
+// The memory behind mcpr_clip: a skeleton, limbs for the IK solver, and signals, in one block of
+// bytes without pointers.
 #pragma once
 
 #include "core/runtime/decode/resident_signals.h"
@@ -13,21 +14,21 @@
 
 namespace mocapress::runtime {
 
-/// A LimbPlan in the block.
+/// A LimbPlan stored in the block.
 struct ResidentLimb {
   std::uint16_t effectors;
   std::uint16_t links;
   std::uint16_t turns;
   std::uint16_t is_two_bones;
-  std::uint32_t effector_numbers;  // offsets from the clip
+  std::uint32_t effector_numbers;  // this and the next three are offsets from the clip
   std::uint32_t effector_links;
   std::uint32_t link;
   std::uint32_t turn;
 };
 
-/// The head of the block. All that follows it is found by offsets from here.
+/// The head of the block. Everything after it is found by offsets from here.
 struct ClipBlock {
-  static constexpr std::uint32_t kMark = 0x7263704D;  // tells a clip from other memory
+  static constexpr std::uint32_t kMark = 0x7263704D;  // distinguishes a clip from other memory
   std::uint32_t mark = kMark;
   std::uint32_t joint_count = 0;
   std::uint32_t channel_count = 0;
@@ -36,19 +37,19 @@ struct ClipBlock {
   std::uint64_t total_bytes = 0;
   std::uint64_t skeleton_bytes = 0;
   Solver solver = Solver::NearestPose;
-  std::uint32_t solver_iterations = 0;  // at most, for a limb at a frame
+  std::uint32_t solver_iterations = 0;  // maximum, per limb and frame
   std::uint16_t limb_count = 0;
-  std::uint16_t most_links = 0;  // of a limb
+  std::uint16_t most_links = 0;  // of any limb
   LoopKind loop = LoopKind::None;
   EndReaches end_reaches;
-  std::uint32_t joints = 0;  // offsets from the clip
+  std::uint32_t joints = 0;  // this and the following are offsets from the clip
   std::uint32_t names = 0;
   std::uint32_t limbs = 0;
-  std::uint32_t ends = 0;     // what each end lacks in each channel
-  std::uint32_t motions = 0;  // of each segment: the offset of its signals
-  std::uint32_t tracks = 0;   // mcpr_tracks; 0: there are none
+  std::uint32_t ends = 0;     // corrections of the clip's ends, for each end and channel
+  std::uint32_t motions = 0;  // offsets of the segments' signals
+  std::uint32_t tracks = 0;   // mcpr_tracks; 0: the clip has none
   SegmentLayout segments;
-  SignalsShape largest;  // no segment's is larger in any way
+  SignalsShape largest;  // upper bounds over all segments
 
   template <typename T>
   const T* at(std::uint32_t offset) const {
@@ -64,7 +65,7 @@ struct ClipBlock {
   const ResidentSignals& motion(int segment) const {
     return *at<ResidentSignals>(at<std::uint32_t>(motions)[segment]);
   }
-  /// Frames of one turn; 0: it is no loop.
+  /// Frames in one cycle of a loop; 0: not a loop.
   int turn_frames() const {
     if (loop == LoopKind::None) return 0;
     return loop == LoopKind::Repeats ? segments.frames - 1 : segments.frames;

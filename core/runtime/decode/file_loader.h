@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a file to a clip, in two steps: everything decoded into scratch memory, then
-// the resident form made of it. Of a clip in segments scratch memory holds but one decoded, and the
-// coded bytes of all: each is decoded once to check and to measure it, and again to build it.
+// From the bytes of a file to a clip, in two steps: read() decodes everything into scratch memory,
+// then build() makes the resident form from it. For a segmented clip, scratch memory holds one
+// decoded segment and the coded bytes of all; each segment is decoded once to check and measure it,
+// and once more to build it.
 #pragma once
 
 #include "core/runtime/decode/clip.h"
@@ -16,25 +17,25 @@
 
 namespace mocapress::runtime {
 
-/// The scratch memory of reading a file: what stands there, and what reading works in.
+/// The scratch memory of mcpr_read: decoded data, and work space.
 class FileLoader {
  public:
-  /// With measuring memory only to know how much.
+  /// With measuring memory it only counts.
   FileLoader(Memory& memory, const FileSections& sections);
 
-  /// Decodes skeleton, correction and motion.
+  /// Decodes skeleton, IK correction and motion.
   mcpr_result read();
 
-  /// How many bytes build() makes.
+  /// Size of the clip that build() makes.
   std::uint64_t resident_size();
 
-  /// Makes the clip in zeroed memory.
+  /// Builds the clip in zeroed memory.
   const mcpr_clip* build(std::byte* memory);
 
-  static constexpr std::uint32_t kMark = 0x6465704FU;  // tells that read() succeeded
+  static constexpr std::uint32_t kMark = 0x6465704FU;  // set when read() has succeeded
   std::uint32_t mark = 0;
 
-  std::uint32_t solver_iterations = kMostSweeps;  // that the clip allows
+  std::uint32_t solver_iterations = kMostSweeps;  // the clip's cap, from the limits
 
  private:
   mcpr_result read_joints();
@@ -57,24 +58,25 @@ class FileLoader {
   JointModel* joints_;
   std::int16_t* parents_;
   std::uint8_t* channel_counts_;
-  std::uint16_t* depths_;  // of each joint, 1 at a root
+  std::uint16_t* depths_;  // depth of each joint; 1 at a root
   std::uint32_t name_bytes_ = 0;
   SignalNeighbours* neighbours_;
   AdaptiveBit* contexts_;
-  std::uint8_t* coded_motion_;  // a copy of MOTN, where it is in segments
+  std::uint8_t* coded_motion_;  // copy of MOTN, if it is segmented
   struct Segment {
-    std::size_t first_byte;  // in MOTN
+    std::size_t first_byte;  // position in MOTN
     std::size_t bytes;
     std::uint64_t resident_bytes;
   };
   Segment* segments_;
-  int decoded_ = -1;  // the segment that the next three are of
+  int decoded_ = -1;  // the segment whose data the next three members hold
   std::int32_t* step_exponents_;
   std::int32_t* values_;
   float* steps_;
   float* double_precision_limits_;
-  float* reach_;  // of each joint
-  float* ends_;   // what the first frame lacks in each channel, then the last; null: nothing
+  float* reach_;  // one per joint
+  float* ends_;   // end corrections: a row of channels for the first frame, then one for the last;
+                  // null: none
   std::uint8_t* notes_;
   JointByteCoder joint_coder_;
   NeighbourFinder neighbour_finder_;
@@ -84,14 +86,14 @@ class FileLoader {
   EffectorEnds effectors_[kMostEffectors];
 };
 
-/// The scratch memory that reading takes: refused where the coding is not adaptive, or where it is
-/// more than the limits allow.
+/// Scratch memory for reading a file. Fails if the coding is not adaptive, or if this exceeds the
+/// limits.
 mcpr_result find_read_bytes(const FileSections& sections, const mcpr_limits& limits,
                             std::uint64_t& bytes);
 
 mcpr_info info_of(const FileSections& sections, std::uint64_t read_bytes);
 
-/// mcpr_read() of sections that take so much scratch memory.
+/// Implements mcpr_read() for sections that need `read_bytes` of scratch memory.
 mcpr_result read_into(const FileSections& sections, std::uint64_t read_bytes,
                       const mcpr_limits& limits, void* scratch, std::size_t scratch_size,
                       std::size_t& resident_bytes);

@@ -26,7 +26,7 @@ const RowKernels* rows_of(mcpr_path path) {
   return nullptr;
 }
 
-/// Whether the correction turns any of the channels asked for.
+/// Whether the IK correction turns any of the requested channels.
 bool turns_any(const ClipBlock& clip, const mcpr_request& request) {
   if (request.channels == nullptr) return true;
   for (int l = 0; l < clip.limb_count; ++l) {
@@ -39,7 +39,7 @@ bool turns_any(const ClipBlock& clip, const mcpr_request& request) {
   return false;
 }
 
-/// A joint's frame within its parent's: translation and rotation of one row of channels.
+/// A joint's local transform, from one row of channels.
 JointPlace place_in_parent(const JointModel& joint, const float* row) {
   JointPlace place{Matrix3(), joint.offset};
   if (joint.has_axes) place.world_from_joint = joint.parent_from_axes;
@@ -49,7 +49,7 @@ JointPlace place_in_parent(const JointModel& joint, const float* row) {
   return place;
 }
 
-/// q times another quaternion, w x y z.
+/// Multiplies q by another quaternion w x y z from the right.
 void append_turn(const double (&turn)[4], double (&q)[4]) {
   const double w = q[0], x = q[1], y = q[2], z = q[3];
   q[0] = w * turn[0] - x * turn[1] - y * turn[2] - z * turn[3];
@@ -64,8 +64,8 @@ void append_turn(const Matrix3& rotation, double (&q)[4]) {
   append_turn(turn, q);
 }
 
-/// A joint's frame within its parent's as seven floats. The quaternion is a product of half angles,
-/// so that it goes on over time as these do and never changes its sign.
+/// Writes a joint's local transform as seven floats. The quaternion is a product of quaternions of
+/// half angles. These are continuous over time, so its sign never flips.
 void put_place_in_parent(const JointModel& joint, const float* row, float* out) {
   double q[4] = {1, 0, 0, 0};
   Vector3 origin = joint.offset;
@@ -86,7 +86,7 @@ void put_place_in_parent(const JointModel& joint, const float* row, float* out) 
   for (int i = 0; i < 3; ++i) out[4 + i] = static_cast<float>(origin[i]);
 }
 
-/// Whether they are the clip's, and none stands there twice.
+/// Whether all channels exist in the clip, without duplicates.
 bool are_channels_of(const ClipBlock& clip, const std::uint16_t* channels, std::uint32_t count) {
   if (count > clip.channel_count) return false;
   std::bitset<kMostChannels> seen;
@@ -124,7 +124,7 @@ FrameDecoder::FrameDecoder(Memory& memory, const ClipBlock& clip, const mcpr_req
       row_step_((clip.largest.signal_count + 7) / 8 * 8),
       rows_(memory.take<float>(static_cast<std::uint64_t>(row_step_) * kWindow)) {}
 
-/// Which signal goes to which column: a subset's own, or all in their order.
+/// Maps signals to columns of the output: those of a subset, or all in order.
 SignalRequest FrameDecoder::signal_request(Memory& memory) {
   const int signal_count = clip_.largest.signal_count;
   const bool subset = request_.channels != nullptr && !picks_;
@@ -209,7 +209,7 @@ void FrameDecoder::decode_across(float share, float* out) {
 
 EndShares FrameDecoder::shares_at(int frame, float share_of_next) const {
   EndShares shares;
-  if (request_.bands_left_out > 0) return shares;  // of other rows
+  if (request_.bands_left_out > 0) return shares;  // end corrections need full detail
   const auto of_frame = [&](int end, int of) {
     return clip_.end_reaches.share_at(end, of, clip_.segments.frames);
   };

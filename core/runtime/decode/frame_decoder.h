@@ -10,35 +10,36 @@ namespace mocapress::runtime {
 /// Whether a clip can fulfil a request.
 bool is_possible(const ClipBlock& clip, const mcpr_request& request);
 
-/// Floats in a frame of a possible request's output.
+/// Floats per frame of output. The request must be possible.
 std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request);
 
-/// Of what the first and the last frame lack.
+/// Weights of the end corrections at an instant.
 struct EndShares {
   float of[kMostEnds] = {};
 };
 
-/// Plays frames of a clip as a request wants them.
+/// Decodes frames of a clip as a request asks.
 class FrameDecoder {
  public:
-  /// Of a possible request. With measuring memory only to know how much.
+  /// The request must be possible. With measuring memory it only counts.
   FrameDecoder(Memory& memory, const ClipBlock& clip, const mcpr_request& request);
 
-  /// Frames first ... first + count - 1, which exist.
+  /// Decodes frames first ... first + count - 1, which must exist.
   void decode(int first, int count, float* out);
 
-  /// An instant between 0 and the last frame.
+  /// Decodes an instant, 0 <= frame <= frames - 1.
   void sample_at(double frame, float* out);
 
-  /// So far on the way from the last frame to the first, of a loop.
+  /// Decodes an instant between the last frame of a loop and the first of its next cycle; `share`
+  /// is the fraction of the way.
   void decode_across(float share, float* out);
 
  private:
-  /// A row of the synthesis: channels, then what the correction adds. Corrects it in place.
+  /// Applies the IK correction to a row in place. The row holds channels, then effector offsets.
   void correct(float* row);
   void put_out(float* row, const EndShares& shares, float* out);
 
-  /// How much of what the ends lack goes to a frame, or to an instant between it and the next.
+  /// Weights of the end corrections at a frame, or at an instant `share_of_next` after it.
   EndShares shares_at(int frame, float share_of_next = 0) const;
   void add_ends(const EndShares& shares, float* row) const;
   void put_out_local(const float* row, float* out) const;
@@ -49,13 +50,13 @@ class FrameDecoder {
   const ClipBlock& clip_;
   const mcpr_request& request_;
   const bool solves_;
-  const bool picks_;  // the subset stands in rows of all channels
+  const bool picks_;  // rows hold all channels, of which a subset is returned
   std::int32_t* columns_ = nullptr;
   SegmentDecoder signals_;
   Limb limb_;
-  JointPlace* places_;  // of all joints
+  JointPlace* places_;  // one per joint
   std::ptrdiff_t row_step_;
-  float* rows_;  // where frames are not put out as they are
+  float* rows_;  // work space for outputs other than rows of channels
 };
 
 }  // namespace mocapress::runtime

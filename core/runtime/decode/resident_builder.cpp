@@ -13,12 +13,12 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr int kEntriesOfBlock = 12;  // at least, on average: fewer make the index large
+constexpr int kEntriesOfBlock = 12;  // at least, on average; smaller blocks make the index large
 constexpr int kMostLog2Rows = 15;
 constexpr std::uint64_t kDenseIsWorth =
-    4;  // times the size of a sparse band at most, for its speed
+    4;  // how many times larger a dense band may be than a sparse one, for its speed
 
-/// The width of a dense value in two's complement less its bias.
+/// Width in bits of a dense value, as a two's complement number with a bias.
 int width_of(std::int32_t least, std::int32_t most) {
   if (least == 0 && most == 0) return 0;
   const auto magnitude = static_cast<std::uint32_t>(std::max(~least, most));
@@ -27,7 +27,7 @@ int width_of(std::int32_t least, std::int32_t most) {
 
 }  // namespace
 
-/// Lays out a resident form; without memory it only measures.
+/// Lays out a resident form. Without memory it only measures.
 class ResidentBuilder {
  public:
   ResidentBuilder(const QuantisedSource& source, std::byte* memory)
@@ -59,7 +59,7 @@ class ResidentBuilder {
     return used_;
   }
 
-  /// Lists the signals that have coefficients, and so samples, beyond their limit.
+  /// Lists the signals with a coefficient beyond their limit, whose samples may exceed it too.
   void add_double_precision(ResidentSignals& head) {
     for (int s = 0; s < source_.signal_count; ++s) {
       if (!is_double_precision(s)) continue;
@@ -88,13 +88,14 @@ class ResidentBuilder {
   using Entry = ResidentSignals::BandEntry;
   using Kind = ResidentSignals::Kind;
 
-  /// Zeroed bytes at the end.
+  /// Reserves zeroed bytes at the end.
   std::uint32_t reserve(std::uint64_t bytes, std::uint64_t alignment) {
     used_ = (used_ + alignment - 1) / alignment * alignment;
     const std::uint64_t at = used_;
     used_ += bytes;
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(
-        at, std::numeric_limits<std::uint32_t>::max()));  // more is refused before it is built
+        at, std::numeric_limits<std::uint32_t>::max()));  // larger forms are refused before they
+                                                          // are built
   }
   const std::int32_t* values(int signal, const Band& band) const {
     return source_.values + static_cast<std::ptrdiff_t>(signal) * source_.length + band.first;
@@ -112,7 +113,7 @@ class ResidentBuilder {
 
   int group_count() const { return (source_.signal_count + 7) / 8; }
 
-  /// Bytes of a group of 8 signals in a dense row.
+  /// Bytes that a group of 8 signals takes in a dense row.
   std::uint32_t bytes_of_group(int group) const {
     int bits = 0;
     for (int s = 8 * group; s < std::min(8 * group + 8, source_.signal_count); ++s)
@@ -120,9 +121,9 @@ class ResidentBuilder {
     return static_cast<std::uint32_t>(bits + 7) / 8;
   }
 
-  /// What a band takes in either kind, in bytes.
+  /// Sizes of a band as dense and as sparse, in bytes.
   struct Sizes {
-    Entry sparse;  // kind Empty: the band is
+    Entry sparse;  // kind Empty if the band is empty
     std::uint64_t sparse_bytes = 0;
     std::uint32_t row_bytes = 0;
     std::uint64_t dense_bytes = 0;
@@ -154,8 +155,8 @@ class ResidentBuilder {
     return sizes;
   }
 
-  /// The smaller kind for each band; then, from the coarsest, the dense as long as the budget
-  /// lasts.
+  /// Chooses the smaller kind for each band. Then makes bands dense, from the coarsest on, while
+  /// the budget lasts.
   void choose_kinds() {
     std::uint64_t total = 0;
     for (int b = 0; b < bands_.count; ++b) {
@@ -189,7 +190,7 @@ class ResidentBuilder {
     std::memcpy(memory_ + entry.offset, source_.notes,
                 static_cast<std::size_t>(source_.signal_count));
     BitWriter writer(memory_ + entry.bits_offset);
-    for (int i = 0; i < band.size; ++i)  // the first signal of each row is the first of a group
+    for (int i = 0; i < band.size; ++i)  // every row begins with the first signal of a group
       for (int s = 0; s < source_.signal_count; ++s) {
         if (s % 8 == 0) writer.align_to_byte();
         if (width(s) == 0) continue;
@@ -199,12 +200,12 @@ class ResidentBuilder {
     return entry;
   }
 
-  /// Calls visit(gap, value) for each value of a block that is not zero.
+  /// Calls visit(gap, value) for each nonzero value of a block.
   template <typename Visit>
   void visit_block(const Band& band, const Entry& entry, int block, const Visit& visit) const {
     const int first = block << entry.log2_rows;
     const int end = std::min(band.size, (block + 1) << entry.log2_rows);
-    std::uint32_t next = 0;  // the place after the last one visited
+    std::uint32_t next = 0;  // place after the last visited value
     std::uint32_t of_signal = 0;
     for (int s = 0; s < source_.signal_count; ++s) {
       if (width(s) == 0) continue;
@@ -228,7 +229,7 @@ class ResidentBuilder {
            1;
   }
 
-  /// The best shift of a Rice code, found as its numbers pass by.
+  /// Finds the best shift of a Rice code from its numbers, one after the other.
   struct RiceCosts {
     std::uint64_t bits[kMostRiceShift + 1] = {};
     void add(std::uint32_t v) {
@@ -240,7 +241,7 @@ class ResidentBuilder {
     }
   };
 
-  /// Returns how many bits the band takes with them.
+  /// Chooses the shifts of the band's Rice codes, and returns its size in bits.
   std::uint64_t choose_shifts(const Band& band, Entry& entry) const {
     RiceCosts gaps;
     RiceCosts sizes;

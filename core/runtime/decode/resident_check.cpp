@@ -8,7 +8,7 @@
 
 namespace mocapress::runtime {
 
-/// Looks at a resident form from anywhere, of which there are so many bytes.
+/// Validates a resident form from an untrusted source.
 class ResidentChecker {
  public:
   ResidentChecker(const ResidentSignals& signals, std::uint64_t bytes)
@@ -41,7 +41,8 @@ class ResidentChecker {
   static constexpr int kMostLog2Rows = 15;
   static constexpr int kMostWidth = 32;
 
-  /// What is read as whole words ends so much before the end.
+  /// Whether an array lies within the block. Readers of whole words may touch kReadAhead bytes past
+  /// the end.
   bool has_array(std::uint32_t offset, std::uint64_t size, std::uint64_t count,
                  std::uint32_t alignment) const {
     return offset % alignment == 0 && offset + size * count + kReadAhead <= bytes_;
@@ -60,7 +61,8 @@ class ResidentChecker {
     return false;
   }
 
-  /// `present` bytes a row are what its widths add up to, each group from a whole byte on.
+  /// Whether `present`, the bytes of a row, is the sum of the widths. Each group begins at a whole
+  /// byte.
   bool is_dense(const Entry& entry, int rows) const {
     const auto groups = static_cast<std::uint64_t>(signals_.group_count());
     if (!has_array(entry.offset, 8, groups, 1) ||
@@ -99,7 +101,7 @@ class ResidentChecker {
     return true;
   }
 
-  /// Walks a block as it is decoded, and on to where the next one begins.
+  /// Walks a block as the decoder does, and moves `begin` to the next one.
   bool is_block(const Entry& entry, std::uint64_t& begin) const {
     const std::uint64_t first_byte = entry.bits_offset + begin;
     if (first_byte + kReadAhead > bytes_) return false;

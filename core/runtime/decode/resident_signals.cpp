@@ -9,7 +9,7 @@
 
 namespace mocapress::runtime {
 
-/// What a step is divided by, as a factor.
+/// Factor that scales a band's steps.
 template <typename Real>
 Real ResidentSignals::gain(int band) const {
   constexpr Real kRootOfHalf = static_cast<Real>(0x1.6a09e667f3bcdp-1);
@@ -44,7 +44,7 @@ void ResidentSignals::unpack(int band, int first, int end, const Columns& column
 template void ResidentSignals::unpack(int, int, int, const Columns&, float*) const;
 template void ResidentSignals::unpack(int, int, int, const Columns&, double*) const;
 
-/// All signals of a dense band, 8 at a time.
+/// Unpacks all signals of a dense band, 8 at a time.
 void ResidentSignals::unpack_rows(int band, int first, int end, const Columns& columns,
                                   float* rows) const {
   const BandEntry& entry = entries()[band];
@@ -61,7 +61,7 @@ void ResidentSignals::unpack_rows(int band, int first, int end, const Columns& c
                            .gain = gain<float>(band)});
 }
 
-/// Only the signals that have a column, one by one.
+/// Unpacks only the signals that have a column, one by one.
 template <typename Real>
 void ResidentSignals::unpack_chosen(int band, int first, int end, const Columns& columns,
                                     Real* rows) const {
@@ -115,7 +115,9 @@ void ResidentSignals::unpack_block(int band, int block, int first, int end, cons
     const std::uint32_t magnitude = reader.rice(entry.value_shift) + 1;
     const bool minus = reader.flag();
     const auto row = static_cast<std::uint32_t>(first_row + static_cast<int>(place & row_mask));
-    if (row >= row_count) continue;  // before `first`, as a number without a sign, or from `end` on
+    if (row >= row_count)
+      continue;  // rejects rows before `first` (which wrap around) and from
+                 // `end` on
     const int signal = listed_signal(entry, place >> entry.log2_rows);
     const std::int32_t column = columns.of_signal[signal];
     if (column == Columns::kNone) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The motion as an engine keeps it: sparse quantised coefficients, ordered by band and time, from
-// which any rows of any band unpack by themselves.
+// The motion as an engine keeps it: sparse quantised coefficients, ordered by band and time. Any
+// rows of any band can be unpacked without the others.
 #pragma once
 
 #include <cstddef>
@@ -12,24 +12,25 @@
 
 namespace mocapress::runtime {
 
-/// Quantised coefficients: what a resident form is made of.
+/// Quantised coefficients from which a resident form is made.
 struct QuantisedSource {
-  int length;  // coefficients of each signal, coarse to fine
+  int length;  // coefficients per signal, coarse to fine
   int signal_count;
   Wavelet wavelet;
-  const float* steps;  // of each signal, before they are divided by bands
-  /// Of each signal: one with larger samples is decoded in double precision.
+  const float* steps;  // one per signal, before the division by bands
+  /// The largest sample of each signal that floats are precise enough for.
   const float* double_precision_limits;
   const std::int32_t* values;  // signal after signal
-  std::uint8_t* notes;         // a byte for each signal, to work in
-  std::uint64_t budget_bytes;  // for the bands; beyond, each takes its smaller kind
+  std::uint8_t* notes;         // work space, one byte per signal
+  std::uint64_t budget_bytes;  // size up to which bands may be dense for speed; beyond it each band
+                               // takes its smaller kind
 };
 
-/// What the work of decoding signals depends on.
+/// The dimensions that determine the work space for decoding signals.
 struct SignalsShape {
   int length = 0;
   int signal_count = 0;
-  int double_precision_count = 0;  // of the signals that are decoded in double precision
+  int double_precision_count = 0;  // signals decoded in double precision
 };
 
 /// The resident form. It has no pointers; everything is found by offsets in bytes from `this`.
@@ -40,14 +41,14 @@ struct SignalsShape {
 /// dense, which is faster, as far as the budget goes.
 class ResidentSignals {
  public:
-  /// How many bytes build() makes.
+  /// Size of the form that build() makes.
   static std::uint64_t size(const QuantisedSource& source);
 
-  /// Builds at `memory`, which is zeroed and aligned for it.
+  /// Builds at `memory`, which must be zeroed and aligned.
   static const ResidentSignals* build(const QuantisedSource& source, std::byte* memory);
 
-  /// Whether a form from anywhere, of which there are so many bytes, is of that length and count
-  /// and can be decoded without looking beyond them. It is aligned, and its head is there.
+  /// Whether a form from an untrusted source has this length and signal count, and can be decoded
+  /// without reading outside its `bytes`. It must be aligned and hold at least a head.
   bool is_sound(std::uint64_t bytes, std::uint32_t length, std::uint32_t signals) const;
 
   int length() const { return length_; }
@@ -56,42 +57,50 @@ class ResidentSignals {
   int band_count() const { return band_count_; }
   SignalsShape shape() const { return {length_, signals_, double_precision_count_}; }
 
-  /// Signals that are to be decoded in double precision.
+  /// Number of signals to be decoded in double precision.
   int double_precision_count() const { return double_precision_count_; }
   const std::uint16_t* double_precision_signals() const { return at<std::uint16_t>(wide_); }
 
-  float step(int signal) const { return steps()[signal]; }  // before it is divided by bands
+  float step(int signal) const { return steps()[signal]; }  // before the division by bands
 
   bool is_empty(int band) const { return entries()[band].kind == Kind::Empty; }
 
-  /// Where the values of unpack() go.
+  /// Destination of unpacked values.
   struct Columns {
-    const std::int32_t* of_signal;  // column of each; kNone: left out
-    bool in_order;                  // signal s in column s, as many as there are columns
-    std::ptrdiff_t stride;          // of rows, a multiple of 8
+    const std::int32_t* of_signal;  // column of each signal; kNone: left out
+    bool in_order;                  // signal s goes to column s, for as many signals as there are
+                                    // columns
+    std::ptrdiff_t stride;          // floats from row to row, a multiple of 8
     const RowKernels* kernels;
     static constexpr std::int32_t kNone = -1;
   };
 
-  /// Rows first ... end - 1 of a band, which is not empty, times their steps: each a row of
-  /// `columns.stride` floats, of no meaning where there is no column.
+  /// Unpacks rows first ... end - 1 of a band, which must not be empty, and multiplies them by
+  /// their steps. Rows are `columns.stride` floats; columns without a signal have unspecified
+  /// values.
   template <typename Real>
   void unpack(int band, int first, int end, const Columns& columns, Real* rows) const;
 
  private:
-  static constexpr int kCountShift = 3;  // of the Rice code of a block's count
-  enum class Kind : std::uint8_t { Empty, Dense, Sparse, SparseWide };  // wide offsets of blocks
+  static constexpr int kCountShift = 3;  // shift of the Rice code of a block's count
+  enum class Kind : std::uint8_t {
+    Empty,
+    Dense,
+    Sparse,
+    SparseWide
+  };  // SparseWide has wide
+      // offsets of blocks
   friend class ResidentBuilder;
   friend class ResidentChecker;
 
   struct BandEntry {
     Kind kind = Kind::Empty;
-    std::uint8_t log2_rows = 0;  // of a block
-    std::uint8_t gap_shift = 0;  // of Rice codes
+    std::uint8_t log2_rows = 0;  // rows of a block
+    std::uint8_t gap_shift = 0;  // shifts of the Rice codes
     std::uint8_t value_shift = 0;
-    std::uint32_t present = 0;      // sparse: signals that occur. dense: bits of a row
+    std::uint32_t present = 0;      // sparse: number of signals with values. dense: bytes of a row
     std::uint32_t offset = 0;       // dense: widths. sparse: offsets of blocks
-    std::uint32_t list_offset = 0;  // sparse: the signals that occur
+    std::uint32_t list_offset = 0;  // sparse: list of the signals with values
     std::uint32_t bits_offset = 0;
   };
 
@@ -99,7 +108,10 @@ class ResidentSignals {
   const T* at(std::uint32_t offset) const {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
   }
-  const float* steps() const { return at<float>(steps_); }  // of each signal, zeros to a full group
+  const float* steps() const {
+    return at<float>(steps_);
+  }  // one per signal, padded with zeros to
+     // a full group
   int group_count() const { return (signals_ + 7) / 8; }
   const BandEntry* entries() const { return at<BandEntry>(entries_); }
   bool has_wide_numbers() const { return signals_ > 256; }
@@ -120,7 +132,7 @@ class ResidentSignals {
   Wavelet wavelet_ = Wavelet::Cubic;
   std::uint8_t band_count_ = 1;
   std::uint16_t double_precision_count_ = 0;
-  std::uint32_t wide_ = 0;  // offsets from this
+  std::uint32_t wide_ = 0;  // this and the next are offsets from `this`
   std::uint32_t steps_ = 0;
   std::uint32_t entries_ = 0;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The work on whole rows, in several instruction sets. A row holds one sample of every signal, so
-// that the work across signals is alike and needs no shuffling. Every path does the same operations
-// in the same order and without contraction: the bits agree.
+// Operations on whole rows, for several instruction sets. A row holds one sample of every signal,
+// so that vector operations need no shuffling. Every path performs the same operations in the same
+// order and without contraction, so that all give the same bits.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace mocapress::runtime {
 
-/// Even rows: out = even - (detail_before + detail_after) / 4. All rows are `stride` apart, which
-/// is a multiple of 8.
+/// Updates even rows: out = even - (detail_before + detail_after) / 4. Rows are `stride` apart, a
+/// multiple of 8.
 template <typename Real>
 struct EvenRows {
   Real* out;
@@ -21,23 +21,23 @@ struct EvenRows {
   int rows;
 };
 
-/// Odd rows between four even ones: out = detail + (near * (even[1] + even[2]) + far * (even[0] +
-/// even[3])).
+/// Predicts odd rows between four even ones: out = detail + (near * (even[1] + even[2]) + far *
+/// (even[0] + even[3])).
 template <typename Real>
 struct OddRows {
-  Real* out;           // out_step apart
-  const Real* even;    // the first of the four of the first row, stride apart
-  const Real* detail;  // detail_step apart: 0 where all are the same row of zeros
+  Real* out;           // rows are out_step apart
+  const Real* even;    // first of the four neighbours of the first row; rows are stride apart
+  const Real* detail;  // rows are detail_step apart; 0 repeats one row of zeros
   std::ptrdiff_t out_step;
   std::ptrdiff_t stride;
   std::ptrdiff_t detail_step;
-  std::ptrdiff_t width;  // floats of a row
+  std::ptrdiff_t width;  // floats per row
   int rows;
   Real near;
   Real far;
 };
 
-/// One odd row near a border: out = detail + ((w0 e0 + w1 e1) + (w2 e2 + w3 e3)).
+/// Predicts one odd row near a border: out = detail + ((w0 e0 + w1 e1) + (w2 e2 + w3 e3)).
 template <typename Real>
 struct BorderRow {
   Real* out;
@@ -57,14 +57,14 @@ struct CopiedRows {
   int rows;
 };
 
-/// Rows of packed numbers, each of as many bits as its column's width and 2^(width - 1) too large,
-/// to be multiplied by step * gain. 8 by 8 they begin at a byte. Up to 32 bytes after the last are
-/// read.
+/// Rows of packed numbers to be multiplied by step * gain. Each number is stored in its column's
+/// width, with a bias of 2^(width - 1). Every group of 8 begins at a byte. Up to 32 bytes after the
+/// last one are read.
 struct PackedRows {
-  float* out;                  // stride apart
-  const std::byte* packed;     // row_bytes apart
-  const std::uint8_t* widths;  // of each number, 0 ... 32
-  const float* steps;          // of each number
+  float* out;                  // rows are stride apart
+  const std::byte* packed;     // rows are row_bytes apart
+  const std::uint8_t* widths;  // bits of each number, 0 ... 32
+  const float* steps;          // step of each number
   std::ptrdiff_t stride;
   std::ptrdiff_t row_bytes;
   int groups;
@@ -85,25 +85,25 @@ struct RowKernels {
   void (*unpack)(const PackedRows&);
 };
 
-/// For the few signals that floats are too coarse for.
+/// Kernels for signals decoded in double precision.
 extern const LiftingKernels<double> kWideRows;
 
 extern const RowKernels kPlainRows;
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define MOCAPRESS_DECODER_AVX2
-extern const RowKernels kAvx2Rows;  // where the machine has AVX2
+extern const RowKernels kAvx2Rows;  // only if the machine has AVX2
 #endif
 
-/// Null where the build or the machine has none.
+/// Null if the build or the machine does not have it.
 const RowKernels* sse2_rows();
 const RowKernels* avx2_rows();
 
-/// The fastest that there is.
+/// The fastest kernels available.
 const RowKernels& best_rows();
 
-/// PackedRows::unpack without vectors, of the groups from `first_group` to before `end_group`.
-/// Returns where the next group of the first row begins.
+/// Unpacks groups first_group ... end_group - 1 without vector instructions. Returns the position
+/// of the next group of the first row.
 const std::byte* unpack_plainly(const PackedRows& rows, int first_group, int end_group,
                                 const std::byte* packed);
 

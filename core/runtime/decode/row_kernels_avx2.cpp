@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Everything below the headers is compiled for AVX2 and must only be called where the machine has
-// it. Without FMA: a contraction would give other bits than the other paths.
+// Everything below the headers is compiled for AVX2, and may be called only if the machine has it.
+// FMA stays off: a contraction would give other bits than the other paths.
 #include "core/runtime/decode/row_kernels.h"
 
 #ifdef MOCAPRESS_DECODER_AVX2
 #include <immintrin.h>
 
-// On each function and no pragma: GCC makes the code of templates at the end of the file, where the
-// pragma would count for those of others too.
+// An attribute on each function instead of a pragma: GCC emits templates at the end of the file,
+// where a pragma would affect those of other headers too.
 #define MOCAPRESS_AVX2 __attribute__((target("avx2")))
 #define MOCAPRESS_ROWS avx2_rows_of
 #define MOCAPRESS_ROWS_TARGET MOCAPRESS_AVX2
@@ -36,18 +36,18 @@ MOCAPRESS_AVX2 Avx2Vector operator*(Avx2Vector a, Avx2Vector b) {
   return {_mm256_mul_ps(a.values, b.values)};
 }
 
-constexpr int kWidestPacked = 25;  // with the bits before it a number fits 32
+constexpr int kWidestPacked = 25;  // plus up to 7 bits before it in its byte: 32
 
-/// How the 8 numbers of a group come to lie in lanes of 32 bits: which bytes go to each, of the 16
-/// from the group's first on and the 16 from where the fifth number begins, and how far they shift
+/// Moves the 8 numbers of a group to lanes of 32 bits: which bytes go to each lane, out of the 16
+/// from the group's start and the 16 from the fifth number's byte, and how far each lane is shifted
 /// down.
 struct PackedLanes {
   __m256i bytes;
   __m256i shifts;
   __m256i mask;
   __m256i bias;
-  int fifth;  // the byte in which the fifth number begins
-  int size;   // bytes of the group
+  int fifth;  // byte in which the fifth number begins
+  int size;   // bytes in the group
   bool fits;
 };
 
@@ -55,12 +55,12 @@ MOCAPRESS_AVX2 PackedLanes lanes_of(const std::uint8_t* widths) {
   const __m256i one = _mm256_set1_epi32(1);
   const __m256i width =
       _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(widths)));
-  // Running sums within each half: the bit after each number, counted from the half's first.
+  // Prefix sums within each half: the bit after each number, counted from the start of the half.
   __m256i end = _mm256_add_epi32(width, _mm256_slli_si256(width, 4));
   end = _mm256_add_epi32(end, _mm256_slli_si256(end, 8));
   const int half = _mm256_extract_epi32(end, 3);
   const int bits = half + _mm256_extract_epi32(end, 7);
-  // The upper half is counted from the byte that its first number begins in.
+  // The upper half counts from the byte in which its first number begins.
   const __m256i offset =
       _mm256_inserti128_si256(_mm256_setzero_si256(), _mm_set1_epi32(half % 8), 1);
   const __m256i bit = _mm256_add_epi32(_mm256_sub_epi32(end, width), offset);

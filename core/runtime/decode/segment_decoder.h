@@ -8,20 +8,20 @@
 
 namespace mocapress::runtime {
 
-/// Signals of a clip, window by window, whichever segments they are in: where two overlap, a blend
-/// of both. Works in the memory of two segments at most.
+/// Decodes windows of a clip's signals from one or two segments, blending where these overlap.
+/// Needs the work space of two segments at most.
 class SegmentDecoder {
  public:
-  /// With measuring memory only to know how much.
+  /// With measuring memory it only counts.
   SegmentDecoder(Memory& memory, const ClipBlock& clip, const SignalRequest& request);
 
-  /// Rows of frames first ... first + count - 1, out_step apart. 0 < count <= kWindow, and all
-  /// frames exist.
+  /// Decodes frames first ... first + count - 1 into rows that are out_step apart. 0 < count <=
+  /// kWindow, and all frames must exist.
   void decode_window(int first, int count, float* out, std::ptrdiff_t out_step);
 
  private:
-  /// One segment being decoded, for as long as it is in use. Where there is but one, its memory is
-  /// not kept apart.
+  /// A segment that is being decoded, and its work space. A single segment uses the decoder's own
+  /// memory.
   struct SegmentSlot {
     std::byte* memory = nullptr;
     int segment = -1;
@@ -34,8 +34,8 @@ class SegmentDecoder {
   const ClipBlock& clip_;
   SignalRequest request_;
   std::uint64_t slot_bytes_ = 0;
-  SegmentSlot slots_[2];         // of segments of even and of odd number
-  float* later_rows_ = nullptr;  // of frames that two segments share
+  SegmentSlot slots_[2];         // for segments of even and of odd number
+  float* later_rows_ = nullptr;  // rows of the later segment in an overlap
 };
 
 }  // namespace mocapress::runtime

@@ -5,28 +5,29 @@
 
 namespace mocapress::runtime {
 
-/// Which signals are wanted, and where.
+/// The wanted signals and their columns.
 struct SignalRequest {
-  const std::int32_t* column_of_signal;  // ResidentSignals::Columns::kNone: left out
-  bool in_order;                         // signal s in column s, as many as there are columns
+  const std::int32_t* column_of_signal;  // one per signal; ResidentSignals::Columns::kNone: left
+                                         // out
+  bool in_order;                         // signal s goes to column s, for as many signals as there
+                                         // are columns
   int columns;
-  int bands_left_out;  // of the finest: as if they were zero
+  int bands_left_out;  // finest bands, treated as zero
   const RowKernels* kernels;
 };
 
-/// Signals of a resident form, window by window: in floats, and the few that are too large for that
-/// in doubles.
+/// Decodes windows of a resident form's signals: most in floats, and those that need it in doubles.
 class SignalDecoder {
  public:
   SignalDecoder(Memory& memory, const ResidentSignals& motion, const SignalRequest& request)
       : SignalDecoder(memory, motion.shape(), &motion, request) {}
 
-  /// Only with measuring memory, to know how much.
+  /// For measuring memory only, to count.
   SignalDecoder(Memory& memory, const SignalsShape& shape, const SignalRequest& request)
       : SignalDecoder(memory, shape, nullptr, request) {}
 
-  /// Rows of frames first ... first + count - 1, out_step apart. 0 < count <= kWindow, and all
-  /// frames exist.
+  /// Decodes frames first ... first + count - 1 into rows that are out_step apart. 0 < count <=
+  /// kWindow, and all frames must exist.
   void decode_window(int first, int count, float* out, std::ptrdiff_t out_step);
 
  private:
@@ -38,7 +39,7 @@ class SignalDecoder {
   const ResidentSignals* motion_;
   SignalRequest request_;
   Synthesis<float> floats_;
-  std::int32_t* wide_columns_ = nullptr;  // of each signal
+  std::int32_t* wide_columns_ = nullptr;  // one per signal
   Synthesis<double> wide_;
   double* wide_rows_;
 };

@@ -8,7 +8,7 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr int kBorderRows = 8;  // that samples may need beyond themselves, at any band
+constexpr int kBorderRows = 8;  // rows that the samples of a band may need beyond their own range
 
 }  // namespace
 
@@ -21,10 +21,10 @@ Synthesis<Real>::Synthesis(Memory& memory, const ResidentSignals* motion, int le
     return memory.take<Real>(static_cast<std::uint64_t>(count) *
                              static_cast<std::uint64_t>(stride_));
   };
-  int most = kWindow;  // samples of the band
+  int most = kWindow;  // samples in a band of the window
   for (int b = bands_.count - 1; b > 0; --b) {
     most = most / 2 + kBorderRows;
-    // Room for as much again, so that rows move to the front but seldom.
+    // Twice the room, so that rows are rarely moved to the front.
     for (Held* const held : {&levels_[b].evens, &levels_[b].details}) {
       held->capacity = 2 * most;
       held->memory = rows(held->capacity);
@@ -54,8 +54,8 @@ const Real* Synthesis<Real>::detail_row(int band, int i) const {
   return details.rows + (i - details.range.first) * stride_;
 }
 
-/// Makes room for a range of which the held rows may be the beginning, and forgets what lies before
-/// it. Where they are not, forgets all.
+/// Keeps the held rows that are within `range`, forgets the earlier ones, and makes room for the
+/// rest. If the range does not continue the held rows, all are forgotten.
 template <typename Real>
 void Synthesis<Real>::hold(Held& held, Range range) {
   if (range.first < held.range.first || range.first > held.range.end) {
@@ -71,8 +71,9 @@ void Synthesis<Real>::hold(Held& held, Range range) {
   held.rows = held.memory;
 }
 
-/// From the finest band up: an odd sample is predicted from the four even ones around it or, near a
-/// border, the outermost. What is held already is not wanted of the bands above.
+/// Finds the samples needed in each band, from the finest to the coarsest. An odd sample needs the
+/// four even ones around it or, near a border, the outermost four. Samples that are held already
+/// are not requested again.
 template <typename Real>
 void Synthesis<Real>::find_needs(int first, int count) {
   Range wanted = {first, first + count};
@@ -102,7 +103,7 @@ void Synthesis<Real>::decode_window(int first, int count, Real* out, std::ptrdif
   for (int b = 1; b < bands_.count; ++b) {
     Level& level = levels_[b];
     if (level.wanted.is_empty()) continue;
-    // The samples of the band before, which were put here.
+    // The previous band has put its samples here.
     const Range added = {level.evens.range.end, level.needs_evens.end};
     if (has_details(b)) {
       unpack_details(b, added);
@@ -116,7 +117,7 @@ void Synthesis<Real>::decode_window(int first, int count, Real* out, std::ptrdif
   }
 }
 
-/// Where the samples that a band makes go: they are the even ones of the next.
+/// Destination of the samples of the band before `band`: they are its even samples.
 template <typename Real>
 Real* Synthesis<Real>::evens_to_come(int band) {
   Held& evens = levels_[band].evens;
@@ -140,7 +141,7 @@ void Synthesis<Real>::put_coarse(Real* out, std::ptrdiff_t out_step) {
                        .rows = coarse_.end - coarse_.first});
 }
 
-/// The details beside the even samples that are new, and those of the odd samples to make.
+/// Unpacks the details beside the new even samples, and those of the odd samples to make.
 template <typename Real>
 void Synthesis<Real>::unpack_details(int band, Range new_evens) {
   Level& level = levels_[band];
@@ -160,24 +161,26 @@ void Synthesis<Real>::unpack_details(int band, Range new_evens) {
   details.range.end = need.end;
 }
 
-/// What their details added to even samples is taken off again.
+/// Undoes the update step: subtracts from even samples what the encoder added for their details.
 template <typename Real>
 void Synthesis<Real>::update_evens(int band, Range added) {
   const int odds = bands_[band].size;
   const int inner_end = std::min(added.end, odds);
   if (signals_->wavelet() == Wavelet::Haar) {
-    // The mean less half of the detail after it; a last one without is as it was.
+    // Subtracts half the following detail; a last sample without a detail stays.
     update_rows(band, added.first, inner_end, 0, 0);
     return;
   }
   int i = added.first;
-  if (i == 0 && !added.is_empty()) update_rows(band, i++, 1, 0, 0);  // mirrored at the borders
+  if (i == 0 && !added.is_empty())
+    update_rows(band, i++, 1, 0, 0);  // details are mirrored at the
+                                      // borders
   update_rows(band, i, inner_end, -1, 0);
   if (added.end > odds) update_rows(band, std::max(i, odds), added.end, -1, -1);
 }
 
-/// Even samples first ... end - 1; `before` and `after`: which details are beside them, counted
-/// from their own.
+/// Updates even samples first ... end - 1. `before` and `after` are the positions of the adjacent
+/// details, relative to the sample's own.
 template <typename Real>
 void Synthesis<Real>::update_rows(int band, int first, int end, int before, int after) {
   if (first >= end) return;
@@ -191,7 +194,7 @@ void Synthesis<Real>::update_rows(int band, int first, int end, int before, int 
                          .rows = end - first});
 }
 
-/// Even samples as they are held, odd ones between them.
+/// Interleaves the held even samples with the odd ones.
 template <typename Real>
 void Synthesis<Real>::put_samples(int band, Real* out, std::ptrdiff_t out_step,
                                   std::ptrdiff_t width) {
@@ -208,7 +211,7 @@ void Synthesis<Real>::put_samples(int band, Real* out, std::ptrdiff_t out_step,
            2 * out_step, width);
 }
 
-/// Odd samples first ... end - 1; `out` is the first one's row.
+/// Predicts odd samples first ... end - 1; `out` is the row of the first.
 template <typename Real>
 void Synthesis<Real>::put_odds(int band, int first, int end, Real* out, std::ptrdiff_t out_step,
                                std::ptrdiff_t width) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Based on: W. Sweldens, "The lifting scheme: a construction of second generation wavelets", 1998;
-// the transform is that of core/wavelet/lifting.h, from the coarse samples down, only where asked.
+// The inverse transform, for windows of frames. Based on: W. Sweldens, "The lifting scheme: a
+// construction of second generation wavelets", 1998. It inverts core/wavelet/lifting.h, from the
+// coarse samples to the fine, and only where needed.
 #pragma once
 
 #include "core/runtime/decode/resident_signals.h"
@@ -9,30 +10,31 @@
 
 namespace mocapress::runtime {
 
-inline constexpr int kWindow = 128;  // frames at a time: what fits the nearer caches
+inline constexpr int kWindow = 128;  // frames per window; sized for the inner caches
 
-/// Which signals come out, in which columns, how detailed.
+/// The wanted signals, their columns and the level of detail.
 template <typename Real>
 struct SynthesisPlan {
   ResidentSignals::Columns columns;
-  int count;           // of columns
-  int bands_left_out;  // of the finest: as if they were zero
+  int count;           // number of columns
+  int bands_left_out;  // finest bands, treated as zero
   const LiftingKernels<Real>* kernels;
 };
 
-/// The inverse transform of any window of frames: at each band no more rows than the window needs,
-/// and none again that the window before it needed too.
+/// Inverse transform of any window of frames. Each band computes only the rows that the window
+/// needs and that the previous window has not left behind.
 template <typename Real>
 class Synthesis {
  public:
   static constexpr int kWindow = mocapress::runtime::kWindow;
 
-  /// Takes the memory it works in. With measuring memory only that, and `motion` may be null.
+  /// Takes its work space from `memory`. With measuring memory it only counts, and `motion` may be
+  /// null.
   Synthesis(Memory& memory, const ResidentSignals* motion, int length,
             const SynthesisPlan<Real>& plan);
 
-  /// Makes the samples of frames first ... first + count - 1: rows of plan.count reals, out_step
-  /// apart. 0 < count <= kWindow, and all frames exist.
+  /// Computes frames first ... first + count - 1: rows of plan.count reals, out_step apart. 0 <
+  /// count <= kWindow, and all frames must exist.
   void decode_window(int first, int count, Real* out, std::ptrdiff_t out_step);
 
  private:
@@ -46,17 +48,17 @@ class Synthesis {
   struct Held {
     Real* memory = nullptr;
     int capacity = 0;
-    Real* rows = nullptr;  // of range.first
+    Real* rows = nullptr;  // row of range.first
     Range range;
   };
 
-  /// The rows that samples of a band are made of: even samples of the coarser bands, updated, and
+  /// The rows from which a band's samples are made: updated even samples of the coarser band, and
   /// details.
   struct Level {
     Held evens;
     Held details;
     Range wanted;       // samples to make
-    Range needs_evens;  // for that
+    Range needs_evens;  // even samples needed for `wanted`
   };
 
   void find_needs(int first, int count);
@@ -77,11 +79,11 @@ class Synthesis {
   const ResidentSignals* signals_;
   SynthesisPlan<Real> plan_;
   Bands bands_;
-  std::ptrdiff_t stride_;     // of rows here: the columns and what rounds them up
+  std::ptrdiff_t stride_;     // reals per row here: the columns, rounded up
   Range coarse_;              // coarse samples to unpack
-  Level levels_[kMostBands];  // from 1 on
-  Real* coarse_samples_;      // where there is nothing else
-  Real* zeros_;               // a row
+  Level levels_[kMostBands];  // element 0 is not used
+  Real* coarse_samples_;      // work space for signals with one band only
+  Real* zeros_;               // a row of zeros
 };
 
 }  // namespace mocapress::runtime

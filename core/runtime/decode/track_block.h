@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scalar tracks of a clip in one block of bytes without pointers: part of a resident clip and, byte
-// for byte the same, of what is cooked from it.
+// A clip's scalar tracks in one block of bytes without pointers. It is part of a resident clip, and
+// copied byte for byte into what is cooked from it.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@ namespace mocapress::runtime {
 
 /// A track in the block.
 struct ResidentTrack {
-  std::uint32_t node = 0;  // where its name is among the names, and the track's own
+  std::uint32_t node = 0;  // offsets of the node's and the track's own name among the names
   std::uint32_t name = 0;
-  std::uint32_t first = 0;  // its number among the curves, or that of its first run
+  std::uint32_t first = 0;  // number among the curves, or of the first run
   std::uint32_t run_count = 0;
   std::uint8_t kind = 0;
   std::uint8_t is_curve = 0;
@@ -28,16 +28,16 @@ struct ResidentTrack {
 }  // namespace mocapress::runtime
 
 struct mcpr_tracks {
-  std::uint32_t bytes;  // of all
+  std::uint32_t bytes;  // size of the whole block
   std::uint32_t frames;
   std::uint32_t count;
   std::uint32_t curve_count;
   std::uint32_t run_count;
   std::uint32_t name_bytes;
-  std::uint32_t tracks;  // ResidentTrack; offsets from this
-  std::uint32_t names;   // each ends with a zero
-  std::uint32_t runs;    // TrackRun
-  std::uint32_t curves;  // ResidentSignals; 0: there are none
+  std::uint32_t tracks;  // ResidentTrack array; this and the next are offsets from the block
+  std::uint32_t names;   // zero-terminated
+  std::uint32_t runs;    // TrackRun array
+  std::uint32_t curves;  // ResidentSignals; 0: there are no curves
   mocapress::runtime::LoopKind loop;
   std::uint8_t padding[7];
 
@@ -55,8 +55,7 @@ struct mcpr_tracks {
 
 namespace mocapress::runtime {
 
-/// Whether a block from anywhere, of which there are so many bytes, can be played: it ends within
-/// them, and so does all that it points to.
+/// Whether a block from an untrusted source can be decoded without reading outside its `bytes`.
 bool are_sound(const mcpr_tracks& tracks, std::uint64_t bytes);
 
 }  // namespace mocapress::runtime

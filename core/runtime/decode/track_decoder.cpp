@@ -59,7 +59,7 @@ void TrackDecoder::decode(std::uint32_t first, std::uint32_t count, float* out) 
     if (track(i).is_curve == 0) put_held(i, first, count, out + i);
 }
 
-/// From the run that holds the first frame on.
+/// Writes a held track's values, starting in the run that holds the first frame.
 void TrackDecoder::put_held(std::size_t place, std::uint32_t first, std::uint32_t count,
                             float* out) const {
   const TrackRun* const runs = tracks_.at<TrackRun>(tracks_.runs) + track(place).first;

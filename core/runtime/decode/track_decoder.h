@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scalar tracks of a clip at frames and between them.
+// Decodes a clip's scalar tracks at frames and between them.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,20 @@
 
 namespace mocapress::runtime {
 
-/// Whether the tracks are the clip's, and none stands there twice.
+/// Whether all requested tracks exist, without duplicates.
 bool is_possible(const mcpr_tracks& tracks, const mcpr_track_request& request);
 
 class TrackDecoder {
  public:
-  /// With measuring memory only to know how much.
+  /// With measuring memory it only counts.
   TrackDecoder(Memory& memory, const mcpr_tracks& tracks, const mcpr_track_request& request);
 
   std::size_t values_of_frame() const { return count_; }
 
-  /// Rows of values_of_frame(). All frames exist.
+  /// Decodes rows of values_of_frame() floats. All frames must exist.
   void decode(std::uint32_t first, std::uint32_t count, float* out);
 
-  /// Between a frame and another, of which `share` is taken. `rows`: two of them, to work in.
+  /// Interpolates between two frames; `share` is the weight of the second.
   void sample_between(std::uint32_t frame, std::uint32_t next, float share, float* out);
 
  private:
@@ -34,9 +34,9 @@ class TrackDecoder {
   const mcpr_tracks& tracks_;
   const mcpr_track_request& request_;
   std::size_t count_;
-  std::int32_t* columns_ = nullptr;  // of curves
+  std::int32_t* columns_ = nullptr;  // one per curve
   float* next_row_ = nullptr;
-  std::optional<SignalDecoder> curves_;  // none is asked for: it is not needed
+  std::optional<SignalDecoder> curves_;  // empty if no curve is requested
 };
 
 }  // namespace mocapress::runtime

@@ -15,7 +15,7 @@ std::uint64_t contexts_of(const TracksHead& head) {
              : static_cast<std::uint64_t>(ContextLayout(static_cast<int>(head.curves)).end);
 }
 
-/// Copies a name and a zero behind it, and gives its place.
+/// Copies a name with a terminating zero, and returns its offset.
 std::uint32_t put_name(const std::uint8_t* name, std::uint8_t length, char* names,
                        std::uint32_t& used) {
   const std::uint32_t at = used;
@@ -90,7 +90,7 @@ std::uint64_t TrackLoader::lay_out(std::byte* memory, LoopKind loop) const {
                    .count = head_.tracks,
                    .curve_count = head_.curves,
                    .run_count = head_.runs,
-                   // Of a record's bytes two are lengths, where names here end with zeros.
+                   // Room for all names: the two lengths in a record become two terminating zeros.
                    .name_bytes = head_.record_bytes,
                    .tracks = block.reserve(sizeof(ResidentTrack) * std::uint64_t{head_.tracks}),
                    .names = block.reserve(head_.record_bytes),
@@ -99,7 +99,7 @@ std::uint64_t TrackLoader::lay_out(std::byte* memory, LoopKind loop) const {
                    .loop = loop,
                    .padding = {}};
   if (head_.curves > 0) made.curves = block.reserve(ResidentSignals::size(source()));
-  block.reserve(0);  // to a whole word
+  block.reserve(0);  // aligns the end
   made.bytes = static_cast<std::uint32_t>(block.used());
   if (memory == nullptr) return block.used();
   std::memcpy(memory, &made, sizeof made);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the section trks of a file to the tracks of a clip: as FileLoader, in two steps.
+// From section trks of a file to the tracks of a clip, in two steps as in FileLoader.
 #pragma once
 
 #include "core/runtime/decode/block_layout.h"
@@ -13,13 +13,14 @@ namespace mocapress::runtime {
 
 class TrackLoader {
  public:
-  /// With measuring memory only to know how much. Works in the memory of what is `done_with`.
+  /// With measuring memory it only counts. Reuses the memory of `done_with`, which is not needed
+  /// any more.
   TrackLoader(Memory& memory, const FileSections& sections, const JointByteCoder& done_with);
 
   /// Decodes all tracks. The file is not needed afterwards.
   mcpr_result read();
 
-  /// Puts them into a block as mcpr_tracks, and gives their offset; 0: there are none.
+  /// Writes the tracks into a block as mcpr_tracks, and returns their offset; 0: there are none.
   std::uint32_t lay_out(BlockLayout& block, LoopKind loop) const;
 
  private:

@@ -34,7 +34,7 @@ void Limb::turn(const double* by) {
 }
 
 void Limb::update(int first_link) {
-  int turn = 0;  // the first of the link's, if it has any
+  int turn = 0;  // first angle of the link, if it has any
   while (turn < plan_.turns && plan_.turn[turn].link < first_link) ++turn;
   for (int l = first_link; l < plan_.links; ++l) {
     const LimbLink& link = plan_.link[l];

@@ -32,7 +32,7 @@ const char* LimbPlanner::plan(const JointModel* joints, const EffectorEnds* effe
   return nullptr;
 }
 
-/// Notes an effector with the joints above it.
+/// Marks the joints above an effector. Returns null, or the error as a sentence.
 const char* LimbPlanner::mark(int effector) {
   const std::uint32_t bit = std::uint32_t{1} << effector;
   const EffectorEnds& ends = effectors_[effector];
@@ -49,7 +49,8 @@ const char* LimbPlanner::mark(int effector) {
   return in_chain ? "an effector's chain must begin at a joint above it that turns" : nullptr;
 }
 
-/// Effector after effector joins the groups it shares a joint with; the order of solving follows.
+/// Adds effectors one by one to the group they share a joint with, merging groups where necessary.
+/// This fixes the order of solving.
 void LimbPlanner::group_effectors() {
   std::uint32_t shares[kMostEffectors] = {};
   for (int j = 0; j < joint_count_; ++j)

@@ -9,32 +9,32 @@
 
 namespace mocapress::runtime {
 
-/// A joint whose origin is to be moved, and the one above it from which down to its parent those
-/// with rotation channels may turn for that.
+/// A joint whose origin is corrected, and the joint where its chain starts. All joints with
+/// rotation channels from the start down to the effector's parent may turn.
 struct EffectorEnds {
   int joint;
   int top;
 };
 
-/// Groups effectors whose chains share joints, so that each limb can be solved by itself.
+/// Groups effectors whose chains share joints into limbs, each of which can be solved by itself.
 class LimbPlanner {
  public:
   LimbPlanner(Memory& memory, int joints);
 
-  /// Null, or what is wrong with these effectors (kMostEffectors at most) as a sentence.
+  /// Plans the limbs of at most kMostEffectors effectors. Returns null, or the error as a sentence.
   const char* plan(const JointModel* joints, const EffectorEnds* effectors, int count);
 
   int limb_count() const { return limb_count_; }
 
-  /// The numbers of a limb's effectors, in the order in which they are solved.
+  /// Numbers of a limb's effectors, in solving order.
   std::span<const std::uint8_t> effectors_of(int limb) const {
     return {groups_[limb].effector, static_cast<std::size_t>(groups_[limb].count)};
   }
 
-  /// How large a limb is; what it points to is not set.
+  /// A plan with the sizes of a limb; its pointers are not set.
   LimbPlan size(int limb) const;
 
-  /// Everything of a limb, in memory that has room for it.
+  /// Memory for the arrays of a plan.
   struct Room {
     std::uint16_t* effector_numbers;
     std::uint16_t* effector_links;
@@ -55,9 +55,9 @@ class LimbPlanner {
   bool is_two_bones(const LimbPlan& plan) const;
 
   int joint_count_;
-  std::uint32_t* path_;   // of each joint: the effectors at or below it
-  std::uint32_t* chain_;  // of each joint: the effectors it may turn for
-  int* link_of_;          // of each joint, while a limb is laid out
+  std::uint32_t* path_;   // for each joint: effectors at or below it
+  std::uint32_t* chain_;  // for each joint: effectors that it may turn for
+  int* link_of_;          // for each joint, while a limb is laid out
   const JointModel* joints_ = nullptr;
   const EffectorEnds* effectors_ = nullptr;
   int effector_count_ = 0;

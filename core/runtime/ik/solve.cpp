@@ -18,12 +18,12 @@ double miss(const Limb& limb, const Vector3* targets) {
   return largest;
 }
 
-/// The turn about the angle's axis that brings the effectors nearest to their targets, in the
-/// least-squares sense.
+/// The rotation about the angle's axis that minimises the squared distances of the effectors to
+/// their targets.
 double best_turn(const Limb& limb, int angle, const Vector3* targets) {
   const Vector3& axis = limb.axis(angle);
-  double along = 0;   // of the targets along where the effectors are
-  double across = 0;  // and across, in the direction of turning
+  double along = 0;   // component of the targets along the effectors
+  double across = 0;  // component across them, in the direction of rotation
   for (int e = 0; e < limb.plan().effectors; ++e) {
     if (!limb.moves(angle, e)) continue;
     const Vector3 arm = limb.position(e) - limb.center(angle);
@@ -44,16 +44,16 @@ SolveOutcome solve_cyclic_descent(Limb& limb, const Vector3* targets, int most_s
   return outcome;
 }
 
-constexpr double kLongestTurn = 0.35;  // radians in one step: beyond, a linearisation is void
+constexpr double kLongestTurn = 0.35;  // radians in one step; a linearisation is not valid beyond
 
-/// The knee's turn by which the foot comes to be `reach` from the hip: of both the shorter one. A
-/// target further off than the leg is long straightens it as far as the hinge allows.
+/// The knee's rotation that puts the foot at distance `reach` from the hip; the smaller of the two
+/// solutions. A target beyond the leg's length straightens the leg as far as the hinge allows.
 double bend_for(const Limb& limb, double reach) {
   constexpr int kKnee = 3;
   const Vector3 thigh = limb.center(kKnee) - limb.center(0);
   const Vector3 shin = limb.position(0) - limb.center(kKnee);
   const Vector3& axis = limb.axis(kKnee);
-  // |thigh + shin turned by t|^2 = constant + 2 (along cos t + across sin t)
+  // thigh + shin rotated by t|^2 = constant + 2 (along cos t + across sin t)
   const double fixed = dot(axis, shin) * dot(axis, thigh);
   const double along = dot(thigh, shin) - fixed;
   const double across = dot(thigh, cross(axis, shin));
@@ -67,7 +67,7 @@ double bend_for(const Limb& limb, double reach) {
   return std::abs(one) < std::abs(other) ? one : other;
 }
 
-/// The shortest rotation that brings the direction of `from` to that of `to`; both are not zero.
+/// The shortest rotation from the direction of `from` to that of `to`. Neither may be zero.
 Matrix3 rotation_between(const Vector3& from, const Vector3& to) {
   const double length_of_from = norm(from);
   const double length_of_to = norm(to);
@@ -81,7 +81,7 @@ Matrix3 rotation_between(const Vector3& from, const Vector3& to) {
   Vector3 axis = cross(a, b);
   double w = 1 + cosine;
   if (w < 1e-12) {
-    // Half a turn, about any axis across.
+    // Half a turn: any perpendicular axis will do.
     const int least = std::abs(a[0]) < std::abs(a[1]) ? (std::abs(a[0]) < std::abs(a[2]) ? 0 : 2)
                                                       : (std::abs(a[1]) < std::abs(a[2]) ? 1 : 2);
     Vector3 other;
@@ -93,9 +93,9 @@ Matrix3 rotation_between(const Vector3& from, const Vector3& to) {
   return rotation_of(w / size, axis[0] / size, axis[1] / size, axis[2] / size);
 }
 
-/// Two bones in closed form: the knee gives the foot its distance, the hip its direction by the
-/// shortest way. False, and nothing done, where the knee would jump: a leg that is almost straight
-/// bends a lot for a millimetre.
+/// Solves two bones in closed form: the knee sets the foot's distance, then the hip its direction.
+/// Returns false, without changes, if the knee would jump: a leg that is almost straight bends a
+/// lot for a millimetre.
 bool solve_two_bones(Limb& limb, const Vector3& target) {
   const Vector3 wanted = target - limb.center(0);
   const double bend = bend_for(limb, norm(wanted));
@@ -108,15 +108,15 @@ bool solve_two_bones(Limb& limb, const Vector3& target) {
 
 constexpr int kMostRows = 3 * kMostEffectorsOfLimb;
 
-/// The normal matrix of a step and what it is solved for.
+/// The normal matrix of a damped least-squares step.
 class Normal {
  public:
   explicit Normal(int rows) : rows_(rows) {}
 
   double& at(int i, int j) { return matrix_[i][j]; }
 
-  /// x with matrix * x = b, b in place; the matrix is symmetric and positive definite (its lower
-  /// half is read), by Cholesky's L D L^T.
+  /// Solves matrix * x = b in place, by Cholesky's L D L^T. The matrix must be symmetric and
+  /// positive definite; only its lower half is read.
   void solve(double* b) {
     for (int j = 0; j < rows_; ++j)
       for (int i = j; i < rows_; ++i) {
@@ -137,10 +137,10 @@ class Normal {
   double matrix_[kMostRows][kMostRows];
 };
 
-/// One damped step of Newton's method with the step that moves the limb least. `ease`: how readily
-/// each angle turns.
+/// Takes one damped Newton step, the one that moves the limb least. `ease` weighs the angles: a
+/// larger one turns more.
 void step_to(Limb& limb, const Vector3* targets, const double* ease) {
-  constexpr double kDamping = 0.01;  // beside values of the normal matrix of about 1
+  constexpr double kDamping = 0.01;  // relative to a normal matrix with values of about 1
   const int angles = limb.plan().turns;
   const int rows = 3 * limb.plan().effectors;
   double jacobian[kMostRows][kMostAngles];
@@ -173,9 +173,9 @@ void step_to(Limb& limb, const Vector3* targets, const double* ease) {
   limb.turn(step);
 }
 
-/// An angle is turned the more the less its turning moves: an ankle that is off is not made good by
-/// the hip. From a start a few centimetres off it ends within a fraction of the nearest pose in two
-/// or three steps. The damping keeps a leg that is almost straight from jerking at the knee.
+/// Angles whose rotation moves less of the limb turn more, so that an error of the ankle is not
+/// corrected by the hip. From a few centimetres away it comes close to the nearest pose in two or
+/// three steps. The damping keeps an almost straight leg from jerking at the knee.
 SolveOutcome solve_nearest_pose(Limb& limb, const Vector3* targets, int most_steps) {
   SolveOutcome outcome{miss(limb, targets)};
   if (!(outcome.miss_cm > kReachedCm) || most_steps == 0) return outcome;

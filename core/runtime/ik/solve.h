@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Based on: C. Welman, 1993 (cyclic coordinate descent), and S. R. Buss, 2004 (damped least
-// squares); see solve.cpp. FORMAT.md has both step by step, for every decoder must come to the same
-// angles.
+// Inverse kinematics. Based on: C. Welman, 1993 (cyclic coordinate descent), and S. R. Buss, 2004
+// (damped least squares); see solve.cpp. FORMAT.md states both algorithms step by step, because
+// every decoder must arrive at the same angles.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@
 
 namespace mocapress::runtime {
 
-/// An effector as near to its target as this is there.
+/// Distance at which an effector counts as having reached its target.
 inline constexpr double kReachedCm = 0.01;
 
-/// The iterations after which the format's solvers give up.
-inline constexpr int kMostSweeps = 60;       // of cyclic descent
-inline constexpr int kMostNewtonSteps = 12;  // of the nearest pose
+/// Iteration limits of the format's solvers.
+inline constexpr int kMostSweeps = 60;       // cyclic descent
+inline constexpr int kMostNewtonSteps = 12;  // nearest pose
 
 struct SolveOutcome {
-  double miss_cm = 0;  // the largest distance left between an effector and its target
+  double miss_cm = 0;  // largest remaining distance between an effector and its target
   int iterations = 0;
 };
 
-/// Turns the limb's angles, starting from the frame's, so that its effectors come to `targets` (cm,
-/// in the world, one for each). A target out of reach is approached. No more than
-/// `most_iterations`, which only a caller in haste sets below the format's.
+/// Changes the limb's angles, starting from the frame's, so that its effectors reach `targets` (cm,
+/// in world space, one for each). Comes as close as it can to a target out of reach.
+/// `most_iterations` may lower the format's limit, for a caller in a hurry.
 SolveOutcome solve(Solver solver, Limb& limb, const Vector3* targets,
                    int most_iterations = kMostSweeps);
 
