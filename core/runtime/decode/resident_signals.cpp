@@ -115,9 +115,8 @@ void ResidentSignals::unpack_block(int band, int block, int first, int end, cons
     const std::uint32_t magnitude = reader.rice(entry.value_shift) + 1;
     const bool minus = reader.flag();
     const auto row = static_cast<std::uint32_t>(first_row + static_cast<int>(place & row_mask));
-    if (row >= row_count)
-      continue;  // rejects rows before `first` (which wrap around) and from
-                 // `end` on
+    // Rows before `first` wrap around to large numbers.
+    if (row >= row_count) continue;
     const int signal = listed_signal(entry, place >> entry.log2_rows);
     const std::int32_t column = columns.of_signal[signal];
     if (column == Columns::kNone) continue;

@@ -83,13 +83,8 @@ class ResidentSignals {
 
  private:
   static constexpr int kCountShift = 3;  // shift of the Rice code of a block's count
-  enum class Kind : std::uint8_t {
-    Empty,
-    Dense,
-    Sparse,
-    SparseWide
-  };  // SparseWide has wide
-      // offsets of blocks
+  /// SparseWide has wide offsets of blocks.
+  enum class Kind : std::uint8_t { Empty, Dense, Sparse, SparseWide };
   friend class ResidentBuilder;
   friend class ResidentChecker;
 
@@ -108,10 +103,8 @@ class ResidentSignals {
   const T* at(std::uint32_t offset) const {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
   }
-  const float* steps() const {
-    return at<float>(steps_);
-  }  // one per signal, padded with zeros to
-     // a full group
+  /// One step per signal, padded with zeros to a full group.
+  const float* steps() const { return at<float>(steps_); }
   int group_count() const { return (signals_ + 7) / 8; }
   const BandEntry* entries() const { return at<BandEntry>(entries_); }
   bool has_wide_numbers() const { return signals_ > 256; }

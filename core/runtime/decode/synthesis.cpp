@@ -172,9 +172,8 @@ void Synthesis<Real>::update_evens(int band, Range added) {
     return;
   }
   int i = added.first;
-  if (i == 0 && !added.is_empty())
-    update_rows(band, i++, 1, 0, 0);  // details are mirrored at the
-                                      // borders
+  // Details are mirrored at the borders.
+  if (i == 0 && !added.is_empty()) update_rows(band, i++, 1, 0, 0);
   update_rows(band, i, inner_end, -1, 0);
   if (added.end > odds) update_rows(band, std::max(i, odds), added.end, -1, -1);
 }

@@ -10,7 +10,7 @@
 
 namespace mocapress::runtime {
 
-/// Reserves bytes at the end of a cooked clip; without memory only counts them.
+/// Reserves space at the end of a cooked clip. Without memory it only counts.
 class CookedBlock {
  public:
   explicit CookedBlock(std::byte* memory) : memory_(memory) {}

@@ -33,8 +33,8 @@ bool is_inverse(const Matrix3& a, const Matrix3& b) {
   return is_identity;
 }
 
-/// Of AroundKind::Inverses: where the three axes of a joint go. The last of an odd order is as if
-/// mirrored.
+/// Writes the table of AroundKind::Inverses for one joint: the directions of its three axes. For an
+/// odd order of axes the last one is mirrored.
 void put_turned_axes(const Matrix3& parent_from_axes, const int (&axes)[3], bool is_odd,
                      float* to) {
   for (int row = 0; row < 3; ++row)
@@ -44,7 +44,7 @@ void put_turned_axes(const Matrix3& parent_from_axes, const int (&axes)[3], bool
     }
 }
 
-/// Of AroundKind::Any.
+/// Writes the table of AroundKind::Any for one joint.
 void put_quaternions(const Matrix3& before, const Matrix3& after, float* to) {
   for (const Matrix3* const side : {&before, &after})
     for (const double value : quaternion_from(*side).wxyz) {
@@ -67,7 +67,8 @@ mcpr_result CookedBuilder::prepare() {
   return result;
 }
 
-/// One band less to add up at every instant, where that takes hardly more bytes.
+/// Keeps one band less, which saves time at every instant, unless that makes the clip more than 1 %
+/// larger.
 void CookedBuilder::choose_bands() {
   constexpr std::uint64_t kMostPercent = 101;
   columns_.keep_bands(CookedColumns::kFewestBands);
@@ -153,7 +154,7 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   return head.bytes;
 }
 
-/// What the ends lack. Few channels mend one, so only what is not zero is kept.
+/// Stores the end corrections. Few channels need one, so only nonzero values are kept.
 void CookedBuilder::lay_out_ends(CookedBlock& block, mcpr_cooked& head) {
   const int ends = head.end_reaches.count();
   const int columns = kGroup * columns_.row_groups();
@@ -207,7 +208,8 @@ void CookedBuilder::lay_out_joints(CookedBlock& tables, mcpr_cooked& head) {
           origin[axis_of(channel.kind)] += channel.constant;
       }
       if (joint.has_axes) rotation = rotation * joint.axes_from_joint;
-      if (is_turned) rotation = {};  // not used; equal tables are shared in a bank
+      // Not used, and zeroed so that more tables are equal and shared in a bank.
+      if (is_turned) rotation = {};
       const Quaternion q = quaternion_from(rotation);
       for (int i = 0; i < 4; ++i) rest[j].rotation[i] = static_cast<float>(q.wxyz[i]);
       for (int i = 0; i < 3; ++i) rest[j].translation[i] = static_cast<float>(origin[i]);

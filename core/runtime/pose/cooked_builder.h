@@ -12,21 +12,22 @@
 
 namespace mocapress::runtime {
 
-/// From the resident form of a clip to the cooked one. The coefficients are taken over as they are,
-/// but for the coarse bands, of which samples are made.
+/// Makes a cooked clip from the resident form. Takes over the coefficients of the fine bands
+/// unchanged, and turns the coarse bands into samples.
 class CookedBuilder {
  public:
-  /// With measuring memory only to know how much.
+  /// With measuring memory it only counts.
   CookedBuilder(Memory& memory, const mcpr_clip& clip, bool apply_ik);
 
-  /// Finds out what there is to lay out.
+  /// Decides on the layout of the cooked clip.
   mcpr_result prepare();
 
-  /// Makes the clip, after prepare(), in zeroed memory; without memory only its size.
+  /// Lays out the clip in zeroed memory, after prepare(), and returns its size. Without memory it
+  /// only measures.
   std::uint64_t lay_out(std::byte* memory);
 
-  /// The same with its tables elsewhere, where offset 0 is left free. How far away they are is not
-  /// known here: mcpr_cooked::tables.
+  /// Lays out the clip with its tables in another block, whose offset 0 stays free. The caller sets
+  /// mcpr_cooked::tables, the distance to that block.
   struct Size {
     std::uint64_t clip = 0;
     std::uint64_t tables = 0;

@@ -14,7 +14,7 @@
 namespace mocapress::runtime {
 namespace {
 
-/// Looks at the tables and rows, one after the other; remembers whether one was wrong.
+/// Checks tables and rows one after the other; remembers a failure.
 class Checker {
  public:
   Checker(const mcpr_cooked& clip, const TableRange& tables)
@@ -62,7 +62,7 @@ class Checker {
     require(offset.bytes >= tables_.first && offset.bytes % alignment == 0 &&
             offset.bytes + size * count <= tables_.end);
   }
-  /// All of a table, if it is there.
+  /// Checks all elements of a table, if the table lies within its range.
   template <typename T, typename Check>
   void each(TableOffset offset, std::uint32_t count, const Check& check) {
     require_array(offset, sizeof(T), count, alignof(T));
@@ -152,7 +152,7 @@ class Checker {
                     static_cast<std::uint64_t>(bundles_of(band.kind, rows)), 1);
   }
 
-  /// Of so many columns or more.
+  /// Checks entries; no column may be `columns` or more.
   void check_entries(const CookedEntries& entries, std::uint32_t columns) {
     if (entries.blocks == 0) return;
     require(entries.log2_rows <= kMostLog2RowsOfBlock);
@@ -169,7 +169,7 @@ class Checker {
   const mcpr_cooked& clip_;
   const TableRange tables_;
   const std::uint32_t columns_;
-  const std::uint32_t row_columns_;  // those that there are rows of
+  const std::uint32_t row_columns_;  // columns that have rows
   bool sound_ = true;
 };
 

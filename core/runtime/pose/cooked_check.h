@@ -9,24 +9,24 @@
 
 namespace mocapress::runtime {
 
-/// As the head has it.
+/// Computes the checksum that the head should have.
 std::uint32_t checksum_of(const mcpr_cooked& clip);
 
-/// Whether the head is a cooked clip's, of no more than so many bytes.
+/// Checks that the head is a cooked clip's, of at most `size` bytes.
 mcpr_result check_cooked_head(const mcpr_cooked& clip, std::size_t size);
 
-/// Where the tables of a clip may lie.
+/// The range in which a clip's tables may lie.
 struct TableRange {
-  std::int64_t from = 0;    // as mcpr_cooked::tables
-  std::uint64_t first = 0;  // bytes from there
+  std::int64_t from = 0;    // as in mcpr_cooked::tables
+  std::uint64_t first = 0;  // range of offsets from there
   std::uint64_t end = 0;
 
-  /// Of a clip by itself.
+  /// The range for a clip that is not in a bank.
   static TableRange within(const mcpr_cooked& clip) { return {0, sizeof clip, clip.bytes}; }
 };
 
-/// Whether all of it is what sampling may rely on: nothing lies beyond the end, whatever the
-/// numbers. After check_cooked_head().
+/// Verifies everything that sampling relies on, so that it never reads outside the clip. Requires
+/// check_cooked_head() first.
 mcpr_result check_cooked(const mcpr_cooked& clip, const TableRange& tables);
 
 }  // namespace mocapress::runtime

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The cooked form of a clip: laid out so that the pose of any instant is a weighted sum of some
-// rows of small numbers. One block of bytes without pointers, little-endian, the same in memory and
-// on disk: SAMPLING.md describes it.
+// The cooked form of a clip, in which the pose of any instant is a weighted sum of a few rows of
+// small numbers. One little-endian block without pointers, the same in memory and on disk:
+// SAMPLING.md describes it.
 #pragma once
 
 #include <bit>
@@ -17,30 +17,31 @@
 
 namespace mocapress::runtime {
 
-inline constexpr int kGroup = 8;              // columns, and joints, that are worked on together
-inline constexpr int kMostGroupsOfPart = 16;  // so that 7 bits tell a column of a part
-inline constexpr int kMostColumns = 4096;     // of a clip; sampling keeps them on the stack
-inline constexpr int kDetailWindow = 8;       // rows of a band of details that meet at an instant
-inline constexpr int kFinestWindow = 6;       // the same of the finest band
-inline constexpr int kCrumbWindow = 12;       // the same of crumbs, which lie four together
-inline constexpr int kSampleWindow = 6;       // rows of samples that meet
-inline constexpr int kMostKeptBands = 5;      // bands of details of a part
-// Of an entry that is added to a band's rows.
+inline constexpr int kGroup = 8;              // columns, or joints, that are processed together
+inline constexpr int kMostGroupsOfPart = 16;  // so that 7 bits can address a column of a part
+inline constexpr int kMostColumns = 4096;     // in a clip; sampling keeps them on the stack
+inline constexpr int kDetailWindow = 8;       // rows of a detail band that contribute to an instant
+inline constexpr int kFinestWindow = 6;       // the same for the finest band
+inline constexpr int kCrumbWindow = 12;       // the same for crumbs, which are bundled by four
+inline constexpr int kSampleWindow = 6;       // rows of samples that contribute to an instant
+inline constexpr int kMostKeptBands = 5;      // detail bands of a part
+// Bit fields of an entry, which is added to a band's rows.
 inline constexpr int kColumnBits = 7;
-inline constexpr int kRowBits = 4;              // its row modulo 16
-inline constexpr int kEntriesBeyond = 7;        // read after the last of a band
-inline constexpr int kMostLog2RowsOfBlock = 3;  // those that meet have 16 rows at most
+inline constexpr int kRowBits = 4;              // row number modulo 16
+inline constexpr int kEntriesBeyond = 7;        // entries that may be read after a band's last one
+inline constexpr int kMostLog2RowsOfBlock = 3;  // the blocks that contribute to an instant span at
+                                                // most 16 rows
 
-/// How the rows of a band of details are kept: in 2, 4, 8 or 16 bits. Some rows lie in each other,
-/// a number of the one beside that of the next, as the instructions that multiply pairs want them.
+/// Storage of a band's detail rows: 2, 4, 8 or 16 bits per number. Rows are interleaved in bundles,
+/// as the instructions that multiply pairs expect them.
 enum class RowKind : std::uint8_t { None, Crumbs, Nibbles, Bytes, Words };
 
-/// Rows that lie in each other.
+/// Rows in a bundle.
 constexpr int rows_together(RowKind kind) {
   return kind == RowKind::Crumbs ? 4 : 2;
 }
 
-/// Bytes of these rows, of a group.
+/// Bytes of a bundle for one group.
 constexpr std::size_t bundle_bytes(RowKind kind) {
   switch (kind) {
     case RowKind::None:
@@ -56,91 +57,94 @@ constexpr std::size_t bundle_bytes(RowKind kind) {
   return 0;
 }
 
-/// How many of them a band of so many rows has, with what is read beyond the last.
+/// Bundles of a band with this many rows, including those that may be read after the last.
 constexpr int bundles_of(RowKind kind, int rows) {
   const int even = rows < kDetailWindow ? kDetailWindow : (rows + 1) / 2 * 2;
   return kind == RowKind::Crumbs ? (even + 7) / 4 : even / 2;
 }
 
-/// The dense rows of a band of details of one part.
+/// The dense rows of one detail band of one part.
 struct CookedBand {
   std::uint32_t rows = 0;  // offset from the clip
   RowKind kind = RowKind::None;
   std::uint8_t padding[3] = {};
 };
 
-/// What is added to a band's dense rows, of up to kMostGroupsOfPart groups of columns: entries of
-/// 16 bits, from the lowest a column of these, its row modulo 16, and a value with sign.
+/// Values to add to a band's dense rows, for up to kMostGroupsOfPart groups of columns. An entry
+/// has 16 bits, from the lowest: column, row modulo 16, signed value.
 struct CookedEntries {
-  std::uint32_t begins = 0;    // offset from the clip: where each block of rows begins among the
-                               // entries, as u16, and the end; then the entries
-  std::uint16_t blocks = 0;    // 0: there are no entries
-  std::uint8_t log2_rows = 0;  // of a block
+  std::uint32_t begins = 0;    // offset from the clip: u16 start of each block's entries, u16 end
+                               // of the last, then the entries
+  std::uint16_t blocks = 0;    // 0: no entries
+  std::uint8_t log2_rows = 0;  // rows of a block
   std::uint8_t padding = 0;
 };
 
-/// Columns that are worked on together.
+/// Groups of columns with the same storage.
 struct CookedPart {
   std::uint16_t first_group = 0;
   std::uint16_t groups = 0;
-  std::uint8_t kept_bands = 0;    // of details, the finest; coarser ones are made samples of
-  std::uint8_t wide_samples = 0;  // 1: samples are floats; 0: 16 bits
+  std::uint8_t kept_bands = 0;    // number of detail bands kept, the finest; coarser ones become
+                                  // samples
+  std::uint8_t wide_samples = 0;  // 1: samples are floats; 0: 16-bit integers
   std::uint16_t padding = 0;
 };
 
-/// A part in one segment.
+/// A part's data in one segment.
 struct CookedRows {
-  // Of each column, an array each: offset, scale of samples and step, each the upper half of a
-  // float; where samples are floats only the step, a float.
+  // Three arrays with one element per column: offset, scale of samples and step, each the upper
+  // half of a float. If samples are floats: only the steps, as floats.
   std::uint32_t scales = 0;
-  std::uint32_t samples = 0;  // row after row
-  std::uint32_t bands = 0;    // CookedBand of each kept one, the finest first
-  float unit = 0;             // of steps
+  std::uint32_t samples = 0;  // row by row
+  std::uint32_t bands = 0;    // a CookedBand for each kept band, the finest first
+  float unit = 0;             // multiplied to all steps
 };
 
-/// Bytes of `scales`, of so many columns.
+/// Size of `scales` for this many columns.
 constexpr std::uint64_t scale_bytes(bool wide_samples, std::uint64_t columns) {
   return (wide_samples ? sizeof(float) : 3 * sizeof(std::uint16_t)) * columns;
 }
 
-/// A float from its upper half.
+/// Extends the upper half of a float to a float.
 inline float from_upper_half(std::uint16_t half) {
   return std::bit_cast<float>(std::uint32_t{half} << 16);
 }
 
-/// Where a table is that clips of a bank may share: bytes from `mcpr_cooked::tables` on.
+/// Offset of a table, in bytes from `mcpr_cooked::tables`. Clips of a bank may share tables.
 struct TableOffset {
   std::uint32_t bytes = 0;
 };
 
-/// What is before and after the axes of a group of joints.
+/// Constant rotations before and after the axes of a group's joints.
 enum class AroundKind : std::uint8_t {
   None,
-  // Each other's inverses: 3 x 3 numbers, each of all eight joints, that turn what is about the
-  // first, second and third axis into what is about x, y and z.
+  // The two are inverses of each other: a 3 x 3 matrix per joint, which maps rotations about the
+  // first, second and third axis to x, y and z. Each number is stored for
+  // all eight joints before the next.
   Inverses,
-  Any,  // 4 numbers of quaternions before, then 4 after, w x y z, each of all eight
+  Any,  // the quaternion before, then the one after, w x y z, each number for all eight joints
 };
 
-/// How many numbers that is.
+/// Floats in a group's table.
 constexpr std::uint64_t floats_around(AroundKind kind) {
   if (kind == AroundKind::None) return 0;
   return (kind == AroundKind::Inverses ? 9 : 8) * std::uint64_t{kGroup};
 }
 
-/// Eight joints that turn about up to three different axes each.
+/// Eight joints that rotate about up to three different axes each.
 struct RotorGroup {
   std::uint16_t joint[kGroup] = {};  // kNoJoint: none
-  std::uint16_t vector[3] = {};      // of the first, second and third half angles
-  std::uint8_t angles = 0;           // 1 .. 3: how many of the three there are
-  std::uint8_t joints = 0;           // the first of `joint` that are there
-  std::uint8_t has_angle[3] = {};    // a bit for each joint
-  std::uint8_t is_odd = 0;           // whether its axes are an odd permutation of x y z
-  std::uint8_t first_axis[3] = {};   // a bit for each joint whose first axis is x, y, z
-  std::uint8_t second_axis[3] = {};  // the same of the second; the third is what is left
+  std::uint16_t vector[3] = {};      // groups of columns with the first, second and third half
+                                     // angles
+  std::uint8_t angles = 0;           // 1 to 3: number of vectors in use
+  std::uint8_t joints = 0;           // number of joints in `joint`
+  std::uint8_t has_angle[3] = {};    // one bit per joint
+  std::uint8_t is_odd = 0;           // one bit per joint: its axes are an odd permutation of x y z
+  std::uint8_t first_axis[3] = {};   // one bit per joint whose first axis is x, y, z
+  std::uint8_t second_axis[3] = {};  // the same for the second axis; the third is the remaining one
   AroundKind around_kind = AroundKind::None;
-  std::uint8_t are_near = 0;  // a bit for each of `vector` whose half angles are all within an
-                              // eighth of a turn
+  std::uint8_t are_near = 0;  // one bit per vector: all its half angles stay within an eighth of a
+                              // turn
   TableOffset around = {};
   static constexpr std::uint16_t kNoJoint = 0xFFFF;
 };
@@ -152,21 +156,21 @@ struct MovingAxis {
   std::uint32_t column = 0;
 };
 
-/// A column that is to be added to another.
+/// A column whose values are added to another column.
 struct AddedColumn {
   std::uint16_t from = 0;
   std::uint16_t to = 0;
 };
 
-/// A factor of the rotation of a joint that is in no group: about an axis, or constant.
+/// A factor of the rotation of a joint in no group: a rotation about one axis, or a constant.
 struct OtherTurn {
   std::uint16_t joint = 0;
-  std::uint16_t axis = 0;  // 0 1 2: x y z; kConstant: `column` is a TableOffset of a quaternion
+  std::uint16_t axis = 0;  // 0 1 2: x y z; kConstant: `column` is the TableOffset of a quaternion
   std::uint32_t column = 0;
   static constexpr std::uint16_t kConstant = 3;
 };
 
-/// How a column goes on from the last frame of a loop to the first.
+/// Extrapolation of a column from the last frame of a loop to the first.
 enum class ColumnKind : std::uint8_t { Straight, HalfAngle, Root };
 
 }  // namespace mocapress::runtime
@@ -175,19 +179,19 @@ struct mcpr_cooked {
   static constexpr char kMagic[4] = {'M', 'C', 'P', 'C'};
   static constexpr std::uint32_t kVersion = 7;
   char magic[4];
-  std::uint32_t checksum;  // CRC-32 of `bytes` and all from `version` on
-  std::uint64_t bytes;     // of all
-  std::int64_t tables;  // where tables are counted from, as bytes from the clip: 0, but in a bank;
-                        // not in the checksum
+  std::uint32_t checksum;  // CRC-32 of `bytes`, and of everything from `version` on
+  std::uint64_t bytes;     // size of the clip
+  std::int64_t tables;  // base of table offsets, relative to the clip; 0 outside banks. Not part of
+                        // the checksum
   std::uint32_t version;
-  std::uint32_t skeleton_bytes;  // of them what does not depend on the motion's length
-  double sample_rate;            // frames a second
+  std::uint32_t skeleton_bytes;  // the part of `bytes` that does not grow with the motion
+  double sample_rate;            // frames per second
   std::uint32_t frames;
   std::uint32_t segment_length;
   std::uint32_t segment_overlap;
   std::uint32_t joints;
-  std::uint32_t groups;      // of columns
-  std::uint32_t row_groups;  // of them: the first, of which there are rows
+  std::uint32_t groups;      // groups of columns
+  std::uint32_t row_groups;  // the first ones, which have rows
   std::uint16_t parts;
   std::uint16_t segments;
   std::uint16_t rotor_groups;
@@ -196,26 +200,26 @@ struct mcpr_cooked {
   std::uint16_t other_turns;
   mocapress::runtime::Wavelet wavelet;
   mocapress::runtime::LoopKind loop;
-  mocapress::runtime::EndReaches end_reaches;  // as ENDS of FORMAT.md has them
+  mocapress::runtime::EndReaches end_reaches;  // as in ENDS of FORMAT.md
   std::uint8_t unused[2];
   float end_units[mocapress::runtime::kMostEnds];
-  mocapress::runtime::TableOffset rest;    // mcpr_transform of each joint: of what never changes
-  mocapress::runtime::TableOffset rotors;  // RotorGroup
-  mocapress::runtime::TableOffset moving;  // MovingAxis
-  mocapress::runtime::TableOffset added;   // AddedColumn
-  mocapress::runtime::TableOffset turns;   // OtherTurn
-  mocapress::runtime::TableOffset bases;   // floats: what the columns without rows begin with
-  mocapress::runtime::TableOffset part_table;    // CookedPart
-  mocapress::runtime::TableOffset column_kinds;  // ColumnKind; only of a loop whose first frame
+  mocapress::runtime::TableOffset rest;        // an mcpr_transform per joint: its constant values
+  mocapress::runtime::TableOffset rotors;      // RotorGroup array
+  mocapress::runtime::TableOffset moving;      // MovingAxis array
+  mocapress::runtime::TableOffset added;       // AddedColumn array
+  mocapress::runtime::TableOffset turns;       // OtherTurn array
+  mocapress::runtime::TableOffset bases;       // floats: initial values of the columns without rows
+  mocapress::runtime::TableOffset part_table;  // CookedPart array
+  mocapress::runtime::TableOffset column_kinds;  // ColumnKind array; only if the loop's first frame
                                                  // follows the last
   // Offsets from the clip.
-  std::uint32_t ends;     // of each end that has a reach: a byte for each group of columns, a bit
-                          // for each column in which it lacks something; then, of these: i16, in
-                          // end_units of the column's step, end after end
-  std::uint32_t rows;     // CookedRows of each part, segment after segment
-  std::uint32_t entries;  // CookedEntries of each of kMostKeptBands, the finest first, of each
-                          // kMostGroupsOfPart groups, segment after segment
-  std::uint32_t tracks;   // mcpr_tracks; 0: there are none
+  std::uint32_t ends;     // for each end correction: one byte per group of columns, with a bit for
+                          // each column that it changes; then for these columns, end after end:
+                          // i16, in units of end_units times the step
+  std::uint32_t rows;     // CookedRows of each part, segment by segment
+  std::uint32_t entries;  // CookedEntries of kMostKeptBands bands, the finest first, for each
+                          // kMostGroupsOfPart groups; segment by segment
+  std::uint32_t tracks;   // mcpr_tracks; 0: the clip has none
 
   template <typename T>
   const T* at(std::uint32_t offset) const {
@@ -229,7 +233,7 @@ struct mcpr_cooked {
   const std::uint8_t* end_marks(int end) const {
     return at<std::uint8_t>(ends) + static_cast<std::uint32_t>(end) * row_groups;
   }
-  /// How many columns the ends before that one lack something in.
+  /// Number of columns changed by the end corrections before `end`.
   std::uint32_t lacking_before(int end) const {
     std::uint32_t count = 0;
     for (const std::uint8_t* mark = end_marks(0); mark != end_marks(end); ++mark)
@@ -250,7 +254,7 @@ struct mcpr_cooked {
   const mocapress::runtime::CookedRows& rows_of(int segment, int p) const {
     return at<mocapress::runtime::CookedRows>(rows)[segment * parts + p];
   }
-  /// How many times entries of up to kMostGroupsOfPart groups there are.
+  /// Number of sets of up to kMostGroupsOfPart groups with entries of their own.
   int entry_parts() const {
     constexpr auto kMost = static_cast<std::uint32_t>(mocapress::runtime::kMostGroupsOfPart);
     return static_cast<int>((row_groups + kMost - 1) / kMost);
@@ -269,7 +273,7 @@ struct mcpr_cooked {
 
 namespace mocapress::runtime {
 
-/// By its first bytes alone.
+/// Whether this is a cooked clip, judging by its first bytes.
 inline bool is_cooked(const mcpr_cooked* clip) {
   return clip != nullptr && std::memcmp(clip->magic, mcpr_cooked::kMagic, sizeof clip->magic) == 0;
 }

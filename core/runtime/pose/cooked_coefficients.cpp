@@ -13,7 +13,7 @@ namespace mocapress::runtime {
 namespace {
 
 constexpr int kRowsAtATime = 128;
-constexpr double kFineStep = 0x1p-14;  // radians, of corrected angles
+constexpr double kFineStep = 0x1p-14;  // radians; step of angles that a correction changed
 
 }  // namespace
 
@@ -49,7 +49,8 @@ void CookedCoefficients::prepare() {
       is_corrected_[clip_.limb(l).turn[a].channel] = true;
 }
 
-/// Frames with the correction but without what the ends lack, which is added at every instant.
+/// Decodes all frames with the IK correction but without the end corrections, which sampling adds
+/// at every instant.
 void CookedCoefficients::decode_corrected() {
   mcpr_request request{};
   request.apply_ik = 1;
@@ -68,7 +69,8 @@ void CookedCoefficients::decode_corrected() {
   }
 }
 
-/// The coefficients as whole numbers again: what was unpacked of one step is far from half another.
+/// Recovers the coefficients as whole numbers. Unpacked values are close enough to multiples of the
+/// step to be rounded safely.
 void CookedCoefficients::load(int segment) {
   if (loaded_ == segment) return;
   loaded_ = segment;
@@ -97,7 +99,7 @@ void CookedCoefficients::load(int segment) {
     if (is_corrected_[s]) fit_corrected(s, segment);
 }
 
-/// Transforms a corrected channel anew.
+/// Transforms the corrected samples of a channel.
 void CookedCoefficients::fit_corrected(int channel, int segment) {
   const int length = clip_.segments.frames_of(segment);
   const float* from = corrected_ +

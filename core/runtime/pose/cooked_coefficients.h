@@ -11,27 +11,28 @@
 
 namespace mocapress::runtime {
 
-/// The coefficients of a clip's channels as whole numbers, segment by segment: as they are in the
-/// clip, and where an IK correction turns a channel, from its corrected samples transformed anew.
+/// The coefficients of a clip's channels as whole numbers, one segment at a time. Channels that the
+/// IK correction turns are decoded with it and transformed again; others keep the clip's
+/// coefficients.
 class CookedCoefficients {
  public:
-  /// With measuring memory only to know how much.
+  /// With measuring memory it only counts.
   CookedCoefficients(Memory& memory, const ClipBlock& clip, bool apply_ik);
 
-  /// To be called first: decodes what the correction made of the clip.
+  /// Decodes the corrected channels. Must be called first.
   void prepare();
   bool is_corrected(int channel) const { return is_corrected_[channel]; }
 
   void load(int segment);
 
-  // Of the segment that is loaded:
+  // The following refer to the loaded segment.
   const Bands& bands() const { return bands_; }
   double step(int channel) const { return steps_[channel]; }  // of coefficients at depth 0
   std::int32_t value(int channel, int band, int row) const {
     return values_[std::ptrdiff_t{channel} * bands_.length(bands_.count - 1) + bands_[band].first +
                    row];
   }
-  /// The samples that are left when so many of the finest bands are; until the next call.
+  /// The samples without the finest `left_out` bands. Valid until the next call.
   std::span<double> samples_of(int channel, int left_out);
 
  private:
@@ -45,9 +46,9 @@ class CookedCoefficients {
   bool* is_corrected_;
   int loaded_ = -1;
   Bands bands_;
-  std::int32_t* values_;  // channel after channel
+  std::int32_t* values_;  // channel by channel
   double* steps_;
-  double* rows_;  // to unpack into
+  double* rows_;  // work space for unpacking
   std::int32_t* in_order_;
   double* line_;
   double* other_line_;

@@ -64,8 +64,8 @@ void CookedColumns::analyse_segment(int segment) {
   }
 }
 
-/// How far an angle gets in a segment. Where a loop goes on from the last frame to the first, a
-/// root goes as far again as it came in the last frame.
+/// Notes how far an angle reaches in a segment. From the last frame of a loop to the first, a root
+/// continues its last step.
 void CookedColumns::see_angles(int c, int segment) {
   Channel& channel = channels_[c];
   const std::span<const double> angles = coefficients_.samples_of(c, 0);
@@ -77,7 +77,8 @@ void CookedColumns::see_angles(int c, int segment) {
     see(2 * angles.back() - angles[angles.size() - 2]);
 }
 
-/// Of angles, with room for what samples and weights in 16 bits are off.
+/// Whether an angle stays within the range of near_sine_and_cosine(), with a margin for rounding to
+/// 16 bits.
 bool CookedColumns::is_near(const Channel& channel) const {
   constexpr double kEighth = 0.785398163;  // radians
   constexpr double kRoom = 2e-3;
@@ -85,7 +86,8 @@ bool CookedColumns::is_near(const Channel& channel) const {
   return channel.factor * furthest < kEighth - kRoom;
 }
 
-/// Which channels are too large for 16-bit samples, or for whole weights times their details.
+/// Finds the channels whose range is too large for 16-bit samples, or whose details are too large
+/// for integer weights.
 void CookedColumns::choose_wide() {
   constexpr double kStill = 1e-7;  // cm or radians
   for (int c = 0; c < channel_count(); ++c) {
@@ -104,8 +106,8 @@ void CookedColumns::choose_wide() {
   }
 }
 
-/// Channels that are wide come eight at a time: of those that have no column yet, the ones with the
-/// largest details make up the number.
+/// Completes the last group of wide columns with the largest of the channels that have no column
+/// yet.
 void CookedColumns::fill_wide() {
   int wide = 0;
   for (int c = 0; c < channel_count(); ++c) wide += channels_[c].is_wide ? 1 : 0;
@@ -131,8 +133,8 @@ int CookedColumns::new_group() {
   return groups_++;
 }
 
-/// The first free column for a channel, from the wide ones' on if it is one, or a new one. -1:
-/// there is none.
+/// Finds a free column for a channel, or starts a new group. Wide channels use the groups after the
+/// normal ones. -1: there is no room.
 std::int32_t CookedColumns::place(int channel) {
   std::int32_t column = channels_[channel].is_wide ? kGroup * normal_groups_ : 0;
   while (column < kGroup * groups_ && !columns_[column].is_free) ++column;
@@ -141,7 +143,7 @@ std::int32_t CookedColumns::place(int channel) {
   return column;
 }
 
-/// Which channels turn a joint, and how: as a rotor, as other turns, or not at all.
+/// Decides how a joint is rotated: as a rotor, by other turns, or not at all.
 void CookedColumns::place_joint(int j) {
   const JointModel& joint = clip_.joint_models()[j];
   Rotor rotor{.joint = static_cast<std::uint16_t>(j)};
@@ -176,14 +178,13 @@ void CookedColumns::place_joint(int j) {
   if (joint.has_axes) add(OtherTurn::kConstant, -1, false);
   for (int c = 0; c < joint.channels; ++c)
     if (is_rotation(joint.kinds[c])) {
-      channels_[joint.first_channel + c].changes = true;  // so that it has a column
+      channels_[joint.first_channel + c].changes = true;  // gives it a column
       add(axis_of(joint.kinds[c]), joint.first_channel + c, false);
     }
   if (joint.has_axes) add(OtherTurn::kConstant, -1, true);
 }
 
-/// The columns in which most joints of a group of rotors have an angle are where the rotors want
-/// them.
+/// Places angles directly where rotors read them, for vectors that are more than half full.
 bool CookedColumns::place_full_vectors() {
   for (int first = 0; first < rotor_count_; first += kGroup)
     for (int a = 0; a < 3; ++a) {
@@ -212,7 +213,7 @@ bool CookedColumns::place_full_vectors() {
   return true;
 }
 
-/// Angles that are not where their rotors want them, and all that no rotor wants.
+/// Places the remaining angles, and all other channels.
 bool CookedColumns::place_others(bool wide) {
   for (int c = 0; c < channel_count(); ++c) {
     Channel& channel = channels_[c];
@@ -226,7 +227,7 @@ bool CookedColumns::place_others(bool wide) {
   return true;
 }
 
-/// Groups of columns that no rows are kept of: they get their values from others.
+/// Adds groups of columns without rows, whose values are copied from other columns.
 bool CookedColumns::place_gathered_vectors() {
   for (int first = 0; first < rotor_count_; first += kGroup)
     for (int a = 0; a < rotors_[first].angles; ++a) {
@@ -250,7 +251,8 @@ bool CookedColumns::place_gathered_vectors() {
 mcpr_result CookedColumns::place_columns() {
   const auto too_many = failure(MCPR_LIMIT, 0, "more channels than a cooked clip can have");
   for (std::uint32_t j = 0; j < clip_.joint_count; ++j) place_joint(static_cast<int>(j));
-  // Those that turn far beside each other: of three angles first, of two last, of one first.
+  // Sorts by number of angles. Within those, joints with angles beyond an eighth of a turn come
+  // together: at the start, or for two angles at the end.
   std::sort(rotors_, rotors_ + rotor_count_, [](const Rotor& a, const Rotor& b) {
     if (a.angles != b.angles) return a.angles > b.angles;
     if (a.are_near != b.are_near) {
@@ -282,7 +284,7 @@ mcpr_result CookedColumns::place_columns() {
   return kOk;
 }
 
-/// What does not change of a translation goes with the first column that moves it.
+/// Adds the constant part of a translation to the first column that moves it.
 void CookedColumns::place_offsets() {
   for (int m = 0; m < moving_count_; ++m) {
     const JointModel& joint = clip_.joint_models()[moving_[m].joint];

@@ -14,63 +14,65 @@
 
 namespace mocapress::runtime {
 
-/// Where the channels of a clip go: which of them change, in which columns their rows are, where
-/// the kernel for eight joints wants them, and how columns make poses.
+/// Assigns a clip's channels to columns: finds the channels that change, places them where the
+/// kernel for eight joints reads them, and lists how columns make poses.
 class CookedColumns {
  public:
-  static constexpr int kFewestBands = 4;  // of details that are kept, and most
+  static constexpr int kFewestBands = 4;  // detail bands kept: at least, and at most
   static constexpr int kMostBands = 5;
 
   struct Channel {
-    double factor = 1;    // of its values in columns: 1/2 for angles
-    double constant = 0;  // its value where it has but one
-    double least = 0;     // of its samples after the bands that would be kept
+    double factor = 1;    // from the channel's value to the column's: 1/2 for angles
+    double constant = 0;  // the value, if it never changes
+    double least = 0;     // range of the samples without the bands that may be kept
     double most = 0;
-    double furthest = 0;  // magnitude of its values at frames, ends included; of angles
-    std::int32_t largest[kMostKeptBands] = {};  // magnitude in each of the finest bands
+    double furthest = 0;  // largest magnitude at any frame, end corrections included; for angles
+    std::int32_t largest[kMostKeptBands] = {};  // largest magnitude in each of the finest bands
     std::uint16_t joint = 0;
     std::uint8_t kind = 0;
     bool changes = false;
     bool is_wide = false;
     std::int32_t column = -1;
   };
-  /// A joint in a RotorGroup: its channels, of up to three axes.
+  /// A joint in a RotorGroup, with its channels about up to three axes.
   struct Rotor {
     std::uint16_t joint = 0;
     std::uint8_t angles = 0;
-    std::uint8_t are_near = 7;  // a bit for each that stays within a quarter of a turn
+    std::uint8_t are_near = 7;  // one bit per angle that stays within a quarter of a turn
     std::uint16_t channel[3] = {};
 
-    /// How many do not.
+    /// Number of angles that do not.
     int far() const { return 3 - std::popcount(are_near); }
   };
   struct Column {
     std::int32_t channel = -1;  // -1: none
-    double base = 0;            // added to it
+    double base = 0;            // added to its values
     double factor = 1;
-    bool is_free = false;  // for any channel
+    bool is_free = false;  // available to any channel
   };
   struct Turn {
     OtherTurn made;
-    std::int32_t channel = -1;  // -1: it is constant
-    bool is_after = false;      // the constant after the angles, not before
+    std::int32_t channel = -1;  // -1: a constant
+    bool is_after = false;      // the constant rotation after the angles, not the one before
   };
 
-  /// With measuring memory only to know how much.
+  /// With measuring memory it only counts.
   CookedColumns(Memory& memory, const ClipBlock& clip, CookedCoefficients& coefficients);
 
-  /// Finds out what each channel needs, and which columns there will be.
+  /// Finds the needs of each channel, and assigns the columns.
   mcpr_result place();
 
-  /// So many in the parts that are not wide.
+  /// Sets the number of detail bands kept in parts that are not wide.
   void keep_bands(int bands);
 
   int groups() const { return groups_; }
-  int row_groups() const { return row_groups_; }  // others get their values from these
+  /// The number of groups with rows. The others copy values from these.
+  int row_groups() const { return row_groups_; }
   const Channel& channel(int number) const { return channels_[number]; }
   const Column& column(int number) const { return columns_[number]; }
   std::span<const Rotor> rotors() const { return span_of(rotors_, rotor_count_); }
-  const int (&vectors(int rotor_group) const)[3] { return vectors_[rotor_group]; }  // their groups
+  /// The groups of columns with a rotor group's angles.
+  const int (&vectors(int rotor_group) const)[3] { return vectors_[rotor_group]; }
   std::span<const MovingAxis> moving() const { return span_of(moving_, moving_count_); }
   std::span<const AddedColumn> added() const { return span_of(added_, added_count_); }
   std::span<const Turn> turns() const { return span_of(turns_, turn_count_); }
@@ -96,8 +98,9 @@ class CookedColumns {
   std::int32_t place(int channel);
   void place_joint(int joint);
 
-  static constexpr std::int32_t kMostValue = 2047;  // of a kept coefficient; more goes into samples
-  static constexpr double kMostRange = 3.9;         // of 16-bit samples, radians or cm
+  static constexpr std::int32_t kMostValue = 2047;  // largest kept coefficient; beyond it a band
+                                                    // becomes samples
+  static constexpr double kMostRange = 3.9;         // of 16-bit samples; radians or cm
 
   const ClipBlock& clip_;
   CookedCoefficients& coefficients_;
@@ -109,7 +112,7 @@ class CookedColumns {
   int groups_ = 0;
   int normal_groups_ = 0;
   int row_groups_ = 0;
-  int (*vectors_)[3];  // of each group of rotors
+  int (*vectors_)[3];  // one per group of rotors
   MovingAxis* moving_;
   int moving_count_ = 0;
   AddedColumn* added_;

@@ -11,8 +11,9 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr std::uint64_t kMostPerBlock = 20;    // on average, if a block has several rows
-constexpr std::uint64_t kMostEntries = 65535;  // of a band: where a block begins is 16 bits
+constexpr std::uint64_t kMostPerBlock = 20;    // entries per block on average, unless a block has
+                                               // one row
+constexpr std::uint64_t kMostEntries = 65535;  // in a band, because block starts have 16 bits
 
 struct Limits {
   std::int32_t least;
@@ -35,7 +36,7 @@ constexpr Limits limits_of(RowKind kind) {
   return {-32768, 32767};
 }
 
-/// What dense rows of a kind leave to entries.
+/// The rest of a value that dense rows of this kind cannot hold.
 constexpr std::int32_t left_by(RowKind kind, std::int32_t value) {
   const Limits limits = limits_of(kind);
   return value - std::clamp(value, limits.least, limits.most);
@@ -44,13 +45,13 @@ constexpr std::int32_t left_by(RowKind kind, std::int32_t value) {
 constexpr std::int32_t kLeastOfEntry = -(1 << (15 - kColumnBits - kRowBits));
 constexpr std::int32_t kMostOfEntry = -kLeastOfEntry - 1;
 
-/// Entries whose values come to this.
+/// Number of entries that add up to `value`.
 constexpr std::uint64_t entries_for(std::int32_t value) {
   return static_cast<std::uint64_t>(value < 0 ? (value + kLeastOfEntry + 1) / kLeastOfEntry
                                               : (value + kMostOfEntry - 1) / kMostOfEntry);
 }
 
-/// The upper half of a float: to the nearest, or not below.
+/// The upper half of a float, rounded to the nearest or, with `up`, upwards.
 std::uint16_t upper_half(double value, bool up) {
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
   return static_cast<std::uint16_t>((bits + (up ? 0xFFFFU : 0x8000U)) >> 16);
@@ -62,7 +63,7 @@ class RowWriter {
       : block_(block), columns_(columns), coefficients_(coefficients) {}
 
   CookedRows put_part(const CookedPart& part);
-  /// After all parts.
+  /// To be called after put_part() for all parts.
   CookedEntries put_entries(int first_group, int depth);
 
  private:
@@ -82,7 +83,7 @@ class RowWriter {
   CookedBlock& block_;
   const CookedColumns& columns_;
   CookedCoefficients& coefficients_;
-  // What was chosen for the bands of each group; not kept bands are neither dense nor entries.
+  // The storage chosen for the bands of each group. Bands that are not kept have no entries.
   struct Chosen {
     RowKind kind = RowKind::None;
     bool is_kept = false;
@@ -105,7 +106,7 @@ CookedRows RowWriter::put_part(const CookedPart& part) {
   std::byte* const sample_rows = block_.at(rows.samples);
   for (int c = 0; sample_rows != nullptr && c < columns; ++c) {
     const CookedColumns::Column& from = columns_.column(kGroup * part.first_group + c);
-    const bool is_empty = from.channel < 0;  // its base alone, in all rows
+    const bool is_empty = from.channel < 0;  // every row is its base
     double none = 0;
     const std::span<double> own =
         is_empty ? std::span(&none, 1) : coefficients_.samples_of(from.channel, kept);
@@ -144,7 +145,8 @@ CookedRows RowWriter::put_part(const CookedPart& part) {
   return rows;
 }
 
-/// The steps of columns; returns the unit they are in. Whole sums are times 2^15.
+/// Writes the steps of columns, and returns their common unit. Sums of integer weights carry a
+/// factor of 2^15.
 float RowWriter::put_steps(const CookedPart& part, std::byte* scales) const {
   const int columns = kGroup * part.groups;
   const auto step_of = [&](int c) {
@@ -164,14 +166,16 @@ float RowWriter::put_steps(const CookedPart& part, std::byte* scales) const {
     const std::uint16_t step = upper_half(largest > 0 ? step_of(c) / largest : 0, false);
     std::memcpy(scales + 2 * (2 * columns + c), &step, sizeof step);
   }
-  // Steps are the largest by roots of powers of two, of which every other one is cut by 1.07e-4:
-  // that goes half to each.
+  // Steps are the largest one divided by powers of sqrt(2). Rounding cuts every other of these by
+  // 1.07e-4, of which the unit adds half to all.
   return static_cast<float>(largest * 0x1p-15 * (1 + 0.535e-4));
 }
 
-/// The smallest of all kinds, where a byte of entries, which take time one by one, counts as more.
+/// Chooses the smallest kind of dense rows. A byte of entries counts more, because entries take
+/// time one by one.
 CookedBand RowWriter::put_band(const CookedPart& part, int depth) {
-  constexpr std::uint64_t kEntryIsWorth = 11;  // quarters of bytes of dense rows
+  constexpr std::uint64_t kEntryIsWorth = 11;  // cost of an entry, in quarters of a byte of dense
+                                               // rows
   const int rows = rows_of(depth);
   const int first = kGroup * part.first_group;
   const int end = first + kGroup * part.groups;

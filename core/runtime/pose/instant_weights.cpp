@@ -13,21 +13,21 @@ namespace mocapress::runtime {
 namespace {
 
 constexpr float kUpdate = 0.25F;
-constexpr float kMostWeight = 1.4F;  // times 2^14.5 it is less than 2^15
+constexpr float kMostWeight = 1.4F;  // times 2^14.5 this is less than 2^15
 
 /// 2^15 * 2^((depth - 1) / 2) * 2^(-depth / 2)
 constexpr float scale_of_band(int depth) {
   return depth % 2 == 0 ? 16384 : 23170.475F;
 }
 
-/// From the weights of a band's rows to those of its entries, which are added before sums are
-/// halved at every second band.
+/// The shift from the weights of a band's rows to those of its entries. Entries are added before
+/// the sums are halved, which happens at every second band.
 constexpr int entry_shift(int depth) {
   return 2 - (depth - 1) / 2;
 }
 
-/// Samples of a level, as the step backwards wants them: three odd ones from 2 * middle + 1 on,
-/// four even ones from 2 * middle on.
+/// Weights of a level's samples, split for the backward step: three odd ones from 2 * middle + 1
+/// on, four even ones from 2 * middle on.
 struct Split {
   int middle;
   float odd[3];
@@ -41,7 +41,7 @@ constexpr Split split(const RowWeights& samples) {
   return {samples.first >> 1, {w[1], w[3], w[5]}, {w[0], w[2], w[4], 0}};
 }
 
-/// From any place before them on.
+/// Splits from any position at or before the first sample.
 Split split_from(int middle, const RowWeights& samples) {
   const auto at = [&](int i) {
     const int k = 2 * middle + i - samples.first;
@@ -50,7 +50,7 @@ Split split_from(int middle, const RowWeights& samples) {
   return {middle, {at(1), at(3), at(5)}, {at(0), at(2), at(4), at(6)}};
 }
 
-/// As if there were no borders.
+/// Weights of the even samples away from borders.
 constexpr void weigh_evens(Wavelet wavelet, const Split& samples, RowWeights& evens) {
   const InnerWeights inner = inner_weights(wavelet);
   const auto near = static_cast<float>(inner.near);
@@ -73,13 +73,14 @@ constexpr void weigh_details(const Split& samples, const RowWeights& evens, RowW
   for (int i = 0; i < 3; ++i) d[2 + i] += samples.odd[i];
 }
 
-/// Where each odd sample is the even one before it, or too few evens are there for four to predict.
+/// The general case: for Haar, where an odd sample is predicted from the even one before it, and
+/// for signals with fewer than four even samples.
 void weigh_one_by_one(Wavelet wavelet, int length, const RowWeights& samples, RowWeights& evens,
                       RowWeights& details) {
   constexpr int kRoom = 16;
   const int even_count = evens_in(length);
   const int odd_count = odds_in(length);
-  const int origin = (samples.first >> 1) - 4;  // row 0 of these:
+  const int origin = (samples.first >> 1) - 4;  // row number of element 0
   float even[kRoom] = {};
   float odd[kRoom] = {};
   for (int i = 0; i < 8; ++i) {
@@ -116,13 +117,13 @@ void weigh_one_by_one(Wavelet wavelet, int length, const RowWeights& samples, Ro
   put(odd, details);
 }
 
-/// What a row beyond a border weighs goes to rows within.
+/// Moves the weight of a row beyond a border to rows within.
 struct Fold {
   RowWeights& rows;
   float& at(int row) const { return rows.weight[row - rows.first]; }
   float take(int row) const { return std::exchange(at(row), 0.0F); }
   bool has(int row) const { return row >= rows.first && row < rows.first + 8; }
-  /// To the four from `next` on in steps of `way`: the cubic through them goes on through the row.
+  /// Extrapolates the row by the cubic through four rows, from `next` on in steps of `way`.
   void to_cubic(int row, int next, int way) const {
     const float weight = take(row);
     if (weight == 0) return;
@@ -131,22 +132,23 @@ struct Fold {
   }
 };
 
-/// Away from the borders. The frames of a table's rows begin at a multiple of its length.
+/// Weights away from the borders. They repeat with the frame's position between coarse samples, so
+/// each table covers one period.
 struct InnerTables {
   struct Band {
-    float at_frame[kDetailWindow];  // times scale_of_band()
-    float to_next[kDetailWindow];   // what the next frame's have more
+    float at_frame[kDetailWindow];  // multiplied by scale_of_band()
+    float to_next[kDetailWindow];   // difference to the next frame's weights
   };
   struct Samples {
     float at_frame[8];
     float to_next[8];
   };
-  // The bands one after the other, the finest first: 4 frames, 8, 16 ...
+  // The bands one after the other, the finest first, with periods of 4, 8, 16 ... frames.
   static constexpr int band_of(int depth, int frame) {
     const int length = 2 << depth;
     return length - 4 + (frame & (length - 1));
   }
-  // So many bands left out: 1 frame, 2, 4 ...
+  // The samples after leaving out bands, with periods of 1, 2, 4 ... frames.
   static constexpr int samples_of(int left_out, int frame) {
     const int length = 1 << left_out;
     return length - 1 + (frame & (length - 1));
@@ -155,14 +157,14 @@ struct InnerTables {
   static constexpr int kSampleRows = (2 << kMostKeptBands) - 1;
 
   alignas(32) Band band[kBandRows] = {};
-  std::int8_t used[kBandRows][2] = {};  // the first row of the window that is not zero, the last
+  std::int8_t used[kBandRows][2] = {};  // first and last nonzero row of the window
   alignas(32) Samples samples[kSampleRows] = {};
 };
 
 constexpr InnerTables inner_tables(Wavelet wavelet) {
   InnerTables tables;
   for (int frame = 0; frame < 2 << kMostKeptBands; ++frame) {
-    // Of the frame and of the next, in the same windows.
+    // Weights for the frame and for the next, in the same windows.
     RowWeights row[2] = {{frame, {1, 0}}, {frame, {0, 1}}};
     for (int depth = 0; depth <= kMostKeptBands; ++depth) {
       InnerTables::Samples& samples = tables.samples[InnerTables::samples_of(depth, frame)];
@@ -199,14 +201,14 @@ constexpr InnerTables inner_tables(Wavelet wavelet) {
 constexpr InnerTables kLinearTables = inner_tables(Wavelet::Linear);
 constexpr InnerTables kCubicTables = inner_tables(Wavelet::Cubic);
 
-/// Whether a step of the transform meets no border.
+/// Whether a step of the transform stays away from the borders.
 bool is_inside(int first_sample, int length) {
   const int first_odd = first_sample >> 1;
-  // Three odd samples that are predicted from two on each side, and evens with details beside them.
+  // Three odd samples need two even ones on each side, and those need the details beside them.
   return first_odd > 1 && first_odd + 4 < odds_in(length);
 }
 
-/// The weights from another row on.
+/// The same weights in a window that starts at another row.
 RowWeights moved(const RowWeights& from, int first) {
   RowWeights to;
   to.first = first;
@@ -229,7 +231,7 @@ void set_samples(const RowWeights& from, int rows, SampleWeights& to) {
 void set_band(const PoseKernels& kernels, const RowWeights& from, int rows, int depth, float unit,
               BandWeights& to) {
   const int padded = std::max((rows + 1) / 2 * 2, kDetailWindow);
-  int before = 0;  // the rows that are used
+  int before = 0;  // leading rows with weight zero
   while (before < kDetailWindow - 1 && from.weight[before] == 0) ++before;
   const int first = depth == 1 ? std::clamp((from.first + before) & ~1, 0, padded - kFinestWindow)
                                : std::clamp(from.first & ~1, 0, padded - kDetailWindow);
@@ -255,7 +257,7 @@ void weigh_level(Wavelet wavelet, int length, const RowWeights& samples, RowWeig
   const int odd_count = odds_in(length);
   if (wavelet == Wavelet::Haar || even_count < kMostNeighbours)
     return weigh_one_by_one(wavelet, length, samples, evens, details);
-  // An odd sample after the last even one goes on from two.
+  // An odd sample after the last even one is extrapolated linearly.
   RowWeights without = samples;
   const int beyond = odd_count == even_count ? length - 1 - samples.first : -1;
   const float goes_on = beyond >= 0 && beyond < 8 ? std::exchange(without.weight[beyond], 0.0F) : 0;
@@ -289,7 +291,7 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
   row.weight[1] = share;
   RowWeights details[kMostKeptBands];
   int rows[kMostKeptBands];
-  int inside = 0;  // how many levels no border is near
+  int inside = 0;  // number of levels away from the borders
   for (levels = 0;; ++levels, length = evens_in(length)) {
     const bool is_last = levels == kept || length < kCoarsest;
     const bool goes_on_inside =
@@ -316,7 +318,7 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
     weigh_level(wavelet, length, row, evens, details[levels]);
     rows[levels] = odds_in(length);
     row = evens;
-    // Only what goes on as a line after the last even sample weighs so much.
+    // Only the linear extrapolation after the last even sample has such large weights.
     for (const float weight : details[levels].weight)
       while (std::abs(weight) > kMostWeight * unit) unit *= 2;
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What each coefficient contributes to a signal at one instant: the inverse transform read
-// backwards, from the samples of the two frames around the instant up to the coarser bands. Where
-// no border is near, by tables: weights repeat with the places of frames between coarse samples.
+// The weight of each coefficient in a signal's value at one instant. Found by running the inverse
+// transform backwards, from the two frames around the instant up to the coarser bands. Away from
+// the borders weights come from tables, as they repeat with the frame's position between coarse
+// samples.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +14,15 @@
 
 namespace mocapress::runtime {
 
-/// Weights of consecutive rows from `first` on; beyond those that exist they are zero.
+/// Weights of consecutive rows from `first` on. Rows that do not exist have weight zero.
 struct RowWeights {
   int first = 0;
   float weight[8] = {};
 };
 
-/// The weights of even samples and details that make up samples with these weights, six at most, of
-/// a signal of so many, at least 4. Six evens, seven details from an even row on.
+/// Runs one level of the inverse transform backwards: from weights of samples (six at most, of a
+/// signal of `length` >= 4) to those of the even samples and details that they are made of. Gives
+/// six even samples, and seven details starting at an even row.
 void weigh_level(Wavelet wavelet, int length, const RowWeights& samples, RowWeights& evens,
                  RowWeights& details);
 
@@ -29,16 +31,17 @@ struct SampleWeights {
   float of_row[kSampleWindow];
 };
 
-/// What meets at an instant of a segment: of each band the weights of its details, the finest
-/// first, and of some numbers of bands left out those of the samples.
+/// All weights at one instant of a segment: for each band those of its details, the finest first;
+/// and for the requested numbers of left-out bands those of the samples.
 struct InstantWeights {
   BandWeights band[kMostKeptBands];
   SampleWeights samples[kMostKeptBands + 1];
   int levels = 0;
-  float unit = 1;  // the whole weights of all bands are to be multiplied by it once more
+  float unit = 1;  // common factor of the integer weights of all bands
 
-  /// `share` on the way from a frame to the next, of a segment of so many; up to `kept` bands.
-  /// `wanted`: a bit for each number of bands whose samples are wanted; the highest always is.
+  /// Sets the weights for an instant `share` after `frame` in a segment of `length` frames, using
+  /// up to `kept` bands. `wanted` has a bit for each number of bands whose samples are needed; the
+  /// highest is always included.
   void set(const PoseKernels& kernels, Wavelet wavelet, int length, int frame, float share,
            int kept, unsigned wanted);
 };

@@ -11,7 +11,7 @@
 namespace mocapress::runtime {
 namespace {
 
-/// By clip, then bands left out, then frame: within one, no order saves anything.
+/// Sorts by clip, then bands left out, then frame. A finer order saves nothing.
 std::uint64_t sort_key_of(const mcpr_crowd_request& request, const mcpr_character& character) {
   const PlaceInClip place =
       place_in_clip(*character.clip, request_of(request, character), character.time);
@@ -52,7 +52,7 @@ void CrowdSorter::sort(const mcpr_crowd_request& request, mcpr_character* charac
   std::copy_n(sorted_, count_, characters);
 }
 
-/// Byte by byte, from the lowest on; bytes that are the same in all keys are passed over.
+/// Radix sort, from the lowest byte on. Skips bytes that are equal in all keys.
 void CrowdSorter::sort_keys() {
   constexpr int kBytes = sizeof keys_->order;
   std::uint32_t counts[kBytes][256] = {};
@@ -89,11 +89,12 @@ PoseCrowd::Spot PoseCrowd::spot_of(const mcpr_crowd_request& request,
   return spot;
 }
 
-/// Of those from the first on whose frames would be lifted together as many as that saves most for.
+/// Chooses how many characters, from `first` on, should share lifted frames: the number that saves
+/// the most time.
 PoseCrowd::Together PoseCrowd::together(const mcpr_character* characters, std::uint32_t first,
                                         std::uint32_t end) const {
-  // What a character takes less where its frames are there, in instructions a group of columns; and
-  // what lifting them takes, whatever they are and for each.
+  // Costs in instructions per group of columns: saved by each character whose frames are lifted;
+  // fixed cost of lifting; cost of each lifted frame.
   constexpr int kSaved = 470;
   constexpr int kLifting = 1600;
   constexpr int kFrame = 65;

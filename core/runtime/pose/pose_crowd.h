@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Many characters at once. Sorted by clip and instant, one clip's tables, rows and branches are
-// used one after the other; and where instants of a clip are dense, frames are lifted once for
-// many, as a cursor does.
+// Poses many characters. Sorting them by clip and instant keeps a clip's tables, rows and branches
+// warm. Where many instants of a clip are close together, frames are lifted once for several
+// characters, as a cursor does.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace mocapress::runtime {
 
-/// What one of them asks for.
+/// The sample request of one character.
 mcpr_sample_request request_of(const mcpr_crowd_request& request, const mcpr_character& character);
 
-/// Puts characters into order, in place.
+/// Sorts characters in place.
 class CrowdSorter {
  public:
-  /// With measuring memory only to know how much.
+  /// With measuring memory it only counts.
   CrowdSorter(Memory& memory, std::uint32_t count);
 
   void sort(const mcpr_crowd_request& request, mcpr_character* characters);
@@ -36,34 +36,33 @@ class CrowdSorter {
   mcpr_character* sorted_;
 };
 
-/// Poses characters one after the other, in any order.
+/// Poses characters in the order given.
 class PoseCrowd {
  public:
-  /// With measuring memory only to know how much.
+  /// With measuring memory it only counts.
   explicit PoseCrowd(Memory& memory);
 
   void pose(const mcpr_crowd_request& request, const mcpr_character* characters,
             std::uint32_t count);
 
  private:
-  static constexpr std::uint32_t kAhead =
-      256;  // characters that are looked at before they are posed
-  static constexpr std::size_t kFrameBytes = 16384;  // of lifted frames
-  static constexpr int kFewestLifted = 8;            // of them that fit, or none is lifted
+  static constexpr std::uint32_t kAhead = 256;       // characters looked at in advance
+  static constexpr std::size_t kFrameBytes = 16384;  // bytes of lifted frames
+  static constexpr int kFewestLifted = 8;            // frames are lifted only if this many fit
   static constexpr int kMostEntryValues =
       mcpr_cursor::most_entry_values(kFrameBytes, kFewestLifted);
 
-  /// Where a character is.
+  /// The instant of a character.
   struct Spot {
     double frame;
     float across;
-    std::int32_t before;  // the first frame that it needs, and the last;
-    std::int32_t last;    // below `before` where none can be lifted for it
+    std::int32_t before;  // first frame that it needs
+    std::int32_t last;    // last frame that it needs; below `before` if none can be lifted for it
   };
-  /// Characters for whom the same frames are lifted.
+  /// A run of characters that share lifted frames.
   struct Together {
     std::uint32_t count = 0;
-    int last = 0;  // frame
+    int last = 0;  // last lifted frame
   };
   static Spot spot_of(const mcpr_crowd_request& request, const mcpr_character& character);
   Together together(const mcpr_character* characters, std::uint32_t first, std::uint32_t end) const;

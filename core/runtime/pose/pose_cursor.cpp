@@ -10,7 +10,7 @@
 namespace mocapress::runtime {
 namespace {
 
-/// What samples of a signal of so many come from, going backwards through a level.
+/// The rows from which a signal's samples are made, one level up.
 LiftLevel level_below(Wavelet wavelet, int length, RowRange samples, bool only_evens) {
   LiftLevel level{.wavelet = wavelet,
                   .even_count = evens_in(length),
@@ -25,13 +25,13 @@ LiftLevel level_below(Wavelet wavelet, int length, RowRange samples, bool only_e
     evens = {std::min(evens.first, first.first), std::max(evens.end, last.first + last.count)};
   }
   level.evens = evens;
-  // From an even row to an odd one.
+  // Details start at an even row and end after an odd one.
   level.details = {std::clamp(std::min(odds.first, evens.first - 1), 0, level.odd_count - 1) & ~1,
                    (std::min(std::max(odds.end, evens.end), level.odd_count) + 1) & ~1};
   return level;
 }
 
-/// The entries of a band in rows of their own.
+/// Adds a band's entries into full rows.
 void spread_entries(const mcpr_cooked& clip, const CookedEntries& entries, RowRange rows,
                     int row_columns, std::int32_t* out) {
   const auto* const begins = clip.at<std::uint16_t>(entries.begins);
@@ -89,10 +89,10 @@ bool mcpr_cursor::keep(const runtime::PoseKernels& kernels, int number, bool and
   const runtime::SegmentLayout::Stretch stretch = layout.stretch_at(number);
   const int first_of_stretch =
       layout.first(stretch.segment) + (stretch.segment > 0 ? layout.overlap : 0);
-  // Even frames need no odd ones.
+  // Even frames do not depend on the odd ones of the next level.
   const bool is_even = (number - layout.first(stretch.segment)) % 2 == 0;
   step = is_even && !and_next && std::abs(number - before) == 2 ? 2 : 1;
-  // Backwards it goes on before what is kept.
+  // Playing backwards: keep frames before the current ones.
   first = number;
   if (number < before)
     first -=

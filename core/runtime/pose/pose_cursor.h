@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For forward play: the columns of some frames in a row, made by the inverse transform itself. What
-// comes out is a function of the frame alone, whatever was asked for before.
+// A cache of consecutive frames for playing a clip, made by the inverse transform itself. Each
+// frame is computed the same way whatever was asked for before.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,27 @@
 struct mcpr_cursor {
   static constexpr std::size_t kMostBytes = 4096;
   static constexpr std::size_t kHead = 64;
-  static constexpr int kFewestFrames = 4;  // for fewer it is not worth it
+  static constexpr int kFewestFrames = 4;  // fewer are not worth caching
 
   const mcpr_cooked* clip;
-  std::int32_t first;     // frame that is kept
-  std::int32_t count;     // of frames that are kept
-  std::int32_t capacity;  // frames; 0: none is kept
-  std::int32_t columns;   // of each
-  std::int32_t step;      // 2: every second frame is kept, as is asked for in play at half the rate
-  std::int32_t last;      // frame that was asked for
-  std::int32_t left_out;  // of the finest bands, in what is kept
-  // Then floats, frame after frame, kHead bytes from the beginning.
+  std::int32_t first;     // first cached frame
+  std::int32_t count;     // number of cached frames
+  std::int32_t capacity;  // most frames that fit; 0: none is cached
+  std::int32_t columns;   // floats of a frame
+  std::int32_t step;      // 2: every second frame is cached, for playing at half the rate
+  std::int32_t last;      // frame asked for last
+  std::int32_t left_out;  // finest bands left out of the cached frames
+  // The frames follow as floats, kHead bytes from the beginning.
 
-  /// Frames that fit into so many bytes; 0 where these are too few.
+  /// Frames that fit into this many bytes; 0 if fewer than `fewest` do.
   static int capacity_for(const mcpr_cooked& clip, std::size_t bytes = kMostBytes - kHead,
                           int fewest = kFewestFrames);
   static std::size_t bytes_for(const mcpr_cooked& clip);
-  /// Keeps none yet.
+  /// A cursor without cached frames.
   static mcpr_cursor empty(const mcpr_cooked& clip, std::size_t bytes = kMostBytes - kHead,
                            int fewest = kFewestFrames);
-  /// Rows of entries of all levels while frames are lifted: half of the frames, half of these ...,
-  /// and some around them.
+  /// Upper bound for the work space of entries while lifting: for all levels together half of the
+  /// frames, a quarter and so on, and a margin at each level.
   static constexpr int most_entry_values(std::size_t bytes, int fewest) {
     const auto values = static_cast<int>(bytes / sizeof(float));
     return 2 * values + 8 * mocapress::runtime::kMostKeptBands * (values / fewest);
@@ -43,12 +43,12 @@ struct mcpr_cursor {
            std::ptrdiff_t{(number - first) / step} * columns;
   }
 
-  /// Sees to it that a frame is kept, and the next one if it is wanted too. They are not among
-  /// those that two segments share. `left_out_bands`: of the finest. False: it keeps none.
+  /// Caches a frame, and with `and_next` the next one. Neither may be in an overlap of segments.
+  /// False if the cursor cannot cache frames.
   bool keep(const mocapress::runtime::PoseKernels& kernels, int number, bool and_next,
             int left_out_bands);
 
-  /// Makes these frames, all of a segment and not shared, as many as fit. `entries`: room for
+  /// Caches a run of frames of one segment outside overlaps, as many as fit. `entries` has room for
   /// most_entry_values().
   void keep_run(const mocapress::runtime::PoseKernels& kernels, int from, int frames,
                 int left_out_bands, std::int32_t* entries);

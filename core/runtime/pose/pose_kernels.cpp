@@ -49,7 +49,7 @@ struct Floats {
   }
   void store(float* to) const { std::memcpy(to, lane, sizeof lane); }
 
-  /// Zero where the lane's bit is not set.
+  /// Zeroes the lanes whose bit is not set.
   Floats only(unsigned bits) const {
     Floats out;
     for (int i = 0; i < kGroup; ++i) out.lane[i] = (bits >> i & 1) != 0 ? lane[i] : 0.0F;
@@ -78,7 +78,7 @@ MOCAPRESS_LANE_BY_LANE(-)
 MOCAPRESS_LANE_BY_LANE(*)
 #undef MOCAPRESS_LANE_BY_LANE
 
-/// Numbers that wrap around.
+/// Integers with wrap-around arithmetic.
 struct Wholes {
   std::uint32_t lane[kGroup];
 
@@ -121,7 +121,7 @@ inline Wholes operator+(const Wholes& a, const Wholes& b) {
   return out;
 }
 
-/// Each at its row modulo 16 among zeros.
+/// Puts each weight at its row number modulo 16, with zeros elsewhere.
 void place_entry_weights(const Wholes& whole, int first_row, int shift, std::int32_t* of_entry) {
   std::memset(of_entry, 0, 16 * sizeof *of_entry);
   for (int i = 0; i < kDetailWindow; ++i)
@@ -162,7 +162,8 @@ struct RowPair {
   Wholes second;
 };
 
-/// Two rows of those that lie in each other, with their bias; of crumbs from a bit on.
+/// Unpacks two rows of a bundle, without removing their bias; for crumbs, those that begin at
+/// `bit`.
 template <RowKind kKind>
 RowPair pair_of(const std::byte* bundle, int bit) {
   RowPair out;
@@ -188,7 +189,7 @@ RowPair pair_of(const std::byte* bundle, int bit) {
   return out;
 }
 
-/// The bits of floats less a number.
+/// The bits of floats minus a constant.
 Wholes bits_less(const Floats& floats, std::uint32_t less) {
   Wholes out;
   for (int i = 0; i < kGroup; ++i)
@@ -196,7 +197,7 @@ Wholes bits_less(const Floats& floats, std::uint32_t less) {
   return out;
 }
 
-/// Four rows of crumbs times their weights.
+/// Multiplies a bundle of four rows of crumbs by their weights.
 Wholes times_crumbs(const std::byte* rows, const std::int16_t* weights) {
   Wholes out;
   for (int i = 0; i < kGroup; ++i) {
@@ -208,8 +209,7 @@ Wholes times_crumbs(const std::byte* rows, const std::int16_t* weights) {
   return out;
 }
 
-/// Which quarter of a turn each of eight angles is in, in the lowest bits of a float that counts
-/// ones.
+/// Quadrants of eight angles, from the low bits of a float that counts quarter turns.
 struct Quadrants {
   std::uint32_t lane[kGroup];
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The work on eight columns or eight joints at a time, in several instruction sets. Whole numbers
-// are added exactly, and floats by the same operations in the same order without contraction: the
-// bits of all paths agree.
+// Operations on eight columns or eight joints at a time, for several instruction sets. Integers are
+// added exactly, and floats by the same operations in the same order without contraction, so that
+// all paths give the same bits.
 #pragma once
 
 #include <algorithm>
@@ -12,48 +12,48 @@
 
 namespace mocapress::runtime {
 
-/// The weights of a band's rows as whole numbers.
+/// Integer weights of a band's rows.
 struct BandWeights {
-  int first_row;   // even
-  int first_used;  // the first that may not be zero, and the last
+  int first_row;   // an even number
+  int first_used;  // this and `last_used`: first and last row that may have a nonzero weight
   int last_used;
-  std::int32_t sum;  // of `of_row`
-  // Times 2^15 and, so that none gets lost, once more 2 for every second band from the finest.
-  // Zeros before and after them make up a window of crumbs, which begins at a fourth row. Of the
-  // finest band those after kFinestWindow are zero.
+  std::int32_t sum;  // sum of `of_row`
+  // Weights times 2^15, and times another 2 for every second band from the finest, so that
+  // precision is kept. Zeros before and after them complete the window of crumbs, which starts at a
+  // multiple of four. In the finest band the rows after kFinestWindow are zero.
   alignas(16) std::int16_t of_row[2 + kDetailWindow + 4] = {};
-  // Times 2^17, each row's at its number modulo 16; the other rows of blocks have zeros.
+  // Weights times 2^17, at the row's number modulo 16. All other elements are zero.
   alignas(32) std::int32_t of_entry[16];
 };
 
-/// What the columns of a part, or of some groups of it, are made of: offset +
-/// (sums of samples) * scale + (sums of details) * unit * step.
+/// Input and output of make_columns(), for a range of groups in one part. A column is offset + (sum
+/// of samples) * scale + (sum of details) * unit * step.
 struct PartRows {
-  const std::byte* clip;                // which the offsets of bands are from
+  const std::byte* clip;                // base of the bands' offsets
   const CookedBand* bands;              // the finest first
-  const BandWeights* weights_of_bands;  // likewise
-  int first_band;                       // from which on they are added up
+  const BandWeights* weights_of_bands;  // in the same order
+  int first_band;                       // finer bands are left out
   int kept_bands;
-  const std::byte* samples;  // of row 0
-  int first_sample;          // of kSampleWindow rows
-  const float* weights;      // of these
+  const std::byte* samples;  // row 0
+  int first_sample;          // first of kSampleWindow rows
+  const float* weights;      // weights of these rows
   int groups_of_part;
-  int first_group;  // in the part
+  int first_group;  // within the part
   int groups;
-  bool wide;                    // samples are floats, not 16 bits
-  float unit;                   // of details
-  const std::int32_t* entries;  // what they add up to, from the first group on
+  bool wide;                    // samples are floats instead of 16-bit integers
+  float unit;                   // multiplied to all steps
+  const std::int32_t* entries;  // sums of the entries, for the columns from the first group on
   const std::byte* scales;      // CookedRows::scales
-  float* columns;               // from the first group on
+  float* columns;               // output, from the first group on
 };
 
-/// Entries of blocks that lie one after the other.
+/// Entries of consecutive blocks.
 struct EntryRun {
   const std::uint16_t* first;
   int count;
 };
 
-/// Those of the blocks that the rows are in.
+/// The entries of the blocks that the weighted rows are in.
 inline EntryRun run_of(const std::byte* clip, const CookedEntries& entries,
                        const BandWeights& weights) {
   const auto* const begins = reinterpret_cast<const std::uint16_t*>(clip + entries.begins);
@@ -68,61 +68,62 @@ struct RowRange {
   int end = 0;
 };
 
-/// A step of the inverse transform: samples from evens and details, in these ranges.
+/// One level of the inverse transform: makes a range of samples from ranges of even samples and
+/// details.
 struct LiftLevel {
   Wavelet wavelet = Wavelet::Haar;
-  int even_count = 0;  // of the whole signal
+  int even_count = 0;  // in the whole signal
   int odd_count = 0;
-  bool only_evens = false;   // of the samples the even ones
-  bool is_left_out = false;  // details are zero
+  bool only_evens = false;   // make even samples only
+  bool is_left_out = false;  // treat details as zero
   RowRange samples = {};
   RowRange evens = {};
   RowRange details = {};
-  const std::int32_t* entries = nullptr;  // what they add to the details, rows of all columns
+  const std::int32_t* entries = nullptr;  // added to the details; rows of all columns
 };
 
 inline constexpr int kMostLiftedFrames = 32;
 
-/// Frames in a row of the columns of a part.
+/// Consecutive frames of a part's columns.
 struct LiftPart {
   const LiftLevel* levels;  // the finest first
   int level_count;
-  const CookedBand* bands;   // of these levels
-  const std::byte* clip;     // which their offsets are from
-  const std::byte* samples;  // of row 0
+  const CookedBand* bands;   // one per level
+  const std::byte* clip;     // base of the bands' offsets
+  const std::byte* samples;  // row 0
   RowRange sample_rows;
-  int sample_step;          // from one that is wanted to the next
-  float unit;               // of steps
+  int sample_step;          // distance between wanted sample rows
+  float unit;               // multiplied to all steps
   const std::byte* scales;  // CookedRows::scales
   int groups;
   bool wide;
-  int first_column;  // in `frames` and rows of entries
-  int row_columns;   // of these
+  int first_column;  // in `frames` and in rows of entries
+  int row_columns;   // columns of these rows
   float* frames;
 };
 
-/// Quaternions of the eight joints of a group: w x y z, each of all eight.
+/// Quaternions of the eight joints of a group: w of all joints, then x, y, z.
 struct RotorQuaternions {
   float of[4][kGroup];
 };
 
 struct PoseKernels {
-  /// A band's weights and a share of as many that follow, times the scale of the band; its rows are
-  /// set already. Those of entries are times 2^shift.
+  /// Rounds weights to integers: those at a frame, plus `share` times the differences to the next
+  /// frame, which follow them. Both are multiplied by scale_of_band(). The weights of entries are
+  /// shifted by `shift`. The rows in BandWeights must be set.
   void (*set_band)(const float* weights, float share, int shift, BandWeights&);
-  /// What the entries of some bands, the finest first, and as many groups of columns add up to: the
-  /// value of each that meets times its row's weight. Up to kEntriesBeyond entries after the last
-  /// of a band are read, too.
+  /// Sums the entries of bands, the finest first, over the given groups: each value times the
+  /// weight of its row. May read up to kEntriesBeyond entries after a band's last.
   void (*sum_entries)(const std::byte* clip, const CookedEntries* bands, const BandWeights* weights,
                       int count, int groups, std::int32_t* whole);
   void (*make_columns)(const PartRows&);
-  void (*clear)(std::int32_t* values, int count);  // of a multiple of eight
-  /// out = from + share * (to - from), likewise.
+  void (*clear)(std::int32_t* values, int count);  // `count` is a multiple of eight
+  /// out = from + share * (to - from); `count` is a multiple of eight.
   void (*blend)(const float* from, const float* to, float share, int count, float* out);
   void (*lift)(const LiftPart&);
-  /// `around`: what the group's AroundKind says.
+  /// `around` is the table that the group's AroundKind describes.
   void (*turn)(const RotorGroup&, const float* columns, const float* around, RotorQuaternions& out);
-  /// The same, written for the first so many joints, w x y z each: to out + 8 * place.
+  /// As turn(), for the first `joints` joints; writes w x y z of each to out + 8 * place.
   void (*turn_into)(const RotorGroup&, const float* columns, const float* around,
                     const std::uint16_t* places, int joints, float* out);
 };
@@ -132,7 +133,7 @@ extern const PoseKernels kPlainPoses;
 extern const PoseKernels kAvx2Poses;
 #endif
 
-/// Null where the build or the machine has none.
+/// Null if the build or the machine does not have it.
 const PoseKernels* avx2_poses();
 
 }  // namespace mocapress::runtime

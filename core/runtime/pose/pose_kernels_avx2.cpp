@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything below the headers is compiled for AVX2 and must only be called where the machine has
-// it: row_kernels_avx2.cpp says why as it is.
+// Everything below the headers is compiled for AVX2, and may be called only if the machine has it.
+// row_kernels_avx2.cpp explains how that is arranged.
 #include "core/runtime/pose/pose_kernels.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -17,7 +17,7 @@
 namespace mocapress::runtime::avx2_poses_of {
 namespace {
 
-/// All bits of a lane whose bit is set.
+/// Sets all bits of the lanes whose bit is set.
 MOCAPRESS_POSES_AVX2 inline __m256 lanes_of(unsigned bits) {
   const __m256i of_lane = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
   const __m256i all = _mm256_set1_epi32(static_cast<int>(bits));
@@ -96,15 +96,15 @@ MOCAPRESS_POSES_AVX2 inline Wholes operator+(const Wholes& a, const Wholes& b) {
   return {_mm256_add_epi32(a.lanes, b.lanes)};
 }
 
-/// Each at its row modulo 16 among zeros.
+/// Puts each weight at its row number modulo 16, with zeros elsewhere.
 MOCAPRESS_POSES_AVX2 inline void place_entry_weights(const Wholes& whole, int first_row, int shift,
                                                      std::int32_t* of_entry) {
   const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
   const __m256i first = _mm256_set1_epi32(first_row & 7);
-  const __m256i turned =  // beginning at that lane
+  const __m256i turned =  // rotated to start at that lane
       _mm256_permutevar8x32_epi32(_mm256_sll_epi32(whole.lanes, _mm_cvtsi32_si128(shift)),
                                   _mm256_sub_epi32(lane, first));
-  const __m256i is_next = _mm256_cmpgt_epi32(first, lane);  // eight rows further
+  const __m256i is_next = _mm256_cmpgt_epi32(first, lane);  // the other eight rows
   const int half = first_row & 8;
   _mm256_store_si256(reinterpret_cast<__m256i*>(of_entry + half),
                      _mm256_andnot_si256(is_next, turned));
@@ -112,7 +112,7 @@ MOCAPRESS_POSES_AVX2 inline void place_entry_weights(const Wholes& whole, int fi
                      _mm256_and_si256(is_next, turned));
 }
 
-/// The weights of two rows, side by side in each lane.
+/// The weights of two rows, in the halves of each lane.
 struct PairWeights {
   __m256i lanes;
 
@@ -145,7 +145,8 @@ struct RowPair {
   Wholes second;
 };
 
-/// Two rows of those that lie in each other, with their bias; of crumbs from a bit on.
+/// Unpacks two rows of a bundle, without removing their bias; for crumbs, those that begin at
+/// `bit`.
 template <RowKind kKind>
 __attribute__((target("avx2"), always_inline)) inline RowPair pair_of(const std::byte* bundle,
                                                                       int bit) {
@@ -204,7 +205,7 @@ struct Quadrants {
   }
 };
 
-/// Eight entries, of which so many are there.
+/// Adds eight entries, or as many as there are.
 template <bool kAll>
 MOCAPRESS_POSES_AVX2 inline void add_eight(const std::uint16_t* entries, int count, __m256i low,
                                            __m256i high, std::int32_t* sums) {
@@ -224,7 +225,7 @@ MOCAPRESS_POSES_AVX2 inline void add_eight(const std::uint16_t* entries, int cou
   alignas(32) std::int32_t product[8];
   _mm256_store_si256(reinterpret_cast<__m256i*>(product),
                      _mm256_mullo_epi32(_mm256_castps_si256(weight), value));
-  __asm__("" : "+m"(product));  // to be read from memory: that takes less than extracting
+  __asm__("" : "+m"(product));  // forces the product into memory: cheaper than extracting lanes
   const auto* const places = reinterpret_cast<const std::uint8_t*>(entries);
 #pragma GCC unroll 8
   for (int k = 0; k < 8; ++k) sums[places[2 * k]] += product[k];
@@ -243,12 +244,12 @@ MOCAPRESS_POSES_AVX2 inline void add_run(const EntryRun& run, const std::int32_t
 MOCAPRESS_POSES_AVX2 inline void put_quaternions(const std::uint16_t* places, int joints,
                                                  const Floats& w, const Floats& x, const Floats& y,
                                                  const Floats& z, float* out) {
-  const __m256 wx_low = _mm256_unpacklo_ps(w.lanes, x.lanes);  // of joints 0 1 4 5
+  const __m256 wx_low = _mm256_unpacklo_ps(w.lanes, x.lanes);  // joints 0 1 4 5
   const __m256 wx_high = _mm256_unpackhi_ps(w.lanes, x.lanes);
   const __m256 yz_low = _mm256_unpacklo_ps(y.lanes, z.lanes);
   const __m256 yz_high = _mm256_unpackhi_ps(y.lanes, z.lanes);
   const __m256 both[4] = {
-      // a joint, and the one four further
+      // one joint, and the one four further on
       _mm256_shuffle_ps(wx_low, yz_low, 0x44), _mm256_shuffle_ps(wx_low, yz_low, 0xEE),
       _mm256_shuffle_ps(wx_high, yz_high, 0x44), _mm256_shuffle_ps(wx_high, yz_high, 0xEE)};
   if (joints == kGroup) {
@@ -273,7 +274,7 @@ MOCAPRESS_POSES_AVX2 inline void put_quaternions(const std::uint16_t* places, in
 
 #define MOCAPRESS_POSES avx2_poses_of
 #define MOCAPRESS_POSES_TARGET MOCAPRESS_POSES_AVX2
-// Not called: GCC 12 clears the upper halves of what such a function returns in a struct.
+// Inlined, because GCC 12 clears the upper halves of registers that a function returns in a struct.
 #define MOCAPRESS_POSES_INLINE __attribute__((target("avx2"), always_inline)) inline
 #include "core/runtime/pose/pose_kernels_of.inc"
 

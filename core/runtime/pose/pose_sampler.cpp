@@ -46,7 +46,7 @@ class Sampler {
     return selection_ == nullptr || selection_->wanted[static_cast<std::size_t>(group)];
   }
 
-  /// What the entries of a segment add up to, column by column.
+  /// Sums the entries of a segment for each column.
   void sum_entries(int segment, const InstantWeights& weights, std::int32_t* whole) const {
     for (int e = 0; e < clip_.entry_parts(); ++e) {
       const int first = kMostGroupsOfPart * e;
@@ -96,7 +96,7 @@ class Sampler {
     for (int p = 0; p < clip_.parts; ++p) make_part(segment, p, weights, entries, columns);
   }
 
-  /// A frame that may be in two segments.
+  /// Makes a frame, which may lie in an overlap of two segments.
   void make_frame(int frame, float* columns) const {
     const SegmentLayout layout = clip_.layout();
     const SegmentLayout::Stretch stretch = layout.stretch_at(frame);
@@ -107,7 +107,7 @@ class Sampler {
     mix(later, share_of_later(layout, stretch.shared), columns);
   }
 
-  /// columns += share * (others - columns), of those wanted.
+  /// columns += share * (others - columns), for the wanted groups.
   void mix(const float* others, float share, float* columns) const {
     for (int g = 0; g < static_cast<int>(clip_.row_groups); ++g) {
       if (!is_wanted(g)) continue;
@@ -146,7 +146,7 @@ class Sampler {
                    kGroup * static_cast<int>(clip_.row_groups), columns_);
   }
 
-  /// How much of what an end lacks goes to a frame.
+  /// Weight of an end correction at a frame.
   float end_share_of(int end, int frame) const {
     return clip_.end_reaches.share_at(end, frame, static_cast<int>(clip_.frames));
   }
@@ -179,8 +179,8 @@ class Sampler {
     }
   }
 
-  /// From the last frame of a loop to the first: angles by the shorter way; what roots do goes on
-  /// as it came.
+  /// Makes the columns between the last frame of a loop and the first: angles go the shorter way,
+  /// and roots continue their last step.
   void make_columns_across(float share) {
     constexpr float kHalfTurn = 3.14159265F;
     const int last = static_cast<int>(clip_.frames) - 1;
@@ -251,7 +251,7 @@ class Sampler {
         put_translation(at, moving[i].axis, columns_[moving[i].column], out);
   }
 
-  /// What does not change.
+  /// Writes the constant values.
   void put_rest(float* out) const {
     const auto* const rest = clip_.at<mcpr_transform>(clip_.rest);
     if (request_.layout == MCPR_TRANSFORMS && selection_ == nullptr) {
@@ -274,7 +274,7 @@ class Sampler {
     }
   }
 
-  /// Rotations of joints with more than three angles, or two about one axis, one after the other.
+  /// Writes the rotations of joints with more than three angles, or two about one axis.
   void put_other_turns(float* out) {
     for (int i = 0; i < clip_.other_turns;) {
       const auto* const turns = clip_.at<OtherTurn>(clip_.turns);
@@ -302,7 +302,7 @@ class Sampler {
     }
   }
 
-  /// Where a joint goes, or kNowhere.
+  /// Position of a joint in the output, or kNowhere.
   std::uint32_t place_of(std::uint32_t joint) const {
     return selection_ == nullptr ? joint : selection_->places[joint];
   }
@@ -339,9 +339,9 @@ class Sampler {
   const mcpr_sample_request& request_;
   const mcpr_selection* const selection_;  // null: all joints
   mcpr_cursor* const cursor_;
-  const int left_out_;  // of the finest bands
+  const int left_out_;  // finest bands left out
   int kept_bands_ = 0;
-  unsigned wanted_samples_ = 0;  // a bit for each number of bands that a part keeps
+  unsigned wanted_samples_ = 0;  // one bit per number of kept bands in any part
   alignas(32) float columns_[kMostColumns];
 };
 
@@ -353,7 +353,7 @@ const PoseKernels* poses_of(mcpr_path path) {
       return avx2_poses() != nullptr ? avx2_poses() : &kPlainPoses;
     case MCPR_PATH_PLAIN:
       return &kPlainPoses;
-    case MCPR_PATH_SSE2:  // what a compiler makes of the plain ones
+    case MCPR_PATH_SSE2:  // built from the plain code
       return sse2_rows() != nullptr ? &kPlainPoses : nullptr;
     case MCPR_PATH_AVX2:
       return avx2_poses();
@@ -371,7 +371,7 @@ PlaceInClip place_in_clip(const mcpr_cooked& clip, const mcpr_sample_request& re
   if (!(within >= 0 && within < turn)) {
     within = std::fmod(frame, turn);
     if (within < 0) within += turn;
-    if (within >= turn) within = 0;  // rounded up from just below zero
+    if (within >= turn) within = 0;  // a tiny negative instant rounds up to a whole cycle
   }
   if (within <= last) return {within, 0};
   return {last, static_cast<float>(within - (turn - 1))};
@@ -388,7 +388,7 @@ void sample(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInCl
     Sampler(clip, kernels, request, request.selection, cursor).run(place, out);
     return;
   }
-  // Of places, rotors and parts, as many as there can be.
+  // Upper bound for places, rotors and parts.
   constexpr std::size_t kMost = sizeof(std::uint16_t) * kMostJoints +
                                 sizeof(RotorPlaces) * (kMostJoints / kGroup) +
                                 sizeof(GroupRange) * (kMostColumns / kGroup) + 3 * kAlignment;

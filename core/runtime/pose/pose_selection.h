@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Some joints of a cooked clip: where each goes, and which columns they need.
+// A subset of a cooked clip's joints: their places in the output, and the columns that they need.
 #pragma once
 
 #include <bitset>
@@ -12,21 +12,21 @@
 
 namespace mocapress::runtime {
 
-/// Groups of columns that are wanted of a part, one after the other.
+/// The consecutive groups of a part that are needed.
 struct GroupRange {
-  std::uint16_t first = 0;  // in the part
+  std::uint16_t first = 0;  // within the part
   std::uint16_t count = 0;
 };
 
-/// Where the joints of a RotorGroup go. One that is not wanted goes where a later one does, which
-/// then takes its place.
+/// Output places of a RotorGroup's joints. An unwanted joint is written to the place of a later
+/// one, which then overwrites it.
 struct RotorPlaces {
   std::uint16_t place[kGroup] = {};
   std::uint16_t group = 0;
-  std::uint16_t joints = 0;  // the first of `place` that are there
+  std::uint16_t joints = 0;  // number of elements of `place` in use
 };
 
-/// No joint twice, and all of them the clip's.
+/// Whether all joints exist in the clip, without duplicates.
 bool are_joints_of(const mcpr_cooked& clip, const std::uint16_t* joints, std::uint32_t count);
 
 }  // namespace mocapress::runtime
@@ -35,18 +35,18 @@ struct mcpr_selection {
   static constexpr std::uint16_t kNowhere = 0xFFFF;
 
   const mcpr_cooked* clip = nullptr;
-  const std::uint16_t* joints = nullptr;  // of the clip, in the order in which they come out
+  const std::uint16_t* joints = nullptr;  // the selected joints, in output order
   std::uint32_t joint_count = 0;
   std::uint32_t rotor_groups = 0;
-  const mcpr_transform* rest = nullptr;  // of these joints, what never changes; null: the clip's
-  std::uint16_t* places;                 // where each joint of the clip goes, or kNowhere
+  const mcpr_transform* rest = nullptr;  // their constant transforms; null: use the clip's table
+  std::uint16_t* places;                 // for each joint of the clip: its place in the output, or
+                                         // kNowhere
   mocapress::runtime::RotorPlaces* rotors;
   mocapress::runtime::GroupRange* parts;
-  std::bitset<mocapress::runtime::kMostColumns / mocapress::runtime::kGroup> wanted;  // groups
-
-  /// Takes its arrays from memory, for any joints.
+  // Groups of columns that are needed.
+  std::bitset<mocapress::runtime::kMostColumns / mocapress::runtime::kGroup> wanted;
   mcpr_selection(mocapress::runtime::Memory& memory, const mcpr_cooked& of);
-  /// These joints, which stay where they are.
+  /// Selects joints; the array must outlive the selection.
   void select(const std::uint16_t* from, std::uint32_t count);
 
  private:
