@@ -39,7 +39,7 @@ struct ClipBlock {
   Solver solver = Solver::NearestPose;
   std::uint32_t solver_iterations = 0;  // maximum, per limb and frame
   std::uint16_t limb_count = 0;
-  std::uint16_t most_links = 0;  // of any limb
+  std::uint16_t most_links = 0;  // the largest number of links in a limb
   LoopKind loop = LoopKind::None;
   EndReaches end_reaches;
   std::uint32_t joints = 0;  // this and the following are offsets from the clip

@@ -13,7 +13,8 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr int kEntriesOfBlock = 12;  // at least, on average; smaller blocks make the index large
+constexpr int kEntriesOfBlock = 12;  // fewest per block, on average; smaller blocks make the index
+                                     // large
 constexpr int kMostLog2Rows = 15;
 constexpr std::uint64_t kDenseIsWorth =
     4;  // how many times larger a dense band may be than a sparse one, for its speed
@@ -308,7 +309,7 @@ class ResidentBuilder {
   const QuantisedSource& source_;
   const Bands bands_;
   Sizes sizes_[kMostBands];
-  std::byte* memory_;  // zeroed
+  std::byte* memory_;  // zeroed by the caller
   std::uint64_t used_ = 0;
   bool wide_numbers_ = false;
 };

@@ -99,7 +99,7 @@ std::uint64_t TrackLoader::lay_out(std::byte* memory, LoopKind loop) const {
                    .loop = loop,
                    .padding = {}};
   if (head_.curves > 0) made.curves = block.reserve(ResidentSignals::size(source()));
-  block.reserve(0);  // aligns the end
+  block.reserve(0);  // aligns the end of the block
   made.bytes = static_cast<std::uint32_t>(block.used());
   if (memory == nullptr) return block.used();
   std::memcpy(memory, &made, sizeof made);

@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 typedef struct character {
-  const mcpr_cooked* clip; /* where it lies in the bank */
+  const mcpr_cooked* clip; /* in the bank's memory */
   uint32_t number;         /* of the clip */
   double start;            /* s into the clip */
   float distance;          /* m from the camera */
@@ -59,7 +59,7 @@ static void pose_all(const character* crowd, uint32_t count, double seconds) {
     const mcpr_cooked_info info = mcpr_cooked_describe(crowd[c].clip);
     const double length = (info.frames - 1) / info.sample_rate;
     double at = crowd[c].start + seconds;
-    while (length > 0 && at > length) at -= length; /* it begins anew */
+    while (length > 0 && at > length) at -= length; /* starts over */
     const float distance = crowd[c].distance;
     all[c] = (mcpr_character){.clip = crowd[c].clip,
                               .time = at,

@@ -6,7 +6,7 @@
 
 namespace mocapress::runtime {
 
-inline constexpr std::size_t kAlignment = 32;  // MCPR_ALIGNMENT
+inline constexpr std::size_t kAlignment = 32;  // equals MCPR_ALIGNMENT
 
 /// Allocates pieces from the caller's memory. A measuring instance has no memory and only counts,
 /// so that one function serves both to measure and to lay out.

@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kOwnPart = 0xFFFFFFFFU;  // in an outline: the cl
                                                         // section itself
 inline constexpr std::size_t kOutlineHead = 4;          // u16 sections, u16 bytes of orders and a
 inline constexpr std::uint16_t kWholeErrors = 0x8000;   // flag: errors are 4 bytes each, not 2
-inline constexpr std::size_t kOutlineSection = 8;       // tag, u32 part
+inline constexpr std::size_t kOutlineSection = 8;       // bytes: tag, u32 part
 
 inline constexpr std::size_t kDescriptionBytes = 32;  // size of CLIP. Each clip stores its own:
 inline constexpr std::size_t kFramesAt = 8;           // frames, u32, at this offset

@@ -86,7 +86,7 @@ struct RestPrediction {
 
   /// Step size: each weight changes by this times its tap.
   static std::int16_t step_of(int error, std::int32_t squares) {
-    constexpr std::int32_t kRate = 121635;  // 0.116
+    constexpr std::int32_t kRate = 121635;  // 0.116 * 2^20
     return static_cast<std::int16_t>(error * kRate / squares);
   }
   static constexpr std::int32_t kRidge = 58 * 640;  // added to the squares of the taps

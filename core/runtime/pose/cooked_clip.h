@@ -22,7 +22,8 @@ inline constexpr int kMostGroupsOfPart = 16;  // so that 7 bits can address a co
 inline constexpr int kMostColumns = 4096;     // in a clip; sampling keeps them on the stack
 inline constexpr int kDetailWindow = 8;       // rows of a detail band that contribute to an instant
 inline constexpr int kFinestWindow = 6;       // the same for the finest band
-inline constexpr int kCrumbWindow = 12;       // the same for crumbs, which are bundled by four
+inline constexpr int kCrumbWindow = 12;       // the same for crumbs (2-bit numbers), of which a
+                                              // bundle holds four rows
 inline constexpr int kSampleWindow = 6;       // rows of samples that contribute to an instant
 inline constexpr int kMostKeptBands = 5;      // detail bands of a part
 // Bit fields of an entry, which is added to a band's rows.
@@ -191,7 +192,7 @@ struct mcpr_cooked {
   std::uint32_t segment_overlap;
   std::uint32_t joints;
   std::uint32_t groups;      // groups of columns
-  std::uint32_t row_groups;  // the first ones, which have rows
+  std::uint32_t row_groups;  // the first groups, which have rows; the others copy values
   std::uint16_t parts;
   std::uint16_t segments;
   std::uint16_t rotor_groups;

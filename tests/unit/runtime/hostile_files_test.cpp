@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bytes that mean harm: refused or decoded, within the memory and work that the interface states.
+// Malicious bytes are refused or decoded, within the memory and work that the interface states.
 #include <gtest/gtest.h>
 
 #include "core/base/byte_cursor.h"
@@ -35,7 +35,7 @@ std::vector<std::byte> small_file() {
   return write_container(clip);
 }
 
-/// Opens, and plays all of what opens. True where it opened.
+/// Opens a file and, if that succeeds, plays all of it. Returns whether it opened.
 bool survives(const std::vector<std::byte>& file) {
   const OpenedClip clip(file);
   if (clip.clip == nullptr) {
@@ -77,7 +77,7 @@ TEST(HostileFiles, EveryChangedByteBehindMendedChecksumsIsRefusedOrDecodes) {
   EXPECT_GT(opened, 0) << "no mutation got deep";
 }
 
-/// A section with a right checksum.
+/// Appends a section with a valid checksum.
 void append_section(std::vector<std::byte>& file, const char* tag, const ByteWriter& payload) {
   ByteWriter head;
   head.append(std::as_bytes(std::span(tag, 4)));
@@ -87,7 +87,8 @@ void append_section(std::vector<std::byte>& file, const char* tag, const ByteWri
   file.insert(file.end(), payload.bytes().begin(), payload.bytes().end());
 }
 
-/// A file of a few bytes that claims a lot: `joints` of 6 channels each, `frames`, motion of zeros.
+/// A small file that claims to be large: `joints` joints of 6 channels each, `frames` frames, and
+/// motion bytes of zeros.
 std::vector<std::byte> bomb(int joints, std::uint32_t frames, std::size_t motion_bytes,
                             int effectors = 0) {
   Skeleton skeleton;
@@ -98,7 +99,7 @@ std::vector<std::byte> bomb(int joints, std::uint32_t frames, std::size_t motion
   CompressedClip clip{.skeleton = skeleton, .coding = Coding::Adaptive, .motion = {}};
   clip.provenance.method = Method::ClosedLoop;
   auto file = write_container(clip);
-  // Everything but the skeleton anew: MOTN, CLIP's frames, IKCO.
+  // Replaces everything but the skeleton: MOTN, CLIP's number of frames, IKCO.
   std::uint32_t skeleton_bytes = 0;
   std::memcpy(&skeleton_bytes, file.data() + 12, 4);
   const std::size_t description = 8 + 12 + skeleton_bytes;
@@ -125,16 +126,16 @@ std::vector<std::byte> bomb(int joints, std::uint32_t frames, std::size_t motion
 
 TEST(HostileFiles, ABombOfValuesIsRefusedByItsHeadersAlone) {
   mcpr_info info;
-  // 2^26 values in some hundred bytes.
+  // 2^26 values in about a hundred bytes.
   const auto file = bomb(16, (1U << 26) / 96, 20);
   EXPECT_LT(file.size(), 400u);
   EXPECT_EQ(mcpr_inspect(file.data(), file.size(), nullptr, &info).status, MCPR_INVALID);
-  // More than any file may have, in bytes enough.
+  // One frame more than any file with these channels may have, whatever its size.
   const auto larger = bomb(16, (1U << 26) / 96 + 1, 4000);
   EXPECT_EQ(mcpr_inspect(larger.data(), larger.size(), nullptr, &info).status, MCPR_INVALID);
 }
 
-TEST(HostileFiles, ABombWithinTheLimitsTakesTheMemoryThatIsStated) {
+TEST(HostileFiles, ABombWithinTheLimitsTakesOnlyTheStatedMemory) {
   const std::uint32_t frames = (1U << 22) / 96;
   const auto file = bomb(16, frames, 2000);
   mcpr_info info;
@@ -144,11 +145,11 @@ TEST(HostileFiles, ABombWithinTheLimitsTakesTheMemoryThatIsStated) {
   std::size_t size = 0;
   const mcpr_result result =
       mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &size);
-  // Whatever the bytes say, no more of it than they can hold.
+  // The bytes may happen to decode.
   EXPECT_TRUE(result.status == MCPR_INVALID || result.status == MCPR_OK) << result.message;
 }
 
-TEST(HostileFiles, FewBytesMayNotStandForMoreSamplesThanThatWhateverTheLimits) {
+TEST(HostileFiles, FileSizeBoundsSamplesUnderAnyLimits) {
   mcpr_limits limits = mcpr_default_limits();
   limits.scratch_bytes = std::size_t{1} << 32;
   mcpr_info info;
@@ -167,13 +168,13 @@ TEST(HostileFiles, BombsOfJointsAndOfLimbsAreRefused) {
   mcpr_limits limits = mcpr_default_limits();
   limits.joints = 899;
   EXPECT_EQ(mcpr_inspect(joints.data(), joints.size(), &limits, &info).status, MCPR_LIMIT);
-  // A limb whose every step would turn hundreds of joints.
+  // A limb in which every step would turn hundreds of joints.
   EXPECT_EQ(OpenedClip(bomb(600, 0, 4, 1)).result.status, MCPR_INVALID);
-  // One with more effectors than are solved together.
+  // More effectors in a limb than can be solved together.
   EXPECT_EQ(OpenedClip(bomb(100, 0, 4, 9)).result.status, MCPR_INVALID);
 }
 
-/// The file with JNTS's number of joints, then bytes and channels, as its head promises them.
+/// The file with other numbers of skeleton bytes and joints in the head of JNTS.
 std::vector<std::byte> promising(std::vector<std::byte> file, std::uint32_t bytes,
                                  std::uint16_t joints) {
   std::memcpy(file.data() + 20, &bytes, 4);
@@ -182,7 +183,7 @@ std::vector<std::byte> promising(std::vector<std::byte> file, std::uint32_t byte
   return file;
 }
 
-TEST(HostileFiles, JointsBoundTheBytesThatTheyAreDecodedFrom) {
+TEST(HostileFiles, JointCountBoundsTheDecodedSkeleton) {
   constexpr std::uint32_t kBytesOfJoint = 306;  // FORMAT.md, Limits
   const auto file = bomb(3, 1, 20);
   mcpr_info info;
@@ -193,14 +194,14 @@ TEST(HostileFiles, JointsBoundTheBytesThatTheyAreDecodedFrom) {
   EXPECT_EQ(inspect(promising(file, 3 * kBytesOfJoint + 1, 3)), MCPR_INVALID);
   EXPECT_EQ(inspect(promising(file, 4U << 20, 3)), MCPR_INVALID);
   EXPECT_THROW(read_container(promising(file, 3 * kBytesOfJoint + 1, 3)), FormatError);
-  // More joints that the bits do not hold: refused as soon as they end.
+  // The coded bytes end before all joints are decoded, which is refused at once.
   EXPECT_EQ(OpenedClip(promising(file, 4096 * kBytesOfJoint, 4096)).result.status, MCPR_INVALID);
 }
 
-TEST(HostileFiles, JointsNestedDeeperThanIsStatedAreRefused) {
+TEST(HostileFiles, JointsNestedTooDeepAreRefused) {
   CompressedClip clip{.coding = Coding::Adaptive, .motion = {}};
   for (int j = 0; j < 1000; ++j) clip.skeleton.add({.name = "", .parent = j - 1});
-  // Files that no writer here makes.
+  // Files that no writer in this project makes.
   const std::vector<std::byte> file = bomb(1, 0, 4);
   std::uint32_t before = 0;
   std::memcpy(&before, file.data() + 12, 4);
@@ -227,10 +228,10 @@ TEST(HostileFiles, JointsNestedDeeperThanIsStatedAreRefused) {
   EXPECT_NE(std::string(refused.message).find("deeper"), std::string::npos) << refused.message;
 }
 
-TEST(HostileFiles, BytesHoldNoMoreBitsThanIsStated) {
-  // The surest that a bit can be is 65514 / 65536 (mixed) or 65472 / 65536 (by itself).
+TEST(HostileFiles, BitsPerByteAreBounded) {
+  // The highest probability of a bit is 65514 / 65536 (mixed) or 65472 / 65536 (single context).
   for (const std::size_t size : {0, 1, 10, 300}) {
-    const std::vector<std::uint8_t> zeros(size, 0);  // always the likelier
+    const std::vector<std::uint8_t> zeros(size, 0);  // always the likelier bit
     runtime::RangeDecoder bits(zeros.data(), zeros.size());
     std::size_t count = 0;
     for (; !bits.failed(); ++count) bits.code(false, 65514);

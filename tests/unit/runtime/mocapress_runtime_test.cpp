@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C interface, against core: one decoder, whichever way in.
+// Compares the C interface with core, which decodes through the same code.
 #include "core/runtime/mocapress_runtime.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using test::OpenedClip;
 
 constexpr int kFrames = 150;
 
-/// With an IK correction at the ends of both limbs.
+/// A file with an IK correction at the ends of both limbs.
 const std::vector<std::byte>& corrected_file() {
   static const std::vector<std::byte> file = [] {
     const Motion motion = test::smooth_motion(kFrames);
@@ -46,7 +46,7 @@ const OpenedClip& opened() {
   return clip;
 }
 
-/// frames x columns, as the interface gives them.
+/// Decoded values as a matrix, frames x columns.
 Eigen::MatrixXf matrix(const std::vector<float>& rows, Eigen::Index columns) {
   return Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
       rows.data(), std::ssize(rows) / columns, columns);
@@ -57,14 +57,14 @@ Eigen::MatrixXf all_frames(const mcpr_request& request) {
   return matrix(opened().frames(request, 0, kFrames), columns);
 }
 
-TEST(Decoder, GivesTheBitsThatCoreDecodes) {
+TEST(Decoder, MatchesCoreToTheBit) {
   ASSERT_NE(opened().clip, nullptr) << opened().result.message;
   const CompressedClip compressed = read_container(corrected_file());
   EXPECT_EQ(all_frames({}), decode_uncorrected(compressed).clip.channels.cast<float>());
   EXPECT_EQ(all_frames({.apply_ik = 1}), decode(compressed).channels.cast<float>());
 }
 
-TEST(Decoder, TellsWhatTheFileHolds) {
+TEST(Decoder, DescribesTheFile) {
   const CompressedClip compressed = read_container(corrected_file());
   const mcpr_clip_info info = mcpr_clip_describe(opened().clip);
   EXPECT_EQ(info.frames, static_cast<std::uint32_t>(kFrames));
@@ -100,8 +100,8 @@ TEST(Decoder, FindsAJointByName) {
   EXPECT_EQ(mcpr_find_joint(nullptr, "root"), -1);
 }
 
-/// The header says which way angles turn: about y from z to x, and quaternions turn columns.
-TEST(Decoder, TurnsAsARightHandedScrew) {
+/// The header states that positive angles about y turn z to x, and that quaternions rotate columns.
+TEST(Decoder, RotatesRightHanded) {
   Motion motion;
   motion.skeleton.add({.name = "root", .channels = {ChannelKind::RotationY}});
   motion.skeleton.add({.name = "nose", .parent = 0, .offset = {0, 0, 10}, .channels = {}});
@@ -121,7 +121,7 @@ TEST(Decoder, TurnsAsARightHandedScrew) {
   EXPECT_LT((turned * Eigen::Vector3f::UnitZ() - Eigen::Vector3f::UnitX()).norm(), 1e-3);
 }
 
-TEST(Decoder, AnyStretchOfFramesIsThatPartOfTheWhole) {
+TEST(Decoder, AnyRangeOfFramesEqualsThatPartOfTheWhole) {
   Random random(1);
   for (const mcpr_request& request :
        {mcpr_request{}, mcpr_request{.apply_ik = 1},
@@ -141,13 +141,13 @@ TEST(Decoder, AnyStretchOfFramesIsThatPartOfTheWhole) {
 TEST(Decoder, EveryPathGivesTheSameBits) {
   for (const mcpr_output output : {MCPR_CHANNELS, MCPR_POSITIONS})
     for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_SSE2, MCPR_PATH_AVX2}) {
-      if (mcpr_path_exists(path) == 0) continue;  // this machine has none
+      if (mcpr_path_exists(path) == 0) continue;  // not on this machine
       EXPECT_EQ(all_frames({.output = output, .apply_ik = 1, .path = path}),
                 all_frames({.output = output, .apply_ik = 1}));
     }
 }
 
-TEST(Decoder, BetweenFramesChannelsAreLinear) {
+TEST(Decoder, InterpolatesChannelsLinearly) {
   const Eigen::MatrixXf whole = all_frames({});
   for (const double frame : {0.25, 63.5, 148.75}) {
     const auto before = static_cast<Eigen::Index>(frame);
@@ -158,7 +158,7 @@ TEST(Decoder, BetweenFramesChannelsAreLinear) {
   }
 }
 
-TEST(Decoder, ASubsetOfChannelsIsTheSameBits) {
+TEST(Decoder, SubsetOfChannelsHasTheSameBits) {
   const std::vector<std::uint16_t> some = {9, 3, 14};
   for (const int corrected : {0, 1}) {
     const Eigen::MatrixXf whole = all_frames({.apply_ik = corrected});
@@ -170,15 +170,15 @@ TEST(Decoder, ASubsetOfChannelsIsTheSameBits) {
   }
 }
 
-TEST(Decoder, PositionsAreThoseOfForwardKinematics) {
+TEST(Decoder, PositionsMatchForwardKinematics) {
   const CompressedClip compressed = read_container(corrected_file());
   const Eigen::MatrixXf positions = all_frames({.output = MCPR_POSITIONS, .apply_ik = 1});
   const Eigen::MatrixXd expected = landmark_tracks(compressed.skeleton, decode(compressed))
-                                       .leftCols(positions.cols());  // joints before end sites
+                                       .leftCols(positions.cols());  // joints come before end sites
   EXPECT_LT((positions.cast<double>() - expected).cwiseAbs().maxCoeff(), 1e-4);
 }
 
-TEST(Decoder, TurnedAxesAreThoseOfCore) {
+TEST(Decoder, TurnedAxesMatchCore) {
   CompressedClip compressed = read_container(corrected_file());
   compressed.forms = test::turned_forms(compressed.skeleton);
   const OpenedClip turned(write_container(compressed));
@@ -194,8 +194,8 @@ TEST(Decoder, TurnedAxesAreThoseOfCore) {
   }
 }
 
-TEST(Decoder, FloatsAreWithinATenthOfAHundredthOfAMillimetre) {
-  // Against everything in double precision, a corpus-like figure that travels metres.
+TEST(Decoder, FloatsAreWithinTenMicrometresOfDoubles) {
+  // Compares with double precision throughout. The figure travels metres, as in the corpus.
   const CompressedClip compressed = read_container(corrected_file());
   const Clip precise{
       compressed.sample_rate_hz,
@@ -243,7 +243,7 @@ TEST(Decoder, AClipMayBeMovedAsBytes) {
   EXPECT_EQ(copy.frames(request, 0, kFrames), opened().frames(request, 0, kFrames));
 }
 
-TEST(Decoder, RefusesWhatTheClipDoesNotHave) {
+TEST(Decoder, RefusesRequestsTheClipCannotFulfil) {
   const auto status = [](const mcpr_request& request, std::uint32_t first, std::uint32_t count) {
     const AlignedBytes scratch(std::size_t{1} << 20);
     std::vector<float> out(kFrames * 100);
@@ -264,7 +264,7 @@ TEST(Decoder, RefusesWhatTheClipDoesNotHave) {
   EXPECT_TRUE(opened().moment({}, std::numeric_limits<double>::quiet_NaN()).empty());
 }
 
-TEST(Decoder, RefusesAChannelThatIsAskedForTwice) {
+TEST(Decoder, RefusesDuplicateChannels) {
   const auto values = [](const std::vector<std::uint16_t>& channels) {
     const mcpr_request request{.channels = channels.data(),
                                .channel_count = static_cast<std::uint32_t>(channels.size())};
@@ -279,7 +279,7 @@ TEST(Decoder, RefusesAChannelThatIsAskedForTwice) {
                     .empty());
 }
 
-TEST(Decoder, RefusesEveryNullThatItCannotDoWithout) {
+TEST(Decoder, RefusesNullForRequiredArguments) {
   const auto& file = corrected_file();
   mcpr_info info;
   EXPECT_EQ(mcpr_inspect(nullptr, file.size(), nullptr, &info).status, MCPR_ARGUMENT);
@@ -338,8 +338,8 @@ TEST(Decoder, RefusesEveryNullThatItCannotDoWithout) {
   EXPECT_EQ(moment(clip, &request, out.data(), scratch.data()), MCPR_OK);
 }
 
-TEST(Decoder, SaysThatItWritesToTheMemoryItBuildsFrom) {
-  // What is const may stand in memory that cannot be written.
+TEST(Decoder, BuildTakesScratchMemoryAsWritable) {
+  // Read-only memory may be passed as const, so work space must not be.
   EXPECT_TRUE((std::is_invocable_v<decltype(mcpr_build), void*, std::size_t, void*, std::size_t,
                                    const mcpr_clip**>));
   EXPECT_FALSE((std::is_invocable_v<decltype(mcpr_build), const void*, std::size_t, void*,
@@ -365,7 +365,7 @@ TEST(Decoder, RefusesTooLittleMemory) {
             MCPR_MEMORY);
 }
 
-TEST(Decoder, RefusesWhatIsBeyondTheLimits) {
+TEST(Decoder, RefusesFilesBeyondTheLimits) {
   const auto status = [](auto change) {
     mcpr_limits limits = mcpr_default_limits();
     change(limits);
@@ -380,7 +380,7 @@ TEST(Decoder, RefusesWhatIsBeyondTheLimits) {
   EXPECT_EQ(status([](mcpr_limits& l) { l.resident_bytes = 1000; }), MCPR_LIMIT);
 }
 
-TEST(Decoder, SaysThatOtherCodingsAreNotForIt) {
+TEST(Decoder, ReportsOtherCodingsAsUnsupported) {
   const Motion motion = test::smooth_motion(40);
   const auto file = write_container(
       Encoder(motion)
@@ -405,7 +405,7 @@ TEST(Decoder, RefusesEveryPrefixAndEveryFlippedBit) {
   }
 }
 
-/// A walk on the spot, of 60 frames a turn, and one whose last frame shows the first pose again.
+/// A walk on the spot with 60 frames per cycle, and one whose last frame repeats the first pose.
 std::vector<std::byte> loop_file(Loop loop) {
   const int frames = loop == Loop::Repeats ? 61 : 60;
   Motion motion = test::smooth_motion(frames);
@@ -429,7 +429,7 @@ std::vector<float> looped(const OpenedClip& clip, const mcpr_request& request, d
   return out;
 }
 
-TEST(DecoderOfALoop, GoesRoundBothWays) {
+TEST(DecoderOfALoop, WrapsInBothDirections) {
   for (const Loop loop : {Loop::Repeats, Loop::Follows}) {
     const OpenedClip clip(loop_file(loop));
     ASSERT_NE(clip.clip, nullptr) << clip.result.message;
@@ -447,18 +447,19 @@ TEST(DecoderOfALoop, HasNoJumpAtTheSeam) {
   for (const Loop loop : {Loop::Repeats, Loop::Follows}) {
     const OpenedClip clip(loop_file(loop));
     ASSERT_NE(clip.clip, nullptr);
-    // 0.5 at most in a sixtieth of a turn is 0.053; a hundredth of that in a hundredth of the time.
+    // An angle with amplitude 0.5 changes by at most 0.053 in a sixtieth of a cycle, and by a
+    // hundredth of that in a hundredth of the time.
     std::vector<float> before = looped(clip, {}, 58);
     for (double frame = 58.01; frame < 62; frame += 0.01) {
       const std::vector<float> now = looped(clip, {}, frame);
-      for (std::size_t c = 6; c < now.size(); ++c)  // roots go on by themselves
+      for (std::size_t c = 6; c < now.size(); ++c)  // channels of the root are extrapolated
         EXPECT_NEAR(now[c], before[c], 0.004) << frame;
       before = now;
     }
   }
 }
 
-TEST(DecoderOfALoop, RefusesAClipThatIsNone) {
+TEST(DecoderOfALoop, RefusesClipsThatAreNoLoops) {
   EXPECT_EQ(mcpr_clip_describe(opened().clip).loop_frames, 0u);
   EXPECT_TRUE(looped(opened(), {}, 0).empty());
   const OpenedClip clip(loop_file(Loop::Follows));

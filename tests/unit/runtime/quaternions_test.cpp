@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotations come back as quaternions that go on from frame to frame.
+// Decoded quaternions are continuous from frame to frame.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -15,8 +15,8 @@
 namespace mocapress {
 namespace {
 
-/// Of all joints and frames the least cosine of half the turn from one frame to the next; below 0
-/// where a quaternion changes its sign.
+/// The least dot product of consecutive quaternions, over all joints and frames. Negative if a
+/// quaternion flips its sign.
 float least_cosine(const Motion& motion) {
   const test::OpenedClip clip(write_container(
       Encoder(motion)
@@ -36,7 +36,7 @@ float least_cosine(const Motion& motion) {
   return least;
 }
 
-TEST(Quaternions, NeverChangeTheirSignHoweverOftenAJointTurns) {
+TEST(Quaternions, NeverFlipSignHoweverOftenAJointTurns) {
   Motion motion = test::smooth_motion(200);
   const int joint = motion.skeleton.joint_count() - 1;
   for (int c = motion.skeleton.first_channel(joint); c < motion.skeleton.channel_count(); ++c)
@@ -44,7 +44,7 @@ TEST(Quaternions, NeverChangeTheirSignHoweverOftenAJointTurns) {
   EXPECT_GT(least_cosine(motion), 0.5F);
 }
 
-TEST(Quaternions, NeverChangeTheirSignInRealClips) {
+TEST(Quaternions, NeverFlipSignInRealClips) {
   const auto folder = test::corpus();
   if (!folder) GTEST_SKIP() << "the corpus of real motions is not here";
   for (const char* clip : {"fbx/85_12.fbx", "fbx/huesitos.fbx", "fbx/animation_with_skeleton.fbx",

@@ -22,7 +22,7 @@ namespace {
 
 using test::OpenedClip;
 
-constexpr int kTrackFrames = 700;  // more than two segments of 256
+constexpr int kTrackFrames = 700;  // spans more than two segments of 256
 
 class RuntimeTracks : public testing::Test {
  protected:
@@ -78,14 +78,14 @@ TEST_F(RuntimeTracks, AreListedAndFound) {
   EXPECT_EQ(mcpr_find_track(mcpr_clip_tracks(clip.clip), MCPR_TRACK_PROPERTY, "Face", nullptr), -1);
 }
 
-TEST_F(RuntimeTracks, EveryFrameIsTheLibrarysToTheBit) {
+TEST_F(RuntimeTracks, MatchTheLibraryToTheBit) {
   const OpenedClip clip(file());
   const ScalarTracks tracks = tracks_of(file());
   const std::vector<float> all = frames(clip, {}, 0, kTrackFrames);
   for (std::size_t t = 0; t < tracks.size(); ++t)
     for (std::size_t f = 0; f < kTrackFrames; ++f)
       ASSERT_EQ(all[f * tracks.size() + t], tracks[t].values[f]) << label(tracks[t]) << ' ' << f;
-  // In any pieces, and of any tracks.
+  // Decodes in pieces, and subsets of tracks.
   const std::uint16_t some[] = {4, 1, 0};
   for (const auto& [first, count] : {std::pair{0U, 1U}, {699U, 1U}, {250U, 200U}, {17U, 3U}}) {
     const std::vector<float> part = frames(clip, {some, 3}, first, count);
@@ -95,9 +95,10 @@ TEST_F(RuntimeTracks, EveryFrameIsTheLibrarysToTheBit) {
   }
 }
 
-TEST_F(RuntimeTracks, BetweenFramesTheyAreLinearOrStep) {
+TEST_F(RuntimeTracks, InterpolateOrHoldBetweenFrames) {
   const OpenedClip clip(file());
-  const std::vector<float> two = frames(clip, {}, 84, 2);  // where the switch goes on
+  const std::vector<float> two = frames(clip, {}, 84, 2);  // around the frame where the switch
+                                                           // turns on
   const std::vector<float> between = moment(clip, {}, 84.25);
   for (std::size_t t = 0; t < 5; ++t) {
     const float linear = two[t] + 0.25F * (two[5 + t] - two[t]);
@@ -110,7 +111,7 @@ TEST_F(RuntimeTracks, BetweenFramesTheyAreLinearOrStep) {
   EXPECT_FALSE(moment(clip, {}, kTrackFrames - 1).empty());
 }
 
-TEST_F(RuntimeTracks, GoRoundInALoopWhoseFirstFrameFollows) {
+TEST_F(RuntimeTracks, WrapInALoopWithoutARepeatedFrame) {
   const OpenedClip clip(file(Loop::Follows));
   const std::vector<float> last = frames(clip, {}, kTrackFrames - 1, 1);
   const std::vector<float> first = frames(clip, {}, 0, 1);
@@ -167,7 +168,7 @@ TEST_F(RuntimeTracks, EveryChangedByteIsRefusedOrPlays) {
   EXPECT_GT(refused, 20);
 }
 
-TEST_F(RuntimeTracks, ACookedClipHasThemToTheBit) {
+TEST_F(RuntimeTracks, SurviveCookingToTheBit) {
   for (const Loop loop : {Loop::None, Loop::Follows}) {
     const OpenedClip clip(file(loop));
     const test::CookedClip cooked(clip.clip);
@@ -181,9 +182,9 @@ TEST_F(RuntimeTracks, ACookedClipHasThemToTheBit) {
   }
 }
 
-/// Of every byte of the tracks of a cooked clip, with a checksum that suits: refused, or played
-/// without harm (asan tells).
-TEST_F(RuntimeTracks, EveryChangedByteOfCookedOnesIsRefusedOrPlays) {
+/// Changes every byte of a cooked clip's tracks, and updates the checksum. Each result is refused
+/// or played without harm (run under asan).
+TEST_F(RuntimeTracks, EveryChangedByteOfACookedClipIsRefusedOrPlays) {
   const OpenedClip clip(with_tracks(
       write_container(test::segmented_clip(test::smooth_motion(300), SegmentLayout::whole(300))),
       test::some_tracks(300), 0.002));
@@ -213,7 +214,7 @@ TEST_F(RuntimeTracks, EveryChangedByteOfCookedOnesIsRefusedOrPlays) {
   EXPECT_GT(played, 500);
 }
 
-TEST_F(RuntimeTracks, AClipWithoutHasNone) {
+TEST_F(RuntimeTracks, AreNullForAClipWithoutTracks) {
   const OpenedClip clip(
       write_container(test::segmented_clip(test::smooth_motion(50), SegmentLayout::whole(50))));
   const mcpr_track_request all{};

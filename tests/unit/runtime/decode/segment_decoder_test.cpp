@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clips in segments by the C interface: whatever is asked for, it is that part of the whole, and
-// the whole is what core decodes.
+// Decodes segmented clips by the C interface. Every part equals that part of the whole, and the
+// whole equals what core decodes.
 #include "core/runtime/decode/segment_decoder.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ struct Case {
       : compressed(test::segmented_clip(test::smooth_motion(layout.frames), layout, true)),
         opened(write_container(compressed)) {}
 
-  /// frames x columns.
+  /// Decoded values as a matrix, frames x columns.
   Eigen::MatrixXf frames(const mcpr_request& request, int first, int count) const {
     return rows(opened.frames(request, static_cast<std::uint32_t>(first),
                               static_cast<std::uint32_t>(count)),
@@ -53,7 +53,7 @@ const Case& three_segments() {
   return shared;
 }
 
-TEST(SegmentDecoder, GivesTheBitsThatCoreDecodesForEveryLayout) {
+TEST(SegmentDecoder, MatchesCoreToTheBitForEveryLayout) {
   for (const SegmentLayout layout : {SegmentLayout{700, 300, 40}, SegmentLayout{600, 256, 128},
                                      SegmentLayout{257, 256, 1}, SegmentLayout{512, 256, 1}}) {
     const Case clip(layout);
@@ -65,7 +65,7 @@ TEST(SegmentDecoder, GivesTheBitsThatCoreDecodesForEveryLayout) {
   }
 }
 
-TEST(SegmentDecoder, AnyWindowIsThatPartOfTheWhole) {
+TEST(SegmentDecoder, AnyWindowEqualsThatPartOfTheWhole) {
   Random random(1);
   const std::uint16_t some[] = {9, 3, 14};
   for (const Case& clip : {std::cref(three_segments()), std::cref(*[] {
@@ -80,7 +80,7 @@ TEST(SegmentDecoder, AnyWindowIsThatPartOfTheWhole) {
           mcpr_request{.bands_left_out = 2}, mcpr_request{.bands_left_out = 40}}) {
       const Eigen::MatrixXf whole = clip.whole(request);
       for (int round = 0; round < 30; ++round) {
-        // About a seam, from before it, in it or after it.
+        // Starts near a boundary: before it, in it or after it.
         const int seam = layout.first(1 + static_cast<int>(random.below(2)));
         const int first =
             std::clamp(seam - 60 + static_cast<int>(random.below(180)), 0, frames - 1);
@@ -93,7 +93,7 @@ TEST(SegmentDecoder, AnyWindowIsThatPartOfTheWhole) {
   }
 }
 
-TEST(SegmentDecoder, InAnOverlapItIsTheBlendOfBothSegmentsByThemselves) {
+TEST(SegmentDecoder, BlendsBothSegmentsInAnOverlap) {
   const Case& clip = three_segments();
   const SegmentLayout layout = clip.compressed.segment_layout();
   const Eigen::MatrixXf whole = clip.whole({});
@@ -126,14 +126,14 @@ TEST(SegmentDecoder, InAnOverlapItIsTheBlendOfBothSegmentsByThemselves) {
 TEST(SegmentDecoder, EveryPathGivesTheSameBits) {
   const Case& clip = three_segments();
   for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_SSE2, MCPR_PATH_AVX2}) {
-    if (mcpr_path_exists(path) == 0) continue;  // this machine has none
+    if (mcpr_path_exists(path) == 0) continue;  // not on this machine
     for (const std::uint32_t left_out : {0U, 3U})
       EXPECT_EQ(clip.whole({.apply_ik = 1, .bands_left_out = left_out, .path = path}),
                 clip.whole({.apply_ik = 1, .bands_left_out = left_out}));
   }
 }
 
-TEST(SegmentDecoder, BetweenFramesOfAnOverlapChannelsAreLinear) {
+TEST(SegmentDecoder, InterpolatesLinearlyInAnOverlap) {
   const Case& clip = three_segments();
   const Eigen::MatrixXf whole = clip.whole({});
   for (const double frame : {259.5, 270.25, 299.75, 300.5, 519.5}) {
@@ -145,7 +145,7 @@ TEST(SegmentDecoder, BetweenFramesOfAnOverlapChannelsAreLinear) {
   }
 }
 
-TEST(SegmentDecoder, SubsetsAreTheSameBits) {
+TEST(SegmentDecoder, SubsetsHaveTheSameBits) {
   const Case& clip = three_segments();
   const std::uint16_t some[] = {9, 3, 14};
   for (const int corrected : {0, 1}) {
@@ -156,8 +156,8 @@ TEST(SegmentDecoder, SubsetsAreTheSameBits) {
   }
 }
 
-TEST(SegmentDecoder, TakesTheMemoryItSaysAndNoMore) {
-  // A signal of metres, decoded in double precision in one segment only.
+TEST(SegmentDecoder, UsesExactlyTheStatedMemory) {
+  // A signal of metres, which only one segment decodes in double precision.
   Motion motion = test::smooth_motion(700);
   motion.clip.channels.col(0).tail(150).array() += 5000;
   const OpenedClip opened(write_container(test::segmented_clip(motion, {700, 300, 40})));
@@ -203,7 +203,7 @@ TEST(SegmentDecoder, LimitsCountSharedFramesTwice) {
   EXPECT_EQ(OpenedClip(file, &limits).result.status, MCPR_OK);
 }
 
-TEST(SegmentDecoder, ReadingTakesTheMemoryOfOneSegmentAndTheCodedBytes) {
+TEST(SegmentDecoder, ReadingNeedsMemoryForOneSegmentAndTheCodedBytes) {
   const auto file_of = [](int frames) {
     return write_container(
         test::segmented_clip(test::smooth_motion(frames), {frames, 256, 16}, true));
@@ -216,7 +216,7 @@ TEST(SegmentDecoder, ReadingTakesTheMemoryOfOneSegmentAndTheCodedBytes) {
             many.info.motion_bytes - few.info.motion_bytes + 24 * kMoreSegments + 64);
 }
 
-TEST(SegmentDecoder, TheFileIsDoneWithOnceItWasRead) {
+TEST(SegmentDecoder, TheFileIsNotNeededAfterReading) {
   auto file = write_container(three_segments().compressed);
   const AlignedBytes scratch(three_segments().opened.info.read_bytes);
   std::size_t size = 0;
@@ -225,7 +225,7 @@ TEST(SegmentDecoder, TheFileIsDoneWithOnceItWasRead) {
       MCPR_OK);
   std::fill(file.begin(), file.end(), std::byte{0x5A});
   const AlignedBytes resident(size);
-  for (int built = 0; built < 2; ++built) {  // as often as one likes
+  for (int built = 0; built < 2; ++built) {  // building may be repeated
     const mcpr_clip* clip = nullptr;
     ASSERT_EQ(mcpr_build(scratch.data(), scratch.size(), resident.data(), size, &clip).status,
               MCPR_OK);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The resident form and what comes out of it, against the transform in double precision.
+// Compares the resident form and its synthesis with the transform in double precision.
 #include "core/runtime/decode/signal_decoder.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace mocapress {
 namespace {
 
-/// Values of some density in every band, over several orders of magnitude.
+/// Random values over several orders of magnitude, with the given density in every band.
 Eigen::MatrixXi random_values(int length, int signal_count, double density,
                               std::uint64_t seed = 1) {
   Random random(seed);
@@ -28,7 +28,7 @@ Eigen::MatrixXi random_values(int length, int signal_count, double density,
   return values;
 }
 
-/// Dense above and sparse below, as motion is.
+/// Random values like those of motion: dense in coarse bands, sparse in fine ones.
 Eigen::MatrixXi motion_like(int length, int signal_count, std::uint64_t seed = 1) {
   Random random(seed);
   Eigen::MatrixXi values = Eigen::MatrixXi::Zero(length, signal_count);
@@ -59,7 +59,7 @@ struct Resident {
     form = runtime::ResidentSignals::build(source, bytes->data());
   }
 
-  /// Steps times values, transformed in double precision: samples x signals.
+  /// The inverse transform of steps times values in double precision: samples x signals.
   Eigen::MatrixXd expected(const Eigen::MatrixXi& values, Basis basis,
                            int bands_left_out = 0) const {
     const Lifting lifting(basis, static_cast<int>(values.rows()));
@@ -93,7 +93,7 @@ std::vector<std::int32_t> all_columns(int count) {
   return columns;
 }
 
-/// Frames first ... first + count - 1 by themselves, frames x columns.
+/// Frames first ... first + count - 1 decoded on their own: frames x columns.
 Eigen::MatrixXf window_of(runtime::SignalDecoder& synthesis, int columns, int first, int count) {
   Eigen::MatrixXf rows(columns, count);
   synthesis.decode_window(first, count, rows.data(), columns);
@@ -120,7 +120,7 @@ TEST(Synthesis, IsTheInverseTransformForEveryLengthAndBasis) {
     }
 }
 
-TEST(Synthesis, AnyWindowIsThatPartOfTheWhole) {
+TEST(Synthesis, AnyWindowEqualsThatPartOfTheWhole) {
   Random random(5);
   for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
     for (const int length : {257, 500, 1001}) {
@@ -142,7 +142,7 @@ TEST(Synthesis, AnyWindowIsThatPartOfTheWhole) {
     }
 }
 
-TEST(Synthesis, WindowsInARowAreTheSameBitsAsEachByItself) {
+TEST(Synthesis, ConsecutiveWindowsHaveTheBitsOfSingleOnes) {
   Random random(6);
   const auto columns = all_columns(13);
   for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
@@ -177,13 +177,13 @@ TEST(Synthesis, EveryPathGivesTheSameBits) {
     };
     const Eigen::MatrixXf plain = decoded_by(runtime::kPlainRows);
     for (const runtime::RowKernels* rows : {runtime::sse2_rows(), runtime::avx2_rows()}) {
-      if (rows == nullptr) continue;  // this machine has none
+      if (rows == nullptr) continue;  // not on this machine
       EXPECT_EQ(std::memcmp(decoded_by(*rows).data(), plain.data(), 4 * 777 * 21), 0);
     }
   }
 }
 
-TEST(Synthesis, ASubsetOfSignalsIsTheSameBitsInItsColumns) {
+TEST(Synthesis, SubsetOfSignalsHasTheSameBits) {
   const Eigen::MatrixXi values = motion_like(300, 30);
   const Resident resident(values, Basis::Cubic);
   const auto all = all_columns(30);
@@ -202,7 +202,7 @@ TEST(Synthesis, ASubsetOfSignalsIsTheSameBitsInItsColumns) {
   EXPECT_EQ(chosen.col(2), expected.col(2));
 }
 
-TEST(Synthesis, BandsLeftOutAreAsIfTheyWereZero) {
+TEST(Synthesis, LeftOutBandsCountAsZero) {
   const Eigen::MatrixXi values = motion_like(200, 9);
   const Resident resident(values, Basis::Cubic);
   const auto columns = all_columns(9);
@@ -215,8 +215,8 @@ TEST(Synthesis, BandsLeftOutAreAsIfTheyWereZero) {
   }
 }
 
-TEST(SignalDecoder, WideSignalsHaveNoErrorButThatOfTheirFloats) {
-  // A trajectory of kilometres: floats all the way would be off by several of their last digits.
+TEST(SignalDecoder, WideSignalsAreExactUpToTheRoundingOfTheResult) {
+  // A trajectory of kilometres. In floats alone several of the last digits would be wrong.
   Eigen::MatrixXi values = motion_like(900, 12);
   values.row(0).setConstant(1 << 22);
   const Resident resident(values, Basis::Cubic, 0, 8);
@@ -234,7 +234,7 @@ TEST(SignalDecoder, WideSignalsHaveNoErrorButThatOfTheirFloats) {
 }
 
 TEST(ResidentSignals, HoldTheLargestValuesAndManySignals) {
-  Eigen::MatrixXi values = Eigen::MatrixXi::Zero(64, 300);  // more than a byte counts
+  Eigen::MatrixXi values = Eigen::MatrixXi::Zero(64, 300);  // more signals than fit one byte
   values(0, 0) = std::numeric_limits<int>::max();
   values(1, 0) = std::numeric_limits<int>::min();
   values(40, 299) = std::numeric_limits<int>::min();
@@ -246,13 +246,13 @@ TEST(ResidentSignals, HoldTheLargestValuesAndManySignals) {
   expect_near(window_of(*synthesis, 300, 0, 64), resident.expected(values, Basis::Cubic));
 }
 
-TEST(ResidentSignals, OfNothingTakeNextToNothing) {
+TEST(ResidentSignals, AreTinyWithoutCoefficients) {
   const Resident resident(Eigen::MatrixXi::Zero(5000, 60), Basis::Cubic);
   EXPECT_LT(resident.bytes->size(), 600u);
 }
 
-TEST(ResidentSignals, WideOffsetsOfBlocks) {
-  // So many values in a fine band that its blocks take more than 64 KiB.
+TEST(ResidentSignals, UseWideBlockOffsetsInLargeBands) {
+  // A fine band with so many values that its blocks take more than 64 KiB.
   Eigen::MatrixXi values = Eigen::MatrixXi::Zero(20000, 40);
   Random random(3);
   for (int s = 0; s < 40; ++s)

@@ -10,7 +10,7 @@
 namespace mocapress::runtime {
 namespace {
 
-TEST(Bits, RiceCodesComeBackWithEveryShift) {
+TEST(Bits, RiceCodesRoundTripWithEveryShift) {
   Random random(1);
   for (int shift = 0; shift <= kMostRiceShift; ++shift) {
     std::vector<std::uint32_t> numbers = {0, 1, 15, 16, 0xFFFFFFFF, 0x80000000};

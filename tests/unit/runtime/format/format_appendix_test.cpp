@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables of FORMAT.md's appendix are those of the program.
+// The tables in FORMAT.md's appendix match those in the program.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -18,10 +18,10 @@ constexpr const char* kFormatPage = MOCAPRESS_SOURCE_DIR "/core/runtime/format/F
 
 struct AppendixTable {
   std::string heading;
-  std::string text;  // between the fences, without the last line's end
+  std::string text;  // between the fences, without the last newline
 };
 
-/// "1 2 3\n4 5 6": rows of so many numbers.
+/// Formats numbers in rows: "1 2 3\n4 5 6".
 template <typename Numbers>
 std::string rows_of_numbers(const Numbers& numbers, std::size_t in_a_row) {
   std::string text;
@@ -64,7 +64,7 @@ struct TextRange {
   std::size_t size = 0;
 };
 
-/// What stands between the first fences below a heading; nothing where there are none.
+/// The text between the first fences below a heading; empty if there are none.
 TextRange fenced_below(const std::string& page, const std::string& heading) {
   const std::string fence = "\n```";
   const std::size_t at = page.find('\n' + heading + ' ');
@@ -76,7 +76,7 @@ TextRange fenced_below(const std::string& page, const std::string& heading) {
   return end == std::string::npos ? TextRange{} : TextRange{begin, end - begin};
 }
 
-TEST(FormatAppendix, HasTheTablesOfTheProgram) {
+TEST(FormatAppendix, MatchesTheTablesOfTheProgram) {
   const std::string page = read_text(kFormatPage);
   for (const AppendixTable& table : appendix_of_the_program()) {
     const TextRange range = fenced_below(page, table.heading);
@@ -84,7 +84,7 @@ TEST(FormatAppendix, HasTheTablesOfTheProgram) {
   }
 }
 
-/// To be run by hand after tests/bench/fit_priors.cpp made other priors.
+/// Run this by hand after tests/bench/fit_priors.cpp has made new priors.
 TEST(FormatAppendix, DISABLED_TablesAreWrittenAnew) {
   std::string page = read_text(kFormatPage);
   for (const AppendixTable& table : appendix_of_the_program()) {

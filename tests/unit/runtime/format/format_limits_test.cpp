@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One set of limits: what is written opens by the runtime decoder's defaults.
+// Writers and readers share one set of limits: every written file opens with the decoder's
+// defaults.
 #include "core/runtime/format/format_limits.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ TEST(FormatLimits, AreTheDefaultsOfTheRuntimeDecoder) {
   EXPECT_EQ(limits.resident_bytes, runtime::kMostResidentBytes);
 }
 
-/// Hands with fingers, a face: 62 channels, as a captured body has them.
+/// A captured body with fingers and a face: 62 channels.
 Motion body(int frames) {
   Motion motion;
   while (motion.skeleton.channel_count() < 60)
@@ -44,7 +45,7 @@ Motion body(int frames) {
   return motion;
 }
 
-/// As many segments, each with the bytes of the first: no more is encoded than one.
+/// A clip of `segments` copies of one segment's bytes, so that only one has to be encoded.
 CompressedClip repeated(const CompressedClip& one, int segments, int overlap) {
   CompressedClip clip = one;
   clip.frames = one.frames + (segments - 1) * (one.frames - overlap);
@@ -57,7 +58,7 @@ CompressedClip repeated(const CompressedClip& one, int segments, int overlap) {
   return clip;
 }
 
-TEST(FormatLimits, LetAnHourOfABodyAt120HzBeOpened) {
+TEST(FormatLimits, AdmitAnHourOfABodyAt120Hz) {
   constexpr int kLength = 12288;
   constexpr int kSegments = 33;
   const Motion motion = body(kLength);
@@ -69,12 +70,12 @@ TEST(FormatLimits, LetAnHourOfABodyAt120HzBeOpened) {
   const RuntimeClip opened(write_container(clip));
   EXPECT_EQ(opened.info().frames, static_cast<std::uint32_t>(clip.frames));
   const RuntimeClip alone(write_container(one));
-  // In the middle of a segment, and to the last frame.
+  // Compares frames in the middle of a segment, and the last frames.
   EXPECT_EQ(opened.frames(20 * (kLength - 48) + 6000, 10), alone.frames(6000, 10));
   EXPECT_EQ(opened.frames(clip.frames - 10, 10), alone.frames(kLength - 10, 10));
 }
 
-TEST(FormatLimits, LetAClipBeOpenedThatStandsStillForHours) {
+TEST(FormatLimits, AdmitHoursOfStillness) {
   CompressedClip clip{.frames = 1 << 22, .coding = Coding::Adaptive, .motion = {}};
   clip.provenance.method = Method::ClosedLoop;
   clip.skeleton.add(

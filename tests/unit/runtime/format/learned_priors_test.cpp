@@ -18,7 +18,7 @@ runtime::Bytes bytes_of(const std::vector<std::uint8_t>& bytes) {
   return {bytes.data(), bytes.size(), 0};
 }
 
-/// Of clips of that many signals, no weight changed.
+/// Learned priors from clips with `signals` signals that change no weight.
 std::vector<std::uint8_t> lesson(int signals) {
   std::vector<std::uint8_t> bytes(kHead);
   bytes[0] = static_cast<std::uint8_t>(signals);
@@ -31,7 +31,7 @@ void tell(std::vector<std::uint8_t>& bytes, int skipped, std::uint8_t code) {
   bytes.push_back(code);
 }
 
-TEST(LearnedPriors, ChangeTheContextsThatAreTold) {
+TEST(LearnedPriors, ChangeTheListedContexts) {
   std::vector<std::uint8_t> bytes = lesson(3);
   bytes[2] = 0xFE;  // the first weight of the first set: -2 / 32
   tell(bytes, 7, 16 + 32 * 5);
@@ -49,11 +49,11 @@ TEST(LearnedPriors, ChangeTheContextsThatAreTold) {
     EXPECT_EQ(model->contexts[c].one == before->contexts[c].one, c != 7 && c != 208) << c;
 }
 
-TEST(LearnedPriors, OfSignalsGoToClipsWithAsManyAlone) {
+TEST(LearnedPriors, OfSignalsApplyOnlyToEqualSignalCounts) {
   const int shared = ContextLayout(3).shared;
   std::vector<std::uint8_t> bytes = lesson(3);
   tell(bytes, shared - 1, 5);
-  tell(bytes, 0, 5);  // the first of the signals
+  tell(bytes, 0, 5);  // the first context of single signals
   for (const int signals : {2, 3, 4}) {
     CoefficientModel model(signals);
     CoefficientModel before(signals);
@@ -71,7 +71,7 @@ TEST(LearnedPriors, WithoutBytesChangeNothing) {
     ASSERT_EQ(model->contexts[c].one, before->contexts[c].one);
 }
 
-TEST(LearnedPriors, AreRefusedWhereTheyEndEarlyOrGoBeyondTheContexts) {
+TEST(LearnedPriors, AreRefusedIfCutShortOrBeyondTheContexts) {
   std::vector<std::uint8_t> bytes = lesson(3);
   tell(bytes, ContextLayout(3).end - 1, 5);
   CoefficientModel model(3);

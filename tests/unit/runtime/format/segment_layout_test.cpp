@@ -73,7 +73,7 @@ TEST(SegmentLayout, SharesOfBothSegmentsSumToOneAndGrow) {
   }
 }
 
-TEST(SegmentLayout, ThreeNeverMeet) {
+TEST(SegmentLayout, NoFrameIsInThreeSegments) {
   EXPECT_TRUE(runtime::may_be_segments(1000, 256, 128));
   EXPECT_TRUE(runtime::may_be_segments(257, 256, 1));
   EXPECT_FALSE(runtime::may_be_segments(1000, 256, 129));

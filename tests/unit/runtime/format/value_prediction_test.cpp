@@ -14,7 +14,7 @@ std::int16_t noise(Random& random) {
   return static_cast<std::int16_t>(random.below(401) - 200);
 }
 
-TEST(RestPrediction, LearnsWhatTheLastTapSays) {
+TEST(RestPrediction, LearnsFromTheLastTap) {
   Random random(5);
   RestPrediction rest;
   rest.begin();
@@ -28,10 +28,10 @@ TEST(RestPrediction, LearnsWhatTheLastTapSays) {
     if (i >= 3900) off += std::abs(error);
     rest.follow(taps, error);
   }
-  EXPECT_LT(off / 100, 10);  // of 50 without a prediction
+  EXPECT_LT(off / 100, 10);  // 50 without a prediction
 }
 
-TEST(RestPrediction, StaysWithinBoundsWhateverComes) {
+TEST(RestPrediction, StaysWithinBoundsForAnyInput) {
   RestPrediction rest;
   rest.begin();
   RestPrediction::Taps taps;
@@ -49,7 +49,7 @@ TEST(RestPrediction, LearnsNothingFromZeros) {
   for (const std::int32_t weight : rest.weights) EXPECT_EQ(weight, 0);
 }
 
-/// Values as they come: many zeros, some as large as a file can hold.
+/// Realistic values: many zeros, and some as large as a file can hold.
 std::int32_t any_value(Random& random) {
   switch (random.below(8)) {
     case 0:
@@ -63,7 +63,7 @@ std::int32_t any_value(Random& random) {
   }
 }
 
-TEST(PredictionKernels, DoTheSameInEveryInstructionSet) {
+TEST(PredictionKernels, AgreeInEveryInstructionSet) {
   const PredictionKernels& best = best_prediction();
   if (&best == &kPlainPrediction) GTEST_SKIP() << "this machine has one alone";
   Random random(9);
@@ -99,7 +99,7 @@ TEST(PredictionKernels, DoTheSameInEveryInstructionSet) {
   }
 }
 
-TEST(PredictionKernels, NormaliseAsProductsOf64BitsWould) {
+TEST(PredictionKernels, NormaliseAs64BitProductsWould) {
   Random random(10);
   for (int i = 0; i < 100000; ++i) {
     const std::int32_t value = any_value(random);

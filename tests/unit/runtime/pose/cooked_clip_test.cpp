@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cooked clips against the decoder that they are made by.
+// Compares cooked clips with the decoder.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ namespace {
 using test::CookedClip;
 using test::OpenedClip;
 
-// What SAMPLING.md promises.
+// The bounds promised by SAMPLING.md.
 constexpr double kMostTurn = 5e-4;   // radians
 constexpr double kMostShift = 2e-3;  // cm
 
@@ -37,7 +37,7 @@ struct Worst {
   double shift = 0;  // cm
 };
 
-/// How far transforms are from what mcpr_decode_looped, of a loop, or mcpr_decode_moment give.
+/// Compares transforms with mcpr_decode_looped for a loop, else with mcpr_decode_moment.
 void compare(const OpenedClip& opened, const std::vector<float>& made, mcpr_wrap wrap,
              const mcpr_request& decoded, double frame, Worst& worst) {
   std::vector<float> expected(mcpr_frame_values(opened.clip, &decoded));
@@ -64,7 +64,7 @@ void compare(const OpenedClip& opened, const std::vector<float>& made, mcpr_wrap
   }
 }
 
-/// Frames and instants between them, the ends among them.
+/// Samples frames and instants between them, the ends included.
 void expect_as_decoded(const CompressedClip& clip, bool apply_ik = false) {
   const OpenedClip opened(write_container(clip));
   ASSERT_NE(opened.clip, nullptr) << opened.result.message;
@@ -86,7 +86,7 @@ void expect_as_decoded(const CompressedClip& clip, bool apply_ik = false) {
   for (int i = 0; i < 300; ++i) {
     double frame = last * random.unit();
     if (i % 3 == 0) frame = std::floor(frame);
-    if (apply_ik) frame = std::floor(frame);  // between frames both are linear, but not alike
+    if (apply_ik) frame = std::floor(frame);  // between frames the two interpolate differently
     if (i < 6) frame = std::min<double>(i, last);
     if (i >= 6 && i < 12) frame = std::max(last - (i - 6), 0.0);
     compare(opened, cooked.sample({}, frame), MCPR_CLAMP, decoded, frame, sampled);
@@ -100,14 +100,14 @@ void expect_as_decoded(const CompressedClip& clip, bool apply_ik = false) {
   }
 }
 
-TEST(CookedClip, GivesTheDecodersPoses) {
+TEST(CookedClip, MatchesTheDecoder) {
   for (const int frames : {1, 2, 3, 4, 5, 7, 8, 13, 16, 31, 64, 150, 257, 512, 700})
     expect_as_decoded(
         compressed_of(test::smooth_motion(frames, static_cast<unsigned>(frames)),
                       {.target = {Target::Kind::Error, frames % 2 == 0 ? 0.05 : 0.4}}));
 }
 
-TEST(CookedClip, GivesThemWithEveryBasisAndEnds) {
+TEST(CookedClip, MatchesTheDecoderForEveryBasisAndEnds) {
   for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
     expect_as_decoded(compressed_of(test::smooth_motion(200), {.basis = basis}));
   expect_as_decoded(compressed_of(test::smooth_motion(200), {.ends = Ends::Exact}));
@@ -126,26 +126,27 @@ TEST(CookedClip, GivesThemWithTheVelocityThatAnEndLacks) {
   }
 }
 
-TEST(CookedClip, GivesThemAboutTurnedAxes) {
+TEST(CookedClip, MatchesTheDecoderAboutTurnedAxes) {
   const Motion motion = test::smooth_motion(180);
   CompressedClip clip = test::segmented_clip(motion, SegmentLayout::whole(180));
   clip.forms = test::turned_forms(motion.skeleton);
   expect_as_decoded(clip);
 }
 
-TEST(CookedClip, GivesThemOfSegments) {
+TEST(CookedClip, SamplesAcrossSegmentBoundaries) {
   const Motion motion = test::smooth_motion(900);
   expect_as_decoded(test::segmented_clip(motion, {.frames = 900, .length = 300, .overlap = 48}));
 }
 
-TEST(CookedClip, GivesThemWithTheCorrection) {
+TEST(CookedClip, MatchesTheDecoderWithTheIkCorrection) {
   const Motion motion = test::smooth_motion(300);
   expect_as_decoded(test::segmented_clip(motion, SegmentLayout::whole(300), true), true);
   expect_as_decoded(test::segmented_clip(motion, SegmentLayout::whole(300), true), false);
 }
 
-/// Joints that turn about one axis twice, by more than three angles, by none, and move by six.
-TEST(CookedClip, GivesThemOfOddJoints) {
+/// A joint that turns twice about one axis, one without channels, a hinge, and one that also
+/// translates.
+TEST(CookedClip, MatchesTheDecoderForUnusualJoints) {
   Motion motion;
   using enum ChannelKind;
   motion.skeleton.add(
@@ -166,9 +167,9 @@ TEST(CookedClip, GivesThemOfOddJoints) {
   expect_as_decoded(compressed_of(motion, {.target = {Target::Kind::Error, 0.05}}));
 }
 
-/// Half angles within an eighth of a turn and beyond, beside each other: sines of the former take
-/// no quarters off.
-TEST(CookedClip, GivesThemOfAnglesNearAndFar) {
+/// Half angles within an eighth of a turn beside larger ones, which take another path to their
+/// sines.
+TEST(CookedClip, MatchesTheDecoderForSmallAndLargeAngles) {
   Motion motion;
   using enum ChannelKind;
   for (int j = 0; j < 20; ++j)
@@ -204,7 +205,7 @@ TEST_F(CookedPaths, GiveTheSameBits) {
   }
 }
 
-TEST_F(CookedPaths, AllLayoutsAndListsSayTheSame) {
+TEST_F(CookedPaths, AllLayoutsAndListsAgree) {
   const std::vector<std::uint16_t> list = {5, 0, 7};
   Random random(8);
   for (int i = 0; i < 60; ++i) {
@@ -231,7 +232,7 @@ TEST_F(CookedPaths, AllLayoutsAndListsSayTheSame) {
   }
 }
 
-/// A selection of a clip, in memory of its own.
+/// A selection of a clip, with its own memory.
 class Selected {
  public:
   Selected(const mcpr_cooked* clip, const std::vector<std::uint16_t>& joints)
@@ -247,7 +248,7 @@ class Selected {
   AlignedBytes memory_;
 };
 
-TEST_F(CookedPaths, SelectionsSayWhatListsSay) {
+TEST_F(CookedPaths, SelectionsMatchLists) {
   const mcpr_cooked_info info = mcpr_cooked_describe(cooked_.clip);
   Random random(10);
   for (int i = 0; i < 100; ++i) {
@@ -269,12 +270,12 @@ TEST_F(CookedPaths, SelectionsSayWhatListsSay) {
   }
 }
 
-TEST_F(CookedPaths, RefuseSelectionsThatDoNotSuit) {
+TEST_F(CookedPaths, RefuseUnsuitableSelections) {
   const std::uint16_t joints[] = {1, 0, 1};
   const mcpr_selection* made = nullptr;
   EXPECT_EQ(mcpr_selection_bytes(nullptr, 1), 0u);
   EXPECT_EQ(mcpr_selection_bytes(cooked_.clip, 1000), 0u);
-  const AlignedBytes others(sizeof(mcpr_cooked));  // no magic number
+  const AlignedBytes others(sizeof(mcpr_cooked));  // without the magic number
   std::memset(others.data(), 0, sizeof(mcpr_cooked));
   const auto* const no_clip = reinterpret_cast<const mcpr_cooked*>(others.data());
   EXPECT_EQ(mcpr_selection_bytes(no_clip, 0), 0u);
@@ -297,8 +298,8 @@ TEST_F(CookedPaths, RefuseSelectionsThatDoNotSuit) {
   EXPECT_EQ(mcpr_sample_values(cooked_.clip, &both), 0u);
 }
 
-/// The more bands, the further away, and all by the same bits.
-TEST_F(CookedPaths, BandsThatAreLeftOutAreMissed) {
+/// The error grows with the number of bands left out, and all paths agree.
+TEST_F(CookedPaths, ErrorGrowsWithTheBandsLeftOut) {
   double before = 0;
   for (std::uint32_t bands = 0; bands <= MCPR_MOST_BANDS_LEFT_OUT; ++bands) {
     double apart = 0;
@@ -321,21 +322,21 @@ TEST_F(CookedPaths, BandsThatAreLeftOutAreMissed) {
   EXPECT_EQ(mcpr_sample_values(cooked_.clip, &request), 0u);
 }
 
-TEST_F(CookedPaths, AnInstantBesideAFrameIsThatFrame) {
+TEST_F(CookedPaths, SnapToAFrameWithinRounding) {
   const std::vector<float> frame = cooked_.sample({}, 7);
   for (const double beside : {7 - 1e-5, 7 - 1e-12, 7 + 1e-12, 7 + 1e-5})
     EXPECT_EQ(cooked_.sample({}, beside), frame) << beside;
   EXPECT_NE(cooked_.sample({}, 7.001), frame);
 }
 
-TEST_F(CookedPaths, SecondsAreFramesAndInstantsBeyondTheEndsStandStill) {
+TEST_F(CookedPaths, ConvertSecondsAndClampAtTheEnds) {
   const double rate = mcpr_cooked_describe(cooked_.clip).sample_rate;
   EXPECT_EQ(cooked_.sample({.unit = MCPR_SECONDS}, 100 / rate), cooked_.sample({}, 100));
   EXPECT_EQ(cooked_.sample({}, -7), cooked_.sample({}, 0));
   EXPECT_EQ(cooked_.sample({}, 1e12), cooked_.sample({}, 332));
 }
 
-TEST_F(CookedPaths, RefuseWhatTheyCannotDo) {
+TEST_F(CookedPaths, RefuseImpossibleRequests) {
   const std::vector<std::uint16_t> twice = {1, 1};
   const std::vector<std::uint16_t> beyond = {1000};
   for (const mcpr_sample_request& request :
@@ -350,8 +351,8 @@ TEST_F(CookedPaths, RefuseWhatTheyCannotDo) {
   EXPECT_EQ(mcpr_sample(nullptr, &request, 0, out).status, MCPR_ARGUMENT);
 }
 
-/// Of both kinds: the whole seam, before and after, turn after turn.
-TEST(CookedLoop, GivesTheDecodersPosesAcrossTheSeam) {
+/// Tests both kinds of loops across the seam, and in several cycles.
+TEST(CookedLoop, MatchesTheDecoderAcrossTheSeam) {
   for (const Loop loop : {Loop::Repeats, Loop::Follows}) {
     const OpenedClip opened(
         write_container(compressed_of(test::smooth_motion(90), {.loop = loop})));
@@ -370,7 +371,7 @@ TEST(CookedLoop, GivesTheDecodersPosesAcrossTheSeam) {
   }
 }
 
-TEST(CookedLoop, MotionAddsUpTurnAfterTurn) {
+TEST(CookedLoop, MotionAccumulatesOverCycles) {
   const OpenedClip opened(
       write_container(compressed_of(test::smooth_motion(90), {.loop = Loop::Repeats})));
   const CookedClip cooked(opened.clip);
@@ -384,7 +385,7 @@ TEST(CookedLoop, MotionAddsUpTurnAfterTurn) {
     return std::hypot(by.translation[0], by.translation[1], by.translation[2]);
   };
   EXPECT_NEAR(length(motion(10, 10)), 0, 1e-3);
-  // A whole turn is the same wherever it is looked for, in the root's frame there.
+  // A cycle's motion, in the root's local space, does not depend on where it starts.
   EXPECT_NEAR(length(motion(0, 89)), length(motion(89, 178)), 2e-2);
   EXPECT_NEAR(length(motion(0, 89)), length(motion(89, 0)), 2e-2);
   EXPECT_NEAR(motion(5, 300).rotation[0], motion(94, 389).rotation[0], 1e-3);
@@ -427,7 +428,7 @@ TEST_F(HostileCooked, EveryFlippedBitIsRefused) {
   }
 }
 
-/// Bytes of malice, with a checksum that suits: refused, or sampled without harm (asan tells).
+/// Malicious bytes with a valid checksum are refused or sampled without harm (run under asan).
 TEST_F(HostileCooked, WrongNumbersWithTheRightChecksumAreRefusedOrHarmless) {
   const std::size_t size = cooked_.bytes->size();
   const AlignedBytes copy(size);
@@ -436,7 +437,7 @@ TEST_F(HostileCooked, WrongNumbersWithTheRightChecksumAreRefusedOrHarmless) {
   for (int round = 0; round < 4000; ++round) {
     std::memcpy(copy.data(), cooked_.bytes->data(), size);
     for (int k = 0; k <= round % 3; ++k) {
-      // Mostly in the head and the tables.
+      // Even rounds change the head and the first tables, odd ones anything.
       const std::size_t at = 16 + random.below(round % 2 == 0 ? 140 : size - 16);
       copy.data()[at] = static_cast<std::byte>(random.below(256));
     }

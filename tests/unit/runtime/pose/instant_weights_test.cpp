@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Weights against the transform that they are read from.
+// Compares weights with the transform that they are derived from.
 #include "core/runtime/pose/instant_weights.h"
 
 #include <gtest/gtest.h>
@@ -22,10 +22,10 @@ std::vector<double> random_line(Random& random, int length) {
   return line;
 }
 
-/// A signal as samples after some levels and the details of each.
+/// The decomposition of a signal: samples at each level, and the details of each.
 struct Levels {
   std::vector<std::vector<double>> details;  // the finest first
-  std::vector<std::vector<double>> samples;  // of so many levels left out
+  std::vector<std::vector<double>> samples;  // element n: n levels left out
 
   Levels(Wavelet wavelet, int length, int levels, Random& random) {
     std::vector<int> lengths = {length};
@@ -49,7 +49,7 @@ double weighed(const std::vector<double>& rows, int row, double weight) {
   return 0;
 }
 
-TEST(InstantWeights, AreTheInverseTransformAtEveryFrameOfEveryLength) {
+TEST(InstantWeights, EqualTheInverseTransformAtEveryFrameOfEveryLength) {
   Random random(1);
   for (const Wavelet wavelet : {Wavelet::Haar, Wavelet::Linear, Wavelet::Cubic})
     for (int length = 1; length <= 300; length += length < 140 ? 1 : 53) {

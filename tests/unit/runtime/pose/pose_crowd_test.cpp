@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many characters at once against one by one.
+// Compares posing many characters together with posing them one by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class Stage {
   std::vector<float> sampled(const mcpr_sample_request& request, double time) const {
     return cooked_.sample(request, time);
   }
-  /// By a cursor of which nothing was asked before.
+  /// A pose from a new cursor.
   std::vector<float> played(const mcpr_sample_request& request, double time) const {
     mcpr_cursor* cursor = nullptr;
     EXPECT_EQ(mcpr_make_cursor(cooked_.clip, cursor_memory_.data(), cursor_memory_.size(), &cursor)
@@ -96,7 +96,7 @@ class PoseCrowd : public testing::Test {
     }
   };
 
-  /// Anywhere in all clips, or near one instant of each.
+  /// Characters at random instants of all clips, or close to one instant of each.
   std::vector<Member> members(int count, bool are_near, unsigned seed,
                               const mcpr_crowd_request& request) const {
     Random random(seed);
@@ -150,7 +150,7 @@ class PoseCrowd : public testing::Test {
   std::vector<std::unique_ptr<Stage>> stages_;
 };
 
-TEST_F(PoseCrowd, HasTheBitsOfSamplesWhereTheyAreAskedFor) {
+TEST_F(PoseCrowd, MatchesSamplesToTheBitOnRequest) {
   for (const mcpr_layout layout : {MCPR_TRANSFORMS, MCPR_ARRAYS, MCPR_MATRICES})
     for (const mcpr_time unit : {MCPR_FRAMES, MCPR_SECONDS}) {
       const mcpr_crowd_request request{.layout = layout, .unit = unit, .exact = 1};
@@ -167,8 +167,8 @@ TEST_F(PoseCrowd, HasTheBitsOfSamplesWhereTheyAreAskedFor) {
     }
 }
 
-/// Of all paths, sorted or not; and where they are dense most are a cursor's.
-TEST_F(PoseCrowd, HasTheBitsOfSamplesOrOfCursors) {
+/// Tests all paths, sorted and unsorted. Where instants are dense, most poses have a cursor's bits.
+TEST_F(PoseCrowd, MatchesSamplesOrCursorsToTheBit) {
   for (const bool are_near : {false, true})
     for (const bool are_sorted : {false, true}) {
       std::vector<std::vector<float>> of_paths;
@@ -203,7 +203,7 @@ TEST_F(PoseCrowd, HasTheBitsOfSamplesOrOfCursors) {
     }
 }
 
-TEST_F(PoseCrowd, IsSortedByClipAndInstantAndKeepsAll) {
+TEST_F(PoseCrowd, SortsByClipAndInstantWithoutLosingAny) {
   const mcpr_crowd_request request{};
   std::vector<Member> all = members(3000, false, 5, request);
   std::vector<mcpr_character> characters = characters_of(all);
@@ -228,7 +228,7 @@ TEST_F(PoseCrowd, IsSortedByClipAndInstantAndKeepsAll) {
   for (std::size_t i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].out, characters[i].out);
 }
 
-TEST_F(PoseCrowd, RefusesAllWhereOneCannotBePosed) {
+TEST_F(PoseCrowd, RefusesAllIfOneCannotBePosed) {
   const mcpr_crowd_request request{};
   std::vector<Member> all = members(50, false, 6, request);
   const std::vector<mcpr_character> good = characters_of(all);
@@ -245,7 +245,7 @@ TEST_F(PoseCrowd, RefusesAllWhereOneCannotBePosed) {
   refused_for([](mcpr_character& c) { c.out = nullptr; });
   refused_for([](mcpr_character& c) { c.time = std::nan(""); });
   refused_for([](mcpr_character& c) { c.bands_left_out = MCPR_MOST_BANDS_LEFT_OUT + 1; });
-  refused_for([&](mcpr_character& c) {  // which is no loop
+  refused_for([&](mcpr_character& c) {  // not a loop
     c.clip = stages_[3]->clip();
     c.selection = nullptr;
     c.wrap = MCPR_LOOP;

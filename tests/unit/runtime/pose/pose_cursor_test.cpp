@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Play through a cursor against samples without one.
+// Compares playing through a cursor with sampling without one.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ namespace {
 using test::CookedClip;
 using test::OpenedClip;
 
-// Both keep what SAMPLING.md promises against the decoder.
+// Both are within SAMPLING.md's bounds of the decoder, so they may differ by twice these.
 constexpr double kTurnBetween = 2 * 5e-4;   // radians
 constexpr double kShiftBetween = 2 * 2e-3;  // cm
 
@@ -35,7 +35,7 @@ CompressedClip clip_of_frames(int frames, EncodeOptions options = {}) {
       .compressed;
 }
 
-/// A cooked clip and a cursor of its own.
+/// A cooked clip with its own cursor.
 class Player {
  public:
   explicit Player(const CompressedClip& clip)
@@ -46,7 +46,7 @@ class Player {
   std::vector<float> next(const mcpr_sample_request& request, double time) {
     return sample_with(cursor_, request, time);
   }
-  /// By a cursor that nothing was asked of before.
+  /// A pose from a new cursor.
   std::vector<float> fresh(const mcpr_sample_request& request, double time) const {
     const AlignedBytes memory(mcpr_cursor_bytes(clip_->clip));
     mcpr_cursor* cursor = nullptr;
@@ -73,7 +73,7 @@ class Player {
   mcpr_cursor* cursor_ = nullptr;
 };
 
-/// Transforms of the same rotations and places.
+/// Expects equal rotations and positions within the bounds.
 void expect_close(const std::vector<float>& a, const std::vector<float>& b, double time) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); i += 8) {
@@ -85,7 +85,7 @@ void expect_close(const std::vector<float>& a, const std::vector<float>& b, doub
   }
 }
 
-/// There and back, at several rates, then anywhere.
+/// Instants of playing forwards and backwards at several rates, then random ones.
 std::vector<double> instants(double first, double last, unsigned seed) {
   std::vector<double> all;
   for (const double step : {1.0, 2.0, 0.4, 3.7}) {
@@ -110,29 +110,29 @@ void expect_as_without(const CompressedClip& clip, const mcpr_sample_request& re
   }
 }
 
-TEST(PoseCursor, PlaysWhatIsSampledOfEveryLength) {
+TEST(PoseCursor, MatchesSamplingForEveryLength) {
   for (const int frames : {1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, 16, 17, 22, 31, 33, 64, 150, 257})
     expect_as_without(clip_of_frames(frames, {.target = {Target::Kind::Error, 0.1}}));
 }
 
-TEST(PoseCursor, PlaysEveryBasisAndEnds) {
+TEST(PoseCursor, MatchesSamplingForEveryBasisAndEnds) {
   for (const Basis basis : {Basis::Haar, Basis::Linear, Basis::Cubic})
     expect_as_without(clip_of_frames(101, {.basis = basis}));
   expect_as_without(clip_of_frames(120, {.ends = Ends::Exact}));
 }
 
-TEST(PoseCursor, PlaysSegments) {
+TEST(PoseCursor, MatchesSamplingAcrossSegments) {
   expect_as_without(test::segmented_clip(test::smooth_motion(700),
                                          {.frames = 700, .length = 300, .overlap = 48}));
 }
 
-TEST(PoseCursor, PlaysLoopsAcrossTheSeam) {
+TEST(PoseCursor, MatchesSamplingAcrossTheSeamOfALoop) {
   for (const Loop loop : {Loop::Repeats, Loop::Follows})
     expect_as_without(clip_of_frames(90, {.loop = loop}), {.wrap = MCPR_LOOP}, -100, 300);
 }
 
-/// One after the other by one cursor, so that what it keeps is of another level.
-TEST(PoseCursor, LeavesOutTheBandsThatSamplesLeaveOut) {
+/// Uses one cursor for all levels, so that its cached frames belong to another level.
+TEST(PoseCursor, LeavesOutTheSameBandsAsSampling) {
   for (const int frames : {4, 13, 31, 200}) {
     Player player(clip_of_frames(frames, {.target = {Target::Kind::Error, 0.01}}));
     Random random(9);
@@ -160,7 +160,7 @@ TEST(PoseCursor, PathsAndListsGiveTheSameBits) {
   }
 }
 
-TEST(PoseCursor, RefusesWhatIsNoCursorOrTooLittleMemory) {
+TEST(PoseCursor, RefusesANullCursorOrTooLittleMemory) {
   const Player player(clip_of_frames(20));
   const mcpr_cooked* const clip = player.clip().clip;
   const AlignedBytes memory(4096);
@@ -177,7 +177,7 @@ TEST(PoseCursor, RefusesWhatIsNoCursorOrTooLittleMemory) {
   EXPECT_EQ(mcpr_sample_next(cursor, &request, std::nan(""), out).status, MCPR_ARGUMENT);
 }
 
-/// Bytes of malice that pass the check are played without harm (asan tells).
+/// Malicious bytes that pass the check are played without harm (run under asan).
 TEST(PoseCursor, WrongNumbersAreHarmless) {
   const Player player(clip_of_frames(100, {.ends = Ends::Exact}));
   const AlignedBytes& bytes = *player.clip().bytes;
