@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# Joins sources with all that they include of ours: cmake -DSOURCES=a.cpp;b.cpp -DROOT=DIR -DVERSION=x.y.z
-# -DFOLDER=DIR -P join.cmake. Headers go where they are first included, once; a file without #pragma once
-# wherever it is. System headers stay, the first time that they are named. Sources must not have two helpers
-# of the same name in unnamed namespaces, which here are one.
+# Joins sources and our headers into one file: cmake -DSOURCES=a.cpp;b.cpp -DROOT=DIR -DVERSION=x.y.z
+# -DFOLDER=DIR -P join.cmake. A header is inserted where it is first included; a file without #pragma once,
+# wherever it is included. Includes of system headers are kept once. Helpers in unnamed namespaces need
+# different names across sources, since all end up in one namespace.
 #
-# Texts go through variables in quotes and never through lists: they hold brackets and semicolons.
+# Texts are passed in quoted variables, never in lists, because they contain brackets and semicolons.
 cmake_minimum_required(VERSION 3.25)
 
 # Appends a file, without its licence line, to `joined`.
@@ -45,7 +45,7 @@ function(append_file path)
   set(joined "${joined}" PARENT_SCOPE)
 endfunction()
 
-# Appends a line unless it is there.
+# Appends a line unless it was appended before.
 function(append_once line)
   get_property(seen GLOBAL PROPERTY "seen_${line}")
   if(NOT seen)
@@ -65,7 +65,7 @@ foreach(source IN LISTS SOURCES)
   cmake_path(NORMAL_PATH source)
   append_file("${source}")
 endforeach()
-# Blank lines where includes stood.
+# Collapses the blank lines that includes leave behind.
 string(REGEX REPLACE "\n\n\n+" "\n\n" joined "${joined}")
 file(WRITE "${FOLDER}/mocapress_runtime.cpp" "${joined}")
 file(COPY_FILE "${ROOT}/core/runtime/mocapress_runtime.h" "${FOLDER}/mocapress_runtime.h")
