@@ -100,7 +100,7 @@ mcpr_result check_clip(const mcpk_bank& bank, const BankEntry& entry) {
                        "a clip of the bank has another skeleton than it says");
 }
 
-/// Whether bytes are the zeros of an alignment gap, and no more than it needs.
+/// Whether a gap holds only zeros, and is no longer than alignment requires.
 bool is_padding(const mcpk_bank& bank, std::uint64_t from, std::uint64_t to) {
   if (to < from || to - from >= kCookedAlignment) return false;
   for (; from < to; ++from)

@@ -55,8 +55,8 @@ void NeighbourFinder::number_shapes(const JointTree& tree) const {
   }
 }
 
-/// A joint below a mirrored joint mirrors the child in the same place. Otherwise it mirrors the
-/// last earlier sibling of the same shape that has no mirror yet.
+/// If a joint's parent mirrors another joint, the joint mirrors that joint's child in the same
+/// place. Otherwise it mirrors the last earlier sibling of the same shape that mirrors none itself.
 void NeighbourFinder::find_mirrors(const JointTree& tree) const {
   std::fill_n(mirror_, tree.joints, -1);
   for (int parent = 0; parent < tree.joints; ++parent) {

@@ -9,8 +9,8 @@ namespace mocapress::runtime {
 
 /// Earlier signals that resemble a signal; -1: none.
 struct SignalNeighbours {
-  int sibling = -1;  // a channel of the same joint; for a joint's first channel, one of a joint
-                     // above
+  int sibling = -1;  // the previous channel of the joint or, for its first, the last one of the
+                     // joints above
   int mirror = -1;   // on the other side of the body
 };
 

@@ -53,7 +53,7 @@ double bend_for(const Limb& limb, double reach) {
   const Vector3 thigh = limb.center(kKnee) - limb.center(0);
   const Vector3 shin = limb.position(0) - limb.center(kKnee);
   const Vector3& axis = limb.axis(kKnee);
-  // thigh + shin rotated by t|^2 = constant + 2 (along cos t + across sin t)
+  // The squared length |thigh + shin rotated by t|^2 is constant + 2 (along cos t + across sin t).
   const double fixed = dot(axis, shin) * dot(axis, thigh);
   const double along = dot(thigh, shin) - fixed;
   const double across = dot(thigh, cross(axis, shin));

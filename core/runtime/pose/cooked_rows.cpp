@@ -83,7 +83,8 @@ class RowWriter {
   CookedBlock& block_;
   const CookedColumns& columns_;
   CookedCoefficients& coefficients_;
-  // The storage chosen for the bands of each group. Bands that are not kept have no entries.
+  // The storage chosen for the bands of each group. A band that is not kept has neither dense rows
+  // nor entries.
   struct Chosen {
     RowKind kind = RowKind::None;
     bool is_kept = false;

@@ -89,7 +89,7 @@ bool mcpr_cursor::keep(const runtime::PoseKernels& kernels, int number, bool and
   const runtime::SegmentLayout::Stretch stretch = layout.stretch_at(number);
   const int first_of_stretch =
       layout.first(stretch.segment) + (stretch.segment > 0 ? layout.overlap : 0);
-  // Even frames do not depend on the odd ones of the next level.
+  // Even frames can be made without the odd ones.
   const bool is_even = (number - layout.first(stretch.segment)) % 2 == 0;
   step = is_even && !and_next && std::abs(number - before) == 2 ? 2 : 1;
   // Playing backwards: keep frames before the current ones.

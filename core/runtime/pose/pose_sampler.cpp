@@ -341,7 +341,7 @@ class Sampler {
   mcpr_cursor* const cursor_;
   const int left_out_;  // finest bands left out
   int kept_bands_ = 0;
-  unsigned wanted_samples_ = 0;  // one bit per number of kept bands in any part
+  unsigned wanted_samples_ = 0;  // bit n: some part keeps n bands
   alignas(32) float columns_[kMostColumns];
 };
 
@@ -353,7 +353,7 @@ const PoseKernels* poses_of(mcpr_path path) {
       return avx2_poses() != nullptr ? avx2_poses() : &kPlainPoses;
     case MCPR_PATH_PLAIN:
       return &kPlainPoses;
-    case MCPR_PATH_SSE2:  // built from the plain code
+    case MCPR_PATH_SSE2:  // SSE2 is what compilers make of the plain code
       return sse2_rows() != nullptr ? &kPlainPoses : nullptr;
     case MCPR_PATH_AVX2:
       return avx2_poses();
