@@ -13,10 +13,10 @@
 
 typedef struct character {
   const mcpr_cooked* clip; /* in the bank's memory */
-  uint32_t number;         /* of the clip */
+  uint32_t number;         /* number of the clip */
   double start;            /* s into the clip */
   float distance;          /* m from the camera */
-  mcpr_transform* pose;    /* of each joint */
+  mcpr_transform* pose;    /* one per joint */
 } character;
 
 static void check(mcpr_result result) {

@@ -255,7 +255,7 @@ struct mcpr_cooked {
   const mocapress::runtime::CookedRows& rows_of(int segment, int p) const {
     return at<mocapress::runtime::CookedRows>(rows)[segment * parts + p];
   }
-  /// Number of sets of up to kMostGroupsOfPart groups with entries of their own.
+  /// Number of sets of kMostGroupsOfPart groups; each set of groups has its own entries.
   int entry_parts() const {
     constexpr auto kMost = static_cast<std::uint32_t>(mocapress::runtime::kMostGroupsOfPart);
     return static_cast<int>((row_groups + kMost - 1) / kMost);

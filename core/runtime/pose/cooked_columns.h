@@ -100,7 +100,7 @@ class CookedColumns {
 
   static constexpr std::int32_t kMostValue = 2047;  // largest kept coefficient; beyond it a band
                                                     // becomes samples
-  static constexpr double kMostRange = 3.9;         // of 16-bit samples; radians or cm
+  static constexpr double kMostRange = 3.9;         // range of 16-bit samples, in radians or cm
 
   const ClipBlock& clip_;
   CookedCoefficients& coefficients_;
