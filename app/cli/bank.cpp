@@ -16,6 +16,7 @@
 #include "app/cli/report.h"
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
+#include "core/base/file_identity.h"
 #include "core/base/mapped_file.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel_in_order.h"
@@ -167,15 +168,14 @@ void list_bank(const std::string& path, bool json) {
   const BankFile bank(path);
   if (!json) {
     for (const auto& [key, value] : bank.texts())
-      std::fprintf(stderr, "%s: %s\n", printable(key).c_str(), printable(value).c_str());
+      std::printf("%s: %s\n", printable(key).c_str(), printable(value).c_str());
     for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) {
       const BankClip described = bank.describe(clip);
       std::string tags;
       for (const std::string& tag : described.tags) tags += "  " + printable(tag);
-      std::fprintf(stderr, "%-32s %9llu bytes %7d frames at %s Hz%s\n",
-                   printable(described.name).c_str(),
-                   static_cast<unsigned long long>(described.bytes), described.frames,
-                   significant_text(described.sample_rate_hz, 6).c_str(), tags.c_str());
+      std::printf("%-32s %9llu bytes %7d frames at %s Hz%s\n", printable(described.name).c_str(),
+                  static_cast<unsigned long long>(described.bytes), described.frames,
+                  significant_text(described.sample_rate_hz, 6).c_str(), tags.c_str());
     }
     return;
   }
@@ -245,6 +245,7 @@ struct Extraction {
         throw InputError(bank, 0, 0, "the clip '" + name + "' would take another's place");
       places.push_back(below.string());
       const fs::path place = fs::path(folder) / below;
+      refuse_source(place, {bank});
       std::error_code error;
       if (!overwrite && fs::exists(fs::symlink_status(place, error)))
         throw WriteError(place.string() + " exists: not overwritten");

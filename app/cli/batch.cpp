@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "app/cli/batch_progress.h"
 #include "app/cli/commands.h"
@@ -12,9 +13,13 @@
 #include "app/cli/terminal.h"
 #include "core/bank/bank.h"
 #include "core/base/file.h"
+#include "core/base/file_identity.h"
 #include "core/batch/batch_folder.h"
+#include "core/batch/gate.h"
+#include "core/batch/project_batch.h"
 #include "core/batch/queue_json.h"
 #include "core/batch/slurm_script.h"
+#include "core/formats/text_writer.h"
 
 namespace mocapress::cli {
 namespace {
@@ -52,6 +57,9 @@ struct BatchCommand {
   int jobs = 0;
   bool resume = false;
   bool overwrite = false;
+  bool take_over = false;
+  std::optional<double> clip_seconds;
+  std::vector<std::string> fail_on;
   bool keep_going = true;
   bool json_progress = false;
   bool merge = false;
@@ -77,6 +85,7 @@ struct BatchCommand {
           throw CLI::ValidationError(option->get_name(), "is set by the queue file");
       return parse_queue(inputs.front(), read_text(inputs.front()));
     }
+    const bool is_project = inputs.size() == 1 && is_project_file(inputs.front());
     Batch batch{
         .presets = {preset.read()}, .reading = source.options, .writing = exporting.options};
     batch.formats.clear();
@@ -90,23 +99,73 @@ struct BatchCommand {
     } catch (const Error& error) {
       throw CLI::ValidationError("--bank", error.what());
     }
-    const std::vector<SourceClip> sources = find_sources(inputs);
-    if (std::all_of(sources.begin(), sources.end(),
-                    [](const SourceClip& clip) { return !clip.problem.empty(); }))
-      throw InputError(inputs.front(), 0, 0, "no clip was found: " + sources.front().problem);
+    if (!is_project) check_folders();
     try {
-      add_items(batch, sources, 0, names);
+      if (is_project)
+        add_project(batch, inputs.front(), read_text(inputs.front()), names);
+      else
+        add_items(batch, sources(), 0, names);
+    } catch (const InputError&) {
+      throw;
     } catch (const Error& error) {
       throw CLI::ValidationError("--name", error.what());
     }
     if (source.skeleton)
       for (std::size_t i = 0; i < batch.items.size(); ++i) {
         BatchItem item = batch.items[i];
-        item.skeleton = *source.skeleton;
+        if (item.skeleton.empty()) item.skeleton = *source.skeleton;
         batch.items.replace(i, item);
       }
     mark_collisions(batch);
     return batch;
+  }
+
+  /// Motion files in a folder that is an input, too, would be the clips of the next run.
+  void check_folders() const {
+    if (formats == std::vector<std::string>{"mcpr"}) return;
+    const std::optional<FileIdentity> target = identity_of(folder);
+    for (const std::string& input : inputs)
+      if (target && identity_of(input) == target)
+        throw CLI::ValidationError(
+            "--output", folder + " is an input, too: motion files need a folder of their own");
+  }
+
+  std::vector<SourceClip> sources() const {
+    std::vector<SourceClip> sources = find_sources(inputs, folder);
+    if (std::all_of(sources.begin(), sources.end(),
+                    [](const SourceClip& clip) { return !clip.problem.empty(); }))
+      throw InputError(inputs.front(), 0, 0, "no clip was found: " + sources.front().problem);
+    return sources;
+  }
+
+  /// Counts the clips that --fail-on refuses.
+  struct GateKeeper {
+    std::vector<Gate> gates;
+    std::size_t refused = 0;
+
+    void look_at(const BatchRow& row) { refused += is_refused(row, gates); }
+
+    /// Throws EndedWith where it refused any.
+    void end() const {
+      if (refused == 0) return;
+      std::fprintf(stderr, "--fail-on refuses %s\n", counted(refused, "clip").c_str());
+      throw EndedWith{kTargetMissed};
+    }
+  };
+
+  GateKeeper gate_keeper() const {
+    GateKeeper keeper;
+    for (const std::string& word : fail_on) keeper.gates.push_back(*gate_named(word));
+    return keeper;
+  }
+
+  /// Reports are not written onto a queue, a project or a preset.
+  void refuse_inputs_as_reports() const {
+    std::vector<fs::path> read(inputs.begin(), inputs.end());
+    if (fs::path(preset.preset).has_extension()) read.emplace_back(preset.preset);
+    for (const char* extension : {".html", ".csv", ".json"})
+      refuse_source(
+          (fs::path(folder) / report_name(parse_shard(shard))).replace_extension(extension), read);
   }
 
   void run_clips(const Batch& batch) const {
@@ -114,7 +173,11 @@ struct BatchCommand {
                                   .jobs = jobs,
                                   .overwrite = overwrite,
                                   .resumed = resume,
-                                  .keep_going = keep_going};
+                                  .keep_going = keep_going,
+                                  .clip_seconds = clip_seconds,
+                                  .take_over = take_over};
+    refuse_inputs_as_reports();
+    GateKeeper keeper = gate_keeper();
     malloc_trim(0);  // the search for clips left the heap in pieces too small for them
     const StopOnSignals signals;
     BatchReporter reporter(batch, json_progress);
@@ -123,6 +186,7 @@ struct BatchCommand {
     const BatchOutcome outcome =
         run_batch_in(folder, batch, options, control, [&](const BatchProgress& progress) {
           reporter.tell(progress);
+          if (progress.row) keeper.look_at(*progress.row);
           return stop_signal == 0;
         });
     reporter.end(outcome, fs::path(folder) / report_name(options.shard));
@@ -131,15 +195,19 @@ struct BatchCommand {
       throw EndedWith{128 + stop_signal};
     }
     if (outcome.counts.failed > 0 || !outcome.complete) throw EndedWith{kSomeFailed};
+    keeper.end();
   }
 
   void run_merge() const {
     const std::vector<fs::path> folders(inputs.begin(), inputs.end());
     const fs::path target = folder.empty() ? folders.front() : fs::path(folder);
-    const MergedBatch merged = merge_batch(folders, target);
+    GateKeeper keeper = gate_keeper();
+    const MergedBatch merged =
+        merge_batch(folders, target, [&](const BatchRow& row) { keeper.look_at(row); });
     std::fprintf(stderr, "%zu clips, %zu failed, %zu still waiting\n%s\n", merged.clips,
                  merged.failed, merged.waiting, (target / report_name({})).c_str());
     if (merged.failed > 0 || merged.waiting > 0) throw EndedWith{kSomeFailed};
+    keeper.end();
   }
 
   /// The list is settled in a file, so that all tasks have the same one.
@@ -154,6 +222,12 @@ struct BatchCommand {
     if (jobs > 0) job.processors = jobs;
     if (overwrite) job.arguments.emplace_back("--overwrite");
     const std::string script = slurm_script(job);
+    const std::set<FileIdentity> sources = source_files(batch);
+    for (const fs::path& place : {queue, fs::path(slurm_file)}) {
+      refuse_source(place, {inputs.begin(), inputs.end()});
+      if (const auto there = identity_of(place); there && sources.contains(*there))
+        throw WriteError(place.string() + ": is one of the inputs: not overwritten");
+    }
     fs::create_directories(target, error);
     if (error) throw WriteError(folder + ": cannot be made: " + error.message());
     for (std::size_t i = 0; i < batch.items.size(); ++i) {
@@ -161,6 +235,9 @@ struct BatchCommand {
       item.input = fs::absolute(item.input).lexically_normal().string();
       if (!item.skeleton.empty())
         item.skeleton = fs::absolute(item.skeleton).lexically_normal().string();
+      if (item.reading && item.reading->character)
+        item.reading->character =
+            fs::absolute(*item.reading->character).lexically_normal().string();
       batch.items.replace(i, item);
     }
     if (batch.reading.character)
@@ -180,8 +257,8 @@ void add_batch(CLI::App& app) {
   const auto call = std::make_shared<BatchCommand>();
   command
       ->add_option("input", call->inputs,
-                   "Clips, folders of clips, or a queue file (.json); with --merge folders of "
-                   "batches")
+                   "Clips, folders of clips, a project (.mocapress) or a queue file (.json); "
+                   "with --merge folders of batches")
       ->required()
       ->type_name("INPUT...");
   command->add_option("-o,--output", call->folder, "Where files and reports go")->type_name("DIR");
@@ -221,6 +298,19 @@ void add_batch(CLI::App& app) {
       ->check(parsed_by(&parse_shard));
   command->add_flag("--resume", call->resume, "Continue DIR's batch; redo what failed or changed");
   command->add_flag("--overwrite", call->overwrite, "Replace files that are there");
+  command->add_flag("--take-over", call->take_over,
+                    "Continue the batch of a run on another computer that is gone");
+  command
+      ->add_option("--clip-timeout", call->clip_seconds,
+                   "Give up a clip that takes longer: it failed, others go on")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--fail-on", call->fail_on,
+                   "Exit code 4 where a clip that is done is one of these, comma-separated; "
+                   "borderline includes visible, rejected includes stale verdicts")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"visible", "borderline", "rejected", "warning"}));
   command->add_flag("--keep-going,!--stop-at-failure", call->keep_going,
                     "Continue after a failure (default)");
   command->add_flag("--json-progress", call->json_progress, "Print progress as lines of JSON");

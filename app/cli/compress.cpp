@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
 #include <functional>
 #include <memory>
 
@@ -8,12 +9,15 @@
 #include "app/cli/option_words.h"
 #include "app/cli/preset_arguments.h"
 #include "app/cli/report.h"
+#include "app/cli/standard_streams.h"
+#include "core/base/file_identity.h"
 #include "core/base/staged_file.h"
 #include "core/batch/verification.h"
 #include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"
 #include "core/codec/methods/comparison_method.h"
 #include "core/codec/methods/compression_method.h"
+#include "core/formats/text_cursor.h"
 #include "core/mocapress/encode_options.h"
 
 namespace mocapress::cli {
@@ -30,6 +34,7 @@ void or_usage_error(const std::function<void()>& check) {
 
 struct Compress {
   std::string input;
+  std::string input_format;  // of standard input
   MotionInput source;
   std::string output;
   Settings settings{.target = {}};
@@ -48,11 +53,42 @@ struct Compress {
     return asked;
   }
 
+  bool reads_stream() const { return input == kStandardStream; }
+  bool writes_stream() const { return output == kStandardStream; }
+
+  /// Throws CLI::ValidationError.
+  void check_streams() const {
+    if (reads_stream() && input_format.empty())
+      throw CLI::ValidationError("standard input needs --format, as --format bvh");
+    if (!reads_stream() && !input_format.empty())
+      throw CLI::ValidationError("--format", "is of standard input: a file's extension says it");
+    if (input_format == "amc" && !source.skeleton)
+      throw CLI::ValidationError("an .amc from standard input needs --skeleton");
+    if (writes_stream() && json)
+      throw CLI::ValidationError("--json", "would mix with the clip on standard output");
+    if (!output.empty() && !writes_stream() &&
+        !equals_ignoring_case(std::filesystem::path(output).extension().string(), ".mcpr"))
+      throw CLI::ValidationError(
+          output + ": compress writes .mcpr files alone; decompress writes motion files");
+  }
+
+  MotionFile read_source() const {
+    if (!reads_stream()) {
+      if (!output.empty() && !writes_stream()) refuse_source(output, source.files(input));
+      return source.read_file(input);
+    }
+    MotionFile file = read_motion_bytes("standard input." + input_format, read_standard_input(),
+                                        source.skeleton, source.options);
+    print_warnings(file.warnings);
+    return file;
+  }
+
   void run() {
+    check_streams();
     const Settings asked = this->asked();
     or_usage_error([&] { check(asked); });
     const bool of_wavelets = find_comparison_method(asked.method) == nullptr;
-    MotionFile file = source.read_file(input);
+    MotionFile file = read_source();
     const MethodEncoder encoder(std::move(file.motion));
     const Skeleton& skeleton = encoder.wavelets().motion().skeleton;
     importance.require_names_of(skeleton);
@@ -91,7 +127,12 @@ struct Compress {
   Verification write(const std::vector<std::byte>& file, const Encoder& original,
                      const std::vector<ContactSpan>& spans) const {
     const VerificationRequest request{.contacts = spans};
-    if (output.empty()) return verify(file, original, request);
+    if (output.empty() || writes_stream()) {
+      Verification found = verify(file, original, request);
+      if (writes_stream())
+        write_standard_output({reinterpret_cast<const char*>(file.data()), file.size()});
+      return found;
+    }
     StagedFile staged(output);
     staged.write(file);
     Verification found = verify(staged.read_back(), original, request);
@@ -105,13 +146,19 @@ struct Compress {
 void add_compress(CLI::App& app) {
   CLI::App* command = app.add_subcommand("compress", "Compress a clip and measure what it cost");
   const auto call = std::make_shared<Compress>();
-  command->add_option("input", call->input, "A .bvh, .amc, .fbx, .gltf or .glb file")
+  command
+      ->add_option("input", call->input,
+                   "A .bvh, .amc, .fbx, .gltf or .glb file; - is standard input")
       ->required()
       ->type_name("INPUT");
+  command->add_option("--format", call->input_format, "Format of standard input")
+      ->check(CLI::IsMember({"bvh", "amc", "fbx", "gltf", "glb"}));
   call->source.add_options(*command);
   call->source.add_character_option(*command);
   call->source.add_tracks_option(*command);
-  command->add_option("-o,--output", call->output, "Where to write; without it, only measure")
+  command
+      ->add_option("-o,--output", call->output,
+                   "Where to write, - for standard output; without it, only measure")
       ->type_name("OUT.mcpr");
   command
       ->add_option("--method", call->settings.method,

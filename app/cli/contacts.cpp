@@ -9,6 +9,7 @@
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/file_identity.h"
 #include "core/base/number_text.h"
 #include "core/codec/methods/compared_file.h"
 #include "core/feet/footskate.h"
@@ -107,6 +108,7 @@ struct Contacts {
   bool json = false;
 
   void run() const {
+    if (output) refuse_source(*output, sources());
     const Motion motion = source.read(clip);
     const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
     const std::vector<ContactSpan> spans = contacts.spans(motion);
@@ -114,6 +116,13 @@ struct Contacts {
     if (output) write_text(*output, dumped(all, 2) + "\n");
     if (compressed) add_findings(all, spans, tracks, motion);
     json ? print(all) : print_lines(all);
+  }
+
+  std::vector<std::filesystem::path> sources() const {
+    std::vector<std::filesystem::path> files = source.files(clip);
+    if (compressed) files.emplace_back(*compressed);
+    if (contacts.file) files.emplace_back(*contacts.file);
+    return files;
   }
 
   /// What slid in each contact; 0 where the decoded foot slid no further than the original.
@@ -139,15 +148,14 @@ struct Contacts {
 
   static void print_lines(const Json& all) {
     for (const Json& one : all) {
-      std::fprintf(stderr, "%-16s frames %5d to %5d",
-                   printable(one["joint"].get<std::string>()).c_str(),
-                   one["first_frame"].get<int>(), one["last_frame"].get<int>());
+      std::printf("%-16s frames %5d to %5d", printable(one["joint"].get<std::string>()).c_str(),
+                  one["first_frame"].get<int>(), one["last_frame"].get<int>());
       if (one.contains("worst_frame"))
-        std::fprintf(stderr, "  slid %s cm, %s cm/s at frame %d",
-                     fixed_text(one["slid_cm"].get<double>(), 2).c_str(),
-                     fixed_text(one["worst_speed_cm_s"].get<double>(), 0).c_str(),
-                     one["worst_frame"].get<int>());
-      std::fputc('\n', stderr);
+        std::printf("  slid %s cm, %s cm/s at frame %d",
+                    fixed_text(one["slid_cm"].get<double>(), 2).c_str(),
+                    fixed_text(one["worst_speed_cm_s"].get<double>(), 0).c_str(),
+                    one["worst_frame"].get<int>());
+      std::putchar('\n');
     }
     if (all.empty()) std::fprintf(stderr, "no foot stands on the ground\n");
   }

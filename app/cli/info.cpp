@@ -125,15 +125,15 @@ Json describe_compressed(const std::string& path) {
 }
 
 void print_lines(const Json& description) {
-  std::fprintf(stderr, "%s\n", printable(description["input"].get<std::string>()).c_str());
+  std::printf("%s\n", printable(description["input"].get<std::string>()).c_str());
   for (const auto& [key, value] : description.items()) {
     if (key == "input" || key == "warnings" || key == "bvh_names") continue;
     if (key == "tracks") {
-      std::fprintf(stderr, "  %-16s %zu\n", key.c_str(), value.size());
+      std::printf("  %-16s %zu\n", key.c_str(), value.size());
       continue;
     }
-    std::fprintf(stderr, "  %-16s %s\n", key.c_str(),
-                 printable(value.is_string() ? value.get<std::string>() : dumped(value)).c_str());
+    std::printf("  %-16s %s\n", key.c_str(),
+                printable(value.is_string() ? value.get<std::string>() : dumped(value)).c_str());
   }
 }
 

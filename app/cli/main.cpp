@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "app/cli/commands.h"
+#include "app/cli/standard_streams.h"
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/kept_memory.h"
@@ -22,7 +23,8 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", MOCAPRESS_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input, 4 quality target missed, "
+      "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input, 4 quality target missed or "
+      "--fail-on, "
       "5 cannot write, 7 some clips failed; 128 + signal when stopped.");
   add_info(app);
   add_compress(app);
@@ -33,6 +35,7 @@ int run(int argc, char** argv) {
   add_study(app);
   add_batch(app);
   add_bank(app);
+  refuse_streams(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -71,6 +71,10 @@ void MotionOutput::add_options(CLI::App& command) {
   add_format_options(command, "out-", " of what is written [as its source had it]", options);
 }
 
+std::vector<std::filesystem::path> MotionInput::files(const std::string& path) const {
+  return files_of_motion(path, skeleton, options);
+}
+
 MotionFile MotionInput::read_file(const std::string& path) const {
   MotionFile file = read_motion(path, skeleton, options);
   print_warnings(file.warnings);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/formats/motion_file.h"
 
@@ -21,6 +23,9 @@ struct MotionInput {
 
   /// Of commands that look at tracks.
   void add_tracks_option(CLI::App& command);
+
+  /// All files that reading `path` reads.
+  std::vector<std::filesystem::path> files(const std::string& path) const;
 
   /// Reads the file and says on standard error what was repaired or guessed.
   MotionFile read_file(const std::string& path) const;

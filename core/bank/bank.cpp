@@ -12,6 +12,7 @@
 #include "core/bank/bank_learning.h"
 #include "core/bank/cooked_tables.h"
 #include "core/base/error.h"
+#include "core/base/file_identity.h"
 #include "core/base/file_lock.h"
 #include "core/base/parallel_in_order.h"
 #include "core/codec/format/packed_clip_writer.h"
@@ -141,9 +142,7 @@ std::vector<std::byte> learned_in(const mcpk_bank& bank) {
 void require_place_for_bank(const fs::path& path, const std::vector<BankSource>& sources) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return;
-  for (const BankSource& source : sources)
-    if (fs::equivalent(path, source.file, error))
-      throw WriteError(path.string() + ": is one of the inputs: not overwritten");
+  for (const BankSource& source : sources) refuse_source(path, {source.file});
   char magic[sizeof mcpk_bank::kMagic] = {};
   std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
   if (fs::file_size(path, error) > 0 && !std::ranges::equal(magic, mcpk_bank::kMagic))

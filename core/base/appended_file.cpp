@@ -66,7 +66,7 @@ AppendedFile::Opened AppendedFile::open_at_its_place() const {
 void AppendedFile::take_lock(int file) {
   while (lock_(file, LOCK_EX | LOCK_NB) != 0) {
     if (errno == EINTR) continue;
-    if (errno == EWOULDBLOCK) throw WriteError(path_.string() + ": another run is using it");
+    if (errno == EWOULDBLOCK) throw InUse(path_.string() + ": another run is using it");
     warning_ = Warning{path_.string(), 0,
                        std::string("cannot be locked (") + std::strerror(errno) +
                            "): make sure that no other run is at work on it"};

@@ -14,6 +14,11 @@
 
 namespace mocapress {
 
+/// Another process has the file open.
+class InUse : public WriteError {
+  using WriteError::WriteError;
+};
+
 /// A file of lines, open in one process at a time. A line is on the disk when append() returns, and
 /// a line that could not be written whole is taken out again.
 class AppendedFile {
@@ -21,8 +26,8 @@ class AppendedFile {
   /// As flock(2).
   using Lock = int (*)(int file, int operation);
 
-  /// Opens the file or makes it; links as with StagedFile. Throws WriteError, also while another
-  /// process has it open.
+  /// Opens the file or makes it; links as with StagedFile. Throws WriteError; InUse while
+  /// another process has it open.
   explicit AppendedFile(std::filesystem::path path, Lock lock);
   explicit AppendedFile(std::filesystem::path path);
   AppendedFile(const AppendedFile&) = delete;

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "core/base/error.h"
+#include "core/base/file_identity.h"
 #include "core/base/fnv1a.h"
 #include "core/formats/clip_files.h"
 
@@ -24,34 +25,31 @@ std::string name_of_folder(const fs::path& folder) {
   return (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();
 }
 
-/// The clips below a folder in the order of their names; what cannot be looked into is left out.
-std::vector<SourceClip> sources_below(const fs::path& folder) {
+/// The clips below a folder in the order of their names; what cannot be read, too.
+std::vector<SourceClip> sources_below(const fs::path& folder,
+                                      const std::optional<FileIdentity>& left_out) {
   const std::string found_by = name_of_folder(folder);
   std::vector<SourceClip> sources;
-  std::error_code error;
-  const auto options = fs::directory_options::skip_permission_denied;
-  for (fs::recursive_directory_iterator at(folder, options, error), end; !error && at != end;
-       at.increment(error)) {
-    if (!is_clip(at->path()) || !at->is_regular_file(error)) continue;
-    const fs::path below = at->path().lexically_relative(folder).parent_path();
-    sources.push_back(
-        {at->path().string(), below.empty() ? found_by : (found_by / below).generic_string(), {}});
+  for (const FoundClip& clip : clips_below(folder, left_out)) {
+    const fs::path below = clip.path.lexically_relative(folder).parent_path();
+    const std::string path = clip.path.string();
+    sources.push_back({path, below.empty() ? found_by : (found_by / below).generic_string(),
+                       clip.problem.empty() ? "" : InputError(path, 0, 0, clip.problem).what()});
   }
-  if (error) throw InputError(folder.string(), 0, 0, error.message());
   if (sources.empty())
     throw InputError(folder.string(), 0, 0, "holds none of " + readable_extensions(", "));
-  std::sort(sources.begin(), sources.end(),
-            [](const SourceClip& a, const SourceClip& b) { return a.path < b.path; });
   return sources;
 }
 
-std::vector<SourceClip> sources_of(const std::string& input) {
-  std::error_code error;
-  const fs::file_status status = fs::status(input, error);
-  if (!fs::exists(status)) return {{input, "", input + ": No such file or directory"}};
-  if (!fs::is_directory(status)) return {{input, "", ""}};
+std::vector<SourceClip> sources_of(const std::string& input, const std::string& outputs) {
   try {
-    return sources_below(input);
+    const std::optional<FileIdentity> there = identity_of(input);
+    if (!there) return {{input, "", input + ": No such file or directory"}};
+    if (!fs::is_directory(input)) return {{input, "", ""}};
+    std::optional<FileIdentity> left_out;
+    if (!outputs.empty()) left_out = identity_of(outputs);
+    if (left_out == there) left_out.reset();
+    return sources_below(input, left_out);
   } catch (const InputError& problem) {
     return {{input, "", problem.what()}};
   }
@@ -89,11 +87,12 @@ std::optional<OutputFormat> output_format(std::string_view name) {
   return std::nullopt;
 }
 
-std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs) {
+std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs,
+                                     const std::string& outputs) {
   std::vector<SourceClip> sources;
   std::unordered_set<std::string> found;
   for (const std::string& input : inputs)
-    for (SourceClip& source : sources_of(input))
+    for (SourceClip& source : sources_of(input, outputs))
       if (inputs.size() == 1 || found.insert(source.path).second)
         sources.push_back(std::move(source));
   return sources;
@@ -122,11 +121,18 @@ std::string output_name(std::string_view pattern, const SourceClip& source,
 
 void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t preset,
                std::string_view pattern) {
-  for (const SourceClip& source : sources)
-    batch.items.push_back({.input = source.path,
-                           .output = output_name(pattern, source, batch.presets[preset]),
-                           .preset = preset,
-                           .problem = source.problem});
+  const Settings& settings = batch.presets[preset];
+  output_name(pattern, {"clip.bvh", "folder", {}}, settings);
+  for (const SourceClip& source : sources) {
+    BatchItem item{
+        .input = source.path, .output = "unnamed", .preset = preset, .problem = source.problem};
+    try {
+      item.output = output_name(pattern, source, settings);
+    } catch (const Error& error) {
+      if (item.problem.empty()) item.problem = source.path + ": its output's name " + error.what();
+    }
+    batch.items.push_back(item);
+  }
 }
 
 void check(const Batch& batch) {
@@ -143,10 +149,10 @@ void mark_collisions(Batch& batch) {
     hash.add(output);
     return first.emplace(hash.state(), index);
   };
-  for (std::size_t i = 0; i < batch.items.size(); ++i) {
+  const auto find_place = [&](std::size_t i) {
     BatchItem item = batch.items[i];
     const auto [at, is_first] = place(item.output, i);
-    if (is_first) continue;
+    if (is_first) return;
     if (item.problem.empty())
       item.problem = item.input + " would be written to " + item.output + " as " +
                      batch.items[at->second].input +
@@ -156,7 +162,15 @@ void mark_collisions(Batch& batch) {
     do item.output = taken + " (" + std::to_string(n++) + ")";
     while (!place(item.output, i).second);
     batch.items.replace(i, item);
-  }
+  };
+  // What cannot be done anyway takes no name from a clip that can.
+  std::vector<std::size_t> problems;
+  for (std::size_t i = 0; i < batch.items.size(); ++i)
+    if (const BatchItem item = batch.items[i]; item.problem.empty())
+      find_place(i);
+    else
+      problems.push_back(i);
+  for (const std::size_t i : problems) find_place(i);
   batch.items.shrink();
 }
 

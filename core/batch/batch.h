@@ -37,8 +37,10 @@ struct SourceClip {
 };
 
 /// Files as they are, and every clip below the folders, in the order of their names, each
-/// once. What is not there, or holds no clip, is a clip with a problem.
-std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs);
+/// once. What is not there, cannot be read or holds no clip is a clip with a problem. A folder
+/// `outputs` below an input is left out of it: what a batch writes is not its input.
+std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs,
+                                     const std::string& outputs = {});
 
 /// Everything that is asked for, but where it goes.
 struct Batch {
@@ -63,7 +65,8 @@ inline constexpr const char* kUsualNames = "{folder}/{stem}";
 /// {word}, an empty name and one that leaves the folder.
 std::string output_name(std::string_view pattern, const SourceClip& source, const Settings& preset);
 
-/// An item of each, with the preset of that index.
+/// An item of each, with the preset of that index. A clip whose name makes no output's is an item
+/// with a problem. Throws Error for a pattern that no clip fits.
 void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t preset,
                std::string_view pattern);
 

@@ -79,7 +79,7 @@ BatchOutcome run_batch_in(const fs::path& folder, const Batch& batch,
   const fs::path journal_path = folder / journal_name(options.shard);
   BatchOutcome outcome;
   {
-    Journal journal(journal_path, batch, options.shard, start_of(options));
+    Journal journal(journal_path, batch, options.shard, start_of(options), options.take_over);
     outcome = run_batch(batch, folder, journal, options, control, observer);
     if (journal.warning()) outcome.warnings.push_back(*journal.warning());
   }
@@ -128,7 +128,8 @@ void visit_in_order(std::vector<std::unique_ptr<JournalReader>>& journals,
 
 }  // namespace
 
-MergedBatch merge_batch(const std::vector<fs::path>& folders, const fs::path& folder) {
+MergedBatch merge_batch(const std::vector<fs::path>& folders, const fs::path& folder,
+                        const std::function<void(const BatchRow&)>& visit) {
   std::vector<std::unique_ptr<JournalReader>> journals;
   for (const fs::path& one : folders)
     for (const fs::path& path : journals_in(one)) {
@@ -143,10 +144,11 @@ MergedBatch merge_batch(const std::vector<fs::path>& folders, const fs::path& fo
                      "holds no journal of a batch");
   MergedBatch merged{.clips = journals.front()->header().clips};
   std::size_t rows = 0;
-  const BatchRows in_order = [&](const auto& visit) { visit_in_order(journals, visit); };
+  const BatchRows in_order = [&](const auto& each) { visit_in_order(journals, each); };
   in_order([&](const BatchRow& row) {
     ++rows;
     merged.failed += !row.done();
+    if (visit) visit(row);
   });
   merged.waiting = merged.clips - std::min(rows, merged.clips);
   std::error_code error;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,11 @@ struct MergedBatch {
   std::size_t waiting = 0;  // no shard has a row of them
 };
 
-/// Writes into `folder` the reports of all journals in `folders` as if one run had made them.
+/// Writes into `folder` the reports of all journals in `folders` as if one run had made them, and
+/// shows every row to `visit`.
 /// Throws InputError when there is none or they are not of one batch, WriteError.
 MergedBatch merge_batch(const std::vector<std::filesystem::path>& folders,
-                        const std::filesystem::path& folder);
+                        const std::filesystem::path& folder,
+                        const std::function<void(const BatchRow&)>& visit = {});
 
 }  // namespace mocapress

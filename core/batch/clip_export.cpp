@@ -91,16 +91,8 @@ class Export {
         preset_(batch.presets[item_.preset]),
         folder_(folder),
         rights_(rights),
-        observer_(observer) {
-    row_.index = index;
-    row_.input = item_.input;
-    row_.output = item_.output;
-    row_.review = item_.review;
-    row_.preset = preset_;
-    row_.formats = batch.formats;
-    row_.reading = batch.reading_of(item_);
-    row_.writing = batch.writing;
-  }
+        observer_(observer),
+        row_(failed_row(batch, index, "")) {}
 
   std::optional<BatchRow> run() {
     try {
@@ -131,9 +123,9 @@ class Export {
         const fs::path place = folder_ / name;
         std::error_code error;
         if (!fs::exists(place, error)) continue;
-        for (const std::string& source : {item_.input, item_.skeleton})
-          if (!source.empty() && fs::equivalent(place, source, error))
-            throw Error(place.string() + " is the file it would be made from");
+        const std::optional<FileIdentity> there = identity_of(place);
+        if (there && rights_.sources && rights_.sources->contains(*there))
+          throw Error(place.string() + " is a file that clips of this batch are made from");
         if (!rights_.resumed && !may_replace(name)) refuse(place);
       }
   }
@@ -342,6 +334,39 @@ bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
     return false;
   }
   return unchanged(item, row.reading, row.stamp);
+}
+
+std::set<FileIdentity> source_files(const Batch& batch) {
+  std::set<FileIdentity> found;
+  for (const BatchItem item : batch.items) {
+    std::optional<fs::path> skeleton;
+    if (!item.skeleton.empty()) skeleton = item.skeleton;
+    const auto add = [&](const fs::path& file) {
+      if (const auto identity = identity_of(file)) found.insert(*identity);
+    };
+    try {
+      add(item.input);
+      for (const fs::path& file : files_of_motion(item.input, skeleton, batch.reading_of(item)))
+        add(file);
+    } catch (const InputError&) {  // its row will say so
+    }
+  }
+  return found;
+}
+
+BatchRow failed_row(const Batch& batch, std::size_t index, const std::string& why) {
+  const BatchItem item = batch.items[index];
+  BatchRow row;
+  row.index = index;
+  row.input = item.input;
+  row.output = item.output;
+  row.review = item.review;
+  row.preset = batch.presets[item.preset];
+  row.formats = batch.formats;
+  row.reading = batch.reading_of(item);
+  row.writing = batch.writing;
+  row.error = why;
+  return row;
 }
 
 std::optional<BatchRow> export_clip(const Batch& batch, std::size_t index, const fs::path& folder,

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 
+#include "core/base/file_identity.h"
 #include "core/base/progress.h"
 #include "core/batch/row.h"
 
@@ -24,7 +26,14 @@ struct ExportRights {
   bool overwrite = false;
   bool resumed = false;               // a file with the very same bytes is this batch's own
   const BatchRow* earlier = nullptr;  // what was written before may be replaced while unchanged
+  const std::set<FileIdentity>* sources = nullptr;  // files of the whole batch: never written to
 };
+
+/// The files that the clips of a batch are made from.
+std::set<FileIdentity> source_files(const Batch& batch);
+
+/// The row of a clip that was given up.
+BatchRow failed_row(const Batch& batch, std::size_t index, const std::string& why);
 
 /// Whether nothing has changed since a row was done: clip, settings, how files are read
 /// and written, and the files it wrote.

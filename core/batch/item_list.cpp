@@ -38,7 +38,9 @@ ItemList::Place ItemList::append(const BatchItem& item) {
   for (const std::string& field :
        {item.input.substr(folder_length(item.input)), item.skeleton,
         item.output.substr(folder_length(item.output)), std::to_string(item.preset), item.problem,
-        std::string(name(item.review.verdict)), item.review.note, reading_text(item.reading)}) {
+        std::string(name(item.review.verdict)), item.review.note, item.review.reviewer,
+        item.review.time, item.review.source_hash, item.review.settings_hash,
+        reading_text(item.reading)}) {
     text_ += field.c_str();
     text_ += '\0';
   }
@@ -91,6 +93,10 @@ BatchItem ItemList::operator[](std::size_t index) const {
   item.problem = next();
   item.review.verdict = verdict_named(next());
   item.review.note = next();
+  item.review.reviewer = next();
+  item.review.time = next();
+  item.review.source_hash = next();
+  item.review.settings_hash = next();
   item.reading = reading_in(next());
   return item;
 }

@@ -73,7 +73,7 @@ class ItemList {
   std::uint32_t index_of_folder(const std::string& path);
 
   // Of each item, each ended by 0: the last part of input, skeleton, the last part of output,
-  // preset, problem, verdict, note and how it is read.
+  // preset, problem, all of its review and how it is read.
   std::string text_;
   std::vector<std::string> folders_;  // each ends with a /, or is empty
   std::vector<Place> places_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/journal.h"
 
+#include <sys/file.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -10,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/fnv1a.h"
+#include "core/base/lock_holder.h"
 #include "core/mocapress/settings_json.h"
 
 namespace mocapress {
@@ -19,13 +22,48 @@ namespace fs = std::filesystem;
 
 constexpr int kVersion = 1;
 constexpr const char* kVersionKey = "mocapress_batch";
+constexpr const char* kHolderKey = "run";
 
 std::string to_line(const JournalHeader& header) {
   return dumped({{kVersionKey, kVersion},
                  {"clips", header.clips},
                  {"list", header.list},
                  {"shard", header.shard.index},
-                 {"shards", header.shard.count}});
+                 {"shards", header.shard.count},
+                 {kHolderKey, to_json(this_process())}});
+}
+
+/// The run that a journal's first line names. Unset: it names none.
+std::optional<LockHolder> holder_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string line;
+  std::getline(stream, line);
+  try {
+    return lock_holder_from(parse_json("", line).at(kHolderKey));
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// Takes the lock where it can be had, and goes on where it cannot.
+int lock_if_free(int file, int operation) {
+  ::flock(file, operation);
+  return 0;
+}
+
+AppendedFile opened(const fs::path& path, bool take_over) {
+  try {
+    return AppendedFile(path);
+  } catch (const InUse& in_use) {
+    const std::optional<LockHolder> holder = holder_of(path);
+    if (!holder) throw;
+    const bool is_elsewhere = holder->host != this_process().host;
+    if (is_elsewhere && take_over) return AppendedFile(path, &lock_if_free);
+    throw WriteError(std::string(in_use.what()) + ": " + text(*holder) +
+                     (is_elsewhere ? "; if it is gone, --take-over continues" : ""));
+  }
 }
 
 std::optional<JournalHeader> parse_header(const std::string& line) {
@@ -80,8 +118,9 @@ std::optional<BatchRow> JournalReader::row_at(std::size_t place) {
   return parse_batch_row(line);
 }
 
-Journal::Journal(const fs::path& path, const Batch& batch, const Shard& shard, Start start)
-    : path_(path), lines_(path) {
+Journal::Journal(const fs::path& path, const Batch& batch, const Shard& shard, Start start,
+                 bool take_over)
+    : path_(path), lines_(opened(path, take_over)) {
   const JournalHeader header{batch.items.size(), fingerprint(batch), shard};
   const bool is_there = lines_.size() > 0;
   if (is_there && start == Start::New)

@@ -59,8 +59,10 @@ class Journal {
 
   /// New: throws WriteError where there is one already. Resume: its rows are kept as far as they
   /// are of `batch` and `shard`, whatever is left half-written. Anew: it is emptied. Throws
-  /// WriteError, also when another run has it open.
-  Journal(const std::filesystem::path& path, const Batch& batch, const Shard& shard, Start start);
+  /// WriteError, also when another run has it open: it says who, as the journal's first line does.
+  /// With `take_over` a run on another computer does not count: its lock may stand when it is gone.
+  Journal(const std::filesystem::path& path, const Batch& batch, const Shard& shard, Start start,
+          bool take_over = false);
 
   /// That other runs could not be kept away from it.
   const std::optional<Warning>& warning() const { return lines_.warning(); }

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/batch/format_options_json.h"
 #include "core/mocapress/settings_json.h"
+#include "core/report/verdict.h"
 
 namespace mocapress {
 namespace {
@@ -21,7 +22,7 @@ BatchItem item_from(const Json& json, std::size_t presets) {
   json.at("output").get_to(item.output);
   json.at("preset").get_to(item.preset);
   if (item.preset >= presets) throw Error(item.input + " has an unknown preset");
-  item.review = {verdict_named(text_at(json, "verdict")), text_at(json, "note")};
+  item.review = review_from(json);
   if (const auto reading = json.find("reading"); reading != json.end() && !reading->is_null())
     item.reading = format_options(*reading);
   // The same rules as for a name that a pattern makes.
@@ -45,13 +46,13 @@ std::string queue_text(const Batch& batch) {
   for (const BatchItem item : batch.items) {
     Json reading;
     if (item.reading) put(reading = Json::object(), *item.reading);
-    json["clips"].push_back({{"input", item.input},
-                             {"skeleton", item.skeleton.empty() ? Json() : Json(item.skeleton)},
-                             {"reading", reading},
-                             {"output", item.output},
-                             {"preset", item.preset},
-                             {"verdict", text_or_null(name(item.review.verdict))},
-                             {"note", text_or_null(item.review.note)}});
+    Json clip = {{"input", item.input},
+                 {"skeleton", item.skeleton.empty() ? Json() : Json(item.skeleton)},
+                 {"reading", reading},
+                 {"output", item.output},
+                 {"preset", item.preset}};
+    put(clip, item.review);
+    json["clips"].push_back(std::move(clip));
   }
   return dumped(json, 1) + '\n';
 }

@@ -2,10 +2,13 @@
 #include "core/batch/report.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <ostream>
+#include <utility>
 
 #include "core/base/file.h"
+#include "core/batch/report_script.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/report/markup.h"
 #include "core/report/report_style.h"
@@ -16,22 +19,24 @@ namespace fs = std::filesystem;
 
 void write_batch_report(const fs::path& folder, const std::string& suffix, const BatchRows& rows,
                         std::size_t waiting) {
+  const ReportStamp stamp = report_stamp();
   const auto named = [&](const char* extension) {
     return folder / ("report" + suffix + extension);
   };
   write_stream(named(".csv"), [&](std::ostream& out) {
     out << csv_head();
-    rows([&](const BatchRow& row) { out << to_csv_line(row); });
+    rows([&](const BatchRow& row) { out << to_csv_line(row, stamp); });
   });
   write_stream(named(".json"), [&](std::ostream& out) {
     const char* before = "[\n";
     rows([&](const BatchRow& row) {
-      out << before << to_report_line(row);
+      out << before << to_report_line(row, stamp);
       before = ",\n";
     });
     out << (*before == '[' ? "[]\n" : "\n]\n");
   });
-  write_stream(named(".html"), [&](std::ostream& out) { write_batch_html(out, rows, waiting); });
+  write_stream(named(".html"),
+               [&](std::ostream& out) { write_batch_html(out, rows, waiting, stamp); });
 }
 
 using namespace html;
@@ -40,9 +45,23 @@ namespace {
 
 constexpr std::size_t kPictures = 6;
 
-bool is_seen(const BatchRow& row) {
-  return row.measured && row.measured->seen && row.measured->seen->sight() != Sight::NotVisible &&
-         !row.sights.empty();
+constexpr std::size_t kSightCharts = 24;
+
+double times_noticed(const BatchRow& row) {
+  return row.measured->seen ? row.measured->seen->times_noticed : 0;
+}
+
+/// Orders rows by what the eye sees, then by how far a point is off; the worst first.
+bool is_worse(const BatchRow& a, const BatchRow& b) {
+  return std::pair(times_noticed(a), a.measured->max_error_cm) >
+         std::pair(times_noticed(b), b.measured->max_error_cm);
+}
+
+/// Keeps the first `most` of rows in that order.
+void add_worst(const BatchRow& row, std::size_t most, std::vector<BatchRow>& worst) {
+  if (worst.size() == most && !is_worse(row, worst.back())) return;
+  worst.insert(std::upper_bound(worst.begin(), worst.end(), row, is_worse), row);
+  if (worst.size() > most) worst.pop_back();
 }
 
 /// What the whole batch came to.
@@ -50,35 +69,40 @@ struct Totals {
   std::size_t done = 0;
   std::size_t failed = 0;
   std::size_t warned = 0;
-  std::size_t seen = 0;  // clips of which something is
+  std::size_t visible = 0;
+  std::size_t borderline = 0;
+  std::size_t not_visible = 0;
+  std::size_t stale = 0;  // verdicts
   double raw_bytes = 0;
   double motion_bytes = 0;
   double worst_eps_cm = 0;
   double worst_cm = 0;
-  std::vector<BatchRow> worst;  // of those done, the furthest off first
+  std::vector<BatchRow> worst;      // to be drawn
+  std::vector<BatchRow> most_seen;  // to be charted
 
   void add(const BatchRow& row) {
     warned += !row.warnings.empty();
+    stale += stale_reason(row).has_value();
     if (!row.done() || !row.measured) {
       failed += !row.done();
       return;
     }
     ++done;
-    seen += is_seen(row);
+    if (row.measured->seen) count(row);
     raw_bytes += static_cast<double>(row.measured->raw_bytes);
     motion_bytes += static_cast<double>(row.measured->motion_bytes);
     worst_eps_cm = std::max(worst_eps_cm, row.measured->eps_cm(row.preset.weighting));
     worst_cm = std::max(worst_cm, row.measured->max_error_cm);
-    if (row.worst) add_worst(row);
+    if (row.worst) add_worst(row, kPictures, worst);
   }
 
  private:
-  void add_worst(const BatchRow& row) {
-    const auto further = [](const BatchRow& a, const BatchRow& b) {
-      return a.measured->max_error_cm > b.measured->max_error_cm;
-    };
-    worst.insert(std::upper_bound(worst.begin(), worst.end(), row, further), row);
-    if (worst.size() > kPictures) worst.pop_back();
+  void count(const BatchRow& row) {
+    const Sight sight = row.measured->seen->sight();
+    visible += sight == Sight::Visible;
+    borderline += sight == Sight::Borderline;
+    not_visible += sight == Sight::NotVisible;
+    if (sight != Sight::NotVisible) add_worst(row, kSightCharts, most_seen);
   }
 };
 
@@ -92,8 +116,14 @@ std::string tile(const std::string& value, const std::string& text) {
 }
 
 std::string tiles(const Totals& totals, std::size_t waiting) {
-  std::string all = tile(std::to_string(totals.done), "clips done, each read back and measured");
+  std::string all;
+  if (totals.visible + totals.borderline + totals.not_visible > 0)
+    all = tile(std::to_string(totals.visible), "visible to the eye") +
+          tile(std::to_string(totals.borderline), "borderline") +
+          tile(std::to_string(totals.not_visible), "not visible");
+  all += tile(std::to_string(totals.done), "clips done, each read back and measured");
   if (totals.failed > 0) all += tile(std::to_string(totals.failed), "failed");
+  if (totals.stale > 0) all += tile(std::to_string(totals.stale), "verdicts are stale");
   if (waiting > 0) all += tile(std::to_string(waiting), "still waiting");
   if (totals.motion_bytes > 0)
     all += tile(ratio_text(totals.raw_bytes / totals.motion_bytes),
@@ -124,11 +154,12 @@ std::string pictures(const Totals& totals) {
                             ratio_text(row.measured->ratio) + "."));
   }
   if (figures.empty()) return "";
-  return element("section", "",
-                 element("h2", "", "Worst frames") +
-                     muted("The frame at which one point is furthest off, of the clips where that "
-                           "is most: grey as captured, red as compressed.") +
-                     element("div", attribute("class", "multiples"), figures));
+  return element(
+      "section", "",
+      element("h2", "", "Worst frames") +
+          muted("The frame at which one point is furthest off, of the clips of which the "
+                "eye sees most: grey as captured, red as compressed.") +
+          element("div", attribute("class", "multiples"), figures));
 }
 
 std::string figure_cell(const std::optional<double>& value) {
@@ -148,12 +179,23 @@ std::string seen_cell(const std::optional<Seen>& seen) {
   if (!seen) return cell(kNothing, "name");
   std::string text(seen->sight() == Sight::NotVisible ? "not visible" : name(seen->sight()));
   if (!seen->reason.empty()) text += ": " + escaped(seen->reason);
-  return cell(text, "wrap");
+  return element("td",
+                 attribute("class", "wrap") + attribute("data-key", fixed(seen->times_noticed, 3)),
+                 text);
 }
 
-/// What a reviewer said about it.
+/// A reviewer's verdict with who and when, and why it no longer holds.
+std::string verdict_text(const BatchRow& row) {
+  const ClipReview& review = row.review;
+  std::string text(name(review.verdict));
+  if (!review.reviewer.empty()) text += " by " + review.reviewer;
+  if (!review.time.empty()) text += ", " + review.time.substr(0, 10);
+  if (const auto why = stale_reason(row)) text += "; stale: " + *why;
+  return review.verdict == Verdict::None ? "" : text;
+}
+
 std::string review_cells(const BatchRow& row) {
-  return text_cell(name(row.review.verdict), "name") + text_cell(row.review.note, "wrap");
+  return text_cell(verdict_text(row), "wrap") + text_cell(row.review.note, "wrap");
 }
 
 void write_failures(std::ostream& out, const BatchRows& rows) {
@@ -200,7 +242,7 @@ void write_clips(std::ostream& out, const BatchRows& rows) {
       << muted(
              "Errors of the file as it was read back, against the original: distances in "
              "centimetres, what joints, head and hands are turned by in degrees.")
-      << "<div class=\"scroll\"><table><thead>"
+      << "<div class=\"scroll\"><table id=\"clips\"><thead>"
       << line(head("Clip", left) + head("preset", left) + head("method", left) +
               head("asked", left) + head("frames") + head("ratio") + head("KB") +
               head("&#949;<sub>x</sub>") + head("p95") + head("p99") + head("max") +
@@ -215,12 +257,16 @@ void write_clips(std::ostream& out, const BatchRows& rows) {
   out << "</tbody></table></div></section>\n";
 }
 
-/// Of the clips of which something is seen.
-void write_sights(std::ostream& out, const BatchRows& rows) {
-  out << "<section><h2>What the eye sees</h2>" << muted(kSightLegend)
-      << "<div class=\"multiples\">\n";
-  rows([&](const BatchRow& row) {
-    if (!row.done() || !is_seen(row)) return;
+/// The clips of which most is seen.
+void write_sights(std::ostream& out, const Totals& totals) {
+  const std::size_t seen = totals.visible + totals.borderline;
+  std::string legend = kSightLegend;
+  if (seen > totals.most_seen.size())
+    legend += " Of " + std::to_string(seen) + " clips the " +
+              std::to_string(totals.most_seen.size()) + " of which most is seen.";
+  out << "<section><h2>What the eye sees</h2>" << muted(legend) << "<div class=\"multiples\">\n";
+  for (const BatchRow& row : totals.most_seen) {
+    if (row.sights.empty()) continue;
     const Measurement& m = *row.measured;
     out << element(
                "figure", "",
@@ -229,20 +275,39 @@ void write_sights(std::ostream& out, const BatchRows& rows) {
                    element("figcaption", "",
                            element("b", "", escaped(row.output)) + ": " + escaped(m.seen->reason)))
         << '\n';
-  });
+  }
   out << "</div></section>\n";
 }
 
+/// A warning without its file and line, so that equal ones of many clips are equal.
+std::string without_place(const std::string& warning) {
+  const std::size_t end = warning.find(": ");
+  return end == warning.npos ? warning : warning.substr(end + 2);
+}
+
+/// Each warning once, with the clips that have it.
 void write_warnings(std::ostream& out, const BatchRows& rows) {
-  const auto left = attribute("class", "name");
-  out << "<section><h2>Repaired or guessed on reading</h2><div class=\"scroll\"><table><thead>"
-      << line(head("Clip", left) + head("what", left)) << "</thead><tbody>\n";
+  constexpr std::size_t kNamed = 8;
+  struct Clips {
+    std::size_t count = 0;
+    std::string named;
+  };
+  std::map<std::string, Clips> warnings;
   rows([&](const BatchRow& row) {
-    std::string what;
-    for (const std::string& warning : row.warnings)
-      what += (what.empty() ? "" : "<br/>") + escaped(warning);
-    if (!what.empty()) out << line(row_head(row.output) + cell(what, "wrap")) << '\n';
+    for (const std::string& warning : row.warnings) {
+      Clips& clips = warnings[without_place(warning)];
+      if (++clips.count <= kNamed) clips.named += (clips.count > 1 ? ", " : "") + row.output;
+    }
   });
+  const auto left = attribute("class", "name");
+  out << "<section><h2>Repaired or guessed on reading</h2>"
+      << muted("report.csv has each with its file and line.")
+      << "<div class=\"scroll\"><table><thead>"
+      << line(head("what", left) + head("times") + head("clips", left)) << "</thead><tbody>\n";
+  for (const auto& [warning, clips] : warnings)
+    out << line(cell(escaped(warning), "wrap") + cell(std::to_string(clips.count)) +
+                cell(escaped(clips.named + (clips.count > kNamed ? ", ..." : "")), "wrap"))
+        << '\n';
   out << "</tbody></table></div></section>\n";
 }
 
@@ -268,28 +333,36 @@ std::string notes() {
   add("Foot slide",
       "While a foot stands in the original, beyond its own slide there: all contacts together, a "
       "contact on average, and the worst contact.");
-  add("Verdict, note", "What the reviewer of the clip said about it.");
+  add("Verdict, note",
+      "What the reviewer of the clip said about it, who and when. Stale: the clip&#8217;s file or "
+      "the settings are not those that were reviewed, so that the verdict does not count.");
   add("Warnings", "How many places its reader repaired or guessed: they are listed below.");
   return element("section", "", element("h2", "", "How it was measured") + element("dl", "", all));
 }
 
 }  // namespace
 
-void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting) {
+void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting,
+                      const ReportStamp& stamp) {
   Totals totals;
   rows([&](const BatchRow& row) { totals.add(row); });
   out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta "
          "name=\"viewport\" "
          "content=\"width=device-width, initial-scale=1\"/>"
       << element("title", "", "Batch export") << element("style", "", kReportStyle)
-      << "</head><body><main>" << element("header", "", element("h1", "", "Batch export"))
+      << "</head><body><main>"
+      << element(
+             "header", "",
+             element("h1", "", "Batch export") + muted(escaped(stamp.program + ", " + stamp.time)))
       << tiles(totals, waiting) << '\n';
   if (totals.failed > 0) write_failures(out, rows);
   out << pictures(totals) << '\n';
   if (totals.done > 0) write_clips(out, rows);
-  if (totals.seen > 0) write_sights(out, rows);
+  if (!totals.most_seen.empty()) write_sights(out, totals);
   if (totals.warned > 0) write_warnings(out, rows);
-  out << notes() << "</main></body></html>\n";
+  out << notes() << "</main>";
+  if (totals.done > 0) out << element("script", "", kReportScript);
+  out << "</body></html>\n";
 }
 
 }  // namespace mocapress

@@ -13,12 +13,14 @@ namespace mocapress {
 using BatchRows = std::function<void(const std::function<void(const BatchRow&)>&)>;
 
 /// Writes report.csv, report.json and report.html, `suffix` before their extensions. One row is in
-/// memory at a time. The same rows make the same bytes. `waiting` clips have no row yet. Throws
+/// memory at a time. The same rows make the same bytes at the same
+/// report_time(). `waiting` clips have no row yet. Throws
 /// WriteError.
 void write_batch_report(const std::filesystem::path& folder, const std::string& suffix,
                         const BatchRows& rows, std::size_t waiting);
 
 /// The page alone, needing nothing else: totals, what failed, the worst frames drawn, every clip.
-void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting);
+void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting,
+                      const ReportStamp& stamp);
 
 }  // namespace mocapress

@@ -8,9 +8,9 @@
 #include "core/base/fnv1a.h"
 #include "core/batch/format_options_json.h"
 #include "core/formats/motion_file.h"
-#include "core/formats/text_cursor.h"
 #include "core/mocapress/settings_json.h"
 #include "core/report/measurement_json.h"
+#include "core/report/verdict.h"
 
 namespace mocapress {
 
@@ -19,13 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<fs::path> files_of(const BatchItem& item, const ReadOptions& reading) {
-  const fs::path input = item.input;
-  std::vector<fs::path> files = {input};
-  if (equals_ignoring_case(input.extension().string(), ".amc"))
-    files.push_back(item.skeleton.empty() ? find_skeleton(input) : fs::path(item.skeleton));
-  if (reading.character) files.emplace_back(*reading.character);
-  if (const std::optional<fs::path> tracks = find_tracks(input)) files.push_back(*tracks);
-  return files;
+  std::optional<fs::path> skeleton;
+  if (!item.skeleton.empty()) skeleton = item.skeleton;
+  return files_of_motion(item.input, skeleton, reading);
 }
 
 void add_file(Fnv1a& hash, const fs::path& file) {
@@ -85,6 +81,21 @@ std::string hash_of(const fs::path& file) {
   return hash_of_all({file});
 }
 
+std::optional<std::string> stale_reason(const BatchRow& row) {
+  if (row.stamp.hash.empty()) return std::nullopt;
+  return stale_reason(row.review, row.stamp.hash, settings_hash(row.preset, row.reading));
+}
+
+std::string settings_hash(const Settings& settings, const ReadOptions& reading) {
+  Json json = to_json(settings);
+  json.erase("name");
+  put(json["reading"] = Json::object(), reading);
+  json["reading"].erase("character");
+  Fnv1a hash;
+  hash.add(dumped(json));
+  return hash.text();
+}
+
 namespace {
 
 constexpr double kUnit = 100;  // of a pose's numbers in a cm
@@ -96,7 +107,7 @@ double bits_per_joint_sample(const BatchRow& row) {
   return 8.0 * static_cast<double>(row.measured->motion_bytes) / joint_samples;
 }
 
-Json report_json(const BatchRow& row) {
+Json report_json(const BatchRow& row, const ReportStamp& stamp = {}) {
   Json json = {{"input", row.input},
                {"output", row.output},
                {"done", row.done()},
@@ -114,9 +125,11 @@ Json report_json(const BatchRow& row) {
   json["files"] = Json::array();
   for (const WrittenFile& file : row.files) json["files"].push_back(file.name);
   json["warnings"] = row.warnings;
-  json["verdict"] = text_or_null(name(row.review.verdict));
-  json["note"] = text_or_null(row.review.note);
+  put(json, row.review);
+  json["stale"] = or_null(stale_reason(row));
   json["error"] = text_or_null(row.error);
+  json["program"] = text_or_null(stamp.program);
+  json["reported"] = text_or_null(stamp.time);
   return json;
 }
 
@@ -204,8 +217,7 @@ BatchRow row_from(const Json& json) {
     row.files.push_back({file.at("name").get<std::string>(), file.at("bytes").get<std::uintmax_t>(),
                          file.at("hash").get<std::string>()});
   json.at("warnings").get_to(row.warnings);
-  row.review = {verdict_named(optional_at<std::string>(json, "verdict").value_or("")),
-                optional_at<std::string>(json, "note").value_or("")};
+  row.review = review_from(json);
   row.error = optional_at<std::string>(json, "error").value_or("");
   for (const Json& line : json.value("sights", Json::array()))
     row.sights.push_back({line.at(0).get<std::string>(), line.at(1).get<std::string>()});
@@ -228,8 +240,8 @@ bool keeps_promise(const Settings& preset, const Measurement& measured) {
   return reached(preset.target, measured.quantity(preset.target.kind, preset.weighting));
 }
 
-std::string to_report_line(const BatchRow& row) {
-  return dumped(report_json(row));
+std::string to_report_line(const BatchRow& row, const ReportStamp& stamp) {
+  return dumped(report_json(row, stamp));
 }
 
 std::string to_journal_line(const BatchRow& row) {
@@ -269,8 +281,8 @@ std::string csv_head() {
   return text + '\n';
 }
 
-std::string to_csv_line(const BatchRow& row) {
-  const Json json = report_json(row);
+std::string to_csv_line(const BatchRow& row, const ReportStamp& stamp) {
+  const Json json = report_json(row, stamp);
   std::string text;
   for (const auto& [key, value] : json.items())
     text += (key == "input" ? "" : ",") + csv_quoted(csv_text(value));

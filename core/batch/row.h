@@ -11,6 +11,7 @@
 #include "core/batch/batch.h"
 #include "core/batch/worst_pose.h"
 #include "core/report/measurement.h"
+#include "core/report/report_stamp.h"
 #include "core/report/review.h"
 
 namespace mocapress {
@@ -30,6 +31,10 @@ InputStamp stamp(const BatchItem& item, const ReadOptions& reading);
 
 /// Whether the files still are what they were. Their bytes are only read where their times differ.
 bool unchanged(const BatchItem& item, const ReadOptions& reading, const InputStamp& stamp);
+
+/// Changes with all that shapes a clip's file: settings but their name, and how the source is read.
+/// The bytes of a character and of curves count in InputStamp::hash: where they lie does not.
+std::string settings_hash(const Settings& settings, const ReadOptions& reading);
 
 /// Of a file's bytes. Throws InputError.
 std::string hash_of(const std::filesystem::path& file);
@@ -66,6 +71,10 @@ struct BatchRow {
   bool done() const { return error.empty(); }
 };
 
+/// Why the row's verdict does not hold for what was read and how it was compressed. Unset: it
+/// holds, there is none, or the clip was not read.
+std::optional<std::string> stale_reason(const BatchRow& row);
+
 /// Whether a measurement keeps what a preset promises: a ratio within 2 %, a bound not exceeded.
 bool keeps_promise(const Settings& preset, const Measurement& measured);
 
@@ -76,11 +85,12 @@ std::string to_journal_line(const BatchRow& row);
 std::optional<BatchRow> parse_batch_row(std::string_view line);
 
 /// One line of JSON for reports and programs: keys as `mocapress compress --json` has them, null
-/// where a value does not apply. The same for the same clip and preset: nothing a clock said.
-std::string to_report_line(const BatchRow& row);
+/// where a value does not apply. The same for the same clip and preset: only the stamp, which says
+/// which program made the report and when, is a clock's.
+std::string to_report_line(const BatchRow& row, const ReportStamp& stamp = {});
 
 /// The same as comma-separated values (RFC 4180), with a line feed.
-std::string to_csv_line(const BatchRow& row);
+std::string to_csv_line(const BatchRow& row, const ReportStamp& stamp = {});
 std::string csv_head();
 
 }  // namespace mocapress

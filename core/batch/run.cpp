@@ -5,10 +5,13 @@
 #include <tbb/task_arena.h>
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <map>
 #include <mutex>
+#include <set>
 
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 
 namespace mocapress {
@@ -79,6 +82,30 @@ int workers_for(int jobs) {
   return jobs > 0 ? std::min(jobs, processors) : processors;
 }
 
+/// The time that one clip takes, without pauses.
+class ClipTime {
+ public:
+  explicit ClipTime(std::optional<double> limit_seconds) : limit_(limit_seconds) {}
+
+  bool is_over() const { return limit_ && Clock::now() - start_ > Seconds(*limit_); }
+
+  /// The result of `wait`, whose time does not count.
+  template <typename Wait>
+  bool without(Wait wait) {
+    const Clock::time_point before = Clock::now();
+    const bool result = wait();
+    start_ += Clock::now() - before;
+    return result;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+
+  std::optional<double> limit_;
+  Clock::time_point start_ = Clock::now();
+};
+
 class Run {
  public:
   Run(const Batch& batch, const fs::path& folder, Journal& journal, const BatchRunOptions& options,
@@ -93,6 +120,7 @@ class Run {
     for (std::size_t i = 0; i < batch.items.size(); ++i)
       if (const BatchItem item = batch.items[i]; options.shard.has(item))
         queue_.push_back({i, size_of(item)});
+    sources_ = source_files(batch);
     for (const Waiting& clip : queue_) counts_.bytes += clip.bytes;
     counts_.clips = queue_.size();
     // Long clips at the end would leave the other threads idle.
@@ -133,12 +161,17 @@ class Run {
     }
     const ExportRights rights{.overwrite = options_.overwrite,
                               .resumed = options_.resumed,
-                              .earlier = earlier ? &*earlier : nullptr};
-    const auto row =
-        export_clip(batch_, clip.index, folder_, rights, [&](const ClipProgress& progress) {
-          if (!control_.may_continue()) return false;
-          return tell(clip, progress);
-        });
+                              .earlier = earlier ? &*earlier : nullptr,
+                              .sources = &sources_};
+    ClipTime time(options_.clip_seconds);
+    auto row = export_clip(batch_, clip.index, folder_, rights, [&](const ClipProgress& progress) {
+      if (time.is_over()) return false;
+      if (!time.without([&] { return control_.may_continue(); })) return false;
+      return tell(clip, progress);
+    });
+    if (!row && time.is_over() && !control_.cancelled())
+      row = failed_row(batch_, clip.index,
+                       "took longer than " + shortest_text(*options_.clip_seconds) + " s");
     if (row)
       finish(clip, *row, false, true);
     else
@@ -209,6 +242,7 @@ class Run {
   BatchControl& control_;
   const Observer<BatchProgress>& observer_;
   std::vector<Waiting> queue_;
+  std::set<FileIdentity> sources_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  // of what follows, the journal, and the calls out
   BatchCounts counts_;

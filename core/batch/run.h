@@ -72,7 +72,9 @@ struct BatchRunOptions {
   int jobs = 0;  // clips at a time; 0: as many as processors
   bool overwrite = false;
   bool resumed = false;
-  bool keep_going = true;  // false: the first clip that fails ends it
+  bool keep_going = true;                   // false: the first clip that fails ends it
+  std::optional<double> clip_seconds = {};  // a clip that takes longer fails; unset: no limit
+  bool take_over = false;  // the journal of a run on another computer that is no longer there
 };
 
 struct BatchOutcome {

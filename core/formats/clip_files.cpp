@@ -16,19 +16,55 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kExtensions[] = {".bvh", ".amc", ".fbx", ".gltf", ".glb"};
 
-std::vector<fs::path> clips_below(const fs::path& folder) {
-  std::vector<fs::path> clips;
-  try {
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (is_clip(entry.path()) && entry.is_regular_file()) clips.push_back(entry.path());
-  } catch (const fs::filesystem_error& error) {
-    throw InputError(folder.string(), 0, 0, error.code().message());
+class FolderWalk {
+ public:
+  explicit FolderWalk(const std::optional<FileIdentity>& left_out) {
+    if (left_out) seen_.insert(*left_out);
   }
-  if (clips.empty())
-    throw InputError(folder.string(), 0, 0, "holds none of " + readable_extensions(", "));
-  std::sort(clips.begin(), clips.end());
-  return clips;
-}
+
+  std::vector<FoundClip> clips_below(const fs::path& folder) {
+    look_into(folder);
+    // The links of a folder come after all that is really below it.
+    for (std::size_t i = 0; i < links_.size(); ++i) look_into(fs::path(links_[i]));
+    std::ranges::sort(found_, {}, [](const FoundClip& clip) { return clip.path.string(); });
+    return std::move(found_);
+  }
+
+ private:
+  void look_into(const fs::path& folder) {
+    std::error_code error;
+    try {
+      const std::optional<FileIdentity> identity = identity_of(folder);
+      if (identity && !seen_.insert(*identity).second) return;
+    } catch (const InputError&) {  // opening it says why
+    }
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+      look_at(*at);
+    if (error) found_.push_back({folder, error.message()});
+  }
+
+  void look_at(const fs::directory_entry& entry) {
+    std::error_code error;
+    const fs::path& path = entry.path();
+    const bool is_link = entry.is_symlink(error);
+    const fs::file_status status = entry.status(error);
+    if (fs::is_directory(status)) {
+      is_link ? links_.push_back(path) : look_into(path);
+      return;
+    }
+    const bool leads_nowhere = is_link && status.type() == fs::file_type::not_found;
+    const bool may_be_folder = (leads_nowhere || error) && !path.has_extension();
+    if (!is_clip(path) && !may_be_folder) return;
+    if (leads_nowhere) return found_.push_back({path, "is a link that leads nowhere"});
+    std::string problem;
+    if (!fs::is_regular_file(status)) problem = error ? error.message() : "is not a regular file";
+    found_.push_back({path, problem});
+  }
+
+  std::vector<FoundClip> found_;
+  std::vector<fs::path> links_;  // to folders
+  std::set<FileIdentity> seen_;  // folders
+};
 
 }  // namespace
 
@@ -48,6 +84,11 @@ bool is_clip(const fs::path& path) {
   });
 }
 
+std::vector<FoundClip> clips_below(const fs::path& folder,
+                                   const std::optional<FileIdentity>& left_out) {
+  return FolderWalk(left_out).clips_below(folder);
+}
+
 std::vector<fs::path> find_clips(const std::vector<fs::path>& inputs) {
   std::vector<fs::path> clips;
   std::set<fs::path> found;
@@ -58,10 +99,17 @@ std::vector<fs::path> find_clips(const std::vector<fs::path>& inputs) {
     std::error_code error;
     const fs::file_status status = fs::status(input, error);
     if (!fs::exists(status)) throw InputError(input.string(), 0, 0, "No such file or directory");
-    if (!fs::is_directory(status))
+    if (!fs::is_directory(status)) {
       add(input);
-    else
-      for (const fs::path& clip : clips_below(input)) add(clip);
+      continue;
+    }
+    const std::vector<FoundClip> below = clips_below(input);
+    if (below.empty())
+      throw InputError(input.string(), 0, 0, "holds none of " + readable_extensions(", "));
+    for (const FoundClip& clip : below) {
+      if (!is_clip(clip.path)) throw InputError(clip.path.string(), 0, 0, clip.problem);
+      add(clip.path);
+    }
   }
   return clips;
 }

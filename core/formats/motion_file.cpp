@@ -114,21 +114,40 @@ MotionFile parse_motion(const path& file, std::string_view text, std::string_vie
 MotionFile read_motion(const path& file, const std::optional<path>& skeleton_path,
                        const ReadOptions& options) {
   require_motion(file);
-  const std::string text = read_text(file);
+  ReadOptions with_tracks = options;
+  if (!with_tracks.tracks)
+    if (const std::optional<path> table = find_tracks(file)) with_tracks.tracks = table->string();
+  return read_motion_bytes(file, read_text(file), skeleton_path, with_tracks);
+}
+
+MotionFile read_motion_bytes(const path& file, std::string_view bytes,
+                             const std::optional<path>& skeleton_path, const ReadOptions& options) {
   SkeletonText skeleton;
   if (has_extension(file, ".amc")) {
     skeleton.file = skeleton_path ? *skeleton_path : find_skeleton(file);
     skeleton.text = read_text(skeleton.file);
   }
-  MotionFile read = parse(file, text, skeleton, options);
+  MotionFile read = parse(file, bytes, skeleton, options);
   if (options.character) put_character(*options.character, read);
-  const std::optional<path> table = options.tracks ? path(*options.tracks) : find_tracks(file);
-  if (table) {
+  if (options.tracks) {
     const ScalarTracks more =
-        read_csv_tracks(table->string(), read_text(*table), read.motion.clip.frames());
+        read_csv_tracks(*options.tracks, read_text(*options.tracks), read.motion.clip.frames());
     read.tracks.insert(read.tracks.end(), more.begin(), more.end());
   }
   return read;
+}
+
+std::vector<path> files_of_motion(const path& file, const std::optional<path>& skeleton_path,
+                                  const ReadOptions& options) {
+  std::vector<path> files = {file};
+  if (has_extension(file, ".amc"))
+    files.push_back(skeleton_path ? *skeleton_path : find_skeleton(file));
+  if (options.character) files.emplace_back(*options.character);
+  if (options.tracks)
+    files.emplace_back(*options.tracks);
+  else if (const std::optional<path> table = find_tracks(file))
+    files.push_back(*table);
+  return files;
 }
 
 Character read_character(const path& file) {
@@ -177,6 +196,17 @@ Motion exported_motion(const Motion& motion, const SourceFormat& source,
   return exported;
 }
 
+std::string motion_bytes(const path& file, const Motion& motion, const SourceFormat& source,
+                         const WriteOptions& options, const ScalarTracks& tracks) {
+  if (const auto container = gltf_container(file))
+    return gltf_bytes(motion, *container, source, options, tracks);
+  const Motion exported = exported_motion(motion, source, options);
+  if (has_extension(file, ".bvh")) return bvh_text(exported, bvh_style(source, options));
+  if (has_extension(file, ".csv")) return csv_text(exported, tracks);
+  throw Error(file.string() +
+              ": cannot be written: its extension is none of .bvh, .glb, .gltf, .amc, .csv");
+}
+
 Warnings write_motion(const path& file, const Motion& motion,
                       const std::optional<path>& skeleton_path, const SourceFormat& source,
                       const WriteOptions& options, const ScalarTracks& tracks) {
@@ -185,29 +215,18 @@ Warnings write_motion(const path& file, const Motion& motion,
     if (count == 0) return {};
     return {{file.string(), 0, "has no place for " + counted(count, "track") + " of the clip"}};
   };
-  const auto any = [](const ScalarTrack&) { return true; };
-  if (const auto container = gltf_container(file)) {
-    write_text(file, gltf_bytes(motion, *container, source, options, tracks));
-    return lost([](const ScalarTrack& track) { return !is_scale(track.kind); });
+  if (!has_extension(file, ".amc")) {
+    write_text(file, motion_bytes(file, motion, source, options, tracks));
+    return lost([&](const ScalarTrack& track) {
+      return has_extension(file, ".bvh") || (gltf_container(file) && !is_scale(track.kind));
+    });
   }
-  const Motion exported = exported_motion(motion, source, options);
-  if (has_extension(file, ".bvh")) {
-    write_text(file, bvh_text(exported, bvh_style(source, options)));
-    return lost(any);
-  }
-  if (has_extension(file, ".csv")) {
-    write_text(file, csv_text(exported, tracks));
-    return {};
-  }
-  if (!has_extension(file, ".amc"))
-    throw Error(file.string() +
-                ": cannot be written: its extension is none of .bvh, .glb, .gltf, .amc, .csv");
-  const Motion acclaim = acclaim_motion(exported);
+  const Motion acclaim = acclaim_motion(exported_motion(motion, source, options));
   const double cm_per_unit = asf_cm_per_unit(source, options);
   write_text(skeleton_path.value_or(path(file).replace_extension(".asf")),
              asf_text(acclaim.skeleton, cm_per_unit));
   write_text(file, amc_text(acclaim, cm_per_unit));
-  return lost(any);
+  return lost([](const ScalarTrack&) { return true; });
 }
 
 void write_motion_onto(const path& file, const Motion& motion, const path& onto,

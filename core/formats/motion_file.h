@@ -74,6 +74,19 @@ MotionFile read_motion(const std::filesystem::path& path,
                        const std::optional<std::filesystem::path>& skeleton_path = {},
                        const ReadOptions& options = {});
 
+/// The same of bytes that came another way, as from a pipe. `file` names them in messages and has
+/// the extension; no curves are looked for beside it.
+MotionFile read_motion_bytes(const std::filesystem::path& file, std::string_view bytes,
+                             const std::optional<std::filesystem::path>& skeleton_path = {},
+                             const ReadOptions& options = {});
+
+/// All files that read_motion() reads for these arguments. Throws InputError where find_skeleton()
+/// does.
+std::vector<std::filesystem::path> files_of_motion(
+    const std::filesystem::path& path,
+    const std::optional<std::filesystem::path>& skeleton_path = {},
+    const ReadOptions& options = {});
+
 /// What the figure of a .fbx, .gltf or .glb looks like. It needs no animation. Throws InputError.
 Character read_character(const std::filesystem::path& path);
 
@@ -84,6 +97,12 @@ void put_character(const std::filesystem::path& character, MotionFile& clip);
 /// What to say where errors are measured elsewhere than on a body around bones: where the mesh of
 /// `file` reaches much further, or no bone has a length.
 Warnings surface_warnings(const std::filesystem::path& file, const Skeleton& skeleton);
+
+/// The bytes of a .bvh, .glb, .gltf or .csv, by the extension of `file`, as write_motion() writes
+/// them. Throws Error on another extension.
+std::string motion_bytes(const std::filesystem::path& file, const Motion& motion,
+                         const SourceFormat& source = {}, const WriteOptions& options = {},
+                         const ScalarTracks& tracks = {});
 
 /// Writes .bvh, .glb, .gltf, .csv, or .amc with the skeleton at `skeleton_path` (by default beside
 /// the .amc, same name, extension .asf), by the extension of `path`: in the axes and, of its

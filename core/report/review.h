@@ -30,10 +30,15 @@ constexpr Verdict verdict_named(std::string_view word) {
   return Verdict::None;
 }
 
-/// What a reviewer says about a clip, which goes with it into every report.
+/// A reviewer's verdict about a clip, and what was reviewed. It goes with the clip into every
+/// report; stale_reason() in core/report/verdict.h says whether it still holds.
 struct ClipReview {
   Verdict verdict = Verdict::None;
-  std::string note;
+  std::string note = {};
+  std::string reviewer = {};
+  std::string time = {};           // ISO 8601, UTC: "2026-11-26T14:05:00Z"
+  std::string source_hash = {};    // of the bytes that were reviewed; empty: not known
+  std::string settings_hash = {};  // of the settings they were compressed with; empty: not known
 
   bool operator==(const ClipReview&) const = default;
 };

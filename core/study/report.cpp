@@ -9,6 +9,7 @@
 #include "core/codec/methods/compression_method.h"
 #include "core/report/chart_svg.h"
 #include "core/report/markup.h"
+#include "core/report/report_stamp.h"
 #include "core/report/report_style.h"
 #include "core/report/scene_svg.h"
 #include "core/study/plan.h"
@@ -392,8 +393,10 @@ std::string picture_section(const Picture& picture) {
 }  // namespace
 
 std::string report_html(const Results& results, const std::vector<Picture>& pictures) {
-  std::string body =
-      element("header", "", element("h1", "", "Compression study") + paragraph(subtitle(results)));
+  const ReportStamp stamp = report_stamp();
+  std::string body = element("header", "",
+                             element("h1", "", "Compression study") + paragraph(subtitle(results)) +
+                                 paragraph(escaped(stamp.program + ", " + stamp.time)));
   if (!results.clips().empty()) {
     body += tiles(results) + curves_section(results);
     for (const Picture& picture : pictures) body += picture_section(picture);

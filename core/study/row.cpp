@@ -10,6 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/mocapress/settings_json.h"
 #include "core/report/measurement_json.h"
+#include "core/report/report_stamp.h"
 #include "core/study/plan.h"
 
 namespace mocapress {
@@ -56,6 +57,14 @@ StudyRow row_from(const Json& json) {
   return row;
 }
 
+/// A row of a report, which says what made it and when.
+Json stamped_json(const StudyRow& row, const ReportStamp& stamp) {
+  Json json = to_json(row);
+  json["program"] = stamp.program;
+  json["reported"] = stamp.time;
+  return json;
+}
+
 std::string csv_field(const Json& value) {
   if (value.is_null()) return "";
   if (!value.is_string()) return dumped(value);
@@ -79,8 +88,10 @@ std::optional<StudyRow> parse_row(std::string_view line) {
 }
 
 std::string rows_json(std::span<const StudyRow> rows) {
+  const ReportStamp stamp = report_stamp();
   std::string text = "[";
-  for (const StudyRow& row : rows) text += (text.size() > 1 ? ",\n" : "\n") + to_json_line(row);
+  for (const StudyRow& row : rows)
+    text += (text.size() > 1 ? ",\n" : "\n") + dumped(stamped_json(row, stamp));
   return text + "\n]\n";
 }
 
@@ -95,8 +106,9 @@ std::string rows_csv(std::span<const StudyRow> rows) {
     }
     text += '\n';
   };
-  add_line(to_json(StudyRow{}), true);
-  for (const StudyRow& row : rows) add_line(to_json(row), false);
+  const ReportStamp stamp = report_stamp();
+  add_line(stamped_json(StudyRow{}, stamp), true);
+  for (const StudyRow& row : rows) add_line(stamped_json(row, stamp), false);
   return text;
 }
 

@@ -46,7 +46,7 @@ std::string to_json_line(const StudyRow& row);
 /// The inverse; unset on anything that is not a whole row.
 std::optional<StudyRow> parse_row(std::string_view line);
 
-/// All rows as a JSON array, one a line.
+/// All rows as a JSON array, one a line, each with the program's version and the date.
 std::string rows_json(std::span<const StudyRow> rows);
 
 /// The same columns as comma-separated values (RFC 4180, lines end with a line feed) under a header

@@ -120,7 +120,7 @@ TEST_F(CliBank, RemovesClips) {
   const Outcome removed = mocapress({"bank", "remove", bank, "walk"});
   EXPECT_EQ(removed.exit_code, 0);
   EXPECT_THAT(removed.err, HasSubstr(": 1 clips, "));
-  EXPECT_THAT(mocapress({"bank", "list", bank}).err, testing::StartsWith("slow/walk "));
+  EXPECT_THAT(mocapress({"bank", "list", bank}).out, testing::StartsWith("slow/walk "));
   EXPECT_EQ(mocapress({"bank", "verify", bank}).exit_code, 0);
 }
 
@@ -134,8 +134,8 @@ TEST_F(CliBank, ShowsNamesThatATerminalWouldObey) {
               {}}},
             {.tags = {"t\nu"}});
   const Outcome listed = mocapress({"bank", "list", bank});
-  EXPECT_THAT(listed.err, testing::StartsWith("a\\x1b[2Jb\\x9bc\xc3\xa4 "));
-  EXPECT_THAT(listed.err, testing::EndsWith("  t\\x0au\n"));
+  EXPECT_THAT(listed.out, testing::StartsWith("a\\x1b[2Jb\\x9bc\xc3\xa4 "));
+  EXPECT_THAT(listed.out, testing::EndsWith("  t\\x0au\n"));
   EXPECT_EQ(mocapress({"bank", "remove", bank, "\x1b[2J"}).err,
             "mocapress: " + bank + ": holds no clip '\\x1b[2J'\n");
 }

@@ -140,6 +140,59 @@ TEST_F(CliBatch, ABadFileAmongGoodOnesIsARowAndSeven) {
   EXPECT_EQ(lines(mended.out).back()["batch"]["kept"], 3);
 }
 
+TEST_F(CliBatch, LeavesItsOutputsInsideTheInputOutOfIt) {
+  write_clips(2);
+  for (int run = 0; run < 3; ++run) {
+    const Outcome outcome = mocapress(batch("in/out", {"--format", "bvh", "--resume"}));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(report("in/out").size(), 2u);
+  }
+  EXPECT_EQ(mocapress(batch("in", {"--format", "bvh"})).exit_code, 2) << "no folder of its own";
+}
+
+TEST_F(CliBatch, WhatIsLeftOutIsARowAndSeven) {
+  write_clips(1);
+  write_text(file("in") / "..bvh", test_bvh());
+  fs::create_symlink("gone.bvh", file("in") / "dangling.bvh");
+  EXPECT_EQ(mocapress(batch("out")).exit_code, 7);
+  const json rows = report("out");
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_THAT(rows[0]["error"].get<std::string>(), HasSubstr("its output's name"));
+  EXPECT_TRUE(rows[1]["done"]);
+  EXPECT_THAT(rows[2]["error"].get<std::string>(), HasSubstr("leads nowhere"));
+}
+
+TEST_F(CliBatch, FailsOnWhatItIsToldToWithCompleteReports) {
+  write_clips(1);
+  EXPECT_EQ(mocapress(batch("fine", {"--fail-on", "visible,borderline", "--target-error", "0.001"}))
+                .exit_code,
+            0);
+  const Outcome coarse = mocapress(batch("out", {"--fail-on", "visible", "--target-error", "20"}));
+  EXPECT_EQ(coarse.exit_code, 4);
+  EXPECT_THAT(coarse.err, HasSubstr("--fail-on refuses 1 clip"));
+  EXPECT_TRUE(report("out")[0]["done"]);
+  EXPECT_EQ(mocapress({"batch", "--merge", file("out"), "--fail-on", "visible"}).exit_code, 4);
+  EXPECT_EQ(mocapress(batch("out", {"--fail-on", "ugly"})).exit_code, 2);
+}
+
+TEST_F(CliBatch, DoesAProjectOfTheStudio) {
+  write_clips(2);
+  const std::string project = write("hero.mocapress", R"({"format": "mocapress-project",
+    "version": 1, "clips": [
+    {"path": "in/clip_100.bvh", "verdict": "approved",
+     "settings": {"name": "Mine", "target": {"kind": "error", "value": 2}}},
+    {"path": "in/gone.bvh"}]})");
+  EXPECT_EQ(mocapress({"batch", project, "-o", file("out"), "--preset", "crowd"}).exit_code, 7);
+  const json rows = report("out");
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0]["preset"], "Mine");
+  EXPECT_EQ(rows[0]["target_value"], 2);
+  EXPECT_EQ(rows[0]["verdict"], "approved");
+  EXPECT_FALSE(rows[0]["stale"].is_null()) << "nothing says what was approved";
+  EXPECT_EQ(rows[1]["preset"], "Crowd");
+  EXPECT_FALSE(rows[1]["done"]);
+}
+
 TEST_F(CliBatch, OverwritesNothingUnasked) {
   write_clips(2);
   fs::create_directories(file("out") / "in");

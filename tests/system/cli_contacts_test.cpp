@@ -47,7 +47,7 @@ TEST_F(CliContacts, NamesOfJointsGiveTheTerminalNoOrders) {
       text.replace(at, 5, "\x1b[1mtoes");
     write(name, text);
   }
-  const std::string said = mocapress({"contacts", file("human_walk.amc")}).err;
+  const std::string said = mocapress({"contacts", file("human_walk.amc")}).out;
   EXPECT_THAT(said, testing::HasSubstr("\\x1b[1mtoes"));
   EXPECT_THAT(said, testing::Not(testing::HasSubstr("\x1b")));
 }

@@ -192,14 +192,19 @@ TEST_F(Cli, NamesTheEffectorThatIsNoJoint) {
 }
 
 TEST_F(Cli, WithoutJsonEverythingForPeopleIsOnStandardError) {
-  for (const auto& arguments : {std::vector<std::string>{"compress", clip_, "-o", packed_},
-                                {"measure", clip_, packed_},
-                                {"info", clip_, packed_}}) {
+  for (const auto& arguments :
+       {std::vector<std::string>{"compress", clip_, "-o", packed_}, {"measure", clip_, packed_}}) {
     const Outcome outcome = mocapress(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
     EXPECT_THAT(outcome.err, testing::HasSubstr("walk.bvh"));
   }
+}
+
+TEST_F(Cli, ListingsAreOnStandardOutputAndMessagesAreNot) {
+  const Outcome info = mocapress({"info", clip_});
+  EXPECT_THAT(info.out, testing::HasSubstr("walk.bvh\n  joints"));
+  EXPECT_EQ(info.err, "");
 }
 
 TEST_F(Cli, MeasureSaysWhatCompressSaid) {

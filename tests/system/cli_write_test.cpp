@@ -104,11 +104,92 @@ TEST_F(CliWriting, ALinkStaysAndWhatItPointsToIsWritten) {
 
 TEST_F(CliWriting, APipeIsNotReplaced) {
   const std::string clip = write("walk.bvh", test_bvh());
-  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
-  const Outcome outcome = mocapress({"compress", clip, "-o", file("pipe")});
+  ASSERT_EQ(mkfifo(file("pipe.mcpr").c_str(), 0600), 0);
+  const Outcome outcome = mocapress({"compress", clip, "-o", file("pipe.mcpr")});
   EXPECT_EQ(outcome.exit_code, 5);
-  EXPECT_THAT(outcome.err, HasSubstr("pipe: cannot be written: is not a regular file"));
-  EXPECT_TRUE(fs::is_fifo(file("pipe")));
+  EXPECT_THAT(outcome.err, HasSubstr("pipe.mcpr: cannot be written: is not a regular file"));
+  EXPECT_TRUE(fs::is_fifo(file("pipe.mcpr")));
+}
+
+TEST_F(CliWriting, NoCommandWritesOntoItsSource) {
+  const std::string clip = write("walk.bvh", test_bvh());
+  ASSERT_EQ(mocapress({"compress", clip, "-o", file("walk.mcpr")}).exit_code, 0);
+  const Outcome other_format = mocapress({"compress", clip, "-o", clip});
+  EXPECT_EQ(other_format.exit_code, 2);
+  EXPECT_THAT(other_format.err, HasSubstr("decompress writes motion files"));
+  fs::create_hard_link(clip, file("hard.mcpr"));
+  fs::create_symlink("walk.bvh", file("link.mcpr"));
+  fs::copy_file(file("walk.mcpr"), file("odd.bvh"));
+  for (const auto& words : {std::vector<std::string>{"compress", clip, "-o", file("hard.mcpr")},
+                            {"compress", clip, "-o", file("link.mcpr")},
+                            {"decompress", file("odd.bvh"), "-o", file("odd.bvh")},
+                            {"contacts", clip, "-o", clip},
+                            {"contacts", clip, file("walk.mcpr"), "-o", file("walk.mcpr")}}) {
+    const Outcome outcome = mocapress(words);
+    EXPECT_EQ(outcome.exit_code, 5) << words[0];
+    EXPECT_THAT(outcome.err, HasSubstr("is one of the inputs: not overwritten"));
+  }
+  EXPECT_EQ(mocapress({"batch", clip, "-o", file("out"), "--write-slurm", clip}).exit_code, 5);
+  ASSERT_EQ(mocapress({"bank", "make", file("walk.mcpk"), file("walk.mcpr")}).exit_code, 0);
+  fs::create_directories(file("banks"));
+  fs::rename(file("walk.mcpk"), file("banks/walk.mcpr"));
+  EXPECT_EQ(
+      mocapress({"bank", "extract", file("banks/walk.mcpr"), "-o", file("banks"), "--overwrite"})
+          .exit_code,
+      5);
+  EXPECT_EQ(read_text(clip), test_bvh());
+  EXPECT_EQ(read_bytes(file("odd.bvh")), read_bytes(file("walk.mcpr")));
+}
+
+TEST_F(CliWriting, DecompressSaysThatItReplacedAFileOrRefusesTo) {
+  const std::string clip = write("walk.bvh", test_bvh());
+  ASSERT_EQ(mocapress({"compress", clip, "-o", file("walk.mcpr")}).exit_code, 0);
+  const std::vector<std::string> anew = {"decompress", file("walk.mcpr"), "-o", file("new.amc")};
+  EXPECT_THAT(mocapress(anew).err, testing::Not(HasSubstr("replaced")));
+  const Outcome again = mocapress(anew);
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_THAT(again.err, HasSubstr("new.amc: replaced the file that was there"));
+  EXPECT_THAT(again.err, HasSubstr("new.asf: replaced the file that was there"));
+  fs::remove(file("new.amc"));
+  write("new.asf", "mine");
+  std::vector<std::string> careful = anew;
+  careful.emplace_back("--no-clobber");
+  EXPECT_EQ(mocapress(careful).exit_code, 5);
+  EXPECT_EQ(read_text(file("new.asf")), "mine");
+  EXPECT_FALSE(fs::exists(file("new.amc")));
+}
+
+TEST_F(CliWriting, ADashIsAStreamOrRefusedAndNeverAFile) {
+  const std::string clip = write("walk.bvh", test_bvh());
+  const auto piped = [&](const std::string& words) {
+    return run_program(
+        {"sh", "-c", "cd '" + file("").string() + "' && " + words, "sh", MOCAPRESS_EXECUTABLE});
+  };
+  const Outcome made = piped("\"$1\" compress - --format bvh -o - < walk.bvh > piped.mcpr");
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  ASSERT_EQ(mocapress({"compress", clip, "-o", file("walk.mcpr")}).exit_code, 0);
+  EXPECT_EQ(read_bytes(file("piped.mcpr")), read_bytes(file("walk.mcpr")));
+  ASSERT_EQ(mocapress({"decompress", file("walk.mcpr"), "-o", file("back.bvh")}).exit_code, 0);
+  const Outcome back = mocapress({"decompress", file("walk.mcpr"), "-o", "-", "--format", "bvh"});
+  EXPECT_EQ(back.out, read_text(file("back.bvh")));
+  for (const char* words :
+       {"compress - < walk.bvh", "compress walk.bvh -o - --json", "compress walk.bvh --format bvh",
+        "decompress walk.mcpr -o -", "decompress - -o a.bvh", "info -", "measure walk.bvh -",
+        "contacts walk.bvh -o -", "batch walk.bvh -o -", "batch - -o out", "study walk.bvh -o -",
+        "bank make - walk.mcpr", "bank extract - -o out"}) {
+    const Outcome refused = piped("\"$1\" " + std::string(words));
+    EXPECT_EQ(refused.exit_code, 2) << words << ": " << refused.err;
+    EXPECT_NE(refused.err, "") << words;
+  }
+  EXPECT_FALSE(fs::exists(file("-")));
+}
+
+TEST_F(CliWriting, AFullStandardOutputIsFive) {
+  const std::string clip = write("walk.bvh", test_bvh());
+  EXPECT_EQ(run_program({"sh", "-c", "\"$@\" > /dev/full", "sh", MOCAPRESS_EXECUTABLE, "compress",
+                         clip, "-o", "-"})
+                .exit_code,
+            5);
 }
 
 TEST_F(CliWriting, ASlurmScriptThatCannotNameItsFolderIsRefusedBeforeAnythingIsWritten) {

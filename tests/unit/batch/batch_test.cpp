@@ -111,6 +111,32 @@ TEST_F(Sources, WhatIsNotThereIsAClipWithAProblemAndStopsNoOther) {
   EXPECT_EQ(sources[1].problem, "");
 }
 
+TEST_F(Sources, BelowAFolderLeaveTheOutputsOut) {
+  fs::create_directories(folder_ / "out");
+  write_text(folder_ / "out/made.bvh", "");
+  const std::string outputs = folder_ / "deep/../out";
+  EXPECT_EQ(find_sources({folder_}).size(), 4u);
+  EXPECT_EQ(find_sources({folder_}, outputs).size(), 3u);
+  EXPECT_EQ(find_sources({folder_ / "out"}, outputs).size(), 1u) << "asked for by name";
+}
+
+TEST_F(Sources, OfAnImpossibleNameAreItemsWithAProblem) {
+  Batch batch{.presets = {{.name = "p"}}};
+  add_items(batch, {{"in/..bvh", "in", {}}, {"in/a.bvh", "in", {}}}, 0, kUsualNames);
+  EXPECT_THAT(batch.items[0].problem, HasSubstr("in/..bvh: its output's name"));
+  EXPECT_EQ(batch.items[1].problem, "");
+  EXPECT_THROW(add_items(batch, {}, 0, "{nothing}"), Error);
+}
+
+TEST_F(Sources, WithAProblemTakeNoNameFromOthers) {
+  Batch batch{.presets = {{.name = "p"}}};
+  add_items(batch, {{"a", "in", "cannot be read"}, {"a.bvh", "in", {}}}, 0, kUsualNames);
+  mark_collisions(batch);
+  EXPECT_EQ(batch.items[0].problem, "cannot be read");
+  EXPECT_EQ(batch.items[1].problem, "");
+  EXPECT_EQ(batch.items[1].output, "in/a");
+}
+
 TEST_F(Sources, ThatWouldBeWrittenToOnePlaceAreToldApart) {
   Batch batch{.presets = {{.name = "p"}}};
   add_items(batch, {{"x/walk.bvh", "", {}}, {"y/walk.bvh", "", {}}, {"z/walk.bvh", "", {}}}, 0,

@@ -3,14 +3,17 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <sstream>
 #include <thread>
 
 #include "core/bank/bank_file.h"
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/batch/batch_folder.h"
+#include "core/batch/report.h"
 #include "core/codec/methods/compared_file.h"
 #include "core/report/markup.h"
 #include "tests/support/svg_frame.h"
@@ -114,6 +117,120 @@ TEST_F(BatchRun, NeverWritesOverItsOwnSourceEvenWhenToldToOverwrite) {
   const auto outcome = run_batch_in(folder_, asked, {.overwrite = true}, control);
   EXPECT_EQ(outcome.counts.failed, 2u);  // not that of the .amc
   EXPECT_EQ(read_text(folder_ / "in/one.bvh"), before);
+}
+
+TEST_F(BatchRun, NeverWritesOverTheSourceOfAnotherClip) {
+  write_motion(folder_ / "in/more/one.bvh", test::smooth_motion(60, 4));
+  const std::string before = read_text(folder_ / "in/one.bvh");
+  Batch asked{.presets = batch().presets, .formats = {OutputFormat::Bvh}};
+  add_items(asked, find_sources({folder_ / "in/more"}), 0, "{stem}");
+  add_items(asked, find_sources({folder_ / "in/one.bvh"}), 0, "elsewhere");
+  BatchControl control;
+  const auto outcome = run_batch_in(folder_ / "in", asked, {.overwrite = true}, control);
+  EXPECT_EQ(outcome.counts.failed, 1u);
+  EXPECT_EQ(read_text(folder_ / "in/one.bvh"), before);
+}
+
+TEST_F(BatchRun, AClipThatTakesTooLongFailedAndMayBeDoneAgain) {
+  const BatchOutcome outcome = run(batch(), {.clip_seconds = 1e-9});
+  EXPECT_TRUE(outcome.complete);
+  EXPECT_EQ(outcome.counts.failed, 3u);
+  EXPECT_EQ(rows()[0].error, "took longer than 1e-09 s");
+  EXPECT_FALSE(fs::exists(out() / "in/one.mcpr"));
+  EXPECT_EQ(run(batch(), {.resumed = true, .clip_seconds = 3600}).counts.failed, 0u);
+}
+
+TEST_F(BatchRun, AJournalInUseSaysWhoHasItAndIsTakenOverFromAnotherComputerAlone) {
+  run(batch());
+  const auto resumed = [&](bool take_over) -> std::string {
+    try {
+      run(batch(), {.resumed = true, .take_over = take_over});
+      return "done";
+    } catch (const WriteError& error) {
+      return error.what();
+    }
+  };
+  AppendedFile other(out() / "batch.jsonl");
+  const std::string process = "process " + std::to_string(getpid()) + ", since 20";
+  EXPECT_THAT(resumed(false), HasSubstr("another run is using it: "));
+  EXPECT_THAT(resumed(true), HasSubstr(process)) << "this computer knows that it runs";
+  std::string text = read_text(out() / "batch.jsonl");
+  const std::size_t at = text.find("\"host\":\"") + 8;
+  text.replace(at, text.find('"', at) - at, "elsewhere");
+  other.replace([&](StagedFile& file) { file.write(text); });
+  EXPECT_THAT(resumed(false), HasSubstr("on elsewhere, process"));
+  EXPECT_THAT(resumed(false), HasSubstr("--take-over"));
+  EXPECT_EQ(resumed(true), "done");
+}
+
+TEST_F(BatchRun, EveryReportSaysWhichProgramMadeItAndWhen) {
+  run(batch());
+  for (const char* name : {"report.csv", "report.json", "report.html"}) {
+    EXPECT_THAT(read_text(out() / name), HasSubstr("Mocapress "));
+    EXPECT_THAT(read_text(out() / name), HasSubstr("2023-11-14T22:13:20Z"));  // as tests fix it
+  }
+}
+
+BatchRow seen_row(std::size_t index, double times_noticed) {
+  BatchRow row;
+  row.index = index;
+  row.output = "walks/take_" + std::to_string(1000 + index);
+  row.preset = built_in_presets()[1];
+  row.measured =
+      Measurement{.frames = 300,
+                  .sample_rate_hz = 60,
+                  .ratio = 80,
+                  .seen = Seen{times_noticed, 0.5,
+                               "velocity of rtoes at frame 65: 4.31 cm/s, noticed from 2.4 cm/s"}};
+  row.sights = {{"", std::string(300, '2')}, {"rtoes", std::string(300, '2')}};
+  row.warnings = {row.output + ".bvh:" + std::to_string(index) + ": the unit is guessed"};
+  return row;
+}
+
+TEST(BatchReport, OfThousandsOfClipsIsSmallAndBeginsWithWhatIsSeen) {
+  const BatchRows rows = [](const auto& visit) {
+    for (std::size_t i = 0; i < 3000; ++i) visit(seen_row(i, i == 1234 ? 9 : 2));
+  };
+  std::ostringstream out;
+  write_batch_html(out, rows, 0, {"Mocapress 1", "2026-11-26T14:05:00Z"});
+  const std::string page = out.str();
+  EXPECT_LT(page.size(), 2'000'000u);
+  EXPECT_LT(page.find("visible to the eye"), page.find("clips done"));
+  const auto count = [&](const std::string& text) {
+    std::size_t found = 0;
+    for (std::size_t at = 0; (at = page.find(text, at)) != page.npos; ++at) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("the unit is guessed"), 1u);
+  EXPECT_EQ(count("what the eye sees over time"), 24u);
+  EXPECT_LT(page.find("take_2234: what the eye sees"), page.find("take_1000: what the eye sees"));
+}
+
+TEST_F(BatchRun, AVerdictIsStaleInEveryReportWhenTheClipOrTheSettingsChanged) {
+  Batch asked = batch();
+  const auto approve = [&](std::size_t i) {
+    BatchItem item = asked.items[i];
+    item.review = {.verdict = Verdict::Approved,
+                   .reviewer = "ana",
+                   .time = "2026-11-26T14:05:00Z",
+                   .source_hash = stamp(item, {}).hash,
+                   .settings_hash = settings_hash(asked.presets[0], {})};
+    asked.items.replace(i, item);
+  };
+  for (std::size_t i = 0; i < asked.items.size(); ++i) approve(i);
+  run(asked);
+  for (const BatchRow& row : rows()) EXPECT_EQ(stale_reason(row), std::nullopt);
+  EXPECT_THAT(read_text(out() / "report.html"), HasSubstr("approved by ana, 2026-11-26<"));
+  write_motion(folder_ / "in/one.bvh", test::smooth_motion(110, 7));
+  run(asked, {.overwrite = true, .resumed = true});
+  EXPECT_EQ(stale_reason(rows()[1]), "the clip's file changed");
+  EXPECT_EQ(stale_reason(rows()[0]), std::nullopt);
+  EXPECT_THAT(read_text(out() / "report.html"), HasSubstr("stale: the clip"));
+  EXPECT_THAT(read_text(out() / "report.json"), HasSubstr(R"("stale":"the clip's file changed")"));
+  EXPECT_THAT(read_text(out() / "report.csv"), HasSubstr(",the clip's file changed,"));
+  asked.presets[0].target.value = 3;
+  run(asked, {.overwrite = true, .resumed = true});
+  EXPECT_EQ(stale_reason(rows()[0]), "the settings changed");
 }
 
 TEST_F(BatchRun, WantsToBeToldToResumeOrToBeginAnew) {

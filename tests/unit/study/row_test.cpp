@@ -129,6 +129,14 @@ TEST(RowsCsv, HasAHeaderAndAsManyFieldsInEachLine) {
   EXPECT_EQ(commas(lines[2]), commas(lines[0]));
 }
 
+TEST(RowsReports, SayWhichProgramMadeThemAndWhen) {
+  const std::vector rows{full_row()};
+  for (const std::string& text : {rows_csv(rows), rows_json(rows)}) {
+    EXPECT_NE(text.find("Mocapress "), std::string::npos);
+    EXPECT_NE(text.find("2023-11-14T22:13:20Z"), std::string::npos);  // as tests fix it
+  }
+}
+
 TEST(RowsCsv, QuotesWhatNeedsIt) {
   EXPECT_NE(rows_csv(std::vector{full_row()}).find("\n\"clips/walk, \"\"slow\"\" <1>.bvh\","),
             std::string::npos);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "core/base/json_text.h"
+
+namespace mocapress {
+
+/// A run that has a folder to itself: what it writes there so that others can say who it is.
+struct LockHolder {
+  std::string host;
+  std::string user;
+  long process = 0;
+  std::string since;  // ISO 8601, UTC
+
+  bool operator==(const LockHolder&) const = default;
+};
+
+/// This process, from now on.
+LockHolder this_process();
+
+/// "ana on render3, process 4711, since 2026-11-26T14:05:00Z"
+std::string text(const LockHolder& holder);
+
+Json to_json(const LockHolder& holder);
+
+/// The inverse. Throws like the JSON library does.
+LockHolder lock_holder_from(const Json& json);
+
+}  // namespace mocapress

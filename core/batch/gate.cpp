@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/gate.h"
+
+#include <algorithm>
+
+namespace mocapress {
+namespace {
+
+bool is_refused_by(const BatchRow& row, Gate gate) {
+  const std::optional<Seen> seen = row.measured ? row.measured->seen : std::nullopt;
+  switch (gate) {
+    case Gate::Visible:
+      return seen && seen->sight() == Sight::Visible;
+    case Gate::Borderline:
+      return seen && seen->sight() != Sight::NotVisible;
+    case Gate::Rejected:
+      return row.review.verdict == Verdict::Rejected || stale_reason(row);
+    case Gate::Warning:
+      return !row.warnings.empty();
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string_view name(Gate gate) {
+  switch (gate) {
+    case Gate::Visible:
+      return "visible";
+    case Gate::Borderline:
+      return "borderline";
+    case Gate::Rejected:
+      return "rejected";
+    case Gate::Warning:
+      return "warning";
+  }
+  return "";
+}
+
+std::optional<Gate> gate_named(std::string_view word) {
+  for (const Gate gate : {Gate::Visible, Gate::Borderline, Gate::Rejected, Gate::Warning})
+    if (name(gate) == word) return gate;
+  return std::nullopt;
+}
+
+bool is_refused(const BatchRow& row, const std::vector<Gate>& gates) {
+  return row.done() &&
+         std::ranges::any_of(gates, [&](Gate gate) { return is_refused_by(row, gate); });
+}
+
+}  // namespace mocapress

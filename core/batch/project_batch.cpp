@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/project_batch.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/batch/format_options_json.h"
+#include "core/formats/text_cursor.h"
+#include "core/mocapress/settings_json.h"
+#include "core/report/verdict.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kNewestProject = 1;
+
+/// Paths in a project are relative to its folder. Empty where there is none.
+std::string path_at(const Json& json, const char* key, const fs::path& folder) {
+  const auto found = json.find(key);
+  if (found == json.end() || found->is_null()) return "";
+  const auto text = found->get<std::string>();
+  return text.empty() ? "" : (folder / text).lexically_normal().string();
+}
+
+/// For {folder} in names: the folders between the project and the clip. A clip elsewhere has the
+/// name of its own folder.
+std::string folder_of(const fs::path& clip, const fs::path& project_folder) {
+  const fs::path below = clip.parent_path().lexically_relative(
+      project_folder.empty() ? fs::path(".") : project_folder.lexically_normal());
+  if (below.empty() || *below.begin() == "..") return clip.parent_path().filename().string();
+  return below == "." ? "" : below.generic_string();
+}
+
+/// Settings of a project need no name; rows of a batch do.
+Settings settings_of_clip(Json json) {
+  json.erase("contact_settings");  // of the studio's search for contacts
+  Settings settings = settings_from(json);
+  if (settings.name.empty()) settings.name = "Project";
+  return settings;
+}
+
+std::size_t index_of(const Settings& settings, std::vector<Settings>& presets) {
+  const auto found = std::ranges::find(presets, settings);
+  const auto index = static_cast<std::size_t>(found - presets.begin());
+  if (found == presets.end()) presets.push_back(settings);
+  return index;
+}
+
+void add_clip(Batch& batch, const Json& json, const fs::path& folder, std::string_view pattern) {
+  const std::string path = path_at(json, "path", folder);
+  if (path.empty()) throw Error("has a clip without a path");
+  std::size_t preset = 0;
+  if (const auto settings = json.find("settings"); settings != json.end())
+    preset = index_of(settings_of_clip(*settings), batch.presets);
+  add_items(batch, {{path, folder_of(path, folder), {}}}, preset, pattern);
+  const std::size_t last = batch.items.size() - 1;
+  BatchItem item = batch.items[last];
+  item.skeleton = path_at(json, "skeleton", folder);
+  if (const auto reading = json.find("reading"); reading != json.end()) {
+    item.reading = format_options(*reading);
+    item.reading->character = batch.reading.character;
+  }
+  item.review = review_from(json);
+  batch.items.replace(last, item);
+}
+
+}  // namespace
+
+bool is_project_file(const std::string& path) {
+  return equals_ignoring_case(fs::path(path).extension().string(), ".mocapress");
+}
+
+void add_project(Batch& batch, const std::string& file, const std::string& text,
+                 std::string_view pattern) {
+  output_name(pattern, {"clip.bvh", "folder", {}}, batch.presets.front());
+  const Json json = parse_json(file, text);
+  const fs::path folder = fs::path(file).parent_path();
+  try {
+    if (!json.is_object() || json.value("format", "") != "mocapress-project")
+      throw Error("is not a project");
+    if (json.value("version", 0) > kNewestProject)
+      throw Error("was saved by a newer version of Mocapress");
+    if (const std::string character = path_at(json, "character", folder);
+        !character.empty() && !batch.reading.character)
+      batch.reading.character = character;
+    if (const auto clips = json.find("clips"); clips != json.end())
+      for (const Json& clip : *clips) add_clip(batch, clip, folder, pattern);
+  } catch (const Json::exception& error) {
+    throw InputError(file, 0, 0, std::string("is not a project: ") + error.what());
+  } catch (const Error& error) {
+    throw InputError(file, 0, 0, error.what());
+  }
+}
+
+}  // namespace mocapress

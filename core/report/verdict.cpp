@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "core/report/verdict.h"
+
+#include "core/report/json_value.h"
+
+namespace mocapress {
+namespace {
+
+std::string text_at(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found == json.end() || found->is_null() ? "" : found->get<std::string>();
+}
+
+}  // namespace
+
+void put(Json& json, const ClipReview& review) {
+  json["verdict"] = text_or_null(name(review.verdict));
+  json["note"] = text_or_null(review.note);
+  json["reviewer"] = text_or_null(review.reviewer);
+  json["reviewed"] = text_or_null(review.time);
+  json["source_hash"] = text_or_null(review.source_hash);
+  json["settings_hash"] = text_or_null(review.settings_hash);
+}
+
+ClipReview review_from(const Json& json) {
+  return {.verdict = verdict_named(text_at(json, "verdict")),
+          .note = text_at(json, "note"),
+          .reviewer = text_at(json, "reviewer"),
+          .time = text_at(json, "reviewed"),
+          .source_hash = text_at(json, "source_hash"),
+          .settings_hash = text_at(json, "settings_hash")};
+}
+
+std::optional<std::string> stale_reason(const ClipReview& review, std::string_view source_hash,
+                                        std::string_view settings_hash) {
+  if (review.verdict == Verdict::None) return std::nullopt;
+  if (review.source_hash.empty() || review.settings_hash.empty())
+    return "it does not say which file and settings were reviewed";
+  const bool is_other_file = review.source_hash != source_hash;
+  const bool has_other_settings = review.settings_hash != settings_hash;
+  if (is_other_file && has_other_settings) return "the clip's file and the settings changed";
+  if (is_other_file) return "the clip's file changed";
+  if (has_other_settings) return "the settings changed";
+  return std::nullopt;
+}
+
+Verdict valid_verdict(const ClipReview& review, std::string_view source_hash,
+                      std::string_view settings_hash) {
+  return stale_reason(review, source_hash, settings_hash) ? Verdict::None : review.verdict;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/project_batch.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+
+namespace mocapress {
+namespace {
+
+using testing::HasSubstr;
+
+Batch batch_of(const std::string& text) {
+  Batch batch{.presets = {built_in_presets()[1]}};
+  add_project(batch, "work/hero.mocapress", text, kUsualNames);
+  return batch;
+}
+
+std::string project(const std::string& clips) {
+  return R"({"format": "mocapress-project", "version": 1, "character": "hero.glb", "clips": [)" +
+         clips + "]}";
+}
+
+std::string failure(const std::string& text) {
+  try {
+    batch_of(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ProjectBatch, GivesEachClipItsOwnSettingsAndTheOthersThePreset) {
+  const Batch batch = batch_of(project(
+      R"({"path": "walks/a.amc", "skeleton": "../b.asf", "verdict": "approved", "note": "fine",
+          "reviewer": "ana", "source_hash": "aa", "reading": {"rate_hz": 30},
+          "settings": {"name": "Mine", "target": {"kind": "error", "value": 2},
+                       "contact_settings": {"end_height_cm": 5}}},
+         {"path": "b.bvh"}, {"path": "../far/c.bvh", "settings": {"seed": 7}})"));
+  ASSERT_EQ(batch.items.size(), 3u);
+  const BatchItem tuned = batch.items[0];
+  EXPECT_EQ(tuned.input, "work/walks/a.amc");
+  EXPECT_EQ(tuned.skeleton, "b.asf");
+  EXPECT_EQ(tuned.output, "walks/a");
+  EXPECT_EQ(batch.presets[tuned.preset].target.value, 2);
+  EXPECT_EQ(tuned.review.reviewer, "ana");
+  EXPECT_EQ(tuned.review.source_hash, "aa");
+  EXPECT_EQ(tuned.reading->sample_rate_hz, 30);
+  EXPECT_EQ(tuned.reading->character, "work/hero.glb");
+  EXPECT_EQ(batch.reading.character, "work/hero.glb");
+  EXPECT_EQ(batch.items[1].preset, 0u);
+  EXPECT_EQ(batch.items[1].output, "b");
+  EXPECT_EQ(batch.items[2].output, "far/c");
+  EXPECT_EQ(batch.presets[batch.items[2].preset].name, "Project");
+}
+
+TEST(ProjectBatch, SaysWhatIsWrongWithAProject) {
+  EXPECT_THAT(failure("{}"), HasSubstr("hero.mocapress: is not a project"));
+  EXPECT_THAT(failure(project(R"({"path": 3})")), HasSubstr("is not a project: "));
+  EXPECT_THAT(failure(project("{}")), HasSubstr("has a clip without a path"));
+  EXPECT_THAT(failure(R"({"format": "mocapress-project", "version": 99})"), HasSubstr("newer"));
+  EXPECT_THAT(failure(project(R"({"path": "a.bvh", "settings": {"tarket": 1}})")),
+              HasSubstr("tarket"));
+}
+
+}  // namespace
+}  // namespace mocapress
