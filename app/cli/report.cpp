@@ -54,8 +54,8 @@ void add_visibility(const Visibility& seen, Json& json) {
   json["lift_worst_contact_cm"] = seen.contacts ? Json(seen.contacts->worst_lift_cm) : Json();
   json["floor_depth_cm"] = seen.floor_depth;
   json["root_flight_cm_per_s"] = or_null(seen.flight_error);
-  json["head_worst_degrees"] = or_null(seen.worst_head);
-  json["hand_worst_degrees"] = or_null(seen.worst_hand);
+  json["head_window_degrees"] = or_null(seen.worst_head);
+  json["hand_window_degrees"] = or_null(seen.worst_hand);
   for (std::size_t i = 0; i < kCues; ++i) {
     const auto cue = static_cast<Cue>(i);
     json["noticed_by_cue"][std::string(name(cue))] = worst(cue);
@@ -158,9 +158,10 @@ void print(const Report& report) {
   print("shell", body.shell);
   if (body.skin) print("skin", *body.skin);
   std::cerr << "  joints turned by " << degrees(body.angle_rms_degrees);
-  if (body.head_degrees) std::cerr << ", the head by " << degrees(*body.head_degrees);
-  if (body.hand_degrees) std::cerr << ", hands by " << degrees(*body.hand_degrees);
-  std::cerr << " (RMS)\n";
+  if (body.head) std::cerr << ", the head by " << degrees(body.head->rms_degrees);
+  if (body.hand) std::cerr << ", the worse hand by " << degrees(body.hand->rms_degrees);
+  std::cerr << " (RMS); the root off by " << cm(body.root_max_cm) << " and "
+            << degrees(body.root_max_degrees) << " at most\n";
   const EndErrors& ends = body.ends;
   std::cerr << "  first pose " << cm(ends.first_cm) << ", last " << cm(ends.last_cm)
             << " off on the surface";

@@ -23,6 +23,8 @@ std::string settingsKey(const EncodeOptions& options) {
     key << " importance " << options.importance.contacts;
     for (const double factor : options.importance.joints) key << ' ' << factor;
   }
+  for (const PromiseKey& promise : kPromiseKeys)
+    key << ' ' << (options.promises.*promise.bound).value_or(0);
   if (const auto& correction = options.correction) {
     key << " ik " << static_cast<int>(correction->solver) << ' ' << static_cast<int>(correction->at)
         << ' ' << correction->ratio.value_or(0);

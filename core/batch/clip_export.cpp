@@ -207,6 +207,9 @@ class Export {
     if (!keeps_promise(preset_, *row_.measured))
       throw Error("verification: " + target_text(preset_.target) +
                   " was asked for, but it came to " + came_to());
+    if (!is_error(preset_.target)) return;
+    const auto broken = broken_promises(preset_.promises, clip.motion(), made.distortion);
+    if (!broken.empty()) throw Error("verification: " + broken.front().text);
   }
 
   std::string came_to() const {

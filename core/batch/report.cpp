@@ -170,6 +170,10 @@ std::string degrees_cell(const std::optional<double>& value) {
   return cell(value ? format_significant(*value) + "&#176;" : std::string(kNothing));
 }
 
+std::string turn_cell(const std::optional<PartTurn>& turn) {
+  return degrees_cell(turn ? std::optional(turn->rms_degrees) : std::nullopt);
+}
+
 std::string text_cell(std::string_view text, std::string_view css) {
   return text.empty() ? cell(kNothing, css) : cell(escaped(text), css);
 }
@@ -228,8 +232,8 @@ std::string clip_line(const BatchRow& row) {
               cell(format_significant(m.eps_cm(row.preset.weighting))) +
               cell(format_significant(m.p95_error_cm)) + cell(format_significant(m.p99_error_cm)) +
               cell(format_significant(m.max_error_cm)) + cell(std::to_string(m.worst_frame)) +
-              degrees_cell(m.body.angle_rms_degrees) + degrees_cell(m.body.head_degrees) +
-              degrees_cell(m.body.hand_degrees) + figure_cell(m.footskate_cm) +
+              degrees_cell(m.body.angle_rms_degrees) + turn_cell(m.body.head) +
+              turn_cell(m.body.hand) + figure_cell(m.footskate_cm) +
               figure_cell(m.slide ? std::optional(m.slide->mean_cm) : std::nullopt) +
               figure_cell(m.slide ? std::optional(m.slide->worst_cm) : std::nullopt) +
               seen_cell(m.seen) + review_cells(row) +

@@ -128,7 +128,7 @@ double rest_height(const Skeleton& skeleton) {
 }
 
 bool stands_along_z(const Motion& motion) {
-  const std::vector<int> heads = head_joints(motion.skeleton);
+  const std::vector<int> heads = namesakes_of(motion.skeleton, BodyPart::Head);
   const std::vector<int> feet = joints_of(motion.skeleton, BodyPart::Feet);
   if (heads.empty() || feet.empty()) return false;
   const auto mean = [](const std::vector<int>& joints, const Pose& pose) {

@@ -157,6 +157,7 @@ DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail de
     : skeleton_(skeleton),
       detail_(detail),
       squared_turns_(Eigen::VectorXd::Zero(skeleton.joint_count())),
+      greatest_turns_(squared_turns_),
       ends_(std::ssize(landmarks(skeleton))) {
   const auto look_at = [&](Weighting points) {
     Set set{.errors = PointErrors(skeleton, points)};
@@ -207,6 +208,7 @@ void DistortionMeter::add_turns(int first_frame, Eigen::Index frames, JointError
   for (int j = 0; j < skeleton_.joint_count(); ++j) {
     const Eigen::VectorXd degrees = JointErrors::degrees(errors.of(j));
     squared_turns_(j) += degrees.squaredNorm();
+    if (degrees.size() > 0) greatest_turns_(j) = std::max(greatest_turns_(j), degrees.maxCoeff());
     if (detail_ == Detail::Distances)
       turns_.col(j).segment(first_frame, frames) = degrees.cast<float>();
   }
@@ -283,6 +285,8 @@ Distortion DistortionMeter::distortion() const {
       .surface = spread(1),
       .shell = spread(2),
       .joint_degrees = squared_turns_,
+      .joint_max_degrees = greatest_turns_,
+      .joint_max_cm = sets_.front().greatest.head(skeleton_.joint_count()).cwiseSqrt(),
       .turns = turns_,
       .ends = ends_.errors()};
   if (skeleton_.skin()) {
@@ -341,20 +345,36 @@ double exact_eps(const Skeleton& skeleton, const Eigen::MatrixXd& original_track
   return meter_of(skeleton, original_tracks, decoded, Detail::Means, weighting).eps();
 }
 
+std::optional<PartTurn> worst_turn(const Distortion& distortion, const std::vector<int>& joints) {
+  if (joints.empty()) return std::nullopt;
+  PartTurn worst;
+  for (const int j : joints) {
+    worst.rms_degrees = std::max(worst.rms_degrees, distortion.joint_degrees(j));
+    worst.max_degrees = std::max(worst.max_degrees, distortion.joint_max_degrees(j));
+  }
+  return worst;
+}
+
 BodyFigures body_figures(const Skeleton& skeleton, const Distortion& distortion) {
-  const auto degrees = [&](const std::vector<int>& joints) -> std::optional<double> {
-    if (joints.empty()) return std::nullopt;
-    return distortion.degrees(joints);
+  const auto turn_of = [&](BodyPart part) {
+    return worst_turn(distortion, namesakes_of(skeleton, part));
   };
   std::vector<int> all(static_cast<std::size_t>(skeleton.joint_count()));
   std::iota(all.begin(), all.end(), 0);
-  return {.surface = distortion.surface,
-          .shell = distortion.shell,
-          .skin = distortion.skin,
-          .head_degrees = degrees(head_joints(skeleton)),
-          .hand_degrees = degrees(joints_of(skeleton, BodyPart::Hands)),
-          .angle_rms_degrees = distortion.degrees(all),
-          .ends = distortion.ends};
+  BodyFigures figures{.surface = distortion.surface,
+                      .shell = distortion.shell,
+                      .skin = distortion.skin,
+                      .head = turn_of(BodyPart::Head),
+                      .hand = turn_of(BodyPart::Hands),
+                      .finger = turn_of(BodyPart::Fingers),
+                      .foot = turn_of(BodyPart::Feet),
+                      .angle_rms_degrees = distortion.degrees(all),
+                      .ends = distortion.ends};
+  if (skeleton.joint_count() > 0) {
+    figures.root_max_cm = distortion.joint_max_cm(0);
+    figures.root_max_degrees = distortion.joint_max_degrees(0);
+  }
+  return figures;
 }
 
 }  // namespace mocapress

@@ -85,8 +85,10 @@ struct Distortion {
   // 2; -1: there are none. No rows without a skin.
   Eigen::MatrixX2d skin_of_joints;
   Eigen::VectorXd joint_degrees;  // how far each joint is turned in the world, RMS over the frames
-  Eigen::MatrixXf turns;          // as distances: by how many degrees a landmark's joint is turned
-  double p99_degrees = 0;         // over all of them
+  Eigen::VectorXd joint_max_degrees;  // the same at most
+  Eigen::VectorXd joint_max_cm;       // how far each joint's origin is off, at most
+  Eigen::MatrixXf turns;   // as distances: by how many degrees a landmark's joint is turned
+  double p99_degrees = 0;  // over all of them
   EndErrors ends;
 
   /// On the skin 0 where there is none.
@@ -166,8 +168,9 @@ class DistortionMeter {
   std::vector<Set> sets_;  // landmarks, surface, shell, skin if there is one; of means one alone
   Eigen::Index frames_ = 0;
   Eigen::MatrixXf distances_;
-  Eigen::MatrixXf turns_;          // degrees
-  Eigen::VectorXd squared_turns_;  // degrees^2, the sum over the frames so far of each joint
+  Eigen::MatrixXf turns_;           // degrees
+  Eigen::VectorXd squared_turns_;   // degrees^2, the sum over the frames so far of each joint
+  Eigen::VectorXd greatest_turns_;  // degrees, likewise the greatest
   EndErrorMeter ends_;
 };
 
@@ -186,18 +189,34 @@ Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tra
 double exact_eps(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                  const Clip& decoded, Weighting weighting);
 
-/// What a distortion is on the body, in a few figures.
+/// How far a part of the body is turned in the world, by the one of its joints that fares worst:
+/// the left hand is not averaged with the right one, nor with its wrist.
+struct PartTurn {
+  double rms_degrees = 0;  // over the frames
+  double max_degrees = 0;  // at any frame
+
+  bool operator==(const PartTurn&) const = default;
+};
+
+/// A distortion of the body in a few figures.
 struct BodyFigures {
   Spread surface;  // cm
   Spread shell;
-  std::optional<Spread> skin;          // unset: there is no mesh
-  std::optional<double> head_degrees;  // how far they are turned in the world, RMS; unset: none is
-  std::optional<double> hand_degrees;  // known by its name
-  double angle_rms_degrees = 0;        // over all joints
+  std::optional<Spread> skin;    // unset: there is no mesh
+  std::optional<PartTurn> head;  // by namesakes_of(); unset: no joint has such a name
+  std::optional<PartTurn> hand;
+  std::optional<PartTurn> finger;
+  std::optional<PartTurn> foot;
+  double root_max_cm = 0;        // how far the root is off, at any frame
+  double root_max_degrees = 0;   // how far it is turned
+  double angle_rms_degrees = 0;  // over all joints
   EndErrors ends;
 
   bool operator==(const BodyFigures&) const = default;
 };
+
+/// The turn of the worst of some joints; unset for none.
+std::optional<PartTurn> worst_turn(const Distortion& distortion, const std::vector<int>& joints);
 
 BodyFigures body_figures(const Skeleton& skeleton, const Distortion& distortion);
 

@@ -146,7 +146,7 @@ VisibilityMeter::VisibilityMeter(const Skeleton& skeleton, int frames, double sa
       points_(landmarks(skeleton)),
       shares_(shares(skeleton)),
       reaches_(reaches(skeleton, points_)),
-      heads_(head_joints(skeleton)),
+      heads_(namesakes_of(skeleton, BodyPart::Head)),
       hands_(joints_of(skeleton, BodyPart::Hands)),
       squared_turns_(Eigen::VectorXd::Zero(std::ssize(heads_) + std::ssize(hands_))),
       floor_(std::numeric_limits<double>::infinity()),

@@ -32,6 +32,7 @@ EncodeOptions encode_options(const Settings& settings, const Skeleton& skeleton)
                         .seed = settings.seed,
                         .effort = settings.effort,
                         .importance = importance_for(settings.importance, skeleton),
+                        .promises = settings.promises,
                         .ends = settings.ends,
                         .loop = settings.loop};
   require_measurable(skeleton, settings.weighting);

@@ -12,6 +12,7 @@
 
 #include "core/codec/encode/options/effort.h"
 #include "core/codec/encode/options/importance.h"
+#include "core/codec/encode/options/promises.h"
 #include "core/codec/encode/options/target.h"
 #include "core/codec/format/coded_ends.h"
 #include "core/codec/format/coding.h"
@@ -55,6 +56,7 @@ struct Settings {
   std::uint64_t seed = 1;                    // of the annealing; the same seed gives the same bytes
   Effort effort = Effort::Default;           // not Draft, which promises nothing
   NamedImportance importance;                // what more care is taken of
+  Promises promises;                         // bounds beside a target that is an error
   Ends ends = Ends::Even;                    // what is promised of the first and the last pose
   std::optional<Loop> loop;                  // unset: the encoder finds whether the clip is one
   double track_error = kUsualTrackError;     // no value of a track is further off
@@ -73,7 +75,9 @@ void check(const Settings& settings);
 ///   {"name": "Mine", "method": "closed-loop", "coding": null, "weighting": "surface",
 ///    "target": {"kind": "error", "value": 0.5}, "seed": 1,
 ///    "ik": {"ratio": "auto", "effectors": [], "solver": "nearest-pose", "at": "every-frame"},
-///    "effort": "best", "importance": {"feet": 4, "lwrist": 2, "contacts": 20}, "ends": "even",
+///    "effort": "best", "importance": {"feet": 4, "lwrist": 2, "contacts": 20},
+///    "promises": {"head_degrees": 2.5, "hand_degrees": 4, "finger_degrees": 6, "root_cm": 0.2,
+///    "root_degrees": 0.3}, "ends": "even",
 ///    "loop": "none", "track_error": 0.001, "contacts": [{"joint": "lfoot", "first_frame": 10,
 ///    "last_frame": 25}]}
 std::string settings_to_json(const Settings& settings);

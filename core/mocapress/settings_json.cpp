@@ -164,6 +164,22 @@ std::vector<ContactSetting> contacts_from(const Json& json, const Keys& keys,
   return contacts;
 }
 
+Json to_json(const Promises& promises) {
+  Json json = Json::object();
+  for (const PromiseKey& promise : kPromiseKeys)
+    if (const auto& bound = promises.*promise.bound) json[promise.key] = *bound;
+  return json;
+}
+
+Promises promises_from(const Json& json, const std::string& of) {
+  Keys keys(json, of + ": \"promises\"");
+  Promises promises;
+  for (const PromiseKey& promise : kPromiseKeys)
+    if (json.contains(promise.key)) promises.*promise.bound = keys.number(promise.key, 0);
+  keys.end();
+  return promises;
+}
+
 std::uint64_t seed_from(const Json& json, const Keys& keys) {
   if (!json.is_number_unsigned()) keys.refuse("seed", "is not a whole number");
   return json.get<std::uint64_t>();
@@ -195,6 +211,8 @@ Settings read_settings(const Json& json) {
   settings.track_error = keys.number("track_error", settings.track_error);
   if (const Json* importance = keys.take("importance"))
     settings.importance = importance_from(*importance, keys);
+  if (const Json* promises = keys.take("promises"))
+    settings.promises = promises_from(*promises, of);
   if (const Json* contacts = keys.take(kContacts))
     settings.contacts = contacts_from(*contacts, keys, of);
   keys.end();
@@ -213,6 +231,7 @@ Json to_json(const Settings& settings) {
                {"ik", settings.correction ? to_json(*settings.correction) : Json()}};
   if (settings.effort != Effort::Default) json["effort"] = name(settings.effort);
   if (!settings.importance.is_even()) json["importance"] = to_json(settings.importance);
+  if (settings.promises.any()) json["promises"] = to_json(settings.promises);
   if (settings.ends != Ends::Even) json["ends"] = name(settings.ends);
   if (settings.loop) json["loop"] = name(*settings.loop);
   if (settings.track_error != kUsualTrackError) json["track_error"] = settings.track_error;

@@ -53,12 +53,16 @@ std::vector<int> joints_of(const Skeleton& skeleton, BodyPart part) {
   return joints;
 }
 
-std::vector<int> head_joints(const Skeleton& skeleton) {
-  const std::vector<int> all = joints_of(skeleton, BodyPart::Head);
-  std::vector<int> heads;
+std::vector<int> namesakes_of(const Skeleton& skeleton, BodyPart part) {
+  const std::string_view word = part == BodyPart::Feet    ? "foot"
+                                : part == BodyPart::Hands ? "hand"
+                                : part == BodyPart::Head  ? "head"
+                                                          : "";  // every finger is one
+  const std::vector<int> all = joints_of(skeleton, part);
+  std::vector<int> namesakes;
   for (const int j : all)
-    if (lower(skeleton.joint(j).name).find("head") != std::string::npos) heads.push_back(j);
-  return heads.empty() ? all : heads;
+    if (lower(skeleton.joint(j).name).find(word) != std::string::npos) namesakes.push_back(j);
+  return namesakes.empty() ? all : namesakes;
 }
 
 }  // namespace mocapress

@@ -21,8 +21,8 @@ std::string_view name(BodyPart part);
 /// wrist.R, lthumb, RightHandIndex1). Joints with none of these names belong to no part.
 std::vector<int> joints_of(const Skeleton& skeleton, BodyPart part);
 
-/// The joints of the head alone: without those that carry it (neck) or lie in it (jaw, eyes), where
-/// their names tell them apart.
-std::vector<int> head_joints(const Skeleton& skeleton);
+/// The joints of a part's own name: heads without necks, jaws and eyes, hands without wrists, feet
+/// without toes. All joints of the part where none has that name.
+std::vector<int> namesakes_of(const Skeleton& skeleton, BodyPart part);
 
 }  // namespace mocapress

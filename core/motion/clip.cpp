@@ -44,6 +44,14 @@ Motion with_up_axis(const Motion& motion, UpAxis from, UpAxis to) {
   return turned;
 }
 
+std::vector<bool> still_channels(const Clip& clip) {
+  constexpr double kRounding = 1e-6;
+  std::vector<bool> still;
+  for (const auto& channel : clip.channels.colwise())
+    still.push_back(channel.size() == 0 || channel.maxCoeff() - channel.minCoeff() <= kRounding);
+  return still;
+}
+
 Motion frames_of(const Motion& motion, int first, int count) {
   return {motion.skeleton,
           {motion.clip.sample_rate_hz, motion.clip.channels.middleRows(first, count)}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "core/motion/skeleton.h"
 #include "core/motion/source_format.h"
@@ -26,6 +27,9 @@ struct Motion {
 
 /// `count` frames of a motion, from `first` on.
 Motion frames_of(const Motion& motion, int first, int count);
+
+/// Whether each channel stays where it is over all frames, but for rounding (1e-6 cm or radians).
+std::vector<bool> still_channels(const Clip& clip);
 
 /// Adds whole turns to each rotation channel, so that no step between frames exceeds half a turn.
 /// A wavelet would otherwise spend its bits on jumps that move nothing.

@@ -25,12 +25,21 @@ BodyFigures body_figures_of(const Json& json) {
     json.at(of + "_max_cm").get_to(found.max.cm);
     return found;
   };
+  const auto turn = [&](const std::string& of) -> std::optional<PartTurn> {
+    const auto rms = optional_at<double>(json, (of + "_degrees").c_str());
+    if (!rms) return std::nullopt;
+    return PartTurn{*rms, json.at(of + "_worst_degrees").get<double>()};
+  };
   const bool has_skin = json.contains("skin_rms_cm") && !json.at("skin_rms_cm").is_null();
   return {.surface = spread("surface"),
           .shell = spread("shell"),
           .skin = has_skin ? std::optional(spread("skin")) : std::nullopt,
-          .head_degrees = optional_at<double>(json, "head_degrees"),
-          .hand_degrees = optional_at<double>(json, "hand_degrees"),
+          .head = turn("head"),
+          .hand = turn("hand"),
+          .finger = turn("finger"),
+          .foot = turn("foot"),
+          .root_max_cm = json.at("root_cm").get<double>(),
+          .root_max_degrees = json.at("root_degrees").get<double>(),
           .angle_rms_degrees = json.at("angle_rms_degrees").get<double>(),
           .ends = {.first_cm = json.at("first_frame_cm").get<double>(),
                    .last_cm = json.at("last_frame_cm").get<double>(),

@@ -26,8 +26,16 @@ void add_body_figures(const BodyFigures& figures, const Add& add) {
   add_spread("surface", figures.surface);
   add_spread("shell", figures.shell);
   add_spread("skin", figures.skin);  // null where there is no mesh
-  add("head_degrees", or_null(figures.head_degrees));
-  add("hand_degrees", or_null(figures.hand_degrees));
+  const auto add_turn = [&](const std::string& of, const std::optional<PartTurn>& turn) {
+    add((of + "_degrees").c_str(), turn ? Json(turn->rms_degrees) : Json());
+    add((of + "_worst_degrees").c_str(), turn ? Json(turn->max_degrees) : Json());
+  };
+  add_turn("head", figures.head);  // null where no joint has such a name
+  add_turn("hand", figures.hand);
+  add_turn("finger", figures.finger);
+  add_turn("foot", figures.foot);
+  add("root_cm", Json(figures.root_max_cm));
+  add("root_degrees", Json(figures.root_max_degrees));
   add("angle_rms_degrees", Json(figures.angle_rms_degrees));
   add("first_frame_cm", Json(figures.ends.first_cm));
   add("last_frame_cm", Json(figures.ends.last_cm));

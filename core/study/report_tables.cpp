@@ -376,12 +376,14 @@ std::string degrees_text(const std::optional<double>& value) {
   return value ? format_significant(*value) + "&#176;" : kNothing;
 }
 
+std::string turn_text(const std::optional<PartTurn>& turn) {
+  return turn ? degrees_text(turn->rms_degrees) : kNothing;
+}
+
 std::string angle_cell(const BodyFigures& body) {
   std::string text = degrees_text(body.angle_rms_degrees);
-  if (body.head_degrees || body.hand_degrees)
-    text += element(
-        "small", "",
-        " (" + degrees_text(body.head_degrees) + ", " + degrees_text(body.hand_degrees) + ")");
+  if (body.head || body.hand)
+    text += element("small", "", " (" + turn_text(body.head) + ", " + turn_text(body.hand) + ")");
   return cell(text);
 }
 

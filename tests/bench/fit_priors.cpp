@@ -22,9 +22,7 @@
 namespace mocapress {
 namespace {
 
-using runtime::kMostContexts;
 using runtime::kTrusts;
-using runtime::MixingSets;
 using runtime::MixingWeights;
 
 CodingKnowledge fit(const std::filesystem::path& folder) {
@@ -38,8 +36,6 @@ CodingKnowledge fit(const std::filesystem::path& folder) {
   std::ranges::fill(known.log_odds, 0);
   std::ranges::fill(known.seen, 0);
   std::ranges::fill(known.weights, 0.3);
-  std::ranges::fill(known.weights_by_scale, 0);
-  std::ranges::fill(known.confidences, 1);
   fit_contexts(samples, kTrusts, kFinest, known);
   const auto say = [](const std::vector<double>& bits) {
     double sum = 0;
@@ -48,7 +44,7 @@ CodingKnowledge fit(const std::filesystem::path& folder) {
     if (mean > 0) std::fprintf(stderr, "%.1f bits\n", mean);  // not before the first round
     return true;
   };
-  descend(samples, {.rounds = 8, .weights_by_scale = true, .clips_count_alike = true}, say, known);
+  descend(samples, {.rounds = 8, .clips_count_alike = true}, say, known);
   return known;
 }
 
@@ -74,21 +70,6 @@ void print_numbers(const std::vector<double>& numbers, double whole, std::size_t
                 std::clamp(std::lround(whole * numbers[i]), -32768L, 32767L));
 }
 
-/// In 256ths, a row a context, in the braces of arrays within arrays.
-void print_confidences(const std::vector<double>& confidences) {
-  constexpr std::size_t kRow = runtime::kSeenSteps;
-  constexpr std::size_t kKind = kMostContexts * kRow;
-  for (std::size_t i = 0; i < confidences.size(); ++i)
-    std::printf("%s%ld%s",
-                i % kKind == 0  ? "\n    {{{"
-                : i % kRow == 0 ? "\n      {"
-                                : " ",
-                std::lround(256 * confidences[i]),
-                (i + 1) % kKind == 0  ? "}}},"
-                : (i + 1) % kRow == 0 ? "},"
-                                      : ",");
-}
-
 void print(const CodingKnowledge& known) {
   std::string log_odds;
   std::string trust;
@@ -100,12 +81,6 @@ void print(const CodingKnowledge& known) {
     trust += unknown ? ' ' : static_cast<char>('a' + (trust_of - kTrusts.begin()));
   }
   constexpr std::size_t kMost = MixingWeights::kMost;
-  constexpr std::size_t kOfSet = MixingSets::kScaleSteps * kMost;
-  std::vector<double> weights_by_scale;
-  for (std::size_t set = 0; set < static_cast<std::size_t>(MixingSets::kCount); ++set)
-    if (MixingSets::has_scales(static_cast<int>(set)))
-      for (std::size_t i = 0; i < kOfSet; ++i)
-        weights_by_scale.push_back(known.weights_by_scale[set * kOfSet + i]);
   std::printf(
       "// SPDX-License-Identifier: MIT\n// Made by tests/bench/fit_priors.cpp.\n"
       "#include \"core/runtime/format/coefficient_priors.h\"\n\n#include <array>\n\n"
@@ -114,18 +89,11 @@ void print(const CodingKnowledge& known) {
   print_letters("kTrust", trust);
   std::printf("constexpr std::array<std::int16_t, %zu> kWeights = {", known.weights.size());
   print_numbers(known.weights, 1024, kMost);
-  std::printf("\n};\n\nconstexpr std::array<std::int16_t, %zu> kWeightsByScale = {",
-              weights_by_scale.size());
-  print_numbers(weights_by_scale, 1024, kMost);
-  std::printf("\n};\n\nconstexpr Confidences kConfidences = {{");
-  print_confidences(known.confidences);
   std::printf(
-      "\n}};\n// clang-format on\n\n}  // namespace\n\n"
+      "\n};\n// clang-format on\n\n}  // namespace\n\n"
       "std::string_view context_priors() {\n  return kContexts;\n}\n\n"
       "std::string_view context_trust() {\n  return kTrust;\n}\n\n"
       "std::span<const std::int16_t> weight_priors() {\n  return kWeights;\n}\n\n"
-      "std::span<const std::int16_t> weight_priors_by_scale() {\n  return kWeightsByScale;\n}\n\n"
-      "const Confidences& confidences() {\n  return kConfidences;\n}\n\n"
       "}  // namespace mocapress::runtime\n");
 }
 

@@ -148,7 +148,7 @@ CompressedClip golden_segmented_clip() {
 
 CompressedClip golden_velocity_clip() {
   CompressedClip clip = golden_segmented_clip();
-  CodedEnds ends{.reaches = {{2, 9, 6}, 1}, .step_exponent = {3, 0, 5}, .steps = {}};
+  CodedEnds ends{.reaches = {{2, 9, 6}}, .step_exponent = {3, 0, 5}, .steps = {}};
   ends.steps.resize(clip.skeleton.channel_count(), 3);
   for (int c = 0; c < clip.skeleton.channel_count(); ++c)
     ends.steps.row(c) << 5 * c % 9 - 4, 4 * c % 13 - 6, 7 * c % 30 - 11;

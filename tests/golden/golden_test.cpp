@@ -147,7 +147,7 @@ TEST(GoldenEnds, TheWriterStillMakesTheSameFile) {
 TEST(GoldenVelocity, Version1PlaysToTheSameBits) {
   const std::vector<std::byte> file = read_bytes(golden("v1_velocity.mcpr"));
   EXPECT_TRUE(played(file) == read_bytes(golden("v1_velocity_expected.f32")));
-  EXPECT_TRUE(read_container(file).ends->reaches.is_at_first(runtime::kVelocity));
+  EXPECT_GT(read_container(file).ends->count(), runtime::kVelocity);
 }
 
 TEST(GoldenVelocity, TheWriterStillMakesTheSameFile) {

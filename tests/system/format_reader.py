@@ -58,8 +58,6 @@ class Tables:
         self.letters = letters(r"### A\.2 [^\n]*")
         self.trust = letters(r"### A\.3 [^\n]*")
         self.weights = rows(r"### A\.4 [^\n]*")
-        self.weights_by_scale = rows(r"### A\.5 [^\n]*")
-        self.confidence = rows(r"### A\.6 [^\n]*")
 
 
 class Cursor:
@@ -133,7 +131,6 @@ def stretch_table():
 
 
 STRETCHED = stretch_table()
-SEEN = (1, 3, 8, 18, 39, 75, 249)
 
 
 class Context:
@@ -153,22 +150,13 @@ def bit_in_one(bits, context):
     return bit
 
 
-def bit_in_several(bits, contexts, weights, opinions=(), further=None, confidence=None):
-    evidence = [STRETCHED[context.one >> 4] for context in contexts]
-    if confidence:
-        evidence = [
-            e * row[sum(context.seen > most for most in SEEN)] >> 8
-            for e, row, context in zip(evidence, confidence, contexts)
-        ]
-    evidence += opinions
-    sets = [weights] if further is None else [weights, further]
-    p = squash(sum(sum(w) * e for *w, e in zip(*sets, evidence)) >> 16)
+def bit_in_several(bits, contexts, weights, opinions=(), slowness=17):
+    evidence = [STRETCHED[context.one >> 4] for context in contexts] + list(opinions)
+    p = squash(sum(w * e for w, e in zip(weights, evidence)) >> 16)
     bit = bits.bit(p)
-    slowness = 18 if confidence else 17
     for i, e in enumerate(evidence):
         change = (((65536 if bit else 0) - p) * e * 3 + (1 << slowness - 1)) >> slowness
-        for some in sets:
-            some[i] = clamp(some[i] + change, -(2**22), 2**22)
+        weights[i] = clamp(weights[i] + change, -(2**22), 2**22)
     for context in contexts:
         context.follow(bit)
     return bit
@@ -286,8 +274,6 @@ SHARED = [
     ("sign_above", 9, 3, 2), ("significant_level", 8, 10), ("significant_neighbours", 3, 3, 10),
     ("significant_length", 8, 8, 10), ("number_plain", 6, 32), ("number_first", 6, 16, 16),
     ("number_second", 6, 16, 16), ("number_third", 6, 16, 16), ("number_top", 6, 32),
-    ("zero_opinion", 8, 32), ("class_opinion", 8, 8, 32), ("top_opinion", 8, 32),
-    ("sign_opinion", 8, 32), ("next_opinion", 8, 32), ("lower_opinion", 8, 32),
     ("number_fourth", 6, 32, 16),
 ]  # fmt: skip
 OWN = [("zero_own", 8), ("class_own", 8), ("sign_neighbours", 3, 3), ("sign_before", 3, 3)]
@@ -431,10 +417,6 @@ def log2_256(v):
     return 256 * (digits(v) - 1) + (mantissa & 255)
 
 
-def step_of(opinions):
-    return (opinions[0] + 2048) >> 7
-
-
 def sign_of(v):
     return 2 if v > 0 else 1 if v < 0 else 0
 
@@ -462,12 +444,6 @@ class Stream:
         self.pairs, self.bands = pairs, Bands(length)
         self.scale_weights = tables.scale_weights
         self.weights = [[64 * share for share in row] for row in tables.weights]
-        by_scale = iter(tables.weights_by_scale)
-        self.further = {
-            weights: [[64 * share for share in next(by_scale)] for _ in range(8)]
-            for weights in [*range(1, 19), 25, 26]
-        }
-        self.confidence = tables.confidence
         self.tables = {}
         at = 0
         for name, *sizes in SHARED:
@@ -527,17 +503,8 @@ class Stream:
         return self.contexts[at + index]
 
     def mixed(self, weights, named, opinions=()):
-        kind = 0
-        for last in (0, 8, 16, 17, 18, 24, 25):
-            kind += weights > last
-        return bit_in_several(
-            self.bits,
-            [self.context(*one) for one in named],
-            self.weights[weights],
-            opinions,
-            self.further[weights][min(self.scale_of_value // 4, 7)] if opinions else None,
-            self.confidence[5 * kind : 5 * kind + 5],
-        )
+        contexts = [self.context(*one) for one in named]
+        return bit_in_several(self.bits, contexts, self.weights[weights], opinions, 18)
 
     def number(self, kind, a, b, c, d):
         n = 0
@@ -597,13 +564,12 @@ class Stream:
         for s, (sibling, mirror) in enumerate(self.pairs):
             model = mirror if mirror >= 0 else s - 1
             expected = self.exponents[model] if model >= 0 else 0
-            beside = self.exponents[sibling] - expected if sibling >= 0 else 0
             before = self.signed(
                 1 if mirror >= 0 else 0,
                 1 if sibling == s - 1 else 0,
                 min(abs(before), 15),
                 8 + clamp(before, -7, 7),
-                16 + clamp(beside, -15, 15) if sibling >= 0 else 0,
+                0,
             )
             self.exponents.append(expected + before)
             if not -128 <= self.exponents[-1] <= 127:
@@ -619,12 +585,12 @@ class Stream:
             return min(1 + digits(abs(change)), 15)
 
         half_octaves = (struct.unpack("<I", struct.pack("<f", self.scale))[0] >> 22) - 254
-        fineness = self.exponents[s] + self.bands.depth(0) - half_octaves
-        fineness = clamp(over(fineness, 2) + 6, 0, 31)
+        depth = self.exponents[s] + self.bands.depth(0) - half_octaves
+        depth = clamp(over(depth, 2) + 6, 0, 31)
         for i in range(self.bands.size(0)):
             b = size(sibling, 0) if i == 0 else 0 if i == 1 else size(s, i - 1)
             kind = (2 if i == 0 else 3) + (2 if s < 3 else 0)
-            change = self.signed(kind, size(mirror, i), b, size(s - 1, i), fineness)
+            change = self.signed(kind, size(mirror, i), b, size(s - 1, i), depth)
             self.values[s][i] = (self.values[s][i - 1] if i > 0 else 0) + change
             if abs(self.values[s][i]) > 2**28:
                 refuse("a value out of bounds")
@@ -692,8 +658,6 @@ class Stream:
             exponent = log2_256(weighted >> 10) - 1536 + self.restless_of[s] + unrest + 32
             q = clamp(12 + (exponent >> 6), 0, 63)
 
-            self.scale_of_value = q
-
             def normal(v):
                 return clamp(v * INVERSE[q] >> 10, -1023, 1023)
 
@@ -707,7 +671,6 @@ class Stream:
             expectation = Expected(mean, self.deviation[q])
             # 6.7: the bits
             magnitude = result = 0
-            opinions = expectation.some()
             if self.mixed(
                 1 + level,
                 [
@@ -715,13 +678,11 @@ class Stream:
                     ("zero_crowd", crowd, size_own, size_parents),
                     ("zero_expected", level, expected),
                     ("zero_own", s, level),
-                    ("zero_opinion", level, step_of(opinions)),
                 ],
-                opinions,
+                expectation.some(),
             ):
                 signs = [sign_of(v) for v in own[:2] + parents[:2]]
                 sign_sibling = sign_of(value(sibling, i))
-                opinions = expectation.minus()
                 minus = self.mixed(
                     18,
                     [
@@ -729,13 +690,12 @@ class Stream:
                         ("sign_above", 3 * signs[2] + signs[3], signs[0], i % 2),
                         ("sign_neighbours", s, sign_sibling, sign_of(value(mirror, i))),
                         ("sign_before", s, sign_sibling, sign_of(value(s - 2, i))),
-                        ("sign_opinion", level, step_of(opinions)),
                     ],
-                    opinions,
+                    expectation.minus(),
                 )
                 if minus:
                     expectation.mean = -mean
-                around = (level, degree, density, expected, size_own)
+                around = (degree, density, expected, size_own)
                 magnitude = self.read_magnitude(s, around, expectation)
                 result = -magnitude if minus else magnitude
             self.values[s][first + i] = result
@@ -751,7 +711,7 @@ class Stream:
             activity[i + 1] += min(magnitude, 8)
 
     def read_magnitude(self, s, around, expectation):
-        level, degree, density, expected, size_own = around
+        degree, density, expected, size_own = around
         d = 1
         while d < 29:
             k = min(d, 8) - 1
@@ -762,7 +722,6 @@ class Stream:
                     ("class_recent", k, degree, density),
                     ("class_expected", k, expected),
                     ("class_own", s, k),
-                    ("class_opinion", k, level, step_of(opinions)),
                 ],
                 opinions,
             ):
@@ -773,15 +732,13 @@ class Stream:
         for left in reversed(range(d - 1)):  # digits after the next one
             a, b, c = made << (left + 1), (2 * made + 1) << left, (made + 1) << (left + 1)
             opinions = expectation.range(a, b, c)
-            step = step_of(opinions)
             if left == d - 2:
                 named = [("top_expected", k, expected), ("top_recent", k, degree, size_own)]
-                digit = self.mixed(17, named + [("top_opinion", level, step)], opinions)
+                digit = self.mixed(17, named, opinions)
             elif left == d - 3:
-                named = [("next_digit", k, made & 1, expected // 4)]
-                digit = self.mixed(25, named + [("next_opinion", level, step)], opinions)
+                digit = self.mixed(25, [("next_digit", k, made & 1, expected // 4)], opinions)
             else:
-                digit = self.mixed(26, [("lower_opinion", level, step)], opinions)
+                digit = self.mixed(26, [], opinions)
             made = 2 * made + digit
         if made > 2**28:
             refuse("a value out of bounds")
@@ -1445,22 +1402,15 @@ class Clip:
     def add_ends(self, rows):
         cursor = Cursor(self.sections["ENDS"])
         reaches, exponents = list(cursor.read("BB")), list(cursor.read("bb"))
-        order, at_first = [0, 1], [True, False]
-        for pose in (0, 1):
-            if reaches[pose] & 128:
-                if len(order) > 2:
-                    refuse("a velocity at both ends")
-                reaches[pose] &= 127
-                order.insert(pose + 1, 2)
-                at_first.append(pose == 0)
-        if len(order) > 2:
+        if reaches[1] & 128:
+            reaches[1] &= 127
             for values, value in zip((reaches, exponents), cursor.read("Bb")):
                 values.append(value)
         bits = RangeDecoder(cursor.rest())
         more = [Context() for _ in range(24)]
-        lacking = [[] for _ in order]
-        for end in order:
-            steps = self.steps[0 if at_first[end] else -1]
+        lacking = [[] for _ in reaches]
+        for end in range(len(reaches)):
+            steps = self.steps[0 if end == 0 else -1]
             for c in range(self.channels):
                 value = number(bits, more)
                 if value and bits.bit(32768):
@@ -1472,7 +1422,7 @@ class Clip:
         bits.expect_end()
         for t, row in enumerate(rows):
             for end in range(len(reaches)):
-                away = t if at_first[end] else len(rows) - 1 - t
+                away = t if end == 0 else len(rows) - 1 - t
                 if away < reaches[end]:
                     left = f32((reaches[end] - away) / reaches[end])
                     share = f32(left * left)

@@ -56,6 +56,7 @@ Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton) {
                   .seed = options.seed,
                   .effort = options.effort,
                   .importance = named(options.importance, skeleton),
+                  .promises = options.promises,
                   .ends = options.ends,
                   .loop = options.loop,
                   .track_error = settings.track_error,

@@ -6,12 +6,14 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/encode/analysis/clip_analysis.h"
 #include "core/codec/encode/search/goal.h"
 #include "core/codec/encode/segmented_encode.h"
 #include "core/codec/encode/targeted_encode.h"
+#include "core/codec/encode/trial_coder.h"
 #include "core/codec/format/room.h"
 #include "core/feet/feet.h"
 #include "core/ik/correction.h"
@@ -167,6 +169,26 @@ const std::vector<ContactSpan>& Encoder::contacts() const {
 
 Encoding Encoder::encode(const EncodeOptions& options,
                          const Observer<EncodeProgress>& observer) const {
+  constexpr int kMostRounds = 8;
+  Encoding encoding = encode_once(options, observer);
+  const bool promises = options.effort != Effort::Draft && is_error(options.target);
+  EncodeOptions stricter = options;
+  for (int round = 1; promises && encoding.complete; ++round) {
+    const std::vector<BrokenPromise> broken =
+        broken_promises(options.promises, motion(), encoding.distortion);
+    if (broken.empty()) break;
+    if (round > kMostRounds)
+      throw TargetMissed("a promise beside the target is out of reach: " + broken.front().text);
+    raise_importance(broken, motion().skeleton, stricter.importance);
+    const double seconds = encoding.seconds;
+    encoding = encode_once(stricter, observer);
+    encoding.seconds += seconds;
+  }
+  return encoding;
+}
+
+Encoding Encoder::encode_once(const EncodeOptions& options,
+                              const Observer<EncodeProgress>& observer) const {
   const auto start = std::chrono::steady_clock::now();
   EncodeOptions effective = options;
   effective.coding = effective_coding(options);

@@ -67,12 +67,16 @@ class Encoder {
   /// The contacts of the feet, found on the original.
   const std::vector<ContactSpan>& contacts() const;
 
-  /// Throws TargetMissed when no number of coefficients meets the target, and Error when a
-  /// correction is asked for that the skeleton does not allow.
+  /// Throws TargetMissed when no number of coefficients meets the target or no weights keep the
+  /// promises, and Error when a correction is asked for that the skeleton does not allow.
   Encoding encode(const EncodeOptions& options,
                   const Observer<EncodeProgress>& observer = {}) const;
 
  private:
+  /// To the target alone.
+  Encoding encode_once(const EncodeOptions& options,
+                       const Observer<EncodeProgress>& observer) const;
+
   std::unique_ptr<const ClipAnalysis> analysis_;
 };
 

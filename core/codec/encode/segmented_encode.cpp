@@ -9,6 +9,7 @@
 #include "core/codec/encode/search/goal.h"
 #include "core/codec/encode/search/scale_search.h"
 #include "core/codec/encode/targeted_encode.h"
+#include "core/codec/encode/trial_coder.h"
 #include "core/metrics/rate.h"
 
 namespace mocapress {
@@ -49,8 +50,8 @@ class SegmentedEncode {
             [this](double scale, ClosedLoopWork work, const Eigen::VectorXd& weights) {
               return attempt_scale(scale, work, weights);
             },
-        .coarsen = [this](const Trial& trial, const Eigen::VectorXd& bound_cm,
-                          Coarsened coarsened) { return coarsen(trial, bound_cm, coarsened); }};
+        .coarsen = [this](const Trial& trial,
+                          const Eigen::VectorXd& bound_cm) { return coarsen(trial, bound_cm); }};
     const ScaleGuess guess{.likely = likely_scale(options_.target, raw_bytes(motion_.clip)),
                            .finest = [this] { return finest_scale_; },
                            .dear = true,
@@ -137,19 +138,19 @@ class SegmentedEncode {
     const int rows = frames_at_ends(layout_.frames);
     const Motion first = motion_of(0);
     const Motion last = motion_of(layout_.count() - 1);
-    fit_ends(options_, trial, first.skeleton, goal_, first.clip.channels.topRows(rows),
-             last.clip.channels.bottomRows(rows));
+    fit_ends(options_, trial, first.skeleton, still_channels(motion_.clip), goal_,
+             first.clip.channels.topRows(rows), last.clip.channels.bottomRows(rows));
   }
 
   /// Each segment by itself: where two are blended, the error is no larger than both of theirs, but
   /// for what is not linear.
-  Trial coarsen(const Trial& trial, const Eigen::VectorXd& bound_cm, Coarsened coarsened) {
+  Trial coarsen(const Trial& trial, const Eigen::VectorXd& bound_cm) {
     AdaptiveSegments coded(trial.compressed);
     Trial coarser = encode_all(trial.scale, [&](const Part& part, const EncodeOptions& options,
                                                 const Observer<EncodeProgress>& observer) {
       if (!part.should_continue) return Trial{.complete = false};
       return coarsen_to_bound(part.analysis, options, coded.next(),
-                              bound_cm.segment(part.first, part.frames), coarsened, observer);
+                              bound_cm.segment(part.first, part.frames), observer);
     });
     if (!coarser.complete) return coarser;
     finish_ends(coarser);

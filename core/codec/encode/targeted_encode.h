@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "core/codec/encode/analysis/clip_analysis.h"
-#include "core/codec/encode/encoder.h"
+#include "core/codec/encode/options/encode_options.h"
 #include "core/codec/encode/search/goal.h"
 
 namespace mocapress {
@@ -24,30 +26,23 @@ struct TargetedEncoding {
 TargetedEncoding encode_to_target(const ClipAnalysis& analysis, const EncodeOptions& options,
                                   const Observer<EncodeProgress>& observer);
 
-/// A trial without a target, and the finest scale there is.
+/// A closed loop at one scale, whatever the target, and the finest scale there is.
 struct ScaleTrial {
   Trial trial;
   double finest_scale = 0;
 };
 
-/// A closed loop at one scale, whatever the target. A correction must have its ratio.
+/// A correction must have its ratio.
 ScaleTrial encode_at_scale(const ClipAnalysis& analysis, const EncodeOptions& options, double scale,
                            ClosedLoopWork work, const Eigen::VectorXd& frame_weights,
                            const Observer<EncodeProgress>& observer);
 
 /// ClosedLoop::coarsen() of a coded clip, without a target: to a bound for each frame.
 Trial coarsen_to_bound(const ClipAnalysis& analysis, const EncodeOptions& options,
-                       QuantisedSignals coded, const Eigen::VectorXd& bound_cm, Coarsened coarsened,
+                       QuantisedSignals coded, const Eigen::VectorXd& bound_cm,
                        const Observer<EncodeProgress>& observer);
 
 /// The r_IK that suits the target best, for options that leave it open.
 double find_correction_split(const ClipAnalysis& analysis, const EncodeOptions& options);
-
-/// The contacts that count: edited ones, or those found on the original.
-const std::vector<ContactSpan>& contacts_for(const ClipAnalysis& analysis,
-                                             const EncodeOptions& options);
-
-/// The original, with tracks that the analysis keeps.
-Original original_of(const ClipAnalysis& analysis);
 
 }  // namespace mocapress

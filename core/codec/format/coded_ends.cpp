@@ -25,31 +25,22 @@ std::string_view name(Ends ends) {
 std::vector<std::byte> CodedEnds::write() const {
   ByteWriter writer;
   using namespace runtime;
-  const auto has_velocity = [&](int end) {
-    return count() > kVelocity && reaches.is_at_first(kVelocity) == (end == kFirstPose);
-  };
-  for (const int end : {kFirstPose, kLastPose})
-    writer.write(static_cast<std::uint8_t>(reaches.frames[end] |
-                                           (has_velocity(end) ? kVelocityFollows : 0)));
+  const bool has_velocity = count() > kVelocity;
+  writer.write(reaches.frames[kFirstPose]);
+  writer.write(
+      static_cast<std::uint8_t>(reaches.frames[kLastPose] | (has_velocity ? kVelocityFollows : 0)));
   for (const int end : {kFirstPose, kLastPose})
     writer.write(static_cast<std::int8_t>(step_exponent[static_cast<std::size_t>(end)]));
-  if (count() > kVelocity) {
+  if (has_velocity) {
     writer.write(reaches.frames[kVelocity]);
     writer.write(static_cast<std::int8_t>(step_exponent[kVelocity]));
   }
   RangeEncoder bits;
   EndCoder coder;
-  for (const int end : ends_in_order())
+  for (int end = 0; end < count(); ++end)
     for (const int value : steps.col(end)) coder.code(bits, value);
   writer.append(bits.finish());
   return writer.release();
-}
-
-std::vector<int> CodedEnds::ends_in_order() const {
-  using namespace runtime;
-  if (count() == kVelocity) return {kFirstPose, kLastPose};
-  return reaches.is_at_first(kVelocity) ? std::vector{kFirstPose, kVelocity, kLastPose}
-                                        : std::vector{kFirstPose, kLastPose, kVelocity};
 }
 
 CodedEnds read_ends(const runtime::FileSections& sections) {
@@ -58,7 +49,7 @@ CodedEnds read_ends(const runtime::FileSections& sections) {
   std::copy_n(sections.end_step_exponent, runtime::kMostEnds, ends.step_exponent.begin());
   runtime::EndReader reader(sections.coded_ends);
   ends.steps.resize(sections.channels, ends.reaches.count());
-  for (const int end : ends.ends_in_order())
+  for (int end = 0; end < ends.count(); ++end)
     for (int& value : ends.steps.col(end)) value = reader.next();
   require(reader.finish());
   return ends;
@@ -68,7 +59,7 @@ EndPoses::EndPoses(const CodedEnds& coded, const std::vector<float>& first_steps
                    const std::vector<float>& last_steps)
     : reaches_(coded.reaches), values_(coded.steps.rows(), coded.steps.cols()) {
   for (int end = 0; end < coded.count(); ++end) {
-    const std::vector<float>& steps = reaches_.is_at_first(end) ? first_steps : last_steps;
+    const std::vector<float>& steps = end == runtime::kFirstPose ? first_steps : last_steps;
     for (Eigen::Index c = 0; c < values_.rows(); ++c)
       values_(c, end) = runtime::end_value(coded.steps(c, end), steps[static_cast<std::size_t>(c)],
                                            coded.step_exponent[static_cast<std::size_t>(end)]);

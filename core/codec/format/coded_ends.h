@@ -33,9 +33,6 @@ struct CodedEnds {
 
   int count() const { return static_cast<int>(steps.cols()); }
 
-  /// Columns of `steps` as they are coded: a velocity after its pose.
-  std::vector<int> ends_in_order() const;
-
   std::size_t section_bytes() const { return write().size(); }
 
   /// The payload of ENDS.

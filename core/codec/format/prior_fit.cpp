@@ -14,7 +14,6 @@ namespace mocapress {
 namespace {
 
 using runtime::ContextLayout;
-using runtime::MixingSets;
 using runtime::MixingWeights;
 
 constexpr std::size_t kShares = 4;  // of the work, however many cores: sums keep their order
@@ -39,7 +38,6 @@ struct NotingBits {
     std::transform(sources.opinions.begin(), sources.opinions.end(), noted.opinions.begin(),
                    [](std::int32_t opinion) { return static_cast<std::int16_t>(opinion); });
     noted.set = static_cast<std::int8_t>(sources.set);
-    noted.scale = static_cast<std::int8_t>(sources.scale);
     noted.context_count = static_cast<std::uint8_t>(sources.context_count) & 15;
     noted.opinion_count = static_cast<std::uint8_t>(sources.opinion_count) & 7;
     noted.bit = bit ? 1 : 0;
@@ -115,20 +113,15 @@ ContextPrior most_likely(const std::vector<ContextTally>& tallies,
 
 struct Gradient {
   explicit Gradient(const CodingKnowledge& known)
-      : log_odds(known.log_odds.size()),
-        weights(known.weights.size()),
-        weights_by_scale(known.weights_by_scale.size()),
-        confidences(known.confidences.size()) {}
+      : log_odds(known.log_odds.size()), weights(known.weights.size()) {}
   std::vector<double> log_odds;
   std::vector<double> weights;
-  std::vector<double> weights_by_scale;
-  std::vector<double> confidences;
 };
 
-constexpr std::size_t kParts = 4;
+constexpr std::size_t kParts = 2;
 template <typename Known>
 auto parts_of(Known& known) {
-  return std::array{&known.log_odds, &known.weights, &known.weights_by_scale, &known.confidences};
+  return std::array{&known.log_odds, &known.weights};
 }
 
 struct Believed {
@@ -161,7 +154,6 @@ double code(const NotedClip& clip, const CodingKnowledge& known, float share, Gr
     contexts[c] = {one, one, 1, known.seen[c]};
   }
   std::vector<float> weights(known.weights.begin(), known.weights.end());
-  std::vector<float> weights_by_scale(known.weights_by_scale.begin(), known.weights_by_scale.end());
   const auto follow = [](Believed& context, float bit, float least) {
     const float rate = 2 / static_cast<float>(2 * context.seen + 3);
     context.one = std::clamp(context.one + (bit - context.one) * rate, least, 1 - least);
@@ -180,31 +172,14 @@ double code(const NotedClip& clip, const CodingKnowledge& known, float share, Gr
     }
     const auto set = static_cast<std::size_t>(noted.set);
     const std::size_t first = set * kWeightsOfSet;
-    const std::size_t first_of_scale =
-        noted.scale < 0 ? 0
-                        : (set * MixingSets::kScaleSteps + static_cast<std::size_t>(noted.scale)) *
-                              kWeightsOfSet;
     const std::size_t all = count + noted.opinion_count;
     std::array<float, kWeightsOfSet> evidence{};
-    std::array<float, kWeightsOfSet> plain{};
-    std::array<float, kWeightsOfSet> weight{};
-    std::array<std::size_t, kWeightsOfSet> confidence{};
     float log_odds = 0;
     for (std::size_t i = 0; i < all; ++i) {
-      if (i < count) {
-        const Believed& context = contexts[noted.contexts[i]];
-        confidence[i] =
-            (static_cast<std::size_t>(MixingSets::kind_of(noted.set)) * runtime::kMostContexts +
-             i) *
-                runtime::kSeenSteps +
-            runtime::kSeenStep[static_cast<std::size_t>(context.seen)];
-        plain[i] = std::clamp(log_odds_of(context.one), -8.0F, 8.0F);
-        evidence[i] = plain[i] * static_cast<float>(known.confidences[confidence[i]]);
-      } else {
-        evidence[i] = static_cast<float>(noted.opinions[i - count]) / 256;
-      }
-      weight[i] = weights[first + i] + (noted.scale < 0 ? 0 : weights_by_scale[first_of_scale + i]);
-      log_odds += weight[i] * evidence[i];
+      evidence[i] = i < count
+                        ? std::clamp(log_odds_of(contexts[noted.contexts[i]].one), -8.0F, 8.0F)
+                        : static_cast<float>(noted.opinions[i - count]) / 256;
+      log_odds += weights[first + i] * evidence[i];
     }
     const float one =
         std::clamp(share_of(std::clamp(log_odds, -8.0F, 8.0F)), 22 * kLeast, 1 - 22 * kLeast);
@@ -212,24 +187,17 @@ double code(const NotedClip& clip, const CodingKnowledge& known, float share, Gr
     const float surprise = bit - one;
     if (gradient != nullptr) {
       const float slope = -surprise * share;
-      for (std::size_t i = 0; i < all; ++i) {
-        gradient->weights[first + i] += slope * evidence[i];
-        if (noted.scale >= 0) gradient->weights_by_scale[first_of_scale + i] += slope * evidence[i];
-      }
+      for (std::size_t i = 0; i < all; ++i) gradient->weights[first + i] += slope * evidence[i];
       for (std::size_t i = 0; i < count; ++i) {
-        gradient->confidences[confidence[i]] += slope * weight[i] * plain[i];
         const Believed& context = contexts[noted.contexts[i]];
         if (noted.contexts[i] >= told || context.left < 1e-3F) continue;
-        gradient->log_odds[noted.contexts[i]] +=
-            slope * weight[i] * static_cast<float>(known.confidences[confidence[i]]) *
-            context.left * context.first * (1 - context.first) / (context.one * (1 - context.one));
+        gradient->log_odds[noted.contexts[i]] += slope * weights[first + i] * context.left *
+                                                 context.first * (1 - context.first) /
+                                                 (context.one * (1 - context.one));
       }
     }
-    for (std::size_t i = 0; i < all; ++i) {
-      const float change = kMixingRate * surprise * evidence[i];
-      weights[first + i] += change;
-      if (noted.scale >= 0) weights_by_scale[first_of_scale + i] += change;
-    }
+    for (std::size_t i = 0; i < all; ++i)
+      weights[first + i] += kMixingRate * surprise * evidence[i];
     for (std::size_t i = 0; i < count; ++i) follow(contexts[noted.contexts[i]], bit, kLeast);
   }
   return bits;
@@ -248,7 +216,7 @@ class Descent {
     for (std::size_t c = 0; c < plan_.may_change.size(); ++c)
       if (!plan_.may_change[c]) gradient.log_odds[c] = 0;
     ++steps_;
-    for (std::size_t part = 0; part < (plan_.weights_by_scale ? kParts : 2); ++part) {
+    for (std::size_t part = 0; part < kParts; ++part) {
       std::vector<double>& of_part = *parts_of(known)[part];
       for (std::size_t i = 0; i < of_part.size(); ++i) {
         const double slope = (*parts_of(gradient)[part])[i] / static_cast<double>(count);
@@ -296,12 +264,6 @@ CodingKnowledge CodingKnowledge::of_all_clips(int signals) {
   }
   for (const MixingWeights& set : model->weights)
     for (const std::int32_t weight : set.of) known.weights.push_back(weight / 65536.0);
-  for (const auto& sets : model->weights_by_scale)
-    for (const MixingWeights& set : sets)
-      for (const std::int32_t weight : set.of) known.weights_by_scale.push_back(weight / 65536.0);
-  for (const auto& of_kind : runtime::confidences())
-    for (const runtime::Confidence& of_context : of_kind)
-      for (const int confidence : of_context) known.confidences.push_back(confidence / 256.0);
   return known;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the adaptive coding should know of clips before their first bit, found from such clips:
-// each context by itself first, from how alike clips are, then log odds, mixing weights and
-// confidences together, by the gradient of the coded bits.
+// each context by itself first, from how alike clips are, then log odds and mixing weights
+// together, by the gradient of the coded bits.
 #pragma once
 
 #include <array>
@@ -19,7 +19,6 @@ struct NotedBit {
   std::array<std::uint32_t, runtime::kMostContexts> contexts;
   std::array<std::int16_t, 2> opinions;
   std::int8_t set;  // of weights; -1: one context alone
-  std::int8_t scale;
   std::uint8_t context_count : 4;
   std::uint8_t opinion_count : 3;
   std::uint8_t bit : 1;
@@ -38,11 +37,7 @@ struct CodingKnowledge {
   int signals = 0;               // of clips whose single signals are known, too
   std::vector<double> log_odds;  // of each context that is known
   std::vector<int> seen;         // how many observations these are worth
-  // runtime::MixingWeights::kMost of each set, of each step of the scale of each set, and how far
-  // each context of each kind of bit counts by how often it was seen.
-  std::vector<double> weights;
-  std::vector<double> weights_by_scale;
-  std::vector<double> confidences;
+  std::vector<double> weights;   // runtime::MixingWeights::kMost of each set
 
   /// What all clips are coded with.
   static CodingKnowledge of_all_clips(int signals);
@@ -69,7 +64,6 @@ void fit_contexts(std::span<const NotedClip> clips, std::span<const std::uint16_
 struct DescentPlan {
   int rounds = 0;                  // through all clips
   std::vector<bool> may_change;    // contexts; empty: all
-  bool weights_by_scale = false;   // and confidences, may change, too
   bool clips_count_alike = false;  // and not their bits
 };
 

@@ -127,13 +127,12 @@ mcpr_result FileLoader::read_motion() {
   return kOk;
 }
 
-/// A pose and the velocity there, if there is one.
+/// A pose, and after the last one the velocity, if there is one.
 void FileLoader::read_ends(EndReader& ends, int pose) {
   const EndReaches& reaches = sections_.end_reaches;
   if (!reaches.any()) return;
   read_end(ends, pose);
-  if (reaches.count() > kVelocity && reaches.is_at_first(kVelocity) == (pose == kFirstPose))
-    read_end(ends, kVelocity);
+  if (pose == kLastPose && reaches.count() > kVelocity) read_end(ends, kVelocity);
 }
 
 /// In steps of the segment that was decoded last.

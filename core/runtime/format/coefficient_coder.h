@@ -21,7 +21,10 @@ namespace mocapress::runtime {
 
 inline constexpr int kLeastStepExponent = -128;
 inline constexpr int kMostStepExponent = 127;
-inline constexpr int kMostSteps = 1 << 28;  // no value is larger
+inline constexpr int kMostSteps = 1 << 28;      // no value is larger
+inline constexpr int kMostMagnitude = 255;      // larger ones count as this in sums
+inline constexpr int kLeastDeviation = 26;      // 256ths
+inline constexpr int kLeastExpected = 6 << 10;  // of a magnitude, 64 * 1024ths
 
 /// Quantised coefficients of some signals, in memory of whoever made it.
 struct QuantisedView {
@@ -56,14 +59,13 @@ struct CoderNotes {
   }
 };
 
-/// What a bit was predicted from: for `Bits` that want to know.
+/// The sources that a bit was predicted from: for `Bits` that want to know.
 struct BitSources {
   std::array<int, kMostContexts> contexts;
   std::array<std::int32_t, 2> opinions;
   int context_count;
   int opinion_count;
-  int set;    // of weights; -1: one context alone
-  int scale;  // -1: no weights by scale
+  int set;  // of weights; -1: one context alone
 };
 
 /// What the scale of a value was expected from, and what came: likewise.
@@ -96,7 +98,7 @@ class CoefficientCoder {
         coarse_depth_(bands.depth(0) - half_octaves_of(scale)) {}
 
   void run() {
-    code_coarse_depth();
+    code_step_exponents();
     for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) code_coarse(s);
     std::fill_n(notes_.sums, coded_.signal_count, 0);
     std::fill_n(notes_.restless_signals, coded_.signal_count, 0);
@@ -105,7 +107,7 @@ class CoefficientCoder {
       notes_.rests[s].begin();
     }
     for (std::size_t scale = 0; scale < deviations_.size(); ++scale)
-      deviations_[scale] = 26 + (1 << 24) / kInverseScales[scale];
+      deviations_[scale] = kLeastDeviation + (1 << 24) / kInverseScales[scale];
     for (int b = 1; b < bands_.count; ++b) {
       std::swap(notes_.sums, notes_.sums_above);
       std::fill_n(notes_.sums, coded_.signal_count, 0);
@@ -116,30 +118,77 @@ class CoefficientCoder {
   }
 
  private:
-  /// What is around a coefficient, in the terms of the contexts.
-  struct Surroundings {
+  /// The values around value i of a band of a signal, with signs; 0 where there is none.
+  struct Around {
+    int own1, own2, own3;           // values i - 1, i - 2, i - 3
+    int parent1, parent2, parent3;  // of the band above: the nearest in time, then the others
+    int sibling_before, sibling, sibling_after;  // values i - 1, i, i + 1 of the sibling
+    int mirror_before, mirror, mirror_after;     // likewise
+    int before, earlier;                         // value i of signals s - 2 and s - 3
+  };
+
+  /// A band of a signal, and the columns of coefficients beside it; null where there is none.
+  struct Columns {
+    int signal;
     int level;
+    int density;  // degree of the band above
+    int first;    // of the band's values, in the signal
+    int size;
+    int parent_size;  // of the band above; 0 in the first band of details
+    std::int32_t* own;
+    const std::int32_t* parents;
+    const std::int32_t* sibling;
+    const std::int32_t* mirror;
+    const std::int32_t* before;
+    const std::int32_t* earlier;
+
+    int at(const std::int32_t* values, int i) const {
+      return values == nullptr || i < 0 || i >= size ? 0 : values[i];
+    }
+    int parent(int i) const { return i < 0 || i >= parent_size ? 0 : parents[i]; }
+    Around around(int i) const {
+      const int nearest = i / 2;
+      const int after = i % 2 != 0 ? 1 : -1;
+      return {at(own, i - 1),     at(own, i - 2),          at(own, i - 3),
+              parent(nearest),    parent(nearest + after), parent(nearest - after),
+              at(sibling, i - 1), at(sibling, i),          at(sibling, i + 1),
+              at(mirror, i - 1),  at(mirror, i),           at(mirror, i + 1),
+              at(before, i),      at(earlier, i)};
+    }
+  };
+
+  /// The same in the terms of the contexts.
+  struct Surroundings {
     int own;       // size of the two before
     int above;     // size of the two parents
-    int crowd;     // degree of what all signals so far did at that time
+    int crowd;     // degree of the sum over all signals so far, at that time
     int recent;    // degree of the running mean of the band
-    int density;   // degree of the band above
     int expected;  // half octaves of a weighted sum of all
+  };
+
+  /// The scale that a value is expected to have, and the sources of that.
+  struct ExpectedScale {
+    std::array<int, kScaleFeatures> features;
+    int unrest;            // 256ths of octaves
+    int scale;             // 0 ... kScales - 1
+    std::int32_t inverse;  // 65536 / scale
+  };
+
+  /// A value's prediction from others, which are its taps.
+  struct Predicted {
+    RestPrediction::Taps taps;
+    int by_squares;  // in normal values: 64ths of the scale
+    int rest;
+    int mean;  // of both, in 64ths of a step
   };
 
   template <std::size_t count, std::size_t opinion_count = 0>
   bool code(bool bit, const std::array<int, count>& contexts, int set,
             const std::array<std::int32_t, opinion_count>& opinions = {}) {
-    const auto at = static_cast<std::size_t>(set);
-    MixingWeights* of_scale = nullptr;
-    if constexpr (opinion_count > 0)
-      of_scale = &model_.weights_by_scale[at][static_cast<std::size_t>(scale_step_)];
     std::array<AdaptiveBit*, count> believed;
     for (std::size_t i = 0; i < count; ++i) believed[i] = &context_at(contexts[i]);
-    const Confidence* const confidence =
-        confidences_[static_cast<std::size_t>(MixingSets::kind_of(set))].data();
     using Mixed = MixedBit<count, opinion_count>;
-    Mixed mixed(believed, model_.weights[at], opinions, confidence, of_scale);
+    Mixed mixed(believed, model_.weights[static_cast<std::size_t>(set)], opinions);
     bit = bits_.code(bit, mixed.one());
     mixed.follow(bit, Mixed::kSlower);
     note(bit, contexts, set, opinions);
@@ -172,12 +221,7 @@ class CoefficientCoder {
   void note(bool bit, const std::array<int, count>& contexts, int set,
             const std::array<std::int32_t, opinion_count>& opinions) {
     if constexpr (requires(const BitSources& sources) { bits_.note(sources, bit); }) {
-      BitSources sources{{},
-                         {},
-                         static_cast<int>(count),
-                         static_cast<int>(opinion_count),
-                         set,
-                         opinion_count > 0 ? scale_step_ : -1};
+      BitSources sources{{}, {}, static_cast<int>(count), static_cast<int>(opinion_count), set};
       std::copy(contexts.begin(), contexts.end(), sources.contexts.begin());
       std::copy(opinions.begin(), opinions.end(), sources.opinions.begin());
       bits_.note(sources, bit);
@@ -229,25 +273,32 @@ class CoefficientCoder {
   }
 
   void begin_restless(int b);
-  void code_coarse_depth();
+  void code_step_exponents();
   void code_coarse(int s);
   bool code_significance(int b, int s, int density);
   int density_of(int b, int s) const;
+  Columns columns_of(int b, int s, int density) const;
   void code_band(int b, int s);
-  int code_magnitude(int magnitude, int s, const Surroundings& around,
+  Surroundings surroundings_of(const Columns& band, int i, const Around& around) const;
+  ExpectedScale expected_scale(const Columns& band, int i, const Around& around) const;
+  Predicted predict(const Columns& band, int i, const Around& around, std::int32_t inverse);
+  int code_value(int value, const Columns& band, int i, const Around& around,
+                 const Surroundings& near, ExpectedValue expected);
+  int code_magnitude(int magnitude, const Columns& band, const Surroundings& near,
                      const ExpectedValue& expected);
+  void follow(int value, const Columns& band, int i, const ExpectedScale& scale,
+              const Predicted& predicted);
 
   Bits& bits_;
   const SignalNeighbours* neighbours_;
   const Bands& bands_;
   CoefficientModel& model_;
   const ContextLayout& at_;
-  const Confidences& confidences_ = confidences();
   const PredictionKernels& kernels_ = best_prediction();
   QuantisedView coded_;
   CoderNotes notes_;
-  int coarse_depth_;     // of coarse samples whose step_exponent is 0, in half octaves
-  int scale_step_ = -1;  // of the value in hand
+  int coarse_depth_;  // of coarse samples whose step_exponent is 0, in half octaves
+  int recent_ = 0;    // running mean of the magnitudes of the band in hand, 64ths
   std::array<std::int32_t, kScales> deviations_;  // mean distances from predictions, 256ths
 };
 
@@ -266,23 +317,17 @@ void CoefficientCoder<Bits>::begin_restless(int b) {
 }
 
 template <typename Bits>
-void CoefficientCoder<Bits>::code_coarse_depth() {
-  constexpr int kMiddle = kFourthRelations / 2;
-  int before = 0;  // how far the last one was from what was expected of it
+void CoefficientCoder<Bits>::code_step_exponents() {
+  int before = 0;  // difference of the last one to the one it was expected to be
   for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) {
     const SignalNeighbours& neighbours = neighbours_[s];
     const bool mirrored = neighbours.mirror >= 0;
     const int model = mirrored ? neighbours.mirror : s - 1;
     const int expected = model < 0 ? 0 : coded_.step_exponent[model];
     std::int32_t& step_exponent = coded_.step_exponent[s];
-    const int beside =
-        neighbours.sibling < 0
-            ? 0
-            : kMiddle + std::clamp(coded_.step_exponent[neighbours.sibling] - expected, 1 - kMiddle,
-                                   kMiddle - 1);
     before = code_signed(step_exponent - expected, mirrored ? 1 : 0,
                          {neighbours.sibling == s - 1 ? 1 : 0, std::min(std::abs(before), 15),
-                          8 + std::clamp(before, -7, 7), beside});
+                          8 + std::clamp(before, -7, 7), 0});
     step_exponent = expected + before;
     if (step_exponent < kLeastStepExponent || step_exponent > kMostStepExponent) bits_.refuse();
   }
@@ -343,195 +388,172 @@ int CoefficientCoder<Bits>::density_of(int b, int s) const {
 }
 
 template <typename Bits>
-void CoefficientCoder<Bits>::code_band(int b, int s) {
-  const int density = density_of(b, s);
-  if (!code_significance(b, s, density)) return;
+typename CoefficientCoder<Bits>::Columns CoefficientCoder<Bits>::columns_of(int b, int s,
+                                                                            int density) const {
   const Band& band = bands_[b];
   const Band& upper = bands_[b - 1];
   const bool has_parents = b > 1;
+  const auto column = [&](int signal, const Band& in) {
+    return signal < 0 ? nullptr : coded_.signal(signal) + in.first;
+  };
   const SignalNeighbours& neighbours = neighbours_[s];
-  const auto column = [&](int of, const Band& in) {
-    return of < 0 ? nullptr : coded_.signal(of) + in.first;
-  };
-  std::int32_t* const own = column(s, band);
-  const std::int32_t* const parents = column(s, upper);
-  const std::int32_t* const sibling = column(neighbours.sibling, band);
-  const std::int32_t* const mirror = column(neighbours.mirror, band);
-  const std::int32_t* const before = column(s - 2, band);
-  const std::int32_t* const earlier = column(s - 3, band);
-  const auto& weights =
-      kScaleWeights[static_cast<std::size_t>(std::min(bands_.count - 1 - b, kScaleLevels - 1))];
-  const auto at = [](const std::int32_t* values, int i, int size) {
-    return values == nullptr || i < 0 || i >= size ? 0 : values[i];
-  };
-  const auto magnitude_at = [&](const std::int32_t* values, int i, int size) {
-    return std::abs(at(values, i, size));
-  };
+  return {.signal = s,
+          .level = std::min(bands_.count - 1 - b, kLevels - 1),
+          .density = density,
+          .first = band.first,
+          .size = band.size,
+          .parent_size = has_parents ? upper.size : 0,
+          .own = column(s, band),
+          .parents = column(s, upper),
+          .sibling = column(neighbours.sibling, band),
+          .mirror = column(neighbours.mirror, band),
+          .before = column(s - 2, band),
+          .earlier = column(s - 3, band)};
+}
 
-  Surroundings around{};
-  around.level = std::min(bands_.count - 1 - b, kLevels - 1);
-  around.density = density;
-  int recent = 0;  // 64ths
-  constexpr int kMostPredicted = 2 * SignalPrediction::kFarthest;
-  constexpr int kFurther = SignalPrediction::kTaps - 9;  // signals before: the first that least
-                                                         // squares do not look at
-  const int end_of_taps =
-      std::min(RestPrediction::kTaps, SignalPrediction::kTaps + std::max(s + 1 - kFurther, 0));
-  std::array<std::int32_t, RestPrediction::kTaps> around_it{};
+template <typename Bits>
+void CoefficientCoder<Bits>::code_band(int b, int s) {
+  const int density = density_of(b, s);
+  if (!code_significance(b, s, density)) return;
+  const Columns band = columns_of(b, s, density);
+  recent_ = 0;
   for (int i = 0; i < band.size && !bits_.failed(); ++i) {
-    const int own1 = magnitude_at(own, i - 1, band.size);
-    const int own2 = magnitude_at(own, i - 2, band.size);
-    const int own3 = magnitude_at(own, i - 3, band.size);
-    const int k = i / 2;  // the parent nearest in time, and the next
-    const int l = i % 2 != 0 ? k + 1 : k - 1;
-    const int above1 = has_parents ? magnitude_at(parents, k, upper.size) : 0;
-    const int above2 = has_parents ? magnitude_at(parents, l, upper.size) : 0;
-    const int beside = magnitude_at(sibling, i, band.size);
-    int* const activity = notes_.activity + i + 1;
-    const int busy = 2 * activity[0] + activity[-1] + activity[1];
-
-    around.own = size_of(2 * own1 + own2);
-    around.above = size_of(2 * above1 + above2);
-    around.crowd = s == 0 ? 0 : degree_of(8 * busy / s);
-    around.recent = degree_of(recent / 4);
-    const auto capped = [](int magnitude) { return std::min(magnitude, 255); };
-    around.expected = half_octave_of(20 * capped(own1) + 5 * capped(own2) + 3 * capped(own3) +
-                                     7 * capped(above1) + 2 * capped(above2) + 7 * capped(beside) +
-                                     14 * capped(magnitude_at(mirror, i, band.size)) +
-                                     (s == 0 ? 0 : 16 * activity[0] / s) + recent / 4);
-
-    int* const restless = notes_.restless + i + 1;
-    int& restless_signal = notes_.restless_signals[s];
-    const auto in_64ths = [](int magnitude) { return 64 * std::min(magnitude, 1 << 14); };
-    const auto size_at = [&](const std::int32_t* values, int at_i, int size) {
-      return in_64ths(magnitude_at(values, at_i, size));
-    };
-    const std::array<int, kScaleFeatures> features = {
-        in_64ths(own1),
-        in_64ths(own2),
-        in_64ths(own3),
-        in_64ths(above1),
-        in_64ths(above2),
-        has_parents ? size_at(parents, i % 2 != 0 ? k - 1 : k + 1, upper.size) : 0,
-        size_at(sibling, i - 1, band.size),
-        in_64ths(beside),
-        size_at(sibling, i + 1, band.size),
-        size_at(mirror, i - 1, band.size),
-        size_at(mirror, i, band.size),
-        size_at(mirror, i + 1, band.size),
-        s == 0 ? 0 : 64 * activity[0] / s,
-        s == 0 ? 0 : 64 * (activity[-1] + activity[1]) / s,
-        recent,
-        19,
-        size_at(before, i, band.size),
-        size_at(earlier, i, band.size)};
-    std::int32_t weighted = 6 << 10;
-    for (std::size_t f = 0; f < features.size(); ++f) weighted += weights[f] * features[f];
-    const int unrest = restless_signal + (3 * restless[0] + restless[-1] + restless[1]) / 4;
-    const int scale = std::clamp(
-        kScaleOfOne +
-            ((log2_256(static_cast<std::uint32_t>(weighted >> 10)) - 6 * 256 + unrest + 32) >> 6),
-        0, kScales - 1);
-    scale_step_ = MixingSets::scale_step(scale);
-    const std::int32_t inverse = kInverseScales[static_cast<std::size_t>(scale)];
-    around_it = {at(own, i - 1, band.size),
-                 at(own, i - 2, band.size),
-                 has_parents ? at(parents, k, upper.size) : 0,
-                 has_parents ? at(parents, l, upper.size) : 0,
-                 at(sibling, i - 1, band.size),
-                 at(sibling, i, band.size),
-                 at(sibling, i + 1, band.size),
-                 at(mirror, i - 1, band.size),
-                 at(mirror, i, band.size),
-                 at(mirror, i + 1, band.size)};
-    for (int t = 10, other = s - 1; t < SignalPrediction::kTaps; ++t, --other)
-      around_it[static_cast<std::size_t>(t)] =
-          other == neighbours.sibling ? 0 : at(column(other, band), i, band.size);
-    std::ptrdiff_t further = std::ptrdiff_t{s - kFurther} * coded_.length + band.first + i;
-    for (int t = SignalPrediction::kTaps; t < end_of_taps; ++t, further -= coded_.length)
-      around_it[static_cast<std::size_t>(t)] = coded_.values[further];
-    RestPrediction::Taps taps;
-    kernels_.normalise(around_it, inverse, taps);
-    SignalPrediction& prediction = notes_.predictions[s];
-    RestPrediction& rest = notes_.rests[s];
-    const int first_predicted = kernels_.of_signal(prediction, taps.data());
-    const int rest_predicted = kernels_.of_rest(rest, taps);
-    const int predicted =
-        std::clamp(first_predicted + rest_predicted, -kMostPredicted, kMostPredicted);
-    const int mean = predicted * 65536 / inverse;  // 64ths, at most 2^24
-    std::int32_t& deviation = deviations_[static_cast<std::size_t>(scale)];
-    ExpectedValue expected(mean, deviation);
-
-    const auto less = expected.down_from_minus(1);
-    const auto something = sum(expected.from(1), less);
-    constexpr ExpectedValue::Shares kAll = {ExpectedValue::kWhole, ExpectedValue::kWhole};
-
-    std::int32_t& value = own[i];
-    const auto on_zero = ExpectedValue::opinions(something, kAll);
-    const bool some =
-        code(value != 0,
-             {at_.zero_near.at(around.level, around.own, around.above),
-              at_.zero_crowd.at(around.crowd, around.own, around.above),
-              at_.zero_expected.at(around.level, around.expected), at_.zero_own.at(s, around.level),
-              at_.zero_opinion.at(around.level, opinion_step(on_zero[0]))},
-             MixingSets::kZero + around.level, on_zero);
-    int magnitude = 0;
-    if (some) {
-      const int own1_sign = sign_of(at(own, i - 1, band.size));
-      const int own2_sign = sign_of(at(own, i - 2, band.size));
-      const int above1_sign = has_parents ? sign_of(at(parents, k, upper.size)) : 0;
-      const int above2_sign = has_parents ? sign_of(at(parents, l, upper.size)) : 0;
-      const int sibling_sign = sign_of(at(sibling, i, band.size));
-      const auto on_sign = ExpectedValue::opinions(less, something);
-      const bool minus =
-          code(value < 0,
-               {at_.sign_near.at(around.level, own1_sign * kSigns + own2_sign, above1_sign),
-                at_.sign_above.at(above1_sign * kSigns + above2_sign, own1_sign, i % 2),
-                at_.sign_neighbours.at(s, sibling_sign, sign_of(at(mirror, i, band.size))),
-                at_.sign_before.at(s, sibling_sign, sign_of(at(before, i, band.size))),
-                at_.sign_opinion.at(around.level, opinion_step(on_sign[0]))},
-               MixingSets::kSign, on_sign);
-      expected.fold(minus);
-      magnitude = code_magnitude(std::abs(value), s, around, expected);
-      value = minus ? -magnitude : magnitude;
-    } else {
-      value = 0;
-    }
+    const Around around = band.around(i);
+    const ExpectedScale scale = expected_scale(band, i, around);
+    const Predicted predicted = predict(band, i, around, scale.inverse);
+    const ExpectedValue expected(predicted.mean,
+                                 deviations_[static_cast<std::size_t>(scale.scale)]);
+    std::int32_t& value = band.own[i];
+    value = code_value(value, band, i, around, surroundings_of(band, i, around), expected);
     if constexpr (requires(const ValueSources& sources) { bits_.note(sources); })
-      bits_.note(ValueSources{features, around.level, unrest, mean, value});
-    const std::int64_t distance = std::min<std::int64_t>(
-        std::abs((static_cast<std::int64_t>(value) << 6) - mean), 1 << 20);  // 64ths
-    deviation += static_cast<std::int32_t>((4 * distance - deviation) / 80);
-    const auto excess = static_cast<int>(
-        std::clamp<std::int64_t>((distance * inverse >> 14) - 256, -256, 512));  // 256ths
-    restless[0] = std::clamp(restless[0] + 60 * excess / 256, -2048, 2048);
-    restless_signal = std::clamp(restless_signal + 15 * excess / 256, -2048, 2048);
-    const int left = normalised(value, inverse) - first_predicted;
-    kernels_.signal_follows(prediction, taps.data(), left);
-    kernels_.rest_follows(rest, taps, left - rest_predicted);
-    recent += (64 * std::min(magnitude, 255) - recent) / 8;
-    activity[0] += std::min(magnitude, 8);
-    notes_.sums[s] += std::min(magnitude, 255);
+      bits_.note(ValueSources{scale.features, band.level, scale.unrest, predicted.mean, value});
+    follow(value, band, i, scale, predicted);
   }
+}
+
+template <typename Bits>
+typename CoefficientCoder<Bits>::Surroundings CoefficientCoder<Bits>::surroundings_of(
+    const Columns& band, int i, const Around& around) const {
+  const auto magnitude = [](int value) { return std::min(std::abs(value), kMostMagnitude); };
+  const int* const activity = notes_.activity + i + 1;
+  const int s = band.signal;
+  const int busy = 2 * activity[0] + activity[-1] + activity[1];
+  // An estimate of the magnitude in 64ths: each neighbour by how much it tells.
+  const int expected = 20 * magnitude(around.own1) + 5 * magnitude(around.own2) +
+                       3 * magnitude(around.own3) + 7 * magnitude(around.parent1) +
+                       2 * magnitude(around.parent2) + 7 * magnitude(around.sibling) +
+                       14 * magnitude(around.mirror) + (s == 0 ? 0 : 16 * activity[0] / s) +
+                       recent_ / 4;
+  return {.own = size_of(2 * std::abs(around.own1) + std::abs(around.own2)),
+          .above = size_of(2 * std::abs(around.parent1) + std::abs(around.parent2)),
+          .crowd = s == 0 ? 0 : degree_of(8 * busy / s),
+          .recent = degree_of(recent_ / 4),
+          .expected = half_octave_of(expected)};
+}
+
+template <typename Bits>
+typename CoefficientCoder<Bits>::ExpectedScale CoefficientCoder<Bits>::expected_scale(
+    const Columns& band, int i, const Around& around) const {
+  constexpr int kMostFeature = 1 << 14;
+  constexpr int kAlwaysThere = 19;  // a feature of every value, 64ths
+  const auto in_64ths = [&](int value) { return 64 * std::min(std::abs(value), kMostFeature); };
+  const int* const activity = notes_.activity + i + 1;
+  const int* const restless = notes_.restless + i + 1;
+  const int s = band.signal;
+  ExpectedScale expected{
+      .features = {
+          in_64ths(around.own1), in_64ths(around.own2), in_64ths(around.own3),
+          in_64ths(around.parent1), in_64ths(around.parent2), in_64ths(around.parent3),
+          in_64ths(around.sibling_before), in_64ths(around.sibling), in_64ths(around.sibling_after),
+          in_64ths(around.mirror_before), in_64ths(around.mirror), in_64ths(around.mirror_after),
+          s == 0 ? 0 : 64 * activity[0] / s, s == 0 ? 0 : 64 * (activity[-1] + activity[1]) / s,
+          recent_, kAlwaysThere, in_64ths(around.before), in_64ths(around.earlier)}};
+  const auto& weights = kScaleWeights[static_cast<std::size_t>(band.level)];
+  std::int32_t magnitude = kLeastExpected;  // 64 * 1024ths
+  for (std::size_t f = 0; f < weights.size(); ++f) magnitude += weights[f] * expected.features[f];
+  expected.unrest = notes_.restless_signals[s] + (3 * restless[0] + restless[-1] + restless[1]) / 4;
+  constexpr int kLog2Of64 = 6 * 256;
+  const int octaves_256 =
+      log2_256(static_cast<std::uint32_t>(magnitude >> 10)) - kLog2Of64 + expected.unrest;
+  expected.scale = std::clamp(kScaleOfOne + ((octaves_256 + 32) >> 6), 0, kScales - 1);
+  expected.inverse = kInverseScales[static_cast<std::size_t>(expected.scale)];
+  return expected;
+}
+
+template <typename Bits>
+typename CoefficientCoder<Bits>::Predicted CoefficientCoder<Bits>::predict(const Columns& band,
+                                                                           int i,
+                                                                           const Around& around,
+                                                                           std::int32_t inverse) {
+  constexpr int kMost = 2 * SignalPrediction::kFarthest;
+  constexpr int kNearTaps = 10;  // values of the signal itself, its parents, sibling and mirror
+  // The first signal before that least squares do not look at.
+  constexpr int kFurther = SignalPrediction::kTaps - kNearTaps + 1;
+  const int s = band.signal;
+  std::array<std::int32_t, RestPrediction::kTaps> values{
+      around.own1,           around.own2,        around.parent1,       around.parent2,
+      around.sibling_before, around.sibling,     around.sibling_after, around.mirror_before,
+      around.mirror,         around.mirror_after};
+  for (int t = kNearTaps, other = s - 1; t < SignalPrediction::kTaps && other >= 0; ++t, --other)
+    if (other != neighbours_[s].sibling)
+      values[static_cast<std::size_t>(t)] = coded_.signal(other)[band.first + i];
+  for (int t = SignalPrediction::kTaps, other = s - kFurther;
+       t < RestPrediction::kTaps && other >= 0; ++t, --other)
+    values[static_cast<std::size_t>(t)] = coded_.signal(other)[band.first + i];
+  Predicted predicted;
+  kernels_.normalise(values, inverse, predicted.taps);
+  predicted.by_squares = kernels_.of_signal(notes_.predictions[s], predicted.taps.data());
+  predicted.rest = kernels_.of_rest(notes_.rests[s], predicted.taps);
+  const int both = std::clamp(predicted.by_squares + predicted.rest, -kMost, kMost);
+  predicted.mean = both * 65536 / inverse;  // at most 2^24
+  return predicted;
+}
+
+template <typename Bits>
+int CoefficientCoder<Bits>::code_value(int value, const Columns& band, int i, const Around& around,
+                                       const Surroundings& near, ExpectedValue expected) {
+  const int s = band.signal;
+  const auto below_zero = expected.down_from_minus(1);
+  const auto not_zero = sum(expected.from(1), below_zero);
+  constexpr ExpectedValue::Shares kAll = {ExpectedValue::kWhole, ExpectedValue::kWhole};
+  const bool some =
+      code(value != 0,
+           {at_.zero_near.at(band.level, near.own, near.above),
+            at_.zero_crowd.at(near.crowd, near.own, near.above),
+            at_.zero_expected.at(band.level, near.expected), at_.zero_own.at(s, band.level)},
+           MixingSets::kZero + band.level, ExpectedValue::opinions(not_zero, kAll));
+  if (!some) return 0;
+  const int own1 = sign_of(around.own1);
+  const int parent1 = sign_of(around.parent1);
+  const int sibling = sign_of(around.sibling);
+  const bool minus =
+      code(value < 0,
+           {at_.sign_near.at(band.level, own1 * kSigns + sign_of(around.own2), parent1),
+            at_.sign_above.at(parent1 * kSigns + sign_of(around.parent2), own1, i % 2),
+            at_.sign_neighbours.at(s, sibling, sign_of(around.mirror)),
+            at_.sign_before.at(s, sibling, sign_of(around.before))},
+           MixingSets::kSign, ExpectedValue::opinions(below_zero, not_zero));
+  expected.fold(minus);
+  const int magnitude = code_magnitude(std::abs(value), band, near, expected);
+  return minus ? -magnitude : magnitude;
 }
 
 /// The number of digits in unary, then the digits below the first.
 template <typename Bits>
-int CoefficientCoder<Bits>::code_magnitude(int magnitude, int s, const Surroundings& around,
+int CoefficientCoder<Bits>::code_magnitude(int magnitude, const Columns& band,
+                                           const Surroundings& near,
                                            const ExpectedValue& expected) {
   constexpr int kMostDigits = 29;  // kMostSteps has as many
   const int wanted = digits_of(magnitude);
   int digits = 1;
-  auto all = expected.from(1);  // that are left, and those from the next digit on
+  auto all = expected.from(1);  // shares of the values that are left, and of those with more digits
   auto upper = expected.from(2);
   for (; digits < kMostDigits; ++digits) {
     const int k = std::min(digits, kClasses) - 1;
-    const auto opinions = ExpectedValue::opinions(upper, all);
     if (!code(digits < wanted,
-              {at_.class_recent.at(k, around.recent, around.density),
-               at_.class_expected.at(k, around.expected), at_.class_own.at(s, k),
-               at_.class_opinion.at(k, around.level, opinion_step(opinions[0]))},
-              MixingSets::kClass + k, opinions))
+              {at_.class_recent.at(k, near.recent, band.density),
+               at_.class_expected.at(k, near.expected), at_.class_own.at(band.signal, k)},
+              MixingSets::kClass + k, ExpectedValue::opinions(upper, all)))
       break;
     all = upper;
     upper = expected.from(std::int64_t{2} << digits);
@@ -542,21 +564,17 @@ int CoefficientCoder<Bits>::code_magnitude(int magnitude, int s, const Surroundi
   for (int d = digits - 2; d >= 0; --d) {
     bool digit = (magnitude >> d & 1) != 0;
     const auto in_upper_half = difference(expected.from((2 * std::int64_t{made} + 1) << d), upper);
-    const ExpectedValue::Opinions opinions = ExpectedValue::opinions(in_upper_half, all);
-    const int step = opinion_step(opinions[0]);
+    const auto opinions = ExpectedValue::opinions(in_upper_half, all);
     if (d == digits - 2)
-      digit = code(
-          digit,
-          {at_.top_expected.at(k, around.expected), at_.top_recent.at(k, around.recent, around.own),
-           at_.top_opinion.at(around.level, step)},
-          MixingSets::kTop, opinions);
+      digit =
+          code(digit,
+               {at_.top_expected.at(k, near.expected), at_.top_recent.at(k, near.recent, near.own)},
+               MixingSets::kTop, opinions);
     else if (d == digits - 3)
-      digit = code(digit,
-                   {at_.next_digit.at(k, made & 1, around.expected / 4),
-                    at_.next_opinion.at(around.level, step)},
-                   MixingSets::kNext, opinions);
+      digit = code(digit, {at_.next_digit.at(k, made & 1, near.expected / 4)}, MixingSets::kNext,
+                   opinions);
     else
-      digit = code(digit, {at_.lower_opinion.at(around.level, step)}, MixingSets::kLower, opinions);
+      digit = code(digit, std::array<int, 0>(), MixingSets::kLower, opinions);
     made = 2 * made + digit;
     if (digit) {
       all = in_upper_half;
@@ -567,6 +585,41 @@ int CoefficientCoder<Bits>::code_magnitude(int magnitude, int s, const Surroundi
   }
   if (made > kMostSteps) bits_.refuse();
   return made;
+}
+
+/// Everything that learns from a value once it is known.
+template <typename Bits>
+void CoefficientCoder<Bits>::follow(int value, const Columns& band, int i,
+                                    const ExpectedScale& scale, const Predicted& predicted) {
+  constexpr std::int64_t kMostDistance = 1 << 20;  // 64ths
+  constexpr int kDeviationMemory = 80;             // values
+  constexpr int kRestlessRate = 60;                // 256ths
+  constexpr int kRestlessRateOfSignal = 15;
+  constexpr int kMostRestless = 2048;
+  constexpr int kRecentMemory = 8;  // values
+  constexpr int kMostActivity = 8;  // of one value
+  const int s = band.signal;
+  const std::int64_t distance = std::min<std::int64_t>(
+      std::abs((static_cast<std::int64_t>(value) << 6) - predicted.mean), kMostDistance);
+  std::int32_t& deviation = deviations_[static_cast<std::size_t>(scale.scale)];
+  deviation += static_cast<std::int32_t>((4 * distance - deviation) / kDeviationMemory);
+
+  const auto excess = static_cast<int>(
+      std::clamp<std::int64_t>((distance * scale.inverse >> 14) - 256, -256, 512));  // 256ths
+  const auto grow = [&](int& restless, int rate) {
+    restless = std::clamp(restless + rate * excess / 256, -kMostRestless, kMostRestless);
+  };
+  grow(notes_.restless[i + 1], kRestlessRate);
+  grow(notes_.restless_signals[s], kRestlessRateOfSignal);
+
+  const int left = normalised(value, scale.inverse) - predicted.by_squares;
+  kernels_.signal_follows(notes_.predictions[s], predicted.taps.data(), left);
+  kernels_.rest_follows(notes_.rests[s], predicted.taps, left - predicted.rest);
+
+  const int magnitude = std::abs(value);
+  recent_ += (64 * std::min(magnitude, kMostMagnitude) - recent_) / kRecentMemory;
+  notes_.activity[i + 1] += std::min(magnitude, kMostActivity);
+  notes_.sums[s] += std::min(magnitude, kMostMagnitude);
 }
 
 }  // namespace mocapress::runtime

@@ -10,7 +10,6 @@ void CoefficientModel::begin_untaught() {
   std::fill_n(contexts, layout.end, AdaptiveBit());
   std::fill(contexts + layout.zero_own.first, contexts + layout.class_own.first, kSeldom);
   for (MixingWeights& set : weights) set.of.fill(65536 * 3 / 10);
-  for (auto& sets : weights_by_scale) sets.fill({});
 }
 
 void CoefficientModel::teach(std::string_view priors, std::string_view trust) {
@@ -25,12 +24,6 @@ void CoefficientModel::begin() {
   const std::span<const std::int16_t> shares = weight_priors();
   for (std::size_t i = 0; i < shares.size(); ++i)
     weights[i / MixingWeights::kMost].of[i % MixingWeights::kMost] = 64 * shares[i];
-  const std::int16_t* share = weight_priors_by_scale().data();
-  for (int set = 0; set < MixingSets::kCount; ++set) {
-    if (!MixingSets::has_scales(set)) continue;
-    for (MixingWeights& of_scale : weights_by_scale[static_cast<std::size_t>(set)])
-      for (std::int32_t& weight : of_scale.of) weight = 64 * *share++;
-  }
 }
 
 }  // namespace mocapress::runtime

@@ -33,7 +33,6 @@ inline constexpr int kNumberKinds = 6;
 inline constexpr int kNumberRelations = 16;
 inline constexpr int kFourthRelations = 32;
 inline constexpr int kSigns = 3;
-inline constexpr int kOpinionSteps = 32;  // opinion_step()
 
 /// Where each context is. Those before `shared` begin with what other clips taught; the others are
 /// each signal's own.
@@ -44,7 +43,6 @@ struct ContextLayout {
   ContextTable sign_near, sign_above;
   ContextTable significant_level, significant_neighbours, significant_length;
   ContextTable number_plain, number_first, number_second, number_third, number_top;
-  ContextTable zero_opinion, class_opinion, top_opinion, sign_opinion, next_opinion, lower_opinion;
   ContextTable number_fourth;
   int shared = 0;
   ContextTable zero_own, class_own, sign_neighbours, sign_before;
@@ -74,12 +72,6 @@ struct ContextLayout {
     number_second = table(kNumberKinds, kNumberRelations, 16);
     number_third = table(kNumberKinds, kNumberRelations, 16);
     number_top = table(kNumberKinds, 32);
-    zero_opinion = table(kLevels, kOpinionSteps);
-    class_opinion = table(kClasses, kLevels, kOpinionSteps);
-    top_opinion = table(kLevels, kOpinionSteps);
-    sign_opinion = table(kLevels, kOpinionSteps);
-    next_opinion = table(kLevels, kOpinionSteps);
-    lower_opinion = table(kLevels, kOpinionSteps);
     number_fourth = table(kNumberKinds, kFourthRelations, 16);
     shared = end;
     zero_own = table(signal_count, kLevels);
@@ -100,31 +92,9 @@ struct MixingSets {
   static constexpr int kNext = kNumber + kNumberKinds;
   static constexpr int kLower = kNext + 1;
   static constexpr int kCount = kLower + 1;
-
-  /// What is coded in a set, for what contexts are worth there.
-  static constexpr int kKinds = 8;
-  static constexpr int kind_of(int set) {
-    return set == kSignificant ? 0
-           : set < kClass      ? 1
-           : set < kTop        ? 2
-           : set == kTop       ? 3
-           : set == kSign      ? 4
-           : set < kNext       ? 5
-           : set == kNext      ? 6
-                               : 7;
-  }
-
-  /// The bits of values have further weights, chosen by the scale that is expected of them.
-  static constexpr int kScaleSteps = 8;
-  static constexpr bool has_scales(int set) {
-    return set != kSignificant && (set < kNumber || set >= kNext);
-  }
-  static constexpr int scale_step(int scale) { return std::min(scale / 4, kScaleSteps - 1); }
 };
 
-/// Of each kind of bit, of each of its contexts.
-inline constexpr int kMostContexts = 5;
-using Confidences = std::array<std::array<Confidence, kMostContexts>, MixingSets::kKinds>;
+inline constexpr int kMostContexts = 5;  // of a bit
 
 /// All that the coding has learned so far. `contexts` are layout.end, in memory of whoever made it.
 struct CoefficientModel {
@@ -143,8 +113,6 @@ struct CoefficientModel {
   ContextLayout layout;
   AdaptiveBit* contexts;
   std::array<MixingWeights, MixingSets::kCount> weights;
-  std::array<std::array<MixingWeights, MixingSets::kScaleSteps>, MixingSets::kCount>
-      weights_by_scale;
 };
 
 /// Binary digits of v >= 0.
@@ -167,11 +135,6 @@ inline int degree_of(int v) {
 inline int half_octave_of(int v) {
   const int digits = digits_of(v);
   return v < 2 ? v : std::min(2 * digits - 2 + (v >> (digits - 2) & 1), kExpectations - 1);
-}
-
-/// Log odds in half nats.
-inline int opinion_step(std::int32_t log_odds) {
-  return (log_odds + 2048) >> 7;
 }
 
 /// 0 1 2 for zero, minus, plus.

@@ -23,12 +23,6 @@ std::string_view context_trust();
 /// Initial mixing weights, MixingWeights::kMost per set; 1024 = 1.0.
 std::span<const std::int16_t> weight_priors();
 
-/// Initial mixing weights for each step of the scale, for the sets that depend on it.
-std::span<const std::int16_t> weight_priors_by_scale();
-
-/// Confidence of each context.
-const Confidences& confidences();
-
 /// Log odds of a character, in 256ths, -2048 ... 2048. '#' ... '|' without the backslash encode 44
 /// steps in either direction.
 constexpr std::optional<int> log_odds_of_prior(char letter) {

@@ -23,7 +23,7 @@ inline constexpr int kLastPose = 1;
 inline constexpr int kVelocity = 2;  // a frame, away from the end
 inline constexpr int kMostEnds = 3;
 inline constexpr int kFarthestReach = 127;             // frames
-inline constexpr std::uint8_t kVelocityFollows = 128;  // beside the reach of that end's pose
+inline constexpr std::uint8_t kVelocityFollows = 128;  // beside the reach of the last pose
 
 /// How much of what an end lacks goes to a frame so many frames from it, less than `reach`.
 inline float end_share(int end, int frames_away, int reach) {
@@ -40,17 +40,13 @@ inline double largest_end_share(int end, int reach) {
 /// How many frames have a share in what each of the three lacks.
 struct EndReaches {
   std::uint8_t frames[kMostEnds] = {};  // 0: nothing is added
-  std::uint8_t velocity_at_first = 0;   // 1: the velocity is that at the first frame
 
   bool any() const { return frames[kFirstPose] > 0; }
   int count() const { return frames[kVelocity] > 0 ? kMostEnds : kVelocity; }
-  bool is_at_first(int end) const {
-    return end == kFirstPose || (end == kVelocity && velocity_at_first != 0);
-  }
 
   /// How much of what an end lacks goes to a frame of a clip of so many.
   float share_at(int end, int frame, int frames_of_clip) const {
-    const int away = is_at_first(end) ? frame : frames_of_clip - 1 - frame;
+    const int away = end == kFirstPose ? frame : frames_of_clip - 1 - frame;
     return away < frames[end] ? end_share(end, away, frames[end]) : 0.0F;
   }
 };

@@ -288,23 +288,16 @@ mcpr_result read_ends(const Bytes& payload, FileSections& sections) {
   Cursor cursor(payload.data, payload.size, payload.offset);
   std::uint8_t* const reach = sections.end_reaches.frames;
   std::int8_t* const step_exponent = sections.end_step_exponent;
-  int velocities = 0;
-  for (int end : {kFirstPose, kLastPose}) {
-    reach[end] = cursor.read<std::uint8_t>();
-    if ((reach[end] & kVelocityFollows) == 0) continue;
-    reach[end] &= ~kVelocityFollows;
-    sections.end_reaches.velocity_at_first = end == kFirstPose ? 1 : 0;
-    ++velocities;
-  }
+  for (int end : {kFirstPose, kLastPose}) reach[end] = cursor.read<std::uint8_t>();
+  const bool has_velocity = (reach[kLastPose] & kVelocityFollows) != 0;
+  reach[kLastPose] &= ~kVelocityFollows;
   for (int end : {kFirstPose, kLastPose}) step_exponent[end] = cursor.read<std::int8_t>();
-  if (velocities > 0) {
+  if (has_velocity) {
     reach[kVelocity] = cursor.read<std::uint8_t>();
     step_exponent[kVelocity] = cursor.read<std::int8_t>();
   }
   if (cursor.failed()) return failure(MCPR_INVALID, payload.offset, "ENDS is too short");
-  if (velocities > 1)
-    return failure(MCPR_INVALID, payload.offset, "ENDS has a velocity at both ends");
-  for (int end = 0; end < kVelocity + velocities; ++end) {
+  for (int end = 0; end < kVelocity + (has_velocity ? 1 : 0); ++end) {
     if (reach[end] < 1 || reach[end] > sections.frames || reach[end] > kFarthestReach)
       return failure(MCPR_INVALID, payload.offset, "ENDS has an impossible reach");
     if (step_exponent[end] < kLeastEndStepExponent || step_exponent[end] > kMostEndStepExponent)

@@ -22,21 +22,9 @@ constexpr std::array<std::int32_t, AdaptiveBit::kSlowest + 1> rate_table() {
   return table;
 }
 
-constexpr std::array<std::uint8_t, AdaptiveBit::kSlowest + 1> seen_step_table() {
-  constexpr std::array<int, kSeenSteps> kMost = {1, 3, 8, 18, 39, 75, 249, 250};
-  std::array<std::uint8_t, AdaptiveBit::kSlowest + 1> table{};
-  int step = 0;
-  for (int seen = 0; seen <= AdaptiveBit::kSlowest; ++seen) {
-    if (seen > kMost[static_cast<std::size_t>(step)]) ++step;
-    table[static_cast<std::size_t>(seen)] = static_cast<std::uint8_t>(step);
-  }
-  return table;
-}
-
 }  // namespace
 
 constexpr std::array<std::int16_t, 4096> kStretched = stretch_table();
 constexpr std::array<std::int32_t, AdaptiveBit::kSlowest + 1> kRates = rate_table();
-constexpr std::array<std::uint8_t, AdaptiveBit::kSlowest + 1> kSeenStep = seen_step_table();
 
 }  // namespace mocapress::runtime

@@ -51,14 +51,6 @@ inline void AdaptiveBit::follow(bool bit) {
   if (seen < kSlowest) ++seen;
 }
 
-/// How far the log odds of a context count, by how often it has seen a bit: 256 = as they are. Few
-/// bits say little, and many bits of long ago may say too much.
-inline constexpr int kSeenSteps = 8;
-using Confidence = std::array<std::int16_t, kSeenSteps>;
-
-/// Which of them, by `seen`.
-extern const std::array<std::uint8_t, AdaptiveBit::kSlowest + 1> kSeenStep;
-
 /// How much each of several contexts is to be believed. Integers, 65536 = once.
 struct MixingWeights {
   static constexpr std::size_t kMost = 8;
@@ -75,23 +67,14 @@ class MixedBit {
   static_assert(kAll <= MixingWeights::kMost);
 
   /// `opinions` are log odds that come from elsewhere; their weights follow those of the contexts.
-  /// `confidences` are of each context, if they differ from 1. Weights of `more` are added to
-  /// `weights`, and learn as those do.
   MixedBit(const std::array<AdaptiveBit*, count>& contexts, MixingWeights& weights,
-           const std::array<std::int32_t, opinion_count>& opinions = {},
-           const Confidence* confidences = nullptr, MixingWeights* more = nullptr)
-      : contexts_(contexts), weights_(weights), more_(more) {
-    for (std::size_t i = 0; i < count; ++i) {
-      evidence_[i] = kStretched[contexts[i]->one >> 4];
-      if (confidences != nullptr)
-        evidence_[i] = evidence_[i] * confidences[i][kSeenStep[contexts[i]->seen]] >> 8;
-    }
+           const std::array<std::int32_t, opinion_count>& opinions = {})
+      : contexts_(contexts), weights_(weights) {
+    for (std::size_t i = 0; i < count; ++i) evidence_[i] = kStretched[contexts[i]->one >> 4];
     std::copy(opinions.begin(), opinions.end(), evidence_.begin() + count);
     std::int64_t sum = 0;
-    for (std::size_t i = 0; i < kAll; ++i) {
-      const std::int64_t weight = weights.of[i] + (more == nullptr ? 0 : more->of[i]);
-      sum += weight * evidence_[i];
-    }
+    for (std::size_t i = 0; i < kAll; ++i)
+      sum += static_cast<std::int64_t>(weights.of[i]) * evidence_[i];
     const auto log_odds = std::clamp<std::int64_t>(sum >> 16, -kLogOddsRange, kLogOddsRange);
     one_ = static_cast<Probability>(squash(static_cast<std::int32_t>(log_odds)));
   }
@@ -110,12 +93,8 @@ class MixedBit {
       // 65536ths of weight; the product fits 64 bits by far.
       const std::int64_t step = static_cast<std::int64_t>(surprise) * evidence_[i] * kRate;
       const std::int64_t change = (step + (std::int64_t{1} << (slowness - 1))) >> slowness;
-      const auto follow = [&](std::int32_t& weight) {
-        weight =
-            static_cast<std::int32_t>(std::clamp<std::int64_t>(weight + change, -kMost, kMost));
-      };
-      follow(weights_.of[i]);
-      if (more_ != nullptr) follow(more_->of[i]);
+      weights_.of[i] = static_cast<std::int32_t>(
+          std::clamp<std::int64_t>(weights_.of[i] + change, -kMost, kMost));
     }
     for (AdaptiveBit* const context : contexts_) context->follow(bit);
   }
@@ -123,7 +102,6 @@ class MixedBit {
  private:
   const std::array<AdaptiveBit*, count> contexts_;
   MixingWeights& weights_;
-  MixingWeights* more_;
   std::array<std::int32_t, kAll> evidence_;  // log odds
   Probability one_;
 };

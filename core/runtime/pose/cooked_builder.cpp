@@ -175,7 +175,7 @@ void CookedBuilder::lay_out_ends(CookedBlock& block, mcpr_cooked& head) {
   std::uint32_t values_at = 0;
   auto* values = block.reserve_for<std::int16_t>(count, values_at);
   for (int end = 0; values != nullptr && end < ends; ++end) {
-    coefficients_.load(head.end_reaches.is_at_first(end) ? 0 : head.segments - 1);
+    coefficients_.load(end == kFirstPose ? 0 : head.segments - 1);
     const auto in_steps = [&](int c) {
       return lacking(end, c) / (coefficients_.step(columns_.column(c).channel) * 0x1p-15);
     };

@@ -60,7 +60,7 @@ void CookedCoefficients::decode_corrected() {
   for (int end = 0; end < kMostEnds; ++end) {
     const int reach = std::min<int>(clip_.end_reaches.frames[end], frames);
     for (int away = 0; away < reach; ++away) {
-      const int frame = clip_.end_reaches.is_at_first(end) ? away : frames - 1 - away;
+      const int frame = end == kFirstPose ? away : frames - 1 - away;
       float* const row =
           corrected_ + std::ptrdiff_t{frame} * static_cast<std::ptrdiff_t>(clip_.channel_count);
       for (int c = 0; c < channel_count(); ++c)

@@ -160,7 +160,7 @@ class Sampler {
   }
 
   void add_end(int end, float share) {
-    const int segment = clip_.end_reaches.is_at_first(end) ? 0 : clip_.segments - 1;
+    const int segment = end == kFirstPose ? 0 : clip_.segments - 1;
     const auto* lacking = clip_.at<std::int16_t>(clip_.end_values()) + clip_.lacking_before(end);
     for (int p = 0; p < clip_.parts; ++p) {
       const CookedPart& part = clip_.part(p);

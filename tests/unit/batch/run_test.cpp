@@ -539,10 +539,10 @@ TEST_F(BatchRun, EveryReportHasAnglesBesideDistances) {
   for (const BatchRow& row : rows()) {
     const BodyFigures& body = row.measured->body;
     EXPECT_GT(body.angle_rms_degrees, 0);
-    EXPECT_FALSE(body.head_degrees);  // the skeleton has none
+    EXPECT_FALSE(body.head);  // the skeleton has none
     EXPECT_THAT(page, HasSubstr("<td>" + format_significant(body.angle_rms_degrees) +
                                 "&#176;</td><td>&#8211;</td><td>" +
-                                format_significant(body.hand_degrees.value()) + "&#176;</td>"));
+                                format_significant(body.hand.value().rms_degrees) + "&#176;</td>"));
     EXPECT_THAT(table, HasSubstr("," + shortest_text(body.angle_rms_degrees) + ","));
   }
 }

@@ -142,7 +142,7 @@ TEST(ReportTables, TellByHowManyDegreesJointsHeadAndHandsAreTurned) {
   auto rows = known_rows();
   for (StudyRow& row : rows) {
     row.measured->body.angle_rms_degrees = row.settings.target.value / 10;
-    row.measured->body.hand_degrees = 7.25;
+    row.measured->body.hand = PartTurn{7.25, 9};
   }
   const std::string table = angle_table(Results(rows));
   EXPECT_THAT(table, HasSubstr("At 40:1"));  // of 10 and 40 nearer to the paper's 30

@@ -26,6 +26,17 @@ constexpr int kMostFrames = 2048;  // at a time
 constexpr double kWorthIt = 0.98;  // of the bits; a skeleton as it came is worth something too
 constexpr double kTurnedBits = 40;  // as counted here, for what turned axes take in the file
 
+/// Whether a joint may be given by other angles. Where one of its angles stands still, it would not
+/// among others.
+bool may_choose(const Skeleton& skeleton, const std::vector<bool>& still, int j) {
+  if (!turns_freely(skeleton.joint(j))) return false;
+  const int first = skeleton.first_channel(j);
+  const auto channels = static_cast<int>(skeleton.joint(j).channels.size());
+  for (int c = first; c < first + channels; ++c)
+    if (is_rotation(skeleton.channel_kind(c)) && still[static_cast<std::size_t>(c)]) return false;
+  return true;
+}
+
 /// About turned axes with the twist innermost.
 constexpr std::array<RotationOrder, 2> kTurnedOrders = {RotationOrder::Yzx, RotationOrder::Zyx};
 constexpr std::size_t kCandidates = kRotationOrders + kTurnedOrders.size();
@@ -203,7 +214,7 @@ struct Count {
   RotationForms turned;
 };
 
-Count count_bits(const Motion& motion) {
+Count count_bits(const Motion& motion, const std::vector<bool>& still) {
   const MeasuredPoints measured = measured_points(motion.skeleton, Weighting::Surface);
   const auto step_at = [&](double rate) {
     return std::max(1, static_cast<int>(std::lround(motion.clip.sample_rate_hz / rate)));
@@ -216,7 +227,7 @@ Count count_bits(const Motion& motion) {
     const Turns turns(motion, measured, first, step);
     parallel_for(0, motion.skeleton.joint_count(), [&](int j) {
       const Joint& joint = motion.skeleton.joint(j);
-      if (!turns_freely(joint)) return;
+      if (!may_choose(motion.skeleton, still, j)) return;
       Bits& bits = count.bits[static_cast<std::size_t>(j)];
       for (std::size_t o = 0; o < kRotationOrders; ++o)
         bits[o] += turns.bits(j, {static_cast<RotationOrder>(o)});
@@ -248,7 +259,8 @@ std::vector<int> mirrors_of(const Skeleton& skeleton) {
 
 RotationForms choose_forms(const Motion& motion) {
   const Skeleton& skeleton = motion.skeleton;
-  auto [bits, turned] = count_bits(motion);
+  const std::vector<bool> still = still_channels(motion.clip);
+  auto [bits, turned] = count_bits(motion, still);
   const std::vector<int> mirrors = mirrors_of(skeleton);
   RotationForms forms = rotation_forms(skeleton);
   for (std::size_t j = 0; j < forms.size(); ++j)
@@ -258,14 +270,14 @@ RotationForms choose_forms(const Motion& motion) {
                        : std::numeric_limits<double>::infinity();
   // The first of several that mirror one another chooses for all.
   const auto follows = [&](std::size_t j) {
-    return mirrors[j] >= 0 && turns_freely(skeleton.joint(mirrors[j]));
+    return mirrors[j] >= 0 && may_choose(skeleton, still, mirrors[j]);
   };
   for (std::size_t j = forms.size(); j-- > 0;)
     if (follows(j))
       for (std::size_t o = 0; o < kCandidates; ++o)
         bits[static_cast<std::size_t>(mirrors[j])][o] += bits[j][o];
   for (std::size_t j = 0; j < forms.size(); ++j) {
-    if (!turns_freely(skeleton.joints()[j])) continue;
+    if (!may_choose(skeleton, still, static_cast<int>(j))) continue;
     if (follows(j)) {
       const RotationForm& leader = forms[static_cast<std::size_t>(mirrors[j])];
       if (leader.has_fixed_turns()) forms[j] = turned[j];

@@ -20,6 +20,7 @@ ClosedLoop::ClosedLoop(const Coefficients& transform, const Clip& original, cons
       original_(original),
       model_(model),
       functions_(transform.lifting),
+      still_(still_channels(original)),
       curvature_(Eigen::MatrixXf::Zero(original.frames() + ShortFunction::kVector,
                                        model.curvature().cols())) {
   const std::vector<double> gains = transform.lifting.gains();

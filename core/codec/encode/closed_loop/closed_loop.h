@@ -21,7 +21,8 @@ struct ClosedLoopProgress {
 
 /// Quantisation and the trade between channels decided together, by what they do to eps_x.
 ///
-/// A channel's step is in inverse proportion to how far the channel moves the landmarks. After that
+/// A channel's step is in inverse proportion to how far the channel moves the landmarks. A channel
+/// that stands still in the original is coded as one value, and nothing moves it. After that
 /// the loop changes single coefficients. It weighs what a change costs in eps_x^2, given the errors
 /// of all others, against the bits that it saves. So a knee makes up for an error of the hip. Const
 /// and safe to use from several threads at a time; the outcome is always the same.
@@ -78,6 +79,7 @@ class ClosedLoop {
   const Clip& original_;
   const ErrorModel& model_;
   ShortFunctions functions_;
+  std::vector<bool> still_;  // channels that stand still in the original
   Eigen::VectorXd gains_;
   // Of the model, nowhere zero; and zeros for so many frames that vectors may go beyond the last.
   Eigen::MatrixXf curvature_;

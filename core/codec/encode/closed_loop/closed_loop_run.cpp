@@ -58,10 +58,7 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, double scale,
                              const Eigen::VectorXd& frame_weights)
     : ClosedLoopRun(loop, frame_weights) {
   coded_.scale = file_scale(scale);
-  for (int j = 0; j < channels(); ++j)
-    coded_.step_exponent.push_back(
-        std::clamp(static_cast<int>(std::lround(kStepPower * std::log2(loop.mean_curvature_(j)))),
-                   kLeastStepExponent, kMostStepExponent));
+  for (int j = 0; j < channels(); ++j) coded_.step_exponent.push_back(step_exponent_of(j));
   coded_.values.resize(loop.transform_.per_channel(), channels());
   const Eigen::ArrayXf nothing = Eigen::ArrayXf::Zero(coded_.values.rows());
   for (int j = 0; j < channels(); ++j) coded_.values.col(j) = quantised(j, nothing);
@@ -201,6 +198,7 @@ void ClosedLoopRun::move(int j, const Samples& gradient, const Samples& delta) {
 
 void ClosedLoopRun::compensate(int j) {
   constexpr float kDamping = 0.1F;
+  if (is_still(j)) return;
   const Eigen::Index frames = errors_.rows();
   const auto curve = curvature().col(j).head(frames).array();
   const auto gradient = gradient_.head(frames);
@@ -235,6 +233,7 @@ void ClosedLoopRun::sweep(int j) {
   const float* const curve = curvature().col(j).data();
   const float* const coefficient_curve = coefficient_curvature().col(j).data();
   if (bound_) bound_->next();
+  if (is_still(j)) return;
   find_slopes();
   // Where moves have changed the gradient, slopes are no longer what they were.
   int first_changed = static_cast<int>(frames);
@@ -283,6 +282,14 @@ double ClosedLoopRun::total_bits() {
   double bits = 0;
   for (int j = 0; j < channels(); ++j) bits += rates_.bits(values_of(j), magnitudes_of(j));
   return bits;
+}
+
+int ClosedLoopRun::step_exponent_of(int j) const {
+  // A sixteenth of the scale, whatever the channel moves: the same in all segments of a clip.
+  constexpr int kOfStill = 8;
+  if (is_still(j) && !loop_.original_.channels.col(j).isZero()) return kOfStill;
+  const double exponent = kStepPower * std::log2(loop_.mean_curvature_(j));
+  return std::clamp(static_cast<int>(std::lround(exponent)), kLeastStepExponent, kMostStepExponent);
 }
 
 Eigen::VectorXi ClosedLoopRun::quantised(int j, const Samples& less) const {
@@ -472,6 +479,7 @@ void ClosedLoopRun::find_energy() {
 
 void ClosedLoopRun::find_taking_part(int j, int b) {
   constexpr double kPromising = 0.4;  // steps that a zero needs by itself to take part
+  if (is_still(j)) return;
   visit_where(bands_[static_cast<std::size_t>(b)], values_of(j), together_.slopes.col(j).data(),
               coefficient_curvature().col(j).data(), static_cast<float>(kPromising * step_in(j, b)),
               [&](int c) {

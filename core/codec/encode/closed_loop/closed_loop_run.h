@@ -105,6 +105,7 @@ class ClosedLoopRun {
   void find_energy();
 
   int channels() const { return loop_.transform_.channels(); }
+  bool is_still(int j) const { return loop_.still_[static_cast<std::size_t>(j)]; }
   double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit
 
   /// The same of a coefficient, whatever its channel.
@@ -128,6 +129,10 @@ class ClosedLoopRun {
 
   /// By rates learned from the values as they are.
   double total_bits();
+
+  /// By the channel's curvature; finer where it stands still, for its error stays for the whole
+  /// clip.
+  int step_exponent_of(int j) const;
 
   /// The coefficients of a channel in whole steps, each after so much was taken off it.
   Eigen::VectorXi quantised(int j, const Samples& less) const;

@@ -23,11 +23,9 @@ std::vector<Landmark> bounded_points(const Skeleton& skeleton, Weighting weighti
 
 }  // namespace
 
-ErrorBound::ErrorBound(const Motion& original, Weighting weighting, const Eigen::VectorXd& bound_cm,
-                       std::vector<bool> still)
+ErrorBound::ErrorBound(const Motion& original, Weighting weighting, const Eigen::VectorXd& bound_cm)
     : skeleton_(original.skeleton),
       squared_bound_(bound_cm.array().square()),
-      still_(std::move(still)),
       points_(bounded_points(original.skeleton, weighting)),
       original_tracks_(point_tracks(original.skeleton, points_, original.clip)) {}
 
@@ -45,8 +43,7 @@ void ErrorBound::begin(const Clip& decoded) {
 double ErrorBound::furthest() const {
   double furthest = 0;
   for (Eigen::Index p = 0; p < squared_.cols() && squared_.rows() > 0; ++p)
-    if (!is_still(points_[static_cast<std::size_t>(p)].joint))
-      furthest = std::max(furthest, (squared_.col(p).array() / squared_bound_).maxCoeff());
+    furthest = std::max(furthest, (squared_.col(p).array() / squared_bound_).maxCoeff());
   return std::sqrt(furthest);
 }
 
@@ -92,7 +89,6 @@ void ErrorBound::enter_joint(int joint) {
 
 void ErrorBound::find_moved() {
   moved_count_ = 0;
-  if (is_still(joint_)) return;
   const ChannelKind kind = skeleton_.channel_kind(channel_);
   const bool turns = is_rotation(kind);
   const int parent = skeleton_.joint(joint_).parent;
@@ -145,7 +141,6 @@ MovedFrames ErrorBound::frames_of(Moved& moved, Eigen::Index first_frame) {
 }
 
 bool ErrorBound::allows(Eigen::Index first_frame, const Eigen::VectorXd& delta) {
-  if (is_still(joint_)) return false;
   const Step step = step_of(delta);
   const double* const bound = squared_bound_.data() + first_frame;
   for (std::size_t i = 0; i < moved_count_; ++i) {

@@ -14,15 +14,14 @@ namespace mocapress {
 /// piece.
 class ErrorBound {
  public:
-  /// A bound for each frame. Channels of joints that are `still` may not change; empty: none is.
+  /// A bound for each frame.
   /// The motion must outlive this.
-  ErrorBound(const Motion& original, Weighting weighting, const Eigen::VectorXd& bound_cm,
-             std::vector<bool> still = {});
+  ErrorBound(const Motion& original, Weighting weighting, const Eigen::VectorXd& bound_cm);
 
   /// Begins a pass over the channels of this clip.
   void begin(const Clip& decoded);
 
-  /// The largest distance over its bound, of points whose joints are not still.
+  /// The largest distance over its bound.
   double furthest() const;
 
   /// Goes on to the next channel, 0 first.
@@ -55,9 +54,6 @@ class ErrorBound {
   void enter_joint(int joint);
   void find_moved();
   bool is_at_or_below(int joint, int other) const;
-  bool is_still(int joint) const {
-    return !still_.empty() && still_[static_cast<std::size_t>(joint)];
-  }
   Step step_of(const Eigen::VectorXd& delta) const;
 
   /// From that frame on.
@@ -65,7 +61,6 @@ class ErrorBound {
 
   const Skeleton& skeleton_;
   const Eigen::ArrayXd squared_bound_;     // of each frame
-  const std::vector<bool> still_;          // joints
   const std::vector<Landmark> points_;     // joints' origins first
   const Eigen::MatrixXd original_tracks_;  // of them
   Eigen::MatrixXd channels_;               // frames x channels

@@ -92,20 +92,6 @@ std::vector<PointResponse> CorrectionEncoder::responses(
   return responses;
 }
 
-std::vector<bool> CorrectionEncoder::reached_joints() const {
-  std::vector<bool> reached(static_cast<std::size_t>(skeleton_.joint_count()));
-  for (const Effector& effector : effectors_)
-    for (const int turned : effector.chain) reached[static_cast<std::size_t>(turned)] = true;
-  for (std::size_t j = 1; j < reached.size(); ++j) {  // parents come before their children
-    const int parent = skeleton_.joint(static_cast<int>(j)).parent;
-    if (reached[static_cast<std::size_t>(parent)]) reached[j] = true;
-  }
-  for (const Effector& effector : effectors_)
-    for (int j = effector.joint; j >= 0; j = skeleton_.joint(j).parent)
-      reached[static_cast<std::size_t>(j)] = true;
-  return reached;
-}
-
 /// Elsewhere a point stays where the motion leaves it.
 void CorrectionEncoder::limit_to_contacts(const std::vector<Effector>& effectors,
                                           PointResponse& response) const {

@@ -26,10 +26,6 @@ class CorrectionEncoder {
   std::vector<PointResponse> responses(const Clip& original,
                                        const Eigen::MatrixXd& original_tracks) const;
 
-  /// For each joint, whether it moves an effector or moves with what the correction turns. Channels
-  /// of other joints may change without changing the correction, and are decoded as they are.
-  std::vector<bool> reached_joints() const;
-
   CodedCorrection correction() const { return {solver_, effectors_}; }
 
   /// Chooses total / ratio coefficients for the differences.

@@ -28,7 +28,6 @@ struct Tolerance {
 
 constexpr double kEven = 0.9;  // of the target
 constexpr double kExact = 0.1;
-constexpr int kRowsOfVelocity = 8;  // at an end, where one can be coded
 
 Tolerance tolerance_of(const EncodeOptions& options, double share, double eps_cm) {
   const bool at_most = options.target.kind == Target::Kind::MaxError;
@@ -36,18 +35,24 @@ Tolerance tolerance_of(const EncodeOptions& options, double share, double eps_cm
   return {options.weighting, share * (is_error ? options.target.value : eps_cm), at_most};
 }
 
-/// Angles by the shorter way round.
-Eigen::RowVectorXd lacking(const Skeleton& skeleton, const Eigen::RowVectorXd& original,
-                           const Eigen::RowVectorXd& decoded) {
-  Eigen::RowVectorXd difference = original - decoded;
-  Eigen::Index c = 0;
-  for (const Joint& joint : skeleton.joints())
-    for (const ChannelKind kind : joint.channels) {
-      if (is_rotation(kind)) difference(c) = std::remainder(difference(c), 2 * std::numbers::pi);
-      ++c;
-    }
-  return difference;
-}
+/// The channels of an end, of which those that move in the clip may be mended.
+struct EndChannels {
+  const Skeleton& skeleton;
+  const std::vector<bool>& still;
+
+  /// What is lacking to the original: angles by the shorter way round, nothing of what stands
+  /// still.
+  Eigen::RowVectorXd lacking(const Eigen::RowVectorXd& original,
+                             const Eigen::RowVectorXd& decoded) const {
+    Eigen::RowVectorXd difference = original - decoded;
+    for (int c = 0; c < skeleton.channel_count(); ++c)
+      if (still[static_cast<std::size_t>(c)])
+        difference(c) = 0;
+      else if (is_rotation(skeleton.channel_kind(c)))
+        difference(c) = std::remainder(difference(c), 2 * std::numbers::pi);
+    return difference;
+  }
+};
 
 /// Counts the bits that a range coder would take.
 struct CountedBits {
@@ -76,16 +81,16 @@ double bits_of(const Eigen::VectorXi& whole) {
 /// is the original's pose but for `error`, in channels.
 class End {
  public:
-  End(const Skeleton& skeleton, const Eigen::MatrixXd& original, Eigen::MatrixXd decoded,
+  End(const EndChannels& channels, const Eigen::MatrixXd& original, Eigen::MatrixXd decoded,
       const Tolerance& tolerance, const Eigen::RowVectorXd& error)
-      : skeleton_(skeleton),
+      : channels_(channels),
         tolerance_(tolerance),
-        errors_(skeleton, tolerance.weighting),
+        errors_(channels.skeleton, tolerance.weighting),
         original_(tracks(original)),
-        wanted_pose_(original.row(0) + error),
-        wanted_(tracks(wanted_pose_)),
         decoded_(std::move(decoded)),
-        lacking_(lacking(skeleton, wanted_pose_, decoded_.row(0))) {}
+        lacking_(channels.lacking(original.row(0) + error, decoded_.row(0))),
+        wanted_pose_(decoded_.row(0) + lacking_),
+        wanted_(tracks(wanted_pose_)) {}
 
   /// What becomes of the frames beside it where so many take part.
   struct Reach {
@@ -162,10 +167,11 @@ class End {
  private:
   /// The squared error of small differences of channels is d gram d^T.
   Eigen::MatrixXd gram_of_pose() const {
-    const ErrorModel model(skeleton_, Clip{1, wanted_pose_}, tolerance_.weighting);
-    Eigen::MatrixXd gram(lacking_.size(), lacking_.size());
+    const ErrorModel model(channels_.skeleton, Clip{1, wanted_pose_}, tolerance_.weighting);
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(lacking_.size(), lacking_.size());
     const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
     for (int c = 0; c < model.channels(); ++c) {
+      if (channels_.still[static_cast<std::size_t>(c)]) continue;
       Eigen::MatrixXd row = Eigen::MatrixXd::Zero(1, model.channels());
       model.add_to_gradient(c, one, row);
       gram.col(c) = row.transpose();
@@ -239,17 +245,17 @@ class End {
   }
 
   Eigen::MatrixXd tracks(const Eigen::MatrixXd& channels) const {
-    return body_tracks(skeleton_, {1, channels});
+    return body_tracks(channels_.skeleton, {1, channels});
   }
 
-  const Skeleton& skeleton_;
+  const EndChannels& channels_;
   Tolerance tolerance_;
   PointErrors errors_;
   Eigen::MatrixXd original_;
-  Eigen::RowVectorXd wanted_pose_;
-  Eigen::MatrixXd wanted_;  // tracks of it: one row
   Eigen::MatrixXd decoded_;
   Eigen::RowVectorXd lacking_;
+  Eigen::RowVectorXd wanted_pose_;
+  Eigen::MatrixXd wanted_;  // tracks of it: one row
 };
 
 /// As far as the errors of neighbouring frames are alike.
@@ -296,130 +302,19 @@ std::array<Eigen::MatrixXd, 2> decoded_at_ends(const CompressedClip& compressed,
   return found;
 }
 
-/// The few frames at an end of a clip, that one first, and what a velocity there makes of them.
-class FewFrames {
- public:
-  /// Frames in channels, as many as the longest reach or more; the steps of their segment; and what
-  /// the clip is off. References must outlive this.
-  FewFrames(const Skeleton& skeleton, const Eigen::MatrixXd& original, Eigen::MatrixXd decoded,
-            const std::vector<float>& steps, const Tolerance& clip)
-      : skeleton_(skeleton),
-        clip_(clip),
-        errors_(skeleton, clip.weighting),
-        original_(original),
-        decoded_(std::move(decoded)),
-        steps_(steps) {}
-
-  /// How many times as far off as the clip they are, RMS, with that velocity. Where it reaches
-  /// further, those frames count, too, if they are worse.
-  double off_with(const Eigen::RowVectorXd& velocity, int reach) const {
-    Eigen::MatrixXd with = decoded_.topRows(std::max(kFew, reach));
-    for (int away = 1; away < reach; ++away) with.row(away) += share(away, reach) * velocity;
-    const auto tracks = [&](const Eigen::MatrixXd& channels) {
-      return body_tracks(skeleton_, {1, channels});
-    };
-    const Eigen::VectorXd squared =
-        errors_.squared(tracks(original_.topRows(with.rows())), tracks(with)) *
-        errors_.measured().weights;
-    return std::sqrt(std::max(squared.head(kFew).mean(), squared.mean())) / clip_.cm;
-  }
-  double off() const { return off_with(Eigen::RowVectorXd::Zero(decoded_.cols()), 1); }
-
-  struct Mend {
-    int reach = 0;
-    int step_exponent = 0;
-    Eigen::VectorXi steps;
-    double off = 0;
-  };
-
-  /// What takes the fewest bits of what leaves them at most so far off, else what brings them
-  /// nearest.
-  Mend cheapest(double most_off) const {
-    Mend best;
-    double least_bits = std::numeric_limits<double>::infinity();
-    for (const int reach : kReaches) {
-      Mend mend = with_reach(reach, most_off);
-      const double bits =
-          mend.off <= most_off ? bits_of(mend.steps) : std::numeric_limits<double>::infinity();
-      const bool is_better = bits < least_bits || (bits == least_bits && mend.off < best.off);
-      if (best.reach > 0 && !is_better) continue;
-      least_bits = bits;
-      best = std::move(mend);
-    }
-    return best;
-  }
-
- private:
-  static constexpr int kFew = 4;
-  static constexpr std::array kReaches = {3, 4, 6, 8};
-
-  static double share(int away, int reach) {
-    if (away >= reach) return 0;
-    return static_cast<double>(runtime::end_share(runtime::kVelocity, away, reach));
-  }
-
-  /// The velocity that suits the frames best, as exact as need be.
-  Mend with_reach(int reach, double most_off) const {
-    constexpr double kLeast = 0.1;  // squared: what its steps may add, if nothing will do
-    Eigen::RowVectorXd velocity = Eigen::RowVectorXd::Zero(decoded_.cols());
-    double squares = 0;  // of the shares
-    for (int away = 1; away < kFew; ++away) {
-      velocity += share(away, reach) * lacking(skeleton_, original_.row(away), decoded_.row(away));
-      squares += share(away, reach) * share(away, reach);
-    }
-    velocity /= squares;
-    const double best_off = off_with(velocity, reach);
-    const double left = std::max(most_off * most_off - best_off * best_off, kLeast);
-    // As the pose beside the end, which the velocity moves.
-    const double of_pose = share(1, reach);
-    const Eigen::RowVectorXd pose = decoded_.row(1);
-    const Tolerance tolerance{clip_.weighting,
-                              of_pose * std::sqrt(left * kFew / squares) * clip_.cm, false};
-    const End beside(skeleton_, pose + of_pose * velocity, pose, tolerance,
-                     Eigen::RowVectorXd::Zero(pose.size()));
-    std::vector<float> steps = steps_;
-    for (float& step : steps) step *= static_cast<float>(of_pose);
-    auto [step_exponent, whole] = beside.cheapest(steps);
-    const double off = off_with(End::values_of(whole, steps, step_exponent) / of_pose, reach);
-    return {reach, step_exponent, std::move(whole), off};
-  }
-
-  const Skeleton& skeleton_;
-  const Tolerance clip_;
-  const PointErrors errors_;
-  const Eigen::MatrixXd& original_;
-  const Eigen::MatrixXd decoded_;
-  const std::vector<float>& steps_;
-};
-
-CodedEnds with_velocity(CodedEnds ends, int pose, int reach, int step_exponent,
+CodedEnds with_velocity(CodedEnds ends, int reach, int step_exponent,
                         const Eigen::VectorXi& steps) {
   ends.reaches.frames[runtime::kVelocity] = static_cast<std::uint8_t>(reach);
-  ends.reaches.velocity_at_first = pose == runtime::kFirstPose ? 1 : 0;
   ends.step_exponent[runtime::kVelocity] = step_exponent;
   ends.steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
   ends.steps.col(runtime::kVelocity) = steps;
   return ends;
 }
 
-/// Where few frames at an end are further off than may be, as where a clip starts with a jump,
-/// codes what the velocity there lacks: at the worse end, for there is one.
-void mend_few(const FewFrames& first, const FewFrames& last, CodedEnds& ends) {
-  constexpr double kMost = 1.45;  // times as far off as the clip
-  const bool first_is_worse = first.off() >= last.off();
-  const FewFrames& worse = first_is_worse ? first : last;
-  const double off = worse.off();
-  if (off <= kMost) return;
-  const FewFrames::Mend mend = worse.cheapest(kMost);
-  if (mend.off < off)
-    ends = with_velocity(ends, first_is_worse ? runtime::kFirstPose : runtime::kLastPose,
-                         mend.reach, mend.step_exponent, mend.steps);
-}
-
 /// Where a loop's velocities change more at its seam than between any frames in a row, codes what
 /// the last of them lacks. Originals with the frames at the ends first; so many steps of the last
 /// segment.
-void mend_velocity(const Skeleton& skeleton, const Goal& goal,
+void mend_velocity(const EndChannels& channels, const Goal& goal,
                    const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last,
                    const std::vector<float>& last_steps, CompressedClip& compressed) {
   constexpr int kLeastRows = 8;
@@ -430,7 +325,7 @@ void mend_velocity(const Skeleton& skeleton, const Goal& goal,
   const auto [first, last] = decoded_at_ends(compressed, rows);
   const auto error = [&](const Eigen::MatrixXd& original, const Eigen::MatrixXd& decoded,
                          int row) -> Eigen::RowVectorXd {
-    return -lacking(skeleton, original.row(row), decoded.row(row));
+    return -channels.lacking(original.row(row), decoded.row(row));
   };
   // Then errors change by as much before the last frame as after the first.
   const Eigen::RowVectorXd wanted = error(original_last, last, 0) +
@@ -439,13 +334,13 @@ void mend_velocity(const Skeleton& skeleton, const Goal& goal,
   const double most = before.worst_neighbours_cm_per_frame;
   const CodedEnds poses = *compressed.ends;
   for (const double share : {0.7, 0.5, 0.35, 0.2}) {
-    const End end(skeleton, original_last.bottomRows(rows - 1), last.bottomRows(rows - 1),
+    const End end(channels, original_last.bottomRows(rows - 1), last.bottomRows(rows - 1),
                   {Weighting::Surface, share * most, false}, wanted);
     for (int reach = 8; reach <= rows; reach *= 2) {
       std::vector<float> steps = last_steps;
       for (float& step : steps) step *= runtime::end_share(runtime::kVelocity, 1, reach);
       const auto [step_exponent, whole] = end.cheapest(steps);
-      compressed.ends = with_velocity(poses, runtime::kLastPose, reach, step_exponent, whole);
+      compressed.ends = with_velocity(poses, reach, step_exponent, whole);
       // A short reach would only move the break to the frame before.
       const EndErrors after = goal.ends(compressed);
       if (after.seam_cm_per_frame <= after.worst_neighbours_cm_per_frame &&
@@ -471,8 +366,9 @@ int frames_at_ends(int frames) {
 }
 
 void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_skeleton,
-              const Goal& goal, const Eigen::MatrixXd& original_first,
-              const Eigen::MatrixXd& original_last) {
+              const std::vector<bool>& still, const Goal& goal,
+              const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last) {
+  const EndChannels moving{coded_skeleton, still};
   CompressedClip& compressed = trial.compressed;
   compressed.ends.reset();
   const auto rows = static_cast<int>(original_first.rows());
@@ -486,13 +382,12 @@ void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_
   const auto [first_steps, last_steps] = steps_at_ends(compressed);
 
   Eigen::RowVectorXd error = Eigen::RowVectorXd::Zero(channels);
-  const End first(coded_skeleton, original_first, std::move(decoded_first), tolerance(share),
-                  error);
+  const End first(moving, original_first, std::move(decoded_first), tolerance(share), error);
   const auto [first_exponent, first_whole] = first.cheapest(first_steps);
   const Eigen::RowVectorXd to_first = End::values_of(first_whole, first_steps, first_exponent);
   if (is_loop) error = first.error_with(to_first);
-  const End last(coded_skeleton, backwards, std::move(decoded_last),
-                 tolerance(is_loop ? kExact : share), error);
+  const End last(moving, backwards, std::move(decoded_last), tolerance(is_loop ? kExact : share),
+                 error);
   const auto [last_exponent, last_whole] = last.cheapest(last_steps);
   const Eigen::RowVectorXd to_last = End::values_of(last_whole, last_steps, last_exponent);
 
@@ -508,14 +403,7 @@ void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_
     else if (!ends.steps.isZero())
       reaches = {best_of(first.reaches(to_first)).frames, best_of(last.reaches(to_last)).frames};
     std::ranges::copy(reaches, ends.reaches.frames);
-    if (is_loop)
-      mend_velocity(coded_skeleton, goal, original_first, backwards, last_steps, compressed);
-    else if (rows >= kRowsOfVelocity)
-      mend_few({coded_skeleton, original_first, first.decoded_with(to_first, reaches[0]),
-                first_steps, tolerance(1)},
-               {coded_skeleton, backwards, last.decoded_with(to_last, reaches[1]), last_steps,
-                tolerance(1)},
-               ends);
+    if (is_loop) mend_velocity(moving, goal, original_first, backwards, last_steps, compressed);
   }
   if (compressed.ends->steps.isZero()) compressed.ends.reset();
 }

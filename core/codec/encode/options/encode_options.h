@@ -9,6 +9,7 @@
 
 #include "core/codec/encode/options/effort.h"
 #include "core/codec/encode/options/importance.h"
+#include "core/codec/encode/options/promises.h"
 #include "core/codec/encode/options/target.h"
 #include "core/codec/format/compressed_clip.h"
 #include "core/feet/contact_spans.h"
@@ -42,6 +43,7 @@ struct EncodeOptions {
   std::uint64_t seed = 1;  // of the annealing; the same seed gives the same bytes
   Effort effort = Effort::Default;
   Importance importance;                             // heeded by annealing and the closed loop
+  Promises promises;                                 // kept beside a target that is an error
   std::optional<CorrectionOptions> correction;       // its size counts in ratio and size
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
   SegmentPlan segments;                              // of a closed loop

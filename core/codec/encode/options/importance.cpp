@@ -12,22 +12,42 @@
 
 namespace mocapress {
 
-MeasuredPoints important_points(const Skeleton& skeleton, Weighting weighting,
-                                const Importance& importance) {
-  MeasuredPoints measured = measured_points(skeleton, weighting);
-  if (importance.joints.empty()) return measured;
-  if (std::ssize(importance.joints) != skeleton.joint_count())
+namespace {
+
+void weigh_joints(const std::vector<double>& factors, int joint_count, MeasuredPoints& measured) {
+  if (std::ssize(factors) != joint_count)
     throw Error("the importance of every joint is needed, or of none");
-  for (const double factor : importance.joints)
+  for (const double factor : factors)
     if (!std::isfinite(factor) || factor < 0)
       throw Error("the importance of a joint must be a number, 0 or more");
   Eigen::VectorXd& weights = measured.weights;
   for (Eigen::Index p = 0; p < weights.size(); ++p) {
     const auto joint = measured.points[static_cast<std::size_t>(p)].joint;
-    weights(p) *= importance.joints[static_cast<std::size_t>(joint)];
+    weights(p) *= factors[static_cast<std::size_t>(joint)];
   }
   if (weights.sum() <= 0) throw Error("no joint is of any importance");
-  weights /= weights.sum();
+}
+
+/// Three points that turn with the root. At that distance 0.3 degrees move one by 2 mm.
+void add_root(double weight, MeasuredPoints& measured) {
+  constexpr double kDistance = 38;  // cm
+  const Eigen::Index before = measured.weights.size();
+  const double each = weight * measured.weights.sum() / 3;
+  measured.weights.conservativeResize(before + 3);
+  for (int axis = 0; axis < 3; ++axis) {
+    measured.points.push_back({0, kDistance * Eigen::Vector3d::Unit(axis), "root"});
+    measured.weights(before + axis) = each;
+  }
+}
+
+}  // namespace
+
+MeasuredPoints important_points(const Skeleton& skeleton, Weighting weighting,
+                                const Importance& importance) {
+  MeasuredPoints measured = measured_points(skeleton, weighting);
+  if (!importance.joints.empty()) weigh_joints(importance.joints, skeleton.joint_count(), measured);
+  if (importance.root > 0) add_root(importance.root, measured);
+  measured.weights /= measured.weights.sum();
   return measured;
 }
 

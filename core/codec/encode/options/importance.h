@@ -22,14 +22,16 @@ struct Importance {
   // How many times its share a foot weighs while it stands; 0: no more than usual. It keeps the
   // foot planted without a correction.
   double contacts = 0;
+  // The weight of the root's place and heading, as a share of all others': 0, none of their own.
+  double root = 0;
 
-  bool is_even() const { return joints.empty() && contacts == 0; }
+  bool is_even() const { return joints.empty() && contacts == 0 && root == 0; }
   bool operator==(const Importance&) const = default;
 };
 
-/// measured_points() with their weights multiplied by their joints' factors and scaled back to the
-/// same sum. Throws Error unless there is one finite factor of 0 or more for each joint and some
-/// weight is left.
+/// measured_points() with their weights multiplied by their joints' factors, and three points about
+/// the root where it has a weight, scaled back to the same sum. Throws Error unless there is one
+/// finite factor of 0 or more for each joint and some weight is left.
 MeasuredPoints important_points(const Skeleton& skeleton, Weighting weighting,
                                 const Importance& importance);
 

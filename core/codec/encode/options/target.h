@@ -25,6 +25,11 @@ constexpr bool is_by_worst(const Target& target) {
   return target.kind == Target::Kind::MaxError || target.kind == Target::Kind::Visibility;
 }
 
+/// Whether errors are what is asked for: bytes are free.
+constexpr bool is_error(const Target& target) {
+  return target.kind == Target::Kind::Error || is_by_worst(target);
+}
+
 /// Whether `achieved`, in the target's quantity, meets the target. Figures that were written as
 /// text and read again may be off by their rounding. A coefficient ratio is met by construction.
 bool reached(const Target& target, double achieved);

@@ -55,9 +55,6 @@ struct Trial {
   double excess = 0;    // see Goal
 };
 
-/// Which joints' motion is coarsened: of all, or of those that a correction does not reach.
-enum class Coarsened { AllJoints, UncorrectedJoints };
-
 /// A target put to one clip: how near a coded clip comes, and whether that keeps the promise.
 /// An "excess" is the logarithm of what was reached over what was asked, signed so that it grows
 /// with the number of coefficients.

@@ -227,7 +227,7 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
   int in_vain = 0;  // since something better came
   bool has_held = false;
   for (int i = 0; i < kMost && in_vain < kMostInVain; ++i) {
-    Trial coarser = coarsen(best, bound_cm, Coarsened::AllJoints);
+    Trial coarser = coarsen(best, bound_cm);
     best.complete = coarser.complete;
     if (!coarser.complete) return;
     const bool met = goal.met(coarser.excess);
@@ -252,18 +252,6 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
     if (is_better) best = std::move(coarser);
     if (is_near && best.excess <= kNear) return;
   }
-}
-
-/// The same for joints that no correction reaches, whose errors are known beforehand.
-void approach_bound_elsewhere(const Goal& goal, const Target& target, int frames,
-                              const CoarsenTrial& coarsen, Trial& best) {
-  constexpr double kRounding = 1e-3;  // between what is coarsened and what is decoded
-  Trial coarser = coarsen(best, Eigen::VectorXd::Constant(frames, (1 - kRounding) * target.value),
-                          Coarsened::UncorrectedJoints);
-  best.complete = coarser.complete;
-  if (coarser.complete && goal.met(coarser.excess) &&
-      coarser.compressed.motion_bytes() < best.compressed.motion_bytes())
-    best = std::move(coarser);
 }
 
 }  // namespace
@@ -292,8 +280,6 @@ Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& go
     if (!guess.dear) hold_worst_frames(goal, frames, work, trials.attempt, search.best());
     if (target.kind == Target::Kind::MaxError && search.may_go_on())
       approach_bound(goal, target, frames, trials.coarsen, search.best());
-    if (target.kind == Target::Kind::MaxError && guess.corrected && search.may_go_on())
-      approach_bound_elsewhere(goal, target, frames, trials.coarsen, search.best());
   }
   return std::move(search.best());
 }

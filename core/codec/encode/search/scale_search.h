@@ -18,8 +18,7 @@ using AttemptScale =
 using SettleTrial = std::function<Trial(double eps_cm, double scale, const Trial* trial)>;
 
 /// Drops what a hard maximum allows to be dropped: ClosedLoop::coarsen(). A bound for each frame.
-using CoarsenTrial =
-    std::function<Trial(const Trial& trial, const Eigen::VectorXd& bound_cm, Coarsened coarsened)>;
+using CoarsenTrial = std::function<Trial(const Trial& trial, const Eigen::VectorXd& bound_cm)>;
 
 /// Where a search begins and ends.
 struct ScaleGuess {

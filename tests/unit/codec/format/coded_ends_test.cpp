@@ -25,10 +25,9 @@ CodedEnds some_ends() {
   return ends;
 }
 
-CodedEnds ends_with_velocity(bool at_first) {
+CodedEnds ends_with_velocity() {
   CodedEnds ends = some_ends();
   ends.reaches.frames[runtime::kVelocity] = 16;
-  ends.reaches.velocity_at_first = at_first ? 1 : 0;
   ends.step_exponent[runtime::kVelocity] = 5;
   ends.steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
   for (Eigen::Index c = 0; c < kChannelsOfClip; ++c)
@@ -45,10 +44,9 @@ CodedEnds read_back(const std::vector<std::byte>& payload, std::uint32_t frames)
 }
 
 TEST(CodedEnds, ReadBackAsWritten) {
-  for (const CodedEnds& ends : {some_ends(), ends_with_velocity(false), ends_with_velocity(true)}) {
+  for (const CodedEnds& ends : {some_ends(), ends_with_velocity()}) {
     const CodedEnds read = read_back(ends.write(), kFramesOfClip);
     EXPECT_TRUE(std::ranges::equal(read.reaches.frames, ends.reaches.frames));
-    EXPECT_EQ(read.reaches.velocity_at_first, ends.reaches.velocity_at_first);
     EXPECT_EQ(read.step_exponent, ends.step_exponent);
     EXPECT_EQ(read.steps, ends.steps);
   }
@@ -73,7 +71,7 @@ TEST(CodedEnds, ImpossibleStepsAndReachesAreRefused) {
     EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
   }
   for (const int reach : {0, 101, 128, 255}) {  // of the velocity
-    std::vector<std::byte> bytes = ends_with_velocity(false).write();
+    std::vector<std::byte> bytes = ends_with_velocity().write();
     bytes[4] = static_cast<std::byte>(reach);
     EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
   }
@@ -85,8 +83,8 @@ TEST(CodedEnds, ImpossibleStepsAndReachesAreRefused) {
     }
 }
 
-TEST(CodedEnds, AVelocityAtBothEndsIsRefused) {
-  std::vector<std::byte> bytes = ends_with_velocity(false).write();
+TEST(CodedEnds, AVelocityAtTheFirstEndIsRefused) {
+  std::vector<std::byte> bytes = ends_with_velocity().write();
   bytes[0] |= std::byte{runtime::kVelocityFollows};
   EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
 }
@@ -104,26 +102,24 @@ TEST(EndPoses, TakeEffectWithinTheirReachAndWholeAtTheEnds) {
   EXPECT_TRUE(channels.middleRows(8, kFramesOfClip - 9).isZero(0));
 }
 
-TEST(EndPoses, AVelocityLeavesItsEndAloneAndTurnsTheFrameBeside) {
-  for (const bool at_first : {false, true}) {
-    CodedEnds ends = ends_with_velocity(at_first);
-    ends.steps.leftCols(2).setZero();
-    const std::vector<float> first_steps(kChannelsOfClip, 0.25F);
-    const std::vector<float> last_steps(kChannelsOfClip, 0.5F);
-    Eigen::MatrixXd channels = Eigen::MatrixXd::Zero(kFramesOfClip, kChannelsOfClip);
-    EndPoses(ends, first_steps, last_steps).add_to(0, kFramesOfClip, channels);
-    if (!at_first) channels = channels.colwise().reverse().eval();
-    const double velocity = (at_first ? 0.25 : 0.5) * std::exp2(-2.5) * ends.steps(0, 2);
-    for (int away = 0; away < 16; ++away) {
-      const double left = (16.0 - away) / 16;
-      EXPECT_NEAR(channels(away, 0), away * left * left * velocity, 1e-5);
-    }
-    EXPECT_TRUE(channels.bottomRows(kFramesOfClip - 16).isZero(0));
+TEST(EndPoses, AVelocityLeavesTheLastFrameAloneAndTurnsTheOneBeside) {
+  CodedEnds ends = ends_with_velocity();
+  ends.steps.leftCols(2).setZero();
+  const std::vector<float> first_steps(kChannelsOfClip, 0.25F);
+  const std::vector<float> last_steps(kChannelsOfClip, 0.5F);
+  Eigen::MatrixXd channels = Eigen::MatrixXd::Zero(kFramesOfClip, kChannelsOfClip);
+  EndPoses(ends, first_steps, last_steps).add_to(0, kFramesOfClip, channels);
+  const Eigen::MatrixXd backwards = channels.colwise().reverse();
+  const double velocity = 0.5 * std::exp2(-2.5) * ends.steps(0, 2);
+  for (int away = 0; away < 16; ++away) {
+    const double left = (16.0 - away) / 16;
+    EXPECT_NEAR(backwards(away, 0), away * left * left * velocity, 1e-5);
   }
+  EXPECT_TRUE(backwards.bottomRows(kFramesOfClip - 16).isZero(0));
 }
 
 TEST(EndPoses, AreTheSameInBlocks) {
-  const CodedEnds ends = ends_with_velocity(false);
+  const CodedEnds ends = ends_with_velocity();
   const std::vector<float> steps(kChannelsOfClip, 0.25F);
   const EndPoses poses(ends, steps, steps);
   Eigen::MatrixXd whole = Eigen::MatrixXd::Ones(kFramesOfClip, kChannelsOfClip);

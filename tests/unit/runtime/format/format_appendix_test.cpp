@@ -46,17 +46,10 @@ std::vector<AppendixTable> appendix_of_the_program() {
   std::vector<int> scale_weights;
   for (const auto& level : runtime::kScaleWeights)
     for (const auto weight : level) scale_weights.push_back(weight);
-  std::vector<int> confidences;
-  for (const auto& of_kind : runtime::confidences())
-    for (const runtime::Confidence& of_context : of_kind)
-      confidences.insert(confidences.end(), of_context.begin(), of_context.end());
   return {{"### A.1", rows_of_numbers(scale_weights, runtime::kScaleFeatures)},
           {"### A.2", quoted_lines(std::string(runtime::context_priors()))},
           {"### A.3", quoted_lines(std::string(runtime::context_trust()))},
-          {"### A.4", rows_of_numbers(runtime::weight_priors(), runtime::MixingWeights::kMost)},
-          {"### A.5",
-           rows_of_numbers(runtime::weight_priors_by_scale(), runtime::MixingWeights::kMost)},
-          {"### A.6", rows_of_numbers(confidences, runtime::kSeenSteps)}};
+          {"### A.4", rows_of_numbers(runtime::weight_priors(), runtime::MixingWeights::kMost)}};
 }
 
 struct TextRange {

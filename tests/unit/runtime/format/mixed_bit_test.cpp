@@ -42,39 +42,6 @@ TEST(MixedBit, BelievesTheContextThatKnows) {
   EXPECT_GT(weights.of[1], weights.of[0]);
 }
 
-TEST(MixedBit, CountsAContextByHowOftenItHasSeenABit) {
-  constexpr int kOften = 300;
-  Confidence confidence;
-  confidence.fill(256);
-  confidence[0] = 64;
-  AdaptiveBit bit;
-  MixingWeights weights = even_weights();
-  const auto log_odds = [&](const Confidence* of) {
-    const MixedBit<1> mixed({&bit}, weights, {}, of);
-    const double one = mixed.one() / 65536.0;
-    return std::log(one / (1 - one));
-  };
-  bit.follow(true);
-  EXPECT_NEAR(log_odds(&confidence), log_odds(nullptr) / 4, 0.02);
-  for (int i = 0; i < kOften; ++i) bit.follow(i % 4 != 0);
-  EXPECT_DOUBLE_EQ(log_odds(&confidence), log_odds(nullptr));
-}
-
-TEST(MixedBit, LearnsBothSetsOfWeights) {
-  AdaptiveBit bit;
-  for (int i = 0; i < 20; ++i) bit.follow(true);
-  MixingWeights weights = even_weights();
-  MixingWeights more;
-  const MixingWeights before = weights;
-  MixedBit<1> mixed({&bit}, weights, {}, nullptr, &more);
-  EXPECT_EQ(mixed.one(), MixedBit<1>({&bit}, weights).one());
-  mixed.follow(true);
-  EXPECT_GT(more.of[0], 0);
-  EXPECT_EQ(more.of[0], weights.of[0] - before.of[0]);
-  EXPECT_GT(MixedBit<1>({&bit}, weights, {}, nullptr, &more).one(),
-            MixedBit<1>({&bit}, weights).one());
-}
-
 TEST(MixedBit, IsNeverCertain) {
   AdaptiveBit certain[MixingWeights::kMost];
   for (AdaptiveBit& bit : certain)

@@ -113,17 +113,14 @@ TEST(CookedClip, MatchesTheDecoderForEveryBasisAndEnds) {
   expect_as_decoded(compressed_of(test::smooth_motion(200), {.ends = Ends::Exact}));
 }
 
-TEST(CookedClip, GivesThemWithTheVelocityThatAnEndLacks) {
-  for (const bool at_first : {false, true}) {
-    CompressedClip clip = compressed_of(test::smooth_motion(200), {.ends = Ends::Exact});
-    ASSERT_TRUE(clip.ends);
-    clip.ends->reaches.frames[runtime::kVelocity] = 16;
-    clip.ends->reaches.velocity_at_first = at_first ? 1 : 0;
-    clip.ends->step_exponent[runtime::kVelocity] = 12;
-    clip.ends->steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
-    clip.ends->steps.col(runtime::kVelocity).setConstant(7);
-    expect_as_decoded(clip);
-  }
+TEST(CookedClip, SamplesTheVelocityThatTheLastFrameLacks) {
+  CompressedClip clip = compressed_of(test::smooth_motion(200), {.ends = Ends::Exact});
+  ASSERT_TRUE(clip.ends);
+  clip.ends->reaches.frames[runtime::kVelocity] = 16;
+  clip.ends->step_exponent[runtime::kVelocity] = 12;
+  clip.ends->steps.conservativeResize(Eigen::NoChange, runtime::kMostEnds);
+  clip.ends->steps.col(runtime::kVelocity).setConstant(7);
+  expect_as_decoded(clip);
 }
 
 TEST(CookedClip, MatchesTheDecoderAboutTurnedAxes) {

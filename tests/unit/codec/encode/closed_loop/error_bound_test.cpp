@@ -111,28 +111,5 @@ TEST(ErrorBound, HasABoundForEachFrame) {
   EXPECT_NEAR(bound.furthest(), 2.0 / 3, 1e-6);
 }
 
-TEST(ErrorBound, LeavesOutJointsThatAreStill) {
-  Fixture f;
-  std::vector<bool> still(static_cast<std::size_t>(f.motion.skeleton.joint_count()));
-  still[0] = true;
-  const int channels = f.motion.skeleton.channel_count();
-  int moving = 0;
-  while (f.motion.skeleton.channel_joint(moving) == 0) ++moving;
-  ErrorBound bound(f.motion, Weighting::BoneEnds, f.everywhere(1), still);
-  bound.begin(f.decoded);
-  const Eigen::VectorXd nothing_much = Eigen::VectorXd::Constant(60, 1e-4);
-  for (int c = 0; c < channels; ++c) {
-    bound.next();
-    EXPECT_EQ(bound.allows(0, nothing_much), c >= moving);
-  }
-  f.decoded.channels.col(0).array() += 3;  // cm: carries all joints along
-  bound.begin(f.decoded);
-  EXPECT_NEAR(bound.furthest(), 3, 1e-6);
-  still.assign(still.size(), true);
-  ErrorBound nothing_moves(f.motion, Weighting::BoneEnds, f.everywhere(1), still);
-  nothing_moves.begin(f.decoded);
-  EXPECT_EQ(nothing_moves.furthest(), 0);
-}
-
 }  // namespace
 }  // namespace mocapress

@@ -37,33 +37,6 @@ TEST(CorrectionEncoder, HoldsTheFeetForTheSameSize) {
     }
 }
 
-TEST(CorrectionEncoder, StaysTheSameWhereJointsMoveThatItDoesNotReach) {
-  const Motion& motion = walk().motion();
-  const Skeleton& skeleton = motion.skeleton;
-  const CorrectionEncoder encoder(skeleton, landmark_tracks(skeleton, motion.clip), {}, {},
-                                  motion.clip.sample_rate_hz);
-  const auto differences = [&](const Clip& reconstructed) {
-    return encoder.select(reconstructed, 8, Basis::Cubic, [](double step) { return step; }).values;
-  };
-  Clip reconstructed = motion.clip;
-  reconstructed.channels.array() += 0.01;
-  const Eigen::MatrixXi as_they_are = differences(reconstructed);
-  const std::vector<bool> reached = encoder.reached_joints();
-  int unreached = 0;
-  for (int c = 0; c < skeleton.channel_count(); ++c) {
-    if (reached[static_cast<std::size_t>(skeleton.channel_joint(c))]) continue;
-    ++unreached;
-    reconstructed.channels.col(c).array() += 0.2;
-  }
-  EXPECT_EQ(differences(reconstructed), as_they_are);
-  EXPECT_GT(unreached, 10);
-  for (const Effector& effector : encoder.correction().effectors) {
-    EXPECT_TRUE(reached[static_cast<std::size_t>(effector.joint)]);
-    for (const int turned : effector.chain) EXPECT_TRUE(reached[static_cast<std::size_t>(turned)]);
-  }
-  EXPECT_TRUE(reached[0]);
-}
-
 TEST(CorrectionEncoder, CountsInARatio) {
   const Encoding encoding =
       walk().encode(with_correction({Target::Kind::Ratio, 30}, {.ratio = 8.0}));

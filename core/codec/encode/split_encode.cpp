@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/split_encode.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/codec/decode/decoder.h"
+
+namespace mocapress {
+namespace {
+
+bool leaves_split_open(const EncodeOptions& options) {
+  return options.correction && !options.correction->ratio;
+}
+
+}  // namespace
+
+SplitEncode::SplitEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
+                         const Observer<EncodeProgress>& observer)
+    : analysis_(analysis),
+      options_(options),
+      coder_(analysis, options),
+      passes_(observer),
+      paper_(coder_, passes_),
+      loop_(coder_, passes_, leaves_split_open(options)) {}
+
+Trial SplitEncode::run() {
+  if (!leaves_split_open(options_)) return run_with(options_.method, options_.effort);
+  Trial trial = find_split();
+  if (!trial.complete || (split_method() == options_.method && split_effort() == options_.effort))
+    return trial;
+  slide_without_cm_.reset();  // that of another encode
+  return run_with(options_.method, options_.effort);
+}
+
+double SplitEncode::split() {
+  find_split();
+  return coder_.correction_ratio();
+}
+
+void SplitEncode::check(const Trial& trial) const {
+  if (options_.method == Method::ClosedLoop && options_.effort == Effort::Draft) return;
+  const bool by_count = options_.target.kind == Target::Kind::CoefficientRatio &&
+                        options_.method != Method::ClosedLoop;  // met by construction
+  if (!by_count)
+    coder_.goal().require_met(trial.excess, trial.achieved,
+                              trial.count == coder_.coefficients().total());
+}
+
+Trial SplitEncode::run_with(Method method, Effort effort) {
+  return method == Method::ClosedLoop ? loop_.run(effort) : paper_.run(method);
+}
+
+/// Leaves the r_IK of the best split behind, and gives the trial that showed it.
+Trial SplitEncode::find_split() {
+  constexpr int kFinerSteps = 2;
+  const bool is_draft = split_effort() == Effort::Draft;
+  Trial best = run_with(split_method(), split_effort());
+  if (!best.complete) return best;
+  EncodeOptions plain = options_;
+  plain.correction.reset();
+  const Trial uncorrected =
+      SplitEncode(analysis_, plain, passes_.observer()).run_with(split_method(), split_effort());
+  best.complete = uncorrected.complete;
+  if (!best.complete) return best;
+  slide_without_cm_ = coder_.footskate_of(decode(uncorrected.compressed)).total_cm;
+  SplitSearch search(*slide_without_cm_, is_draft ? 0 : kFinerSteps);
+  search.tried(split_of(best));
+  while (const std::optional<double> ratio = best.complete ? search.next() : std::nullopt) {
+    coder_.set_correction_ratio(*ratio);
+    Trial trial = run_with(split_method(), split_effort());
+    const bool complete = trial.complete;
+    if (complete && search.tried(split_of(trial))) best = std::move(trial);
+    best.complete = complete;
+  }
+  coder_.set_correction_ratio(search.best().ratio);
+  return best;
+}
+
+/// Annealing takes too long to be tried many times, except where it is the same each time.
+Method SplitEncode::split_method() const {
+  const bool once = options_.target.kind == Target::Kind::CoefficientRatio;
+  return options_.method == Method::Annealed && !once ? Method::Standard : options_.method;
+}
+
+/// So does a hard maximum, and whatever else the best effort does.
+Effort SplitEncode::split_effort() const {
+  if (is_by_worst(options_.target)) return Effort::Draft;
+  return std::min(options_.effort, Effort::Default);
+}
+
+Split SplitEncode::split_of(const Trial& trial) const {
+  const Target::Kind kind = options_.target.kind;
+  const bool is_draft = split_effort() == Effort::Draft && options_.method == Method::ClosedLoop;
+  const bool met =
+      is_draft || coder_.goal().met(trial.excess) || kind == Target::Kind::CoefficientRatio;
+  const bool size_is_asked = kind == Target::Kind::Ratio || kind == Target::Kind::Size;
+  const Clip decoded = decode(trial.compressed);
+  const double price = size_is_asked
+                           ? exact_eps(analysis_.motion().skeleton, analysis_.original_body(),
+                                       decoded, options_.weighting)
+                           : static_cast<double>(trial.compressed.motion_bytes());
+  const Footskate slide = coder_.footskate_of(decoded);
+  return {coder_.correction_ratio(), met ? price : std::numeric_limits<double>::infinity(),
+          slide.total_cm, slide.findings.empty() ? 0 : slide.findings.front().slid_cm};
+}
+
+}  // namespace mocapress

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "core/codec/encode/loop_encode.h"
+#include "core/codec/encode/paper_encode.h"
+#include "core/codec/encode/search/split_search.h"
+
+namespace mocapress {
+
+/// One encode by the method it asks for. Where r_IK is left open, it finds the split between motion
+/// and correction first.
+class SplitEncode {
+ public:
+  SplitEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
+              const Observer<EncodeProgress>& observer);
+  SplitEncode(const SplitEncode&) = delete;  // its parts refer to one another
+
+  Trial run();
+
+  /// The r_IK that suits the target best.
+  double split();
+
+  /// Throws TargetMissed unless the trial is as good as was promised; a draft promises nothing.
+  void check(const Trial& trial) const;
+
+  LoopEncode& loop() { return loop_; }
+  TrialCoder& coder() { return coder_; }
+  std::optional<double> slide_without_cm() const { return slide_without_cm_; }
+
+ private:
+  Trial run_with(Method method, Effort effort);
+  Trial find_split();
+  Method split_method() const;
+  Effort split_effort() const;
+  Split split_of(const Trial& trial) const;
+
+  const ClipAnalysis& analysis_;
+  const EncodeOptions& options_;
+  TrialCoder coder_;
+  Passes passes_;
+  PaperEncode paper_;
+  LoopEncode loop_;
+  std::optional<double> slide_without_cm_;
+};
+
+}  // namespace mocapress

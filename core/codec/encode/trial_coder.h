@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/codec/encode/analysis/clip_analysis.h"
+#include "core/codec/encode/closed_loop/closed_loop.h"
+#include "core/codec/encode/mend/correction_encoder.h"
+#include "core/codec/encode/options/encode_options.h"
+#include "core/codec/encode/search/goal.h"
+
+namespace mocapress {
+
+/// The form in which a trial keeps its values: coded bytes, the values themselves, or values with
+/// an estimate of their bytes.
+enum class TrialBytes { Coded, Values, Estimated };
+
+/// Makes trials of one encode: what a method chose becomes a coded clip, with its correction and
+/// its ends, measured against the target. Owns the error model and the closed loop of that encode.
+class TrialCoder {
+ public:
+  /// Both must outlive this. Throws Error for an impossible correction.
+  TrialCoder(const ClipAnalysis& analysis, const EncodeOptions& options);
+
+  const ClipAnalysis& analysis() const { return analysis_; }
+  const EncodeOptions& options() const { return options_; }
+  const Coefficients& coefficients() const { return coefficients_; }
+  const Goal& goal() const { return goal_; }
+  bool has_correction() const { return correction_.has_value(); }
+
+  /// The r_IK of the trials that follow: coefficients of the correction / kept ones.
+  double correction_ratio() const { return correction_ratio_; }
+  void set_correction_ratio(double ratio) { correction_ratio_ = ratio; }
+
+  /// Lets joints weigh otherwise in the trials that follow.
+  void weigh_joints(const Importance& importance);
+
+  /// The price of errors of the motion: higher at some joints, lower where a correction mends them.
+  const ErrorModel& model() const;
+  const ClosedLoop& loop();
+
+  /// A trial of the paper's methods, measured.
+  Trial code(const Kept& kept);
+
+  /// A trial of the closed loop, neither mended nor measured.
+  Trial code(ClosedLoop::Result result, TrialBytes bytes) const;
+
+  /// The same without bytes, for searches that only look at its error.
+  Trial without_bytes(const ClosedLoop::Result& result) const;
+
+  /// Turns values that were kept into bytes.
+  void pack(Trial& trial) const;
+
+  void mend_ends(Trial& trial) const;
+  void measure(Trial& trial) const;
+
+  /// Takes the signals of a correction out: they are made anew for a motion that changes.
+  void drop_correction(QuantisedSignals& coded) const;
+
+  /// Footskate of a decoded clip.
+  Footskate footskate_of(const Clip& decoded) const;
+
+ private:
+  const BasisAnalysis& basis() const { return analysis_.in(options_.basis); }
+  CompressedClip empty_clip() const;
+  void finish(QuantisedSignals coded, TrialBytes bytes, CompressedClip& compressed) const;
+  void append_correction(std::vector<std::byte>& words, CompressedClip& compressed) const;
+
+  const ClipAnalysis& analysis_;
+  const EncodeOptions& options_;
+  const Coefficients& coefficients_;
+  const std::vector<ContactSpan> contacts_;
+  const Goal goal_;
+  std::optional<CorrectionEncoder> correction_;
+  double correction_ratio_ = 0;
+  std::optional<ErrorModel> own_model_;  // where importance or a correction change it
+  std::optional<ClosedLoop> own_loop_;   // by that
+};
+
+/// Counts the passes of an encode, for its progress.
+class Passes {
+ public:
+  explicit Passes(const Observer<EncodeProgress>& observer) : observer_(observer) {}
+
+  int begin() { return count_++; }
+  const Observer<EncodeProgress>& observer() const { return observer_; }
+
+  /// The observer of the next pass, a closed loop's.
+  Observer<ClosedLoopProgress> next();
+
+ private:
+  const Observer<EncodeProgress>& observer_;
+  int count_ = 0;
+};
+
+/// The contacts that count: edited ones, or those found on the original.
+const std::vector<ContactSpan>& contacts_for(const ClipAnalysis& analysis,
+                                             const EncodeOptions& options);
+
+/// The original, with tracks that the analysis keeps.
+Original original_of(const ClipAnalysis& analysis);
+
+}  // namespace mocapress

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// A channel that is constant in the original is constant in the file.
+#include <gtest/gtest.h>
+
+#include "core/codec/encode/encoder.h"
+#include "resources/samples/generator/samples.h"
+#include "tests/support/game_like.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+void expect_still_where_the_original_is(const Motion& motion, const EncodeOptions& options) {
+  const Clip decoded = Encoder(motion).encode(options).decoded;
+  const std::vector<bool> still = still_channels(motion.clip);
+  int count = 0;
+  for (int c = 0; c < motion.skeleton.channel_count(); ++c) {
+    if (!still[static_cast<std::size_t>(c)]) continue;
+    ++count;
+    const auto channel = decoded.channels.col(c);
+    EXPECT_LE(channel.maxCoeff() - channel.minCoeff(), 1e-6) << c;
+  }
+  EXPECT_GT(count, 0);
+}
+
+Motion with_still_channels(Motion motion) {
+  motion.clip.channels.col(0).setZero();
+  motion.clip.channels.col(1).setConstant(91.3);
+  motion.clip.channels.col(7).setConstant(0.31);
+  return motion;
+}
+
+EncodeOptions closed_loop(Target target) {
+  return {.method = Method::ClosedLoop, .weighting = Weighting::Surface, .target = target};
+}
+
+TEST(StillChannels, StayStillAtEveryTarget) {
+  const Motion motion = with_still_channels(test::smooth_motion(300));
+  for (const Target target : {Target{Target::Kind::Error, 1.0}, Target{Target::Kind::Error, 0.05},
+                              Target{Target::Kind::Ratio, 60}, Target{Target::Kind::MaxError, 2}})
+    expect_still_where_the_original_is(motion, closed_loop(target));
+}
+
+TEST(StillChannels, StayStillInRigsOfGames) {
+  expect_still_where_the_original_is(test::game_like(samples::walk_clip()),
+                                     closed_loop({Target::Kind::Error, 0.5}));
+}
+
+TEST(StillChannels, StayStillAcrossSegments) {
+  EncodeOptions options = closed_loop({Target::Kind::Error, 0.5});
+  options.segments.longest = 256;
+  expect_still_where_the_original_is(with_still_channels(test::smooth_motion(700, 5)), options);
+}
+
+TEST(StillChannels, StayStillAtExactEndsAndInLoops) {
+  EncodeOptions options = closed_loop({Target::Kind::Error, 0.5});
+  options.ends = Ends::Exact;
+  const Motion motion = with_still_channels(test::smooth_motion(300));
+  expect_still_where_the_original_is(motion, options);
+  options.ends = Ends::Even;
+  options.loop = Loop::Repeats;
+  expect_still_where_the_original_is(motion, options);
+}
+
+TEST(StillChannels, KeepTheirValueToASixteenthOfTheScale) {
+  const Motion motion = with_still_channels(test::smooth_motion(300));
+  const Encoding encoding = Encoder(motion).encode(closed_loop({Target::Kind::Error, 0.5}));
+  EXPECT_EQ(encoding.decoded.channels(0, 0), 0);
+  EXPECT_NEAR(encoding.decoded.channels(0, 1), 91.3, 0.15);
+  EXPECT_NEAR(encoding.decoded.channels(0, 7), 0.31, 0.15);
+}
+
+}  // namespace
+}  // namespace mocapress
