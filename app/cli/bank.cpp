@@ -13,10 +13,12 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/motion_input.h"
 #include "app/cli/report.h"
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/file_identity.h"
+#include "core/base/make_folders.h"
 #include "core/base/mapped_file.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel_in_order.h"
@@ -39,6 +41,12 @@ std::string wrong_pair(const std::string& text) {
 class ClipCount {
  public:
   ~ClipCount() { end(); }
+
+  /// The same of a bank that is changed; what it warns of is said at once.
+  bool done(const BankProgress& progress) {
+    if (progress.warning) print_warnings({*progress.warning});
+    return done(progress.done, progress.clips);
+  }
 
   /// Of so many. False: to be stopped.
   bool done(std::size_t done, std::size_t clips) {
@@ -115,7 +123,7 @@ struct BankFilling {
     std::vector<BankSource> sources = find_bank_sources({inputs.begin(), inputs.end()});
     const bool is_whole = (make ? make_bank : add_to_bank)(
         bank, std::move(sources), options,
-        [&](const BankProgress& progress) { return count.done(progress.done, progress.clips); });
+        [&](const BankProgress& progress) { return count.done(progress); });
     tell_of(bank, is_whole, count);
   }
 };
@@ -126,9 +134,8 @@ struct BankRemoval {
 
   void run() const {
     ClipCount count;
-    const bool is_whole = remove_from_bank(bank, names, [&](const BankProgress& progress) {
-      return count.done(progress.done, progress.clips);
-    });
+    const bool is_whole = remove_from_bank(
+        bank, names, [&](const BankProgress& progress) { return count.done(progress); });
     tell_of(bank, is_whole, count);
   }
 };
@@ -255,10 +262,7 @@ struct Extraction {
 
   static void stage(const fs::path& place, const std::vector<std::byte>& bytes,
                     std::vector<StagedFile>& staged) {
-    std::error_code error;
-    fs::create_directories(place.parent_path(), error);
-    if (error)
-      throw WriteError(place.parent_path().string() + ": cannot be made: " + error.message());
+    make_folders(place.parent_path());
     staged.emplace_back(place).write(bytes);
   }
 };

@@ -14,6 +14,7 @@
 #include "core/bank/bank.h"
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
+#include "core/base/make_folders.h"
 #include "core/batch/batch_folder.h"
 #include "core/batch/gate.h"
 #include "core/batch/project_batch.h"
@@ -222,14 +223,14 @@ struct BatchCommand {
     if (jobs > 0) job.processors = jobs;
     if (overwrite) job.arguments.emplace_back("--overwrite");
     const std::string script = slurm_script(job);
+    if (error) throw Error("/proc/self/exe: cannot be read: " + error.message());
     const std::set<FileIdentity> sources = source_files(batch);
     for (const fs::path& place : {queue, fs::path(slurm_file)}) {
       refuse_source(place, {inputs.begin(), inputs.end()});
       if (const auto there = identity_of(place); there && sources.contains(*there))
         throw WriteError(place.string() + ": is one of the inputs: not overwritten");
     }
-    fs::create_directories(target, error);
-    if (error) throw WriteError(folder + ": cannot be made: " + error.message());
+    make_folders(target);
     for (std::size_t i = 0; i < batch.items.size(); ++i) {
       BatchItem item = batch.items[i];
       item.input = fs::absolute(item.input).lexically_normal().string();

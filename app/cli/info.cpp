@@ -108,7 +108,7 @@ Json describe_compressed(const std::string& path) {
           {"loop", name(clip.loop)},
           {"raw_bytes", raw},
           {"motion_bytes", clip.motion_bytes()},
-          {"file_bytes", std::filesystem::file_size(path)},
+          {"file_bytes", bytes.size()},
           {"ratio", raw / static_cast<double>(std::max<std::size_t>(clip.motion_bytes(), 1))},
           {"method", opened.method},
           {"basis", of_wavelets(name(clip.basis))},

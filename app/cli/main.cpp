@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
+#include <string>
 
 #include "app/cli/commands.h"
 #include "app/cli/standard_streams.h"
@@ -13,12 +17,22 @@ namespace {
 
 using namespace mocapress::cli;
 
-int fail(ExitCode code, const std::exception& error) {
+ExitCode fail(ExitCode code, const std::exception& error) {
   std::fprintf(stderr, "mocapress: %s\n", printable(error.what()).c_str());
   return code;
 }
 
-int run(int argc, char** argv) {
+/// Standard output may be a file on a full disk, and is written only now as a whole.
+ExitCode written_out(ExitCode code) {
+  errno = 0;
+  const bool is_written =
+      std::cout.flush().good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (is_written || code != kDone) return code;
+  const std::string why = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
+  return fail(kCannotWrite, mocapress::WriteError("standard output: cannot be written" + why));
+}
+
+ExitCode run(int argc, char** argv) {
   CLI::App app("Compresses human motion capture clips with wavelets.", "mocapress");
   app.set_version_flag("--version", MOCAPRESS_VERSION);
   app.require_subcommand(1);
@@ -46,16 +60,12 @@ int run(int argc, char** argv) {
   return kDone;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+ExitCode answer(int argc, char** argv) {
   using namespace mocapress;
-  keep_freed_memory();
-  add_rivals();
   try {
     return run(argc, argv);
   } catch (const EndedWith& ended) {
-    return ended.exit_code;
+    return static_cast<ExitCode>(ended.exit_code);
   } catch (const InputError& error) {
     return fail(kBadInput, error);
   } catch (const FormatError& error) {
@@ -69,4 +79,12 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return fail(kInternal, error);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  mocapress::keep_freed_memory();
+  mocapress::add_rivals();
+  return written_out(answer(argc, argv));
 }

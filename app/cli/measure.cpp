@@ -24,6 +24,7 @@ struct Measure {
     const MotionFile file = source.read_file(original);
     const Motion& motion = file.motion;
     const OpenedMcpr opened = open_mcpr(compressed);
+    const std::vector<std::byte> bytes = read_bytes(compressed);
     const std::vector<ContactSpan> contacts = contact_input.spans(motion);
     const Comparison found = compared(motion, opened.decoded, contacts);
     const Report report{
@@ -34,7 +35,7 @@ struct Measure {
         .weighting = opened.compressed.provenance.weighting,
         .coding = opened.coding(),
         .motion_bytes = opened.compressed.motion_bytes(),
-        .file_bytes = std::filesystem::file_size(compressed),
+        .file_bytes = bytes.size(),
         .verified_by = "library",
         .distortion = found.distortion,
         .footskate = found.footskate,
@@ -43,7 +44,7 @@ struct Measure {
         .correction_bytes = opened.compressed.correction
                                 ? std::optional(opened.compressed.correction_bytes())
                                 : std::nullopt,
-        .tracks = track_figures(file.tracks, read_bytes(compressed))};
+        .tracks = track_figures(file.tracks, bytes)};
     json ? print(to_json(report)) : print(report);
   }
 

@@ -87,8 +87,10 @@ struct Study {
   void run() const {
     const StudyPlan asked = plan();
     if (again) {
-      std::error_code ignored;
-      fs::remove(fs::path(folder) / kRowsSoFar, ignored);
+      const fs::path rows = fs::path(folder) / kRowsSoFar;
+      std::error_code error;
+      fs::remove(rows, error);
+      if (error) throw WriteError(rows.string() + ": cannot be removed: " + error.message());
     }
     const StopOnSignals signals;
     ProgressLine line(json_progress);

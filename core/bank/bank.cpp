@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <unordered_map>
@@ -14,7 +13,9 @@
 #include "core/base/error.h"
 #include "core/base/file_identity.h"
 #include "core/base/file_lock.h"
+#include "core/base/mapped_file.h"
 #include "core/base/parallel_in_order.h"
+#include "core/base/path_kind.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/bank/bank_check.h"
 
@@ -68,8 +69,7 @@ class Filler {
                   {first, static_cast<std::size_t>(entry.place.bytes)}, std::move(tags));
       return;
     }
-    const mcpr_cooked* cooked = nullptr;
-    if (runtime::failed(runtime::cooked_clip_of(bank.bank(), entry, cooked))) return;
+    const mcpr_cooked* const cooked = bank.cooked(entry);
     const runtime::Bytes skeleton = bank.bank().item(runtime::BankItem::Part, entry.kind);
     put_cooked(entry.name, *cooked,
                {reinterpret_cast<const std::byte*>(skeleton.data), skeleton.size}, std::move(tags));
@@ -140,18 +140,23 @@ std::vector<std::byte> learned_in(const mcpk_bank& bank) {
 
 /// A slip in the command line does not cost a clip, or the bank that others are made of.
 void require_place_for_bank(const fs::path& path, const std::vector<BankSource>& sources) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) return;
+  if (path_kind(path) != PathKind::File) return;
   for (const BankSource& source : sources) refuse_source(path, {source.file});
-  char magic[sizeof mcpk_bank::kMagic] = {};
-  std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
-  if (fs::file_size(path, error) > 0 && !std::ranges::equal(magic, mcpk_bank::kMagic))
+  const MappedFile there(path);
+  constexpr std::span magic(mcpk_bank::kMagic);
+  if (!there.bytes().empty() &&
+      (there.bytes().size() < magic.size() ||
+       std::memcmp(there.bytes().data(), magic.data(), magic.size()) != 0))
     throw WriteError(path.string() + ": is there and is no bank: not overwritten");
 }
 
 /// Unset: the observer said no.
 std::optional<FileLock> lock_bank(const fs::path& path, const Observer<BankProgress>& observer) {
-  return FileLock::wait_for(path, [&] { return should_continue(observer, BankProgress{}); });
+  std::optional<FileLock> lock =
+      FileLock::wait_for(path, [&] { return should_continue(observer, BankProgress{}); });
+  if (lock && lock->warning() && !should_continue(observer, BankProgress{0, 0, lock->warning()}))
+    return std::nullopt;
+  return lock;
 }
 
 /// False: the observer said no.

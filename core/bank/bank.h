@@ -11,6 +11,7 @@
 #include "core/bank/bank_file.h"
 #include "core/bank/bank_source.h"
 #include "core/bank/bank_writer.h"
+#include "core/base/error.h"
 #include "core/base/progress.h"
 
 namespace mocapress {
@@ -33,6 +34,7 @@ struct BankOptions {
 struct BankProgress {
   std::size_t done = 0;
   std::size_t clips = 0;
+  std::optional<Warning> warning = {};  // told once: that the bank could not be locked
 };
 
 // One at a time changes a bank: another waits for it, in this program or any other.

@@ -52,9 +52,7 @@ BankClip BankFile::describe(std::uint32_t clip) const {
   const runtime::BankEntry found = entry(clip);
   BankClip described{found.name, tags(found), found.place.bytes};
   if (is_cooked()) {
-    const mcpr_cooked* cooked = nullptr;
-    require_of(runtime::cooked_clip_of(*bank_, found, cooked));
-    const mcpr_cooked_info info = mcpr_cooked_describe(cooked);
+    const mcpr_cooked_info info = mcpr_cooked_describe(cooked(found));
     described.sample_rate_hz = info.sample_rate;
     described.frames = static_cast<int>(info.frames);
     described.joints = static_cast<int>(info.joints);
@@ -67,6 +65,12 @@ BankClip BankFile::describe(std::uint32_t clip) const {
   described.joints = static_cast<int>(sections.joints);
   described.motion_bytes = sections.motion_bytes();
   return described;
+}
+
+const mcpr_cooked* BankFile::cooked(const runtime::BankEntry& entry) const {
+  const mcpr_cooked* cooked = nullptr;
+  require_of(runtime::cooked_clip_of(*bank_, entry, cooked));
+  return cooked;
 }
 
 std::vector<std::byte> BankFile::extract(const runtime::BankEntry& entry) const {

@@ -40,6 +40,9 @@ class BankFile {
   std::vector<std::string> tags(const runtime::BankEntry& entry) const;
   BankTexts texts() const;
 
+  /// A clip of a cooked bank. Throws InputError where its bytes are none.
+  const mcpr_cooked* cooked(const runtime::BankEntry& entry) const;
+
   /// The .mcpr that was put in, byte for byte. Throws Error for a clip of a cooked bank.
   std::vector<std::byte> extract(const runtime::BankEntry& entry) const;
 

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/path_kind.h"
 
 namespace mocapress {
 namespace {
@@ -23,9 +24,10 @@ std::string lower_extension(const fs::path& path) {
 void find_below(const fs::path& folder, std::vector<BankSource>& sources) {
   const std::size_t before = sources.size();
   std::error_code error;
-  fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
-  for (; !error && at != fs::recursive_directory_iterator(); at.increment(error))
-    if (at->is_regular_file() && lower_extension(at->path()) == ".mcpr")
+  // Whatever is named as a clip and cannot be read is refused when it is: none is left out.
+  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error))
+    if (lower_extension(at->path()) == ".mcpr" && path_kind(at->path()) != PathKind::Folder)
       sources.push_back({at->path().lexically_relative(folder).replace_extension().generic_string(),
                          at->path(),
                          {}});
@@ -49,7 +51,7 @@ void take_from(const fs::path& path, std::vector<BankSource>& sources) {
 std::vector<BankSource> find_bank_sources(const std::vector<fs::path>& inputs) {
   std::vector<BankSource> sources;
   for (const fs::path& input : inputs) {
-    if (fs::is_directory(input))
+    if (path_kind(input) == PathKind::Folder)
       find_below(input, sources);
     else if (lower_extension(input) == ".mcpk")
       take_from(input, sources);

@@ -32,7 +32,11 @@ AppendedFile::AppendedFile(fs::path path, Lock lock)
 AppendedFile::~AppendedFile() {
   struct stat found;
   const bool empty = ::fstat(file_.number(), &found) == 0 && found.st_size == 0;
-  if (made_ && empty && is_at(file_.number(), target_)) ::unlink(target_.c_str());
+  try {
+    if (made_ && empty && is_at(file_.number(), target_)) ::unlink(target_.c_str());
+  } catch (const InputError&) {
+    // An empty file that is left does no harm.
+  }
 }
 
 /// The file that is at the place once it is locked: another process may have replaced it between.
@@ -52,7 +56,9 @@ void AppendedFile::open() {
 AppendedFile::Opened AppendedFile::open_at_its_place() const {
   constexpr int kHow = O_RDWR | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
   struct stat found;
-  if (::stat(target_.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
+  const bool is_found = ::stat(target_.c_str(), &found) == 0;
+  if (!is_found && errno != ENOENT) fail(errno);
+  if (is_found && !S_ISREG(found.st_mode))
     throw WriteError(path_.string() + ": is not a regular file");
   FileDescriptor there(::open(target_.c_str(), kHow));
   if (there) return {std::move(there), false};
@@ -67,17 +73,15 @@ void AppendedFile::take_lock(int file) {
   while (lock_(file, LOCK_EX | LOCK_NB) != 0) {
     if (errno == EINTR) continue;
     if (errno == EWOULDBLOCK) throw InUse(path_.string() + ": another run is using it");
-    warning_ = Warning{path_.string(), 0,
-                       std::string("cannot be locked (") + std::strerror(errno) +
-                           "): make sure that no other run is at work on it"};
+    warning_ = cannot_be_locked(path_, errno);
     return;
   }
 }
 
 std::string AppendedFile::read(std::uint64_t offset, std::size_t length) const {
   std::string text(length, '\0');
-  const ssize_t got = ::pread(file_.number(), text.data(), text.size(), static_cast<off_t>(offset));
-  text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  if (!read_all(file_.number(), offset, text))
+    throw InputError(path_.string(), 0, 0, std::string("cannot be read: ") + std::strerror(errno));
   return text;
 }
 

@@ -26,8 +26,8 @@ class AppendedFile {
   /// As flock(2).
   using Lock = int (*)(int file, int operation);
 
-  /// Opens the file or makes it; links as with StagedFile. Throws WriteError; InUse while
-  /// another process has it open.
+  /// Opens the file or makes it; links as with StagedFile. Throws WriteError; InUse while another
+  /// process has it open; InputError where the system cannot say what is at the place.
   explicit AppendedFile(std::filesystem::path path, Lock lock);
   explicit AppendedFile(std::filesystem::path path);
   AppendedFile(const AppendedFile&) = delete;
@@ -41,7 +41,7 @@ class AppendedFile {
 
   std::uint64_t size() const { return size_; }
 
-  /// Fewer bytes where the file ends before.
+  /// Reads fewer bytes only where the file ends before. Throws InputError.
   std::string read(std::uint64_t offset, std::size_t length) const;
 
   /// `line` without its end. Throws WriteError.

@@ -23,9 +23,24 @@ bool write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
+    if (written == 0) errno = EIO;
+    if (written <= 0) return false;
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
+  return true;
+}
+
+bool read_all(int file, std::uint64_t offset, std::string& bytes) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t got =
+        ::pread(file, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return false;
+    if (got == 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  bytes.resize(done);
   return true;
 }
 
@@ -42,11 +57,25 @@ FileDescriptor open_folder_of(const std::filesystem::path& file) {
   return FileDescriptor(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
 }
 
+/// Whether an error says that there is nothing at a path. Any other leaves that open.
+static bool is_absence(int error) {
+  return error == ENOENT || error == ENOTDIR;
+}
+
 bool is_at(int file, const std::filesystem::path& place) {
   struct stat opened;
   struct stat there;
-  return ::fstat(file, &opened) == 0 && ::lstat(place.c_str(), &there) == 0 &&
-         opened.st_dev == there.st_dev && opened.st_ino == there.st_ino;
+  if (::fstat(file, &opened) == 0 && ::lstat(place.c_str(), &there) == 0)
+    return opened.st_dev == there.st_dev && opened.st_ino == there.st_ino;
+  if (is_absence(errno)) return false;
+  throw InputError(place.string(), 0, 0,
+                   std::string("cannot be looked at: ") + std::strerror(errno));
+}
+
+Warning cannot_be_locked(const std::filesystem::path& path, int error) {
+  return {path.string(), 0,
+          std::string("cannot be locked (") + std::strerror(error) +
+              "): make sure that no other run is at work on it"};
 }
 
 bool synchronise_folder(int folder) {
@@ -91,7 +120,7 @@ std::string link_to(int file) {
 bool may_be_planted(const fs::path& path, const struct stat& link) {
   struct stat folder;
   const fs::path parent = path.has_parent_path() ? path.parent_path() : ".";
-  if (::stat(parent.c_str(), &folder) != 0) return false;
+  if (::stat(parent.c_str(), &folder) != 0) refuse(path, std::strerror(errno));
   constexpr mode_t kShared = S_ISVTX | S_IWOTH;
   return (folder.st_mode & kShared) == kShared && link.st_uid != ::geteuid() &&
          link.st_uid != folder.st_uid;
@@ -99,7 +128,10 @@ bool may_be_planted(const fs::path& path, const struct stat& link) {
 
 /// What may not be replaced is refused. True: a file is there.
 bool is_replaced(const fs::path& path, const fs::path& target, struct stat& there) {
-  if (::stat(target.c_str(), &there) != 0) return false;
+  if (::stat(target.c_str(), &there) != 0) {
+    if (is_absence(errno)) return false;
+    refuse(path, std::strerror(errno));
+  }
   if (S_ISDIR(there.st_mode)) refuse(path, "is a folder, not a file");
   if (!S_ISREG(there.st_mode)) refuse(path, "is not a regular file");
   if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
@@ -124,6 +156,7 @@ int rename_to_free_place(int folder, const char* from, const char* to) {
     errno = EEXIST;
     return -1;
   }
+  if (errno != ENOENT) return -1;
   return ::renameat(folder, from, folder, to);
 }
 
@@ -133,7 +166,9 @@ fs::path end_of_links(const fs::path& path) {
   fs::path target = path;
   for (int links = 0; links < kMostLinks; ++links) {
     struct stat link;
-    if (::lstat(target.c_str(), &link) != 0 || !S_ISLNK(link.st_mode)) return target;
+    const bool is_found = ::lstat(target.c_str(), &link) == 0;
+    if (!is_found && !is_absence(errno)) refuse(path, std::strerror(errno));
+    if (!is_found || !S_ISLNK(link.st_mode)) return target;
     if (may_be_planted(target, link))
       refuse(path, "is a link that somebody else put into a folder shared by all");
     std::error_code error;
@@ -219,7 +254,7 @@ void StagedFile::commit(Existing existing) {
   if (!synchronise(file_.number())) fail(errno);
   if (name_.empty()) give_name();
   take_place(existing);
-  if (!synchronise_folder(folder_.number())) fail(errno);
+  if (!synchronise_folder(folder_.number())) fail_in_place(errno);
 }
 
 void StagedFile::commit_all(std::span<StagedFile> files, Existing existing) {
@@ -241,8 +276,8 @@ void StagedFile::synchronise_all(std::span<StagedFile> files, bool names) {
     struct stat own;
     if (is_together && ::fstat(file.file_.number(), &own) == 0 && own.st_dev == first.st_dev)
       continue;
-    if (names ? !synchronise_folder(file.folder_.number()) : !synchronise(file.file_.number()))
-      file.fail(errno);
+    if (names && !synchronise_folder(file.folder_.number())) file.fail_in_place(errno);
+    if (!names && !synchronise(file.file_.number())) file.fail(errno);
   }
 }
 
@@ -265,6 +300,13 @@ void StagedFile::take_place(Existing existing) {
 
 void StagedFile::fail(int error) const {
   refuse(path_, std::strerror(error));
+}
+
+void StagedFile::fail_in_place(int error) const {
+  throw WriteError(
+      path_.string() +
+      ": is written, but a power cut may undo it: its folder cannot be synchronised: " +
+      std::strerror(error));
 }
 
 }  // namespace mocapress

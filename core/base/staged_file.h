@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/mapped_file.h"
 
 namespace mocapress {
@@ -39,6 +40,9 @@ class FileDescriptor {
 
 /// Writes everything, however often the system takes only a part.
 bool write_all(int file, std::string_view bytes);
+
+/// Reads from `offset` on until `bytes` is full or the file ends, to which `bytes` is then cut.
+bool read_all(int file, std::uint64_t offset, std::string& bytes);
 
 /// Waits until the contents are on the disk. A file system that has nothing to synchronise is
 /// content.
@@ -93,7 +97,8 @@ class StagedFile {
   MappedFile map_back() const;
 
   /// Waits until the contents are on the disk, puts the file in place, and waits until its name is
-  /// on the disk. May be called once, as the last of all.
+  /// on the disk. May be called once, as the last of all. Where only the last of these fails, the
+  /// file is in place, and WriteError says that a power cut may undo it.
   void commit(Existing existing = Existing::Replace);
 
   /// The same of many files, all of which wait for the disk together: twice, not twice each. Where
@@ -107,6 +112,7 @@ class StagedFile {
   void give_name();
   void take_place(Existing existing);
   [[noreturn]] void fail(int error) const;
+  [[noreturn]] void fail_in_place(int error) const;
 
   std::filesystem::path path_;
   std::string place_;      // its name in the folder
@@ -115,8 +121,12 @@ class StagedFile {
   std::string name_;  // the random one; empty: it has none
 };
 
-/// Whether an open file is still the one at a place, and not one that was replaced.
+/// Whether an open file is still the one at a place, and not one that was replaced. Throws
+/// InputError where the system cannot say.
 bool is_at(int file, const std::filesystem::path& place);
+
+/// The warning that nothing keeps other processes away from a file, as flock(2) failed.
+Warning cannot_be_locked(const std::filesystem::path& path, int error);
 
 /// Where writing to `path` writes: the end of its links. Throws WriteError.
 std::filesystem::path end_of_links(const std::filesystem::path& path);

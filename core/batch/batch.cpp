@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/file_identity.h"
 #include "core/base/fnv1a.h"
+#include "core/base/path_kind.h"
 #include "core/formats/clip_files.h"
 
 namespace mocapress {
@@ -21,7 +22,8 @@ constexpr std::array<std::string_view, 5> kFormatNames = {"mcpr", "bvh", "amc", 
 /// "walks", for "../walks", "walks/", and "." in walks.
 std::string name_of_folder(const fs::path& folder) {
   std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(folder, error);
+  const fs::path canonical = fs::canonical(folder, error);
+  if (error) throw InputError(folder.string(), 0, 0, error.message());
   return (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();
 }
 
@@ -43,12 +45,12 @@ std::vector<SourceClip> sources_below(const fs::path& folder,
 
 std::vector<SourceClip> sources_of(const std::string& input, const std::string& outputs) {
   try {
-    const std::optional<FileIdentity> there = identity_of(input);
-    if (!there) return {{input, "", input + ": No such file or directory"}};
-    if (!fs::is_directory(input)) return {{input, "", ""}};
+    const PathKind kind = path_kind(input);
+    if (kind == PathKind::Absent) return {{input, "", input + ": No such file or directory"}};
+    if (kind != PathKind::Folder) return {{input, "", ""}};
     std::optional<FileIdentity> left_out;
     if (!outputs.empty()) left_out = identity_of(outputs);
-    if (left_out == there) left_out.reset();
+    if (left_out == identity_of(input)) left_out.reset();
     return sources_below(input, left_out);
   } catch (const InputError& problem) {
     return {{input, "", problem.what()}};

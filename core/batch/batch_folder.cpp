@@ -10,6 +10,8 @@
 
 #include "core/bank/bank.h"
 #include "core/base/error.h"
+#include "core/base/make_folders.h"
+#include "core/base/path_kind.h"
 #include "core/batch/journal.h"
 #include "core/batch/report.h"
 
@@ -36,14 +38,14 @@ void check_bank(const fs::path& folder, const Batch& batch, const BatchRunOption
     throw Error(
         "a shard has not all clips of a bank: make it of the .mcpr files when all are done");
   const fs::path bank = folder / kBankOfBatch;
-  const bool own = options.resumed && fs::exists(folder / journal_name(options.shard));
-  if (fs::exists(bank) && !own && !options.overwrite)
+  const bool own = options.resumed && is_there(folder / journal_name(options.shard));
+  if (is_there(bank) && !own && !options.overwrite)
     throw WriteError(bank.string() + " exists: not overwritten");
 }
 
 /// False: there was no clip to put in, or it was ended early.
-bool make_bank_of(const fs::path& folder, const BankOptions& options, JournalReader& reader,
-                  BatchControl& control, BatchProgress progress,
+bool make_bank_of(const fs::path& folder, const BankOptions& options, const JournalReader& reader,
+                  BatchControl& control, BatchProgress progress, Warnings& warnings,
                   const Observer<BatchProgress>& observer) {
   std::vector<BankSource> sources;
   reader.for_each([&](const BatchRow& row) {
@@ -52,6 +54,7 @@ bool make_bank_of(const fs::path& folder, const BankOptions& options, JournalRea
   if (sources.empty()) return false;
   return make_bank(folder / kBankOfBatch, std::move(sources), options,
                    [&](const BankProgress& bank) {
+                     if (bank.warning) warnings.push_back(*bank.warning);
                      progress.bank = bank;
                      if (!should_continue(observer, progress)) control.cancel();
                      return control.may_continue();
@@ -73,9 +76,7 @@ BatchOutcome run_batch_in(const fs::path& folder, const Batch& batch,
                           const Observer<BatchProgress>& observer) {
   check(batch);
   check_bank(folder, batch, options);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw WriteError(folder.string() + ": cannot be made: " + error.message());
+  make_folders(folder);
   const fs::path journal_path = folder / journal_name(options.shard);
   BatchOutcome outcome;
   {
@@ -84,14 +85,15 @@ BatchOutcome run_batch_in(const fs::path& folder, const Batch& batch,
     if (journal.warning()) outcome.warnings.push_back(*journal.warning());
   }
   if (!outcome.complete) return outcome;
-  JournalReader reader(journal_path);
+  const JournalReader reader(journal_path);
   write_batch_report(
       folder, suffix_of(options.shard), [&](const auto& visit) { reader.for_each(visit); }, 0);
   if (batch.bank) {
     tbb::task_arena arena(options.jobs > 0 ? options.jobs : tbb::task_arena::automatic);
     arena.execute([&] {
-      outcome.has_bank = make_bank_of(folder, {.form = *batch.bank, .learn = batch.learn}, reader,
-                                      control, {.counts = outcome.counts}, observer);
+      outcome.has_bank =
+          make_bank_of(folder, {.form = *batch.bank, .learn = batch.learn}, reader, control,
+                       {.counts = outcome.counts}, outcome.warnings, observer);
     });
     outcome.complete = !control.cancelled();
   }
@@ -105,9 +107,9 @@ namespace fs = std::filesystem;
 std::vector<fs::path> journals_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("batch") && name.ends_with(".jsonl")) found.push_back(entry.path());
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (name.starts_with("batch") && name.ends_with(".jsonl")) found.push_back(at->path());
   }
   if (error) throw InputError(folder.string(), 0, 0, error.message());
   std::sort(found.begin(), found.end());
@@ -122,8 +124,7 @@ void visit_in_order(std::vector<std::unique_ptr<JournalReader>>& journals,
   for (const auto& journal : journals)
     for (std::size_t place = 0; place < journal->rows(); ++place)
       places[journal->index_at(place)] = {journal.get(), place};
-  for (const auto& [index, place] : places)
-    if (const auto row = place.first->row_at(place.second)) visit(*row);
+  for (const auto& [index, place] : places) visit(place.first->row_at(place.second));
 }
 
 }  // namespace
@@ -151,8 +152,7 @@ MergedBatch merge_batch(const std::vector<fs::path>& folders, const fs::path& fo
     if (visit) visit(row);
   });
   merged.waiting = merged.clips - std::min(rows, merged.clips);
-  std::error_code error;
-  fs::create_directories(folder, error);
+  make_folders(folder);
   write_batch_report(folder, "", in_order, merged.waiting);
   return merged;
 }

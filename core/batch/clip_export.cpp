@@ -6,7 +6,9 @@
 
 #include "core/base/error.h"
 #include "core/base/fnv1a.h"
+#include "core/base/make_folders.h"
 #include "core/base/number_text.h"
+#include "core/base/path_kind.h"
 #include "core/base/staged_file.h"
 #include "core/batch/verification.h"
 #include "core/codec/decode/track_decoding.h"
@@ -121,11 +123,10 @@ class Export {
     for (const OutputFormat format : batch_.formats)
       for (const std::string& name : file_names(item_.output, format)) {
         const fs::path place = folder_ / name;
-        std::error_code error;
-        if (!fs::exists(place, error)) continue;
-        const std::optional<FileIdentity> there = identity_of(place);
-        if (there && rights_.sources && rights_.sources->contains(*there))
-          throw Error(place.string() + " is a file that clips of this batch are made from");
+          if (!is_there(place)) continue;
+          const std::optional<FileIdentity> there = identity_of(place);
+          if (there && rights_.sources && rights_.sources->contains(*there))
+            throw Error(place.string() + " is a file that clips of this batch are made from");
         if (!rights_.resumed && !may_replace(name)) refuse(place);
       }
   }
@@ -267,9 +268,7 @@ class Export {
   /// In folders made for it.
   StagedFile staged(const std::string& name, const Bytes& bytes) const {
     const fs::path path = folder_ / name;
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    if (error) throw WriteError(path.string() + ": cannot be written: " + error.message());
+    make_folders(path.parent_path());
     StagedFile file(path);
     file.write(bytes);
     return file;
@@ -288,12 +287,11 @@ class Export {
     using Existing = StagedFile::Existing;
     std::vector<Existing> existing;
     for (std::size_t i = 0; i < files.size(); ++i) {
-      std::error_code error;
-      const bool is_there = fs::exists(files[i].path(), error);
+      const bool replaces = is_there(files[i].path());
       const bool same =
-          is_there && rights_.resumed && hash_of(files[i].path()) == row_.files[i].hash;
-      if (is_there && !same && !may_replace(row_.files[i].name)) refuse(files[i].path());
-      existing.push_back(is_there ? Existing::Replace : Existing::Refuse);
+          replaces && rights_.resumed && hash_of(files[i].path()) == row_.files[i].hash;
+      if (replaces && !same && !may_replace(row_.files[i].name)) refuse(files[i].path());
+      existing.push_back(replaces ? Existing::Replace : Existing::Refuse);
     }
     for (std::size_t i = 0; i < files.size(); ++i) files[i].commit(existing[i]);
   }

@@ -4,8 +4,6 @@
 #include <sys/file.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 #include <utility>
@@ -80,6 +78,12 @@ std::optional<JournalHeader> parse_header(const std::string& line) {
   }
 }
 
+std::string first_line(const fs::path& path) {
+  std::string line;
+  LineReader(path).next(line);
+  return line;
+}
+
 std::uint64_t key_of(const std::string& output) {
   Fnv1a hash;
   hash.add(output);
@@ -88,34 +92,30 @@ std::uint64_t key_of(const std::string& output) {
 
 }  // namespace
 
-JournalReader::JournalReader(const fs::path& path) : stream_(path, std::ios::binary) {
-  if (!stream_) throw InputError(path.string(), 0, 0, std::strerror(errno));
+JournalReader::JournalReader(const fs::path& path) : path_(path.string()), lines_(path) {
   std::string line;
-  std::getline(stream_, line);
+  lines_.next(line);
   const auto header = parse_header(line);
   if (!header) throw InputError(path.string(), 1, 0, "is not the journal of a batch");
   header_ = *header;
   std::unordered_map<std::uint64_t, Place> last;
-  for (std::streamoff offset = stream_.tellg(); std::getline(stream_, line);
-       offset += static_cast<std::streamoff>(line.size()) + 1)
-    if (const auto row = parse_batch_row(line)) last[key_of(row->output)] = {row->index, offset};
+  while (lines_.next(line))
+    if (const auto row = parse_batch_row(line))
+      last[key_of(row->output)] = {row->index, lines_.offset(), line.size()};
   for (const auto& [key, place] : last) places_.push_back(place);
   std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
     return std::pair(a.index, a.offset) < std::pair(b.index, b.offset);
   });
 }
 
-void JournalReader::for_each(const std::function<void(const BatchRow&)>& visit) {
-  for (std::size_t place = 0; place < places_.size(); ++place)
-    if (const auto row = row_at(place)) visit(*row);
+void JournalReader::for_each(const std::function<void(const BatchRow&)>& visit) const {
+  for (std::size_t place = 0; place < places_.size(); ++place) visit(row_at(place));
 }
 
-std::optional<BatchRow> JournalReader::row_at(std::size_t place) {
-  stream_.clear();
-  stream_.seekg(places_[place].offset);
-  std::string line;
-  std::getline(stream_, line);
-  return parse_batch_row(line);
+BatchRow JournalReader::row_at(std::size_t place) const {
+  auto row = parse_batch_row(lines_.read(places_[place].offset, places_[place].length));
+  if (!row) throw InputError(path_, 0, 0, "changed while it was read");
+  return *std::move(row);
 }
 
 Journal::Journal(const fs::path& path, const Batch& batch, const Shard& shard, Start start,
@@ -149,16 +149,15 @@ void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
       return place;
     };
     write(to_line(header));
-    try {
-      JournalReader(path_).for_each([&](const BatchRow& row) {
-        const auto found = wanted.find(key_of(row.output));
-        if (found == wanted.end()) return;
-        BatchRow moved = row;
-        moved.index = found->second;
-        places_[moved.index] = write(to_journal_line(moved));
-      });
-    } catch (const InputError&) {  // no header: nothing of it counts
-    }
+    // Whoever began it was killed within the header, and there are no rows.
+    if (first_line(path_).size() == lines_.size()) return;
+    JournalReader(path_).for_each([&](const BatchRow& row) {
+      const auto found = wanted.find(key_of(row.output));
+      if (found == wanted.end()) return;
+      BatchRow moved = row;
+      moved.index = found->second;
+      places_[moved.index] = write(to_journal_line(moved));
+    });
   });
 }
 

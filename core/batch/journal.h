@@ -4,13 +4,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/appended_file.h"
+#include "core/base/line_reader.h"
 #include "core/batch/row.h"
 
 namespace mocapress {
@@ -33,21 +33,23 @@ class JournalReader {
   const JournalHeader& header() const { return header_; }
 
   /// The last row of each output, in the order of their index.
-  void for_each(const std::function<void(const BatchRow&)>& visit);
+  void for_each(const std::function<void(const BatchRow&)>& visit) const;
 
   std::size_t rows() const { return places_.size(); }
 
-  /// The same one by one.
+  /// The same one by one. Throws InputError where it cannot be read any more.
   std::size_t index_at(std::size_t place) const { return places_[place].index; }
-  std::optional<BatchRow> row_at(std::size_t place);
+  BatchRow row_at(std::size_t place) const;
 
  private:
   struct Place {
     std::size_t index;
-    std::streamoff offset;
+    std::uint64_t offset;
+    std::size_t length;
   };
 
-  std::ifstream stream_;
+  std::string path_;
+  LineReader lines_;
   JournalHeader header_;
   std::vector<Place> places_;
 };
@@ -59,16 +61,17 @@ class Journal {
 
   /// New: throws WriteError where there is one already. Resume: its rows are kept as far as they
   /// are of `batch` and `shard`, whatever is left half-written. Anew: it is emptied. Throws
-  /// WriteError, also when another run has it open: it says who, as the journal's first line does.
-  /// With `take_over` a run on another computer does not count: its lock may stand when it is gone.
+  /// WriteError, also when another run has it open: it says who, as the journal's first line does;
+  /// and InputError where rows cannot be read: then the file stays as it was. With `take_over` a run
+  /// on another computer does not count: its lock may stand when it is gone.
   Journal(const std::filesystem::path& path, const Batch& batch, const Shard& shard, Start start,
           bool take_over = false);
 
   /// That other runs could not be kept away from it.
   const std::optional<Warning>& warning() const { return lines_.warning(); }
 
-  /// The row of a clip of the batch that was kept on resuming, if there is one: what cannot be read
-  /// is not there.
+  /// The row of a clip of the batch that was kept on resuming, if there is one. Throws InputError
+  /// where it cannot be read.
   std::optional<BatchRow> find(std::size_t index) const;
 
   /// Appends a row; it is on the disk then. Throws WriteError.

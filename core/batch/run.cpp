@@ -151,7 +151,8 @@ class Run {
     std::uint64_t bytes;
   };
 
-  void do_clip(const Waiting& clip) {
+  /// Ends the run where the journal cannot be read or written: a clip that fails is a row instead.
+  void do_clip(const Waiting& clip) try {
     const BatchItem item = batch_.items[clip.index];
     const std::optional<BatchRow> earlier = find(clip.index);
     if (earlier && options_.resumed && still_done(*earlier, batch_, item, folder_)) {
@@ -176,6 +177,10 @@ class Run {
       finish(clip, *row, false, true);
     else
       drop(clip);
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    failure_ = std::current_exception();
+    control_.cancel();
   }
 
   std::optional<BatchRow> find(std::size_t index) {
@@ -185,13 +190,7 @@ class Run {
 
   void finish(const Waiting& clip, const BatchRow& row, bool kept, bool is_new) {
     const std::lock_guard lock(mutex_);
-    try {
-      if (is_new) journal_.append(row);
-    } catch (...) {
-      failure_ = std::current_exception();
-      control_.cancel();
-      return;
-    }
+    if (is_new) journal_.append(row);
     set_under_way(clip, 0);
     ++counts_.done;
     counts_.kept += kept;

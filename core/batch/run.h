@@ -80,7 +80,7 @@ struct BatchRunOptions {
 struct BatchOutcome {
   BatchCounts counts;
   bool complete = true;  // false: some clips are still waiting
-  Warnings warnings;     // of the journal; those of clips are in their rows
+  Warnings warnings;     // of the journal and the bank; those of clips are in their rows
   bool has_bank = false;
 };
 

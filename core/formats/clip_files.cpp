@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/path_kind.h"
 #include "core/formats/text_cursor.h"
 
 namespace mocapress {
@@ -96,10 +97,10 @@ std::vector<fs::path> find_clips(const std::vector<fs::path>& inputs) {
     if (found.insert(clip).second) clips.push_back(clip);
   };
   for (const fs::path& input : inputs) {
-    std::error_code error;
-    const fs::file_status status = fs::status(input, error);
-    if (!fs::exists(status)) throw InputError(input.string(), 0, 0, "No such file or directory");
-    if (!fs::is_directory(status)) {
+    const PathKind kind = path_kind(input);
+    if (kind == PathKind::Absent)
+      throw InputError(input.string(), 0, 0, "No such file or directory");
+    if (kind != PathKind::Folder) {
       add(input);
       continue;
     }

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/path_kind.h"
 #include "core/formats/gltf_animation.h"
 #include "core/formats/gltf_reader.h"
 #include "core/formats/gltf_writer.h"
@@ -226,8 +227,7 @@ void embed_images(const GltfFile& file, Json& json, bool with_files, BufferWrite
 }
 
 bool same_folder(const fs::path& a, const fs::path& b) {
-  std::error_code error;
-  return fs::equivalent(a.empty() ? "." : a, b.empty() ? "." : b, error);
+  return is_same_file(a.empty() ? "." : a, b.empty() ? "." : b);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/file.h"
+#include "core/base/path_kind.h"
 #include "core/formats/amc.h"
 #include "core/formats/asf.h"
 #include "core/formats/bvh.h"
@@ -91,8 +92,7 @@ path find_skeleton(const path& amc) {
   for (const std::string& name : {stem, subject})
     for (const char* extension : {".asf", ".ASF"}) {
       path candidate = amc.parent_path() / (name + extension);
-      std::error_code ignored;
-      if (std::filesystem::exists(candidate, ignored)) return candidate;
+      if (is_there(candidate)) return candidate;
     }
   throw InputError(
       amc.string(), 0, 0,
@@ -101,8 +101,7 @@ path find_skeleton(const path& amc) {
 
 std::optional<path> find_tracks(const path& motion) {
   path table = path(motion).replace_extension(".tracks.csv");
-  std::error_code ignored;
-  return std::filesystem::exists(table, ignored) ? std::optional(std::move(table)) : std::nullopt;
+  return is_there(table) ? std::optional(std::move(table)) : std::nullopt;
 }
 
 MotionFile parse_motion(const path& file, std::string_view text, std::string_view skeleton_text,

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/path_kind.h"
 
 namespace mocapress {
 namespace {
@@ -316,8 +317,7 @@ Settings find_preset(const std::string& name_or_file) {
     if (slug(preset.name) == slug(name_or_file)) return preset;
     known += ", " + slug(preset.name);
   }
-  std::error_code ignored;
-  if (!std::filesystem::exists(name_or_file, ignored))
+  if (!is_there(name_or_file))
     throw InputError(name_or_file, 0, 0, "is neither a file nor a preset" + known);
   return parse_presets(name_or_file, read_text(name_or_file)).front();
 }

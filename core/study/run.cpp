@@ -139,6 +139,8 @@ class Run {
                                   [&](const EncodeProgress&) { return !(told_to_stop = !ask()); });
       if (!compression.complete) return false;
       row.measured = clip.measure(compression);
+    } catch (const std::bad_alloc&) {
+      throw;  // says nothing of the clip: a row of it would be kept for later runs
     } catch (const std::exception& error) {
       row.error = error.what();
     }

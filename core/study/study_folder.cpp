@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "core/base/file.h"
+#include "core/base/make_folders.h"
 #include "core/base/parallel.h"
 #include "core/study/report.h"
 #include "core/study/results.h"
@@ -77,21 +78,27 @@ std::vector<Pictured> pictured_clips(const Results& results,
 
 /// Unset when the observer ended it.
 std::optional<std::vector<Picture>> take_pictures(const StudyPlan& plan, const Results& results,
-                                                  const Observer<EncodeProgress>& observer) {
+                                                  const Observer<EncodeProgress>& observer,
+                                                  Warnings& warnings) {
   const std::vector<std::string> methods = pictured_methods(results);
   const std::vector<Pictured> clips = pictured_clips(results, methods);
   std::vector<std::optional<Picture>> taken(clips.size());
+  std::vector<std::string> problems(clips.size());
   std::atomic<bool> stopped = false;
   parallel_for(std::size_t{0}, clips.size(), [&](std::size_t i) {
     tbb::this_task_arena::isolate([&] {
       try {
         taken[i] = take_picture(plan, clips[i].path, methods, clips[i].ratio, observer);
         if (!taken[i]) stopped = true;
-      } catch (const InputError&) {  // gone since it was measured: the figures stand without it
+      } catch (const InputError& error) {  // the figures were measured before
+        problems[i] = error.what();
       }
     });
   });
   if (stopped) return std::nullopt;
+  for (std::size_t i = 0; i < clips.size(); ++i)
+    if (!problems[i].empty())
+      warnings.push_back({clips[i].path, 0, "is not pictured in the report: " + problems[i]});
   std::vector<Picture> pictures;
   for (auto& picture : taken)
     if (picture) pictures.push_back(std::move(*picture));
@@ -102,9 +109,7 @@ std::optional<std::vector<Picture>> take_pictures(const StudyPlan& plan, const R
 
 StudyOutcome run_study_kept(const fs::path& folder, const StudyPlan& plan,
                             const Observer<StudyProgress>& observer) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw WriteError(folder.string() + ": cannot be made: " + error.message());
+  make_folders(folder);
   RowsFile file(folder / kRowsSoFar);
   StudyOutcome outcome = run_study(
       plan, file.rows(), [&](const StudyRow& row) { file.append(row); }, observer);
@@ -113,8 +118,11 @@ StudyOutcome run_study_kept(const fs::path& folder, const StudyPlan& plan,
 }
 
 std::optional<std::string> study_report(const StudyPlan& plan, const Results& results,
-                                        const Observer<EncodeProgress>& observer) {
-  const auto pictures = take_pictures(plan, results, observer);
+                                        const Observer<EncodeProgress>& observer,
+                                        Warnings* warnings) {
+  Warnings unheard;
+  const auto pictures =
+      take_pictures(plan, results, observer, warnings == nullptr ? unheard : *warnings);
   if (!pictures) return std::nullopt;
   return report_html(results, *pictures);
 }
@@ -130,10 +138,13 @@ StudyOutcome run_study_in(const fs::path& folder, const StudyPlan& plan,
 
   last.finished = nullptr;
   std::mutex mutex;
-  const auto report = study_report(plan, Results(outcome.rows), [&](const EncodeProgress&) {
-    const std::lock_guard lock(mutex);
-    return should_continue(observer, last);
-  });
+  const auto report = study_report(
+      plan, Results(outcome.rows),
+      [&](const EncodeProgress&) {
+        const std::lock_guard lock(mutex);
+        return should_continue(observer, last);
+      },
+      &outcome.warnings);
   outcome.complete = report.has_value();
   if (!outcome.complete) return outcome;
   write_text(folder / kRowsCsv, rows_csv(outcome.rows));

@@ -24,9 +24,11 @@ StudyOutcome run_study_kept(const std::filesystem::path& folder, const StudyPlan
                             const Observer<StudyProgress>& observer = {});
 
 /// The report of rows, be they all of the plan's or not: its pictures are compressed anew, from the
-/// clips that can be read. Unset when the observer, which several threads call, ended it.
+/// clips that can be read; `warnings` names the others. Unset when the observer, which several
+/// threads call, ended it.
 std::optional<std::string> study_report(const StudyPlan& plan, const Results& results,
-                                        const Observer<EncodeProgress>& observer = {});
+                                        const Observer<EncodeProgress>& observer = {},
+                                        Warnings* warnings = nullptr);
 
 /// run_study_kept(), and when all rows are there the tables and the report; an observer that says
 /// no before leaves those of an earlier run.

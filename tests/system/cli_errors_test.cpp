@@ -57,6 +57,30 @@ TEST_F(CliErrors, ABrokenTextFileIsThreeAndNamesLineAndColumn) {
   EXPECT_FALSE(std::filesystem::exists(packed_));
 }
 
+TEST_F(CliErrors, StandardOutputThatCannotBeWrittenIsFive) {
+  ASSERT_EQ(mocapress({"compress", clip_, "-o", packed_}).exit_code, 0);
+  const std::string bank = file("walk.mcpk");
+  ASSERT_EQ(mocapress({"bank", "make", bank, packed_}).exit_code, 0);
+  const std::vector<std::vector<std::string>> printing = {
+      {"--help"},
+      {"--version"},
+      {"info", packed_, "--json"},
+      {"compress", clip_, "--json"},
+      {"measure", clip_, packed_, "--json"},
+      {"contacts", clip_, "--json"},
+      {"bank", "list", bank, "--json"},
+      {"batch", clip_, "-o", file("batch"), "--json-progress"},
+      {"study", clip_, "-o", file("study"), "--methods", "standard", "--ratios", "10",
+       "--json-progress"}};
+  for (const std::vector<std::string>& words : printing) {
+    std::vector<std::string> line = {"sh", "-c", "\"$@\" > /dev/full", "sh", MOCAPRESS_EXECUTABLE};
+    line.insert(line.end(), words.begin(), words.end());
+    const Outcome outcome = run_program(line);
+    EXPECT_EQ(outcome.exit_code, 5) << words[0] << ": " << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("standard output: cannot be written")) << words[0];
+  }
+}
+
 TEST_F(CliErrors, AnUnknownExtensionIsThree) {
   const std::string odd = write("walk.xyz", "hello");
   EXPECT_THAT(error_of(3, {"compress", odd}), HasSubstr("walk.xyz"));

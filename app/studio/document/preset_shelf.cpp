@@ -11,6 +11,7 @@
 #include "app/studio/document/edit_step.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/path_kind.h"
 #include "core/mocapress/settings_json.h"
 
 namespace mocapress {
@@ -23,8 +24,8 @@ std::filesystem::path pathOf(const QString& text) {
 }  // namespace
 
 PresetShelf::PresetShelf(const QString& file, QObject* parent) : QObject(parent), file_(file) {
-  if (!QFileInfo::exists(file_)) return;
   try {
+    if (!is_there(pathOf(file_))) return;
     own_ = parse_presets(file_.toStdString(), read_text(pathOf(file_)));
   } catch (const Error&) {
     unreadable_ = true;  // and stays as it is, see write()
@@ -143,14 +144,14 @@ void PresetShelf::apply(const std::vector<Edit>& edits, bool backwards) {
   emit changed();
 }
 
-/// What could not be read is kept beside the new file. False: it could not be.
+/// What could not be read is kept beside the new file. False: it could not be. Throws InputError.
 bool PresetShelf::setAside() {
   if (!unreadable_) return true;
   QString kept = file_ + QStringLiteral(".unreadable");
   for (int i = 2; QFile::exists(kept); ++i)
     kept = QStringLiteral("%1.unreadable%2").arg(file_).arg(i);
   QFile file(file_);
-  if (file.exists() && !file.rename(kept)) {
+  if (is_there(pathOf(file_)) && !file.rename(kept)) {
     emit noted(tr("Presets could not be kept: %1").arg(file.errorString()));
     return false;
   }
@@ -161,9 +162,9 @@ bool PresetShelf::setAside() {
 }
 
 void PresetShelf::write() {
-  if (!setAside()) return;
   QDir().mkpath(QFileInfo(file_).absolutePath());
   try {
+    if (!setAside()) return;
     write_text(pathOf(file_), own_.empty() ? std::string("[]\n") : presets_text(own_));
   } catch (const Error& error) {
     emit noted(tr("Presets could not be kept: %1").arg(QString::fromStdString(error.what())));

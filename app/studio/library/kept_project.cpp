@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/path_kind.h"
 
 namespace mocapress {
 
@@ -49,6 +50,15 @@ constexpr std::size_t kMostFormer = 20;
 QString fileOf(const QString& path) {
   const QFileInfo file(path);
   return file.exists() ? file.canonicalFilePath() : file.absoluteFilePath();
+}
+
+/// Whether there is no such file. Where the system cannot say, there may be one: opening it tells.
+bool isAbsent(const QString& path) {
+  try {
+    return !is_there(path.toStdU16String());
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 /// What goes wrong; empty: nothing. What is worked on last is what the next start opens, whichever
@@ -102,7 +112,7 @@ bool KeptProject::begin(const QString& folder) {
     return true;
   }
   // One that was left before there was anything in it has no file.
-  if (shelf_->isUnnamed(last) && !QFile::exists(last)) {
+  if (shelf_->isUnnamed(last) && isAbsent(last)) {
     enter(last, std::move(lock), {});
     return true;
   }

@@ -16,6 +16,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/path_kind.h"
 
 namespace mocapress {
 namespace {
@@ -24,6 +25,18 @@ constexpr qsizetype kMostListed = 100;
 constexpr std::chrono::seconds kPatience{10};  // with another studio that writes the list
 constexpr unsigned long kPause = 10;           // ms between two looks whether it is done
 const QString kProjects = QStringLiteral("projects");
+
+/// Throws InputError where the list is there but cannot be read.
+QStringList readList(const QString& file) {
+  const std::filesystem::path path = file.toStdU16String();
+  QStringList paths;
+  if (!is_there(path)) return paths;
+  const QByteArray text = QByteArray::fromStdString(read_text(path));
+  const QJsonObject json = QJsonDocument::fromJson(text).object();
+  for (const auto& one : json.value(kProjects).toArray()) paths << one.toString();
+  paths.removeAll(QString());
+  return paths;
+}
 
 }  // namespace
 
@@ -35,13 +48,11 @@ ProjectShelf::ProjectShelf(const QString& folder) {
 }
 
 QStringList ProjectShelf::listed() const {
-  QFile file(list());
-  if (!file.open(QIODevice::ReadOnly)) return {};
-  QStringList paths;
-  const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
-  for (const auto& path : json.value(kProjects).toArray()) paths << path.toString();
-  paths.removeAll(QString());
-  return paths;
+  try {
+    return readList(list());
+  } catch (const Error&) {
+    return {};  // use() says so before it writes the list
+  }
 }
 
 QString ProjectShelf::inUse() const {
@@ -59,7 +70,7 @@ void ProjectShelf::use(const QString& path) const {
       throw WriteError(list().toStdString() + ": cannot be locked");
     QThread::msleep(kPause);
   }
-  QStringList paths = listed();
+  QStringList paths = readList(list());
   paths.removeAll(path);
   paths.removeIf([this](const QString& one) { return isUnnamed(one) && !QFile::exists(one); });
   paths.prepend(path);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/file.h"
+#include "core/base/path_kind.h"
 #include "core/formats/clip_files.h"
 #include "core/study/row.h"
 #include "core/study/study_folder.h"
@@ -26,7 +27,7 @@ StudyPlan planOfRows(const std::vector<StudyRow>& rows) {
 
 /// Rows of other weightings, which the folder may keep too, have no place beside the newest.
 std::vector<StudyRow> readStudy(const fs::path& folder) {
-  if (!fs::exists(folder / kRowsSoFar)) return {};
+  if (!is_there(folder / kRowsSoFar)) return {};
   std::vector<StudyRow> rows = read_rows(folder / kRowsSoFar);
   if (rows.empty()) return rows;
   const Weighting newest = rows.back().settings.weighting;

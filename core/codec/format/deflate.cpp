@@ -59,6 +59,7 @@ std::vector<std::byte> inflate_bytes(std::span<const std::byte> bytes, std::size
   const std::size_t consumed = bytes.size() - stream.avail_in;
   inflateEnd(&stream);
   if (unpacked.size() > most) throw FormatError(consumed, "inflates to more bytes than allowed");
+  if (status == Z_MEM_ERROR) throw std::bad_alloc();
   if (status != Z_STREAM_END) throw FormatError(consumed, "the DEFLATE stream is damaged");
   if (consumed != bytes.size()) throw FormatError(consumed, "bytes after the DEFLATE stream");
   return unpacked;

@@ -140,6 +140,52 @@ TEST_F(JournalTest, OfARunningBatchIsNobodyElses) {
   EXPECT_THROW(Journal(path_, all, {}, Journal::Start::Anew), WriteError);
 }
 
+TEST_F(JournalTest, RowsThatCannotBeReadAnyMoreAreAnErrorAndNotFewerRows) {
+  const Batch all = batch();
+  {
+    Journal journal(path_, all, {}, Journal::Start::New);
+    journal.append(row(all, 0));
+    journal.append(row(all, 1));
+  }
+  const JournalReader reader(path_);
+  std::vector<std::size_t> visited;
+  const auto visit = [&](const BatchRow& one) { visited.push_back(one.index); };
+  const std::string whole = read_text(path_);
+  fs::resize_file(path_, whole.size() - 10);
+  EXPECT_THROW(reader.for_each(visit), InputError);
+  EXPECT_EQ(visited, std::vector<std::size_t>{0});
+  std::ofstream(path_) << std::string(whole.size(), 'x');
+  EXPECT_THROW(reader.for_each(visit), InputError);
+}
+
+TEST_F(JournalTest, AReadErrorIsNotTheEnd) {
+  try {
+    JournalReader reader(folder_);  // opens as a file, and cannot be read
+    ADD_FAILURE() << "read";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("cannot be read: Is a directory"));
+  }
+}
+
+TEST_F(JournalTest, ResumedNeverReplacesAFileThatIsNoJournal) {
+  const Batch all = batch();
+  const std::string foreign = "one line\nand another\n";
+  write_text(path_, foreign);
+  EXPECT_THROW(Journal(path_, all, {}, Journal::Start::Resume), InputError);
+  EXPECT_EQ(read_text(path_), foreign);
+}
+
+TEST_F(JournalTest, ResumedWithinTheHeaderBeginsAnew) {
+  const Batch all = batch();
+  { const Journal journal(path_, all, {}, Journal::Start::New); }
+  const std::string header = read_text(path_);
+  for (const std::size_t size : {std::size_t{1}, header.size() / 2, header.size() - 1}) {
+    write_text(path_, header.substr(0, size));
+    { const Journal journal(path_, all, {}, Journal::Start::Resume); }
+    EXPECT_EQ(read_text(path_), header);
+  }
+}
+
 TEST_F(JournalTest, ThatIsNoneIsRefusedToReaders) {
   write_text(path_, "hello\n");
   EXPECT_THROW(JournalReader reader(path_), InputError);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// After stat(2).
+#pragma once
+
+#include <filesystem>
+
+namespace mocapress {
+
+enum class PathKind { Absent, File, Folder, Other };
+
+/// The kind of file at a path, at the end of its links. Only a path at which the system finds
+/// nothing is absent: any other failure, such as a disk that does not answer, throws InputError.
+PathKind path_kind(const std::filesystem::path& path);
+
+/// Whether there is anything at the path. Throws InputError as path_kind() does.
+bool is_there(const std::filesystem::path& path);
+
+/// Whether two paths lead to one file; no where either is absent. Throws InputError as path_kind()
+/// does.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+}  // namespace mocapress
