@@ -18,6 +18,7 @@
 #include "app/studio/window/trace.h"
 #include "core/base/kept_memory.h"
 #include "core/baselines/rivals.h"
+#include "core/base/memory_limit.h"
 #include "translations/install.h"
 #include "widgets/viewport/viewport.h"
 
@@ -117,6 +118,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   mocapress::keep_freed_memory();
   mocapress::add_rivals();
+  mocapress::set_memory_limit(mocapress::half_of_the_memory());
   try {
     return mocapress::run(argc, argv);
   } catch (const std::exception& error) {

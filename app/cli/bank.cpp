@@ -79,7 +79,7 @@ void tell_of(const std::string& path, bool is_whole, const ClipCount& count) {
   const MappedFile file(path);
   const mcpk_bank* bank = nullptr;
   require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank));
-  std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", path.c_str(), bank->clips,
+  std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", printable(path).c_str(), bank->clips,
                static_cast<unsigned long long>(bank->bytes), name(bank->form).data());
 }
 
@@ -284,7 +284,8 @@ void verify_bank(const std::string& path) {
     std::fprintf(stderr, "Stopped after %s.\n", count.text().c_str());
     throw EndedWith{128 + stop_signal};
   }
-  std::fprintf(stderr, "%s: %u clips are whole and play\n", path.c_str(), bank.clips() - unplayed);
+  std::fprintf(stderr, "%s: %u clips are whole and play\n", printable(path).c_str(),
+               bank.clips() - unplayed);
   if (unplayed > 0)
     std::fprintf(stderr, "%u are whole, but of a coding that no engine plays\n", unplayed);
 }

@@ -206,7 +206,8 @@ struct BatchCommand {
     const MergedBatch merged =
         merge_batch(folders, target, [&](const BatchRow& row) { keeper.look_at(row); });
     std::fprintf(stderr, "%zu clips, %zu failed, %zu still waiting\n%s\n", merged.clips,
-                 merged.failed, merged.waiting, (target / report_name({})).c_str());
+                 merged.failed, merged.waiting,
+                 printable((target / report_name({})).string()).c_str());
     if (merged.failed > 0 || merged.waiting > 0) throw EndedWith{kSomeFailed};
     keeper.end();
   }
@@ -246,7 +247,7 @@ struct BatchCommand {
     write_text(queue, queue_text(batch));
     write_text(slurm_file, script);
     std::fprintf(stderr, "%zu clips in %d tasks: sbatch %s\n", batch.items.size(), slurm_tasks,
-                 slurm_file.c_str());
+                 printable(slurm_file).c_str());
   }
 };
 

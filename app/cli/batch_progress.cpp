@@ -139,8 +139,8 @@ void BatchReporter::end(const BatchOutcome& outcome, const std::filesystem::path
   if (warned_ > 0) std::fprintf(stderr, ", %zu of them with warnings", warned_);
   if (counts.failed > 0) std::fprintf(stderr, "; %zu failed", counts.failed);
   std::fprintf(stderr, "\n");
-  if (outcome.complete) std::fprintf(stderr, "%s\n", report.c_str());
-  if (outcome.has_bank) std::fprintf(stderr, "%s\n", bank_beside(report).c_str());
+  if (outcome.complete) std::fprintf(stderr, "%s\n", printable(report.string()).c_str());
+  if (outcome.has_bank) std::fprintf(stderr, "%s\n", printable(bank_beside(report)).c_str());
 }
 
 }  // namespace mocapress::cli

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <new>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/cli/commands.h"
@@ -11,10 +14,12 @@
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/kept_memory.h"
+#include "core/base/memory_limit.h"
 #include "core/baselines/rivals.h"
 
 namespace {
 
+using namespace mocapress;
 using namespace mocapress::cli;
 
 ExitCode fail(ExitCode code, const std::exception& error) {
@@ -32,14 +37,30 @@ ExitCode written_out(ExitCode code) {
   return fail(kCannotWrite, mocapress::WriteError("standard output: cannot be written" + why));
 }
 
+/// The first argument of the command, its input: what to name where nothing closer has.
+std::string first_input(const CLI::App& app) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  for (const CLI::Option* option : command->get_options())
+    if (option->get_positional() && option->count() > 0) return option->results().front();
+  return command->get_name();
+}
+
 ExitCode run(int argc, char** argv) {
   CLI::App app("Compresses human motion capture clips with wavelets.", "mocapress");
   app.set_version_flag("--version", MOCAPRESS_VERSION);
   app.require_subcommand(1);
   app.footer(
+      "--memory SIZE [2GiB], with any command: the most memory that a file's contents may take.\n"
       "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input, 4 quality target missed or "
       "--fail-on, "
       "5 cannot write, 7 some clips failed; 128 + signal when stopped.");
+  app.fallthrough();
+  app.add_option_function<std::uint64_t>(
+         "--memory", set_memory_limit,
+         "The most memory that reading a file may take, as 512MiB or 8GiB [2GiB]")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(false));
   add_info(app);
   add_compress(app);
   add_decompress(app);
@@ -56,6 +77,11 @@ ExitCode run(int argc, char** argv) {
     const bool asked_for_help = error.get_exit_code() == 0;
     app.exit(error);
     return asked_for_help ? kDone : kUsage;
+  } catch (const std::bad_alloc&) {
+    throw_out_of_memory(first_input(app));
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(first_input(app), 0, 0,
+                     "has a JSON value of another type than its place asks for");
   }
   return kDone;
 }

@@ -30,7 +30,7 @@ void print(const char* of, const Spread& spread) {
 }
 
 void print(const Visibility& seen, const Skeleton& skeleton) {
-  const std::string why = reason(seen.worst(), skeleton);
+  const std::string why = printable(reason(seen.worst(), skeleton));
   std::cerr << "  to the eye "
             << (seen.sight() == Sight::NotVisible ? "not visible" : name(seen.sight()))
             << (why.empty() ? "" : ": ") << why << '\n'
@@ -141,9 +141,11 @@ void print(const Report& report) {
   const Distortion& distortion = report.distortion;
   const std::string coding = report.coding ? ", " + std::string(name(*report.coding)) : "";
   const auto worst_landmark = static_cast<std::size_t>(distortion.max.landmark);
-  const std::string worst_name = landmarks(report.original->skeleton)[worst_landmark].name;
-  std::cerr << report.input << ": " << clip.frames() << " frames, " << clip.channels.cols()
-            << " channels at " << significant_text(clip.sample_rate_hz, 6) << " Hz\n"
+  const std::string worst_name =
+      printable(landmarks(report.original->skeleton)[worst_landmark].name);
+  std::cerr << printable(report.input) << ": " << clip.frames() << " frames, "
+            << clip.channels.cols() << " channels at " << significant_text(clip.sample_rate_hz, 6)
+            << " Hz\n"
             << "  " << method_title(report.method) << coding << ": "
             << fixed_text(compression_ratio(clip, report.motion_bytes), 1) << ":1 ("
             << report.motion_bytes << " bytes of motion for " << raw_bytes(clip) << ", "

@@ -119,7 +119,7 @@ struct Study {
       std::fprintf(stderr,
                    "Stopped after %zu of %d. What is done is kept in %s: to continue, run the same "
                    "command.\n",
-                   outcome.rows.size(), last.jobs, folder.c_str());
+                   outcome.rows.size(), last.jobs, printable(folder).c_str());
       throw EndedWith{128 + stop_signal};
     }
     summarise(outcome, last.kept);
@@ -131,13 +131,13 @@ struct Study {
     std::string last_unread;
     for (const StudyRow& row : outcome.rows)
       if (row.fingerprint.empty() && row.clip != last_unread) {
-        std::fprintf(stderr, "not read: %s\n", row.error.c_str());
+        std::fprintf(stderr, "not read: %s\n", printable(row.error).c_str());
         last_unread = row.clip;
         ++unread;
       }
     std::fprintf(stderr, "%zu compressions of %zu clips, %d of them from before\n",
                  outcome.rows.size(), results.clips().size(), kept);
-    std::fprintf(stderr, "%s\n", (fs::path(folder) / kReport).c_str());
+    std::fprintf(stderr, "%s\n", printable((fs::path(folder) / kReport).string()).c_str());
     if (unread > 0) throw EndedWith{kSomeFailed};
   }
 };

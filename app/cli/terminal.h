@@ -4,16 +4,13 @@
 #include <chrono>
 #include <csignal>
 #include <string>
-#include <string_view>
+
+#include "core/base/printable.h"
 
 namespace mocapress::cli {
 
 /// "0:42", "1:05:10".
 std::string clock_text(double seconds);
-
-/// One line of what a file holds, for people: control characters, which a terminal would obey, as
-/// "\x1b".
-std::string printable(std::string_view text);
 
 /// Progress on standard error: one line that changes on a terminal, else one every few seconds.
 class ProgressLine {

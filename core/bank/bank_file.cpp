@@ -1,18 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "core/bank/bank_file.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/bank/bank_check.h"
 #include "core/runtime/format/file_sections.h"
-#include "core/runtime/own_memory.h"
 
 namespace mocapress {
 
-BankFile::BankFile(const std::filesystem::path& path) : path_(path.string()), file_(path) {
-  if (file_.bytes().empty()) throw InputError(path_, 0, 0, "not a bank of clips");
-  require_of(mcpk_open(file_.bytes().data(), file_.bytes().size(), 1, &bank_));
-  if (bank_->bytes != file_.bytes().size())
+namespace {
+
+AlignedBytes read_aligned(const std::filesystem::path& path) {
+  const std::vector<std::byte> read = read_bytes(path);
+  AlignedBytes bytes(read.size());
+  std::copy(read.begin(), read.end(), bytes.data());
+  return bytes;
+}
+
+}  // namespace
+
+BankFile::BankFile(const std::filesystem::path& path)
+    : path_(path.string()), bytes_(read_aligned(path)) {
+  if (bytes_.size() == 0) throw InputError(path_, 0, 0, "not a bank of clips");
+  require_of(mcpk_open(bytes_.data(), bytes_.size(), 1, &bank_));
+  if (bank_->bytes != bytes_.size())
     throw InputError(path_, 0, 0, "bytes after the end of the bank");
 }
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/bank/bank_writer.h"
-#include "core/base/mapped_file.h"
 #include "core/runtime/format/bank.h"
+#include "core/runtime/own_memory.h"
 
 namespace mocapress {
 
@@ -24,7 +24,8 @@ struct BankClip {
   std::uint64_t motion_bytes = 0;  // packed: as a ratio counts them; cooked: 0
 };
 
-/// A bank on disk, every byte of which was checked.
+/// A bank on disk, every byte of which was checked. All of it is in memory: who cuts the file short
+/// meanwhile, as no page of a mapped file survives, does no harm.
 class BankFile {
  public:
   /// Throws InputError.
@@ -55,7 +56,7 @@ class BankFile {
   void require_of(const mcpr_result& result) const;
 
   std::string path_;
-  MappedFile file_;
+  AlignedBytes bytes_;
   const mcpk_bank* bank_ = nullptr;
 };
 

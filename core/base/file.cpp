@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <locale>
 #include <ostream>
 #include <streambuf>
-#include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/memory_limit.h"
 #include "core/base/staged_file.h"
 
 namespace mocapress {
@@ -18,17 +21,20 @@ namespace {
 
 template <typename Buffer>
 Buffer read_whole(const std::filesystem::path& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw InputError(path.string(), 0, 0, "is a folder, not a file");
-  std::ifstream stream(path, std::ios::binary | std::ios::ate);
-  if (!stream) throw InputError(path.string(), 0, 0, std::strerror(errno));
-  const std::streamsize size = stream.tellg();
-  if (size < 0) throw InputError(path.string(), 0, 0, "cannot be read");
-  Buffer buffer(static_cast<std::size_t>(size), {});
-  stream.seekg(0);
-  stream.read(reinterpret_cast<char*>(buffer.data()), size);
-  if (stream.gcount() != size) throw InputError(path.string(), 0, 0, "cannot be read to its end");
+  const FileDescriptor file = open_to_read(path);
+  struct stat status;
+  if (::fstat(file.number(), &status) != 0)
+    throw InputError(path.string(), 0, 0, std::strerror(errno));
+  const auto size = static_cast<std::size_t>(status.st_size);
+  require_memory(path.string(), size);
+  Buffer buffer = naming_what_takes_memory(path.string(), [&] { return Buffer(size, {}); });
+  for (std::size_t at = 0; at < size;) {
+    const ssize_t got = ::read(file.number(), buffer.data() + at, size - at);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw InputError(path.string(), 0, 0, std::strerror(errno));
+    if (got == 0) throw InputError(path.string(), 0, 0, "cannot be read to its end");
+    at += static_cast<std::size_t>(got);
+  }
   return buffer;
 }
 
@@ -57,6 +63,18 @@ class StagedBuffer : public std::streambuf {
 };
 
 }  // namespace
+
+FileDescriptor open_to_read(const std::filesystem::path& path) {
+  // Without O_NONBLOCK a pipe would keep us waiting for its writer.
+  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  struct stat status;
+  if (!file || ::fstat(file.number(), &status) != 0)
+    throw InputError(path.string(), 0, 0, std::strerror(errno));
+  if (S_ISDIR(status.st_mode)) throw InputError(path.string(), 0, 0, "is a folder, not a file");
+  if (!S_ISREG(status.st_mode))
+    throw InputError(path.string(), 0, 0, "is a pipe or a device, not a file");
+  return file;
+}
 
 std::vector<std::byte> read_bytes(const std::filesystem::path& path) {
   return read_whole<std::vector<std::byte>>(path);

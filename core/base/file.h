@@ -10,9 +10,16 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/staged_file.h"
+
 namespace mocapress {
 
-/// The whole file. Throws InputError when it cannot be opened or read.
+/// A file opened for reading. Throws InputError for what cannot be opened and for pipes, sockets
+/// and devices: these are not waited for.
+FileDescriptor open_to_read(const std::filesystem::path& path);
+
+/// The whole file. Throws InputError when it cannot be opened or read, or does not fit into the
+/// memory limit.
 std::vector<std::byte> read_bytes(const std::filesystem::path& path);
 std::string read_text(const std::filesystem::path& path);
 

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/line_reader.h"
 
-#include <fcntl.h>
-
 #include <cerrno>
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 
 namespace mocapress {
 
 LineReader::LineReader(const std::filesystem::path& path)
-    : path_(path.string()), file_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
-  if (!file_) throw InputError(path_, 0, 0, std::strerror(errno));
-}
+    : path_(path.string()), file_(open_to_read(path)) {}
 
 bool LineReader::next(std::string& line) {
   constexpr std::size_t kPiece = 1 << 16;

@@ -14,15 +14,9 @@
 namespace mocapress {
 
 MappedFile::MappedFile(const std::filesystem::path& path, bool beforehand) {
-  const auto refuse = [&](const char* why) {
-    throw InputError(path.string(), 0, 0, std::string("cannot be read: ") + why);
-  };
-  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  struct stat status;
-  if (!file || ::fstat(file.number(), &status) != 0) refuse(std::strerror(errno));
-  if (!S_ISREG(status.st_mode)) refuse("it is not a regular file");
-  std::optional<MappedFile> mapped = of_descriptor(file.number(), beforehand);
-  if (!mapped) refuse(std::strerror(errno));
+  std::optional<MappedFile> mapped = of_descriptor(open_to_read(path).number(), beforehand);
+  if (!mapped)
+    throw InputError(path.string(), 0, 0, std::string("cannot be read: ") + std::strerror(errno));
   std::swap(bytes_, mapped->bytes_);
 }
 

@@ -106,6 +106,9 @@ class Export {
       work();
     } catch (const Stopped&) {
       return std::nullopt;
+    } catch (const std::bad_alloc&) {
+      row_.error = "takes more memory than this machine has to give";
+      row_.files.clear();
     } catch (const std::exception& error) {
       row_.error = error.what();
       row_.files.clear();

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/memory_limit.h"
 #include "core/formats/amc.h"
 #include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
@@ -131,6 +132,8 @@ bool AmcReader::read_frame() {
   const Token number = cursor_.peek();
   take_frame_number();
   joints_in_frame_ = 0;
+  // A frame may leave joints out: its bytes say nothing of its values.
+  require_memory(cursor_.file(), kBytesOfReadValue * (frames_ + 1) * row_size_);
   values_.resize((frames_ + 1) * row_size_, kMissing);
   while (!cursor_.at_end() && !at_frame_number())
     if (!read_joint()) return drop_frame(number);

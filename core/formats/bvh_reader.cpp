@@ -4,6 +4,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/base/memory_limit.h"
 #include "core/formats/bvh.h"
 #include "core/formats/bvh_conventions.h"
 #include "core/formats/text_cursor.h"
@@ -211,6 +212,7 @@ void BvhReader::read_header() {
 bool BvhReader::read_row() {
   const int first_line = cursor_.peek().line;
   const std::size_t row_begin = values_.size();
+  require_memory(cursor_.file(), kBytesOfReadValue * (row_begin + columns_));
   int line = first_line;
   for (std::size_t c = 0; c < columns_; ++c) {
     const Token word = cursor_.take();

@@ -19,6 +19,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/base/memory_limit.h"
 #include "core/formats/fbx_meshes.h"
 #include "core/formats/fbx_reader.h"
 #include "core/formats/fbx_structure.h"
@@ -77,6 +78,12 @@ Eigen::Vector3d straight(const aiVector3D& a, const aiVector3D& b, double share)
 
 Eigen::Quaterniond shortest_way(const aiQuaternion& a, const aiQuaternion& b, double share) {
   return quaternion_of(a).normalized().slerp(share, quaternion_of(b).normalized());
+}
+
+/// Assimp repeats the file from where it fails.
+std::string shortened(const std::string& reason) {
+  constexpr std::size_t kLongest = 120;
+  return reason.substr(0, std::min(reason.find_first_of("\r\n"), kLongest));
 }
 
 class FbxReader {
@@ -159,7 +166,7 @@ void FbxReader::load(bool with_helpers) {
   scene_ = importer_->ReadFileFromMemory(bytes_.data(), bytes_.size(), 0, "fbx");
   if (scene_ != nullptr && scene_->mRootNode != nullptr) return;
   const std::string error = importer_->GetErrorString();
-  refuse("cannot be read as FBX: " + error.substr(0, error.find('\n')));
+  refuse("cannot be read as FBX: " + shortened(error));
 }
 
 const aiAnimation& FbxReader::chosen_take() {
@@ -386,8 +393,10 @@ auto told_in_one_sentence(const std::string& file, const Read& read) {
     return read();
   } catch (const Error&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw_out_of_memory(file);
   } catch (const std::exception& error) {  // of assimp, of memory
-    throw InputError(file, 0, 0, std::string("cannot be read as FBX: ") + error.what());
+    throw InputError(file, 0, 0, "cannot be read as FBX: " + shortened(error.what()));
   }
 }
 

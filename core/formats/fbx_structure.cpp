@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/memory_limit.h"
 
 namespace mocapress {
 namespace {
@@ -19,6 +21,7 @@ namespace {
 constexpr std::size_t kDeepestRecord = 64;  // files of the usual programs have six
 constexpr int kDeepestNode = 1000;
 constexpr int kMostFbxNodes = 1 << 16;
+constexpr std::uint64_t kBytesOfArrayByte = 3;  // inflated, parsed, and as a mesh or curve
 
 /// Nodes by their number, and which hangs from which; 0 is the scene.
 struct Structure {
@@ -28,6 +31,15 @@ struct Structure {
   std::unordered_set<std::int64_t> layers;
   std::unordered_set<std::int64_t> curves;
   std::size_t deepest_record = 0;
+  std::uint64_t array_bytes = 0;                                // of all arrays, inflated
+  std::set<std::pair<std::int64_t, std::int64_t>> connections;  // of objects
+  bool is_connected_twice = false;
+
+  /// `kind`: "OO" of two objects, "OP" of an object and a property of another.
+  void connect(std::string_view kind, std::int64_t child, std::int64_t parent) {
+    children.emplace(parent, child);
+    if (kind == "OO") is_connected_twice |= !connections.emplace(parent, child).second;
+  }
 };
 
 /// Records of a head, properties and records:
@@ -63,6 +75,7 @@ class BinaryRecords {
       const std::size_t properties = head + name_bytes;
       if (end < properties || end > bytes_.size() || property_bytes > end - properties) break;
       note(bytes_.substr(head, name_bytes), properties);
+      add_arrays(properties, number(at + field, field), properties + property_bytes);
       at = properties + property_bytes;
       ends.push_back(end);
       found_.deepest_record = std::max(found_.deepest_record, ends.size());
@@ -105,10 +118,27 @@ class BinaryRecords {
         found_.takes[*take] =
             std::string(bytes_.substr(text_at + 5, std::min(length, kLongestName)));
     } else if (name == "C") {  // 'S', length and "OO"; child; parent
-      const std::size_t child_at = at + 1 + 4 + number(at + 1, 4);
+      const std::size_t length = number(at + 1, 4);
+      const std::size_t child_at = at + 1 + 4 + length;
       const auto child = id(child_at);
       const auto parent = id(child_at + 1 + 8);
-      if (child && parent) found_.children.emplace(*parent, *child);
+      if (child && parent) found_.connect(bytes_.substr(at + 5, length), *child, *parent);
+    }
+  }
+  /// What the arrays among a record's properties inflate to: a type, then for arrays u32 count, u32
+  /// encoding and u32 bytes, for texts u32 bytes.
+  void add_arrays(std::size_t at, std::size_t count, std::size_t end) {
+    for (; count > 0 && at < end; --count) {
+      const char type = bytes_[at++];
+      const std::size_t wide = type == 'd' || type == 'l' ? 8 : type == 'b' ? 1 : 4;
+      if (std::string_view("fdlib").find(type) != std::string_view::npos) {
+        found_.array_bytes += number(at, 4) * wide;
+        at += 12 + number(at + 8, 4);
+      } else if (type == 'S' || type == 'R') {
+        at += 4 + number(at, 4);
+      } else {
+        at += type == 'C' || type == 'B' ? 1 : type == 'Y' ? 2 : type == 'I' || type == 'F' ? 4 : 8;
+      }
     }
   }
 
@@ -151,7 +181,8 @@ Structure ascii_structure(std::string_view text) {
       if (before[0] == "AnimationLayer:") found.layers.insert(*number);
       if (before[0] == "AnimationCurve:") found.curves.insert(*number);
       const auto child = id(before[0]);
-      if (before[2] == "C:" && child) found.children.emplace(*number, *child);
+      if (before[2] == "C:" && child)
+        found.connect(before[1] == "\"OO\"" ? "OO" : "OP", *child, *number);
     }
     if (const auto take = id(before[0]); take && before[1] == "AnimationStack:")
       found.takes[*take] = std::string(word);
@@ -219,6 +250,8 @@ void check_fbx_structure(const std::string& file, std::string_view bytes) {
   const Structure structure = structure_of(bytes);
   if (structure.deepest_record > kDeepestRecord)
     refuse("nests records deeper than " + std::to_string(kDeepestRecord));
+  if (structure.is_connected_twice) refuse("connects the same two objects twice");
+  require_memory(file, kBytesOfArrayByte * structure.array_bytes);
   struct Visit {
     std::int64_t node;
     int depth;

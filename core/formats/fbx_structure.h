@@ -11,7 +11,9 @@
 
 namespace mocapress {
 
-/// Throws InputError where records or nodes nest deeper than a stack bears, or nodes are too many.
+/// Throws InputError where records or nodes nest deeper than a stack bears, nodes are too many, two
+/// objects are connected twice, which assimp would free twice, or arrays inflate beyond the memory
+/// limit.
 /// What else may be wrong with the bytes is left to who reads them.
 void check_fbx_structure(const std::string& file, std::string_view bytes);
 

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/memory_limit.h"
 
 namespace mocapress {
 namespace {
@@ -18,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr JsonLimits kLimits = {.depth = 64, .values = 20'000'000};
-constexpr std::size_t kMostNumbers = 100'000'000;  // of all accessors that are read
-constexpr std::size_t kMostZeros = 1'000'000;      // of one that has no bytes
+constexpr std::size_t kMostZeros = 10'000'000;  // of all accessors that have no bytes
+constexpr std::size_t kBytesOfNumber = 16;      // read, and copied once
 constexpr double kLargestNumber = 1e9;
 
 /// Little-endian, from any place.
@@ -158,7 +159,8 @@ bool is_data_uri(std::string_view uri) {
   return uri.starts_with("data:");
 }
 
-GltfFile::GltfFile(fs::path file, std::string_view bytes) : path_(std::move(file)) {
+GltfFile::GltfFile(fs::path file, std::string_view bytes)
+    : path_(std::move(file)), bytes_read_(bytes.size()) {
   if (bytes.size() >= 4 && read_at<std::uint32_t>(bytes.data()) == kGlbMagic)
     read_glb(bytes);
   else
@@ -170,8 +172,8 @@ GltfFile::GltfFile(fs::path file, std::string_view bytes) : path_(std::move(file
     fail("is no glTF 2.0: " +
          (version.empty() ? "it states no version" : "its version is " + version));
   // Once: they are looked up often.
-  for (const char* kind :
-       {"accessors", "animations", "buffers", "bufferViews", "images", "nodes", "skins"})
+  for (const char* kind : {"accessors", "animations", "buffers", "bufferViews", "images",
+                           "materials", "meshes", "nodes", "skins", "textures"})
     list(json_, kind);
 }
 
@@ -324,6 +326,7 @@ const std::string& GltfFile::buffer(std::size_t index) {
     data = chunks_.front().bytes;
   else
     fail(which + " has neither a uri nor a chunk of a .glb");
+  if (stated.contains("uri")) bytes_read_ += data.size();
   if (data.size() < bytes)
     fail(which + " has " + std::to_string(data.size()) + " of the " + std::to_string(bytes) +
          " bytes it states");
@@ -383,11 +386,12 @@ std::vector<double> GltfFile::values(std::size_t accessor, std::string_view type
                                  : type == "VEC2" ? 2
                                                   : 1;
   const std::size_t count = size(stated, "count", 0);
-  // One without bytes, which is all zero, may state any count.
-  if (count > (kMostNumbers - values_read_) / components ||
-      (count > kMostZeros && !stated.contains("bufferView")))
-    fail("holds too many numbers to read");
+  // One without bytes is all zero and may state any count, as often as the file likes.
+  if (!stated.contains("bufferView")) zeros_read_ += std::min(count, kMostZeros + 1) * components;
+  if (zeros_read_ > kMostZeros) fail("states more zeros that have no bytes than are read");
+  if (count > std::numeric_limits<std::uint32_t>::max()) fail("holds too many numbers to read");
   values_read_ += count * components;
+  require_memory(name(), kBytesOfNumber * values_read_);
   const Json* flag = member(stated, "normalized");
   const bool normalised = flag && flag->is_boolean() && flag->get<bool>();
   const View dense = view(stated, count, components, normalised);

@@ -35,6 +35,9 @@ class GltfFile {
   std::string name() const { return path_.string(); }
   const Json& json() const { return json_; }
 
+  /// Of the file itself and of the buffers that were asked for so far.
+  std::size_t bytes_read() const { return bytes_read_; }
+
   /// The chunks of a .glb that follow its JSON. A .gltf has none.
   const std::vector<GlbChunk>& chunks() const { return chunks_; }
 
@@ -88,7 +91,9 @@ class GltfFile {
   Json json_;
   std::vector<GlbChunk> chunks_;
   std::map<std::size_t, std::string> buffers_;  // those that were asked for
+  std::size_t bytes_read_;
   std::size_t values_read_ = 0;
+  std::size_t zeros_read_ = 0;
 };
 
 /// Whether a URI holds its bytes itself.

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "core/base/file.h"
+#include "core/base/json_text.h"
+#include "core/base/memory_limit.h"
 #include "core/base/path_kind.h"
 #include "core/formats/amc.h"
 #include "core/formats/asf.h"
@@ -58,8 +62,30 @@ bool is_without_lengths(const Skeleton& skeleton) {
          std::all_of(lengths.begin(), lengths.end(), [](double length) { return length == 0; });
 }
 
+/// No NaN or infinity gets into a file.
+void require_finite(const path& file, const Motion& motion, const ScalarTracks& tracks) {
+  const auto is_finite = [](const ScalarTrack& track) {
+    return std::all_of(track.values.begin(), track.values.end(),
+                       [](float value) { return std::isfinite(value); });
+  };
+  if (!motion.clip.channels.allFinite() || !std::all_of(tracks.begin(), tracks.end(), is_finite))
+    throw Error(file.string() + ": is not written: the motion has values that are not finite");
+}
+
 void append(const Warnings& more, Warnings& warnings) {
   warnings.insert(warnings.end(), more.begin(), more.end());
+}
+
+/// What a file brings about that its reader did not foresee is still said of the file: too little
+/// memory, and a type that JSON did not promise.
+template <typename Read>
+auto read_strange(const path& file, const Read& read) {
+  try {
+    return naming_what_takes_memory(file.string(), read);
+  } catch (const Json::exception&) {
+    throw InputError(file.string(), 0, 0,
+                     "has a JSON value of another type than its place asks for");
+  }
 }
 
 MotionFile parse_by_extension(const path& file, std::string_view text, const SkeletonText& asf,
@@ -74,7 +100,8 @@ MotionFile parse_by_extension(const path& file, std::string_view text, const Ske
 
 MotionFile parse(const path& file, std::string_view text, const SkeletonText& asf,
                  const ReadOptions& options) {
-  MotionFile read = parse_by_extension(file, text, asf, options);
+  MotionFile read =
+      read_strange(file, [&] { return parse_by_extension(file, text, asf, options); });
   append(surface_warnings(file, read.motion.skeleton), read.warnings);
   if (looks_additive(read.motion))
     read.warnings.push_back({file.string(), 0,
@@ -154,8 +181,10 @@ Character read_character(const path& file) {
   if (!is_fbx && !gltf_container(file))
     throw InputError(file.string(), 0, 0, "is none of .fbx, .gltf, .glb");
   const std::string bytes = read_text(file);
-  return is_fbx ? read_fbx_character(file.string(), bytes)
-                : read_gltf_character(file.string(), bytes);
+  return read_strange(file, [&] {
+    return is_fbx ? read_fbx_character(file.string(), bytes)
+                  : read_gltf_character(file.string(), bytes);
+  });
 }
 
 void put_character(const path& file, MotionFile& clip) {
@@ -209,6 +238,7 @@ std::string motion_bytes(const path& file, const Motion& motion, const SourceFor
 Warnings write_motion(const path& file, const Motion& motion,
                       const std::optional<path>& skeleton_path, const SourceFormat& source,
                       const WriteOptions& options, const ScalarTracks& tracks) {
+  require_finite(file, motion, tracks);
   const auto lost = [&](const auto& is_lost) -> Warnings {
     const auto count = std::count_if(tracks.begin(), tracks.end(), is_lost);
     if (count == 0) return {};
@@ -234,6 +264,7 @@ void write_motion_onto(const path& file, const Motion& motion, const path& onto,
   const auto container = gltf_container(file);
   if (!container || !gltf_container(onto))
     throw Error(file.string() + ": only a .glb or .gltf can be written onto another");
+  require_finite(file, motion, tracks);
   write_text(
       file, gltf_bytes_onto(onto, motion, *container, file.parent_path(), source, options, tracks));
 }

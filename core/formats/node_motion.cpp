@@ -6,8 +6,10 @@
 #include <cassert>
 #include <cmath>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 
+#include "core/base/memory_limit.h"
 #include "core/formats/text_writer.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/rotation_form.h"
@@ -382,6 +384,7 @@ void MotionBuilder::name_joints() {
   std::unordered_set<std::string> taken;
   for (const Joint& joint : joints_) taken.insert(joint.name);
   std::unordered_set<std::string> seen;
+  std::unordered_map<std::string, int> last_number;  // of each name that was given again
   int renamed = 0;
   for (Joint& joint : joints_) {
     if (joint.name.size() > runtime::kMostNameBytes)
@@ -391,8 +394,8 @@ void MotionBuilder::name_joints() {
     if (joint.name.empty()) joint.name = "joint";
     if (seen.insert(joint.name).second) continue;
     const std::string name = joint.name;
-    for (int n = 2; !taken.insert(joint.name).second; ++n)
-      joint.name = name + '.' + std::to_string(n);
+    int& n = last_number.try_emplace(name, 1).first->second;
+    while (!taken.insert(joint.name).second) joint.name = name + '.' + std::to_string(++n);
     seen.insert(joint.name);
     ++renamed;
   }
@@ -507,12 +510,16 @@ NodePlacement below(const NodePlacement& parent, const LocalTransform& local) {
 
 void check_take_size(const std::string& file, std::size_t moving_nodes, double frames) {
   constexpr double kMostChannels = 6;  // of a node
+  constexpr std::uint64_t kBytesOfMovingNode =
+      sizeof(LocalTransform) + sizeof(Vector3d) + sizeof(Quaterniond) + 2 * 6 * sizeof(double);
   if (!(frames >= 1 && frames <= runtime::kMostFrames))
     throw InputError(file, 0, 0,
                      "needs more than " + std::to_string(runtime::kMostFrames) + " frames");
   if (frames * static_cast<double>(moving_nodes) * kMostChannels > runtime::kMostValues)
     throw InputError(file, 0, 0,
                      "needs more than " + std::to_string(runtime::kMostValues) + " samples");
+  // Its transform, its track and its channels.
+  require_memory(file, static_cast<std::uint64_t>(frames) * moving_nodes * kBytesOfMovingNode);
 }
 
 MotionFile motion_of(const std::string& file, const NodeTake& take, const ReadOptions& options,

@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "core/base/json_text.h"
+#include "core/base/printable.h"
+#include "core/formats/text_cursor.h"
 
 namespace mocapress {
 
@@ -27,8 +29,14 @@ std::optional<T> optional_at(const Json& json, const char* key) {
   return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
 }
 
-/// A field of comma-separated values (RFC 4180).
-inline std::string csv_quoted(const std::string& text) {
+/// A field of comma-separated values (RFC 4180). It comes from names of files and joints: control
+/// characters are shown, and what a spreadsheet would take for a formula begins with an apostrophe.
+inline std::string csv_quoted(const std::string& field) {
+  constexpr std::string_view kFormulas = "=+-@";
+  std::string text = printable(field);
+  if (!text.empty() && kFormulas.find(text.front()) != std::string_view::npos &&
+      !parse_number(text))
+    text.insert(text.begin(), '\'');
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);

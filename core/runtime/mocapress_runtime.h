@@ -499,8 +499,10 @@ mcpr_result mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_reques
  * once. A packed bank holds compressed clips, which mcpk_read decodes as mcpr_read does a file. A
  * cooked bank holds cooked clips, which mcpk_cooked gives in place. The bank is the bytes of the
  * file, aligned to MCPR_ALIGNMENT, in memory or mapped from disk; they must stay there while the
- * bank is in use. Clips are numbered in the byte order of their names. Any number of threads may
- * use a bank. A bank of the other form gives MCPR_ARGUMENT, a damaged index MCPR_DAMAGED. */
+ * bank is in use. A mapped file that somebody cuts short meanwhile ends the program by a signal
+ * (SIGBUS), as any mapped file does: replace banks instead of writing into them, or read them into
+ * memory. Clips are numbered in the byte order of their names. Any number of threads may use a
+ * bank. A bank of the other form gives MCPR_ARGUMENT, a damaged index MCPR_DAMAGED. */
 typedef struct mcpk_bank mcpk_bank;
 
 /* Longest name of a clip, in bytes, with its terminating zero. */

@@ -748,6 +748,8 @@ class Stream:
         steps = []
         for exponent in self.exponents:
             step = math.ldexp(self.scale, -(exponent >> 1))
+            if step * (ROOT_OF_HALF if exponent % 2 else 1) > 2.0**64:
+                refuse("a step larger than 2^64")
             steps.append(f32(step * ROOT_OF_HALF if exponent % 2 else step))
         return steps
 
@@ -758,6 +760,8 @@ class Stream:
 def read_words(cursor, length, count):
     """Values and steps of some signals."""
     exponents = [cursor.read("b") for _ in range(count)]
+    if any(exponent > 64 for exponent in exponents):
+        refuse("a step larger than 2^64")
     signals = []
     for _ in range(count):
         values = []

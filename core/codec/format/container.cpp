@@ -165,7 +165,8 @@ std::vector<std::byte> write_container(const Container& container) {
   if (clip.loop != Loop::None)
     write_section(file, kLoop, std::vector{static_cast<std::byte>(clip.loop)});
   if (reorders(clip)) write_section(file, kOrders, write_orders(clip.skeleton));
-  return with_room(file.release(), sample_count(clip));
+  check_room(sample_count(clip), file.bytes().size());
+  return file.release();
 }
 
 namespace {

@@ -24,7 +24,8 @@ int exponent_for(const Eigen::VectorXd& coefficients, double dropped) {
   if (largest == 0) return 0;
   const double fits = std::ceil(std::log2(largest / kLargestWide));
   const double fine_enough = dropped > 0 ? std::floor(std::log2(dropped / 2)) : kFinestExponent;
-  return static_cast<int>(std::clamp(std::max(fine_enough, fits), kFinestExponent, 120.0));
+  return static_cast<int>(std::clamp(std::max(fine_enough, fits), kFinestExponent,
+                                     static_cast<double>(kCoarsestExponent)));
 }
 
 void write_value(ByteWriter& writer, std::int32_t value) {
@@ -80,7 +81,10 @@ Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, 
 
 Rle16Values rle16_read(ByteReader& reader, int per_channel, int channels) {
   Rle16Values read;
-  for (int c = 0; c < channels; ++c) read.exponents.push_back(reader.read<std::int8_t>());
+  for (int c = 0; c < channels; ++c) {
+    read.exponents.push_back(reader.read<std::int8_t>());
+    if (read.exponents.back() > kCoarsestExponent) reader.fail("a step is larger than 2^64");
+  }
   read.values = Eigen::MatrixXi::Zero(per_channel, channels);
   for (int c = 0; c < channels; ++c) {
     int next = 0;

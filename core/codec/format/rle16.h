@@ -15,6 +15,9 @@ namespace mocapress {
 /// No step is finer than 2 to this: 8e-6 rad or cm, nothing to be seen.
 inline constexpr double kFinestExponent = -17;
 
+/// None is coarser than 2 to this: then every sample is finite, as a 32-bit float too.
+inline constexpr int kCoarsestExponent = 64;
+
 /// Codes coefficients x channels (coarse to fine, zero where not kept) as 16-bit words with runs of
 /// zeros and an end mark; the few that 16 bits cannot hold take 48. Each channel has one step, so
 /// the coefficients should be scaled to matter alike: by Lifting::gains(). `dropped` has the

@@ -66,4 +66,10 @@ void check_room(const ClipShape& clip) {
     refuse(values, "values (frames times channels)", runtime::kMostValues);
 }
 
+void check_room(std::uint64_t values, std::uint64_t file_bytes) {
+  if (values > runtime::most_values_of(file_bytes))
+    refuse(values, "values are too many for a motion of so few bytes",
+           runtime::most_values_of(file_bytes));
+}
+
 }  // namespace mocapress

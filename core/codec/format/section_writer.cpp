@@ -2,7 +2,6 @@
 #include "core/codec/format/section_writer.h"
 
 #include "core/codec/format/format_error.h"
-#include "core/runtime/format/format_limits.h"
 #include "core/runtime/format/section.h"
 
 namespace mocapress {
@@ -47,14 +46,6 @@ std::vector<std::byte> with_section(std::span<const std::byte> mcpr, std::string
   write_head(whole, kept);
   whole.append(sections.bytes());
   return whole.release();
-}
-
-std::vector<std::byte> with_room(std::vector<std::byte> mcpr, std::uint64_t values) {
-  if (values <= runtime::most_values_of(mcpr.size())) return mcpr;
-  const std::size_t size = with_section(mcpr, "room", std::nullopt).size();
-  std::size_t zeros = 0;
-  while (values > runtime::most_values_of(size + runtime::kSectionHead + zeros)) ++zeros;
-  return with_section(mcpr, "room", std::vector<std::byte>(zeros));
 }
 
 }  // namespace mocapress

@@ -23,7 +23,4 @@ void write_section(ByteWriter& file, std::string_view tag, std::span<const std::
 std::vector<std::byte> with_section(std::span<const std::byte> mcpr, std::string_view tag,
                                     const std::optional<std::vector<std::byte>>& payload);
 
-/// A whole file, made as long as so many values ask for: FORMAT.md, Limits.
-std::vector<std::byte> with_room(std::vector<std::byte> mcpr, std::uint64_t values);
-
 }  // namespace mocapress

@@ -11,6 +11,7 @@
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/range_coder.h"
+#include "core/codec/format/room.h"
 #include "core/codec/format/section_writer.h"
 #include "core/runtime/format/format_limits.h"
 #include "core/runtime/format/track_records.h"
@@ -134,7 +135,9 @@ std::vector<std::byte> with_coded_tracks(std::span<const std::byte> mcpr,
     throw Error("its tracks cannot be kept: motion and tracks have " +
                 std::to_string(sections.value_count()) + " values, at most " +
                 std::to_string(runtime::kMostValues) + " are possible");
-  return with_room(with_section(mcpr, "trks", payload), sections.room_values());
+  std::vector<std::byte> file = with_section(mcpr, "trks", payload);
+  check_room(sections.room_values(), file.size());
+  return file;
 }
 
 CodedTracks coded_tracks_of(std::span<const std::byte> mcpr) {

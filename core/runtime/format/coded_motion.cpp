@@ -33,6 +33,9 @@ mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neig
   if (bits.exhausted()) return failure(MCPR_INVALID, offset, "the coded motion ends early");
   if (bits.refused())
     return failure(MCPR_INVALID, offset, "a number of the motion is out of bounds");
+  for (int s = 0; s < view.signal_count; ++s)
+    if (step_of(view.step_exponent[s], scale) > kLargestStep)
+      return failure(MCPR_INVALID, coded.offset, "a step is larger than 2^64");
   if (!bits.is_at_end()) return failure(MCPR_INVALID, offset, "bytes after the coded motion");
   return kOk;
 }

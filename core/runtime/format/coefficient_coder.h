@@ -25,6 +25,7 @@ inline constexpr int kMostSteps = 1 << 28;      // no value is larger
 inline constexpr int kMostMagnitude = 255;      // larger ones count as this in sums
 inline constexpr int kLeastDeviation = 26;      // 256ths
 inline constexpr int kLeastExpected = 6 << 10;  // of a magnitude, 64 * 1024ths
+inline constexpr double kLargestStep = 0x1p64;  // no step is: so every sample is finite
 
 /// Quantised coefficients of some signals, in memory of whoever made it.
 struct QuantisedView {

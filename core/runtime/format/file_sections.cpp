@@ -18,13 +18,13 @@ class SectionsReader {
       : limits_(limits), sections_(sections) {}
 
   mcpr_result read(Cursor file) {
-    file_bytes_ = file.left();
+    known_bytes_ = kFileHead;
     std::uint16_t count = 0;
     if (const mcpr_result result = read_head(file, count); failed(result)) return result;
     for (int left = count; left > 0; --left) {
       Section section;
       mcpr_result result = read_section(file, section);
-      if (!failed(result)) result = take(section);
+      if (!failed(result)) result = take_counted(section);
       if (failed(result)) return result;
     }
     return check_end(file.offset(), file.left());
@@ -34,13 +34,16 @@ class SectionsReader {
     std::uint16_t count = 0;
     if (const mcpr_result result = packed.begin(count); failed(result)) return result;
     sections_.joint_orders = packed.orders();
-    file_bytes_ = kFileHead + (packed.orders().size > 0 ? kReorderedRoom : 0);
+    known_bytes_ = kFileHead + (packed.orders().size > 0 ? kReorderedRoom : 0);
     for (int left = count; left > 0; --left) {
       Section section;
       mcpr_result result = packed.next(section);
-      file_bytes_ += kSectionHead + section.payload.size;
-      if (!failed(result))
-        result = section.is(kLearned) ? keep(section.payload, sections_.learned) : take(section);
+      if (!failed(result) && section.is(kLearned)) {
+        result = keep(section.payload, sections_.learned);
+        known_bytes_ += kSectionHead + section.payload.size;
+      } else if (!failed(result)) {
+        result = take_counted(section);
+      }
       if (failed(result)) return result;
     }
     return check_end(packed.offset(), packed.left());
@@ -53,6 +56,14 @@ class SectionsReader {
     if (tracks_.data != nullptr)
       if (const mcpr_result result = read_tracks(tracks_); failed(result)) return result;
     return check_room();
+  }
+
+  /// What is skipped counts for nothing.
+  mcpr_result take_counted(const Section& section) {
+    is_skipped_ = false;
+    const mcpr_result result = take(section);
+    if (!is_skipped_) known_bytes_ += kSectionHead + section.payload.size;
+    return result;
   }
 
   enum class Expected { Joints, Clip, Segments, Motion, Correction, Ends, Axes, Nothing };
@@ -98,8 +109,10 @@ class SectionsReader {
     if (section.is("ordr")) return keep(section.payload, sections_.orders);
     if (section.is("srce")) return keep(section.payload, sections_.source);
     if (section.is("trks")) return keep(section.payload, tracks_);
-    if (section.is_optional()) return kOk;
-    return failure(MCPR_INVALID, section.start, "a section that is not expected here");
+    if (!section.is_optional())
+      return failure(MCPR_INVALID, section.start, "a section that is not expected here");
+    is_skipped_ = true;
+    return kOk;
   }
 
   static mcpr_result keep(const Bytes& payload, Bytes& place) {
@@ -196,7 +209,7 @@ class SectionsReader {
   /// Bounds the decoded size, and so the time of decoding, by the size of the file: FORMAT.md,
   /// Limits.
   mcpr_result check_room() const {
-    if (sections_.room_values() > most_values_of(file_bytes_))
+    if (sections_.room_values() > most_values_of(known_bytes_))
       return failure(MCPR_INVALID, sections_.motion.offset,
                      "too many samples for so few coded bytes");
     return kOk;
@@ -270,8 +283,9 @@ class SectionsReader {
 
   const mcpr_limits& limits_;
   FileSections& sections_;
-  std::size_t file_bytes_ = 0;
-  Bytes tracks_;  // kept until CLIP is read, which may come later
+  std::size_t known_bytes_ = 0;
+  bool is_skipped_ = false;  // the section taken last
+  Bytes tracks_;             // kept until CLIP is read, which may come later
   Expected next_ = Expected::Joints;
 };
 

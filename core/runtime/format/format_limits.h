@@ -36,10 +36,11 @@ inline constexpr std::uint32_t kMostTracks = 4096;
 /// count twice. Enough for two and a half hours of 62 channels at 120 Hz.
 inline constexpr std::uint64_t kMostValues = std::uint64_t{1} << 26;
 
-/// Upper bound for the values of a file of this size. A still clip takes hardly any bytes, so the
-/// first term is generous; the second keeps a small file from demanding much work.
-constexpr std::uint64_t most_values_of(std::uint64_t file_bytes) {
-  return (std::uint64_t{1} << 22) + (file_bytes << 15);
+/// Upper bound for the values of a file. A still clip takes hardly any bytes, so the first term is
+/// generous: half an hour of 62 channels at 120 Hz. The second keeps a small file from demanding
+/// much work. It counts the bytes of known sections, for others may hold anything.
+constexpr std::uint64_t most_values_of(std::uint64_t known_bytes) {
+  return (std::uint64_t{1} << 24) + (known_bytes << 14);
 }
 
 /// Effectors and angles of one limb that a solver has room for.

@@ -102,6 +102,14 @@ TEST_F(BankTest, GivesEveryFileBackByteForByte) {
   }
 }
 
+TEST_F(BankTest, CutShortWhileItIsReadIsStillWhole) {
+  make();
+  const BankFile made(bank());
+  fs::resize_file(bank(), 100);
+  EXPECT_EQ(made.extract(made.entry(0)), file(made.entry(0).name));
+  EXPECT_THROW(BankFile cut(bank()), InputError);
+}
+
 /// Errors of a file that other writers made may have all bits that floats have.
 TEST_F(BankTest, GivesErrorsBackThatHaveNoCode) {
   const auto put_errors = [&](const std::string& name, float eps, float most) {

@@ -2,6 +2,7 @@
 #include "core/base/file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <ostream>
 
@@ -23,6 +24,19 @@ class File : public testing::Test {
 TEST_F(File, ReadsBackWhatWasWritten) {
   write_text(folder_ / "a.txt", "one\ntwo");
   EXPECT_EQ(read_text(folder_ / "a.txt"), "one\ntwo");
+}
+
+TEST_F(File, APipeIsRefusedAndNotWaitedFor) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  try {
+    read_text(folder_ / "pipe");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), (folder_ / "pipe").string() + ": is a pipe or a device, not a file");
+  }
+  EXPECT_THROW(MappedFile file(folder_ / "pipe"), InputError);
+  EXPECT_THROW(read_text("/dev/zero"), InputError);
+  EXPECT_THROW(read_text(folder_), InputError);
 }
 
 TEST_F(File, ReplacesAnOldFileAndLeavesNothingBeside) {

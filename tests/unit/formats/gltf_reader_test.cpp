@@ -372,6 +372,13 @@ TEST(GltfReader, SaysInOneSentenceWhatItCannotRead) {
             "small.glb: has an accessor that reaches beyond bufferView 1");
   EXPECT_EQ(with([](Json& j) { j["accessors"][1]["count"] = 1e15; }),
             "small.glb: holds too many numbers to read");
+  EXPECT_EQ(with([](Json& j) { j["meshes"] = 5; }),
+            "small.glb: \"meshes\" is not a list of objects");
+  EXPECT_EQ(with([](Json& j) {
+              j["accessors"][1].erase("bufferView");
+              j["accessors"][1]["count"] = 2'500'001;
+            }),
+            "small.glb: states more zeros that have no bytes than are read");
   EXPECT_EQ(with([](Json& j) { j["accessors"][1]["componentType"] = 5130; }),
             "small.glb: has an accessor of an unknown componentType");
   EXPECT_EQ(with([](Json& j) { j["accessors"][1]["type"] = "VEC3"; }),
@@ -407,6 +414,8 @@ TEST(GltfReader, RefusesTimesThatGoBackOrLastForever) {
   };
   EXPECT_EQ(with_last_time(0.5), "small.glb: has an animation whose key times go back");
   EXPECT_EQ(with_last_time(1e9), "small.glb: needs more than 4194304 frames");
+  EXPECT_EQ(with_last_time(30000),
+            "small.glb: asks for 900001 frames of 3 nodes, too many for a file of so few bytes");
 }
 
 TEST(GltfReader, RefusesJsonThatNestsTooDeep) {

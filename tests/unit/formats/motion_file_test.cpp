@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <limits>
+
 #include "core/base/file.h"
 #include "core/codec/encode/encoder.h"
 #include "core/formats/asf.h"
@@ -79,6 +81,19 @@ TEST_F(MotionFiles, WithoutLengthsAreMeasuredByHowJointsTurn) {
                                         .target = {Target::Kind::Error, 0.01}});
   EXPECT_LE(made.distortion.eps(Weighting::Surface), 0.01);
   EXPECT_LE(made.distortion.joint_degrees.maxCoeff(), 1);
+}
+
+TEST_F(MotionFiles, AreNotWrittenWithValuesThatAreNotFinite) {
+  write_text(folder_ / "a.bvh", test::kSmallBvh);
+  Motion motion = read_motion(folder_ / "a.bvh").motion;
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
+    motion.clip.channels(1, 0) = bad;
+    for (const char* name : {"b.bvh", "b.csv", "b.glb", "b.amc"}) {
+      EXPECT_THROW(write_motion(folder_ / name, motion), Error);
+      EXPECT_FALSE(fs::exists(folder_ / name));
+    }
+  }
 }
 
 TEST_F(MotionFiles, GoByTheirExtensionWhateverItsCase) {

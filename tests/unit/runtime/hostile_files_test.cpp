@@ -154,7 +154,7 @@ TEST(HostileFiles, FileSizeBoundsSamplesUnderAnyLimits) {
   limits.scratch_bytes = std::size_t{1} << 32;
   mcpr_info info;
   const std::size_t size = bomb(16, 1, 20).size();
-  const auto most = static_cast<std::uint32_t>(((1U << 22) + (size << 15)) / 96);
+  const auto most = static_cast<std::uint32_t>(((1U << 24) + (size << 14)) / 96);
   const auto held = bomb(16, most, 20);
   ASSERT_EQ(held.size(), size);
   EXPECT_EQ(mcpr_inspect(held.data(), held.size(), &limits, &info).status, MCPR_OK);

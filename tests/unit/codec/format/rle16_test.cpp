@@ -45,6 +45,17 @@ TEST(Rle16, KeepsSmallValuesBesideVeryLargeOnes) {
   EXPECT_LE((restored - matrix).cwiseAbs().maxCoeff(), 0.0005);
 }
 
+TEST(Rle16, RefusesStepsOfWhichSamplesWouldNotBeFinite) {
+  std::vector<std::byte> bytes = encode(sparse(20, 1, 1));
+  for (const int exponent : {kCoarsestExponent, kCoarsestExponent + 1, 127}) {
+    bytes.front() = static_cast<std::byte>(exponent);
+    if (exponent == kCoarsestExponent)
+      EXPECT_TRUE(rle16_decode(bytes, 20, 1).cast<float>().allFinite());
+    else
+      EXPECT_THROW(rle16_decode(bytes, 20, 1), FormatError);
+  }
+}
+
 TEST(Rle16, RoundsToHalfOfWhatWasDroppedAtMost) {
   const Eigen::MatrixXd matrix = sparse(300, 1, 0.3);
   for (const double dropped : {0.01, 0.3, 2.0}) {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "core/base/memory_limit.h"
+
+#include <unistd.h>
+
+#include <atomic>
+
+#include "core/base/error.h"
+
+namespace mocapress {
+namespace {
+
+std::atomic<std::uint64_t> limit = kUsualMemoryLimit;
+
+/// In MiB, rounded up.
+std::string size_text(std::uint64_t bytes) {
+  constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20;
+  return std::to_string(bytes / kMebibyte + (bytes % kMebibyte > 0 ? 1 : 0)) + " MiB";
+}
+
+}  // namespace
+
+std::uint64_t memory_limit() {
+  return limit;
+}
+
+void set_memory_limit(std::uint64_t bytes) {
+  limit = bytes;
+}
+
+std::uint64_t half_of_the_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES);
+  const long page_bytes = ::sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || page_bytes <= 0) return kUsualMemoryLimit;
+  return static_cast<std::uint64_t>(pages) / 2 * static_cast<std::uint64_t>(page_bytes);
+}
+
+std::optional<std::string> beyond_memory_limit(std::uint64_t bytes) {
+  if (bytes <= memory_limit()) return std::nullopt;
+  return "takes some " + size_text(bytes) + " of memory, but the limit (--memory) is " +
+         size_text(memory_limit());
+}
+
+void require_memory(const std::string& file, std::uint64_t bytes) {
+  if (const auto why = beyond_memory_limit(bytes)) throw InputError(file, 0, 0, *why);
+}
+
+void throw_out_of_memory(const std::string& file) {
+  throw InputError(file, 0, 0, "takes more memory than this machine has to give");
+}
+
+}  // namespace mocapress

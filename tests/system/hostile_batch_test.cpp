@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// A batch over files that were made to do harm, with good clips between them.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/base/file.h"
+#include "core/formats/clip_files.h"
+#include "tests/support/corpus.h"
+#include "tests/system/command.h"
+#include "tests/system/sample_clips.h"
+
+namespace mocapress::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class HostileBatch : public CommandLine {};
+
+/// Without the folders of the file that it names, of a length that fits a table.
+bool is_one_sentence(const std::string& error) {
+  const std::size_t slash = error.rfind('/');
+  const std::string said = error.substr(slash == error.npos ? 0 : slash + 1);
+  return !said.empty() && said.size() <= 200 && error.find('\n') == error.npos;
+}
+
+TEST_F(HostileBatch, DoesEveryGoodClipAndRefusesTheOthersInOneSentence) {
+  const auto corpus = test::corpus();
+  if (!corpus || !fs::exists(*corpus / "attack")) GTEST_SKIP() << "the corpus is not here";
+  write_sample_clips(file("in"), 6);
+  std::size_t clips = 6;
+  for (const char* kind : {"attack", "fbx_fuzz", "odd"})
+    for (const auto& entry : fs::directory_iterator(*corpus / kind)) {
+      if (!is_clip(entry.path()) && entry.path().extension() != ".asf") continue;
+      fs::copy_file(entry.path(), file("in") / entry.path().filename());
+      clips += is_clip(entry.path());
+    }
+  const Outcome outcome = mocapress({"batch", file("in").string(), "-o", file("out").string()});
+  EXPECT_EQ(outcome.exit_code, 7) << outcome.err;
+  EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos);
+  const auto rows = nlohmann::json::parse(read_text(file("out") / "report.json"));
+  ASSERT_EQ(rows.size(), clips);
+  std::size_t good = 0;
+  for (const auto& row : rows) {
+    const std::string name = fs::path(row["input"].get<std::string>()).filename();
+    if (name.starts_with("clip_")) {
+      EXPECT_TRUE(row["done"]) << name << row["error"];
+      ++good;
+    }
+    EXPECT_TRUE(row["done"] || is_one_sentence(row["error"])) << row["error"];
+  }
+  EXPECT_EQ(good, 6U);
+}
+
+/// Each alone, since a batch does not say how long one took.
+TEST_F(HostileBatch, NoneTakesLongerThanTenSeconds) {
+  const auto corpus = test::corpus();
+  if (!corpus || !fs::exists(*corpus / "attack")) GTEST_SKIP() << "the corpus is not here";
+  for (const auto& entry : fs::directory_iterator(*corpus / "attack")) {
+    const fs::path& path = entry.path();
+    const bool is_mcpr = path.extension() == ".mcpr";
+    const Outcome outcome =
+        run_program({"timeout", "10", MOCAPRESS_EXECUTABLE, is_mcpr ? "decompress" : "compress",
+                     path.string(), "-o", file(is_mcpr ? "out.bvh" : "out.mcpr").string()});
+    EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3)
+        << path << ": " << outcome.exit_code << outcome.err;
+    EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << path;
+  }
+}
+
+}  // namespace
+}  // namespace mocapress::test
