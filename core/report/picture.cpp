@@ -34,18 +34,6 @@ std::vector<double> carried_lengths(const Skeleton& skeleton) {
   return carried;
 }
 
-/// Whether a root only says where the body is: its one child is where the body begins to branch.
-bool is_placement(const Skeleton& skeleton) {
-  std::vector<int> children(static_cast<std::size_t>(skeleton.joint_count()));
-  int child = -1;
-  for (int j = 1; j < skeleton.joint_count(); ++j) {
-    const int parent = skeleton.joint(j).parent;
-    if (parent >= 0) ++children[static_cast<std::size_t>(parent)];
-    if (parent == 0) child = j;
-  }
-  return children[0] == 1 && children[static_cast<std::size_t>(child)] > 1;
-}
-
 }  // namespace
 
 std::vector<DrawnBone> figure_shape(const Skeleton& skeleton) {
@@ -54,10 +42,9 @@ std::vector<DrawnBone> figure_shape(const Skeleton& skeleton) {
   int landmark = skeleton.joint_count();
   for (int j = 0; j < skeleton.joint_count(); ++j)
     if (skeleton.joint(j).end_site) end_landmark[static_cast<std::size_t>(j)] = landmark++;
-  const bool has_placement = is_placement(skeleton);
   std::vector<DrawnBone> bones;
   for (const Segment& segment : skeleton.segments()) {
-    if (segment.length < kShortest || (segment.joint == 0 && has_placement)) continue;
+    if (segment.length < kShortest) continue;
     const bool leaf = segment.child < 0;
     const int to = leaf ? end_landmark[static_cast<std::size_t>(segment.joint)] : segment.child;
     const double beyond = leaf ? 0 : carried[static_cast<std::size_t>(segment.child)];

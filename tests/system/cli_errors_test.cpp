@@ -122,7 +122,9 @@ TEST_F(CliErrors, AnUnreachableTargetIsFourAndWritesNothing) {
 }
 
 TEST_F(CliErrors, AnUnwritableOutputIsFive) {
-  for (const std::string& output : {file("no/such/folder/x.mcpr").string(), file("").string()})
+  std::filesystem::create_directory(file("folder.mcpr"));
+  for (const std::string& output :
+       {file("no/such/folder/x.mcpr").string(), file("folder.mcpr").string()})
     error_of(5, {"compress", clip_, "-o", output});
   ASSERT_EQ(mocapress({"compress", clip_, "-o", packed_}).exit_code, 0);
   for (const char* name : {"no/folder/x.bvh", "no/folder/x.amc", "no/folder/x.csv"})
