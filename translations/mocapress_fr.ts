@@ -974,8 +974,8 @@
         <translation>Habiller le clip d’un personnage</translation>
     </message>
     <message>
-        <source>Characters (*.fbx *.glb *.gltf)</source>
-        <translation>Personnages (*.fbx *.glb *.gltf)</translation>
+        <source>Characters (*.fbx *.glb *.gltf *.vrm)</source>
+        <translation>Personnages (*.fbx *.glb *.gltf *.vrm)</translation>
     </message>
     <message>
         <source>Compare with Original</source>

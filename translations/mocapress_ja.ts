@@ -966,8 +966,8 @@
         <translation>クリップにキャラクターを適用</translation>
     </message>
     <message>
-        <source>Characters (*.fbx *.glb *.gltf)</source>
-        <translation>キャラクター (*.fbx *.glb *.gltf)</translation>
+        <source>Characters (*.fbx *.glb *.gltf *.vrm)</source>
+        <translation>キャラクター (*.fbx *.glb *.gltf *.vrm)</translation>
     </message>
     <message>
         <source>Compare with Original</source>

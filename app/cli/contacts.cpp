@@ -141,6 +141,7 @@ struct Contacts {
       for (std::size_t i = 0; i < spans.size(); ++i) {
         if (spans[i] != finding.span) continue;
         all[i]["slid_cm"] = finding.slid_cm;
+        all[i]["drift_cm"] = finding.drift_cm;
         all[i]["worst_speed_cm_s"] = finding.worst_speed_cm_s;
         all[i]["worst_frame"] = finding.worst_frame;
       }
@@ -151,8 +152,9 @@ struct Contacts {
       std::printf("%-16s frames %5d to %5d", printable(one["joint"].get<std::string>()).c_str(),
                   one["first_frame"].get<int>(), one["last_frame"].get<int>());
       if (one.contains("worst_frame"))
-        std::printf("  slid %s cm, %s cm/s at frame %d",
+        std::printf("  slid %s cm, drifted %s cm, %s cm/s at frame %d",
                     fixed_text(one["slid_cm"].get<double>(), 2).c_str(),
+                    fixed_text(one["drift_cm"].get<double>(), 2).c_str(),
                     fixed_text(one["worst_speed_cm_s"].get<double>(), 0).c_str(),
                     one["worst_frame"].get<int>());
       std::putchar('\n');

@@ -128,6 +128,8 @@ Json to_json(const Report& report) {
        report.correction ? or_null(report.correction->slide_without_cm) : Json()},
       {"footskate_mean_cm", slide ? Json(slide->mean_cm) : Json()},
       {"footskate_worst_cm", slide ? Json(slide->worst_cm) : Json()},
+      {"footskate_drift_mean_cm", slide ? Json(slide->drift_mean_cm) : Json()},
+      {"footskate_drift_worst_cm", slide ? Json(slide->drift_worst_cm) : Json()},
       {"tracks", report.tracks.count},
       {"track_bytes", report.tracks.bytes},
       {"track_max_error", report.tracks.count > 0 ? Json(report.tracks.max_error) : Json()},
@@ -176,7 +178,8 @@ void print(const Report& report) {
   if (const auto slide = slide_per_contact(report.footskate, report.contacts))
     std::cerr << "  footskate " << fixed_text(report.footskate.total_cm, 2) << " cm in "
               << report.contacts << " contacts: mean " << cm(slide->mean_cm) << ", worst "
-              << cm(slide->worst_cm) << '\n';
+              << cm(slide->worst_cm) << " of way; feet drift by " << cm(slide->drift_mean_cm)
+              << ", worst " << cm(slide->drift_worst_cm) << '\n';
   if (report.correction_bytes)
     std::cerr << "  IK correction: " << *report.correction_bytes << " bytes\n";
   if (report.correction) print(*report.correction);

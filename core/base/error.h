@@ -14,7 +14,8 @@ class Error : public std::runtime_error {
 };
 
 /// A text file that cannot be read. what() is "file:line:column: message"; line and column count
-/// from 1, and line 0 stands for the file as a whole ("file: message").
+/// from 1, and line 0 stands for the file as a whole ("file: message"). The message becomes one
+/// line of at most 200 characters, though names in it may be longer.
 class InputError : public Error {
  public:
   InputError(const std::string& file, int line, int column, const std::string& message);
@@ -53,7 +54,7 @@ struct Warning {
   int line = 0;  // from 1; 0: the file as a whole
   std::string message;
 
-  std::string text() const;
+  std::string text() const;  // as InputError::what()
   bool operator==(const Warning&) const = default;
 };
 

@@ -11,6 +11,7 @@
 #include <locale>
 #include <ostream>
 #include <streambuf>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/memory_limit.h"
@@ -18,6 +19,11 @@
 
 namespace mocapress {
 namespace {
+
+/// What Git leaves in place of a large file that has not been fetched.
+bool is_lfs_pointer(std::string_view text) {
+  return text.starts_with("version https://git-lfs.github.com/spec/");
+}
 
 template <typename Buffer>
 Buffer read_whole(const std::filesystem::path& path) {
@@ -35,6 +41,9 @@ Buffer read_whole(const std::filesystem::path& path) {
     if (got == 0) throw InputError(path.string(), 0, 0, "cannot be read to its end");
     at += static_cast<std::size_t>(got);
   }
+  if (is_lfs_pointer({reinterpret_cast<const char*>(buffer.data()), buffer.size()}))
+    throw InputError(path.string(), 0, 0,
+                     "is a pointer of Git LFS, not the file itself: 'git lfs pull' fetches that");
   return buffer;
 }
 

@@ -18,8 +18,8 @@ namespace mocapress {
 /// and devices: these are not waited for.
 FileDescriptor open_to_read(const std::filesystem::path& path);
 
-/// The whole file. Throws InputError when it cannot be opened or read, or does not fit into the
-/// memory limit.
+/// The whole file. Throws InputError when it cannot be opened or read, does not fit into the memory
+/// limit, or is a pointer of Git LFS.
 std::vector<std::byte> read_bytes(const std::filesystem::path& path);
 std::string read_text(const std::filesystem::path& path);
 

@@ -20,21 +20,37 @@ double step(const Eigen::RowVectorXd& last, const TrackRows& tracks, int t, int 
                 : way(tracks.row(t - 1), tracks.row(t), landmark);
 }
 
+/// How far a decoded landmark is from the original one, in x and z.
+Eigen::Vector2d error(const TrackRows& original, const TrackRows& decoded, int t, int landmark) {
+  const auto along = [&](int axis) {
+    return decoded(t, 3 * landmark + axis) - original(t, 3 * landmark + axis);
+  };
+  return {along(0), along(2)};
+}
+
 }  // namespace
 
 FootskateMeter::FootskateMeter(const std::vector<ContactSpan>& contacts, double sample_rate_hz)
     : sample_rate_hz_(sample_rate_hz) {
-  for (const ContactSpan& span : contacts) findings_.push_back({span, 0, 0, span.first_frame});
+  for (const ContactSpan& span : contacts)
+    findings_.push_back({.span = span, .worst_frame = span.first_frame});
+  first_errors_.assign(contacts.size(), Eigen::Vector2d::Zero());
 }
 
 void FootskateMeter::add(int first_frame, const TrackRows& original, const TrackRows& decoded) {
   const auto end = first_frame + static_cast<int>(decoded.rows());
   if (end == first_frame) return;
-  for (SlideFinding& finding : findings_) {
+  for (std::size_t i = 0; i < findings_.size(); ++i) {
+    SlideFinding& finding = findings_[i];
     const ContactSpan& span = finding.span;
+    if (span.first_frame >= first_frame && span.first_frame < end)
+      first_errors_[i] = error(original, decoded, span.first_frame - first_frame, span.landmark);
     for (int t = std::max(span.first_frame + 1, first_frame);
          t < std::min(span.last_frame + 1, end); ++t) {
       const double slid = step(last_decoded_, decoded, t - first_frame, span.landmark);
+      const Eigen::Vector2d moved =
+          error(original, decoded, t - first_frame, span.landmark) - first_errors_[i];
+      finding.drift_cm = std::max(finding.drift_cm, moved.norm());
       finding.slid_cm += slid - step(last_original_, original, t - first_frame, span.landmark);
       if (slid * sample_rate_hz_ <= finding.worst_speed_cm_s) continue;
       finding.worst_speed_cm_s = slid * sample_rate_hz_;
@@ -48,6 +64,8 @@ void FootskateMeter::add(int first_frame, const TrackRows& original, const Track
 Footskate FootskateMeter::footskate() const {
   Footskate footskate;
   for (const SlideFinding& finding : findings_) {
+    footskate.drift_total_cm += finding.drift_cm;
+    footskate.drift_worst_cm = std::max(footskate.drift_worst_cm, finding.drift_cm);
     if (finding.slid_cm <= 0) continue;
     footskate.total_cm += finding.slid_cm;
     footskate.findings.push_back(finding);
@@ -70,7 +88,9 @@ std::optional<SlidePerContact> slide_per_contact(const Footskate& footskate, std
   if (contacts == 0) return std::nullopt;
   return SlidePerContact{
       .mean_cm = footskate.total_cm / static_cast<double>(contacts),
-      .worst_cm = footskate.findings.empty() ? 0 : footskate.findings.front().slid_cm};
+      .worst_cm = footskate.findings.empty() ? 0 : footskate.findings.front().slid_cm,
+      .drift_mean_cm = footskate.drift_total_cm / static_cast<double>(contacts),
+      .drift_worst_cm = footskate.drift_worst_cm};
 }
 
 }  // namespace mocapress

@@ -185,7 +185,7 @@ bool AmcReader::take_values(int line) {
     const Token word = cursor_.take();
     const auto value = parse_number(word.text);
     if (!value && cursor_.at_end()) return false;
-    if (!value) cursor_.fail(word, "expected a number, found " + quoted(word));
+    if (!value) cursor_.fail_expecting_number(word, "a number");
     joint_values_.push_back(*value);
   }
   return true;

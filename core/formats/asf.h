@@ -55,8 +55,8 @@ inline constexpr double kAsfCmPerUnit = 2.54 / 0.45;
 double asf_cm_per_unit(const SourceFormat& source, const ReadOptions& options = {});
 
 /// Degrees, the unit of length as given. A child that does not sit at the end of its parent's bone
-/// gets a bone without dof, "to_<child>", to carry it there. Throws Error when the skeleton has
-/// several roots.
+/// gets a bone without dof, "to_<child>", to carry it there. Throws WriteError
+/// unless the skeleton has one root.
 std::string asf_text(const Skeleton& skeleton, double cm_per_unit = kAsfCmPerUnit);
 
 }  // namespace mocapress

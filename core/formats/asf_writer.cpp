@@ -93,6 +93,11 @@ std::string AsfWriter::write() {
 }
 
 void AsfWriter::make_bones() {
+  const auto roots = std::count_if(skeleton_.joints().begin(), skeleton_.joints().end(),
+                                   [](const Joint& joint) { return joint.parent < 0; });
+  if (roots != 1)
+    throw WriteError("an .amc holds one figure with one root, but this clip has " +
+                     std::to_string(roots) + " roots: .bvh and .glb can hold it");
   const std::vector<std::string> names = asf_names(skeleton_);
   const std::vector<Eigen::Vector3d> ends = bone_ends(skeleton_);
   std::unordered_set<std::string> taken(names.begin(), names.end());
@@ -100,7 +105,6 @@ void AsfWriter::make_bones() {
   bones_.push_back({names[0], -1, ends[0], &skeleton_.joint(0)});
   for (std::size_t j = 1; j < names.size(); ++j) {
     const Joint& joint = skeleton_.joints()[j];
-    if (joint.parent < 0) throw Error("an .asf holds one root, this skeleton has several");
     int parent = bone_of_joint[static_cast<std::size_t>(joint.parent)];
     const Eigen::Vector3d way = joint.offset - bones_[static_cast<std::size_t>(parent)].end;
     if (!way.isZero(0)) {

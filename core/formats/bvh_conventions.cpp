@@ -154,13 +154,26 @@ bool stands_along_z(const Motion& motion) {
 }
 
 double guess_cm_per_unit(double height) {
-  constexpr double kUsual = 170;  // cm
-  if (height <= 0 || (height >= 80 && height <= 260)) return 1;
-  double best = 1;
-  for (const double cm : {100.0, 0.1, 2.54, 2.54 / 0.45, 10.0})
-    if (std::abs(std::log(height * cm / kUsual)) < std::abs(std::log(height * best / kUsual)))
-      best = cm;
-  return best;
+  struct Unit {
+    double cm;
+    double shortest, tallest;  // cm, between the ends of the bones: whom it is taken for
+  };
+  constexpr Unit kUnits[] = {{100, 120, 220},  {10, 150, 180}, {2.54 / 0.45, 130, 200},
+                             {2.54, 150, 185}, {1, 100, 260},  {0.1, 120, 220}};
+  if (height <= 0) return 1;
+  const Unit* larger = nullptr;
+  for (const Unit& unit : kUnits) {
+    const double first = unit.shortest / unit.cm;
+    if (height < first && larger == nullptr) return unit.shortest / height;
+    if (height < first) {
+      const double last = larger->tallest / larger->cm;
+      const double share = std::log(height / last) / std::log(first / last);
+      return larger->cm * std::pow(unit.cm / larger->cm, share);
+    }
+    if (height <= unit.tallest / unit.cm) return unit.cm;
+    larger = &unit;
+  }
+  return larger->tallest / height;
 }
 
 std::optional<double> rate_from_frame_time(double frame_time) {

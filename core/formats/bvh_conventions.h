@@ -39,8 +39,12 @@ double rest_height(const Skeleton& skeleton);
 /// over time: its head above its feet. False where no names tell them.
 bool stands_along_z(const Motion& motion);
 
-/// 1 when `height`, in file units, is a person's in centimetres (80 to 260); else whichever of
-/// metre, millimetre, inch, decimetre and CMU's 0.45 units to the inch makes it nearest to 170 cm.
+/// The centimetres of a unit in which a person is `height` units tall. Metre, decimetre, CMU's 0.45
+/// units to the inch, inch, centimetre and millimetre are each taken as they are for a range of
+/// heights. Between two ranges the factor goes evenly from one unit to the other: files whose
+/// heights differ by 1 % never differ by more than 3 % in the factor, where the nearest unit alone
+/// would make one body twice as large as the other. (Ranges that are wide enough for people leave
+/// no room for 1 %.)
 double guess_cm_per_unit(double height);
 
 /// 1 / `frame_time`, set to a whole number it only misses by rounding; nothing when no rate at all.

@@ -24,6 +24,21 @@ std::string number(double value) {
   return text;
 }
 
+/// A channel that no joint here has: how large a joint is along an axis.
+struct ScaleChannel {
+  std::size_t column = 0;  // of the file's rows
+  int joint = 0;
+  int axis = 0;
+};
+
+std::optional<int> scale_axis_named(std::string_view name) {
+  constexpr std::string_view kAxes = "xyz";
+  for (int axis = 0; axis < 3; ++axis)
+    if (equals_ignoring_case(name, std::string(1, kAxes[static_cast<std::size_t>(axis)]) + "scale"))
+      return axis;
+  return std::nullopt;
+}
+
 std::optional<ChannelKind> channel_named(std::string_view name) {
   constexpr std::string_view kAxes = "xyz";
   for (int axis = 0; axis < 3; ++axis) {
@@ -37,7 +52,7 @@ std::optional<ChannelKind> channel_named(std::string_view name) {
 class BvhReader {
  public:
   BvhReader(const std::string& file, std::string_view text, const ReadOptions& options)
-      : cursor_(file, text, "{}", '\0'), options_(options) {
+      : cursor_(file, text, "{}", '#'), options_(options) {
     source_.kind = SourceFormat::Kind::Bvh;
     source_.up = options.up.value_or(UpAxis::Y);
   }
@@ -57,6 +72,7 @@ class BvhReader {
   void read_header();
   bool read_row();
   void read_rows();
+  Eigen::MatrixXd without_scales(const RawRows& rows);
   Motion motion_in_file_units();
   void settle_rate(Clip& clip);
   void settle_translation(Motion& motion);
@@ -74,7 +90,9 @@ class BvhReader {
   std::vector<Joint> joints_;  // offsets in file units
   int dropped_end_sites_ = 0;
   std::size_t columns_ = 0;
-  std::vector<double> values_;  // rows of columns_, file units and degrees
+  std::vector<ScaleChannel> scales_;  // by their columns
+  std::vector<double> values_;        // rows of columns_, file units and degrees
+  ScalarTracks tracks_;
   double stated_frames_ = 0;
   double frame_time_ = 0;
   int frames_line_ = 0;
@@ -96,15 +114,18 @@ MotionFile BvhReader::read() {
          "the studio, read it upright");
   motion = with_up_axis(in_centimetres(motion), source_.up, UpAxis::Y);
   unwrap_angles(motion.skeleton, motion.clip);
-  return {std::move(motion), std::move(warnings_), source_};
+  return {.motion = std::move(motion),
+          .warnings = std::move(warnings_),
+          .source = source_,
+          .tracks = std::move(tracks_)};
 }
 
 void BvhReader::read_hierarchy() {
   cursor_.expect("HIERARCHY");
   if (!cursor_.next_is("ROOT")) cursor_.fail_expecting("ROOT");
   while (cursor_.next_is("ROOT")) read_tree();
-  for (const Joint& joint : joints_) columns_ += joint.channels.size();
-  if (columns_ == 0) cursor_.fail(cursor_.peek(), "no joint has a channel: nothing moves");
+  if (columns_ == scales_.size())
+    cursor_.fail(cursor_.peek(), "no joint has a channel: nothing moves");
   if (!cursor_.next_is("MOTION")) cursor_.fail_expecting("MOTION");
   cursor_.treat_as_space(':');
   cursor_.take();
@@ -123,7 +144,7 @@ void BvhReader::read_tree() {
       read_channels(joint);
     else if (cursor_.next_is("JOINT"))
       open_joint(open);
-    else if (cursor_.next_is("End"))
+    else if (cursor_.next_is("End") || cursor_.next_is("EndSite"))
       read_end_site(joint);
     else
       cursor_.fail_expecting("OFFSET, CHANNELS, JOINT, End Site or }");
@@ -157,15 +178,30 @@ void BvhReader::read_offset(Joint& joint) {
 void BvhReader::read_channels(Joint& joint) {
   const Token at = cursor_.peek();
   const double count = cursor_.take_measure("the number of channels");
-  if (!joint.channels.empty()) cursor_.fail(at, "a second CHANNELS line for " + joint.name);
-  while (const auto kind = channel_named(cursor_.peek().text)) {
-    if (std::find(joint.channels.begin(), joint.channels.end(), *kind) != joint.channels.end())
+  if (!joint.channels.empty()) cursor_.fail(at, "a second CHANNELS line for one joint");
+  const auto index = static_cast<int>(&joint - joints_.data());
+  std::size_t read = 0;
+  for (;; ++read) {
+    const auto kind = channel_named(cursor_.peek().text);
+    const auto axis = scale_axis_named(cursor_.peek().text);
+    if (!kind && !axis) break;
+    const bool is_known =
+        kind
+            ? std::find(joint.channels.begin(), joint.channels.end(), *kind) != joint.channels.end()
+            : std::any_of(scales_.begin(), scales_.end(), [&](const ScaleChannel& scale) {
+                return scale.joint == index && scale.axis == *axis;
+              });
+    if (is_known)
       cursor_.fail(cursor_.peek(), "channel " + quoted(cursor_.peek()) + " twice in one joint");
-    joint.channels.push_back(*kind);
+    if (kind)
+      joint.channels.push_back(*kind);
+    else
+      scales_.push_back({columns_ + read, index, *axis});
     cursor_.take();
   }
-  if (static_cast<double>(joint.channels.size()) != count)
+  if (static_cast<double>(read) != count)
     cursor_.fail_expecting(number(count) + " channels such as Xposition or Zrotation");
+  columns_ += read;
 }
 
 void BvhReader::read_end_site(Joint& joint) {
@@ -217,8 +253,7 @@ bool BvhReader::read_row() {
   for (std::size_t c = 0; c < columns_; ++c) {
     const Token word = cursor_.take();
     const auto value = parse_number(word.text);
-    if (!value && !cursor_.at_end())
-      cursor_.fail(word, "expected a channel's value, found " + quoted(word));
+    if (!value && !cursor_.at_end()) cursor_.fail_expecting_number(word, "a channel's value");
     if (!value) {
       values_.resize(row_begin);
       warn(first_line, "the file ends within its last frame, which is dropped");
@@ -245,14 +280,43 @@ void BvhReader::read_rows() {
                            std::to_string(frames) + " follow: all of them are read");
 }
 
+/// The columns of joints. Scales become tracks, unless they never leave 1.
+Eigen::MatrixXd BvhReader::without_scales(const RawRows& rows) {
+  const auto left = rows.cols() - std::ssize(scales_);
+  Eigen::MatrixXd kept(rows.rows(), left);
+  auto scale = scales_.begin();
+  for (Eigen::Index c = 0, to = 0; c < rows.cols(); ++c) {
+    if (scale == scales_.end() || static_cast<Eigen::Index>(scale->column) != c) {
+      kept.col(to++) = rows.col(c);
+      continue;
+    }
+    if ((rows.col(c).array() != 1).any()) {
+      if (tracks_.size() == runtime::kMostTracks)
+        cursor_.fail(cursor_.peek(), "more than " + std::to_string(runtime::kMostTracks) +
+                                         " channels of scale that change");
+      ScalarTrack track{.kind = scale_along(scale->axis),
+                        .node = joints_[static_cast<std::size_t>(scale->joint)].name,
+                        .name = {},
+                        .values = {}};
+      for (const double value : rows.col(c)) track.values.push_back(static_cast<float>(value));
+      tracks_.push_back(std::move(track));
+    }
+    ++scale;
+  }
+  if (!tracks_.empty())
+    warn(0,
+         counted(std::ssize(tracks_), "channel") + " of scale kept as tracks, which move no joint");
+  return kept;
+}
+
 Motion BvhReader::motion_in_file_units() {
   const auto columns = static_cast<Eigen::Index>(columns_);
   RawRows rows(values_.data(), static_cast<Eigen::Index>(values_.size()) / columns, columns);
   if (const long repaired = repair_values(rows); repaired > 0)
     warn(0, counted(repaired, "value") + kRepaired);
   Motion motion;
+  motion.clip.channels = without_scales(rows);
   for (Joint& joint : joints_) motion.skeleton.add(std::move(joint));
-  motion.clip.channels = rows;
   for (int c = 0; c < motion.skeleton.channel_count(); ++c)
     if (is_rotation(motion.skeleton.channel_kind(c)))
       motion.clip.channels.col(c) *= std::numbers::pi / 180;

@@ -72,10 +72,10 @@ std::string joint_word(const std::string& name) {
       word += rest.substr(0, size);
     rest.remove_prefix(std::max<std::size_t>(size, 1));
   }
-  for (const char* keyword : {"HIERARCHY", "ROOT", "JOINT", "OFFSET", "CHANNELS", "End", "Site",
-                              "MOTION", "Frames:", "Frame", "Time:"})
+  for (const char* keyword : {"HIERARCHY", "ROOT", "JOINT", "OFFSET", "CHANNELS", "End", "EndSite",
+                              "Site", "MOTION", "Frames:", "Frame", "Time:"})
     if (equals_ignoring_case(word, keyword)) return '_' + word;
-  return word;
+  return word.starts_with('#') ? '_' + word : word;  // it would hide the rest of the line
 }
 
 struct Place {

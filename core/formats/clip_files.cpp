@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kExtensions[] = {".bvh", ".amc", ".fbx", ".gltf", ".glb"};
+constexpr std::string_view kExtensions[] = {".bvh", ".amc", ".fbx", ".gltf",
+                                            ".glb", ".vrm", ".vrma"};
 
 class FolderWalk {
  public:

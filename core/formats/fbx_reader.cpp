@@ -174,7 +174,6 @@ const aiAnimation& FbxReader::chosen_take() {
   for (unsigned a = 0; a < scene_->mNumAnimations; ++a)
     takes.push_back(
         {scene_->mAnimations[a]->mName.C_Str(), scene_->mAnimations[a]->mNumChannels > 0});
-  if (takes.empty()) refuse("holds no animation");
   const std::size_t chosen = choose_take(file_, takes, options_.take, warnings_);
   takes_ = choices(takes, chosen);
   if (!options_.take && !takes[chosen].moves) refuse("holds no keys");

@@ -57,11 +57,12 @@ Vector3d JointScales::at(std::size_t joint, int frame) const {
   return scale;
 }
 
-AnimationWriter::AnimationWriter(BufferWriter& buffer, Json& animation, int frames,
+AnimationWriter::AnimationWriter(BufferWriter& buffer, Json& animation, double first_s, int frames,
                                  double sample_rate_hz)
-    : buffer_(buffer), animation_(animation) {
+    : buffer_(buffer), animation_(animation), first_s_(first_s) {
   std::vector<float> times;
-  for (int t = 0; t < frames; ++t) times.push_back(static_cast<float>(t / sample_rate_hz));
+  for (int t = 0; t < frames; ++t)
+    times.push_back(static_cast<float>(first_s + t / sample_rate_hz));
   times_ = buffer_.add("SCALAR", 1, times, true);
 }
 
@@ -82,7 +83,7 @@ void AnimationWriter::add(const NodeTrack& track, bool always) {
   if (!track.scales.empty())
     add_channel(track.node, "scale", times_, buffer_.add("VEC3", 3, vectors_of(track.scales)));
   if (track.scale) {
-    if (!start_) start_ = buffer_.add("SCALAR", 1, {0.0F}, true);
+    if (!start_) start_ = buffer_.add("SCALAR", 1, {static_cast<float>(first_s_)}, true);
     const Eigen::Vector3f scale = track.scale->cast<float>();
     add_channel(track.node, "scale", *start_,
                 buffer_.add("VEC3", 3, {scale.x(), scale.y(), scale.z()}));

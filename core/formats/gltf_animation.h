@@ -47,7 +47,8 @@ struct WeightsTrack {
 /// Appends the samplers and channels of tracks to an animation.
 class AnimationWriter {
  public:
-  AnimationWriter(BufferWriter& buffer, Json& animation, int frames, double sample_rate_hz);
+  AnimationWriter(BufferWriter& buffer, Json& animation, double first_s, int frames,
+                  double sample_rate_hz);
 
   /// `always`: though it rests.
   void add(const NodeTrack& track, bool always);
@@ -59,8 +60,9 @@ class AnimationWriter {
 
   BufferWriter& buffer_;
   Json& animation_;
+  double first_s_;
   std::size_t times_;
-  std::optional<std::size_t> start_;  // the one time 0
+  std::optional<std::size_t> start_;  // the time of the first frame alone
 };
 
 Json json_of(const Eigen::Vector3d& vector);

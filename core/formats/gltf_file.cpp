@@ -7,11 +7,13 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory_limit.h"
+#include "core/formats/gltf_meshopt.h"
 
 namespace mocapress {
 namespace {
@@ -22,6 +24,8 @@ constexpr JsonLimits kLimits = {.depth = 64, .values = 20'000'000};
 constexpr std::size_t kMostZeros = 10'000'000;  // of all accessors that have no bytes
 constexpr std::size_t kBytesOfNumber = 16;      // read, and copied once
 constexpr double kLargestNumber = 1e9;
+constexpr const char* kTooMuch = "holds too many numbers to read";
+constexpr const char* kNotANumber = " holds a number that is not finite or beyond 1e9";
 
 /// Little-endian, from any place.
 template <typename T>
@@ -105,24 +109,39 @@ std::size_t component_bytes(std::size_t type) {
   }
 }
 
-/// A number of a component type (section 3.6.2.2); normalised, what the largest integer stands for
-/// is 1 (section 3.11).
-double component(const char* place, std::size_t type, bool normalised) {
-  const auto integer = [&](auto value) {
-    constexpr double kOne = std::numeric_limits<decltype(value)>::max();
-    return normalised ? std::max(value / kOne, -1.0) : static_cast<double>(value);
-  };
+/// A normalised integer: the largest of its component type stands for 1 (section 3.11). A float is
+/// what it is.
+double share(double value, std::size_t type) {
+  const auto of = [value](double one) { return std::max(value / one, -1.0); };
   switch (type) {
     case 5120:
-      return integer(read_at<std::int8_t>(place));
+      return of(std::numeric_limits<std::int8_t>::max());
     case 5121:
-      return integer(read_at<std::uint8_t>(place));
+      return of(std::numeric_limits<std::uint8_t>::max());
     case 5122:
-      return integer(read_at<std::int16_t>(place));
+      return of(std::numeric_limits<std::int16_t>::max());
     case 5123:
-      return integer(read_at<std::uint16_t>(place));
+      return of(std::numeric_limits<std::uint16_t>::max());
     case 5125:
-      return integer(read_at<std::uint32_t>(place));
+      return of(std::numeric_limits<std::uint32_t>::max());
+    default:
+      return value;
+  }
+}
+
+/// A number of a component type (section 3.6.2.2).
+double component(const char* place, std::size_t type) {
+  switch (type) {
+    case 5120:
+      return read_at<std::int8_t>(place);
+    case 5121:
+      return read_at<std::uint8_t>(place);
+    case 5122:
+      return read_at<std::int16_t>(place);
+    case 5123:
+      return read_at<std::uint16_t>(place);
+    case 5125:
+      return read_at<std::uint32_t>(place);
     default:
       return static_cast<double>(read_at<float>(place));
   }
@@ -150,8 +169,9 @@ struct GltfFile::View {
 
   double operator()(std::size_t element, std::size_t i) const {
     if (begin == nullptr) return 0;
-    return component(begin + element * stride + i * component_bytes(component_type), component_type,
-                     normalised);
+    const double value =
+        component(begin + element * stride + i * component_bytes(component_type), component_type);
+    return normalised ? share(value, component_type) : value;
   }
 };
 
@@ -178,11 +198,7 @@ GltfFile::GltfFile(fs::path file, std::string_view bytes)
 }
 
 void GltfFile::fail(const std::string& message) const {
-  // Names of the file may be in it.
-  std::string line = message;
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
-  throw InputError(path_.string(), 0, 0, line);
+  throw InputError(path_.string(), 0, 0, message);
 }
 
 void GltfFile::read_glb(std::string_view bytes) {
@@ -212,6 +228,13 @@ void GltfFile::read_glb(std::string_view bytes) {
 const Json* GltfFile::member(const Json& object, const char* key) const {
   const auto found = object.find(key);
   return found == object.end() ? nullptr : &*found;
+}
+
+const Json* GltfFile::extension(const Json& object, const char* name) const {
+  const Json* const extensions = member(object, "extensions");
+  if (extensions == nullptr || !extensions->is_object()) return nullptr;
+  const Json* const found = member(*extensions, name);
+  return found != nullptr && found->is_object() ? found : nullptr;
 }
 
 const Json& GltfFile::list(const char* kind) const {
@@ -298,7 +321,7 @@ std::string GltfFile::resource(const std::string& uri) const {
     if (!bytes) fail("has a data URI that is not base64");
     return *std::move(bytes);
   }
-  const std::string shown = "\"" + uri.substr(0, 200) + '"';
+  const std::string shown = "\"" + uri.substr(0, 120) + '"';
   const fs::path relative = percent_decoded(uri);
   if (has_scheme(uri) || leaves_its_folder(relative) ||
       relative.native().find('\0') != std::string::npos)
@@ -334,14 +357,53 @@ const std::string& GltfFile::buffer(std::size_t index) {
   return buffers_.emplace(index, std::move(data)).first->second;
 }
 
-std::string GltfFile::bytes_of_view(std::size_t index) {
-  const Json& stated = list("bufferViews")[index];
+bool GltfFile::is_placeholder(std::size_t buffer) const {
+  const Json& stated = list("buffers")[buffer];
+  return !stated.contains("uri") &&
+         std::any_of(std::begin(kMeshoptExtensions), std::end(kMeshoptExtensions),
+                     [&](const char* name) { return extension(stated, name) != nullptr; });
+}
+
+/// Where a bufferView's bytes are, as itself or its extension states it.
+std::string_view GltfFile::part(std::size_t view, const Json& stated) {
   const std::string& bytes = buffer(required_index(stated, "buffer", "buffers"));
   const std::size_t begin = size(stated, "byteOffset", 0);
   const std::size_t length = size(stated, "byteLength", 0);
   if (begin > bytes.size() || length > bytes.size() - begin)
-    fail("bufferView " + std::to_string(index) + " reaches beyond its buffer");
-  return bytes.substr(begin, length);
+    fail("bufferView " + std::to_string(view) + " reaches beyond its buffer");
+  return std::string_view(bytes).substr(begin, length);
+}
+
+/// How a bufferView is packed; null: it is not.
+const Json* GltfFile::packing(const Json& buffer_view) const {
+  for (const char* name : kMeshoptExtensions)
+    if (const Json* found = extension(buffer_view, name)) return found;
+  return nullptr;
+}
+
+std::string_view GltfFile::view_bytes(std::size_t index) {
+  const Json& stated = list("bufferViews")[index];
+  const Json* const packed = packing(stated);
+  if (packed == nullptr) return part(index, stated);
+  if (const auto known = unpacked_.find(index); known != unpacked_.end()) return known->second;
+  const MeshoptPacking how{.count = size(*packed, "count", 0),
+                           .stride = size(*packed, "byteStride", 0),
+                           .mode = text(*packed, "mode"),
+                           .filter = text(*packed, "filter")};
+  const std::size_t most = static_cast<std::size_t>(memory_limit()) - unpacked_bytes_;
+  if (how.count > most / std::max<std::size_t>(how.stride, 1)) fail(kTooMuch);
+  const std::string_view bytes = part(index, *packed);
+  try {
+    std::string unpacked = meshopt_unpacked(how, bytes);
+    unpacked_bytes_ += unpacked.size();
+    return unpacked_.emplace(index, std::move(unpacked)).first->second;
+  } catch (const Error& error) {
+    fail("bufferView " + std::to_string(index) + ' ' + error.what());
+  }
+}
+
+std::string GltfFile::bytes_of_view(std::size_t index) {
+  return std::string(view_bytes(index));
 }
 
 GltfFile::View GltfFile::view(const Json& object, std::size_t count, std::size_t components,
@@ -355,45 +417,59 @@ GltfFile::View GltfFile::view(const Json& object, std::size_t count, std::size_t
   const auto index_of_view = index(object, "bufferView", "bufferViews");
   if (!index_of_view) return view;
   const std::string which = "bufferView " + std::to_string(*index_of_view);
-  const Json& stated = list("bufferViews")[*index_of_view];
-  const Json* extensions = member(stated, "extensions");
-  for (const char* packed : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
-    if (extensions && extensions->is_object() && extensions->contains(packed))
-      fail(which + " is compressed by " + packed + ", which is not read");
-  const std::string& bytes = buffer(required_index(stated, "buffer", "buffers"));
-  const std::size_t view_begin = size(stated, "byteOffset", 0);
-  const std::size_t view_bytes = size(stated, "byteLength", 0);
-  if (view_begin > bytes.size() || view_bytes > bytes.size() - view_begin)
-    fail(which + " reaches beyond its buffer");
+  const std::string_view bytes = view_bytes(*index_of_view);
   const std::size_t element = components * width;
   const std::size_t begin = size(object, "byteOffset", 0);
-  view.stride = size(stated, "byteStride", element);
+  const Json& stated = list("bufferViews")[*index_of_view];
+  const Json* const packed = packing(stated);
+  view.stride = size(packed ? *packed : stated, "byteStride", element);
   if (view.stride < element) fail(which + " has a byteStride that is too small");
-  if (count > 0 && (begin > view_bytes || element > view_bytes - begin ||
-                    count - 1 > (view_bytes - begin - element) / view.stride))
+  if (count > 0 && (begin > bytes.size() || element > bytes.size() - begin ||
+                    count - 1 > (bytes.size() - begin - element) / view.stride))
     fail("has an accessor that reaches beyond " + which);
-  view.begin = bytes.data() + view_begin + begin;
+  view.begin = bytes.data() + begin;
   return view;
+}
+
+void GltfFile::spend(std::size_t numbers) {
+  values_read_ += numbers;
+  require_memory(name(), kBytesOfNumber * values_read_);
+}
+
+std::size_t GltfFile::components_of(std::string_view type) {
+  if (type == "MAT4") return 16;
+  return type == "VEC4" ? 4 : type == "VEC3" ? 3 : type == "VEC2" ? 2 : 1;
+}
+
+bool GltfFile::is_normalised(const Json& accessor) const {
+  const Json* const flag = member(accessor, "normalized");
+  return flag != nullptr && flag->is_boolean() && flag->get<bool>();
+}
+
+std::vector<double> GltfFile::as_stated(std::size_t accessor, std::vector<double> values) const {
+  const Json& stated = list("accessors")[accessor];
+  const bool normalised = is_normalised(stated);
+  const std::size_t type = size(stated, "componentType", 0);
+  for (double& value : values) {
+    if (normalised) value = share(value, type);
+    if (!(std::abs(value) <= kLargestNumber))
+      fail("accessor " + std::to_string(accessor) + kNotANumber);
+  }
+  return values;
 }
 
 std::vector<double> GltfFile::values(std::size_t accessor, std::string_view type) {
   const std::string which = "accessor " + std::to_string(accessor);
   const Json& stated = list("accessors")[accessor];
   if (text(stated, "type") != type) fail(which + " is not " + std::string(type));
-  const std::size_t components = type == "MAT4"   ? 16
-                                 : type == "VEC4" ? 4
-                                 : type == "VEC3" ? 3
-                                 : type == "VEC2" ? 2
-                                                  : 1;
+  const std::size_t components = components_of(type);
   const std::size_t count = size(stated, "count", 0);
   // One without bytes is all zero and may state any count, as often as the file likes.
   if (!stated.contains("bufferView")) zeros_read_ += std::min(count, kMostZeros + 1) * components;
   if (zeros_read_ > kMostZeros) fail("states more zeros that have no bytes than are read");
-  if (count > std::numeric_limits<std::uint32_t>::max()) fail("holds too many numbers to read");
-  values_read_ += count * components;
-  require_memory(name(), kBytesOfNumber * values_read_);
-  const Json* flag = member(stated, "normalized");
-  const bool normalised = flag && flag->is_boolean() && flag->get<bool>();
+  if (count > std::numeric_limits<std::uint32_t>::max()) fail(kTooMuch);
+  spend(count * components);
+  const bool normalised = is_normalised(stated);
   const View dense = view(stated, count, components, normalised);
   std::vector<double> values(count * components);
   for (std::size_t e = 0; e < count; ++e)
@@ -419,7 +495,7 @@ std::vector<double> GltfFile::values(std::size_t accessor, std::string_view type
   }
   if (!std::all_of(values.begin(), values.end(),
                    [](double value) { return std::abs(value) <= kLargestNumber; }))
-    fail(which + " holds a number that is not finite or beyond 1e9");
+    fail(which + kNotANumber);
   return values;
 }
 

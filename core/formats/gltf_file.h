@@ -25,6 +25,10 @@ inline constexpr std::uint32_t kGlbMagic = 0x46546C67;      // "glTF"
 inline constexpr std::uint32_t kGlbJsonChunk = 0x4E4F534A;  // "JSON"
 inline constexpr std::uint32_t kGlbDataChunk = 0x004E4942;  // "BIN\0"
 
+/// The extension EXT_meshopt_compression, and the name under which Khronos took it over.
+inline constexpr const char* kMeshoptExtensions[] = {"EXT_meshopt_compression",
+                                                     "KHR_meshopt_compression"};
+
 /// A glTF 2.0 file taken apart: its JSON, and on demand the bytes that it refers to. Every index,
 /// size and number that is asked for is checked. What is wrong is an InputError, from all of these.
 class GltfFile {
@@ -59,6 +63,9 @@ class GltfFile {
   /// A whole number from 0; `otherwise` where there is none.
   std::size_t size(const Json& object, const char* key, std::size_t otherwise) const;
 
+  /// An extension of an object; null where it has none of that name.
+  const Json* extension(const Json& object, const char* name) const;
+
   /// A text; empty where there is none.
   std::string text(const Json& object, const char* key) const;
 
@@ -72,8 +79,20 @@ class GltfFile {
   /// What a `uri` stands for: a data URI, or a file in this one's folder or below.
   std::string resource(const std::string& uri) const;
 
+  /// Whether a buffer only says how large packed bufferViews are: it has no bytes of its own.
+  bool is_placeholder(std::size_t buffer) const;
+
   /// The bytes of a bufferView, one after another.
   std::string bytes_of_view(std::size_t index);
+
+  /// Counts numbers that are read towards the most that a file may hold.
+  void spend(std::size_t numbers);
+
+  /// How many numbers an element of such an accessor has.
+  static std::size_t components_of(std::string_view type);
+
+  /// Numbers of an accessor that come from elsewhere, normalised where it states so.
+  std::vector<double> as_stated(std::size_t accessor, std::vector<double> values) const;
 
   /// An accessor's elements one after another, as numbers: normalised ones from -1 or 0 to 1,
   /// sparse ones filled in. `type` is what it has to be: "SCALAR", "VEC2", "VEC3",
@@ -84,16 +103,23 @@ class GltfFile {
   struct View;  // of numbers among a buffer's bytes
 
   void read_glb(std::string_view bytes);
+  /// The bytes that accessors see: a packed bufferView's are unpacked, once.
+  std::string_view view_bytes(std::size_t index);
+  const Json* packing(const Json& buffer_view) const;
+  std::string_view part(std::size_t view, const Json& stated);
   View view(const Json& object, std::size_t count, std::size_t components, bool normalised);
+  bool is_normalised(const Json& accessor) const;
   const Json* member(const Json& object, const char* key) const;
 
   std::filesystem::path path_;
   Json json_;
   std::vector<GlbChunk> chunks_;
-  std::map<std::size_t, std::string> buffers_;  // those that were asked for
+  std::map<std::size_t, std::string> buffers_;   // those that were asked for
+  std::map<std::size_t, std::string> unpacked_;  // bufferViews, likewise
   std::size_t bytes_read_;
   std::size_t values_read_ = 0;
   std::size_t zeros_read_ = 0;
+  std::size_t unpacked_bytes_ = 0;
 };
 
 /// Whether a URI holds its bytes itself.

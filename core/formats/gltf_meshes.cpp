@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
+
+#include "core/formats/gltf_draco.h"
 
 namespace mocapress {
 namespace {
@@ -37,10 +40,8 @@ class PlaceInPicture {
  public:
   PlaceInPicture(const GltfFile& file, const Json& texture)
       : set_(file.size(texture, "texCoord", 0)) {
-    const auto extensions = texture.find("extensions");
-    if (extensions == texture.end() || !extensions->is_object()) return;
-    const auto stated = extensions->find("KHR_texture_transform");
-    if (stated == extensions->end() || !stated->is_object()) return;
+    const Json* const stated = file.extension(texture, "KHR_texture_transform");
+    if (stated == nullptr) return;
     set_ = file.size(*stated, "texCoord", set_);
     if (const auto offset = file.numbers(*stated, "offset", 2))
       moved_.translate(Eigen::Vector2d(offset->data()));
@@ -61,6 +62,12 @@ class PlaceInPicture {
   Eigen::Affine2d moved_ = Eigen::Affine2d::Identity();
 };
 
+/// What KHR_draco_mesh_compression packs, and which of its attributes is which.
+struct PackedPrimitive {
+  DracoMesh mesh;
+  const Json* ids = nullptr;  // by the name of an attribute
+};
+
 class MeshReader {
  public:
   MeshReader(GltfFile& file, const GltfTake& take, Warnings& warnings);
@@ -68,9 +75,11 @@ class MeshReader {
   std::vector<NodeMesh> read();
 
  private:
-  bool is_left_out(const Json& mesh, const Json& primitive);
   std::vector<NodeMesh::Bone> bones_of(std::size_t node);
   std::vector<NodeMesh::Bone> bones_of_skin(std::size_t skin);
+  void unpack(const Json& primitive);
+  std::optional<std::vector<double>> attribute(const Json& attributes, const std::string& name,
+                                               std::string_view type);
   NodeMesh mesh_of(const Json& primitive, std::vector<NodeMesh::Bone> bones, bool skinned);
   void read_triangles(const Json& primitive, NodeMesh& mesh);
   void read_weights(const Json& attributes, NodeMesh& mesh);
@@ -84,6 +93,7 @@ class MeshReader {
   std::vector<int> parents_;        // of the file's nodes
   std::vector<int> index_in_take_;  // of the file's nodes; -1: it is not there
   Warnings& warnings_;
+  std::optional<PackedPrimitive> packed_;  // the primitive that is being read
   std::map<std::size_t, std::shared_ptr<const SkinPicture>> pictures_;  // those asked for
 };
 
@@ -109,42 +119,10 @@ std::vector<NodeMesh> MeshReader::read() {
     const std::vector<NodeMesh::Bone> bones = skin ? bones_of_skin(*skin) : bones_of(n);
     if (bones.empty()) continue;
     for (const Json& primitive : file_.list(stated[mesh], "primitives"))
-      if (file_.size(primitive, "mode", kTriangles) == kTriangles &&
-          !is_left_out(stated[mesh], primitive))
+      if (file_.size(primitive, "mode", kTriangles) == kTriangles)
         meshes.push_back(mesh_of(primitive, bones, skin.has_value()));
   }
   return meshes;
-}
-
-/// With a warning: bytes that only an extension can unpack are no reason to refuse the motion.
-bool MeshReader::is_left_out(const Json& mesh, const Json& primitive) {
-  std::string extension;
-  const auto note = [&](const Json& object) {
-    const auto extensions = object.find("extensions");
-    if (extensions == object.end() || !extensions->is_object()) return;
-    for (const char* one :
-         {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"})
-      if (extensions->contains(one)) extension = one;
-  };
-  const auto note_view = [&](const Json& object, const char* key) {
-    if (const auto accessor = file_.index(object, key, "accessors"))
-      if (const auto view =
-              file_.index(file_.list("accessors")[*accessor], "bufferView", "bufferViews"))
-        note(file_.list("bufferViews")[*view]);
-  };
-  note(primitive);
-  note_view(primitive, "indices");
-  if (const auto attributes = primitive.find("attributes");
-      attributes != primitive.end() && attributes->is_object())
-    for (const auto& [key, accessor] : attributes->items()) note_view(*attributes, key.c_str());
-  if (extension.empty()) return false;
-  const std::string name = file_.text(mesh, "name");
-  const std::string what = (name.empty() ? "a mesh" : "the mesh " + name) +
-                           " is not read: it is compressed by " + extension;
-  if (std::none_of(warnings_.begin(), warnings_.end(),
-                   [&](const Warning& warning) { return warning.message == what; }))
-    warnings_.push_back({file_.name(), 0, what});
-  return true;
 }
 
 /// The node of the take that carries what a node draws.
@@ -177,17 +155,53 @@ std::vector<NodeMesh::Bone> MeshReader::bones_of_skin(std::size_t number) {
   return bones;
 }
 
+/// The bytes that also stand there unpacked, for readers that know no Draco, are read as such.
+void MeshReader::unpack(const Json& primitive) {
+  packed_.reset();
+  const Json* const draco = file_.extension(primitive, "KHR_draco_mesh_compression");
+  if (draco == nullptr) return;
+  const auto position = file_.index(primitive.at("attributes"), "POSITION", "accessors");
+  if (position && file_.list("accessors")[*position].contains("bufferView")) return;
+  const auto ids = draco->find("attributes");
+  if (ids == draco->end() || !ids->is_object()) file_.fail("has a mesh packed without attributes");
+  const std::string bytes =
+      file_.bytes_of_view(file_.required_index(*draco, "bufferView", "bufferViews"));
+  try {
+    packed_ = {draco_unpacked(bytes), &*ids};
+  } catch (const Error& error) {
+    file_.fail(std::string("has a mesh that ") + error.what());
+  }
+  std::size_t numbers = packed_->mesh.corners.size();
+  for (const auto& [id, attribute] : packed_->mesh.attributes) numbers += attribute.values.size();
+  file_.spend(numbers);
+}
+
+/// The numbers of an attribute, of one vertex after another; none where the mesh has no such.
+std::optional<std::vector<double>> MeshReader::attribute(const Json& attributes,
+                                                         const std::string& name,
+                                                         std::string_view type) {
+  const auto accessor = file_.index(attributes, name.c_str(), "accessors");
+  if (!accessor) return std::nullopt;
+  if (!packed_ || !packed_->ids->contains(name)) return file_.values(*accessor, type);
+  const auto found = packed_->mesh.attributes.find(file_.size(*packed_->ids, name.c_str(), 0));
+  if (found == packed_->mesh.attributes.end() ||
+      found->second.components != GltfFile::components_of(type))
+    file_.fail("has a packed mesh without the attributes it states");
+  return file_.as_stated(*accessor, found->second.values);
+}
+
 NodeMesh MeshReader::mesh_of(const Json& primitive, std::vector<NodeMesh::Bone> bones,
                              bool skinned) {
   NodeMesh mesh;
   mesh.bones = std::move(bones);
   const auto attributes = primitive.find("attributes");
   if (attributes == primitive.end() || !attributes->is_object()) return mesh;
-  const auto position = file_.index(*attributes, "POSITION", "accessors");
-  if (!position) return mesh;
-  mesh.positions = points_of(file_.values(*position, "VEC3"));
-  if (const auto normal = file_.index(*attributes, "NORMAL", "accessors"))
-    mesh.normals = points_of(file_.values(*normal, "VEC3"));
+  unpack(primitive);
+  const auto positions = attribute(*attributes, "POSITION", "VEC3");
+  if (!positions) return mesh;
+  mesh.positions = points_of(*positions);
+  if (const auto normals = attribute(*attributes, "NORMAL", "VEC3"))
+    mesh.normals = points_of(*normals);
   if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
     file_.fail("has a mesh with more or fewer normals than positions");
   read_triangles(primitive, mesh);
@@ -198,7 +212,9 @@ NodeMesh MeshReader::mesh_of(const Json& primitive, std::vector<NodeMesh::Bone> 
 
 void MeshReader::read_triangles(const Json& primitive, NodeMesh& mesh) {
   std::vector<double> corners;
-  if (const auto indices = file_.index(primitive, "indices", "accessors"))
+  if (packed_)
+    corners.assign(packed_->mesh.corners.begin(), packed_->mesh.corners.end());
+  else if (const auto indices = file_.index(primitive, "indices", "accessors"))
     corners = file_.values(*indices, "SCALAR");
   else
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
@@ -217,11 +233,11 @@ void MeshReader::read_weights(const Json& attributes, NodeMesh& mesh) {
   mesh.weights.resize(mesh.positions.size());
   for (int set = 0;; ++set) {
     const std::string number = std::to_string(set);
-    const auto joints = file_.index(attributes, ("JOINTS_" + number).c_str(), "accessors");
-    const auto weights = file_.index(attributes, ("WEIGHTS_" + number).c_str(), "accessors");
+    const auto joints = attribute(attributes, "JOINTS_" + number, "VEC4");
+    const auto weights = attribute(attributes, "WEIGHTS_" + number, "VEC4");
     if (!joints || !weights) return;
-    const std::vector<double> bones = file_.values(*joints, "VEC4");
-    const std::vector<double> shares = file_.values(*weights, "VEC4");
+    const std::vector<double>& bones = *joints;
+    const std::vector<double>& shares = *weights;
     if (bones.size() != 4 * mesh.positions.size() || shares.size() != bones.size())
       file_.fail("has a mesh with more or fewer weights than positions");
     for (std::size_t i = 0; i < bones.size(); ++i) {
@@ -253,13 +269,13 @@ void MeshReader::lay_picture(const Json& texture, const Json& attributes, NodeMe
   const std::size_t textures = file_.list("textures").size();
   const std::size_t index = file_.size(texture, "index", textures);
   const PlaceInPicture place(file_, texture);
-  const auto places = file_.index(attributes, place.attribute().c_str(), "accessors");
+  const auto places = attribute(attributes, place.attribute(), "VEC2");
   if (index >= textures || !places) return;
   const auto image = file_.index(file_.list("textures")[index], "source", "images");
   if (!image) return;
   mesh.picture = picture(*image);
   if (!mesh.picture) return;
-  const std::vector<double> values = file_.values(*places, "VEC2");
+  const std::vector<double>& values = *places;
   if (values.size() != 2 * mesh.positions.size())
     file_.fail("has a mesh with more or fewer places in its picture than positions");
   for (std::size_t i = 0; i < values.size(); i += 2)

@@ -12,6 +12,7 @@
 #include "core/base/path_kind.h"
 #include "core/formats/gltf_animation.h"
 #include "core/formats/gltf_reader.h"
+#include "core/formats/gltf_target.h"
 #include "core/formats/gltf_writer.h"
 #include "core/formats/text_writer.h"
 #include "core/motion/forward_kinematics.h"
@@ -147,10 +148,9 @@ void remove_channels(const GltfFile& file, const std::vector<NodeTrack>& tracks,
   animation["samplers"] = Json::array();
   std::unordered_map<std::size_t, std::size_t> new_index;
   for (Json channel : channels) {
-    const Json& target = channel["target"];
-    const auto node = file.index(target, "node", "nodes");
-    const bool of_weights = file.text(target, "path") == "weights";
-    if (node && (of_weights ? morphed : nodes).contains(*node)) continue;
+    const auto target = gltf_target(file, channel);
+    const bool of_weights = target && target->path == GltfPath::Weights;
+    if (target && (of_weights ? morphed : nodes).contains(target->node)) continue;
     const std::size_t sampler = file.size(channel, "sampler", samplers.size());
     if (sampler >= samplers.size()) file.fail("has an animation channel without a sampler");
     const auto [at, is_new] = new_index.emplace(sampler, animation["samplers"].size());
@@ -169,31 +169,46 @@ std::string image_type(std::string_view bytes) {
   return "";
 }
 
-/// Joins all buffers into the first, for the chunk of a .glb, and returns its bytes.
+/// Joins all buffers into the first, for the chunk of a .glb, and returns its bytes. Placeholders
+/// of packed bufferViews follow it.
 std::string joined_buffers(GltfFile& file, Json& json) {
   std::string bytes;
   std::vector<std::size_t> begins;
+  std::vector<std::size_t> new_index;
+  Json buffers = Json::array({Json::object()});
   for (std::size_t b = 0; b < file.list("buffers").size(); ++b) {
+    const Json& stated = file.list("buffers")[b];
     bytes.resize((bytes.size() + 3) / 4 * 4);
-    begins.push_back(bytes.size());
+    const bool is_placeholder = file.is_placeholder(b);
+    begins.push_back(is_placeholder ? 0 : bytes.size());
+    new_index.push_back(is_placeholder ? buffers.size() : 0);
+    if (is_placeholder) {
+      buffers.push_back(stated);
+      continue;
+    }
     bytes += file.buffer(b);
+    if (buffers.front().empty()) buffers.front() = stated;
   }
-  if (begins.empty()) return bytes;
-  for (Json& view : json["bufferViews"]) {
-    const std::size_t buffer = file.required_index(view, "buffer", "buffers");
-    if (buffer == 0) continue;
-    view["byteOffset"] = file.size(view, "byteOffset", 0) + begins[buffer];
-    view["buffer"] = 0;
-  }
-  Json first = json["buffers"][0];
-  first.erase("uri");
-  json["buffers"] = Json::array({std::move(first)});
+  buffers.front().erase("uri");
+  const auto move = [&](Json& part) {
+    const std::size_t buffer = file.required_index(part, "buffer", "buffers");
+    if (begins[buffer] > 0) part["byteOffset"] = file.size(part, "byteOffset", 0) + begins[buffer];
+    part["buffer"] = new_index[buffer];
+  };
+  if (json.contains("bufferViews"))
+    for (Json& view : json["bufferViews"]) {
+      move(view);
+      for (const char* name : kMeshoptExtensions)
+        if (file.extension(view, name) != nullptr) move(view["extensions"][name]);
+    }
+  json["buffers"] = std::move(buffers);
   return bytes;
 }
 
 /// Puts the buffers that are files of their own, or the chunk of a .glb, into a .gltf.
 void embed_buffers(GltfFile& file, Json& json, bool with_files) {
   for (std::size_t b = 0; b < file.list("buffers").size(); ++b) {
+    if (file.is_placeholder(b)) continue;
     const std::string uri = file.text(file.list("buffers")[b], "uri");
     if (uri.empty() || (with_files && !is_data_uri(uri)))
       json["buffers"][b]["uri"] = data_uri(kBufferType, file.buffer(b));
@@ -264,7 +279,7 @@ std::string gltf_bytes_onto(const fs::path& onto, const Motion& motion, GltfCont
   embed_images(file, json, moves_away, is_glb ? &writer : nullptr);
   Json animation = json["animations"][take.animation];
   remove_channels(file, tracks, weights, animation);
-  AnimationWriter animator(writer, animation, motion.clip.frames(),
+  AnimationWriter animator(writer, animation, take.first_s, motion.clip.frames(),
                            options.sample_rate_hz.value_or(motion.clip.sample_rate_hz));
   for (const NodeTrack& track : tracks) animator.add(track, false);
   for (const WeightsTrack& track : weights) animator.add(track);

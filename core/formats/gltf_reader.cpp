@@ -10,8 +10,10 @@
 #include <set>
 
 #include "core/formats/gltf_meshes.h"
+#include "core/formats/gltf_target.h"
 #include "core/formats/key_times.h"
 #include "core/formats/take_choice.h"
+#include "core/formats/text_writer.h"
 #include "core/runtime/format/format_limits.h"
 
 namespace mocapress {
@@ -25,9 +27,9 @@ constexpr std::size_t kMostGltfNodes = 100'000;
 constexpr double kFreePlacements = 1 << 21;  // of nodes, over all frames
 constexpr double kPlacementsOfByte = 32;     // and more of them in a larger file
 constexpr double kShortest = 1e-12;  // a quaternion, or an axis of a matrix, without direction
-constexpr double kSnap = 0.01;       // frames: times are floats
 
-enum class Path { Translation, Rotation, Scale, Weights };
+using Path = GltfPath;
+using Target = GltfTarget;
 enum class Interpolation { Step, Linear, CubicSpline };
 
 /// How one property of one node moves: a channel with its sampler. Of weights one.
@@ -123,8 +125,7 @@ class TakeReader {
   GltfTake read() {
     result_.take.cm_per_unit = kGltfCmPerUnit;
     find_tree();
-    choose_animation();
-    read_curves();
+    read_animation();
     add_nodes();
     sample();
     return std::move(result_);
@@ -138,16 +139,12 @@ class TakeReader {
   }
 
  private:
-  struct Target {
-    std::size_t node;
-    Path path;
-  };
-
   void find_tree();
-  void choose_animation();
-  std::optional<Target> target_of(const Json& channel) const;
+  std::vector<TakeName> take_names() const;
+  void read_animation();
+  bool changes() const;
   bool has_channel(const Json& animation, bool of_weights) const;
-  void read_curves();
+  void read_curves(Warnings& warnings);
   KeyCurve read_curve(const Json& sampler, const Target& target);
   void read_weights(const Json& sampler, const Target& target);
   std::vector<std::string> target_names(std::size_t node) const;
@@ -210,47 +207,66 @@ LocalTransform TakeReader::rest_of(const Json& node) const {
   return local;
 }
 
-/// What a channel moves; nothing for what extensions add.
-std::optional<TakeReader::Target> TakeReader::target_of(const Json& channel) const {
-  const auto target = channel.find("target");
-  if (target == channel.end() || !target->is_object())
-    file_.fail("has an animation channel without a target");
-  const std::string path = file_.text(*target, "path");
-  const auto node = file_.index(*target, "node", "nodes");
-  if (!node) return std::nullopt;
-  if (path == "translation") return Target{*node, Path::Translation};
-  if (path == "rotation") return Target{*node, Path::Rotation};
-  if (path == "scale") return Target{*node, Path::Scale};
-  if (path == "weights") return Target{*node, Path::Weights};
-  return std::nullopt;
-}
-
 /// Whether any of its channels is such a one.
 bool TakeReader::has_channel(const Json& animation, bool of_weights) const {
   const Json& channels = file_.list(animation, "channels");
   return std::any_of(channels.begin(), channels.end(), [&](const Json& channel) {
-    const auto target = target_of(channel);
+    const auto target = gltf_target(file_, channel);
     return target && (target->path == Path::Weights) == of_weights;
   });
 }
 
-void TakeReader::choose_animation() {
+/// The names of all animations, and which may move: of morph weights alone, a face perhaps, only
+/// where no nodes move.
+std::vector<TakeName> TakeReader::take_names() const {
   const Json& animations = file_.list("animations");
-  if (animations.empty()) file_.fail("holds no animation");
   std::vector<TakeName> takes;
   for (const Json& one : animations) {
     std::string name = file_.text(one, "name");
     if (name.empty()) name = "animation_" + std::to_string(takes.size() + 1);
     takes.push_back({std::move(name), has_channel(one, false)});
   }
-  // One of weights alone, a face perhaps, only where nothing moves.
   if (std::none_of(takes.begin(), takes.end(), [](const TakeName& take) { return take.moves; }))
     for (std::size_t a = 0; a < takes.size(); ++a)
       takes[a].moves = has_channel(animations[a], true);
-  const std::size_t chosen = choose_take(file_.name(), takes, options_.take, result_.warnings);
-  result_.animation = chosen;
-  result_.takes = choices(takes, chosen);
-  result_.take.name = takes[chosen].name;
+  return takes;
+}
+
+/// Unless one is asked for, the first animation that moves anything. One whose values never change
+/// is passed over; where all are such, the first is read.
+void TakeReader::read_animation() {
+  const std::vector<TakeName> takes = take_names();
+  Warnings warnings;
+  const auto read = [&](const std::vector<TakeName>& among) {
+    warnings.clear();
+    result_.animation = choose_take(file_.name(), among, options_.take, warnings);
+    read_curves(warnings);
+  };
+  read(takes);
+  for (std::vector<TakeName> left = takes; !options_.take && !changes();) {
+    left[result_.animation].moves = false;
+    if (std::any_of(left.begin(), left.end(), [](const TakeName& take) { return take.moves; })) {
+      read(left);
+      continue;
+    }
+    read(takes);
+    break;
+  }
+  result_.takes = choices(takes, result_.animation);
+  result_.take.name = takes[result_.animation].name;
+  result_.warnings = std::move(warnings);
+}
+
+/// Whether any curve has more than one value.
+bool TakeReader::changes() const {
+  const auto differs = [](const KeyCurve& curve) {
+    const std::size_t width = KeyCurveReader::width_of(curve.path);
+    for (std::size_t i = width; i < curve.values.size(); ++i)
+      if (curve.values[i] != curve.values[i % width]) return true;
+    return false;
+  };
+  return std::any_of(curves_.begin(), curves_.end(), differs) ||
+         std::any_of(weights_.begin(), weights_.end(), differs);
 }
 
 KeyCurve TakeReader::read_curve(const Json& sampler, const Target& target) {
@@ -286,12 +302,18 @@ KeyCurve TakeReader::read_curve(const Json& sampler, const Target& target) {
   return curve;
 }
 
-void TakeReader::read_curves() {
+void TakeReader::read_curves(Warnings& warnings) {
+  curves_.clear();
+  weights_.clear();
+  int others = 0;
   const Json& chosen = file_.list("animations")[result_.animation];
   const Json& samplers = file_.list(chosen, "samplers");
   for (const Json& channel : file_.list(chosen, "channels")) {
-    const auto target = target_of(channel);
-    if (!target) continue;
+    const auto target = gltf_target(file_, channel);
+    if (!target) {
+      ++others;
+      continue;
+    }
     const std::size_t sampler = file_.size(channel, "sampler", samplers.size());
     if (sampler >= samplers.size()) file_.fail("has an animation channel without a sampler");
     if (target->path != Path::Weights) {
@@ -302,10 +324,13 @@ void TakeReader::read_curves() {
       read_weights(samplers[sampler], *target);
     } catch (const InputError& error) {  // no reason to refuse the motion
       const std::string reason = std::string(error.what()).substr(file_.name().size() + 2);
-      result_.warnings.push_back(
-          {file_.name(), 0, "morph weights are not read: the file " + reason});
+      warnings.push_back({file_.name(), 0, "morph weights are not read: the file " + reason});
     }
   }
+  if (others > 0)
+    warnings.push_back({file_.name(), 0,
+                        counted(others, "channel") + " of the animation left out, which " +
+                            (others == 1 ? "moves" : "move") + " no node"});
   if (curves_.empty() && weights_.empty())
     file_.fail("moves neither nodes nor morph weights that can be read");
 }
@@ -418,12 +443,13 @@ void TakeReader::sample() {
     file_.fail("asks for " + std::to_string(times.frames) + " frames of " +
                std::to_string(take.nodes.size()) + " nodes, too many for a file of so few bytes");
   if (!times.warning.empty()) result_.warnings.push_back({file_.name(), 0, times.warning});
+  result_.first_s = times.first_s;
   take.frames = times.frames;
   take.sample_rate_hz = times.rate_hz;
   for (const KeyCurve& curve : curves_) {
     AnimatedNode& node = take.nodes[curve.node];
     node.frames.resize(static_cast<std::size_t>(times.frames), node.rest);
-    KeyCurveReader reader(curve, kSnap / times.rate_hz);
+    KeyCurveReader reader(curve, times.near_s);
     for (int f = 0; f < times.frames; ++f)
       reader.apply(times.at(f), node.frames[static_cast<std::size_t>(f)]);
   }
@@ -432,7 +458,7 @@ void TakeReader::sample() {
 
 void TakeReader::sample_weights(const SampleTimes& times) {
   for (const KeyCurve& weight : weights_) {
-    KeyCurveReader reader(weight, kSnap / times.rate_hz);
+    KeyCurveReader reader(weight, times.near_s);
     ScalarTrack track{.kind = TrackKind::MorphWeight,
                       .node = name_of(weight.node),
                       .name = weight.name,

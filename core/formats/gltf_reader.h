@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glTF 2.0, .gltf and .glb: metres, Y up. A skeleton is the nodes that are joints of a skin, or
-// else what moves (node_motion.h).
+// glTF 2.0, .gltf, .glb and what is .glb by another name (.vrm, .vrma): metres, Y up. A skeleton is
+// the nodes that are joints of a skin, or else what moves (node_motion.h).
 #pragma once
 
 #include <string>
@@ -26,6 +26,7 @@ Character read_gltf_character(const std::string& file, std::string_view bytes);
 struct GltfTake {
   NodeTake take;
   std::size_t animation = 0;  // its index in the file
+  double first_s = 0;         // the time of its first frame
   Takes takes;
   std::vector<std::size_t> number_of_node;  // of each of take.nodes: its index in the file
   struct Weight {                           // of each of take.tracks

@@ -200,7 +200,7 @@ std::string gltf_bytes(const Motion& given, GltfContainer container, const Sourc
   const std::size_t matrices = buffer.add("MAT4", 16, inverse_bind_matrices(rest, cm_per_unit));
   json["skins"].push_back({{"inverseBindMatrices", matrices}, {"joints", joints}});
   Json animation = {{"samplers", Json::array()}, {"channels", Json::array()}};
-  AnimationWriter writer(buffer, animation, motion.clip.frames(), motion.clip.sample_rate_hz);
+  AnimationWriter writer(buffer, animation, 0, motion.clip.frames(), motion.clip.sample_rate_hz);
   for (const NodeTrack& track : tracks) writer.add(track, false);
   // Or else it would be no animation, and the number of frames be lost.
   if (animation["channels"].empty() && !tracks.empty()) writer.add(tracks.front(), true);

@@ -10,10 +10,14 @@
 namespace mocapress {
 namespace {
 
-constexpr double kUnstatedRate = 30;   // Hz
-constexpr double kSlowestRate = 10;    // Hz; keys farther apart were set by hand
-constexpr double kSameInstant = 1e-5;  // s
-constexpr double kOnFrame = 0.01;      // frames
+constexpr double kUnstatedRate = 30;     // Hz
+constexpr double kSlowestRate = 10;      // Hz; keys farther apart were set by hand
+constexpr double kSameInstant = 1e-5;    // s
+constexpr double kOnFrame = 0.01;        // frames; keys are floats
+constexpr double kNearFrame = 0.15;      // frames; half a millisecond at up to 300 Hz
+constexpr double kSameRate = 0.005;      // of the rate
+constexpr double kDensestUnasked = 120;  // Hz; beyond, keys have to be dense, too
+constexpr double kMostFramesPerKey = 4;
 
 // Round ones first: in a short clip both fit.
 constexpr double kUsualRates[] = {24,
@@ -44,35 +48,62 @@ constexpr double kUsualRates[] = {24,
                                   60000.0 / 1001,
                                   120000.0 / 1001};
 
-/// Whether every key lies on a frame.
-bool fits(double rate_hz, const std::vector<double>& keys_s) {
-  return std::all_of(keys_s.begin(), keys_s.end(), [&](double key) {
+/// How far a key is from its frame at most, in frames.
+double farthest_key(double rate_hz, const std::vector<double>& keys_s) {
+  double farthest = 0;
+  for (const double key : keys_s) {
     const double frame = (key - keys_s.front()) * rate_hz;
-    return std::abs(frame - std::round(frame)) <= kOnFrame;
-  });
+    farthest = std::max(farthest, std::abs(frame - std::round(frame)));
+  }
+  return farthest;
 }
 
-double smallest_spacing(const std::vector<double>& keys_s) {
-  double smallest = keys_s.back() - keys_s.front();
-  for (std::size_t i = 1; i < keys_s.size(); ++i)
-    smallest = std::min(smallest, keys_s[i] - keys_s[i - 1]);
-  return smallest;
+/// The mean rate of the keys.
+double mean_rate(const std::vector<double>& keys_s) {
+  return static_cast<double>(keys_s.size() - 1) / (keys_s.back() - keys_s.front());
 }
 
-double guess_rate(const std::vector<double>& keys_s, std::optional<double> stated_hz) {
-  const double fallback = stated_hz.value_or(kUnstatedRate);
-  if (keys_s.size() < 2) return fallback;
-  const double densest = 1 / smallest_spacing(keys_s);
-  const auto is_densest = [&](double rate) { return std::abs(rate - densest) < 0.005 * densest; };
-  if (is_densest(fallback) && fits(fallback, keys_s)) return fallback;
-  for (const double rate : kUsualRates)
-    if (is_densest(rate) && fits(rate, keys_s)) return rate;
-  const double mean = static_cast<double>(keys_s.size() - 1) / (keys_s.back() - keys_s.front());
-  if (mean >= kSlowestRate && is_densest(mean) && fits(mean, keys_s)) return mean;
-  if (fits(fallback, keys_s)) return fallback;
-  for (const double rate : kUsualRates)
-    if (fits(rate, keys_s)) return rate;
-  return fallback;
+/// The rate of keys that are one frame apart; none where they are not. All rates whose frames the
+/// keys meet are as good, and the first of them is taken: the file's, a usual one, the mean.
+std::optional<double> rate_without_gaps(const std::vector<double>& keys_s, double stated_hz) {
+  const double mean = mean_rate(keys_s);
+  std::vector<double> rates = {stated_hz};
+  rates.insert(rates.end(), std::begin(kUsualRates), std::end(kUsualRates));
+  if (mean >= kSlowestRate) rates.push_back(mean);
+  std::optional<double> best;
+  double farthest_of_best = kNearFrame;
+  for (const double rate : rates) {
+    if (std::abs(rate - mean) > kSameRate * mean) continue;
+    const double farthest = std::max(farthest_key(rate, keys_s), kOnFrame);
+    if (farthest > kNearFrame || (best && farthest >= farthest_of_best)) continue;
+    best = rate;
+    farthest_of_best = farthest;
+  }
+  return best;
+}
+
+/// The rate whose frames all keys meet, though there are frames without a key; none: there is none.
+std::optional<double> rate_with_gaps(const std::vector<double>& keys_s,
+                                     std::optional<double> stated_hz) {
+  if (stated_hz && farthest_key(*stated_hz, keys_s) <= kNearFrame) return stated_hz;
+  std::vector<double> rates = {kUnstatedRate};
+  rates.insert(rates.end(), std::begin(kUsualRates), std::end(kUsualRates));
+  const auto first_below = [&](double most_hz, double near) -> std::optional<double> {
+    for (const double rate : rates)
+      if (rate <= most_hz && farthest_key(rate, keys_s) <= near) return rate;
+    return std::nullopt;
+  };
+  if (const auto rate = first_below(kDensestUnasked, kOnFrame)) return rate;
+  if (const auto rate = first_below(kDensestUnasked, kNearFrame)) return rate;
+  return first_below(kMostFramesPerKey * mean_rate(keys_s), kOnFrame);
+}
+
+/// None where no rate has the keys on its frames.
+std::optional<double> guess_rate(const std::vector<double>& keys_s,
+                                 std::optional<double> stated_hz) {
+  if (keys_s.size() < 2) return std::nullopt;
+  const auto whole = rate_without_gaps(keys_s, stated_hz.value_or(kUnstatedRate));
+  return whole ? whole : rate_with_gaps(keys_s, stated_hz);
 }
 
 /// What there is to say where keys are not frames and frames no keys.
@@ -80,7 +111,7 @@ std::string unevenness(const SampleTimes& times, const std::vector<double>& keys
   std::vector<bool> is_key(static_cast<std::size_t>(times.frames), false);
   for (const double key : keys_s) {
     const double frame = (key - times.first_s) * times.rate_hz;
-    if (std::abs(frame - std::round(frame)) <= kOnFrame)
+    if (std::abs(frame - std::round(frame)) <= times.near_s * times.rate_hz)
       is_key[std::min(static_cast<std::size_t>(std::round(frame)), is_key.size() - 1)] = true;
   }
   const auto keyed = std::count(is_key.begin(), is_key.end(), true);
@@ -106,8 +137,13 @@ SampleTimes sample_times(const std::string& file, const std::vector<double>& key
                          std::size_t moving_nodes) {
   SampleTimes times;
   times.first_s = keys_s.front();
-  times.rate_hz = wanted_hz ? *wanted_hz : guess_rate(keys_s, stated_hz);
-  const double frames = std::ceil((keys_s.back() - keys_s.front()) * times.rate_hz - kOnFrame) + 1;
+  const std::optional<double> guessed = wanted_hz ? std::nullopt : guess_rate(keys_s, stated_hz);
+  times.rate_hz = wanted_hz ? *wanted_hz : guessed.value_or(stated_hz.value_or(kUnstatedRate));
+  // Their slack, and what rounding adds to it.
+  const double near =
+      guessed ? std::max(1.01 * farthest_key(times.rate_hz, keys_s), kOnFrame) : kOnFrame;
+  times.near_s = near / times.rate_hz;
+  const double frames = std::ceil((keys_s.back() - keys_s.front()) * times.rate_hz - near) + 1;
   check_take_size(file, moving_nodes, frames);
   times.frames = static_cast<int>(frames);
   if (!wanted_hz) times.warning = unevenness(times, keys_s);

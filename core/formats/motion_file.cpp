@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-
+#include <exception>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
@@ -30,11 +31,19 @@ namespace {
 
 using std::filesystem::path;
 
+constexpr const char* kGltfExtensions[] = {".gltf", ".glb", ".vrm", ".vrma"};
+
 bool has_extension(const path& file, std::string_view extension) {
   return equals_ignoring_case(file.extension().string(), extension);
 }
 
-/// Unset: by its extension it is no glTF.
+/// By the extension: the models and animations of VRM are .glb files by another name.
+bool is_gltf(const path& file) {
+  return std::any_of(std::begin(kGltfExtensions), std::end(kGltfExtensions),
+                     [&](const char* extension) { return has_extension(file, extension); });
+}
+
+/// As which a glTF is written; unset: by its extension it is none.
 std::optional<GltfContainer> gltf_container(const path& file) {
   if (has_extension(file, ".glb")) return GltfContainer::Glb;
   if (has_extension(file, ".gltf")) return GltfContainer::Gltf;
@@ -76,32 +85,35 @@ void append(const Warnings& more, Warnings& warnings) {
   warnings.insert(warnings.end(), more.begin(), more.end());
 }
 
-/// What a file brings about that its reader did not foresee is still said of the file: too little
-/// memory, and a type that JSON did not promise.
-template <typename Read>
-auto read_strange(const path& file, const Read& read) {
-  try {
-    return naming_what_takes_memory(file.string(), read);
-  } catch (const Json::exception&) {
-    throw InputError(file.string(), 0, 0,
-                     "has a JSON value of another type than its place asks for");
-  }
-}
-
 MotionFile parse_by_extension(const path& file, std::string_view text, const SkeletonText& asf,
                               const ReadOptions& options) {
   require_motion(file);
   if (has_extension(file, ".bvh")) return read_bvh(file.string(), text, options);
   if (has_extension(file, ".fbx")) return read_fbx(file.string(), text, options);
-  if (gltf_container(file)) return read_gltf(file.string(), text, options);
+  if (is_gltf(file)) return read_gltf(file.string(), text, options);
   const AsfSkeleton skeleton = read_asf(asf.file.string(), asf.text, options.cm_per_unit);
   return read_amc(file.string(), text, skeleton, options);
+}
+
+/// Turns whatever the libraries under the readers throw into a sentence that names the file.
+template <typename Read>
+auto with_library_errors(const path& file, const Read& read) {
+  try {
+    return naming_what_takes_memory(file.string(), read);
+  } catch (const Error&) {
+    throw;
+  } catch (const Json::exception&) {
+    throw InputError(file.string(), 0, 0,
+                     "has a JSON value of another type than its place asks for");
+  } catch (const std::exception&) {
+    throw InputError(file.string(), 0, 0, "cannot be read: a library that reads its parts failed");
+  }
 }
 
 MotionFile parse(const path& file, std::string_view text, const SkeletonText& asf,
                  const ReadOptions& options) {
   MotionFile read =
-      read_strange(file, [&] { return parse_by_extension(file, text, asf, options); });
+      with_library_errors(file, [&] { return parse_by_extension(file, text, asf, options); });
   append(surface_warnings(file, read.motion.skeleton), read.warnings);
   if (looks_additive(read.motion))
     read.warnings.push_back({file.string(), 0,
@@ -178,10 +190,10 @@ std::vector<path> files_of_motion(const path& file, const std::optional<path>& s
 
 Character read_character(const path& file) {
   const bool is_fbx = has_extension(file, ".fbx");
-  if (!is_fbx && !gltf_container(file))
-    throw InputError(file.string(), 0, 0, "is none of .fbx, .gltf, .glb");
+  if (!is_fbx && !is_gltf(file))
+    throw InputError(file.string(), 0, 0, "is none of .fbx, .gltf, .glb, .vrm");
   const std::string bytes = read_text(file);
-  return read_strange(file, [&] {
+  return with_library_errors(file, [&] {
     return is_fbx ? read_fbx_character(file.string(), bytes)
                   : read_gltf_character(file.string(), bytes);
   });
@@ -262,7 +274,7 @@ void write_motion_onto(const path& file, const Motion& motion, const path& onto,
                        const SourceFormat& source, const WriteOptions& options,
                        const ScalarTracks& tracks) {
   const auto container = gltf_container(file);
-  if (!container || !gltf_container(onto))
+  if (!container || !is_gltf(onto))
     throw Error(file.string() + ": only a .glb or .gltf can be written onto another");
   require_finite(file, motion, tracks);
   write_text(

@@ -5,25 +5,35 @@
 #include <cmath>
 
 #include "core/formats/text_cursor.h"
+#include "core/formats/text_writer.h"
 
 namespace mocapress {
 namespace {
 
+/// The first few, as many as a short sentence holds.
 std::string listed(const std::vector<TakeName>& takes, std::optional<std::size_t> without) {
   constexpr std::size_t kMost = 8;
+  constexpr std::size_t kEnough = 80;  // bytes
   std::string text;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < takes.size(); ++i) {
-    if (i == without || ++count > kMost) continue;
-    text += (text.empty() ? "" : ", ") + takes[i].name;
+  std::size_t left = takes.size() - (without ? 1 : 0);
+  for (std::size_t i = 0; i < takes.size() && count < kMost && text.size() < kEnough; ++i) {
+    if (i == without) continue;
+    ++count;
+    text += (text.empty() ? "" : ", ") + shortened(takes[i].name);
+    --left;
   }
-  return count > kMost ? text + " and " + std::to_string(count - kMost) + " more" : text;
+  return left > 0 ? text + " and " + std::to_string(left) + " more" : text;
 }
 
 }  // namespace
 
 std::size_t choose_take(const std::string& file, const std::vector<TakeName>& takes,
                         const std::optional<std::string>& wanted, Warnings& warnings) {
+  if (takes.empty())
+    throw InputError(file, 0, 0,
+                     "holds no animation, but may be a character: --character, or Put a Character "
+                     "on It in the studio, puts it on a clip");
   std::size_t chosen = 0;
   if (wanted) {
     const auto named = std::find_if(takes.begin(), takes.end(),
@@ -35,16 +45,17 @@ std::size_t choose_take(const std::string& file, const std::vector<TakeName>& ta
              number == std::floor(number))
       chosen = static_cast<std::size_t>(number) - 1;
     else
-      throw InputError(file, 0, 0, "has no take " + *wanted + ": there are " + listed(takes, {}));
+      throw InputError(file, 0, 0,
+                       "has no take " + shortened(*wanted) + ": there are " + listed(takes, {}));
     return chosen;
   }
   const auto moving =
       std::find_if(takes.begin(), takes.end(), [](const TakeName& take) { return take.moves; });
   if (moving != takes.end()) chosen = static_cast<std::size_t>(moving - takes.begin());
   if (takes.size() > 1)
-    warnings.push_back(
-        {file, 0,
-         "take " + takes[chosen].name + " is read; there are also " + listed(takes, chosen)});
+    warnings.push_back({file, 0,
+                        "take " + shortened(takes[chosen].name) + " is read; there are also " +
+                            listed(takes, chosen)});
   return chosen;
 }
 

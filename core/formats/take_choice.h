@@ -18,7 +18,8 @@ struct TakeName {
 };
 
 /// The index of the take with that name or, counted from 1, of that number; by default of the first
-/// that moves a node, else 0. Those that are not read are named in a warning. Throws InputError.
+/// that moves a node, else 0. Those that are not read are named in a warning. Throws InputError: of
+/// no takes at all it says that the file may be a character.
 std::size_t choose_take(const std::string& file, const std::vector<TakeName>& takes,
                         const std::optional<std::string>& wanted, Warnings& warnings);
 

@@ -21,6 +21,22 @@ std::size_t index(char c) {
   return static_cast<unsigned char>(c);
 }
 
+/// By its mark, or as every other byte of plain words is zero.
+bool is_utf16(std::string_view text) {
+  return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+         (text.size() > 3 && (text[0] == '\0') != (text[1] == '\0') &&
+          (text[0] == '\0') == (text[2] == '\0') && (text[1] == '\0') == (text[3] == '\0'));
+}
+
+/// "0,5".
+bool has_decimal_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == text.npos || comma + 1 == text.size()) return false;
+  std::string with_point(text);
+  with_point[comma] = '.';
+  return parse_number(with_point).has_value();
+}
+
 /// "1.#QNAN", "-1.#IND00", "1.#INF": how older Microsoft libraries print what is not finite.
 bool is_microsoft_nan(std::string_view digits) {
   return digits.starts_with("1.#");
@@ -54,6 +70,8 @@ TextCursor::TextCursor(std::string file, std::string_view text, std::string_view
   for (const char c : {' ', '\t', '\r', '\n', '\v', '\f'}) is_space_[index(c)] = true;
   for (const char c : punctuation) is_punctuation_[index(c)] = true;
   if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
+  if (is_utf16(text_)) fail({}, "is UTF-16: save it as UTF-8 to have it read");
+  while (text_.ends_with('\x1A') || text_.ends_with('\0')) text_.remove_suffix(1);
   scan();
 }
 
@@ -77,7 +95,11 @@ Token TextCursor::take_line(char stop) {
   Token line = token_;
   const auto begin = static_cast<std::size_t>(token_.text.data() - text_.data());
   auto end = begin;
-  while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r' && text_[end] != stop)
+  const auto begins_comment = [&](std::size_t at) {
+    return comment_ != '\0' && text_[at] == comment_ && is_space_[index(text_[at - 1])];
+  };
+  while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r' && text_[end] != stop &&
+         (end == begin || !begins_comment(end)))
     ++end;
   position_ = end;
   while (end > begin && is_space_[index(text_[end - 1])]) --end;
@@ -92,7 +114,7 @@ void TextCursor::skip_line(int line) {
 
 double TextCursor::take_number(std::string_view what) {
   const auto value = parse_number(token_.text);
-  if (!value) fail_expecting(what);
+  if (!value) fail_expecting_number(token_, what);
   scan();
   return *value;
 }
@@ -116,6 +138,12 @@ void TextCursor::fail(const Token& at, const std::string& message) const {
 
 void TextCursor::fail_expecting(std::string_view what) const {
   fail(token_, "expected " + std::string(what) + ", found " + quoted(token_));
+}
+
+void TextCursor::fail_expecting_number(const Token& at, std::string_view what) const {
+  if (has_decimal_comma(at.text))
+    fail(at, "numbers have a decimal comma, such as " + quoted(at) + ": a decimal point is read");
+  fail(at, "expected " + std::string(what) + ", found " + quoted(at));
 }
 
 void TextCursor::begin_line(std::size_t start) {

@@ -27,7 +27,8 @@ std::optional<double> parse_number(std::string_view text);
 class TextCursor {
  public:
   /// Characters of `punctuation` are words of their own; a word that begins with `comment` hides
-  /// the rest of its line.
+  /// the rest of its line. What may pad the end of a text, zeros and the end sign of CP/M (0x1A),
+  /// is no part of it. Throws InputError where the text is UTF-16.
   TextCursor(std::string file, std::string_view text, std::string_view punctuation, char comment);
 
   const std::string& file() const { return file_; }
@@ -42,13 +43,16 @@ class TextCursor {
   bool skip(std::string_view word);
   void expect(std::string_view word);
 
-  /// The next word and all that follows it on its line, up to `stop`.
+  /// The next word and all that follows it on its line, up to `stop` or a comment.
   Token take_line(char stop = '\n');
   void skip_line(int line);
 
   /// `what` completes the sentence "expected ..., found ...". A measure is finite, at most 1e9.
   double take_number(std::string_view what);
   double take_measure(std::string_view what);
+
+  /// Fails at a word that should be a number. One with a decimal comma is named as such.
+  [[noreturn]] void fail_expecting_number(const Token& at, std::string_view what) const;
 
   /// From the word after the next, `character` separates words as a space does.
   void treat_as_space(char character);

@@ -13,7 +13,6 @@ using RawRows = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic,
 long repair_values(RawRows rows);
 
 /// What to say of them, after their number.
-inline constexpr const char* kRepaired =
-    " that are not finite or beyond 1e9, replaced by the frame before";
+inline constexpr const char* kRepaired = " not finite or beyond 1e9, replaced by the frame before";
 
 }  // namespace mocapress

@@ -325,7 +325,8 @@ void VisibilityMeter::see(Visibility& seen, int window, WorstSight what) {
 }
 
 void VisibilityMeter::see_jitter(Visibility& seen) const {
-  if (original_jitter().energy() > 0)
+  constexpr float kLeast = 1e-8F;  // cm^2: what is never off by a thousandth of a mm has no jitter
+  if (original_jitter().squares().size() > 0 && original_jitter().squares().maxCoeff() > kLeast)
     seen.jitter_ratio = decoded_jitter_.energy() / original_jitter().energy();
   // Two windows at a time: what is a little late is no trembling.
   for (int window = 0; window < seen.table.windows(); ++window) {

@@ -71,6 +71,8 @@ void add_measurement(Json& json, const std::optional<Measurement>& measured, Wei
   add("footskate_cm", or_null(m.footskate_cm));
   add("footskate_mean_cm", m.slide ? Json(m.slide->mean_cm) : Json());
   add("footskate_worst_cm", m.slide ? Json(m.slide->worst_cm) : Json());
+  add("footskate_drift_mean_cm", m.slide ? Json(m.slide->drift_mean_cm) : Json());
+  add("footskate_drift_worst_cm", m.slide ? Json(m.slide->drift_worst_cm) : Json());
   add("ik_bytes", or_null(m.ik_bytes));
   add("knee_speed_ratio", or_null(m.knee_speed_ratio));
   add("iterations", or_null(m.iterations));
@@ -97,7 +99,9 @@ Measurement measurement_of(const Json& json) {
   json.at("contacts").get_to(m.contacts);
   m.footskate_cm = optional_at<double>(json, "footskate_cm");
   if (const auto mean_cm = optional_at<double>(json, "footskate_mean_cm"))
-    m.slide = {*mean_cm, json.at("footskate_worst_cm").get<double>()};
+    m.slide = {*mean_cm, json.at("footskate_worst_cm").get<double>(),
+               optional_at<double>(json, "footskate_drift_mean_cm").value_or(0),
+               optional_at<double>(json, "footskate_drift_worst_cm").value_or(0)};
   m.ik_bytes = optional_at<std::size_t>(json, "ik_bytes");
   m.knee_speed_ratio = optional_at<double>(json, "knee_speed_ratio");
   m.iterations = optional_at<int>(json, "iterations");

@@ -160,13 +160,14 @@ std::optional<Target> footskate_target(const Results& results, Target::Kind kind
   return nearest;
 }
 
-/// The total, and of a contact the mean and the worst.
+/// The total way, the mean and the worst way of a contact, and the worst drift.
 std::string slide_cell(const Measurement& measured) {
   std::string text = fixed(*measured.footskate_cm, 1) + " cm";
   if (measured.slide)
-    text += element(
-        "small", "",
-        " (" + fixed(measured.slide->mean_cm, 2) + ", " + fixed(measured.slide->worst_cm, 2) + ")");
+    text += element("small", "",
+                    " (" + fixed(measured.slide->mean_cm, 2) + ", " +
+                        fixed(measured.slide->worst_cm, 2) + "; drift " +
+                        fixed(measured.slide->drift_worst_cm, 2) + ")");
   return cell(text);
 }
 

@@ -93,7 +93,8 @@ TEST(CorrectionControl, OffersEveryJoint) {
 
 const std::vector<QString> kNames = {"root", "lfoot", "rfoot"};
 const std::vector<ContactSpan> kContacts = {{1, 0, 49}, {2, 50, 99}};
-const std::vector<SlideFinding> kSlides = {{kContacts[1], 3, 40, 70}};
+const std::vector<SlideFinding> kSlides = {
+    {.span = kContacts[1], .slid_cm = 3, .worst_speed_cm_s = 40, .worst_frame = 70}};
 
 TEST(SlideModel, ListsFindingsCountingFramesFromOne) {
   SlideModel model;

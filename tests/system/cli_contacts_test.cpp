@@ -33,7 +33,10 @@ TEST_F(CliContacts, AreDataThatCanBeEditedAndTakenBack) {
   EXPECT_EQ(footskate({"--contacts", edited}), footskate({}));
   const json findings = json_of({"contacts", walk, packed_, "--json"});
   double sum = 0;
-  for (const json& one : findings) sum += one["slid_cm"].get<double>();
+  for (const json& one : findings) {
+    sum += one["slid_cm"].get<double>();
+    EXPECT_EQ(one.contains("drift_cm"), one["slid_cm"] > 0);
+  }
   EXPECT_NEAR(sum, footskate({}), 0.02);  // the file's skeleton has 32-bit floats
 
   write("contacts.json", json::array({found[0]}).dump());

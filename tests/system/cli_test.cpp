@@ -98,6 +98,8 @@ const std::set<std::string> kNullKeys = {"hand_degrees",
                                          "footskate_cm",
                                          "footskate_mean_cm",
                                          "footskate_worst_cm",
+                                         "footskate_drift_mean_cm",
+                                         "footskate_drift_worst_cm",
                                          "footskate_without_ik_cm",
                                          "slide_worst_contact_cm",
                                          "lift_worst_contact_cm",
@@ -177,6 +179,10 @@ TEST_F(Cli, HoldsTheFeetOfASampleAndReportsIt) {
               measured["footskate_cm"].get<double>(), 1e-9);
   EXPECT_GE(measured["footskate_worst_cm"], measured["footskate_mean_cm"]);
   EXPECT_LE(measured["footskate_worst_cm"], measured["footskate_cm"]);
+  EXPECT_GE(measured["footskate_drift_worst_cm"], measured["footskate_drift_mean_cm"]);
+  // From one error to another it is no further than twice the largest.
+  EXPECT_LE(measured["footskate_drift_worst_cm"].get<double>(),
+            2 * measured["max_error_cm"].get<double>() + 1e-9);
 }
 
 TEST_F(Cli, ShowsTheSplitThatAutoFound) {

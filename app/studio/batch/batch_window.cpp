@@ -371,7 +371,7 @@ void BatchWindow::chooseCharacter() {
   const QString& now = session_->settings().character;
   const QString path = QFileDialog::getOpenFileName(
       this, tr("Character on All Clips"), now.isEmpty() ? QString() : QFileInfo(now).path(),
-      ClipFiles::tr("Characters (*.fbx *.glb *.gltf)"));
+      ClipFiles::tr("Characters (*.fbx *.glb *.gltf *.vrm)"));
   if (!path.isEmpty()) putCharacter(path);
 }
 

@@ -158,7 +158,7 @@ void ClipFiles::chooseSkeleton() {
 void ClipFiles::chooseCharacter() {
   const QString path =
       QFileDialog::getOpenFileName(window_, tr("Put a Character on the Clip"), directory(),
-                                   tr("Characters (*.fbx *.glb *.gltf)"));
+                                   tr("Characters (*.fbx *.glb *.gltf *.vrm)"));
   if (!path.isEmpty()) session_->putCharacter(path);
 }
 

@@ -39,6 +39,22 @@ TEST_F(File, APipeIsRefusedAndNotWaitedFor) {
   EXPECT_THROW(read_text(folder_), InputError);
 }
 
+TEST_F(File, OfGitLfsThatWasNotFetchedIsNamedAsSuch) {
+  const auto path = folder_ / "a.fbx";
+  write_text(path, "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n");
+  const std::string expected =
+      path.string() + ": is a pointer of Git LFS, not the file itself: 'git lfs pull' fetches that";
+  for (const bool as_text : {false, true}) try {
+      if (as_text)
+        read_text(path);
+      else
+        read_bytes(path);
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(), expected);
+    }
+}
+
 TEST_F(File, ReplacesAnOldFileAndLeavesNothingBeside) {
   write_text(folder_ / "a.txt", "old and long");
   write_text(folder_ / "a.txt", "new");

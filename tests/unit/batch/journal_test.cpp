@@ -31,7 +31,7 @@ class JournalTest : public test::BatchTest {
                                .seen = Seen{0.5, 0, "slide of lfoot at frame 3: 0.5 cm"},
                                .contacts = 2,
                                .footskate_cm = 3,
-                               .slide = SlidePerContact{1.5, 2},
+                               .slide = SlidePerContact{1.5, 2, 0.5, 0.75},
                                .encode_seconds = 2};
     row.files = {{"in/one.mcpr", 12, "0f"}};
     row.warnings = {"a, \"warning\""};

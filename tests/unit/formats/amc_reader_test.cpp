@@ -132,7 +132,7 @@ TEST(Amc, RepairsValuesThatAreNoNumbers) {
   const Motion motion = read(text).motion;
   EXPECT_EQ(motion.clip.channels.row(1).head<3>(), motion.clip.channels.row(0).head<3>());
   EXPECT_EQ(warning_of(text),
-            "f.amc: 3 values that are not finite or beyond 1e9, replaced by the frame before");
+            "f.amc: 3 values not finite or beyond 1e9, replaced by the frame before");
 }
 
 TEST(Amc, LeavesBonesWithoutValuesAtRestAndWithoutChannels) {

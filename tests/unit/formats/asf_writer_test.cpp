@@ -98,5 +98,19 @@ TEST(AcclaimWriter, RefusesWhatNoReaderHereWouldTake) {
   EXPECT_THROW(asf_text(chain), Error);
 }
 
+TEST(AsfWriter, RefusesTwoFiguresInASentence) {
+  Skeleton two;
+  two.add({.name = "a", .channels = {ChannelKind::RotationX}});
+  two.add({.name = "b", .parent = -1, .offset = {100, 0, 0}});
+  try {
+    asf_text(two);
+    FAIL();
+  } catch (const WriteError& error) {
+    EXPECT_STREQ(error.what(),
+                 "an .amc holds one figure with one root, but this clip has 2 roots: .bvh and .glb "
+                 "can hold it");
+  }
+}
+
 }  // namespace
 }  // namespace mocapress::asf_writer_test

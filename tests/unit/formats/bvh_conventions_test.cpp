@@ -97,7 +97,7 @@ TEST(TranslationConvention, HasNothingToGuessWithoutOffsets) {
 }
 
 TEST(CmPerUnit, KeepsCentimetresThatArePlausible) {
-  for (const double height : {80.0, 150.0, 260.0}) EXPECT_EQ(guess_cm_per_unit(height), 1);
+  for (const double height : {100.0, 150.0, 260.0}) EXPECT_EQ(guess_cm_per_unit(height), 1);
   EXPECT_EQ(guess_cm_per_unit(0), 1);
 }
 
@@ -107,6 +107,19 @@ TEST(CmPerUnit, FindsTheUnitOfAPerson) {
   EXPECT_EQ(guess_cm_per_unit(67), 2.54);
   EXPECT_EQ(guess_cm_per_unit(29.5), 2.54 / 0.45);
   EXPECT_EQ(guess_cm_per_unit(16.6), 10);
+}
+
+/// The nearest unit made one of two bodies 3 % apart 117 cm tall and the other 252.
+TEST(CmPerUnit, NeverJumpsBetweenNeighbours) {
+  for (double height = 0.01; height < 1e5; height *= 1.01) {
+    const double here = guess_cm_per_unit(height);
+    const double next = guess_cm_per_unit(1.01 * height);
+    EXPECT_LE(next, here) << height;
+    EXPECT_GE(next, 0.97 * here) << height;
+    EXPECT_GE(here * height, 99.99);
+    EXPECT_LE(here * height, 260.01);
+  }
+  EXPECT_NEAR(guess_cm_per_unit(46), 3.7, 0.2);
 }
 
 TEST(RateFromFrameTime, UndoesTheRoundingOfTheDigitsWritten) {

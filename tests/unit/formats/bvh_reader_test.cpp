@@ -174,6 +174,67 @@ TEST(Bvh, RefusesJunkWithItsPlace) {
             "f.bvh:19:1: no complete frame follows");
 }
 
+TEST(Bvh, SkipsComments) {
+  const std::string text =
+      "# made by hand\n" +
+      replaced(replaced(replaced(kSmallBvh, "JOINT Spine\n", "JOINT Spine  # the back\n"),
+                        "OFFSET 0 40 0\n", "OFFSET 0 40 0 # up\n"),
+               "1 2 3 10", "# frame 1\n1 2 3 10");
+  const MotionFile file = read(text);
+  EXPECT_TRUE(file.warnings.empty());
+  EXPECT_EQ(file.motion.skeleton.joint(1).name, "Spine");
+  EXPECT_EQ(file.motion.clip.channels, read(kSmallBvh).motion.clip.channels);
+  // A sign within a name is no comment.
+  EXPECT_EQ(read(replaced(kSmallBvh, "Spine", "Spine#2")).motion.skeleton.joint(1).name, "Spine#2");
+}
+
+TEST(Bvh, ReadsEndSiteAsOneWord) {
+  const MotionFile file = read(replaced(kSmallBvh, "End Site", "EndSite"));
+  EXPECT_TRUE(file.warnings.empty());
+  EXPECT_EQ(*file.motion.skeleton.joint(1).end_site, Eigen::Vector3d(0, 60, 0));
+}
+
+TEST(Bvh, LosesNoFrameToAnEndSignOrZeros) {
+  const std::string without_end = kSmallBvh.substr(0, kSmallBvh.size() - 1);
+  for (const std::string& text : {kSmallBvh, without_end})
+    for (const std::string& padding :
+         {std::string("\x1A"), std::string("\x1A\x1A"), std::string(5, '\0')}) {
+      const MotionFile file = read(text + padding);
+      EXPECT_TRUE(file.warnings.empty());
+      EXPECT_EQ(file.motion.clip.frames(), 2);
+    }
+}
+
+TEST(Bvh, NamesDecimalCommasAndUtf16) {
+  EXPECT_EQ(error_of(replaced(kSmallBvh, "20 30 1", "20,5 30 1")),
+            "f.bvh:19:10: numbers have a decimal comma, such as '20,5': a decimal point is read");
+  EXPECT_EQ(error_of(replaced(kSmallBvh, "OFFSET 0 40 0", "OFFSET 0 40,25 0")),
+            "f.bvh:8:14: numbers have a decimal comma, such as '40,25': a decimal point is read");
+  std::string wide;
+  for (const char c : kSmallBvh) wide += {c, '\0'};
+  const std::string refusal = "f.bvh:1:1: is UTF-16: save it as UTF-8 to have it read";
+  EXPECT_EQ(error_of("\xFF\xFE" + wide), refusal);
+  EXPECT_EQ(error_of(wide), refusal);
+  EXPECT_EQ(error_of("\xFE\xFF" + ('\0' + wide)), refusal);
+}
+
+TEST(Bvh, KeepsScalesAsTracksAndSaysSo) {
+  const std::string text = replaced(replaced(replaced(kSmallBvh, "CHANNELS 3 Xrotation",
+                                                      "CHANNELS 6 Xscale YScale Zscale Xrotation"),
+                                             "20 30 1 2 3", "20 30 1 1.5 1 1 2 3"),
+                                    "21 31 4 5 6", "21 31 1 2.5 1 4 5 6");
+  const MotionFile file = read(text);
+  EXPECT_EQ(file.motion.clip.channels, read(kSmallBvh).motion.clip.channels);
+  ASSERT_EQ(file.tracks.size(), 1u);
+  EXPECT_EQ(file.tracks[0].kind, TrackKind::ScaleY);
+  EXPECT_EQ(file.tracks[0].node, "Spine");
+  EXPECT_EQ(file.tracks[0].values, (std::vector<float>{1.5F, 2.5F}));
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_EQ(file.warnings[0].message, "1 channel of scale kept as tracks, which move no joint");
+  EXPECT_EQ(error_of(replaced(text, "Zscale", "Xscale")),
+            "f.bvh:9:30: channel 'Xscale' twice in one joint");
+}
+
 TEST(Bvh, RepairsValuesThatAreNoNumbers) {
   const std::string text = replaced(kSmallBvh, "4 5 6 11", "-nan 1e300 1.#QNAN 11");
   const auto [motion, warnings, source, states_rate, skin, takes, tracks] = read(text);
@@ -181,7 +242,7 @@ TEST(Bvh, RepairsValuesThatAreNoNumbers) {
   EXPECT_EQ(motion.clip.channels(1, 1), motion.clip.channels(0, 1));
   EXPECT_EQ(motion.clip.channels(1, 2), motion.clip.channels(0, 2));
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].message.find("3 values that are not finite"), 0u);
+  EXPECT_EQ(warnings[0].message.find("3 values not finite"), 0u);
 }
 
 TEST(Bvh, GuessesARateWhereFrameTimeIsNonsense) {

@@ -196,5 +196,14 @@ TEST(BvhStyle, TakesTheUnitOfBvhSourcesAlone) {
             100);
 }
 
+/// A reader takes what follows "#" for a comment.
+TEST(BvhWriter, LetsNoNameBeAComment) {
+  Motion motion;
+  motion.skeleton.add({.name = "#1", .channels = {ChannelKind::RotationX}});
+  motion.clip.channels = Eigen::MatrixXd::Zero(1, 1);
+  EXPECT_EQ(bvh_names(motion.skeleton).front(), "_#1");
+  EXPECT_EQ(read_bvh("f", bvh_text(motion)).motion.skeleton.joint(0).name, "_#1");
+}
+
 }  // namespace
 }  // namespace mocapress::bvh_writer_test

@@ -236,7 +236,10 @@ TEST(FbxReader, SamplesKeysAtTheRateThatIsAskedForAndSaysWhereTheyAreSparse) {
 }
 
 TEST(FbxReader, RefusesInOneSentence) {
-  EXPECT_EQ(error_of(fbx_text({})), "f: holds no animation");
+  EXPECT_EQ(
+      error_of(fbx_text({})),
+      "f: holds no animation, but may be a character: --character, or Put a Character on It in the "
+      "studio, puts it on a clip");
   EXPECT_EQ(error_of("").find("f: cannot be read as FBX: "), 0u);
   EXPECT_EQ(error_of("nonsense").find("f: cannot be read as FBX: "), 0u);
   EXPECT_EQ(error_of(std::string(100000, '{')), "f: nests records deeper than 64");
@@ -317,7 +320,10 @@ TEST_F(FbxCorpus, AgreesWithBlender) {
 }
 
 TEST_F(FbxCorpus, HasAFileWithoutMotion) {
-  EXPECT_EQ(error_of(read_text(folder_ / "Base.fbx")), "f: holds no animation");
+  EXPECT_EQ(
+      error_of(read_text(folder_ / "Base.fbx")),
+      "f: holds no animation, but may be a character: --character, or Put a Character on It in the "
+      "studio, puts it on a clip");
 }
 
 TEST_F(FbxCorpus, SurvivesTruncationsAndDamage) {

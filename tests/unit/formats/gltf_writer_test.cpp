@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "core/base/file.h"
 #include "core/formats/gltf_reader.h"
 #include "core/motion/forward_kinematics.h"
@@ -182,6 +184,37 @@ TEST_F(GltfOnto, MovesTheNodesOfTheSourceAsTheJointsOfTheMotionMove) {
     EXPECT_LT(test::largest_move(file.motion, again.motion, names), kMove);
     EXPECT_EQ(again.motion.clip.sample_rate_hz, 10);
   }
+}
+
+TEST_F(GltfOnto, BeginsAtTheTimeOfTheFirstKey) {
+  SmallGltf gltf = test::bending_knee();
+  for (std::size_t key = 0; key <= 10; ++key) {
+    const auto time = 0.4F + static_cast<float>(key) / 10;
+    std::memcpy(gltf.data.data() + 4 * key, &time, sizeof(time));
+  }
+  const std::string source = write_source(gltf);
+  const MotionFile file = read_motion(source);
+  GltfFile result("result.glb",
+                  gltf_bytes_onto(source, file.motion, GltfContainer::Glb, folder_, file.source));
+  const Json& sampler = result.json()["animations"][0]["samplers"][0];
+  const std::vector<double> times = result.values(sampler["input"], "SCALAR");
+  ASSERT_EQ(times.size(), 11u);
+  EXPECT_NEAR(times.front(), 0.4, 1e-6);
+  EXPECT_NEAR(times.back(), 1.4, 1e-6);
+}
+
+TEST_F(GltfOnto, ReplacesChannelsThatPointToTheirNode) {
+  SmallGltf gltf = test::bending_knee();
+  gltf.json["animations"][0]["channels"][0]["target"] = {
+      {"path", "pointer"},
+      {"extensions", {{"KHR_animation_pointer", {{"pointer", "/nodes/1/rotation"}}}}}};
+  const std::string source = write_source(gltf);
+  const MotionFile file = read_motion(source);
+  const GltfFile result(
+      "result.glb", gltf_bytes_onto(source, file.motion, GltfContainer::Glb, folder_, file.source));
+  const Json& channels = result.json()["animations"][0]["channels"];
+  ASSERT_EQ(channels.size(), 1u);
+  EXPECT_EQ(channels[0]["target"], Json({{"node", 1}, {"path", "rotation"}}));
 }
 
 TEST_F(GltfOnto, LeavesEverythingElseAsItWas) {

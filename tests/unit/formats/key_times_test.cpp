@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numeric>
+
 #include "core/base/error.h"
 
 namespace mocapress {
@@ -35,6 +38,46 @@ TEST(KeyTimes, KeepTheStatedRateWhereKeysAreSparse) {
   EXPECT_EQ(times.warning,
             "keys lie unevenly: 3 of 21 frames carry keys; frames between are interpolated");
   EXPECT_EQ(sample_times("f", keys(48, {0, 3, 10}), 30, {}, 1).rate_hz, 48);
+}
+
+/// The same times, rounded to whole milliseconds, as many programs write them.
+std::vector<double> in_milliseconds(std::vector<double> times) {
+  for (double& time : times) time = std::round(1000 * time) / 1000;
+  return times;
+}
+
+TEST(KeyTimes, AreNotTakenForDenserOnesWhereTheyLieALittleOff) {
+  std::vector<int> frames(91);
+  std::iota(frames.begin(), frames.end(), 0);
+  for (const double rate : {24.0, 25.0, 30.0, 50.0, 60.0, 90.0, 120.0, 240.0})
+    for (const auto stated : {std::optional<double>(), std::optional(rate)}) {
+      const SampleTimes times =
+          sample_times("f", in_milliseconds(keys(rate, frames)), stated, {}, 1);
+      EXPECT_EQ(times.rate_hz, rate);
+      EXPECT_EQ(times.frames, 91);
+      EXPECT_EQ(times.warning, "");
+    }
+  // Gaps between keys that are a little off: 3 of 101 frames.
+  EXPECT_EQ(sample_times("f", in_milliseconds(keys(30, {0, 31, 100})), {}, {}, 1).rate_hz, 30);
+}
+
+/// A second node's key beside the first one's would be 480 frames a second.
+TEST(KeyTimes, MayBeLateByTwoMilliseconds) {
+  for (const auto stated : {std::optional<double>(), std::optional(30.0)}) {
+    std::vector<double> late = keys(30, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+    late.insert(late.begin() + 6, late[5] + 1.0 / 480);
+    const SampleTimes times = sample_times("f", late, stated, {}, 1);
+    EXPECT_EQ(times.rate_hz, 30);
+    EXPECT_EQ(times.frames, 11);
+    EXPECT_GE(times.near_s, 1.0 / 480);
+    EXPECT_EQ(times.warning, "");
+  }
+}
+
+TEST(KeyTimes, KeepDenseRatesThatKeysWereMadeAt) {
+  EXPECT_EQ(sample_times("f", keys(500, {0, 1, 2, 3, 4, 5, 6, 7}), {}, {}, 1).rate_hz, 500);
+  // Every third key left out.
+  EXPECT_EQ(sample_times("f", keys(240, {0, 1, 3, 4, 6, 7, 9, 10}), {}, {}, 1).rate_hz, 240);
 }
 
 TEST(KeyTimes, SayWhichKeysAreNotFrames) {

@@ -10,8 +10,10 @@
 #include "core/codec/encode/encoder.h"
 #include "core/formats/asf.h"
 #include "core/formats/bvh.h"
+#include "core/formats/clip_files.h"
 #include "tests/support/motion_texts.h"
 #include "tests/support/same_motion.h"
+#include "tests/support/small_gltf.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress::motion_file_test {
@@ -102,6 +104,20 @@ TEST_F(MotionFiles, GoByTheirExtensionWhateverItsCase) {
   write_text(folder_ / "a.asf", test::kSmallAsf);
   write_text(folder_ / "a.Amc", test::kSmallAmc);
   EXPECT_EQ(read_motion(folder_ / "a.Amc").motion.clip.frames(), 3);
+  // Models and animations of VRM are .glb by another name.
+  for (const char* name : {"a.glb", "a.vrm", "a.VRMA"}) {
+    write_text(folder_ / name, test::bending_knee().glb());
+    EXPECT_EQ(read_motion(folder_ / name).motion.clip.frames(), 11);
+    EXPECT_TRUE(is_clip(name));
+  }
+}
+
+/// What a library throws is a sentence about the file: here JSON that is no text.
+TEST_F(MotionFiles, NeverThrowAnythingButASentence) {
+  for (const char* name : {"a.gltf", "a.bvh", "a.vrm"}) {
+    write_text(folder_ / name, std::string("\xFF\x00{\"asset\"", 11));
+    EXPECT_NE(error_of(name), "reads");
+  }
 }
 
 TEST_F(MotionFiles, FindTheSkeletonOfTheSameNameBeforeThatOfTheSubject) {
@@ -118,7 +134,7 @@ TEST_F(MotionFiles, FindTheSkeletonOfTheSameNameBeforeThatOfTheSubject) {
 TEST_F(MotionFiles, RefuseWhatIsNoMotion) {
   write_text(folder_ / "a.asf", test::kSmallAsf);
   EXPECT_EQ(error_of("a.asf"), "a.asf: is a skeleton without motion: open one of its .amc files");
-  EXPECT_EQ(error_of("a.txt"), "a.txt: is none of .bvh, .amc, .fbx, .gltf, .glb");
+  EXPECT_EQ(error_of("a.txt"), "a.txt: is none of .bvh, .amc, .fbx, .gltf, .glb, .vrm, .vrma");
   EXPECT_EQ(error_of("none.bvh"), "none.bvh: No such file or directory");
   EXPECT_THROW(write_motion(folder_ / "a.fbx", test::smooth_motion(2)), Error);
 }

@@ -41,6 +41,24 @@ TEST(TakeChoice, NamesOnlyTheFirstOfMany) {
             "file.glb: take t is read; there are also t, t, t, t, t, t, t, t and 11 more");
 }
 
+TEST(TakeChoice, StaysASentenceWhereNamesAreLong) {
+  const std::vector<TakeName> takes(20, TakeName{std::string(26'000, 'a')});
+  Warnings warnings;
+  choose_take("f", takes, {}, warnings);
+  EXPECT_LE(warnings.at(0).message.size(), 200u);
+  EXPECT_TRUE(warnings[0].message.ends_with(" and 17 more"));
+}
+
+TEST(TakeChoice, OfNoneSaysThatTheFileMayBeACharacter) {
+  Warnings warnings;
+  try {
+    choose_take("f", {}, {}, warnings);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("--character"), std::string::npos);
+  }
+}
+
 TEST(TakeChoice, OffersWhatMovesAndEachKeyChoosesItsOwn) {
   const std::vector<TakeName> takes = {{"smile", false}, {"walk"}, {"jump"}, {"walk"}, {"jump"}};
   const Takes offered = choices(takes, 3);

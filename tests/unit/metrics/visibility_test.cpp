@@ -95,6 +95,14 @@ TEST(Visibility, RemovedWobbleIsNotVisible) {
   EXPECT_LT(*seen.jitter_ratio, 1e-9);
 }
 
+/// Rounding alone would make any trembling 1e25 times the original's.
+TEST(Visibility, HasNoShareOfAJitterThatIsNone) {
+  const Skeleton skeleton = stick("top");
+  const Clip evenly = moved(still(200), 0, [](double s) { return 100 * s; });
+  const Clip shaken = moved(evenly, 0, [](double s) { return wobble(s, 15, 0.5); });
+  EXPECT_FALSE(compare(skeleton, evenly, shaken).jitter_ratio.has_value());
+}
+
 TEST(Visibility, TremblesAgainstTheOriginalsOwnTrembling) {
   const Skeleton skeleton = stick("top");
   const auto shaken = [](double cm) {

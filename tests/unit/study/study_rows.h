@@ -37,7 +37,7 @@ inline StudyRow full_row() {
                              .worst_frame = 599,
                              .contacts = 4,
                              .footskate_cm = 0.75,
-                             .slide = SlidePerContact{0.1875, 0.5},
+                             .slide = SlidePerContact{0.1875, 0.5, 0.125, 0.25},
                              .iterations = 321,
                              .encode_seconds = 0.125};
   return row;

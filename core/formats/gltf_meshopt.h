@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The glTF extension EXT_meshopt_compression, as gltfpack writes it. Compiled without
+// libmeshoptimizer, unpacking fails with a sentence that says so.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace mocapress {
+
+/// How a bufferView is packed: the members of the extension.
+struct MeshoptPacking {
+  std::size_t count = 0;
+  std::size_t stride = 0;  // bytes of an element
+  std::string mode;        // ATTRIBUTES, TRIANGLES, INDICES
+  std::string filter;      // empty, NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL
+};
+
+/// count * stride bytes. Throws Error, whose what() goes on from the name of the bufferView: "is
+/// ...".
+std::string meshopt_unpacked(const MeshoptPacking& packing, std::string_view bytes);
+
+}  // namespace mocapress
