@@ -55,6 +55,13 @@
             <numerusform>, %Ln with warnings</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>, %Ln with a stale verdict</source>
+        <translation>
+            <numerusform>, %Ln with a stale verdict</numerusform>
+            <numerusform>, %Ln with stale verdicts</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchWindow</name>
@@ -90,6 +97,51 @@
         <translation>
             <numerusform>%1, %Ln iteration, %L2 s</numerusform>
             <numerusform>%1, %Ln iterations, %L2 s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Library</name>
+    <message numerus="yes">
+        <source>%Ln clip(s) were taken out of the library; Redo brings them back.</source>
+        <translation>
+            <numerusform>%Ln clip was taken out of the library; Redo brings it back.</numerusform>
+            <numerusform>%Ln clips were taken out of the library; Redo brings them back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No verdict for %Ln clip(s): the file is missing.</source>
+        <translation>
+            <numerusform>No verdict for %Ln clip: the file is missing.</numerusform>
+            <numerusform>No verdict for %Ln clips: the files are missing.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The files of %Ln clip(s) have changed.</source>
+        <translation>
+            <numerusform>The files of %Ln clip have changed.</numerusform>
+            <numerusform>The files of %Ln clips have changed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The files of %Ln clip(s) are missing. The library&apos;s context menu finds them in another folder.</source>
+        <translation>
+            <numerusform>The files of %Ln clip are missing. The library&apos;s context menu finds them in another folder.</numerusform>
+            <numerusform>The files of %Ln clips are missing. The library&apos;s context menu finds them in another folder.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Found %Ln clip(s)</source>
+        <translation>
+            <numerusform>Found %Ln clip</numerusform>
+            <numerusform>Found %Ln clips</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln still missing</source>
+        <translation>
+            <numerusform>, %Ln still missing</numerusform>
+            <numerusform>, %Ln still missing</numerusform>
         </translation>
     </message>
 </context>

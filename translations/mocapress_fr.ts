@@ -516,14 +516,6 @@
         </translation>
     </message>
     <message>
-        <source>✓ Approved</source>
-        <translation>✓ Approuvé</translation>
-    </message>
-    <message>
-        <source>✕ Rejected</source>
-        <translation>✕ Rejeté</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
     </message>
@@ -540,16 +532,16 @@
         <translation>Verdict</translation>
     </message>
     <message>
-        <source>What the library says about the clip. A rejected clip is left out until it is ticked.</source>
-        <translation>Ce que la bibliothèque dit du clip. Un clip rejeté reste à l&apos;écart tant qu&apos;il n&apos;est pas coché.</translation>
-    </message>
-    <message>
         <source>not visible</source>
         <translation>invisible</translation>
     </message>
     <message>
         <source>%1 times noticed</source>
         <translation>%1 fois le perceptible</translation>
+    </message>
+    <message>
+        <source>What the library says about the clip. A rejected clip is left out until it is ticked. Stale: it is not about these files and settings.</source>
+        <translation>Ce que la bibliothèque dit du clip. Un clip rejeté reste à l&apos;écart tant qu&apos;il n&apos;est pas coché. Périmé : ce n&apos;est pas à propos de ces fichiers et réglages.</translation>
     </message>
 </context>
 <context>
@@ -596,10 +588,6 @@
     <message>
         <source>Wrote %1: submit it with sbatch.</source>
         <translation>%1 écrit : soumettez-le avec sbatch.</translation>
-    </message>
-    <message>
-        <source>The queue could not be kept: %1</source>
-        <translation>La file d&apos;attente n&apos;a pu être gardée : %1</translation>
     </message>
     <message>
         <source>Clips can be added when the batch has ended.</source>
@@ -737,6 +725,13 @@
     <message>
         <source>Making the bank: %L1 of %L2</source>
         <translation>Création de la banque : %L1 sur %L2</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln with a stale verdict</source>
+        <translation>
+            <numerusform>, %Ln avec un verdict périmé</numerusform>
+            <numerusform>, %Ln avec un verdict périmé</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1984,6 +1979,56 @@
         <source>Remove Clip</source>
         <translation>Retirer le clip</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) were taken out of the library; Redo brings them back.</source>
+        <translation>
+            <numerusform>%Ln clip a été retiré de la bibliothèque ; Rétablir le ramène.</numerusform>
+            <numerusform>%Ln clips ont été retirés de la bibliothèque ; Rétablir les ramène.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No verdict for %Ln clip(s): the file is missing.</source>
+        <translation>
+            <numerusform>Pas de verdict pour %Ln clip : le fichier manque.</numerusform>
+            <numerusform>Pas de verdict pour %Ln clips : le fichier manque.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files of %Ln clip(s) have changed.</source>
+        <translation>
+            <numerusform>Les fichiers de %Ln clip ont changé.</numerusform>
+            <numerusform>Les fichiers de %Ln clips ont changé.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The files of %Ln clip(s) are missing. The library&apos;s context menu finds them in another folder.</source>
+        <translation>
+            <numerusform>Les fichiers de %Ln clip manquent. Le menu contextuel de la bibliothèque les retrouve dans un autre dossier.</numerusform>
+            <numerusform>Les fichiers de %Ln clips manquent. Le menu contextuel de la bibliothèque les retrouve dans un autre dossier.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Find Clips</source>
+        <translation>Retrouver des clips</translation>
+    </message>
+    <message numerus="yes">
+        <source>Found %Ln clip(s)</source>
+        <translation>
+            <numerusform>%Ln clip retrouvé</numerusform>
+            <numerusform>%Ln clips retrouvés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln still missing</source>
+        <translation>
+            <numerusform>, %Ln manque encore</numerusform>
+            <numerusform>, %Ln manquent encore</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -2022,6 +2067,42 @@
         <source>%L1 : 1, %2</source>
         <translation>%L1 : 1, %2</translation>
     </message>
+    <message>
+        <source>! file missing</source>
+        <translation>! fichier manquant</translation>
+    </message>
+    <message>
+        <source>! %1</source>
+        <translation>! %1</translation>
+    </message>
+    <message>
+        <source>file missing</source>
+        <translation>fichier manquant</translation>
+    </message>
+    <message>
+        <source>file changed</source>
+        <translation>fichier modifié</translation>
+    </message>
+    <message>
+        <source>settings changed</source>
+        <translation>réglages modifiés</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>files not known</source>
+        <translation>fichiers inconnus</translation>
+    </message>
+    <message>
+        <source>✓ stale: %1</source>
+        <translation>✓ périmé : %1</translation>
+    </message>
+    <message>
+        <source>✕ stale: %1</source>
+        <translation>✕ périmé : %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryPanel</name>
@@ -2044,10 +2125,6 @@
     <message>
         <source>Verdict</source>
         <translation>Verdict</translation>
-    </message>
-    <message>
-        <source>What quality assurance says about the clip as it is compressed now.</source>
-        <translation>Ce que le contrôle qualité dit du clip tel qu&apos;il est compressé.</translation>
     </message>
     <message>
         <source>Not reviewed</source>
@@ -2105,6 +2182,18 @@
         <source>&amp;Folder…</source>
         <translation>&amp;Dossier…</translation>
     </message>
+    <message>
+        <source>What you say about the selected clips, as their files are and are compressed now.</source>
+        <translation>Ce que vous dites des clips sélectionnés, tels que leurs fichiers sont et sont compressés maintenant.</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>Find Missing Clips in a Folder…</source>
+        <translation>Retrouver les clips manquants dans un dossier…</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryTree</name>
@@ -2137,6 +2226,10 @@
     <message>
         <source>%L1 : 1, %2</source>
         <translation>%L1 : 1, %2</translation>
+    </message>
+    <message>
+        <source>Find Missing Clips</source>
+        <translation>Retrouver les clips manquants</translation>
     </message>
 </context>
 <context>
@@ -2441,6 +2534,18 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Épingler</translation>
+    </message>
+    <message>
+        <source>Take Off a Pin</source>
+        <translation>Désépingler</translation>
+    </message>
+    <message>
+        <source>Name of a Pin</source>
+        <translation>Nom d&apos;une épingle</translation>
     </message>
 </context>
 <context>
@@ -3756,6 +3861,13 @@ Cliquer pour le charger dans le studio.</translation>
     <message>
         <source>Part of the clip in sight</source>
         <translation>Partie visible du clip</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ToolWindows</name>
+    <message>
+        <source>The batch of this project is running: stop it first, or let it end.</source>
+        <translation>Le lot de ce projet est en cours : arrêtez-le d&apos;abord, ou laissez-le finir.</translation>
     </message>
 </context>
 <context>

@@ -515,14 +515,6 @@
         </translation>
     </message>
     <message>
-        <source>✓ Approved</source>
-        <translation>✓ 承認</translation>
-    </message>
-    <message>
-        <source>✕ Rejected</source>
-        <translation>✕ 却下</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
@@ -539,16 +531,16 @@
         <translation>判定</translation>
     </message>
     <message>
-        <source>What the library says about the clip. A rejected clip is left out until it is ticked.</source>
-        <translation>ライブラリでのクリップの判定です。却下したクリップは、チェックを入れるまで除外されます。</translation>
-    </message>
-    <message>
         <source>not visible</source>
         <translation>見えない</translation>
     </message>
     <message>
         <source>%1 times noticed</source>
         <translation>知覚限界の %1 倍</translation>
+    </message>
+    <message>
+        <source>What the library says about the clip. A rejected clip is left out until it is ticked. Stale: it is not about these files and settings.</source>
+        <translation>ライブラリでのクリップの判定です。却下したクリップは、チェックを入れるまで除かれます。無効：このファイルと設定についての判定ではありません。</translation>
     </message>
 </context>
 <context>
@@ -595,10 +587,6 @@
     <message>
         <source>Wrote %1: submit it with sbatch.</source>
         <translation>%1 を書き出しました: sbatch で投入してください。</translation>
-    </message>
-    <message>
-        <source>The queue could not be kept: %1</source>
-        <translation>キューを保存できませんでした: %1</translation>
     </message>
     <message>
         <source>Clips can be added when the batch has ended.</source>
@@ -730,6 +718,12 @@
     <message>
         <source>Making the bank: %L1 of %L2</source>
         <translation>バンクを作成しています: %L1 / %L2</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln with a stale verdict</source>
+        <translation>
+            <numerusform>、判定が無効 %Ln 個</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1973,6 +1967,50 @@
         <source>Remove Clip</source>
         <translation>クリップを外す</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) were taken out of the library; Redo brings them back.</source>
+        <translation>
+            <numerusform>%Ln 個のクリップをライブラリから除きました。「やり直す」で戻ります。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No verdict for %Ln clip(s): the file is missing.</source>
+        <translation>
+            <numerusform>%Ln 個のクリップは判定できません：ファイルがありません。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>プリセット</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files of %Ln clip(s) have changed.</source>
+        <translation>
+            <numerusform>%Ln 個のクリップのファイルが変更されました。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The files of %Ln clip(s) are missing. The library&apos;s context menu finds them in another folder.</source>
+        <translation>
+            <numerusform>%Ln 個のクリップのファイルがありません。ライブラリの右クリックメニューで別のフォルダーから探せます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Find Clips</source>
+        <translation>クリップを探す</translation>
+    </message>
+    <message numerus="yes">
+        <source>Found %Ln clip(s)</source>
+        <translation>
+            <numerusform>%Ln 個のクリップが見つかりました</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln still missing</source>
+        <translation>
+            <numerusform>、未発見 %Ln 個</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -2010,6 +2048,42 @@
         <source>%L1 : 1, %2</source>
         <translation>%L1 : 1、%2</translation>
     </message>
+    <message>
+        <source>! file missing</source>
+        <translation>! ファイルなし</translation>
+    </message>
+    <message>
+        <source>! %1</source>
+        <translation>! %1</translation>
+    </message>
+    <message>
+        <source>file missing</source>
+        <translation>ファイルなし</translation>
+    </message>
+    <message>
+        <source>file changed</source>
+        <translation>ファイル変更</translation>
+    </message>
+    <message>
+        <source>settings changed</source>
+        <translation>設定変更</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>files not known</source>
+        <translation>対象不明</translation>
+    </message>
+    <message>
+        <source>✓ stale: %1</source>
+        <translation>✓ 無効：%1</translation>
+    </message>
+    <message>
+        <source>✕ stale: %1</source>
+        <translation>✕ 無効：%1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryPanel</name>
@@ -2032,10 +2106,6 @@
     <message>
         <source>Verdict</source>
         <translation>判定</translation>
-    </message>
-    <message>
-        <source>What quality assurance says about the clip as it is compressed now.</source>
-        <translation>現在の圧縮結果に対する品質検査の判定。</translation>
     </message>
     <message>
         <source>Not reviewed</source>
@@ -2093,6 +2163,18 @@
         <source>&amp;Folder…</source>
         <translation>フォルダー(&amp;F)…</translation>
     </message>
+    <message>
+        <source>What you say about the selected clips, as their files are and are compressed now.</source>
+        <translation>選択したクリップの、今のファイルと圧縮についての判定です。</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>Find Missing Clips in a Folder…</source>
+        <translation>見つからないクリップをフォルダーから探す…</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryTree</name>
@@ -2124,6 +2206,10 @@
     <message>
         <source>%L1 : 1, %2</source>
         <translation>%L1 : 1、%2</translation>
+    </message>
+    <message>
+        <source>Find Missing Clips</source>
+        <translation>見つからないクリップを探す</translation>
     </message>
 </context>
 <context>
@@ -2427,6 +2513,18 @@
     <message>
         <source>%1, %2</source>
         <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>ピン留め</translation>
+    </message>
+    <message>
+        <source>Take Off a Pin</source>
+        <translation>ピンを外す</translation>
+    </message>
+    <message>
+        <source>Name of a Pin</source>
+        <translation>ピンの名前</translation>
     </message>
 </context>
 <context>
@@ -3733,6 +3831,13 @@ Click to load it into the studio.</source>
     <message>
         <source>Part of the clip in sight</source>
         <translation>表示中の範囲</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ToolWindows</name>
+    <message>
+        <source>The batch of this project is running: stop it first, or let it end.</source>
+        <translation>このプロジェクトの一括書き出しが実行中です。先に停止するか、終わるまでお待ちください。</translation>
     </message>
 </context>
 <context>

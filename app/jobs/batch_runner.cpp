@@ -23,6 +23,7 @@ class BatchReporter {
     step.progress = progress.clip;
     if (progress.row) {
       step.ended = true;
+      step.source = progress.row->stamp.source;
       step.measured = progress.row->measured;
       step.error = progress.row->error;
       step.warnings = progress.row->warnings;

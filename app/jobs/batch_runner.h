@@ -23,6 +23,7 @@ struct BatchStep {
   std::size_t index = 0;
   bool ended = false;
   ClipProgress progress;
+  std::string source;  // hash of the files it was made from, once it ended
   std::optional<Measurement> measured;
   std::string error;
   std::vector<std::string> warnings;

@@ -14,6 +14,7 @@
 
 #include "app/jobs/clip_outline.h"
 #include "core/base/error.h"
+#include "core/batch/row.h"
 #include "core/codec/encode/encoder.h"
 #include "core/codec/format/tracks_section.h"
 #include "core/codec/methods/compared_file.h"
@@ -39,6 +40,7 @@ struct OriginalClip {
   QString path;
   QString skeleton;     // chosen by hand; empty: found beside the clip
   ReadOptions reading;  // by which it was read
+  InputStamp stamp;     // of its files, right before they were read
   SourceFormat source;
   bool states_rate = true;  // the file does
   Warnings warnings;

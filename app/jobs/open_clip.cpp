@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/jobs/clip_sources.h"
 #include "core/codec/format/source_section.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/formats/motion_file.h"
@@ -40,8 +41,11 @@ PutCharacter characterOf(const OpenRequest& request) {
 
 OriginalPtr readOriginal(const OpenRequest& request) {
   const ReadOptions reading = request.reading.value_or(ReadOptions());
-  if (request.original && request.original->path == request.path &&
-      request.original->reading == reading)
+  const bool is_open = request.original && request.original->path == request.path;
+  const SourceNow now =
+      lookAt({request.path, request.skeleton, is_open ? request.original->stamp : InputStamp()});
+  if (is_open && request.original->reading == reading &&
+      request.original->stamp.hash == now.stamp.hash)
     return request.original->character == request.character.path
                ? request.original
                : dressed(*request.original, characterOf(request));
@@ -53,6 +57,7 @@ OriginalPtr readOriginal(const OpenRequest& request) {
   original.path = request.path;
   original.skeleton = request.skeleton;
   original.reading = reading;
+  original.stamp = now.stamp;
   original.source = file.source;
   original.states_rate = file.states_rate;
   original.warnings = std::move(file.warnings);

@@ -18,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The character, where there is one, is the last.
 std::vector<fs::path> files_of(const BatchItem& item, const ReadOptions& reading) {
   std::optional<fs::path> skeleton;
   if (!item.skeleton.empty()) skeleton = item.skeleton;
@@ -57,13 +58,34 @@ std::string hash_of_all(const std::vector<fs::path>& files) {
   return hash.text();
 }
 
+/// The bytes of all are read once.
+void add_hashes(InputStamp& stamp, const std::vector<fs::path>& files, const ReadOptions& reading) {
+  Fnv1a hash;
+  for (const fs::path& file : files) {
+    if (reading.character && &file == &files.back()) stamp.source = hash.text();
+    add_file(hash, file);
+  }
+  stamp.hash = hash.text();
+  if (!reading.character) stamp.source = stamp.hash;
+}
+
 }  // namespace
 
 InputStamp stamp(const BatchItem& item, const ReadOptions& reading) {
   const std::vector<fs::path> files = files_of(item, reading);
   InputStamp whole = quick_stamp(files);
-  whole.hash = hash_of_all(files);
+  add_hashes(whole, files, reading);
   return whole;
+}
+
+InputStamp stamp_again(const BatchItem& item, const ReadOptions& reading,
+                       const InputStamp& earlier) {
+  const std::vector<fs::path> files = files_of(item, reading);
+  InputStamp now = quick_stamp(files);
+  if (now.bytes == earlier.bytes && now.newest_ns == earlier.newest_ns && !earlier.hash.empty())
+    return earlier;
+  add_hashes(now, files, reading);
+  return now;
 }
 
 bool unchanged(const BatchItem& item, const ReadOptions& reading, const InputStamp& stamp) {
@@ -207,6 +229,7 @@ BatchRow row_from(const Json& json) {
   json.at("stamp").at("bytes").get_to(row.stamp.bytes);
   json.at("stamp").at("newest_ns").get_to(row.stamp.newest_ns);
   json.at("stamp").at("hash").get_to(row.stamp.hash);
+  row.stamp.source = json.at("stamp").value("source", row.stamp.hash);
   if (!json.at("frames").is_null()) {
     row.measured = measurement_of(json);
     row.measured->ik_ratio_used = optional_at<double>(json, "ik_ratio_used");
@@ -252,8 +275,10 @@ std::string to_journal_line(const BatchRow& row) {
   for (const OutputFormat format : row.formats) json["formats"].push_back(name(format));
   put(json["reading"] = Json::object(), row.reading);
   put(json["writing"] = Json::object(), row.writing);
-  json["stamp"] = {
-      {"bytes", row.stamp.bytes}, {"newest_ns", row.stamp.newest_ns}, {"hash", row.stamp.hash}};
+  json["stamp"] = {{"bytes", row.stamp.bytes},
+                   {"newest_ns", row.stamp.newest_ns},
+                   {"hash", row.stamp.hash},
+                   {"source", row.stamp.source}};
   json["written"] = Json::array();
   for (const WrittenFile& file : row.files)
     json["written"].push_back({{"name", file.name}, {"bytes", file.bytes}, {"hash", file.hash}});

@@ -22,12 +22,17 @@ struct InputStamp {
   std::uintmax_t bytes = 0;
   std::int64_t newest_ns = 0;  // when the newest of them was last written
   std::string hash;            // of all their bytes
+  std::string source;          // the same without the character
 
   bool operator==(const InputStamp&) const = default;
 };
 
 /// Of a clip that is read by these options. Throws InputError.
 InputStamp stamp(const BatchItem& item, const ReadOptions& reading);
+
+/// The same. Bytes are only read where sizes or times are not those of an `earlier` stamp.
+InputStamp stamp_again(const BatchItem& item, const ReadOptions& reading,
+                       const InputStamp& earlier);
 
 /// Whether the files still are what they were. Their bytes are only read where their times differ.
 bool unchanged(const BatchItem& item, const ReadOptions& reading, const InputStamp& stamp);

@@ -180,11 +180,11 @@ std::vector<path> files_of_motion(const path& file, const std::optional<path>& s
   std::vector<path> files = {file};
   if (has_extension(file, ".amc"))
     files.push_back(skeleton_path ? *skeleton_path : find_skeleton(file));
-  if (options.character) files.emplace_back(*options.character);
   if (options.tracks)
     files.emplace_back(*options.tracks);
   else if (const std::optional<path> table = find_tracks(file))
     files.push_back(*table);
+  if (options.character) files.emplace_back(*options.character);
   return files;
 }
 

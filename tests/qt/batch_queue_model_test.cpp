@@ -101,11 +101,15 @@ TEST_F(BatchQueue, ARejectedClipIsLeftOutUntilItIsTicked) {
            Qt::Checked;
   };
   const QString walk = QStringLiteral("/a/walk.bvh");
-  model_.setReviews({{walk, {Verdict::Rejected, "slides"}}, {QStringLiteral("/x.bvh"), {}}});
+  const std::string key = settings_hash(model_.presetOf(0), {});
+  const auto said = [&](Verdict verdict, const char* note) {
+    return LibraryReview{{verdict, note, "ann", "2026-11-27T01:39:46Z", "1", key}, "1"};
+  };
+  model_.setReviews({{walk, said(Verdict::Rejected, "slides")}, {QStringLiteral("/x.bvh"), {}}});
   EXPECT_TRUE(model_.clips()[0].left_out);
   EXPECT_FALSE(ticked(0));
   EXPECT_TRUE(ticked(1));
-  EXPECT_EQ(text(0, BatchQueueModel::Review), QStringLiteral("✕ Rejected: slides"));
+  EXPECT_EQ(text(0, BatchQueueModel::Review), QStringLiteral("✕ rejected: slides"));
   EXPECT_EQ(text(0, BatchQueueModel::State), QStringLiteral("Left out"));
   EXPECT_EQ(model_.count(ClipState::Waiting), 2);
   EXPECT_EQ(model_.countLeftOut(), 1);
@@ -118,11 +122,11 @@ TEST_F(BatchQueue, ARejectedClipIsLeftOutUntilItIsTicked) {
   EXPECT_EQ(toggled[0], (QList<QVariant>{0, true}));
 
   model_.setLeftOut({0}, false);
-  model_.setReviews({{walk, {Verdict::Rejected, "slides a lot"}}});
+  model_.setReviews({{walk, said(Verdict::Rejected, "slides a lot")}});
   EXPECT_FALSE(model_.clips()[0].left_out) << "the user asked for it";
-  model_.setReviews({{walk, {Verdict::Approved, ""}}});
-  EXPECT_EQ(text(0, BatchQueueModel::Review), QStringLiteral("✓ Approved"));
-  model_.setReviews({{walk, {Verdict::Rejected, ""}}});
+  model_.setReviews({{walk, said(Verdict::Approved, "")}});
+  EXPECT_EQ(text(0, BatchQueueModel::Review), QStringLiteral("✓ approved"));
+  model_.setReviews({{walk, said(Verdict::Rejected, "")}});
   EXPECT_TRUE(model_.clips()[0].left_out) << "rejected anew";
 }
 

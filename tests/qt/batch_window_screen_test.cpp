@@ -19,7 +19,6 @@
 #include <QToolButton>
 #include <cstdlib>
 
-#include "app/studio/batch/batch_memory.h"
 #include "app/studio/window/main_window.h"
 #include "app/studio/window/screenshot.h"
 #include "core/base/file.h"
@@ -77,7 +76,6 @@ void writeClips(const QString& folder) {
 
 TEST(BatchWindowOnScreen, ClipsAreDroppedSetUpExportedAndReportedOn) {
   QSettings().clear();
-  QFile::remove(batchMemory());
   const QTemporaryDir directory;
   const QString folder = directory.filePath(QStringLiteral("animations"));
   writeClips(folder);
@@ -170,7 +168,6 @@ TEST(BatchWindowOnScreen, ClipsAreDroppedSetUpExportedAndReportedOn) {
   EXPECT_GT(pixelsOf(kCurveColours[2], seen), 100) << "verified";
   EXPECT_GT(pixelsOf(kCurveColours[1], seen), 25) << "failed";
   QSettings().clear();
-  QFile::remove(batchMemory());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeView>
@@ -32,12 +33,56 @@ TEST(LibraryModel, SaysInWordsWhatItsPicturesShow) {
   EXPECT_TRUE(model.index(0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("nonsense")));
 }
 
+TEST(LibraryModel, SaysWhyAVerdictIsStaleWhoGaveItAndWhen) {
+  LibraryModel model;
+  LibraryEntry entry{.path = QStringLiteral("/a/walk.bvh")};
+  entry.outcome = Outcome{25, 0.5, 2, 1000, true, Sight::Borderline};
+  entry.review = {Verdict::Approved, "fine", "ann", "2026-11-27T01:39:46Z", "1", "2"};
+  const auto words = [&] {
+    model.setEntry(entry);
+    return model.index(0).data(Qt::AccessibleTextRole).toString();
+  };
+  EXPECT_TRUE(words().contains(QStringLiteral("5.0 mm, ✓ approved, borderline")));
+  EXPECT_EQ(stateOf(entry), RowState::Good);
+  entry.stale = Staleness::Source;
+  EXPECT_TRUE(words().contains(QStringLiteral("✓ stale: file changed")));
+  EXPECT_EQ(stateOf(entry), RowState::Doubtful);
+  entry.missing = true;
+  entry.stale = Staleness::Missing;
+  EXPECT_TRUE(words().contains(QStringLiteral("✓ stale: file missing")));
+  EXPECT_EQ(stateOf(entry), RowState::Bad);
+  EXPECT_TRUE(model.index(0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("ann, ")));
+}
+
+TEST(LibraryPanel, TheMenuGivesTheSelectionAVerdictOrAPresetAndFindsWhatIsMissing) {
+  LibraryModel model;
+  model.setEntries({{.path = QStringLiteral("a")}, {.path = QStringLiteral("b")}});
+  LibraryPanel panel(&model);
+  panel.setPresets({built_in_presets()[0]});
+  panel.view()->selectAll();
+  QSignalSpy verdict(&panel, &LibraryPanel::verdictChosen);
+  QSignalSpy preset(&panel, &LibraryPanel::presetChosen);
+  QSignalSpy find(&panel, &LibraryPanel::findMissingRequested);
+  QMenu* menu = panel.makeMenu();
+  const auto menus = menu->findChildren<QMenu*>();
+  ASSERT_EQ(menus.size(), 2);
+  menus[0]->actions().at(1)->trigger();
+  ASSERT_EQ(verdict.count(), 1);
+  EXPECT_EQ(verdict[0][0].value<std::vector<int>>(), (std::vector<int>{0, 1}));
+  menus[1]->actions().at(0)->trigger();
+  EXPECT_EQ(preset.count(), 1);
+  EXPECT_FALSE(menu->actions().back()->isEnabled()) << "nothing is missing";
+  LibraryEntry gone = model.entry(1);
+  gone.missing = true;
+  model.setEntry(gone);
+  panel.makeMenu()->actions().back()->trigger();
+  EXPECT_EQ(find.count(), 1);
+}
+
 TEST(LibraryPanel, ShowsTheReviewOfTheCurrentClipAndTellsOfChanges) {
   LibraryModel model;
   model.setEntries({{.path = QStringLiteral("a")},
-                    {.path = QStringLiteral("b"),
-                     .verdict = Verdict::Approved,
-                     .note = QStringLiteral("fine")}});
+                    {.path = QStringLiteral("b"), .review = {Verdict::Approved, "fine"}}});
   LibraryPanel panel(&model);
   QSignalSpy opened(&panel, &LibraryPanel::openRequested);
   panel.setCurrent(1);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QSignalSpy>
@@ -10,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/jobs/batch_runner.h"
 #include "app/studio/document/session.h"
 #include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"
@@ -99,7 +101,7 @@ TEST_F(InALibrary, IsRecoveredWithEditsAndNotesAfterACrash) {
     settleAfter(run, [&] { run.session.setOptions(standard(33)); });
     settleAfter(run, [&] { run.session.setContacts({{4, 10, 20}}); });
     run.library.setNote(0, QStringLiteral("look at the wrist"));
-    run.library.setVerdict(0, Verdict::Rejected);
+    run.library.setVerdict({0}, Verdict::Rejected);
     ASSERT_TRUE(QTest::qWaitFor([&] { return holds(file, "wrist"); }, kPatience));
     ASSERT_TRUE(QFile::copy(file, crashed));
     run.library.end();
@@ -112,8 +114,8 @@ TEST_F(InALibrary, IsRecoveredWithEditsAndNotesAfterACrash) {
   EXPECT_EQ(recovered.count(), 1);
   EXPECT_DOUBLE_EQ(run.session.document().options().target.value, 33);
   EXPECT_EQ(run.session.document().contacts(), (std::vector<ContactSpan>{{4, 10, 20}}));
-  EXPECT_EQ(run.model.entry(0).note, QStringLiteral("look at the wrist"));
-  EXPECT_EQ(run.model.entry(0).verdict, Verdict::Rejected);
+  EXPECT_EQ(run.model.entry(0).review.note, "look at the wrist");
+  EXPECT_EQ(run.model.entry(0).review.verdict, Verdict::Rejected);
 }
 
 TEST_F(InALibrary, GoesOnAfterAnEndWithoutTalkOfACrash) {
@@ -160,7 +162,7 @@ TEST_F(InALibrary, ReopensAfterAnEndTheProjectThatWasInUseWithItsNewestState) {
     EXPECT_TRUE(run.library.begin(data()));
     EXPECT_EQ(run.library.path(), knights);
     ASSERT_EQ(run.library.project().clips.size(), 1u);
-    EXPECT_EQ(run.library.project().clips[0].note, QStringLiteral("after Save As"));
+    EXPECT_EQ(run.library.project().clips[0].review.note, "after Save As");
     EXPECT_TRUE(run.library.startNew());
     EXPECT_TRUE(run.library.end());
   }
@@ -194,7 +196,7 @@ TEST_F(InALibrary, ReopensAfterAKillTheProjectThatWasInUseWithItsNewestState) {
   EXPECT_EQ(recovered.count(), 1);
   EXPECT_EQ(run.library.path(), knights);
   ASSERT_EQ(run.library.project().clips.size(), 1u);
-  EXPECT_EQ(run.library.project().clips[0].note, QStringLiteral("after Save As"));
+  EXPECT_EQ(run.library.project().clips[0].review.note, "after Save As");
 }
 
 TEST_F(InALibrary, WhatNewTakesAwayCanBeHadBack) {
@@ -202,7 +204,7 @@ TEST_F(InALibrary, WhatNewTakesAwayCanBeHadBack) {
   run.library.begin(data());
   run.library.add({clip("walk.bvh", 1), clip("jump.bvh", 2)});
   run.library.setNote(0, QStringLiteral("knee"));
-  run.library.setVerdict(1, Verdict::Approved);
+  run.library.setVerdict({1}, Verdict::Approved);
   EXPECT_TRUE(run.library.needsName());
   ASSERT_TRUE(run.library.startNew());  // at once: nothing is written yet
   EXPECT_EQ(run.model.rowCount(), 0);
@@ -214,8 +216,8 @@ TEST_F(InALibrary, WhatNewTakesAwayCanBeHadBack) {
   EXPECT_LT(former[0].written.secsTo(QDateTime::currentDateTime()), 3600);
   ASSERT_TRUE(run.library.open(former[0].path));
   ASSERT_EQ(run.library.project().clips.size(), 2u);
-  EXPECT_EQ(run.library.project().clips[0].note, QStringLiteral("knee"));
-  EXPECT_EQ(run.library.project().clips[1].verdict, Verdict::Approved);
+  EXPECT_EQ(run.library.project().clips[0].review.note, "knee");
+  EXPECT_EQ(run.library.project().clips[1].review.verdict, Verdict::Approved);
   EXPECT_TRUE(run.library.formerProjects().empty()) << "an empty one is not kept";
 }
 
@@ -340,48 +342,315 @@ TEST_F(InALibrary, AProjectThatIsGoneOrUnreadableIsSaidAndANewOneBegins) {
   }
 }
 
-TEST_F(InALibrary, AnotherOutcomeTakesTheVerdictBack) {
+TEST_F(InALibrary, AVerdictNamesWhatWasReviewedByWhomAndWhen) {
   Run run;
-  settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
-  run.library.setVerdict(0, Verdict::Approved);
-  settleAfter(run, [&] { run.session.setOptions(standard(50)); });
-  EXPECT_EQ(run.library.project().clips[0].verdict, Verdict::None);
+  const QString walk = clip("walk.bvh", 1);
+  settleAfter(run, [&] { run.session.open(walk); });
+  run.library.setVerdict({0}, Verdict::Approved);
+  const ProjectClip& reviewed = run.library.project().clips[0];
+  EXPECT_EQ(reviewed.review.source_hash, hash_of(walk.toStdU16String()));
+  EXPECT_EQ(reviewed.review.settings_hash, settings_hash(reviewed.settings->preset, {}));
+  EXPECT_FALSE(reviewed.review.reviewer.empty());
+  const QDateTime given =
+      QDateTime::fromString(QString::fromStdString(reviewed.review.time), Qt::ISODate);
+  EXPECT_LE(std::abs(given.secsTo(QDateTime::currentDateTimeUtc())), 3600);
+  EXPECT_EQ(run.model.entry(0).stale, Staleness::None);
 }
 
-TEST_F(InALibrary, AVerdictIsThereAgainWithTheOutcomeItWasAbout) {
+TEST_F(InALibrary, OtherSettingsMakeAVerdictStaleUntilTheyAreTakenBack) {
   Run run;
   settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
-  run.library.setVerdict(0, Verdict::Approved);
+  run.library.setVerdict({0}, Verdict::Approved);
   settleAfter(run, [&] { run.session.setOptions(standard(50)); });
-  ASSERT_EQ(run.library.project().clips[0].verdict, Verdict::None);
+  EXPECT_EQ(run.model.entry(0).review.verdict, Verdict::Approved);
+  EXPECT_EQ(run.model.entry(0).stale, Staleness::Settings);
   settleAfter(run, [&] { run.session.history()->undo(); });
-  EXPECT_EQ(run.library.project().clips[0].verdict, Verdict::Approved);
+  EXPECT_EQ(run.model.entry(0).stale, Staleness::None);
+}
+
+TEST_F(InALibrary, AVerdictDoesNotTravelWithAFileThatWasReplaced) {
+  Run run;
+  const QString walk = clip("walk.bvh", 1);
+  settleAfter(run, [&] { run.session.open(walk); });
+  run.library.setVerdict({0}, Verdict::Approved);
+  settleAfter(run, [&] { run.session.open(clip("jump.bvh", 2)); });
+  clip("walk.bvh", 3);
+  run.library.checkFiles();
+  QTRY_COMPARE_WITH_TIMEOUT(run.model.entry(0).stale, Staleness::Source, kPatience);
+  EXPECT_EQ(run.model.entry(0).outdated, Staleness::Source);
+  // What is said of the figures that are still shown is not about the new file either.
+  run.library.setVerdict({0}, Verdict::Approved);
+  EXPECT_EQ(run.model.entry(0).stale, Staleness::Source);
+  settleAfter(run, [&] { run.library.openClip(0); });
+  EXPECT_EQ(run.model.entry(0).outdated, Staleness::None);
+  run.library.setVerdict({0}, Verdict::Approved);
+  EXPECT_EQ(run.model.entry(0).stale, Staleness::None);
+}
+
+TEST_F(InALibrary, TheOpenClipIsReadAgainWhenItsFileHasChanged) {
+  Run run;
+  settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
+  run.library.setVerdict({0}, Verdict::Approved);
+  const OriginalPtr before = run.session.document().original();
+  clip("walk.bvh", 3);
+  settleAfter(run, [&] { run.library.checkFiles(); });
+  EXPECT_NE(run.session.document().original(), before);
+  EXPECT_EQ(run.model.entry(0).stale, Staleness::Source);
+}
+
+TEST_F(InALibrary, AProjectOfBeforeVerdictsHadABasisSaysThatItIsNotKnown) {
+  clip("walk.bvh", 1);
+  QFile file(path("old.mocapress"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(R"({"format": "mocapress-project", "version": 1,
+                 "clips": [{"path": "walk.bvh", "verdict": "approved"}]})");
+  file.close();
+  Run run;
+  run.library.open(file.fileName());
+  EXPECT_EQ(run.model.entry(0).stale, Staleness::Unknown);
+  QTRY_VERIFY_WITH_TIMEOUT(!run.library.project().clips[0].stamp.hash.empty(), kPatience);
+  EXPECT_EQ(run.model.entry(0).stale, Staleness::Unknown);
+}
+
+TEST_F(InALibrary, AVerdictOfASelectionIsOneStep) {
+  Run run;
+  run.library.add({clip("a.bvh", 1), clip("b.bvh", 2), clip("c.bvh", 3)});
+  run.library.setVerdict({0, 1, 2}, Verdict::Approved);
+  for (int row = 0; row < 3; ++row)
+    EXPECT_EQ(run.model.entry(row).review.verdict, Verdict::Approved) << row;
+  // The files are looked at in the background; the verdicts are about what they were.
+  for (int row = 0; row < 3; ++row)
+    QTRY_COMPARE_WITH_TIMEOUT(run.model.entry(row).stale, Staleness::None, kPatience);
+  run.library.history()->undo();
+  for (int row = 0; row < 3; ++row)
+    EXPECT_EQ(run.model.entry(row).review.verdict, Verdict::None) << row;
+  EXPECT_EQ(run.model.rowCount(), 3);
+}
+
+TEST_F(InALibrary, APresetOfASelectionIsOneStepAndReachesTheOpenClip) {
+  Run run;
+  run.library.add({clip("a.bvh", 1), clip("b.bvh", 2), clip("c.bvh", 3)});
+  settleAfter(run, [&] { run.library.openClip(0); });
+  const EncodeOptions before = run.session.document().options();
+  const Settings& crowd = built_in_presets()[3];
+  settleAfter(run, [&] { run.library.setPreset({0, 1}, crowd); });
+  EXPECT_EQ(run.session.document().options().target, crowd.target);
+  EXPECT_EQ(run.library.project().clips[1].settings->preset, crowd);
+  EXPECT_FALSE(run.library.project().clips[2].settings);
+  settleAfter(run, [&] { run.library.history()->undo(); });
+  EXPECT_EQ(run.session.document().options().target, before.target);
+  EXPECT_FALSE(run.library.project().clips[1].settings);
+}
+
+/// Else a verdict would be stale as soon as its clip is opened.
+TEST_F(InALibrary, OpeningAClipDoesNotChangeTheSettingsItHas) {
+  Run run;
+  run.library.add({clip("a.bvh", 1), clip("b.bvh", 2)});
+  for (const Settings& preset : built_in_presets()) {
+    run.library.setPreset({0, 1}, preset);
+    for (const int row : {0, 1}) settleAfter(run, [&] { run.library.openClip(row); });
+    run.library.setVerdict({0, 1}, Verdict::Approved);
+    for (const int row : {0, 1}) {
+      settleAfter(run, [&] { run.library.openClip(row); });
+      EXPECT_EQ(run.library.project().clips[static_cast<std::size_t>(row)].settings->preset,
+                preset);
+      EXPECT_EQ(run.model.entry(row).stale, Staleness::None) << preset.name;
+    }
+    // Chosen for the open clip, it is the same as chosen in the library or for a batch.
+    settleAfter(run, [&] { run.session.setOptions(standard(17)); });
+    settleAfter(run, [&] { run.session.choosePreset(preset); });
+    EXPECT_EQ(run.library.project().clips[1].settings->preset, preset);
+  }
+}
+
+TEST_F(InALibrary, AVerdictIsAboutTheFiguresThatTheRowShows) {
+  Run run;
+  run.library.add({clip("a.bvh", 1), clip("b.bvh", 2)});
+  for (const int row : {0, 1}) settleAfter(run, [&] { run.library.openClip(row); });
+  settleAfter(run, [&] { run.library.setPreset({0, 1}, built_in_presets()[3]); });
+  EXPECT_EQ(run.model.entry(0).outdated, Staleness::Settings) << "not compressed by these yet";
+  run.library.setVerdict({0, 1}, Verdict::Approved);
+  EXPECT_EQ(run.model.entry(0).stale, Staleness::Settings);
+  EXPECT_EQ(run.model.entry(1).stale, Staleness::None) << "it is open";
+}
+
+TEST_F(InALibrary, StepsOfAClipAreThereAgainWhenItIsOpenedAgain) {
+  Run run;
+  Session& session = run.session;
+  const QString walk = clip("walk.bvh", 1);
+  settleAfter(run, [&] { session.open(walk); });
+  const Skeleton& skeleton = *session.document().skeleton();
+  settleAfter(run, [&] { session.choosePreset(built_in_presets()[2]); });
+  EncodeOptions options = session.document().options();
+  options.target = {Target::Kind::Ratio, 36.885};
+  settleAfter(run, [&] { session.setOptions(options); });
+  NamedImportance care;
+  care.factors = {{"lhand", 4}};
+  options.importance = importance_for(care, skeleton);
+  settleAfter(run, [&] { session.setImportance(options.importance); });
+  settleAfter(run, [&] { session.setContacts({{4, 10, 20}}); });
+  const int steps = session.history()->count();
+  EXPECT_EQ(steps, 4);
+  settleAfter(run, [&] { session.open(clip("jump.bvh", 2)); });
+  EXPECT_EQ(session.history()->count(), 0);
+  settleAfter(run, [&] { run.library.openClip(0); });
+  EXPECT_EQ(session.history()->count(), steps);
+  EXPECT_TRUE(session.history()->canUndo());
+}
+
+TEST_F(InALibrary, ClipsThatUndoTakesOutAreSaid) {
+  Run run;
+  run.library.add({clip("a.bvh", 1), clip("b.bvh", 2)});
+  QSignalSpy noted(&run.library, &Library::noted);
+  run.library.history()->undo();
+  ASSERT_EQ(noted.count(), 1);
+  EXPECT_TRUE(noted[0][0].toString().contains(QLatin1Char('2')));
+}
+
+TEST_F(InALibrary, AClipWhoseFileIsGoneIsNotShownAndGetsNoVerdict) {
+  Run run;
+  const QString jump = clip("jump.bvh", 2);
+  run.library.add({clip("walk.bvh", 1), jump});
+  settleAfter(run, [&] { run.library.openClip(0); });
+  ASSERT_TRUE(QFile::remove(jump));
+  QSignalSpy open_failed(&run.session, &Session::openFailed);
+  run.library.openClip(1);
+  ASSERT_TRUE(open_failed.wait(kPatience));
+  EXPECT_FALSE(run.session.document().original()) << "not the clip before";
+  EXPECT_EQ(run.library.currentRow(), 1);
+  EXPECT_TRUE(run.model.entry(1).missing);
+  QSignalSpy failed(&run.library, &Library::failed);
+  run.library.setVerdict({0, 1}, Verdict::Approved);
+  EXPECT_EQ(failed.count(), 1);
+  EXPECT_EQ(run.model.entry(0).review.verdict, Verdict::Approved);
+  EXPECT_EQ(run.model.entry(1).review.verdict, Verdict::None);
+}
+
+TEST_F(InALibrary, AMissingFileMakesAVerdictStaleUntilItIsBack) {
+  Run run;
+  const QString walk = clip("walk.bvh", 1);
+  settleAfter(run, [&] { run.session.open(walk); });
+  run.library.setVerdict({0}, Verdict::Rejected);
+  ASSERT_TRUE(QFile::rename(walk, path("aside")));
+  run.library.checkFiles();
+  QTRY_COMPARE_WITH_TIMEOUT(run.model.entry(0).stale, Staleness::Missing, kPatience);
+  ASSERT_TRUE(QFile::rename(path("aside"), walk));
+  run.library.checkFiles();
+  QTRY_COMPARE_WITH_TIMEOUT(run.model.entry(0).stale, Staleness::None, kPatience);
+}
+
+TEST_F(InALibrary, MissingClipsAreFoundByNameAndBytesInOneStep) {
+  QDir(directory_.path()).mkpath(QStringLiteral("new/other"));
+  Run run;
+  const QString a = clip("a.bvh", 1), b = clip("b.bvh", 2), c = clip("c.bvh", 3);
+  run.library.add({a, b, c});
+  run.library.setVerdict({0}, Verdict::Approved);
+  QTRY_VERIFY_WITH_TIMEOUT(!run.library.project().clips[2].stamp.hash.empty(), kPatience);
+  // Two files are named as one of them; the bytes tell which it is. Of one there is another
+  // version.
+  ASSERT_TRUE(QFile::rename(a, path("new/other/a.bvh")));
+  clip("new/a.bvh", 9);
+  ASSERT_TRUE(QFile::remove(b));
+  clip("new/b.bvh", 8);
+  ASSERT_TRUE(QFile::remove(c));
+  run.library.checkFiles();
+  QTRY_VERIFY_WITH_TIMEOUT(run.model.entry(2).missing, kPatience);
+  QSignalSpy noted(&run.library, &Library::noted);
+  run.library.findMissing(path("new"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return noted.count() > 0; }, kPatience));
+  EXPECT_EQ(noted[0][0].toString(), QStringLiteral("Found 2 clip(s), 1 still missing"));
+  EXPECT_EQ(run.model.entry(0).path, path("new/other/a.bvh"));
+  EXPECT_EQ(run.model.entry(0).stale, Staleness::None) << "it is the file that was approved";
+  EXPECT_EQ(run.model.entry(1).path, path("new/b.bvh"));
+  EXPECT_EQ(run.model.entry(2).path, c);
+  run.library.history()->undo();
+  EXPECT_EQ(run.model.entry(0).path, a);
+  EXPECT_EQ(run.model.entry(1).path, b);
+}
+
+TEST_F(InALibrary, WhatABatchMadeOfAClipIsInItsRow) {
+  Run run;
+  const QString walk = clip("walk.bvh", 1);
+  run.library.add({walk, clip("jump.bvh", 2)});
+  QTRY_VERIFY_WITH_TIMEOUT(!run.library.project().clips[1].stamp.hash.empty(), kPatience);
+  settleAfter(run, [&] { run.library.openClip(1); });
+  BatchStep step{.ended = true, .source = run.library.project().clips[0].stamp.source};
+  step.measured = Measurement{.ratio = 33, .eps_bone_ends_cm = 0.4};
+  step.measured->seen = Seen{.times_noticed = 1.5};
+  step.warnings = {"line 3 was repaired"};
+  const Settings preset{.name = "own", .weighting = Weighting::BoneEnds};
+  run.library.noteExported(walk, preset, {}, step);
+  const LibraryEntry& entry = run.model.entry(0);
+  ASSERT_TRUE(entry.outcome);
+  EXPECT_EQ(entry.outcome->ratio, 33);
+  EXPECT_EQ(entry.outcome->eps_cm, 0.4);
+  EXPECT_EQ(entry.outcome->sight, Sight::Borderline);
+  EXPECT_EQ(entry.outcome->warnings.size(), 1);
+  EXPECT_EQ(entry.outdated, Staleness::None);
+  // Of a clip that is tuned otherwise it says nothing.
+  const Outcome tuned = *run.model.entry(1).outcome;
+  run.library.noteExported(run.model.entry(1).path, preset, {}, step);
+  EXPECT_EQ(*run.model.entry(1).outcome, tuned);
+}
+
+TEST_F(InALibrary, TheQueueOfABatchGoesWithItsProject) {
+  Run run;
+  run.library.begin(data());
+  const QString knights = path("knights.mocapress");
+  ASSERT_TRUE(run.library.saveAs(knights));
+  RememberedBatch batch;
+  batch.settings.folder = path("out");
+  batch.clips = {{.source = {clip("walk.bvh", 1).toStdString(), "moves", {}}}};
+  bool asked = false;
+  run.library.setLeaveCheck([&] {
+    if (!std::exchange(asked, true)) run.library.setBatch(batch);
+    return QString();
+  });
+  ASSERT_TRUE(run.library.startNew());
+  EXPECT_FALSE(run.library.project().batch);
+  ASSERT_TRUE(run.library.open(knights));
+  ASSERT_TRUE(run.library.project().batch);
+  EXPECT_EQ(run.library.project().batch->settings, batch.settings);
+  EXPECT_EQ(run.library.project().batch->clips[0].source, batch.clips[0].source);
+}
+
+TEST_F(InALibrary, AProjectIsNotLeftWhileThatIsRefused) {
+  Run run;
+  run.library.begin(data());
+  run.library.add({clip("walk.bvh", 1)});
+  run.library.setLeaveCheck([] { return QStringLiteral("its batch is running"); });
+  QSignalSpy failed(&run.library, &Library::failed);
+  EXPECT_FALSE(run.library.startNew());
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_EQ(failed[0][0].toString(), QStringLiteral("its batch is running"));
+  EXPECT_EQ(run.library.project().clips.size(), 1u);
+  EXPECT_TRUE(run.library.end()) << "the program ends all the same";
 }
 
 TEST_F(InALibrary, VerdictsAndNotesAreUndoneInItsOwnHistory) {
   Run run;
   settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
   settleAfter(run, [&] { run.session.open(clip("jump.bvh", 2)); });
-  run.library.setVerdict(0, Verdict::Rejected);
+  run.library.setVerdict({0}, Verdict::Rejected);
   for (const char* typed : {"k", "kn", "knee"}) run.library.setNote(1, QString::fromLatin1(typed));
-  run.library.setVerdict(1, Verdict::Approved);
+  run.library.setVerdict({1}, Verdict::Approved);
   EXPECT_FALSE(run.session.history()->canUndo());
   QUndoStack& history = *run.library.history();
   EXPECT_EQ(history.count(), 3) << "a note typed in one go is one step";
   EXPECT_EQ(history.undoText().toStdString(), "Verdict");
   const auto& clips = run.library.project().clips;
   history.undo();
-  EXPECT_EQ(clips[1].verdict, Verdict::None);
-  EXPECT_EQ(clips[1].note, QStringLiteral("knee"));
+  EXPECT_EQ(clips[1].review.verdict, Verdict::None);
+  EXPECT_EQ(clips[1].review.note, "knee");
   EXPECT_EQ(history.undoText().toStdString(), "Note");
   history.undo();
-  EXPECT_EQ(clips[1].note, QString());
-  EXPECT_EQ(run.model.entry(0).verdict, Verdict::Rejected);
+  EXPECT_EQ(clips[1].review.note, "");
+  EXPECT_EQ(run.model.entry(0).review.verdict, Verdict::Rejected);
   history.undo();
-  EXPECT_EQ(run.model.entry(0).verdict, Verdict::None);
+  EXPECT_EQ(run.model.entry(0).review.verdict, Verdict::None);
   EXPECT_FALSE(history.canUndo());
   history.redo();
-  EXPECT_EQ(run.model.entry(0).verdict, Verdict::Rejected);
+  EXPECT_EQ(run.model.entry(0).review.verdict, Verdict::Rejected);
 }
 
 TEST_F(InALibrary, NotesOfTwoClipsAreTwoStepsHoweverQuicklyTheyAreTyped) {
@@ -390,8 +659,8 @@ TEST_F(InALibrary, NotesOfTwoClipsAreTwoStepsHoweverQuicklyTheyAreTyped) {
   run.library.setNote(0, QStringLiteral("knee"));
   run.library.setNote(1, QStringLiteral("wrist"));
   run.library.history()->undo();
-  EXPECT_EQ(run.library.project().clips[0].note, QStringLiteral("knee"));
-  EXPECT_EQ(run.library.project().clips[1].note, QString());
+  EXPECT_EQ(run.library.project().clips[0].review.note, "knee");
+  EXPECT_EQ(run.library.project().clips[1].review.note, "");
 }
 
 TEST_F(InALibrary, ARemovalIsUndoneWhileAnotherClipIsOpenAndItsSettingsStay) {
@@ -424,7 +693,7 @@ TEST_F(InALibrary, AClipThatWasRemovedComesBackAsItWas) {
   ASSERT_EQ(run.model.rowCount(), 2);
   const ProjectClip& back = run.library.project().clips[0];
   EXPECT_EQ(back.path, walk);
-  EXPECT_EQ(back.note, QStringLiteral("knee"));
+  EXPECT_EQ(back.review.note, "knee");
   EXPECT_EQ(back.settings->preset.target.value, 20);
   EXPECT_EQ(run.model.entry(0).path, walk);
 }
@@ -471,7 +740,7 @@ TEST_F(InALibrary, AnotherProjectHasNothingToUndo) {
   run.library.begin(data());
   settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
   settleAfter(run, [&] { run.session.setOptions(standard(20)); });
-  run.library.setVerdict(0, Verdict::Approved);
+  run.library.setVerdict({0}, Verdict::Approved);
   run.library.startNew();
   EXPECT_FALSE(run.session.history()->canUndo());
   EXPECT_FALSE(run.library.history()->canUndo());

@@ -25,6 +25,7 @@
 #include <QTest>
 #include <QTreeView>
 
+#include "app/studio/batch/batch_session.h"
 #include "core/formats/motion_file.h"
 #include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
@@ -183,6 +184,78 @@ TEST_F(StudioWithoutAScreen, UndoActsOnWhatIsWorkedIn) {
   settleAfter([&] { undo->trigger(); });
   EXPECT_NE(document_.options().target.value, before / 4);
   EXPECT_EQ(clips(), 2u);
+}
+
+TEST_F(StudioWithoutAScreen, UndoOfAClipThatOneComesBackToStopsBeforeTheLibrary) {
+  settleAfter([&] { window_.open({clip("one.bvh", 70), clip("two.bvh")}); });
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  const double before = document_.options().target.value;
+  EncodeOptions options = document_.options();
+  options.target.value = before / 2;
+  settleAfter([&] { window_.session().setOptions(options); });
+  window_.libraryPanel().view()->setFocus();
+  settleAfter([&] { window_.library().openClip(1); });
+  settleAfter([&] { window_.library().openClip(0); });
+  QAction* undo = window_.actions().undo;
+  settleAfter([&] { undo->trigger(); });
+  EXPECT_DOUBLE_EQ(document_.options().target.value, before);
+  EXPECT_FALSE(undo->isEnabled());
+  undo->trigger();
+  EXPECT_EQ(window_.library().project().clips.size(), 2u);
+}
+
+TEST_F(StudioWithoutAScreen, TheQueueOfTheBatchIsThatOfTheProject) {
+  window_.library().begin(directory_.filePath(QStringLiteral("data")));
+  settleAfter([&] { window_.open({clip("one.bvh", 70), clip("two.bvh")}); });
+  ASSERT_TRUE(window_.library().saveAs(directory_.filePath(QStringLiteral("a.mocapress"))));
+  window_.actions().export_library->trigger();
+  auto* batch = window_.findChild<BatchSession*>();
+  ASSERT_TRUE(batch);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return batch->queue()->rowCount() == 2; }, kPatience));
+  ASSERT_TRUE(window_.library().startNew());
+  EXPECT_EQ(batch->queue()->rowCount(), 0);
+  ASSERT_TRUE(window_.library().open(directory_.filePath(QStringLiteral("a.mocapress"))));
+  EXPECT_EQ(batch->queue()->rowCount(), 2);
+}
+
+TEST_F(StudioWithoutAScreen, WhatABatchMadeIsInTheLibrary) {
+  window_.library().begin(directory_.filePath(QStringLiteral("data")));
+  window_.library().add({clip("one.bvh", 70), clip("two.bvh")});
+  window_.library().setVerdict({0}, Verdict::Approved);
+  window_.actions().export_library->trigger();
+  auto* batch = window_.findChild<BatchSession*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return batch->queue()->rowCount() == 2; }, kPatience));
+  BatchSettings settings = batch->settings();
+  settings.folder = directory_.filePath(QStringLiteral("out"));
+  batch->setSettings(settings);
+  batch->start();
+  ASSERT_TRUE(batch->running());
+  EXPECT_FALSE(window_.library().startNew()) << "not while its batch runs";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !batch->running(); }, kPatience));
+  for (const ProjectClip& made : window_.library().project().clips) {
+    ASSERT_TRUE(made.outcome);
+    EXPECT_GT(made.outcome->ratio, 1);
+    EXPECT_TRUE(made.outcome->sight);
+    EXPECT_EQ(outdated(made), Staleness::None);
+  }
+  // Approved was what nobody had compressed yet.
+  EXPECT_EQ(staleVerdict(window_.library().project().clips[0]), Staleness::Settings);
+}
+
+TEST_F(StudioWithoutAScreen, AVerdictReachesAllThatIsSelectedInTheLibrary) {
+  settleAfter([&] { window_.open({clip("one.bvh", 70), clip("two.bvh"), clip("three.bvh", 60)}); });
+  LibraryPanel& panel = window_.libraryPanel();
+  panel.view()->selectAll();
+  QComboBox* verdict = panel.verdict();
+  verdict->setCurrentIndex(verdict->findData(static_cast<int>(Verdict::Rejected)));
+  emit verdict->activated(verdict->currentIndex());
+  for (const ProjectClip& one : window_.library().project().clips)
+    EXPECT_EQ(one.review.verdict, Verdict::Rejected);
+  EXPECT_EQ(panel.chosenRows().size(), 3u) << "still selected";
+  window_.actions().undo->trigger();
+  for (const ProjectClip& one : window_.library().project().clips)
+    EXPECT_EQ(one.review.verdict, Verdict::None);
 }
 
 TEST_F(StudioWithoutAScreen, SeveralFilesComeIntoTheLibraryAndTheFirstIsOpened) {

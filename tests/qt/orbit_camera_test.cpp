@@ -155,5 +155,20 @@ TEST(OrbitCamera, ProjectsNothingFromBehindTheEye) {
   EXPECT_FALSE(camera.project(2 * camera.eye()));
 }
 
+TEST(OrbitCamera, LooksDownAndBackToWhereItLookedFrom) {
+  OrbitCamera camera;
+  camera.lookAt({1, 2, 3}, 100);
+  camera.orbit({30, -20});
+  const QVector3D before = camera.eye();
+  camera.lookDown();
+  EXPECT_GT(camera.eye().y() - camera.target().y(), 0.99F * camera.distance());
+  camera.lookDown();
+  EXPECT_LT((camera.eye() - before).length(), 1e-3F * camera.distance());
+  camera.lookDown();
+  camera.orbit({5, 5});
+  camera.lookDown();
+  EXPECT_GT(camera.eye().y() - camera.target().y(), 0.99F * camera.distance());
+}
+
 }  // namespace
 }  // namespace mocapress

@@ -115,6 +115,33 @@ TEST_F(Pinning, NamesAreEdited) {
   EXPECT_EQ(viewport_.pinned()[0].title[0], QStringLiteral("hero"));
 }
 
+TEST_F(Pinning, EveryEditIsAStepOfTheClip) {
+  QUndoStack& history = *session_.history();
+  const int before = history.count();
+  results_.pinCurrent();
+  const QString first = model_.entries()[0].name;
+  results_.rename(0, QStringLiteral("hero"));
+  tune(40);
+  results_.pinCurrent();
+  results_.unpin(0);
+  EXPECT_EQ(history.count(), before + 5);
+  ASSERT_EQ(model_.rowCount(), 1);
+  history.undo();
+  ASSERT_EQ(model_.rowCount(), 2);
+  EXPECT_EQ(model_.entries()[0].name, QStringLiteral("hero")) << "where it was";
+  history.undo();
+  EXPECT_EQ(model_.rowCount(), 1);
+  settleAfter([&] { history.undo(); });
+  history.undo();
+  EXPECT_EQ(model_.entries()[0].name, first);
+  history.undo();
+  EXPECT_EQ(model_.rowCount(), 0);
+  history.redo();
+  history.redo();
+  ASSERT_EQ(model_.rowCount(), 1);
+  EXPECT_EQ(model_.entries()[0].name, QStringLiteral("hero"));
+}
+
 TEST_F(Pinning, AnotherClipBeginsWithoutPins) {
   results_.pinCurrent();
   open("jump.bvh", 2);

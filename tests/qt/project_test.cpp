@@ -17,8 +17,8 @@ TEST(ProjectFile, BringsClipsBackRelativeToItsFolder) {
   project.clips = {{.path = QStringLiteral("/motions/walk.bvh"),
                     .settings = elaborateByName(),
                     .outcome = Outcome{25, 0.5, 2, 1000, false},
-                    .verdict = Verdict::Rejected,
-                    .note = QStringLiteral("knee pops — frame 12"),
+                    .review = {Verdict::Rejected, "knee pops — frame 12", "ann",
+                               "2026-11-27T01:39:46Z", "0123456789abcdef", "fedcba9876543210"},
                     .pins = {{QStringLiteral("hero"), QColor(1, 2, 3), elaborateByName()}}},
                    {.path = QStringLiteral("/motions/cmu/09_01.amc"),
                     .skeleton = QStringLiteral("/motions/cmu/09.asf")}};
@@ -27,8 +27,8 @@ TEST(ProjectFile, BringsClipsBackRelativeToItsFolder) {
   const Project moved = parseProject(text, QDir(QStringLiteral("/elsewhere")));
   ASSERT_EQ(moved.clips.size(), 2u);
   EXPECT_EQ(moved.current, QStringLiteral("/elsewhere/walk.bvh"));
-  EXPECT_EQ(moved.clips[0].verdict, Verdict::Rejected);
-  EXPECT_EQ(moved.clips[0].note, project.clips[0].note);
+  EXPECT_EQ(moved.clips[0].review.verdict, Verdict::Rejected);
+  EXPECT_EQ(moved.clips[0].review, project.clips[0].review);
   EXPECT_EQ(moved.clips[0].outcome, project.clips[0].outcome);
   EXPECT_EQ(moved.clips[0].settings->preset, elaborateByName().preset);
   EXPECT_EQ(moved.clips[0].settings->contacts, elaborateByName().contacts);
@@ -83,13 +83,13 @@ TEST(ProjectFile, LeavesOutSettingsThatItWouldNotReadAgain) {
   Project project;
   project.clips = {{.path = QStringLiteral("/motions/walk.bvh"),
                     .settings = impossible,
-                    .note = QStringLiteral("knee"),
+                    .review = {.note = "knee"},
                     .pins = {{QStringLiteral("hero"), QColor(1, 2, 3), impossible}}}};
   const QDir folder(QStringLiteral("/motions"));
   const Project back = parseProject(projectText(project, folder), folder);
   ASSERT_EQ(back.clips.size(), 1u);
   EXPECT_FALSE(back.clips[0].settings);
-  EXPECT_EQ(back.clips[0].note, QStringLiteral("knee"));
+  EXPECT_EQ(back.clips[0].review.note, "knee");
   EXPECT_TRUE(back.clips[0].pins.empty());
 }
 

@@ -21,7 +21,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/studio/batch/batch_memory.h"
 #include "app/studio/batch/batch_window.h"
 #include "app/studio/document/clip_files.h"
 #include "app/studio/window/screenshot.h"
@@ -86,7 +85,7 @@ TEST_F(StudioTour, AFolderIsReviewedClipByClip) {
     studio.settleAfter([&] { studio->session().setOptions(options); });
   };
   for (int row = 0; row < 9; ++row) tune(row, row % 3 == 2 ? 90 : 60);
-  studio->library().setVerdict(0, Verdict::Approved);
+  studio->library().setVerdict({0}, Verdict::Approved);
   tune(6, 200);                                                // a walk
   studio->actions().error_scales->actions().at(2)->trigger();  // 1 cm
   studio->actions().view.by_error->trigger();
@@ -111,7 +110,6 @@ void batch(Studio& studio) {
     std::printf("batch left out: %s is not here\n", qPrintable(folder));
     return;
   }
-  QFile::remove(batchMemory());
   const QTemporaryDir out;
   studio->actions().batch->trigger();
   auto* window = studio->findChild<BatchWindow*>();
@@ -147,7 +145,6 @@ void batch(Studio& studio) {
   const QImage picture(picturePath(QStringLiteral("session-6-batch")));
   EXPECT_GT(coloursIn(picture, picture.rect()), 60u);
   window->close();
-  QFile::remove(batchMemory());
 }
 
 /// The whole of it, as an artist would do it.

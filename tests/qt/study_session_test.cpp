@@ -130,13 +130,23 @@ TEST_F(StudyInTheStudio, ItsReportIsWellFormedAndItsPicturesFillTheirFrames) {
 
 TEST_F(StudyInTheStudio, ItsTablesCarryWhatTheLibrarySays) {
   const QString clip = writeClip("one.bvh", 120);
-  session_.setReviews({{clip, {Verdict::Rejected, "slides"}}});
+  const auto said = [](Verdict verdict, const char* note) {
+    return ClipReview{verdict, note, "ann", "2026-11-27T01:39:46Z", "1", "2"};
+  };
+  session_.setReviews({{clip, {said(Verdict::Rejected, "slides"), "1"}}});
   run(settings({clip}));
-  EXPECT_EQ(session_.rows()[0].review, (ClipReview{Verdict::Rejected, "slides"}));
-  session_.setReviews({{clip, {Verdict::Approved, "mended"}}});
+  EXPECT_EQ(session_.rows()[0].review.verdict, Verdict::Rejected);
+  EXPECT_EQ(session_.rows()[0].review.note, "slides");
+  session_.setReviews({{clip, {said(Verdict::Approved, "mended"), "1"}}});
   const QString file = path("rows.csv");
   session_.exportRows(file);
   EXPECT_TRUE(written(file).contains(",approved,mended,"));
+  // Not of other bytes.
+  session_.setReviews({{clip, {said(Verdict::Approved, "mended"), "another"}}});
+  session_.exportRows(file);
+  const QByteArray table = written(file);
+  EXPECT_FALSE(table.contains(",approved,"));
+  EXPECT_TRUE(table.contains("file changed"));
 }
 
 TEST_F(StudyInTheStudio, ANewerRunVoidsTheOlder) {

@@ -63,6 +63,13 @@ const Settings& BatchQueueModel::presetOf(int row) const {
   return clip.own ? *clip.own : common_;
 }
 
+void BatchQueueModel::replace(const Settings& common, const std::vector<QueuedClip>& clips) {
+  beginResetModel();
+  common_ = common;
+  clips_ = clips;
+  endResetModel();
+}
+
 void BatchQueueModel::setCommon(const Settings& preset) {
   if (preset == common_) return;
   common_ = preset;
@@ -98,11 +105,16 @@ void BatchQueueModel::setReviews(const ClipReviews& reviews) {
   for (int row = 0; row < rowCount(); ++row) {
     QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
     const auto found = reviews.find(QString::fromStdString(clip.source.path));
-    if (found == reviews.end() || *found == clip.review) continue;
+    if (found == reviews.end()) continue;
+    const bool same_files = found->source == clip.files && found->missing == clip.missing;
+    clip.files = found->source;
+    clip.missing = found->missing;
+    if (!same_files) changed(row);
+    if (found->review == clip.review) continue;
     const bool was_rejected = clip.review.verdict == Verdict::Rejected;
-    const bool is_rejected = found->verdict == Verdict::Rejected;
+    const bool is_rejected = found->review.verdict == Verdict::Rejected;
     if (was_rejected != is_rejected) clip.left_out = is_rejected;
-    clip.review = *found;
+    clip.review = found->review;
     any = true;
     changed(row);
   }
@@ -227,11 +239,28 @@ QString BatchQueueModel::stateText(const QueuedClip& clip) const {
   return {};
 }
 
-QString BatchQueueModel::reviewText(const QueuedClip& clip) const {
+Staleness BatchQueueModel::staleVerdict(int row) const {
+  const QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
+  if (clip.review.verdict == Verdict::None) return Staleness::None;
+  if (clip.missing) return Staleness::Missing;
+  if (clip.files.empty()) return Staleness::Unknown;
+  return staleness(clip.review.source_hash, clip.review.settings_hash, clip.files,
+                   settings_hash(presetOf(row), clip.reading));
+}
+
+int BatchQueueModel::countStale() const {
+  int stale = 0;
+  for (int row = 0; row < rowCount(); ++row)
+    if (!clips_[static_cast<std::size_t>(row)].left_out && staleVerdict(row) != Staleness::None)
+      ++stale;
+  return stale;
+}
+
+QString BatchQueueModel::reviewText(int row) const {
+  const QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
   const QString note = QString::fromStdString(clip.review.note).simplified();
   if (clip.review.verdict == Verdict::None) return note;
-  const QString verdict =
-      clip.review.verdict == Verdict::Approved ? tr("✓ Approved") : tr("✕ Rejected");
+  const QString verdict = verdictText(clip.review.verdict, staleVerdict(row));
   return note.isEmpty() ? verdict : tr("%1: %2").arg(verdict, note);
 }
 
@@ -261,8 +290,12 @@ QString BatchQueueModel::toolTip(int row, int column) const {
     for (const std::string& warning : clip.warnings) lines << QString::fromStdString(warning);
     return lines.join(QLatin1Char('\n'));
   }
-  if (column == Review && !clip.review.note.empty())
-    return QString::fromStdString(clip.review.note);
+  if (column == Review && clip.review != ClipReview()) {
+    QStringList lines{verdictText(clip.review.verdict, staleVerdict(row)),
+                      reviewerText(clip.review), QString::fromStdString(clip.review.note)};
+    lines.removeAll(QString());
+    return lines.join(QLatin1Char('\n'));
+  }
   return QDir::toNativeSeparators(QString::fromStdString(clip.source.path));
 }
 
@@ -283,7 +316,7 @@ QVariant BatchQueueModel::data(const QModelIndex& index, int role) const {
           return tr("%1 · %2").arg(displayName(preset), target);
         }
         case Review:
-          return reviewText(clip);
+          return reviewText(row);
         case State:
           return stateText(clip);
         default:
@@ -349,7 +382,8 @@ QVariant BatchQueueModel::headerData(int section, Qt::Orientation orientation, i
         return {tr("Settings"), tr("The preset and its target.")};
       case Review:
         return {tr("Verdict"), tr("What the library says about the clip. A rejected clip is left "
-                                  "out until it is ticked.")};
+                                  "out until it is ticked. Stale: it is not about these files "
+                                  "and settings.")};
       case State:
         return {tr("State"), tr("Verified: the file was read back, decoded and measured.")};
       case Ratio:

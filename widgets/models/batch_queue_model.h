@@ -39,6 +39,8 @@ struct QueuedClip {
   ReadOptions reading = {};     // import options of the library
   std::optional<Settings> own;  // locked: the common preset does not reach it
   ClipReview review = {};       // of the library
+  std::string files = {};       // hash of its files, as the library knows them; empty: it does not
+  bool missing = false;         // they are gone
   bool left_out = false;        // it stays in the queue and is not exported
   State state = State::Waiting;
   ClipProgress progress;                // while working
@@ -63,6 +65,9 @@ class BatchQueueModel : public QAbstractTableModel {
   const std::vector<QueuedClip>& clips() const { return clips_; }
   const Settings& common() const { return common_; }
   const Settings& presetOf(int row) const;
+
+  /// Another queue in the place of this one.
+  void replace(const Settings& common, const std::vector<QueuedClip>& clips);
 
   /// What a clip has comes of its preset: one that gets another is waiting again.
   void setCommon(const Settings& preset);
@@ -95,6 +100,9 @@ class BatchQueueModel : public QAbstractTableModel {
 
   /// Of those that are not left out.
   int count(QueuedClip::State state) const;
+
+  /// Verdicts that are not about the files or the settings that would be exported.
+  int countStale() const;
   int countLeftOut() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -115,7 +123,8 @@ class BatchQueueModel : public QAbstractTableModel {
   void wait(int row);
   void changed(int row);
   QString stateText(const QueuedClip& clip) const;
-  QString reviewText(const QueuedClip& clip) const;
+  Staleness staleVerdict(int row) const;
+  QString reviewText(int row) const;
   QString toolTip(int row, int column) const;
   QVariant figure(const QueuedClip& clip, int row, int column) const;
 

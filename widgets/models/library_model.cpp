@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/library_model.h"
 
+#include <QDateTime>
 #include <QFileInfo>
-#include <QStringList>
+#include <QLocale>
 
+#include "widgets/models/display_names.h"
 #include "widgets/models/number_text.h"
 
 namespace mocapress {
 
+Staleness staleness(const std::string& source, const std::string& settings,
+                    const std::string& source_now, const std::string& settings_now) {
+  if (source.empty()) return Staleness::Unknown;
+  if (source != source_now) return Staleness::Source;
+  return settings == settings_now ? Staleness::None : Staleness::Settings;
+}
+
 QString outcomeText(const LibraryEntry& entry) {
-  if (!entry.trouble.isEmpty()) return LibraryModel::tr("Cannot be read");
+  // The figures of a missing clip are still known, and its state says that it is missing.
+  if (!entry.trouble.isEmpty() && !entry.missing) return LibraryModel::tr("Cannot be read");
+  if (!entry.outcome && entry.missing && entry.frames == 0) return {};
   if (!entry.outcome)
     return entry.frames == 0 ? LibraryModel::tr("Reading…")
                              : LibraryModel::tr("%Ln frame(s)", nullptr, entry.frames);
@@ -18,11 +29,73 @@ QString outcomeText(const LibraryEntry& entry) {
       .arg(lengthText(entry.outcome->eps_cm));
 }
 
+RowState stateOf(const LibraryEntry& entry) {
+  if (entry.missing || !entry.trouble.isEmpty()) return RowState::Bad;
+  if (entry.review.verdict != Verdict::None) {
+    if (entry.stale != Staleness::None) return RowState::Doubtful;
+    return entry.review.verdict == Verdict::Approved ? RowState::Good : RowState::Bad;
+  }
+  if (!entry.outcome) return RowState::Plain;
+  return entry.outdated != Staleness::None || !entry.outcome->met ? RowState::Doubtful
+                                                                  : RowState::Plain;
+}
+
+namespace {
+
+/// Where the outcome is still that of the clip, what the eye sees of it and what the reader said.
+QString withOutcome(const QString& state, const LibraryEntry& entry) {
+  QStringList parts{state};
+  if (entry.outcome && entry.outcome->sight) parts << displayName(*entry.outcome->sight);
+  if (entry.outcome && !entry.outcome->warnings.isEmpty())
+    parts << QStringLiteral("⚠ %L1").arg(entry.outcome->warnings.size());
+  return parts.join(LibraryModel::tr(", "));
+}
+
+}  // namespace
+
 QString stateText(const LibraryEntry& entry) {
-  if (entry.verdict == Verdict::Approved) return LibraryModel::tr("✓ approved");
-  if (entry.verdict == Verdict::Rejected) return LibraryModel::tr("✕ rejected");
+  // A stale verdict says itself that the file is missing.
+  if (const QString verdict = verdictText(entry.review.verdict, entry.stale); !verdict.isEmpty())
+    return entry.stale == Staleness::None ? withOutcome(verdict, entry) : verdict;
+  if (entry.missing) return LibraryModel::tr("! file missing");
   if (!entry.outcome) return {};
-  return entry.outcome->met ? LibraryModel::tr("target met") : LibraryModel::tr("! target missed");
+  if (entry.outdated != Staleness::None)
+    return LibraryModel::tr("! %1").arg(displayName(entry.outdated));
+  return withOutcome(
+      entry.outcome->met ? LibraryModel::tr("target met") : LibraryModel::tr("! target missed"),
+      entry);
+}
+
+QString displayName(Staleness staleness) {
+  switch (staleness) {
+    case Staleness::Missing:
+      return LibraryModel::tr("file missing");
+    case Staleness::Source:
+      return LibraryModel::tr("file changed");
+    case Staleness::Settings:
+      return LibraryModel::tr("settings changed");
+    case Staleness::Unknown:
+      return LibraryModel::tr("files not known");
+    case Staleness::None:
+      break;
+  }
+  return {};
+}
+
+QString verdictText(Verdict verdict, Staleness stale) {
+  if (verdict == Verdict::None) return {};
+  const bool approved = verdict == Verdict::Approved;
+  if (stale == Staleness::None)
+    return approved ? LibraryModel::tr("✓ approved") : LibraryModel::tr("✕ rejected");
+  return (approved ? LibraryModel::tr("✓ stale: %1") : LibraryModel::tr("✕ stale: %1"))
+      .arg(displayName(stale));
+}
+
+QString reviewerText(const ClipReview& review) {
+  const QDateTime time = QDateTime::fromString(QString::fromStdString(review.time), Qt::ISODate);
+  if (review.verdict == Verdict::None || !time.isValid()) return {};
+  return QString::fromStdString(review.reviewer) + LibraryModel::tr(", ") +
+         QLocale().toString(time.toLocalTime(), QLocale::ShortFormat);
 }
 
 void LibraryModel::setEntries(std::vector<LibraryEntry> entries) {
@@ -49,6 +122,12 @@ void LibraryModel::setEntry(const LibraryEntry& entry) {
   emit dataChanged(index(row), index(row));
 }
 
+void LibraryModel::replace(const std::map<int, LibraryEntry>& entries) {
+  if (entries.empty()) return;
+  for (const auto& [row, entry] : entries) entries_[static_cast<std::size_t>(row)] = entry;
+  emit dataChanged(index(entries.begin()->first), index(entries.rbegin()->first));
+}
+
 void LibraryModel::addEntries(const std::vector<LibraryEntry>& entries) {
   if (entries.empty()) return;
   beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(entries.size()) - 1);
@@ -73,7 +152,9 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return parts.join(QStringLiteral(", "));
     }
     case Qt::ToolTipRole: {
-      QStringList lines = {shown.path, shown.trouble, shown.note};
+      QStringList lines = {shown.path, shown.trouble, stateText(shown), reviewerText(shown.review),
+                           QString::fromStdString(shown.review.note)};
+      if (shown.outcome) lines << shown.outcome->warnings;
       lines.removeAll(QString());
       return lines.join(QLatin1Char('\n'));
     }

@@ -57,7 +57,9 @@ LibraryTree::LibraryTree(LibraryModel* clips, QObject* parent)
   connect(clips, &LibraryModel::rowsInserted, this, &LibraryTree::build);
   connect(clips, &LibraryModel::rowsRemoved, this, &LibraryTree::build);
   connect(clips, &LibraryModel::dataChanged, this,
-          [this](const QModelIndex& first) { clipChanged(first.row()); });
+          [this](const QModelIndex& first, const QModelIndex& last) {
+            clipsChanged(first.row(), last.row());
+          });
   build();
 }
 
@@ -96,10 +98,13 @@ void LibraryTree::setFilter(const QString& words) {
   build();
 }
 
-void LibraryTree::clipChanged(int clip) {
-  const bool is_there = holders_[static_cast<std::size_t>(clip)] != nullptr;
-  if (is_there != matches(clip)) return build();
-  for (QModelIndex at = indexOf(clip); at.isValid(); at = at.parent()) emit dataChanged(at, at);
+void LibraryTree::clipsChanged(int first, int last) {
+  for (int clip = first; clip <= last; ++clip) {
+    const bool is_there = holders_[static_cast<std::size_t>(clip)] != nullptr;
+    if (is_there != matches(clip)) return build();
+  }
+  for (int clip = first; clip <= last; ++clip)
+    for (QModelIndex at = indexOf(clip); at.isValid(); at = at.parent()) emit dataChanged(at, at);
 }
 
 LibraryTree::Folder* LibraryTree::holderOf(const QModelIndex& index) const {
@@ -163,7 +168,7 @@ QString LibraryTree::folderSummary(const QModelIndex& index) const {
   const std::vector<int> clips = clipsBelow(index);
   const auto missed = std::count_if(clips.begin(), clips.end(), [this](int clip) {
     const LibraryEntry& entry = clips_->entry(clip);
-    return !entry.trouble.isEmpty() || (entry.outcome && !entry.outcome->met);
+    return entry.missing || !entry.trouble.isEmpty() || (entry.outcome && !entry.outcome->met);
   });
   const QString count = tr("%Ln clip(s)", nullptr, static_cast<int>(clips.size()));
   return missed == 0 ? count : tr("%1, %L2 missed").arg(count).arg(missed);

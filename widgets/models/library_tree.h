@@ -47,7 +47,7 @@ class LibraryTree : public QAbstractItemModel {
   bool matches(int clip) const;
   Folder* holderOf(const QModelIndex& index) const;  // the folder the index is a row of
   Folder* folderAt(const QModelIndex& index) const;  // null: a clip
-  void clipChanged(int clip);
+  void clipsChanged(int first, int last);
 
   LibraryModel* clips_;
   QStringList words_;

@@ -96,7 +96,7 @@ CorrectionControl::CorrectionControl(QWidget* parent)
   connect(value_, &QDoubleSpinBox::valueChanged, this,
           [=, this](double ratio) { ratio > 0 ? choose_ratio(ratio) : show(); });
   connect(slider_, &QSlider::valueChanged, this,
-          [=](int position) { choose_ratio(kScale.value(position)); });
+          [=](int position) { choose_ratio(kScale.chosen(position)); });
   connect(at_, &QComboBox::activated, this, [this] {
     CorrectionOptions chosen = correction_;
     chosen.at = static_cast<CorrectAt>(at_->currentData().toInt());
@@ -159,7 +159,7 @@ void CorrectionControl::show() {
   const double ratio = correction_.ratio || unknown ? ratio_ : *found_ratio_;
   value_->setSpecialValueText(unknown ? kNotKnownYet : QString());
   value_->setValue(unknown ? 0 : ratio);
-  slider_->setValue(kScale.position(ratio));
+  slider_->setValue(kScale.position(ratio, slider_->value()));
   at_->setCurrentIndex(at_->findData(static_cast<int>(correction_.at)));
   QStringList names;
   for (QAction* action : joint_menu_->actions()) {

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/models/display_names.h"
 #include "widgets/models/library_model.h"
 #include "widgets/models/library_tree.h"
 
@@ -53,22 +54,41 @@ class RowPainter : public QStyledItemDelegate {
 
     QRect line(picture.right() + 2 * kMargin, option.rect.top() + kMargin,
                option.rect.right() - picture.right() - 3 * kMargin, option.fontMetrics.height());
-    const auto write = [&](const QString& words, const QColor& colour, const QFont& font) {
+    const auto write = [&](const QString& words, const QColor& colour, const QFont& font,
+                           Qt::TextElideMode elided = Qt::ElideRight) {
       painter->setPen(colour);
       painter->setFont(font);
       painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                        QFontMetrics(font).elidedText(words, Qt::ElideMiddle, line.width()));
+                        QFontMetrics(font).elidedText(words, elided, line.width()));
       line.translate(0, option.fontMetrics.height());
     };
     QFont bold = option.font;
     bold.setWeight(QFont::DemiBold);
-    write(index.data().toString(), text, bold);
-    write(outcomeText(entry), text, option.font);
-    write(stateText(entry), faint, option.font);
+    write(index.data().toString(), entry.missing ? faint : text, bold, Qt::ElideMiddle);
+    write(outcomeText(entry), entry.outdated == Staleness::None ? text : faint, option.font);
+    const RowState state = stateOf(entry);
+    write(stateText(entry), chosen || state == RowState::Plain ? faint : colourOf(state, palette),
+          option.font);
     painter->restore();
   }
 
  private:
+  /// Dark enough on white, bright enough on black.
+  static QColor colourOf(RowState state, const QPalette& palette) {
+    const bool dark = palette.color(QPalette::Base).lightness() < 128;
+    switch (state) {
+      case RowState::Good:
+        return dark ? QColor(0x6c, 0xc6, 0x7f) : QColor(0x1e, 0x7a, 0x34);
+      case RowState::Bad:
+        return dark ? QColor(0xff, 0x8a, 0x80) : QColor(0xb3, 0x26, 0x1e);
+      case RowState::Doubtful:
+        return dark ? QColor(0xf0, 0xb4, 0x4c) : QColor(0x92, 0x5a, 0x00);
+      case RowState::Plain:
+        break;
+    }
+    return palette.color(QPalette::Text);
+  }
+
   void paintFolder(QPainter& painter, const QStyleOptionViewItem& option,
                    const QModelIndex& index) const {
     const bool chosen = option.state & QStyle::State_Selected;
@@ -151,7 +171,8 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   add_->setMenu(ways);
   remove_->setToolTip(tr("Take the chosen clips out of the project; their files stay."));
   verdict_->setAccessibleName(tr("Verdict"));
-  verdict_->setToolTip(tr("What quality assurance says about the clip as it is compressed now."));
+  verdict_->setToolTip(
+      tr("What you say about the selected clips, as their files are and are compressed now."));
   verdict_->addItem(tr("Not reviewed"), static_cast<int>(Verdict::None));
   verdict_->addItem(tr("Approved"), static_cast<int>(Verdict::Approved));
   verdict_->addItem(tr("Rejected"), static_cast<int>(Verdict::Rejected));
@@ -194,7 +215,7 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
           [this](const QModelIndex& folder) { collapsed_.remove(tree_->folderPath(folder)); });
   connect(tree_, &LibraryTree::modelReset, this, &LibraryPanel::showTree);
   connect(verdict_, &QComboBox::activated, this, [this] {
-    emit verdictChosen(current(), static_cast<Verdict>(verdict_->currentData().toInt()));
+    emit verdictChosen(reviewedRows(), static_cast<Verdict>(verdict_->currentData().toInt()));
   });
   connect(note_, &QLineEdit::textEdited, this,
           [this](const QString& note) { emit noteEdited(current(), note); });
@@ -202,16 +223,52 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
 }
 
 void LibraryPanel::showMenu(const QPoint& place) {
+  makeMenu()->popup(view_->viewport()->mapToGlobal(place));
+}
+
+void LibraryPanel::addVerdicts(QMenu* menu, const std::vector<int>& rows) {
+  QMenu* verdicts = menu->addMenu(tr("Verdict"));
+  verdicts->setEnabled(!rows.empty());
+  for (int item = 0; item < verdict_->count(); ++item) {
+    const auto verdict = static_cast<Verdict>(verdict_->itemData(item).toInt());
+    connect(verdicts->addAction(verdict_->itemText(item)), &QAction::triggered, this,
+            [this, rows, verdict] { emit verdictChosen(rows, verdict); });
+  }
+}
+
+QMenu* LibraryPanel::makeMenu() {
   const std::vector<int> rows = chosenRows();
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  addVerdicts(menu, rows);
+  QMenu* presets = menu->addMenu(tr("Preset"));
+  presets->setEnabled(!rows.empty() && !presets_.empty());
+  for (const Settings& preset : presets_)
+    connect(presets->addAction(displayName(preset)), &QAction::triggered, this,
+            [this, rows, preset] { emit presetChosen(rows, preset); });
+  menu->addSeparator();
   QAction* selected = menu->addAction(tr("Export Selected, Each by Its Own Settings…"));
   selected->setEnabled(!rows.empty());
   connect(selected, &QAction::triggered, this, [this, rows] { emit exportRequested(rows); });
   QAction* all = menu->addAction(tr("Export All, Each by Its Own Settings…"));
   all->setEnabled(model_->rowCount() > 0);
   connect(all, &QAction::triggered, this, [this] { emit exportRequested({}); });
-  menu->popup(view_->viewport()->mapToGlobal(place));
+  menu->addSeparator();
+  QAction* find = menu->addAction(tr("Find Missing Clips in a Folder…"));
+  bool any_missing = false;
+  for (int row = 0; row < model_->rowCount(); ++row)
+    any_missing = any_missing || model_->entry(row).missing;
+  find->setEnabled(any_missing);
+  connect(find, &QAction::triggered, this, &LibraryPanel::findMissingRequested);
+  return menu;
+}
+
+/// The selection, where the clip that is shown is part of it.
+std::vector<int> LibraryPanel::reviewedRows() const {
+  std::vector<int> rows = chosenRows();
+  const int row = current();
+  if (row >= 0 && std::find(rows.begin(), rows.end(), row) == rows.end()) rows = {row};
+  return rows;
 }
 
 int LibraryPanel::current() const {
@@ -257,9 +314,13 @@ void LibraryPanel::showTree() {
 
 std::vector<int> LibraryPanel::chosenRows() const {
   std::vector<int> rows;
+  QSet<int> known;
   for (const QModelIndex& index : view_->selectionModel()->selectedIndexes())
-    for (const int row : tree_->clipsBelow(index))
-      if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    for (const int row : tree_->clipsBelow(index)) {
+      if (known.contains(row)) continue;
+      known.insert(row);
+      rows.push_back(row);
+    }
   return rows;
 }
 
@@ -271,12 +332,13 @@ void LibraryPanel::removeChosen() {
 
 void LibraryPanel::showReview() {
   const int row = current();
-  for (QWidget* each : {static_cast<QWidget*>(verdict_), static_cast<QWidget*>(note_)})
-    each->setEnabled(row >= 0);
+  verdict_->setEnabled(!reviewedRows().empty());
+  note_->setEnabled(row >= 0);
   remove_->setEnabled(view_->selectionModel()->hasSelection());
   const LibraryEntry shown = row >= 0 ? model_->entry(row) : LibraryEntry();
-  verdict_->setCurrentIndex(verdict_->findData(static_cast<int>(shown.verdict)));
-  if (note_->text() != shown.note) note_->setText(shown.note);
+  verdict_->setCurrentIndex(verdict_->findData(static_cast<int>(shown.review.verdict)));
+  const QString note = QString::fromStdString(shown.review.note);
+  if (note_->text() != note) note_->setText(note);
 }
 
 }  // namespace mocapress

@@ -15,8 +15,6 @@
 namespace mocapress {
 namespace {
 
-constexpr double kTakenOver = 1e4;  // steps a cm, of an error that is taken over
-
 /// How a kind of target is shown, and what it begins with.
 struct Unit {
   LogScale scale;
@@ -47,7 +45,8 @@ Unit unitOf(Target::Kind kind) {
 double rounded(Target::Kind kind, double value) {
   if (kind == Target::Kind::Ratio) return std::round(10 * value) / 10;
   if (kind == Target::Kind::Size) return value;
-  return std::ceil(kTakenOver * value) / kTakenOver;
+  const double near = in_three_digits(value);
+  return near < value ? in_three_digits(1.01 * near) : near;
 }
 
 }  // namespace
@@ -95,7 +94,7 @@ TargetControl::TargetControl(QWidget* parent)
     choose({kind, values_.contains(kind) ? values_[kind] : unitOf(kind).first});
   });
   connect(slider_, &QSlider::valueChanged, this, [this](int position) {
-    choose({target_.kind, unitOf(target_.kind).scale.value(position)});
+    choose({target_.kind, unitOf(target_.kind).scale.chosen(position)});
   });
   connect(value_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     if (value <= 0) return setTrouble(tr("There is nothing to ask for at zero."));
@@ -139,7 +138,7 @@ void TargetControl::show() {
   const QSignalBlocker block_value(value_);
   const Unit unit = unitOf(target_.kind);
   kind_->setCurrentIndex(kind_->findData(static_cast<int>(target_.kind)));
-  slider_->setValue(unit.scale.position(target_.value));
+  slider_->setValue(unit.scale.position(target_.value, slider_->value()));
   value_->setDecimalsShown(unit.shown_decimals, unit.most_decimals);
   value_->setSuffix(unit.suffix);
   value_->setValue(target_.value);

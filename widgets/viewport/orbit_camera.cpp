@@ -90,8 +90,12 @@ void OrbitCamera::frame(std::span<const QVector3D> points, float least_radius) {
 }
 
 void OrbitCamera::lookDown() {
-  azimuth_ = 0;
-  elevation_ = radians(kSteepest);
+  const Angles down{0, radians(kSteepest)};
+  const bool looks_down = azimuth_ == down.azimuth && elevation_ == down.elevation;
+  const Angles next = looks_down ? before_.value_or(down) : down;
+  if (!looks_down) before_ = Angles{azimuth_, elevation_};
+  azimuth_ = next.azimuth;
+  elevation_ = next.elevation;
 }
 
 void OrbitCamera::orbit(const QPointF& pixels) {

@@ -26,7 +26,7 @@ class OrbitCamera {
   /// limits of zoom() and both planes follow their size, which is taken as `least_radius` at least.
   void frame(std::span<const QVector3D> points, float least_radius);
 
-  /// The same sphere from above, as on a floor plan.
+  /// The same sphere from above, as on a floor plan. Once more: from where it was seen before.
   void lookDown();
 
   /// A drag: the scene turns with the hand. Stops short of the poles.
@@ -65,6 +65,11 @@ class OrbitCamera {
   float distance_ = 4;
   float azimuth_ = 0;    // radians from +z towards +x
   float elevation_ = 0;  // radians above the ground plane
+
+  struct Angles {
+    float azimuth, elevation;
+  };
+  std::optional<Angles> before_;  // looking down
 };
 
 struct PickedJoint {

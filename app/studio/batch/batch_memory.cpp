@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/batch/batch_memory.h"
 
-#include <QDir>
-#include <QFileInfo>
-#include <QStandardPaths>
-
 #include "core/bank/bank.h"
-#include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/batch/format_options_json.h"
 #include "core/mocapress/settings_json.h"
+#include "core/report/verdict.h"
 
 namespace mocapress {
 namespace {
@@ -20,82 +15,81 @@ Json toJson(const ReadOptions& reading) {
   return json;
 }
 
-Json toJson(const QueuedClip& clip) {
-  return {{"path", clip.source.path},
-          {"folder", clip.source.folder},
-          {"skeleton", clip.skeleton},
-          {"reading", toJson(clip.reading)},
-          {"verdict", name(clip.review.verdict)},
-          {"note", clip.review.note},
-          {"left_out", clip.left_out},
-          {"preset", clip.own ? to_json(*clip.own) : Json()}};
+/// Relative to the folder, so that a project can be moved with its files. Empty stays empty.
+std::string relative(const QString& path, const QDir& folder) {
+  return path.isEmpty() ? std::string() : folder.relativeFilePath(path).toStdString();
 }
 
-QueuedClip clipFrom(const Json& json) {
+std::string relative(const std::string& path, const QDir& folder) {
+  return relative(QString::fromStdString(path), folder);
+}
+
+QString absoluteAt(const Json& json, const char* key, const QDir& folder) {
+  const QString path = QString::fromStdString(json.at(key).get<std::string>());
+  return path.isEmpty() ? path : QDir::cleanPath(folder.absoluteFilePath(path));
+}
+
+Json toJson(const QueuedClip& clip, const QDir& folder) {
+  Json json{{"path", relative(clip.source.path, folder)},
+            {"folder", clip.source.folder},
+            {"skeleton", relative(clip.skeleton, folder)},
+            {"reading", toJson(clip.reading)},
+            {"left_out", clip.left_out},
+            {"preset", clip.own ? to_json(*clip.own) : Json()}};
+  put(json, clip.review);
+  return json;
+}
+
+QueuedClip clipFrom(const Json& json, const QDir& folder) {
   QueuedClip clip;
-  clip.source.path = json.at("path").get<std::string>();
+  clip.source.path = absoluteAt(json, "path", folder).toStdString();
   clip.source.folder = json.at("folder").get<std::string>();
-  clip.skeleton = json.at("skeleton").get<std::string>();
+  clip.skeleton = absoluteAt(json, "skeleton", folder).toStdString();
   clip.reading = format_options(json.at("reading"));
-  clip.review = {verdict_named(json.at("verdict").get<std::string>()),
-                 json.at("note").get<std::string>()};
+  clip.review = review_from(json);
   clip.left_out = json.at("left_out").get<bool>();
   if (const Json& own = json.at("preset"); !own.is_null()) clip.own = preset_from(own);
   return clip;
 }
 
-BatchSettings settingsFrom(const Json& json) {
+BatchSettings settingsFrom(const Json& json, const QDir& folder) {
   BatchSettings settings;
-  settings.folder = QString::fromStdString(json.at("folder").get<std::string>());
+  settings.folder = absoluteAt(json, "folder", folder);
   settings.names = QString::fromStdString(json.at("names").get<std::string>());
   settings.overwrite = json.at("overwrite").get<bool>();
-  settings.character = QString::fromStdString(json.value("character", std::string()));
+  settings.character = absoluteAt(json, "character", folder);
   settings.formats.clear();
   for (const Json& format : json.at("formats"))
     if (const auto known = output_format(format.get<std::string>()))
       settings.formats.push_back(*known);
-  if (const auto bank = json.find("bank"); bank != json.end() && bank->is_string())
-    settings.bank = bank_form(bank->get<std::string>());
-  settings.learn = json.value("learn", false);
+  if (const Json& bank = json.at("bank"); bank.is_string())
+    settings.bank = bank_form(bank.get<std::string>());
+  settings.learn = json.at("learn").get<bool>();
   return settings;
 }
 
 }  // namespace
 
-RememberedBatch rememberedBatch(const QString& file) {
-  if (!QFileInfo::exists(file)) return {};
-  try {
-    const Json json = parse_json(file.toStdString(), read_text(file.toStdU16String()));
-    RememberedBatch batch{settingsFrom(json), preset_from(json.at("common")), {}};
-    for (const Json& clip : json.at("clips")) batch.clips.push_back(clipFrom(clip));
-    return batch;
-  } catch (const Error&) {
-  } catch (const Json::exception&) {
-  }
-  return {};
-}
-
-void rememberBatch(const QString& file, const RememberedBatch& batch) {
+Json toJson(const RememberedBatch& batch, const QDir& folder) {
   Json formats = Json::array();
   for (const OutputFormat format : batch.settings.formats) formats.push_back(name(format));
   Json clips = Json::array();
-  for (const QueuedClip& clip : batch.clips) clips.push_back(toJson(clip));
-  const Json json{{"folder", batch.settings.folder.toStdString()},
-                  {"names", batch.settings.names.toStdString()},
-                  {"overwrite", batch.settings.overwrite},
-                  {"character", batch.settings.character.toStdString()},
-                  {"formats", formats},
-                  {"bank", batch.settings.bank ? Json(name(*batch.settings.bank)) : Json()},
-                  {"learn", batch.settings.learn},
-                  {"common", to_json(batch.common)},
-                  {"clips", clips}};
-  QDir().mkpath(QFileInfo(file).absolutePath());
-  write_text(file.toStdU16String(), dumped(json, 2) + '\n');
+  for (const QueuedClip& clip : batch.clips) clips.push_back(toJson(clip, folder));
+  return {{"folder", relative(batch.settings.folder, folder)},
+          {"names", batch.settings.names.toStdString()},
+          {"overwrite", batch.settings.overwrite},
+          {"character", relative(batch.settings.character, folder)},
+          {"formats", formats},
+          {"bank", batch.settings.bank ? Json(name(*batch.settings.bank)) : Json()},
+          {"learn", batch.settings.learn},
+          {"common", to_json(batch.common)},
+          {"clips", clips}};
 }
 
-QString batchMemory() {
-  return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
-      .filePath(QStringLiteral("batch.json"));
+RememberedBatch batchFrom(const Json& json, const QDir& folder) {
+  RememberedBatch batch{settingsFrom(json, folder), preset_from(json.at("common")), {}};
+  for (const Json& clip : json.at("clips")) batch.clips.push_back(clipFrom(clip, folder));
+  return batch;
 }
 
 }  // namespace mocapress

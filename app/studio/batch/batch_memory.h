@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDir>
 #include <QString>
 #include <vector>
 
+#include "core/base/json_text.h"
 #include "widgets/models/batch_queue_model.h"
 
 namespace mocapress {
 
-/// What of a batch outlives the program. Of the clips, what they are and their own settings; what
-/// became of them is in the journal of the batch's folder.
+/// The batch of a project, as its file keeps it. Of the clips, what they are and their own
+/// settings; what became of them is in the journal of the batch's folder.
 struct RememberedBatch {
   BatchSettings settings;
   Settings common = built_in_presets()[1];
   std::vector<QueuedClip> clips;
 };
 
-/// The usual one where there is none, or none that can be read.
-RememberedBatch rememberedBatch(const QString& file);
+/// With paths relative to the folder of the project.
+Json toJson(const RememberedBatch& batch, const QDir& folder);
 
-/// Throws WriteError.
-void rememberBatch(const QString& file, const RememberedBatch& batch);
-
-/// Where the queue is remembered unless told otherwise: with the user's data.
-QString batchMemory();
+/// The inverse. Throws Error, or like the JSON library does.
+RememberedBatch batchFrom(const Json& json, const QDir& folder);
 
 }  // namespace mocapress

@@ -8,7 +8,6 @@
 #include <numeric>
 #include <set>
 
-#include "app/studio/batch/batch_memory.h"
 #include "app/studio/document/edit_step.h"
 #include "app/studio/document/preset_shelf.h"
 #include "core/base/error.h"
@@ -61,15 +60,11 @@ QueuedClip queuedClip(const TunedClip& clip) {
 
 }  // namespace
 
-BatchSession::BatchSession(const QString& memory, PresetShelf* presets, QObject* parent)
-    : QObject(parent), memory_(memory), presets_(presets) {
-  RememberedBatch remembered = rememberedBatch(memory_);
-  settings_ = remembered.settings;
-  queue_.setCommon(remembered.common);
-  queue_.add(remembered.clips);
+BatchSession::BatchSession(PresetShelf* presets, QObject* parent)
+    : QObject(parent), presets_(presets) {
   remember_later_.setSingleShot(true);
   remember_later_.setInterval(kRememberDelay);
-  connect(&remember_later_, &QTimer::timeout, this, &BatchSession::remember);
+  connect(&remember_later_, &QTimer::timeout, this, &BatchSession::keep);
   connect(&queue_, &BatchQueueModel::edited, this, [this] {
     remember_later_.start();
     if (!running()) setState(State::Idle);
@@ -86,16 +81,26 @@ BatchSession::BatchSession(const QString& memory, PresetShelf* presets, QObject*
   });
 }
 
-BatchSession::~BatchSession() {
-  if (remember_later_.isActive()) remember();
+void BatchSession::recall(const RememberedBatch& batch) {
+  finding_.abandon();
+  to_find_.clear();
+  fitting_.abandon();
+  to_fit_.clear();
+  history_.clear();
+  settings_ = batch.settings;
+  counts_ = {};
+  bank_.reset();
+  queue_.replace(batch.common, batch.clips);
+  queue_.setReviews(reviews_);
+  remember_later_.stop();  // it is as the project has it
+  emit settingsChanged();
+  setState(State::Idle);
 }
 
-void BatchSession::remember() {
-  try {
-    rememberBatch(memory_, {settings_, queue_.common(), queue_.clips()});
-  } catch (const Error& error) {
-    emit noted(tr("The queue could not be kept: %1").arg(QString::fromStdString(error.what())));
-  }
+void BatchSession::rememberNow() {
+  if (!remember_later_.isActive()) return;
+  remember_later_.stop();
+  emit keep();
 }
 
 void BatchSession::apply(const BatchSettings& settings) {
@@ -283,7 +288,9 @@ void BatchSession::setReviews(const ClipReviews& reviews) {
 QueuedClip BatchSession::reviewed(QueuedClip clip) const {
   const auto found = reviews_.find(QString::fromStdString(clip.source.path));
   if (found == reviews_.end()) return clip;
-  clip.review = *found;
+  clip.review = found->review;
+  clip.files = found->source;
+  clip.missing = found->missing;
   clip.left_out = clip.review.verdict == Verdict::Rejected;
   return clip;
 }
@@ -364,7 +371,7 @@ bool BatchSession::running() const {
 
 void BatchSession::start() {
   if (running() || !obstacle().isEmpty()) return;
-  remember();
+  rememberNow();
   running_rows_ = includedRows();
   counts_ = {};
   counts_.clips = running_rows_.size();
@@ -409,10 +416,12 @@ void BatchSession::advance(const BatchCounts& counts, const std::vector<BatchSte
   time_left_.update(counts, worked_seconds_ + now);
   for (const BatchStep& step : steps) {
     const int row = running_rows_[step.index];
-    if (step.ended)
-      queue_.setEnded(row, step.measured, step.error, step.warnings);
-    else
+    if (!step.ended) {
       queue_.setProgress(row, step.progress);
+      continue;
+    }
+    queue_.setEnded(row, step.measured, step.error, step.warnings);
+    if (step.measured) emit exported(row, step);
   }
   emit progressed();
 }

@@ -11,6 +11,7 @@
 
 #include "app/jobs/batch_runner.h"
 #include "app/jobs/job_runner.h"
+#include "app/studio/batch/batch_memory.h"
 #include "app/studio/document/named_settings.h"
 #include "core/batch/run.h"
 #include "widgets/models/batch_queue_model.h"
@@ -26,10 +27,17 @@ class BatchSession : public QObject {
  public:
   enum class State { Idle, Running, Paused, Stopping, Cancelling, Stopped, Complete, Failed };
 
-  /// `memory`: the file in which queue and settings outlive the program, however it ends.
   /// `presets` outlive it.
-  BatchSession(const QString& memory, PresetShelf* presets, QObject* parent = nullptr);
-  ~BatchSession() override;
+  explicit BatchSession(PresetShelf* presets, QObject* parent = nullptr);
+
+  /// Takes up the batch of a project; nothing is left of the one before. Not while it runs.
+  void recall(const RememberedBatch& batch);
+
+  /// The state that the project keeps; keep() follows soon after each change.
+  RememberedBatch remembered() const { return {settings_, queue_.common(), queue_.clips()}; }
+
+  /// Says keep() now where it still waits to be said.
+  void rememberNow();
 
   BatchQueueModel* queue() { return &queue_; }
   const BatchQueueModel* queue() const { return &queue_; }
@@ -96,7 +104,13 @@ class BatchSession : public QObject {
   void writeSlurm(const QString& path, int tasks);
 
  signals:
+  /// The state that is remembered() has changed.
+  void keep();
+
   void settingsChanged();
+
+  /// The clip of this row, with what it came to.
+  void exported(int row, const BatchStep& step);
 
   /// State, counts, or what may be started.
   void progressed();
@@ -116,9 +130,7 @@ class BatchSession : public QObject {
   void setState(State state, const QString& failure = {});
   void advance(const BatchCounts& counts, const std::vector<BatchStep>& steps);
   void end(const BatchOutcome& outcome);
-  void remember();
 
-  QString memory_;
   BatchQueueModel queue_;
   ClipReviews reviews_;
   std::vector<int> running_rows_;  // by their indices in the batch that runs

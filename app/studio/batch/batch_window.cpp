@@ -63,6 +63,11 @@ QString warnedText(const BatchQueueModel& queue) {
   return Status::tr(", %Ln with warnings", nullptr, static_cast<int>(warned));
 }
 
+QString staleText(const BatchQueueModel& queue) {
+  const int stale = queue.countStale();
+  return stale == 0 ? QString() : Status::tr(", %Ln with a stale verdict", nullptr, stale);
+}
+
 QString soFar(const BatchCounts& counts) {
   return Status::tr("%L1 of %L2").arg(counts.done).arg(counts.clips) + failedText(counts.failed);
 }
@@ -85,14 +90,16 @@ QString idle(const BatchSession& session) {
   const int waiting =
       queue.count(QueuedClip::State::Waiting) + queue.count(QueuedClip::State::Failed);
   if (!session.obstacle().isEmpty()) return session.obstacle();
-  return Status::tr("%Ln clip(s) to export", nullptr, waiting) + leftOutText(queue);
+  return Status::tr("%Ln clip(s) to export", nullptr, waiting) + staleText(queue) +
+         leftOutText(queue);
 }
 
 QString complete(const BatchSession& session) {
   const BatchCounts& counts = session.counts();
   const auto done = static_cast<int>(counts.done - counts.failed);
   return Status::tr("%Ln clip(s) exported and verified", nullptr, done) +
-         warnedText(*session.queue()) + failedText(counts.failed) + leftOutText(*session.queue());
+         warnedText(*session.queue()) + staleText(*session.queue()) + failedText(counts.failed) +
+         leftOutText(*session.queue());
 }
 
 }  // namespace
@@ -334,6 +341,7 @@ void BatchWindow::connectQueue() {
     showSelection();
     showOutput();
   });
+  connect(queue, &BatchQueueModel::modelReset, this, &BatchWindow::showSelection);
   connect(output_, &BatchOutput::settingsChanged, session_, &BatchSession::setSettings);
   connect(output_, &BatchOutput::folderRequested, this, &BatchWindow::chooseFolder);
   connect(character_, &CharacterChoice::fileRequested, this, &BatchWindow::chooseCharacter);

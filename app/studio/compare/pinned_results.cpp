@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/studio/document/edit_step.h"
 #include "app/studio/document/session.h"
 #include "widgets/models/colours.h"
 #include "widgets/models/display_names.h"
@@ -60,18 +61,47 @@ void PinnedResults::pinCurrent() {
   const QString name = tr("%1, %2").arg(targetText(options.target),
                                         displayName(decoded->compressed.provenance.method));
   const NamedSettings settings = namedSettings({options, {}, {}}, *session_->document().skeleton());
-  pins_.push_back({{name, freeColour(), settings}, decoded});
-  noteEdit();
+  const Result result{{name, freeColour(), settings}, decoded};
+  session_->history()->push(new EditStep(
+      tr("Pin"), [this, result, row = pins_.size()] { put(result, row); },
+      [this, colour = result.pin.colour] { drop(colour); }));
 }
 
 void PinnedResults::unpin(int row) {
   if (row < 0 || row >= static_cast<int>(pins_.size())) return;
-  pins_.erase(pins_.begin() + row);
-  noteEdit();
+  const Result result = pins_[static_cast<std::size_t>(row)];
+  session_->history()->push(new EditStep(
+      tr("Take Off a Pin"), [this, colour = result.pin.colour] { drop(colour); },
+      [this, result, row] { put(result, static_cast<std::size_t>(row)); }));
 }
 
 void PinnedResults::rename(int row, const QString& name) {
-  pins_[static_cast<std::size_t>(row)].pin.name = name;
+  const Pin pin = pins_[static_cast<std::size_t>(row)].pin;
+  if (name == pin.name) return;
+  session_->history()->push(new EditStep(
+      tr("Name of a Pin"), [this, colour = pin.colour, name] { this->name(colour, name); },
+      [this, pin] { this->name(pin.colour, pin.name); }));
+}
+
+void PinnedResults::put(const Result& result, std::size_t row) {
+  pins_.insert(pins_.begin() + static_cast<std::ptrdiff_t>(std::min(row, pins_.size())), result);
+  noteEdit();
+}
+
+void PinnedResults::drop(const QColor& colour) {
+  std::erase_if(pins_, [&](const Result& result) { return result.pin.colour == colour; });
+  if (std::erase_if(unmade_, [&](const Pin& pin) { return pin.colour == colour; }) > 0) {
+    making_.abandon();
+    makeNext();
+  }
+  noteEdit();
+}
+
+void PinnedResults::name(const QColor& colour, const QString& name) {
+  for (Result& result : pins_)
+    if (result.pin.colour == colour) result.pin.name = name;
+  for (Pin& pin : unmade_)
+    if (pin.colour == colour) pin.name = name;
   noteEdit();
 }
 

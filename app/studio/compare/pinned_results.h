@@ -34,6 +34,7 @@ class PinnedResults : public QObject {
   using Memory = std::function<std::vector<Pin>(const QString& path)>;
   void setMemory(Memory memory) { memory_ = std::move(memory); }
 
+  /// These are steps of the clip's history.
   void pinCurrent();
   void unpin(int row);
   void rename(int row, const QString& name);
@@ -53,6 +54,10 @@ class PinnedResults : public QObject {
     DecodedPtr decoded;
   };
 
+  // Each pin of a clip has a colour of its own, however often it is made anew.
+  void put(const Result& result, std::size_t row);
+  void drop(const QColor& colour);
+  void name(const QColor& colour, const QString& name);
   void recall();
   void makeNext();
   void noteEdit();

@@ -99,7 +99,9 @@ Importance Document::importanceIn(const Skeleton& next) const {
 
 void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path) {
   ClipSettings& now = tuning_.now();
-  if (original) now.encode.importance = importanceIn(original->motion().skeleton);
+  // Without a clip it names no joint: nobody would know whose these are.
+  if (original || !decoded)
+    now.encode.importance = importanceIn(original ? original->motion().skeleton : Skeleton());
   original_ = std::move(original);
   decoded_ = std::move(decoded);
   final_ = decoded_ != nullptr;

@@ -55,18 +55,22 @@ void Session::open(const QString& path, const QString& skeleton) {
          false});
 }
 
-void Session::close() {
+void Session::closeClip() {
   opening_.abandon();
   leave();
   compressor_.setEncoder(nullptr);
   document_.setClip(nullptr, nullptr, {});
-  dressing_.abandon();
   wearing_.abandon();
-  recalled_character_.clear();
-  document_.setCharacter({});
   takeUp({}, false);
   slot_answers_ = {};
   emit slotsChanged();
+}
+
+void Session::close() {
+  dressing_.abandon();
+  recalled_character_.clear();
+  closeClip();
+  document_.setCharacter({});
 }
 
 bool Session::isOpen(const QString& path) const {
@@ -232,6 +236,12 @@ void Session::choosePreset(const Settings& preset) {
     emit compressFailed(QString::fromStdString(error.what()));
     emit document_.optionsChanged();  // what stands is shown again
   }
+}
+
+void Session::takeSettings(const ClipSettings& settings) {
+  Tuning tuning = document_.tuning();
+  tuning.now() = settings;
+  apply(tuning);
 }
 
 void Session::namePreset(const QString& name) {

@@ -33,7 +33,10 @@ class Session : public QObject {
   /// original, where that is open or is opened next.
   void open(const QString& path, const QString& skeleton = {});
 
-  /// Nothing is open any more, nor on its way, and no character is on anything.
+  /// Nothing is open any more, nor on its way.
+  void closeClip();
+
+  /// And no character is on anything.
   void close();
 
   /// Whether this is the motion that is open.
@@ -61,6 +64,9 @@ class Session : public QObject {
 
   /// compressFailed() where it names a joint that the clip lacks.
   void choosePreset(const Settings& preset);
+
+  /// The same, as a step of somebody else.
+  void takeSettings(const ClipSettings& settings);
 
   /// The settings are those of a preset of that name from now on.
   void namePreset(const QString& name);

@@ -130,9 +130,10 @@ bool KeptProject::isOutOfReach() const {
 }
 
 bool KeptProject::end() {
+  if (ask_) ask_();
   if (!flush()) return false;
   try {
-    if (shelf_ && !project_.clips.empty()) shelf_->use(path_);
+    if (shelf_ && !project_.isEmpty()) shelf_->use(path_);
   } catch (const Error& error) {
     setTrouble(QString::fromStdString(error.what()));
     return false;
@@ -145,7 +146,7 @@ bool KeptProject::end() {
 bool KeptProject::open(const QString& path) {
   const QString file = fileOf(path);
   if (file == path_) return true;
-  if (!flush()) return false;
+  if (!mayLeave()) return false;
   auto lock = std::make_unique<ProjectLock>(file);
   if (lock->inUse()) {
     emit inUse(file);
@@ -166,7 +167,7 @@ bool KeptProject::open(const QString& path) {
 }
 
 bool KeptProject::openCopy(const QString& path) {
-  if (!flush()) return false;
+  if (!mayLeave()) return false;
   try {
     const QString own = shelf_->unnamedPath();
     auto lock = std::make_unique<ProjectLock>(own);
@@ -180,7 +181,7 @@ bool KeptProject::openCopy(const QString& path) {
 }
 
 bool KeptProject::startNew() {
-  if (!flush()) return false;
+  if (!mayLeave()) return false;
   if (!shelf_) return enter({}, nullptr, {});
   const QString path = shelf_->unnamedPath();
   return enter(path, std::make_unique<ProjectLock>(path), {});
@@ -195,7 +196,7 @@ bool KeptProject::enter(const QString& path, std::unique_ptr<ProjectLock> lock, 
     return false;
   }
   const QString before = std::exchange(path_, QString());
-  const bool was_empty = project_.clips.empty();
+  const bool was_empty = project_.isEmpty();
   emit leaving();
   if (shelf_ && was_empty && shelf_->isUnnamed(before)) QFile::remove(before);
   changed_ = unwritten_ = false;
@@ -291,6 +292,12 @@ void KeptProject::noteWritten() {
     writeSoon();
   else
     emit saved();
+}
+
+bool KeptProject::mayLeave() {
+  const QString obstacle = ask_ ? ask_() : QString();
+  if (!obstacle.isEmpty()) emit failed(obstacle);
+  return obstacle.isEmpty() && flush();
 }
 
 /// Leaves nothing that waits to be written: where it goes wrong, all still waits, and that is said.

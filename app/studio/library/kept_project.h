@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
@@ -102,6 +103,11 @@ class KeptProject : public QObject {
   /// Without the one in use, used last first.
   std::vector<FormerProject> formerProjects() const;
 
+  /// `ask` is called before another project takes the place of this one, or the program ends. It
+  /// hands over what is still to be kept, and says why the project cannot be left now; empty: it
+  /// can. The program ends all the same.
+  void setLeaveCheck(std::function<QString()> ask) { ask_ = std::move(ask); }
+
  signals:
   /// Another project takes its place now, which entered() says once it has: nothing that is under
   /// way for the one before may arrive in the other.
@@ -136,10 +142,12 @@ class KeptProject : public QObject {
   void write();
   void noteWritten();
   bool flush();
+  bool mayLeave();
   void setTrouble(const QString& message);
   bool enter(const QString& path, std::unique_ptr<ProjectLock> lock, Project project);
 
   QString path_;
+  std::function<QString()> ask_;       // see setLeaveCheck()
   std::optional<ProjectShelf> shelf_;  // none: no project is remembered
   std::unique_ptr<ProjectLock> lock_;  // of path_
   QTimer write_later_;

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/library/library.h"
 
+#include <QDateTime>
+#include <QDir>
 #include <QFileInfo>
+#include <QHash>
 #include <algorithm>
 #include <map>
 
+#include "app/jobs/batch_runner.h"
 #include "app/studio/document/edit_step.h"
 #include "app/studio/document/session.h"
+#include "app/studio/document/settings_field.h"
 #include "core/batch/batch.h"
 #include "widgets/models/library_model.h"
 
@@ -53,9 +58,11 @@ namespace {
 LibraryEntry entryOf(const ProjectClip& clip, const LibraryEntry& read) {
   LibraryEntry entry = read;
   entry.path = clip.path;
+  entry.missing = clip.missing;
   entry.outcome = clip.outcome;
-  entry.verdict = clip.verdict;
-  entry.note = clip.note;
+  entry.outdated = outdated(clip);
+  entry.review = clip.review;
+  entry.stale = staleVerdict(clip);
   return entry;
 }
 
@@ -79,9 +86,51 @@ double quantityOf(const DecodedClip& decoded, const EncodeOptions& options) {
 }
 
 /// And whether it met its target. Requires a distortion.
-Outcome outcomeOf(const DecodedClip& decoded, const EncodeOptions& options) {
-  return {decoded.ratio, decoded.distortion->eps(options.weighting), decoded.distortion->max.cm,
-          decoded.compressed.motion_bytes(), reached(options.target, quantityOf(decoded, options))};
+Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
+                  const EncodeOptions& options) {
+  Outcome outcome{decoded.ratio, decoded.distortion->eps(options.weighting),
+                  decoded.distortion->max.cm, decoded.compressed.motion_bytes(),
+                  reached(options.target, quantityOf(decoded, options))};
+  if (decoded.visibility) outcome.sight = decoded.visibility->sight();
+  for (const Warning& warning : original.warnings)
+    outcome.warnings << QString::fromStdString(warning.text());
+  outcome.source = original.stamp.source;
+  return outcome;
+}
+
+/// The outcome of a step of a batch. Requires that the clip was measured.
+Outcome outcomeOf(const BatchStep& step, const Settings& settings) {
+  const Measurement& measured = *step.measured;
+  Outcome outcome{measured.ratio, measured.eps_cm(settings.weighting), measured.max_error_cm,
+                  measured.motion_bytes, keeps_promise(settings, measured)};
+  if (measured.seen) outcome.sight = measured.seen->sight();
+  for (const std::string& warning : step.warnings)
+    outcome.warnings << QString::fromStdString(warning);
+  outcome.source = step.source;
+  return outcome;
+}
+
+/// Who reviews: whoever is logged in.
+std::string userName() {
+  const QString home = QDir::home().dirName();
+  return qEnvironmentVariable("USER", qEnvironmentVariable("USERNAME", home)).toStdString();
+}
+
+/// A verdict on a clip that was never compressed, and whose files had not been looked at yet, is
+/// about what they were then, if they have not been written since.
+void bindVerdict(ProjectClip& clip) {
+  ClipReview& review = clip.review;
+  if (review.verdict == Verdict::None || !review.source_hash.empty() || clip.outcome) return;
+  const QDateTime given = QDateTime::fromString(QString::fromStdString(review.time), Qt::ISODate);
+  if (given.isValid() && clip.stamp.newest_ns / 1'000'000'000 <= given.toSecsSinceEpoch())
+    review.source_hash = clip.stamp.source;
+}
+
+QHash<QString, int> rowsByPath(const Project& project) {
+  QHash<QString, int> rows;
+  for (std::size_t row = 0; row < project.clips.size(); ++row)
+    rows.insert(project.clips[row].path, static_cast<int>(row));
+  return rows;
 }
 
 }  // namespace
@@ -103,6 +152,7 @@ Library::Library(Session* session, LibraryModel* model, QObject* parent)
   connect(&session->document(), &Document::optionsChanged, this, &Library::noteSettings);
   connect(&session->document(), &Document::skinChanged, this, &Library::noteCharacter);
   connect(session, &Session::settled, this, &Library::noteOutcome);
+  connect(session, &Session::openFailed, this, &Library::noteOpenFailed);
   connect(&folder_search_, &FolderSearch::found, this, &Library::add);
   connect(&folder_search_, &FolderSearch::failed, this, &Library::failed);
 }
@@ -112,7 +162,9 @@ void Library::leave() {
   session_->close();
   session_->forgetHistories();
   history_.clear();
-  withdrawn_.clear();
+  checking_.abandon();
+  check_again_ = false;
+  finding_.abandon();
 }
 
 void Library::enter() {
@@ -125,6 +177,7 @@ void Library::enter() {
   model_->setEntries(std::move(entries));
   readNextOutline();
   emit currentChanged();
+  checkFiles();
   if (!project_.character.isEmpty()) session_->recallCharacter(project_.character);
   if (const int row = currentRow(); row >= 0) openClip(row);
 }
@@ -146,7 +199,11 @@ void Library::add(const QStringList& paths) {
   const int first = clips->begin()->first;
   history_.push(new EditStep(
       tr("Add Clips"), [this, clips] { putBack(*clips); },
-      [this, clips, fresh] { *clips = takeOut(fresh); }));
+      [this, clips, fresh] {
+        *clips = takeOut(fresh);
+        emit noted(tr("%Ln clip(s) were taken out of the library; Redo brings them back.", nullptr,
+                      static_cast<int>(clips->size())));
+      }));
   emit added(first);
 }
 
@@ -197,6 +254,7 @@ void Library::putBack(const ClipsByRow& clips) {
   }
   model_->setEntries(std::move(all));
   readNextOutline();
+  checkFiles();
   touch();
   emit currentChanged();
 }
@@ -213,35 +271,214 @@ int Library::currentRow() const {
   return found == project_.clips.end() ? -1 : static_cast<int>(found - project_.clips.begin());
 }
 
-void Library::setVerdict(int row, Verdict verdict) {
-  if (row < 0) return;
-  const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-  change(clip.path, {verdict, clip.note.toStdString()});
+/// The reviewer has seen what the row shows.
+ClipReview Library::reviewNow(const ProjectClip& clip, Verdict verdict) const {
+  ClipReview review{verdict, clip.review.note};
+  if (verdict == Verdict::None) return review;
+  review.reviewer = userName();
+  review.time = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  const bool is_open = session_->isOpen(clip.path);
+  review.source_hash = is_open        ? session_->document().original()->stamp.source
+                       : clip.outcome ? clip.outcome->source
+                                      : clip.stamp.source;
+  review.settings_hash = !is_open && clip.outcome ? clip.outcome->settings : settingsHash(clip);
+  return review;
+}
+
+void Library::setVerdict(const std::vector<int>& rows, Verdict verdict) {
+  Reviews before, after;
+  int missing = 0;
+  for (const int row : rows) {
+    const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+    const bool stands = clip.review.verdict == verdict && staleVerdict(clip) == Staleness::None;
+    if (stands) continue;
+    if (verdict != Verdict::None && clip.missing) {
+      ++missing;
+      continue;
+    }
+    before.emplace(clip.path, clip.review);
+    after.emplace(clip.path, reviewNow(clip, verdict));
+  }
+  if (!after.empty())
+    history_.push(new EditStep(
+        tr("Verdict"), [this, after] { apply(after); }, [this, before] { apply(before); }));
+  if (missing == 0) return;
+  emit failed(tr("No verdict for %Ln clip(s): the file is missing.", nullptr, missing));
+  emit currentChanged();  // what stands is shown again
 }
 
 void Library::setNote(int row, const QString& note) {
   if (row < 0) return;
   const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-  change(clip.path, {clip.verdict, note.toStdString()});
+  ClipReview review = clip.review;
+  review.note = note.toStdString();
+  if (review == clip.review) return;
+  const Reviews before{{clip.path, clip.review}}, after{{clip.path, review}};
+  history_.push(new EditStep(
+      tr("Note"), [this, after] { apply(after); }, [this, before] { apply(before); },
+      QStringLiteral("note ") + clip.path, kOneNoteMs));
 }
 
-void Library::change(const QString& path, const ClipReview& review) {
-  const ProjectClip* clip = project_.find(path);
-  const ClipReview before{clip->verdict, clip->note.toStdString()};
-  if (before == review) return;
-  const auto say = [this, path](const ClipReview& now) {
-    return [this, path, now] {
-      ProjectClip* reviewed = project_.find(path);
-      if (!reviewed) return;
-      reviewed->verdict = now.verdict;
-      reviewed->note = QString::fromStdString(now.note);
-      show(*reviewed);
-      emit currentChanged();
-    };
-  };
-  const bool is_typed = before.verdict == review.verdict;
-  history_.push(new EditStep(is_typed ? tr("Note") : tr("Verdict"), say(review), say(before),
-                             is_typed ? QStringLiteral("note ") + path : QString(), kOneNoteMs));
+void Library::apply(const Reviews& reviews) {
+  std::vector<int> rows;
+  for (std::size_t row = 0; row < project_.clips.size(); ++row) {
+    ProjectClip& clip = project_.clips[row];
+    const auto found = reviews.find(clip.path);
+    if (found == reviews.end()) continue;
+    clip.review = found->second;
+    bindVerdict(clip);
+    rows.push_back(static_cast<int>(row));
+  }
+  showRows(rows);
+  emit currentChanged();
+}
+
+void Library::setPreset(const std::vector<int>& rows, const Settings& preset) {
+  SettingsByPath before, after;
+  for (const int row : rows) {
+    const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+    NamedSettings settings{preset, {}};
+    if (clip.settings) {
+      settings.contacts = clip.settings->contacts;
+      if (!preset.contacts) settings.preset.contacts = clip.settings->preset.contacts;
+      if (settings.preset == clip.settings->preset) continue;
+    }
+    before.emplace(clip.path, clip.settings);
+    after.emplace(clip.path, settings);
+  }
+  if (after.empty()) return;
+  history_.push(new EditStep(
+      tr("Preset"), [this, after] { apply(after); }, [this, before] { apply(before); }));
+}
+
+void Library::apply(const SettingsByPath& settings) {
+  std::vector<int> rows;
+  for (std::size_t row = 0; row < project_.clips.size(); ++row) {
+    ProjectClip& clip = project_.clips[row];
+    const auto found = settings.find(clip.path);
+    if (found == settings.end()) continue;
+    clip.settings = found->second;
+    rows.push_back(static_cast<int>(row));
+  }
+  showRows(rows);
+  if (const ProjectClip* open = openNow(); open && open->settings && settings.count(open->path) > 0)
+    session_->takeSettings(settingsFor(*open->settings, session_->document().original()->motion()));
+  emit currentChanged();
+}
+
+void Library::checkFiles() {
+  check_again_ = checking_.busy();
+  if (check_again_ || project_.clips.empty()) return;
+  std::vector<ClipSource> sources;
+  for (const ProjectClip& clip : project_.clips)
+    sources.push_back({clip.path, clip.skeleton, clip.stamp});
+  checking_.start([sources](const Job& job) { return lookAt(sources, job); },
+                  [this, sources](const std::vector<SourceNow>& now) {
+                    noteFiles(sources, now);
+                    // The runner is busy until its delivery has returned.
+                    if (check_again_)
+                      QMetaObject::invokeMethod(this, &Library::checkFiles, Qt::QueuedConnection);
+                  },
+                  [this](const QString& message) { emit failed(message); });
+}
+
+void Library::noteFiles(const std::vector<ClipSource>& sources, const std::vector<SourceNow>& now) {
+  const QHash<QString, int> rows = rowsByPath(project_);
+  std::vector<int> others;
+  int changed = 0, missing = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const int row = rows.value(sources[i].path, -1);
+    if (row < 0) continue;
+    ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+    if (clip.stamp.hash != sources[i].stamp.hash) continue;  // opened since: that is newer
+    const bool was_missing = std::exchange(clip.missing, now[i].state == SourceNow::State::Missing);
+    const bool is_new = now[i].state == SourceNow::State::Found &&
+                        (was_missing || now[i].stamp.hash != clip.stamp.hash);
+    if (is_new && (was_missing || !clip.stamp.hash.empty())) unread_.push_back(clip.path);
+    if (is_new && !was_missing && !clip.stamp.hash.empty()) ++changed;
+    if (clip.missing && !was_missing) ++missing;
+    if (now[i].state == SourceNow::State::Found) clip.stamp = now[i].stamp;
+    bindVerdict(clip);
+    if (is_new || clip.missing != was_missing) others.push_back(row);
+  }
+  showRows(others);
+  readNextOutline();
+  if (!others.empty()) emit currentChanged();
+  if (changed > 0) emit noted(tr("The files of %Ln clip(s) have changed.", nullptr, changed));
+  if (missing > 0)
+    emit noted(
+        tr("The files of %Ln clip(s) are missing. The library's context menu finds them in "
+           "another folder.",
+           nullptr, missing));
+  const ProjectClip* open = openNow();
+  if (open && !open->missing && open->stamp.hash != session_->document().original()->stamp.hash)
+    session_->open(open->path, open->skeleton);
+}
+
+void Library::findMissing(const QString& folder) {
+  std::vector<ClipSource> missing;
+  for (const ProjectClip& clip : project_.clips)
+    if (clip.missing) missing.push_back({clip.path, clip.skeleton, clip.stamp});
+  finding_.start(
+      [folder, missing](const Job& job) { return findMoved(folder, missing, job); },
+      [this, missing](std::map<QString, ClipSource> moved) {
+        const QHash<QString, int> rows = rowsByPath(project_);
+        std::erase_if(moved, [&](const auto& one) {
+          return !rows.contains(one.first) || rows.contains(one.second.path);
+        });
+        std::map<QString, ClipSource> back;
+        for (const ClipSource& clip : missing)
+          if (const auto found = moved.find(clip.path); found != moved.end())
+            back.emplace(found->second.path, clip);
+        const auto left = static_cast<int>(missing.size() - moved.size());
+        if (!moved.empty())
+          history_.push(new EditStep(
+              tr("Find Clips"), [this, moved] { move(moved); }, [this, back] { move(back); }));
+        emit noted(tr("Found %Ln clip(s)", nullptr, static_cast<int>(moved.size())) +
+                   (left > 0 ? tr(", %Ln still missing", nullptr, left) : QString()));
+      },
+      [this](const QString& message) { emit failed(message); });
+}
+
+/// The clips stay what they are, with their files elsewhere.
+void Library::move(const std::map<QString, ClipSource>& to) {
+  std::vector<LibraryEntry> all = entries();
+  bool current_moves = false;
+  for (std::size_t row = 0; row < project_.clips.size(); ++row) {
+    ProjectClip& clip = project_.clips[row];
+    const auto found = to.find(clip.path);
+    if (found == to.end()) continue;
+    if (clip.path == project_.current) {
+      project_.current = found->second.path;
+      current_moves = true;
+    }
+    clip.path = found->second.path;
+    clip.skeleton = found->second.skeleton;
+    clip.stamp = found->second.stamp;
+    clip.missing = false;
+    all[row] = entryOf(clip, all[row]);
+    all[row].trouble.clear();
+    unread_.push_back(clip.path);
+  }
+  model_->setEntries(std::move(all));
+  readNextOutline();
+  checkFiles();
+  touch();
+  emit currentChanged();
+  if (current_moves) openClip(currentRow());
+}
+
+void Library::noteExported(const QString& path, const Settings& settings,
+                           const ReadOptions& reading, const BatchStep& step) {
+  ProjectClip* clip = project_.find(path);
+  if (!clip || !step.measured) return;
+  if (!clip->settings) clip->settings = NamedSettings{settings, {}};
+  Outcome outcome = outcomeOf(step, settings);
+  outcome.settings = settings_hash(settings, reading);
+  if (settingsHash(*clip) != outcome.settings) return;
+  clip->outcome = std::move(outcome);
+  show(*clip);
+  if (path == project_.current) emit currentChanged();
 }
 
 std::vector<Pin> Library::pinsOf(const QString& path) {
@@ -253,6 +490,11 @@ void Library::setPins(const QString& path, const std::vector<Pin>& pins) {
   ProjectClip* clip = project_.find(path);
   if (!clip) return;
   clip->pins = pins;
+  touch();
+}
+
+void Library::setBatch(const RememberedBatch& batch) {
+  project_.batch = batch;
   touch();
 }
 
@@ -270,7 +512,7 @@ std::vector<TunedClip> Library::tuned(const std::vector<int>& rows) const {
 ClipReviews Library::reviews() const {
   ClipReviews all;
   for (const ProjectClip& clip : project_.clips)
-    all.insert(clip.path, {clip.verdict, clip.note.toStdString()});
+    all.insert(clip.path, {clip.review, clip.stamp.source, clip.missing});
   return all;
 }
 
@@ -278,6 +520,15 @@ void Library::show(const ProjectClip& clip) {
   const int row = model_->rowOf(clip.path);
   model_->setEntry(entryOf(clip, row >= 0 ? model_->entry(row) : LibraryEntry()));
   touch();
+}
+
+void Library::showRows(const std::vector<int>& rows) {
+  std::map<int, LibraryEntry> entries;
+  for (const int row : rows)
+    entries.emplace(row,
+                    entryOf(project_.clips[static_cast<std::size_t>(row)], model_->entry(row)));
+  model_->replace(entries);
+  if (!rows.empty()) touch();
 }
 
 /// A motion that is opened belongs to the project from then on.
@@ -288,14 +539,20 @@ void Library::noteOpened(const QString& path, const QString& skeleton) {
     ProjectClip clip{.path = original->path};
     if (path == original->path) clip.skeleton = skeleton;
     clip.settings = settingsNow();
+    clip.stamp = original->stamp;
     project_.clips.push_back(clip);
     showAsRead(clip, *original);
   }
-  if (original)
-    if (ProjectClip* clip = project_.find(original->path); clip->reading != original->reading) {
-      clip->reading = original->reading;
-      showAsRead(*clip, *original);
-    }
+  if (original) {
+    ProjectClip* clip = project_.find(original->path);
+    const bool is_other = clip->missing || clip->reading != original->reading ||
+                          clip->stamp.hash != original->stamp.hash;
+    clip->missing = false;
+    clip->reading = original->reading;
+    clip->stamp = original->stamp;
+    bindVerdict(*clip);
+    if (is_other) showAsRead(*clip, *original);
+  }
   touch();
   emit currentChanged();
 }
@@ -315,17 +572,41 @@ ProjectClip* Library::openNow() {
   return original && original->path == project_.current ? project_.find(original->path) : nullptr;
 }
 
+/// Whether the clip that is open has these.
+bool Library::isAsNow(const NamedSettings& settings) const {
+  const Document& document = session_->document();
+  return firstDifference(settingsFor(settings, document.original()->motion()),
+                         document.settings()) == SettingsField::None;
+}
+
 /// Of the clip that is open.
 NamedSettings Library::settingsNow() const {
   const Document& document = session_->document();
-  return namedSettings(document.settings(), *document.skeleton());
+  NamedSettings settings = namedSettings(document.settings(), *document.skeleton());
+  // A preset as it is, not in the names of this clip's joints: as a batch has it.
+  for (const Settings& preset : built_in_presets()) {
+    if (preset.name != settings.preset.name ||
+        !isAsPreset(document.settings(), preset, *document.skeleton()))
+      continue;
+    const std::optional<std::vector<ContactSetting>> contacts = settings.preset.contacts;
+    settings.preset = preset;
+    settings.preset.contacts = contacts;
+  }
+  return settings;
 }
 
 void Library::noteSettings() {
   ProjectClip* clip = openNow();
   if (!clip) return;
+  const auto state = [clip] { return std::pair(staleVerdict(*clip), outdated(*clip)); };
+  const auto before = state();
+  // Those it was opened by stay as they were said.
+  if (clip->settings && isAsNow(*clip->settings)) return;
   clip->settings = settingsNow();
   touch();
+  if (state() == before) return;
+  show(*clip);
+  emit currentChanged();
 }
 
 /// One whose file is gone stays the project's: it may be back another day.
@@ -350,18 +631,30 @@ void Library::noteOutcome() {
     clip->settings = settingsNow();
     touch();
   }
-  const Outcome outcome = outcomeOf(*decoded, session_->document().options());
+  Outcome outcome =
+      outcomeOf(*decoded, *session_->document().original(), session_->document().options());
+  outcome.settings = settingsHash(*clip);
   if (clip->outcome == outcome) return;
-  // What was approved is no longer what there is, until it is again.
-  const auto withdrawn = withdrawn_.find(clip->path);
-  const bool again = withdrawn != withdrawn_.end() && withdrawn->second.first == outcome;
-  const Verdict verdict = again ? withdrawn->second.second : Verdict::None;
-  if (clip->outcome) {
-    if (clip->verdict != Verdict::None) withdrawn_[clip->path] = {*clip->outcome, clip->verdict};
-    clip->verdict = verdict;
-  }
   clip->outcome = outcome;
   show(*clip);
+  emit currentChanged();
+}
+
+/// The view does not stay on the clip before: what is said of the chosen clip would seem to be said
+/// of that one.
+void Library::noteOpenFailed(const OpenRequest& request, const QString& message) {
+  const int row = model_->rowOf(request.path);
+  if (row < 0 || request.compare) return;
+  ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  clip.missing = !QFileInfo::exists(clip.path);
+  if (!session_->isOpen(request.path)) {
+    session_->closeClip();
+    project_.current = clip.path;
+  }
+  LibraryEntry entry = entryOf(clip, model_->entry(row));
+  entry.trouble = message;
+  model_->setEntry(entry);
+  touch();
   emit currentChanged();
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "app/jobs/clip_outline.h"
+#include "app/jobs/clip_sources.h"
 #include "app/jobs/job_runner.h"
 #include "app/studio/document/named_settings.h"
 #include "app/studio/library/kept_project.h"
@@ -19,6 +20,8 @@ namespace mocapress {
 
 class LibraryModel;
 class Session;
+struct BatchStep;
+struct OpenRequest;
 
 /// Finds the clips below folders in the background, one folder after the other.
 class FolderSearch : public QObject {
@@ -63,8 +66,25 @@ class Library : public KeptProject {
   void addFolder(const QString& path);
   void remove(const QList<int>& rows);
   void openClip(int row);
-  void setVerdict(int row, Verdict verdict);
   void setNote(int row, const QString& note);
+
+  /// Sets it for all these rows, in one step. A verdict is about what was reviewed: the files and
+  /// settings of the outcome that the row shows, else those of the clip now. A clip whose file is
+  /// missing gets none, which failed() says.
+  void setVerdict(const std::vector<int>& rows, Verdict verdict);
+  void setPreset(const std::vector<int>& rows, const Settings& preset);
+
+  /// Looks whether the files of the clips are still there and what they were. Those that have
+  /// changed are read again.
+  void checkFiles();
+
+  /// Looks for the missing ones below a folder. They go on from there, in one step.
+  void findMissing(const QString& folder);
+
+  /// A batch has exported a clip by these settings: the clip has that outcome now, unless it has
+  /// other settings of its own.
+  void noteExported(const QString& path, const Settings& settings, const ReadOptions& reading,
+                    const BatchStep& step);
 
   /// What was pinned of a clip.
   std::vector<Pin> pinsOf(const QString& path);
@@ -73,6 +93,9 @@ class Library : public KeptProject {
   /// Whether figures are their skin.
   bool showsSkin() const { return project_.shows_skin; }
   void setShowsSkin(bool shows);
+
+  /// The queue of this project's batch.
+  void setBatch(const RememberedBatch& batch);
 
   int currentRow() const;
 
@@ -89,7 +112,15 @@ class Library : public KeptProject {
   void added(int row);
 
  private:
-  void change(const QString& path, const ClipReview& review);
+  using Reviews = std::map<QString, ClipReview>;
+  using SettingsByPath = std::map<QString, std::optional<NamedSettings>>;
+
+  void apply(const Reviews& reviews);
+  void apply(const SettingsByPath& settings);
+  void move(const std::map<QString, ClipSource>& to);
+  ClipReview reviewNow(const ProjectClip& clip, Verdict verdict) const;
+  void noteFiles(const std::vector<ClipSource>& sources, const std::vector<SourceNow>& now);
+  void noteOpenFailed(const OpenRequest& request, const QString& message);
   std::vector<LibraryEntry> entries() const;
   using ClipsByRow = std::map<int, ProjectClip>;
 
@@ -100,11 +131,13 @@ class Library : public KeptProject {
   void noteCharacter();
   void noteOutcome();
   void show(const ProjectClip& clip);
+  void showRows(const std::vector<int>& rows);
   void showAsRead(const ProjectClip& clip, const OriginalClip& original);
   void readNextOutline();
   void leave();
   void enter();
   ProjectClip* openNow();
+  bool isAsNow(const NamedSettings& settings) const;
   NamedSettings settingsNow() const;
 
   Session* session_;
@@ -113,9 +146,9 @@ class Library : public KeptProject {
   JobRunner outlines_{Workers::LongRunning};
   FolderSearch folder_search_;
   std::deque<QString> unread_;  // paths whose outline is not known yet
-
-  // Verdicts that were taken back with the outcome they were about: by path.
-  std::map<QString, std::pair<Outcome, Verdict>> withdrawn_;
+  JobRunner checking_{Workers::LongRunning};
+  bool check_again_ = false;  // files may have changed since the check that runs began
+  JobRunner finding_{Workers::LongRunning};
 };
 
 }  // namespace mocapress

@@ -2,8 +2,13 @@
 #include "app/studio/library/library_views.h"
 
 #include <QFileDialog>
+#include <QGuiApplication>
+#include <algorithm>
+#include <iterator>
 
 #include "app/studio/document/clip_files.h"
+#include "app/studio/document/named_settings.h"
+#include "app/studio/document/preset_shelf.h"
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
 #include "widgets/models/number_text.h"
@@ -25,6 +30,13 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(panel, &LibraryPanel::openRequested, library, &Library::openClip);
   connect(panel, &LibraryPanel::removeRequested, library, &Library::remove);
   connect(panel, &LibraryPanel::verdictChosen, library, &Library::setVerdict);
+  connect(panel, &LibraryPanel::presetChosen, library, &Library::setPreset);
+  connect(panel, &LibraryPanel::findMissingRequested, this, &LibraryViews::findMissing);
+  // Files are changed while the user is in another program.
+  connect(qApp, &QGuiApplication::applicationStateChanged, library,
+          [library](Qt::ApplicationState state) {
+            if (state == Qt::ApplicationActive) library->checkFiles();
+          });
   connect(panel, &LibraryPanel::noteEdited, library, &Library::setNote);
   connect(panel, &LibraryPanel::addRequested, this, &LibraryViews::addClips);
   connect(panel, &LibraryPanel::addFolderRequested, this, &LibraryViews::addFolder);
@@ -32,6 +44,16 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(settings, &SlotControl::copyRequested, session, &Session::copyToOtherSlot);
   connect(session, &Session::slotsChanged, this, &LibraryViews::showSlots);
   showSlots();
+}
+
+void LibraryViews::offer(const PresetShelf* presets) {
+  const auto show = [this, presets] {
+    std::vector<Settings> tunable;
+    std::ranges::copy_if(presets->all(), std::back_inserter(tunable), isTunable);
+    panel_->setPresets(tunable);
+  };
+  connect(presets, &PresetShelf::changed, this, show);
+  show();
 }
 
 void LibraryViews::showSlots() {
@@ -55,6 +77,11 @@ void LibraryViews::addClips() {
 void LibraryViews::addFolder() {
   const QString folder = QFileDialog::getExistingDirectory(window_, tr("Add Folder"));
   if (!folder.isEmpty()) library_->addFolder(folder);
+}
+
+void LibraryViews::findMissing() {
+  const QString folder = QFileDialog::getExistingDirectory(window_, tr("Find Missing Clips"));
+  if (!folder.isEmpty()) library_->findMissing(folder);
 }
 
 }  // namespace mocapress

@@ -9,6 +9,7 @@ namespace mocapress {
 
 class Library;
 class LibraryPanel;
+class PresetShelf;
 class Session;
 class SlotControl;
 
@@ -21,9 +22,13 @@ class LibraryViews : public QObject {
   LibraryViews(Session* session, Library* library, LibraryPanel* panel, SlotControl* settings,
                QWidget* window);
 
+  /// Those that can be chosen for clips of the library.
+  void offer(const PresetShelf* presets);
+
   /// With a file dialog.
   void addClips();
   void addFolder();
+  void findMissing();
 
  private:
   void showSlots();

@@ -8,7 +8,7 @@
 #include "core/base/file.h"
 #include "core/batch/format_options_json.h"
 #include "core/mocapress/settings_json.h"
-#include "core/report/review.h"
+#include "core/report/verdict.h"
 
 namespace mocapress {
 namespace {
@@ -27,18 +27,50 @@ QString textAt(const Json& json, const char* key) {
   return QString::fromStdString(valueAt<std::string>(json, key));
 }
 
+std::vector<std::string> texts(const QStringList& lines) {
+  std::vector<std::string> all;
+  for (const QString& line : lines) all.push_back(line.toStdString());
+  return all;
+}
+
 Json toJson(const Outcome& outcome) {
   return {{"ratio", outcome.ratio},
           {"eps_cm", outcome.eps_cm},
           {"max_cm", outcome.max_cm},
           {"bytes", outcome.motion_bytes},
-          {"met", outcome.met}};
+          {"met", outcome.met},
+          {"visibility", outcome.sight ? Json(name(*outcome.sight)) : Json()},
+          {"warnings", texts(outcome.warnings)},
+          {"source", outcome.source},
+          {"made_by", outcome.settings}};
+}
+
+std::optional<Sight> sightNamed(const std::string& word) {
+  for (const Sight sight : {Sight::NotVisible, Sight::Borderline, Sight::Visible})
+    if (name(sight) == word) return sight;
+  return {};
 }
 
 Outcome outcomeFrom(const Json& json) {
-  return {valueAt<double>(json, "ratio"), valueAt<double>(json, "eps_cm"),
-          valueAt<double>(json, "max_cm"), valueAt<std::size_t>(json, "bytes"),
-          valueAt<bool>(json, "met")};
+  Outcome outcome{valueAt<double>(json, "ratio"), valueAt<double>(json, "eps_cm"),
+                  valueAt<double>(json, "max_cm"), valueAt<std::size_t>(json, "bytes"),
+                  valueAt<bool>(json, "met")};
+  outcome.sight = sightNamed(valueAt<std::string>(json, "visibility"));
+  for (const std::string& warning : valueAt<std::vector<std::string>>(json, "warnings"))
+    outcome.warnings << QString::fromStdString(warning);
+  outcome.source = valueAt<std::string>(json, "source");
+  outcome.settings = valueAt<std::string>(json, "made_by");
+  return outcome;
+}
+
+Json toJson(const InputStamp& stamp) {
+  return {{"bytes", stamp.bytes}, {"newest_ns", stamp.newest_ns}, {"hash", stamp.source}};
+}
+
+InputStamp stampFrom(const Json& json) {
+  const auto hash = valueAt<std::string>(json, "hash");
+  return {valueAt<std::uintmax_t>(json, "bytes"), valueAt<std::int64_t>(json, "newest_ns"), hash,
+          hash};
 }
 
 /// Settings that no clip can be compressed by, as an impossible target, would not be read again.
@@ -70,8 +102,8 @@ Json toJson(const ProjectClip& clip, const QDir& folder) {
   if (clip.reading != ReadOptions()) put(json["reading"] = Json::object(), clip.reading);
   if (clip.settings) put(json, *clip.settings);
   if (clip.outcome) json["outcome"] = toJson(*clip.outcome);
-  if (clip.verdict != Verdict::None) json["verdict"] = name(clip.verdict);
-  if (!clip.note.isEmpty()) json["note"] = clip.note.toStdString();
+  if (clip.review != ClipReview()) put(json, clip.review);
+  if (!clip.stamp.hash.empty()) json["files"] = toJson(clip.stamp);
   for (const Pin& pin : clip.pins) json["pins"].push_back(toJson(pin));
   return json;
 }
@@ -89,8 +121,8 @@ ProjectClip clipFrom(const Json& json, const QDir& folder) {
   if (json.contains("reading")) clip.reading = format_options(json["reading"]);
   if (json.contains("settings")) clip.settings = namedSettingsFrom(json["settings"]);
   if (json.contains("outcome")) clip.outcome = outcomeFrom(json["outcome"]);
-  clip.verdict = verdict_named(valueAt<std::string>(json, "verdict"));
-  clip.note = textAt(json, "note");
+  clip.review = review_from(json);
+  if (json.contains("files")) clip.stamp = stampFrom(json["files"]);
   for (const Json& pin : valueAt<Json>(json, "pins"))
     if (pin.contains("settings")) clip.pins.push_back(pinFrom(pin));
   return clip;
@@ -106,10 +138,29 @@ Project projectFrom(const Json& json, const QDir& folder) {
   project.shows_skin = json.value("show_skin", true);
   for (const Json& clip : valueAt<Json>(json, "clips"))
     project.clips.push_back(clipFrom(clip, folder));
+  if (json.contains("batch")) project.batch = batchFrom(json["batch"], folder);
   return project;
 }
 
 }  // namespace
+
+std::string settingsHash(const ProjectClip& clip) {
+  return clip.settings ? settings_hash(clip.settings->preset, clip.reading) : std::string();
+}
+
+Staleness staleVerdict(const ProjectClip& clip) {
+  if (clip.review.verdict == Verdict::None) return Staleness::None;
+  if (clip.missing) return Staleness::Missing;
+  return staleness(clip.review.source_hash, clip.review.settings_hash, clip.stamp.source,
+                   settingsHash(clip));
+}
+
+Staleness outdated(const ProjectClip& clip) {
+  if (!clip.outcome) return Staleness::None;
+  if (clip.missing) return Staleness::Missing;
+  return staleness(clip.outcome->source, clip.outcome->settings, clip.stamp.source,
+                   settingsHash(clip));
+}
 
 ProjectClip* Project::find(const QString& path) {
   const auto found = std::find_if(clips.begin(), clips.end(),
@@ -129,6 +180,7 @@ QByteArray projectText(const Project& project, const QDir& folder) {
     json["character"] = folder.relativeFilePath(project.character).toStdString();
   if (!project.shows_skin) json["show_skin"] = false;
   for (const ProjectClip& clip : project.clips) json["clips"].push_back(toJson(clip, folder));
+  if (project.batch) json["batch"] = toJson(*project.batch, folder);
   return QByteArray::fromStdString(dumped(json, 2) + '\n');
 }
 

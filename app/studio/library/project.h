@@ -7,7 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "app/studio/batch/batch_memory.h"
 #include "app/studio/document/named_settings.h"
+#include "core/batch/row.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
@@ -19,10 +21,19 @@ struct ProjectClip {
   ReadOptions reading;                    // what the user said of the file
   std::optional<NamedSettings> settings;  // unset: never tuned
   std::optional<Outcome> outcome;
-  Verdict verdict = Verdict::None;
-  QString note;
+  ClipReview review;
   std::vector<Pin> pins;
+  InputStamp stamp;      // of its files as they were found last; no hash: they never were
+  bool missing = false;  // they are gone, by what is known now; not kept
 };
+
+/// Hash of the settings it has now and of how it is read; empty: it was never tuned.
+std::string settingsHash(const ProjectClip& clip);
+
+/// Why the verdict, or the outcome, is not about the clip as it is now. None where there is
+/// neither.
+Staleness staleVerdict(const ProjectClip& clip);
+Staleness outdated(const ProjectClip& clip);
 
 /// Clips that belong together.
 struct Project {
@@ -30,8 +41,12 @@ struct Project {
   QString character;  // path of what was put on the clips; empty: each has its own
   bool shows_skin = true;
   std::vector<ProjectClip> clips;
+  std::optional<RememberedBatch> batch;  // unset: none was begun
 
   ProjectClip* find(const QString& path);
+
+  /// Nothing would be lost with it.
+  bool isEmpty() const { return clips.empty() && (!batch || batch->clips.empty()); }
 };
 
 /// By its extension, .mocapress.

@@ -123,7 +123,7 @@ void StudySession::run() {
   opening_.abandon();
   plan_ = planOf(settings_);
   for (StudyClip& clip : plan_.clips)
-    clip.review = reviews_.value(QString::fromStdU16String(clip.path.u16string()));
+    clip.review = reviewOf(QString::fromStdU16String(clip.path.u16string()));
   clear();
   for (const StudyJob& job : jobs_of(plan_)) ++expected_[plan_.clips[job.clip].path.string()];
   counts_ = {jobs, 0, 0};
@@ -181,11 +181,31 @@ void StudySession::exportMade(const QString& path, Make make) {
       [this](const QString& message) { emit exportFailed(message); });
 }
 
+/// A verdict on other bytes is none, and the note says so. Settings are many in a study: its rows
+/// are not what was reviewed, but its clips are.
+ClipReview StudySession::reviewOf(const QString& path) const {
+  const LibraryReview& said = reviews_.value(path);
+  ClipReview review = said.review;
+  if (review.verdict == Verdict::None ||
+      (!said.missing && review.source_hash == said.source && !said.source.empty()))
+    return review;
+  const char* why = said.missing                 ? "file missing"
+                    : review.source_hash.empty() ? "not known what was reviewed"
+                                                 : "file changed";
+  review.note = "stale verdict (" + std::string(why) + ", was " +
+                std::string(name(review.verdict)) + ")" +
+                (review.note.empty() ? "" : ": " + review.note);
+  review.verdict = Verdict::None;
+  return review;
+}
+
 /// With what the library says now.
 std::vector<StudyRow> StudySession::reviewedRows() const {
   std::vector<StudyRow> rows = rows_;
-  for (StudyRow& row : rows)
-    row.review = reviews_.value(QString::fromStdString(row.clip), row.review);
+  for (StudyRow& row : rows) {
+    const QString path = QString::fromStdString(row.clip);
+    if (reviews_.contains(path)) row.review = reviewOf(path);
+  }
   return rows;
 }
 

@@ -97,6 +97,7 @@ class StudySession : public QObject {
   void advance(const StudyCounts& counts, const std::vector<StudyRow>& rows);
   void showOpened(std::vector<StudyRow> rows);
   void findClips();
+  ClipReview reviewOf(const QString& path) const;
   std::vector<StudyRow> reviewedRows() const;
   template <typename Make>
   void exportMade(const QString& path, Make make);

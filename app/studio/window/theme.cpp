@@ -29,6 +29,21 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
   painter->restore();
 }
 
+void StudioStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                                     QPainter* painter, const QWidget* widget) const {
+  constexpr double kDisabled = 0.35;  // of the opacity
+  painter->save();
+  if (control == CC_Slider && !(option->state & State_Enabled)) painter->setOpacity(kDisabled);
+  QProxyStyle::drawComplexControl(control, option, painter, widget);
+  painter->restore();
+}
+
+int StudioStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                           QStyleHintReturn* returned) const {
+  if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;
+  return QProxyStyle::styleHint(hint, option, widget, returned);
+}
+
 namespace {
 
 const QString kThemeSetting = QStringLiteral("window/theme");

@@ -8,13 +8,18 @@
 
 namespace mocapress {
 
-/// Fusion, with check boxes whose outline is seen on dark ground too.
+/// Fusion, with check boxes whose outline is seen on dark ground too, and sliders that come to
+/// where they are pressed, follow a drag from there, and look disabled where they are.
 class StudioStyle : public QProxyStyle {
  public:
   StudioStyle();
 
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                          QPainter* painter, const QWidget* widget) const override;
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* returned) const override;
 };
 
 /// What the user wants the windows to look like.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/window/tool_windows.h"
 
-#include "app/studio/batch/batch_memory.h"
 #include "app/studio/batch/batch_window.h"
 #include "app/studio/document/clip_files.h"
 #include "app/studio/document/session.h"
@@ -60,13 +59,37 @@ void ToolWindows::showHere() {
 }
 
 void ToolWindows::makeBatch() {
-  batch_ = new BatchWindow(new BatchSession(batchMemory(), presets_, window_), window_);
-  BatchSession* session = batch_->session();
+  auto* session = new BatchSession(presets_, window_);
+  batch_ = new BatchWindow(session, window_);
   session->setReviews(library_->reviews());
+  keepWithProject(session);
+  connect(session, &BatchSession::exported, library_,
+          [this, queue = session->queue()](int row, const BatchStep& step) {
+            const QueuedClip& clip = queue->clips()[static_cast<std::size_t>(row)];
+            library_->noteExported(QString::fromStdString(clip.source.path), queue->presetOf(row),
+                                   clip.reading, step);
+          });
   connect(library_, &Library::currentChanged, session,
           [this, session] { session->setReviews(library_->reviews()); });
   connect(batch_, &BatchWindow::openRequested, files_,
           [this](const QString& path) { files_->open(path); });
+}
+
+/// Each project has a batch of its own.
+void ToolWindows::keepWithProject(BatchSession* session) {
+  const auto recall = [this, session] {
+    session->recall(library_->project().batch.value_or(RememberedBatch()));
+  };
+  recall();
+  connect(library_, &Library::entered, session, recall);
+  connect(session, &BatchSession::keep, library_,
+          [this, session] { library_->setBatch(session->remembered()); });
+  library_->setLeaveCheck([session] {
+    session->rememberNow();
+    return session->running()
+               ? tr("The batch of this project is running: stop it first, or let it end.")
+               : QString();
+  });
 }
 
 void ToolWindows::showBatch() {

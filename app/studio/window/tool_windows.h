@@ -8,6 +8,7 @@ class QWidget;
 
 namespace mocapress {
 
+class BatchSession;
 class BatchWindow;
 class ClipFiles;
 class Library;
@@ -39,6 +40,7 @@ class ToolWindows : public QObject {
  private:
   void makeStudy();
   void makeBatch();
+  void keepWithProject(BatchSession* session);
   void showHere();
 
   Session* session_;

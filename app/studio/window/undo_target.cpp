@@ -36,14 +36,16 @@ UndoTarget::UndoTarget(Session* session, Library* library, QWidget* window)
           [this](const QWidget*, const QWidget* now) { follow(now); });
 }
 
-/// Another clip does not take the user out of the library.
+/// A clip without steps does not take the user out of the library; one with steps does, for who
+/// comes back to it wants these undone.
 void UndoTarget::takeClip() {
   QUndoStack* history = session_->history();
   if (!histories_.stacks().contains(history)) {
     histories_.addStack(history);
     followSteps(history);
   }
-  if (histories_.activeStack() != library_->history()) histories_.setActiveStack(history);
+  if (history->canUndo() || histories_.activeStack() != library_->history())
+    histories_.setActiveStack(history);
 }
 
 /// A key may change a clip while the focus is in the library.

@@ -13,7 +13,8 @@ class Session;
 
 /// What Edit > Undo acts on: the history of the library, or that of the clip that is open,
 /// whichever the user worked in last. That is where the focus went last, or where a step was done
-/// since.
+/// since, or a clip with steps that was opened since. When these are used up, nothing else is
+/// undone instead.
 class UndoTarget : public QObject {
   Q_OBJECT
 

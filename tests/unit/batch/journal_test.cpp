@@ -24,7 +24,7 @@ class JournalTest : public test::BatchTest {
     row.formats = {OutputFormat::Mcpr, OutputFormat::Csv};
     row.reading = {.sample_rate_hz = 59.94, .bvh_root = TranslationConvention::Adds};
     row.writing = {.cm_per_unit = 2.54, .up = UpAxis::Z};
-    row.stamp = {123, 456, "abc"};
+    row.stamp = {123, 456, "abc", "ab"};
     row.joints = 8;
     row.measured = Measurement{.frames = 7,
                                .eps_bone_ends_cm = 0.1,
