@@ -104,8 +104,8 @@ std::string hash_of(const fs::path& file) {
 }
 
 std::optional<std::string> stale_reason(const BatchRow& row) {
-  if (row.stamp.hash.empty()) return std::nullopt;
-  return stale_reason(row.review, row.stamp.hash, settings_hash(row.preset, row.reading));
+  if (row.stamp.source.empty()) return std::nullopt;
+  return stale_reason(row.review, row.stamp.source, settings_hash(row.preset, row.reading));
 }
 
 std::string settings_hash(const Settings& settings, const ReadOptions& reading) {

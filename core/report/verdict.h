@@ -22,7 +22,7 @@ ClipReview review_from(const Json& json);
 
 /// Why a verdict does not hold for a source file and settings, of which these are the hashes: "the
 /// clip's file changed", "the settings changed", or that it was never bound to any. Unset: it
-/// holds, or there is no verdict. `source_hash` is InputStamp::hash, `settings_hash` what
+/// holds, or there is no verdict. `source_hash` is InputStamp::source, `settings_hash` what
 /// settings_hash() gives (both in core/batch/row.h).
 std::optional<std::string> stale_reason(const ClipReview& review, std::string_view source_hash,
                                         std::string_view settings_hash);
