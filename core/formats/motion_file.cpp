@@ -16,7 +16,7 @@
 #include "core/formats/bvh.h"
 #include "core/formats/clip_files.h"
 #include "core/formats/csv.h"
-#include "core/formats/fbx_reader.h"
+#include "core/formats/fbx/fbx_reader.h"
 #include "core/formats/gltf_reader.h"
 #include "core/formats/gltf_writer.h"
 #include "core/formats/text_cursor.h"

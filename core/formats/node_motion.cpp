@@ -28,7 +28,6 @@ constexpr double kSameShare = 1e-5;  // of translations and scales; radians
 constexpr double kSamePlace = 1e-3;  // cm
 constexpr double kFarthest = 1e9;    // cm, or units
 constexpr double kUnevenScale = 1e-4;
-constexpr std::string_view kFbxHelper = "_$AssimpFbx$_";
 
 bool same_place(const Vector3d& a, const Vector3d& b) {
   return (a - b).norm() <= kSameShare * (1 + a.norm());
@@ -72,9 +71,6 @@ class NodeTree {
   void fold_from_top();
   void find_bone_ends();
   int joint_children(std::size_t node) const;
-  bool is_helper(std::size_t node) const {
-    return nodes_[node].name.find(kFbxHelper) != std::string::npos;
-  }
 
   const std::vector<AnimatedNode>& nodes_;
   std::vector<std::vector<std::size_t>> children_;
@@ -134,7 +130,7 @@ int NodeTree::joint_children(std::size_t node) const {
 }
 
 /// Armatures and scene roots that stand still, from the top; without marks, only as long as that
-/// splits no skeleton. And helpers, which have their joint below them.
+/// splits no skeleton.
 void NodeTree::fold_from_top() {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (roles_[i] != Role::Joint) continue;
@@ -144,7 +140,7 @@ void NodeTree::fold_from_top() {
     const bool is_plain = same_transform(local(i, 0), {});
     const bool is_stand = on_top && !nodes_[i].joint && !moves_[i] && children > 0 &&
                           (are_marked_ || children == 1 || (is_plain && parent < 0));
-    if (is_stand || (is_helper(i) && children > 0)) roles_[i] = Role::Part;
+    if (is_stand) roles_[i] = Role::Part;
   }
 }
 
@@ -499,13 +495,27 @@ NodePlacement file_placement(double cm_per_unit, UpAxis up) {
   const Quaterniond y_up_from_file = up == UpAxis::Z
                                          ? Quaterniond(std::sqrt(0.5), -std::sqrt(0.5), 0, 0)
                                          : Quaterniond::Identity();
-  return {cm_per_unit * y_up_from_file.toRotationMatrix(), Vector3d::Zero(), y_up_from_file};
+  const Matrix3d world_from_file = cm_per_unit * y_up_from_file.toRotationMatrix();
+  return {.world_from_node = world_from_file,
+          .origin = Vector3d::Zero(),
+          .rotation = y_up_from_file,
+          .without_scale = world_from_file,
+          .scale = Vector3d::Ones()};
 }
 
 NodePlacement below(const NodePlacement& parent, const LocalTransform& local) {
   const Quaterniond turn = local.rotation.normalized();
-  return {parent.world_from_node * turn.toRotationMatrix() * local.scale.asDiagonal(),
-          parent.origin + parent.world_from_node * local.translation, parent.rotation * turn};
+  const bool is_whole = local.inherit == ScaleOfParent::Whole;
+  NodePlacement placement;
+  placement.origin = parent.origin + parent.world_from_node * local.translation;
+  placement.rotation = parent.rotation * turn;
+  placement.without_scale =
+      (is_whole ? parent.world_from_node : parent.without_scale) * turn.toRotationMatrix();
+  placement.scale = local.scale;
+  if (local.inherit == ScaleOfParent::ByAxis)
+    placement.scale = parent.scale.cwiseProduct(local.scale);
+  placement.world_from_node = placement.without_scale * placement.scale.asDiagonal();
+  return placement;
 }
 
 void check_take_size(const std::string& file, std::size_t moving_nodes, double frames) {

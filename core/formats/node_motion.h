@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,20 @@
 
 namespace mocapress {
 
-/// x_in_parent = translation + rotation * scale * x_in_node, in the file's unit.
+/// What a node takes over of its parent's scale. Its translation is scaled in any case.
+enum class ScaleOfParent : std::uint8_t {
+  Whole,   // as glTF, and FBX where it says RSrs: a turned node is sheared
+  ByAxis,  // RrSs: scales are multiplied axis by axis, below all turns
+  None     // Rrs: Maya's segment scale compensation
+};
+
+/// x_in_parent = translation + rotation * scale * x_in_node, in the file's unit, where the parent's
+/// scale applies as a whole.
 struct LocalTransform {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  // of any length but 0
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+  ScaleOfParent inherit = ScaleOfParent::Whole;
 };
 
 struct AnimatedNode {
@@ -47,6 +57,9 @@ struct NodePlacement {
   Eigen::Matrix3d world_from_node;  // with scale
   Eigen::Vector3d origin;
   Eigen::Quaterniond rotation;
+  // For children that do not take over the whole scale: world_from_node = without_scale * scale.
+  Eigen::Matrix3d without_scale;
+  Eigen::Vector3d scale;
 };
 
 /// Where the file's own axes are: what hangs from nothing is below this.
@@ -62,8 +75,8 @@ void check_take_size(const std::string& file, std::size_t moving_nodes, double f
 ///
 /// Joints are the nodes marked as such, what moves above or below these, and what lies between. In
 /// a file that marks none they are what moves, what hangs from that, and what joins it. Nodes above
-/// that stand still become part of the root; FBX's helper nodes become part of their joint; where
-/// joints are marked, a still leaf below one, alone there, is the end of its bone.
+/// that stand still become part of the root; where joints are marked, a still leaf below one, alone
+/// there, is the end of its bone.
 ///
 /// A joint has no scale: the places of joints are kept exactly, by offsets and, where they change
 /// against the parent, by translation channels. The skin has the scales of the first frame; where

@@ -3,16 +3,16 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/formats/fbx_reader.h"
-
-// Assimp does not give back what it has read of a file that it then refuses.
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libassimp\nleak:inflateInit";
-}
+#include "core/formats/fbx/fbx_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   try {
-    mocapress::read_fbx("fuzz.fbx", {reinterpret_cast<const char*>(data), size});
+    mocapress::read_fbx("fuzz.fbx", bytes);
+  } catch (const mocapress::Error&) {
+  }
+  try {
+    mocapress::read_fbx_character("fuzz.fbx", bytes);
   } catch (const mocapress::Error&) {
   }
   return 0;

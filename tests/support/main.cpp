@@ -8,13 +8,6 @@
 
 #include "core/baselines/rivals.h"
 
-// Assimp does not give back what it has read of a file that it then refuses. Asked by the address
-// sanitizer alone.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libassimp\nleak:inflateInit";
-}
-
 int main(int argc, char** argv) {
   mocapress::add_rivals();  // tests ask for them while they are listed
   testing::InitGoogleTest(&argc, argv);

@@ -125,16 +125,6 @@ TEST(NodeMotion, KeepsAStandThatIsMarkedOrMoves) {
   expect_exact(take, read(take).motion);
 }
 
-TEST(NodeMotion, FoldsHelperNodesIntoTheirJoint) {
-  NodeTake take = take_of({moving("Hips", -1, turning({0, 90, 0}, kX), true),
-                           moving("Knee_$AssimpFbx$_Translation", 0, turning({0, -40, 0}, kZ)),
-                           still("Knee_$AssimpFbx$_PreRotation", 1, {{1, 2, 3}, turn(1, kX)}),
-                           moving("Knee", 2, turning({0, -5, 0}, kZ), true)});
-  const MotionFile file = read(take);
-  EXPECT_THAT(names(file.motion), ElementsAre("Hips", "Knee"));
-  expect_exact(take, file.motion);
-}
-
 TEST(NodeMotion, GivesTranslationChannelsOnlyToJointsThatSlide) {
   std::vector<LocalTransform> walk = turning({0, 90, 0}, kX);
   for (int t = 0; t < kFrames; ++t) walk[static_cast<std::size_t>(t)].translation.z() = 3.0 * t;

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "core/base/file.h"
-#include "core/formats/fbx_reader.h"
+#include "core/formats/fbx/fbx_reader.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/landmarks.h"
 #include "tests/support/corpus.h"
@@ -125,9 +125,8 @@ std::string with_layer(std::string text, const std::string& node) {
               "AnimationLayer: 110, \"AnimLayer::Added\", \"\" {\n}\n"
               "AnimationCurveNode: 111, \"AnimCurveNode::R\", \"\" {\nProperties70: {\n" +
                   property("d|X", "Number", "0") + "}\n}\n" + curve(112, {.degrees = 20}));
-  text.insert(text.find(connections) + connections.size(),
-              "C: \"OO\",110,100\nC: \"OO\",111,110\nC: \"OP\",111," + node +
-                  ", \"Lcl Rotation\"\nC: \"OP\",112,111, \"d|X\"\n");
+  text.insert(text.size() - 2, "C: \"OO\",110,100\nC: \"OO\",111,110\nC: \"OP\",111," + node +
+                                   ", \"Lcl Rotation\"\nC: \"OP\",112,111, \"d|X\"\n");
   return text;
 }
 
@@ -181,6 +180,26 @@ TEST(FbxReader, ReadsMorphWeights) {
   for (std::size_t t = 0; t < 11; ++t)
     EXPECT_NEAR(file.tracks[0].values[t], 0.05 * static_cast<double>(t), 1e-6);
   EXPECT_TRUE(read_fbx("f", fbx_text({{}})).tracks.empty());
+}
+
+TEST(FbxReader, ReadsWeightsAlone) {
+  std::string text = with_smile(fbx_text({{.degrees = 0}}));
+  for (const char* limb : {"LimbNode", "LimbNode", "LimbNode"})
+    text.replace(text.find(limb), std::string(limb).size(), "Null");
+  const MotionFile file = read_fbx("f", text);
+  ASSERT_EQ(file.tracks.size(), 1u);
+  EXPECT_NEAR(file.tracks[0].values[10], 0.5, 1e-6);
+}
+
+TEST(FbxReader, ReadsCustomPropertiesThatChange) {
+  std::string text = with_smile(fbx_text({{}}, "P: \"grip\", \"Number\", \"\", \"AU\",0\n"));
+  const std::string moved = "C: \"OP\",105,23, \"DeformPercent\"";
+  text.replace(text.find(moved), moved.size(), "C: \"OP\",105,2, \"grip\"");
+  const MotionFile file = read_fbx("f", text);
+  ASSERT_EQ(file.tracks.size(), 1u);
+  EXPECT_EQ(label(file.tracks[0]), "rig:Knee.grip");
+  EXPECT_EQ(file.tracks[0].kind, TrackKind::Property);
+  EXPECT_NEAR(file.tracks[0].values[10], 50, 1e-4);
 }
 
 TEST(FbxReader, TurnsAJointAboutItsPivot) {
@@ -242,13 +261,25 @@ TEST(FbxReader, RefusesInOneSentence) {
       "studio, puts it on a clip");
   EXPECT_EQ(error_of("").find("f: cannot be read as FBX: "), 0u);
   EXPECT_EQ(error_of("nonsense").find("f: cannot be read as FBX: "), 0u);
-  EXPECT_EQ(error_of(std::string(100000, '{')), "f: nests records deeper than 64");
+  std::string nested;
+  for (int i = 0; i < 100000; ++i) nested += "FBX: {";
+  EXPECT_EQ(error_of(nested), "f: nests records deeper than 64");
+  EXPECT_EQ(error_of("version https://git-lfs.github.com/spec/v1\n"),
+            "f: is a pointer of Git LFS, not the file itself: git lfs pull fetches it");
+  EXPECT_EQ(error_of("; FBX 5.8.0 project file\n"), "f: is FBX 5.8: versions from 6.0 on are read");
 }
 
-TEST(FbxReader, RefusesWhatWouldTakeAssimpInCircles) {
+TEST(FbxReader, RefusesNodesInACircle) {
+  std::string text = fbx_text({{}});
+  const std::string hangs = "C: \"OO\",1,0\n";
+  text.replace(text.find(hangs), hangs.size(), "C: \"OO\",1,3\n");
+  EXPECT_EQ(error_of(text), "f: its nodes hang in a circle");
+}
+
+TEST(FbxReader, TakesTheFirstOfSeveralParents) {
   std::string text = fbx_text({{}});
   text.insert(text.find("C: \"OO\",2,1"), "C: \"OO\",1,3\n");
-  EXPECT_EQ(error_of(text), "f: its nodes hang in a circle, or deeper than 1000");
+  EXPECT_EQ(error_of(text), "read");
 }
 
 TEST(FbxReader, RefusesBinaryRecordsInRecordsWithoutEnd) {
@@ -339,12 +370,46 @@ TEST_F(FbxCorpus, SurvivesTruncationsAndDamage) {
   }
 }
 
-TEST(Fbx, RefusesATakeWhoseLayersMoveTheSameNode) {
-  const std::string text = fbx_text({{.name = "walk"}, {.name = "run"}});
-  EXPECT_EQ(error_of(with_layer(text, "2"), {.take = "walk"}),
-            "f: its take walk moves the same node in several animation layers: bake them into one");
-  EXPECT_EQ(error_of(with_layer(text, "2"), {.take = "run"}), "read");
-  EXPECT_EQ(error_of(with_layer(text, "3"), {.take = "walk"}), "read");  // one layer each
+Eigen::Matrix3d knee_turn(const std::string& text, int frame) {
+  const MotionFile file = read_fbx("f", text);
+  return axis_rotation(2, std::numbers::pi / 2).transpose() *
+         joint_rotation(file.motion.skeleton.joint(1), file.motion.clip.channels.row(frame));
+}
+
+TEST(FbxReader, AddsLayers) {
+  const std::string text = with_layer(fbx_text({{}}), "2");
+  const double degrees = (90 + 20) * std::numbers::pi / 180;
+  EXPECT_LT((knee_turn(text, 10) - axis_rotation(0, degrees)).norm(), 1e-6);
+  EXPECT_LT((knee_turn(text, 5) - axis_rotation(0, degrees / 2)).norm(), 1e-6);
+}
+
+TEST(FbxReader, MixesAndReplacesByLayersOfAWeight) {
+  const auto layered = [](const std::string& properties) {
+    std::string text = with_layer(fbx_text({{}}), "2");
+    const std::string layer = "\"AnimLayer::Added\", \"\" {\n";
+    text.insert(text.find(layer) + layer.size(), "Properties70: {\n" + properties + "}\n");
+    return text;
+  };
+  const auto degrees = [](double angle) {
+    return axis_rotation(0, angle * std::numbers::pi / 180);
+  };
+  const std::string half = property("Weight", "Number", "50");
+  const std::string mix = property("BlendMode", "enum", "2");
+  const std::string replace = property("BlendMode", "enum", "1");
+  const std::string by_angle = property("RotationAccumulationMode", "enum", "1");
+  EXPECT_LT((knee_turn(layered(half), 10) - degrees(100)).norm(), 1e-6);
+  EXPECT_LT((knee_turn(layered(half + mix), 10) - degrees(55)).norm(), 1e-6);
+  EXPECT_LT((knee_turn(layered(half + mix + by_angle), 10) - degrees(55)).norm(), 1e-6);
+  EXPECT_LT((knee_turn(layered(half + replace), 10) - degrees(20)).norm(), 1e-6);
+  EXPECT_LT((knee_turn(layered(property("Mute", "bool", "1")), 10) - degrees(90)).norm(), 1e-6);
+  EXPECT_LT((knee_turn(layered(property("Solo", "bool", "1") + replace), 10) - degrees(20)).norm(),
+            1e-6);
+}
+
+TEST(FbxReader, ReadsAConnectionThatIsThereTwiceOnce) {
+  std::string text = fbx_text({{}});
+  text.insert(text.find("C: \"OO\",2,1"), "C: \"OO\",2,1\n");
+  EXPECT_EQ(error_of(text), "read");
 }
 
 }  // namespace

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "core/formats/fbx/fbx_animation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mocapress {
+namespace {
+
+constexpr double kPercent = 0.01;
+
+/// "d|Y" is along the second axis; what has one number is along the first.
+std::size_t axis_of(std::string_view property) {
+  if (property.ends_with("|Y") || property == "Y") return 1;
+  if (property.ends_with("|Z") || property == "Z") return 2;
+  return 0;
+}
+
+bool is_of_node(const FbxMovement& movement) {
+  return movement.property.starts_with("Lcl ");
+}
+
+}  // namespace
+
+Eigen::Vector3d FbxMovement::at(double ticks) const {
+  Eigen::Vector3d value = still;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (curves[axis]) value(static_cast<Eigen::Index>(axis)) = curves[axis]->at(ticks);
+  return value;
+}
+
+bool FbxMovement::moves() const {
+  return std::any_of(curves.begin(), curves.end(),
+                     [](const auto& curve) { return curve && curve->moves(); });
+}
+
+double FbxLayer::weight_at(double ticks) const {
+  return weight_curve ? std::clamp(kPercent * weight_curve->at(ticks), 0.0, 1.0) : weight;
+}
+
+FbxAnimation::FbxAnimation(FbxRecords& records, const FbxObjects& objects, double ticks_per_second)
+    : records_(records), objects_(objects), ticks_per_second_(ticks_per_second) {
+  if (records.version() >= 7000)
+    find_takes();
+  else
+    find_takes_of_records();
+}
+
+void FbxAnimation::find_takes() {
+  for (std::size_t o = 0; o < objects_.all().size(); ++o) {
+    if (!objects_.is(o, "AnimationStack")) continue;
+    FbxTakeInfo take{.name = objects_[o].name, .object = o};
+    const FbxProperties properties = objects_.properties(o);
+    const auto ticks = [&](const char* name) {
+      return std::llround(std::clamp(properties.number(name, 0), -9e18, 9e18));
+    };
+    if (properties.has("LocalStop") && ticks("LocalStop") > ticks("LocalStart"))
+      take.span = {ticks("LocalStart"), ticks("LocalStop")};
+    bool any_solo = false;
+    for (const FbxLink& link : objects_.children(o)) {
+      if (!objects_.is(link.object, "AnimationLayer")) continue;
+      take.layers.push_back(layer_of(link.object));
+      any_solo |= objects_.properties(link.object).number("Solo", 0) != 0;
+    }
+    for (FbxLayer& layer : take.layers) {
+      const FbxProperties of = objects_.properties(layer.object);
+      layer.is_silent = of.number("Mute", 0) != 0 || (any_solo && of.number("Solo", 0) == 0);
+    }
+    takes_.push_back(std::move(take));
+  }
+}
+
+void FbxAnimation::find_takes_of_records() {
+  const FbxRecord* const list = records_.find(records_.top(), "Takes");
+  if (list == nullptr) return;
+  for (const FbxRecord* record = records_.first_child(*list); record != nullptr;
+       record = records_.next(*record)) {
+    if (record->name != "Take") continue;
+    FbxTakeInfo take{.layers = {{}}, .record = record};
+    if (const auto name = records_.value(*record, 0); name && name->kind == FbxValue::Kind::Text)
+      take.name = std::string(name->text);
+    const std::vector<std::int64_t> span = records_.integers(*record, "LocalTime");
+    if (span.size() == 2 && span[1] > span[0]) take.span = {span[0], span[1]};
+    takes_.push_back(std::move(take));
+  }
+}
+
+FbxLayer FbxAnimation::layer_of(std::size_t object) {
+  FbxLayer layer{.object = object};
+  const FbxProperties properties = objects_.properties(object);
+  const double blend = properties.number("BlendMode", 0);
+  layer.blend = blend == 0   ? FbxLayer::Blend::Add
+                : blend == 2 ? FbxLayer::Blend::Mix
+                             : FbxLayer::Blend::Replace;
+  layer.weight = std::clamp(kPercent * properties.number("Weight", 100), 0.0, 1.0);
+  layer.turns_by_angle = properties.number("RotationAccumulationMode", 0) != 0;
+  layer.scales_by_sum = properties.number("ScaleAccumulationMode", 0) != 0;
+  for (const FbxLink& link : objects_.children(object))
+    if (link.property == "Weight" && objects_.is(link.object, "AnimationCurveNode"))
+      layer.weight_curve = movement_of(link.object, 0).curves[0];
+  return layer;
+}
+
+/// What a curve node does, whatever it moves.
+FbxMovement FbxAnimation::movement_of(std::size_t curve_node, std::size_t layer) {
+  FbxMovement movement{.layer = layer, .curve_node = curve_node};
+  const FbxProperties properties = objects_.properties(curve_node);
+  constexpr const char* kAxes[] = {"d|X", "d|Y", "d|Z"};
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    movement.still(axis) = properties.number(kAxes[axis], movement.still(axis));
+  for (const FbxLink& link : objects_.children(curve_node)) {
+    if (!objects_.is(link.object, "AnimationCurve")) continue;
+    FbxCurve curve(records_, *objects_[link.object].record, ticks_per_second_);
+    if (!curve.keys().empty()) movement.curves[axis_of(link.property)] = std::move(curve);
+  }
+  return movement;
+}
+
+/// False: `receive` did, and wants no more.
+template <typename Take>
+bool FbxAnimation::movements_of_layer(const FbxTakeInfo& take, std::size_t layer,
+                                      const Take& receive) {
+  for (const FbxLink& link : objects_.children(take.layers[layer].object)) {
+    if (!objects_.is(link.object, "AnimationCurveNode")) continue;
+    std::optional<FbxMovement> movement;
+    for (const FbxLink& moved : objects_.parents(link.object)) {
+      if (moved.property.empty() || objects_.is(moved.object, "AnimationLayer")) continue;
+      if (!movement) movement = movement_of(link.object, layer);
+      movement->object = moved.object;
+      movement->property = moved.property;
+      if (!receive(*movement)) return false;
+    }
+  }
+  return true;
+}
+
+std::optional<FbxCurve> FbxAnimation::curve_of(const FbxRecord& channel) {
+  FbxCurve curve = FbxCurve::of_channel(records_, channel, ticks_per_second_);
+  return curve.keys().empty() ? std::nullopt : std::optional(std::move(curve));
+}
+
+/// Model: "Model::Hips" { Channel: "Transform" { Channel: "T" { Channel: "X" { keys } } } }
+template <typename Take>
+bool FbxAnimation::movements_of_record(const FbxTakeInfo& take, const Take& receive) {
+  const auto name_of = [&](const FbxRecord& channel) -> std::string {
+    const auto name = records_.value(channel, 0);
+    return name && name->kind == FbxValue::Kind::Text ? std::string(name->text) : std::string();
+  };
+  const auto for_each_channel = [&](const FbxRecord& in, const auto& receive_channel) {
+    for (const FbxRecord* channel = records_.first_child(in); channel != nullptr;
+         channel = records_.next(*channel))
+      if (channel->name == "Channel" && !receive_channel(*channel, name_of(*channel))) return false;
+    return true;
+  };
+  /// One number, or one for each axis.
+  const auto receive_property = [&](std::size_t object, const FbxRecord& channel,
+                                    const std::string& property) {
+    FbxMovement movement{.object = object, .property = property};
+    const auto default_of = [&](const FbxRecord& of) {
+      const std::vector<double> number = records_.numbers(of, "Default");
+      return number.empty() ? std::numeric_limits<double>::quiet_NaN() : number[0];
+    };
+    bool any = false;
+    if (records_.find(channel, "Key") != nullptr) {
+      movement.curves[0] = curve_of(channel);
+      any = movement.curves[0].has_value();
+    }
+    for_each_channel(channel, [&](const FbxRecord& axis, const std::string& name) {
+      const std::size_t a = axis_of(name);
+      movement.still(static_cast<Eigen::Index>(a)) = default_of(axis);
+      movement.curves[a] = curve_of(axis);
+      any = true;  // without a key it has its default in this take
+      return true;
+    });
+    return !any || receive(movement);
+  };
+  for (const FbxRecord* record = records_.first_child(*take.record); record != nullptr;
+       record = records_.next(*record)) {
+    const auto full_name = records_.value(*record, 0);
+    if (!full_name || full_name->kind != FbxValue::Kind::Text) continue;
+    const FbxName name = fbx_name(full_name->text);
+    const auto object = objects_.named(name.type + "::" + name.name);
+    if (!object) continue;
+    const bool goes_on =
+        for_each_channel(*record, [&](const FbxRecord& channel, const std::string& property) {
+          if (property != "Transform") return receive_property(*object, channel, property);
+          return for_each_channel(channel, [&](const FbxRecord& part, const std::string& letter) {
+            const std::string of = letter == "T"   ? "Lcl Translation"
+                                   : letter == "R" ? "Lcl Rotation"
+                                   : letter == "S" ? "Lcl Scaling"
+                                                   : letter;
+            return receive_property(*object, part, of);
+          });
+        });
+    if (!goes_on) return false;
+  }
+  return true;
+}
+
+template <typename Take>
+void FbxAnimation::for_each_movement(const FbxTakeInfo& take, const Take& receive) {
+  if (take.record != nullptr) {
+    movements_of_record(take, receive);
+    return;
+  }
+  for (std::size_t layer = 0; layer < take.layers.size(); ++layer)
+    if (!take.layers[layer].is_silent && !movements_of_layer(take, layer, receive)) return;
+}
+
+std::vector<FbxMovement> FbxAnimation::movements(std::size_t take) {
+  std::vector<FbxMovement> movements;
+  for_each_movement(takes_[take], [&](const FbxMovement& movement) {
+    movements.push_back(movement);
+    return true;
+  });
+  return movements;
+}
+
+bool FbxAnimation::moves(std::size_t take, bool nodes) {
+  bool moves = false;
+  for_each_movement(takes_[take], [&](const FbxMovement& movement) {
+    moves = (!nodes || is_of_node(movement)) && movement.moves();
+    return !moves;
+  });
+  return moves;
+}
+
+}  // namespace mocapress

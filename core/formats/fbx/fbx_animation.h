@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// The takes of an FBX file: layers of curves that move properties of objects. Version 7 has them as
+// objects, version 6 as records by name.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/formats/fbx/fbx_curves.h"
+#include "core/formats/fbx/fbx_objects.h"
+
+namespace mocapress {
+
+/// How one layer moves one property.
+struct FbxMovement {
+  std::size_t object = 0;
+  std::string property;  // "Lcl Rotation", "DeformPercent", ...
+  std::size_t layer = 0;
+  std::size_t curve_node = 0;  // of version 7: what holds the curves
+  // Along axes without a curve; NaN: as it is at rest.
+  Eigen::Vector3d still = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  std::array<std::optional<FbxCurve>, 3> curves;  // of a single number the first
+
+  Eigen::Vector3d at(double ticks) const;
+  bool moves() const;
+};
+
+struct FbxLayer {
+  enum class Blend { Add, Replace, Mix };
+
+  Blend blend = Blend::Add;
+  double weight = 1;
+  std::optional<FbxCurve> weight_curve;  // percent
+  bool turns_by_angle = false;           // else rotations of two layers are one after the other
+  bool scales_by_sum = false;            // else scales of two layers are multiplied
+  bool is_silent = false;
+  std::size_t object = 0;  // of version 7
+
+  double weight_at(double ticks) const;
+};
+
+struct FbxTakeInfo {
+  std::string name;
+  std::optional<std::pair<std::int64_t, std::int64_t>> span;  // ticks
+  std::vector<FbxLayer> layers;
+  std::size_t object = 0;             // of version 7
+  const FbxRecord* record = nullptr;  // of version 6
+};
+
+class FbxAnimation {
+ public:
+  FbxAnimation(FbxRecords& records, const FbxObjects& objects, double ticks_per_second);
+
+  const std::vector<FbxTakeInfo>& takes() const { return takes_; }
+
+  /// All that a take moves, layer by layer.
+  std::vector<FbxMovement> movements(std::size_t take);
+  /// Whether it moves nodes, or else whether it moves anything. Stops at the first that does.
+  bool moves(std::size_t take, bool nodes);
+
+ private:
+  template <typename Take>
+  void for_each_movement(const FbxTakeInfo& take, const Take& receive);
+  template <typename Take>
+  bool movements_of_layer(const FbxTakeInfo& take, std::size_t layer, const Take& receive);
+  template <typename Take>
+  bool movements_of_record(const FbxTakeInfo& take, const Take& receive);
+  FbxMovement movement_of(std::size_t curve_node, std::size_t layer);
+  void find_takes();
+  void find_takes_of_records();
+  FbxLayer layer_of(std::size_t object);
+  std::optional<FbxCurve> curve_of(const FbxRecord& channel);
+
+  FbxRecords& records_;
+  const FbxObjects& objects_;
+  double ticks_per_second_;
+  std::vector<FbxTakeInfo> takes_;
+};
+
+}  // namespace mocapress

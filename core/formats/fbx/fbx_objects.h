@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The objects of an FBX file (nodes, meshes, deformers, takes, curves), their properties, and which
+// is connected to which. Files of version 6 know objects by name, later ones by number.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "core/formats/fbx/fbx_records.h"
+
+namespace mocapress {
+
+/// Named values of an object. What it does not state its type's template does.
+class FbxProperties {
+ public:
+  FbxProperties() = default;
+  FbxProperties(const FbxRecords& records, const FbxRecord& object, const FbxProperties* defaults);
+
+  bool has(std::string_view name) const { return find(name) != nullptr; }
+  double number(std::string_view name, double otherwise) const;
+  Eigen::Vector3d vector(std::string_view name, const Eigen::Vector3d& otherwise) const;
+  /// Whether a user made it ('U' among its flags).
+  bool is_custom(std::string_view name) const;
+
+ private:
+  /// The values that follow name, types and flags.
+  std::vector<FbxValue> values(std::string_view name) const;
+  const FbxRecord* find(std::string_view name) const;
+
+  const FbxRecords* records_ = nullptr;
+  std::unordered_map<std::string_view, const FbxRecord*> own_;
+  std::size_t first_value_ = 4;
+  const FbxProperties* defaults_ = nullptr;
+};
+
+struct FbxObject {
+  std::string type;  // Model, Geometry, Deformer, AnimationCurve, ...: its record's name
+  std::string name;
+  std::string kind;  // LimbNode, Mesh, Skin, ...
+  const FbxRecord* record = nullptr;
+};
+
+struct FbxLink {
+  std::size_t object = 0;
+  std::string property;  // of the parent; empty: of the whole
+};
+
+class FbxObjects {
+ public:
+  static constexpr std::size_t kScene = 0;  // what nodes hang from that hang from no other
+
+  explicit FbxObjects(FbxRecords& records);
+
+  const std::vector<FbxObject>& all() const { return objects_; }
+  const FbxObject& operator[](std::size_t object) const { return objects_[object]; }
+  bool is(std::size_t object, std::string_view type) const { return objects_[object].type == type; }
+  /// In the order of the file.
+  const std::vector<FbxLink>& children(std::size_t object) const { return children_[object]; }
+  const std::vector<FbxLink>& parents(std::size_t object) const { return parents_[object]; }
+  /// The first child of a type.
+  std::optional<std::size_t> child(std::size_t object, std::string_view type) const;
+
+  FbxProperties properties(std::size_t object) const;
+  const FbxProperties& settings() const { return settings_; }  // of the whole file
+
+  /// Of a version 6 file: by "Model::Top".
+  std::optional<std::size_t> named(std::string_view full_name) const;
+
+ private:
+  void read_templates();
+  void read_objects();
+  void read_connections();
+  std::optional<std::size_t> resolve(const FbxValue& value) const;
+
+  FbxRecords& records_;
+  std::vector<FbxObject> objects_;
+  std::vector<std::vector<FbxLink>> children_;
+  std::vector<std::vector<FbxLink>> parents_;
+  std::unordered_map<std::int64_t, std::size_t> by_id_;
+  std::unordered_map<std::string, std::size_t> by_name_;         // "Model::Top"
+  std::map<std::string, FbxProperties, std::less<>> templates_;  // by type
+  FbxProperties settings_;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,540 @@
+// SPDX-License-Identifier: MIT
+#include "core/formats/fbx/fbx_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <unordered_map>
+
+#include "core/formats/fbx/fbx_meshes.h"
+#include "core/formats/key_times.h"
+#include "core/formats/take_choice.h"
+#include "core/formats/text_cursor.h"
+#include "core/formats/text_writer.h"
+#include "core/runtime/format/format_limits.h"
+
+namespace mocapress {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr std::size_t kMostFbxNodes = 1 << 16;
+constexpr int kDeepestFbxNode = 1000;
+constexpr double kMostFbxPlacements = 1e8;  // of nodes, over all frames
+constexpr double kNearFrame = 0.1;          // frames; a key so near was meant to be on it
+constexpr double kMostFbxSeconds = 1e7;
+
+// By the number of a time mode; 0: none of its own.
+constexpr double kRates[] = {30,
+                             120,
+                             100,
+                             60,
+                             50,
+                             48,
+                             30,
+                             30,
+                             30000.0 / 1001,
+                             30000.0 / 1001,
+                             25,
+                             24,
+                             1000,
+                             24000.0 / 1001,
+                             0,
+                             96,
+                             72,
+                             60000.0 / 1001,
+                             120000.0 / 1001};
+constexpr std::size_t kDefaultMode = 0;
+constexpr std::size_t kCustomMode = 14;
+
+bool is_joint_kind(std::string_view kind) {
+  return kind == "LimbNode" || kind == "Limb" || kind == "Root";
+}
+
+bool is_onlooker(std::string_view kind) {
+  return kind == "Camera" || kind == "CameraSwitcher" || kind == "Light";
+}
+
+double power(double base, double exponent) {
+  return std::copysign(std::pow(std::abs(base), exponent), base);
+}
+
+class FbxTakeReader {
+ public:
+  FbxTakeReader(FbxFile& file, const ReadOptions& options)
+      : file_(file),
+        objects_(file.objects),
+        options_(options),
+        ticks_per_second_(file.ticks_per_second()) {}
+
+  FbxTake read();
+  FbxTake read_rest();
+
+ private:
+  void choose_take(FbxAnimation& animation);
+  void find_nodes();
+  void mark_joints();
+  void settle_axes();
+  std::optional<double> stated_rate() const;
+  std::vector<double> key_times(bool of_nodes, std::size_t fewest) const;
+  void clip_to_span(std::vector<double>& keys_s, std::optional<double> rate) const;
+  void snap_to_frames(std::vector<double>& keys_s, std::optional<double> rate) const;
+  void sample();
+  void sample_node(std::size_t node, const std::vector<const FbxMovement*>& movements);
+  void apply(const FbxMovement& movement, double ticks, FbxTransform& transform) const;
+  void sample_tracks();
+  bool add_track(const FbxMovement& movement, std::size_t axis, ScalarTrack track, double scale);
+  std::optional<std::size_t> mesh_of_shape(std::size_t channel) const;
+  double ticks_at(int frame) const { return times_.at(frame) * ticks_per_second_; }
+  void warn(std::string message) {
+    result_.warnings.push_back({file_.records.file(), 0, std::move(message)});
+  }
+  [[noreturn]] void refuse(const std::string& what) const { file_.records.fail(what); }
+
+  FbxFile& file_;
+  const FbxObjects& objects_;
+  const ReadOptions& options_;
+  double ticks_per_second_;
+  FbxTake result_;
+  std::optional<FbxTakeInfo> chosen_;
+  std::vector<FbxMovement> movements_;
+  SampleTimes times_;
+};
+
+FbxTake FbxTakeReader::read() {
+  FbxAnimation animation(file_.records, objects_, ticks_per_second_);
+  choose_take(animation);
+  find_nodes();
+  settle_axes();
+  sample();
+  return std::move(result_);
+}
+
+FbxTake FbxTakeReader::read_rest() {
+  find_nodes();
+  settle_axes();
+  return std::move(result_);
+}
+
+void FbxTakeReader::choose_take(FbxAnimation& animation) {
+  std::vector<TakeName> takes;
+  for (std::size_t t = 0; t < animation.takes().size(); ++t)
+    takes.push_back({animation.takes()[t].name, animation.moves(t, true)});
+  if (takes.empty()) refuse("holds no animation");
+  // One of weights alone, a face perhaps, only where nothing moves.
+  if (std::none_of(takes.begin(), takes.end(), [](const TakeName& take) { return take.moves; }))
+    for (std::size_t t = 0; t < takes.size(); ++t) takes[t].moves = animation.moves(t, false);
+  const bool stands = !takes.front().moves && std::any_of(takes.begin(), takes.end(),
+                                                          [](const auto& t) { return t.moves; });
+  const std::size_t chosen =
+      mocapress::choose_take(file_.records.file(), takes, options_.take, result_.warnings);
+  if (stands && !options_.take) warn("the first take, " + takes.front().name + ", stands still");
+  result_.index = chosen;
+  result_.takes = choices(takes, chosen);
+  result_.take.name = takes[chosen].name;
+  chosen_ = animation.takes()[chosen];
+  movements_ = animation.movements(chosen);
+  if (std::none_of(movements_.begin(), movements_.end(), [](const FbxMovement& movement) {
+        return std::any_of(movement.curves.begin(), movement.curves.end(),
+                           [](const auto& curve) { return curve.has_value(); });
+      })) {
+    if (takes.size() == 1 || !options_.take) refuse("holds no keys");
+    refuse("its take " + takes[chosen].name + " moves no node");
+  }
+  int dropped = 0;
+  for (const FbxMovement& movement : movements_)
+    for (const auto& curve : movement.curves) dropped += curve ? curve->dropped() : 0;
+  if (dropped > 0) warn(counted(dropped, "key") + " left out: not a finite number");
+}
+
+/// All nodes but leaves that only draw, light or look; parents first.
+void FbxTakeReader::find_nodes() {
+  const std::size_t count = objects_.all().size();
+  std::vector<int> parent(count, -1);
+  std::size_t models = 0;
+  std::vector<std::vector<std::size_t>> children(count);
+  for (std::size_t o = 1; o < count; ++o) {
+    if (!objects_.is(o, "Model")) continue;
+    if (++models > kMostFbxNodes)
+      refuse("has more than " + std::to_string(kMostFbxNodes) + " nodes");
+    std::size_t above = FbxObjects::kScene;
+    for (const FbxLink& link : objects_.parents(o))
+      if (link.property.empty() && objects_.is(link.object, "Model")) {
+        above = link.object;  // of several the first
+        break;
+      }
+    parent[o] = static_cast<int>(above);
+  }
+  // In the order of connections, as programs list them.
+  for (std::size_t o = 0; o < count; ++o)
+    for (const FbxLink& link : objects_.children(o))
+      if (link.property.empty() && parent[link.object] == static_cast<int>(o))
+        children[o].push_back(link.object);
+  for (std::size_t o = 1; o < count; ++o)
+    if (parent[o] == 0) {
+      const auto& links = objects_.parents(o);
+      if (std::none_of(links.begin(), links.end(), [](const FbxLink& link) {
+            return link.property.empty() && link.object == FbxObjects::kScene;
+          }))
+        children[0].push_back(o);
+    }
+  std::vector<bool> moves(count);
+  for (const FbxMovement& movement : movements_) {
+    moves[movement.object] = true;
+    if (const auto mesh = mesh_of_shape(movement.object)) moves[*mesh] = true;
+  }
+  const auto is_left_out = [&](std::size_t o) {
+    const std::string& kind = objects_[o].kind;
+    return children[o].empty() && (is_onlooker(kind) || (kind == "Mesh" && !moves[o]));
+  };
+  result_.node_of_object.assign(count, -1);
+  struct Visit {
+    std::size_t object;
+    int parent;
+    int depth;
+  };
+  std::vector<Visit> open = {{FbxObjects::kScene, -1, 0}};
+  std::size_t visited = 0;
+  int spheric = 0;
+  while (!open.empty()) {
+    const Visit visit = open.back();
+    open.pop_back();
+    ++visited;
+    if (visit.depth > kDeepestFbxNode)
+      refuse("its nodes hang deeper than " + std::to_string(kDeepestFbxNode));
+    if (visit.object != FbxObjects::kScene && is_left_out(visit.object)) continue;
+    const auto node = static_cast<int>(result_.take.nodes.size());
+    result_.node_of_object[visit.object] = node;
+    const FbxTransform transform = visit.object == FbxObjects::kScene
+                                       ? FbxTransform()
+                                       : FbxTransform(objects_.properties(visit.object));
+    spheric += transform.is_spheric;
+    result_.object_of_node.push_back(visit.object);
+    result_.transforms.push_back(transform);
+    result_.take.nodes.push_back(
+        {.name = objects_[visit.object].name, .parent = visit.parent, .rest = transform.local()});
+    for (auto child = children[visit.object].rbegin(); child != children[visit.object].rend();
+         ++child)
+      open.push_back({*child, node, visit.depth + 1});
+  }
+  if (visited < models + 1) refuse("its nodes hang in a circle");
+  if (spheric > 0)
+    warn(counted(spheric, "node") + " with spheric XYZ angles, which are read as XYZ angles");
+  mark_joints();
+}
+
+/// The bones of skins and what carries them; without skins, limbs. So clips of one figure have the
+/// same joints, whichever of them move.
+void FbxTakeReader::mark_joints() {
+  auto& nodes = result_.take.nodes;
+  std::vector<bool> is_bone(nodes.size());
+  bool any = false;
+  for (std::size_t o = 0; o < objects_.all().size(); ++o) {
+    if (objects_[o].kind != "Cluster") continue;
+    for (const FbxLink& link : objects_.children(o))
+      if (const int node = result_.node_of_object[link.object]; node > 0)
+        is_bone[static_cast<std::size_t>(node)] = any = true;
+  }
+  // A clip of weights or properties alone has no other joint than what has them.
+  const auto moves_node = [&](const FbxMovement& movement) {
+    return FbxTransform().part(movement.property) != nullptr && movement.moves();
+  };
+  if (!any && std::none_of(movements_.begin(), movements_.end(), moves_node))
+    for (const FbxMovement& movement : movements_)
+      for (const auto object : {std::optional(movement.object), mesh_of_shape(movement.object)})
+        if (const int node = object ? result_.node_of_object[*object] : -1; node > 0)
+          nodes[static_cast<std::size_t>(node)].joint = true;
+  std::vector<bool> carries(nodes.size(), !any);
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    const std::string& kind = objects_[result_.object_of_node[i]].kind;
+    nodes[i].joint |= is_bone[i] || (i > 0 && carries[i] && is_joint_kind(kind));
+    if ((is_bone[i] || (any && carries[i])) && nodes[i].parent >= 0)
+      carries[static_cast<std::size_t>(nodes[i].parent)] = true;
+  }
+}
+
+void FbxTakeReader::settle_axes() {
+  const FbxProperties& settings = objects_.settings();
+  const double unit = settings.number("UnitScaleFactor", 1);
+  if (unit >= 1e-6 && unit <= 1e6) result_.take.cm_per_unit = unit;
+  const int up = static_cast<int>(settings.number("UpAxis", 1));
+  const bool is_down = settings.number("UpAxisSign", 1) < 0;
+  // What an axis cannot say only a turn of everything can.
+  const auto turn = [&](double angle, const Vector3d& axis) {
+    AnimatedNode& scene = result_.take.nodes.front();
+    scene.rest.rotation = Eigen::AngleAxisd(angle, axis) * scene.rest.rotation;
+  };
+  using std::numbers::pi;
+  if (up == 2) result_.take.up = UpAxis::Z;
+  if (up == 0)
+    turn(is_down ? -pi / 2 : pi / 2, Vector3d::UnitZ());
+  else if (is_down)
+    turn(pi, Vector3d::UnitX());
+}
+
+std::optional<double> FbxTakeReader::stated_rate() const {
+  const FbxProperties& settings = objects_.settings();
+  if (!settings.has("TimeMode")) {  // Version5: { Settings: { FrameRate: "24" } }
+    const FbxRecord* const old = file_.records.find(file_.records.top(), "Version5");
+    const FbxRecord* const of = old != nullptr ? file_.records.find(*old, "Settings") : nullptr;
+    if (of == nullptr) return std::nullopt;
+    const std::string rate = file_.records.text(*of, "FrameRate");
+    const double number = parse_number(rate).value_or(0);
+    return number >= 1 && number <= 1000 ? std::optional(number) : std::nullopt;
+  }
+  const double mode = settings.number("TimeMode", kDefaultMode);
+  const double custom = settings.number("CustomFrameRate", -1);
+  const bool is_custom = mode == kCustomMode;
+  if (is_custom) return custom >= 1e-3 && custom <= 1e6 ? std::optional(custom) : std::nullopt;
+  if (!(mode > kDefaultMode && mode < static_cast<double>(std::size(kRates)))) return std::nullopt;
+  return kRates[static_cast<std::size_t>(mode)];
+}
+
+/// Of curves that move nodes, or of the others, with so many keys.
+std::vector<double> FbxTakeReader::key_times(bool of_nodes, std::size_t fewest) const {
+  std::set<std::vector<std::int64_t>> known;  // many curves have the same
+  std::vector<double> all;
+  for (const FbxMovement& movement : movements_) {
+    const bool is_of_node = result_.node_of_object[movement.object] > 0 &&
+                            FbxTransform().part(movement.property) != nullptr;
+    if (is_of_node != of_nodes) continue;
+    for (const auto& curve : movement.curves) {
+      if (!curve || curve->keys().size() < fewest) continue;
+      std::vector<std::int64_t> ticks;
+      for (const FbxCurve::Key& key : curve->keys()) ticks.push_back(key.ticks);
+      if (!known.insert(ticks).second) continue;
+      std::vector<double> times;
+      for (const std::int64_t t : ticks) {
+        times.push_back(static_cast<double>(t) / ticks_per_second_);
+        if (std::abs(times.back()) > kMostFbxSeconds) refuse("has keys at impossible times");
+      }
+      all = merged_times(all, std::move(times));
+    }
+  }
+  return all;
+}
+
+/// The take may be a part of what is keyed, and where curves go on beyond their keys more of it.
+void FbxTakeReader::clip_to_span(std::vector<double>& keys_s, std::optional<double> rate) const {
+  if (!chosen_->span) return;
+  const double first = static_cast<double>(chosen_->span->first) / ticks_per_second_;
+  const double last = static_cast<double>(chosen_->span->second) / ticks_per_second_;
+  if (!(std::abs(first) <= kMostFbxSeconds && std::abs(last) <= kMostFbxSeconds)) return;
+  const bool goes_on =
+      std::any_of(movements_.begin(), movements_.end(), [](const FbxMovement& movement) {
+        return std::any_of(movement.curves.begin(), movement.curves.end(),
+                           [](const auto& curve) { return curve && curve->goes_beyond(); });
+      });
+  double begin = goes_on ? first : std::max(first, keys_s.front());
+  double end = goes_on ? last : std::min(last, keys_s.back());
+  if (rate) {  // whole frames within
+    const double origin = keys_s.front();
+    begin = origin + std::ceil((begin - origin) * *rate - kNearFrame) / *rate;
+    end = origin + std::floor((end - origin) * *rate + kNearFrame) / *rate;
+  }
+  if (!(end > begin)) return;
+  std::erase_if(keys_s, [&](double key) { return key < begin || key > end; });
+  keys_s = merged_times(keys_s, {begin, end});
+}
+
+/// Keys of a frame that some program rounded are as if they were on it.
+void FbxTakeReader::snap_to_frames(std::vector<double>& keys_s, std::optional<double> rate) const {
+  if (!rate) return;
+  std::vector<double> snapped;
+  for (const double key : keys_s) {
+    const double frame = (key - keys_s.front()) * *rate;
+    if (std::abs(frame - std::round(frame)) > kNearFrame) return;
+    snapped.push_back(keys_s.front() + std::round(frame) / *rate);
+  }
+  keys_s = merged_times({}, std::move(snapped));
+}
+
+void FbxTakeReader::sample() {
+  NodeTake& take = result_.take;
+  std::map<std::size_t, std::vector<const FbxMovement*>> of_node;
+  std::size_t others = 0;
+  for (FbxMovement& movement : movements_) {
+    const int node = result_.node_of_object[movement.object];
+    if (node <= 0 || FbxTransform().part(movement.property) == nullptr) {
+      ++others;
+      continue;
+    }
+    const auto n = static_cast<std::size_t>(node);
+    const Vector3d& rest = *result_.transforms[n].part(movement.property);
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      if (!std::isfinite(movement.still(axis))) movement.still(axis) = rest(axis);
+    of_node[n].push_back(&movement);
+  }
+  // A lone key holds a value, wherever it lies.
+  std::vector<double> keys_s;
+  for (const std::size_t fewest : {2, 1})
+    for (const bool of_nodes : {true, false})
+      if (keys_s.empty()) keys_s = key_times(of_nodes, fewest);
+  if (keys_s.empty()) refuse("its take " + take.name + " moves no node");
+  const std::optional<double> rate = stated_rate();
+  clip_to_span(keys_s, rate);
+  snap_to_frames(keys_s, rate);
+  times_ = sample_times(file_.records.file(), keys_s, rate, options_.sample_rate_hz,
+                        of_node.size() + std::min<std::size_t>(others, runtime::kMostTracks));
+  if (static_cast<double>(times_.frames) * static_cast<double>(take.nodes.size()) >
+      kMostFbxPlacements)
+    refuse("has too many nodes for so many frames");
+  if (!times_.warning.empty()) warn(times_.warning);
+  result_.first_s = times_.first_s;
+  take.frames = times_.frames;
+  take.sample_rate_hz = times_.rate_hz;
+  for (const auto& [node, movements] : of_node) sample_node(node, movements);
+  sample_tracks();
+}
+
+void FbxTakeReader::sample_node(std::size_t node,
+                                const std::vector<const FbxMovement*>& movements) {
+  AnimatedNode& of = result_.take.nodes[node];
+  of.frames.reserve(static_cast<std::size_t>(times_.frames));
+  for (int t = 0; t < times_.frames; ++t) {
+    FbxTransform transform = result_.transforms[node];
+    for (const FbxMovement* const movement : movements) apply(*movement, ticks_at(t), transform);
+    of.frames.push_back(transform.local());
+  }
+}
+
+/// The first layer replaces what is at rest, later ones do as they say.
+void FbxTakeReader::apply(const FbxMovement& movement, double ticks,
+                          FbxTransform& transform) const {
+  Vector3d& part = *transform.part(movement.property);
+  const Vector3d value = movement.at(ticks);
+  const FbxLayer& layer = chosen_->layers[movement.layer];
+  if (movement.layer == 0 || layer.blend == FbxLayer::Blend::Replace) {
+    part = value;
+    return;
+  }
+  const double weight = layer.weight_at(ticks);
+  const bool adds = layer.blend == FbxLayer::Blend::Add;
+  if (movement.property == "Lcl Rotation" && !layer.turns_by_angle) {
+    // The angles of either side count as XYZ, whatever the node's order: so Maya does.
+    const Quaterniond below = fbx_rotation(part);
+    const Quaterniond own = fbx_rotation(value);
+    part = fbx_angles(
+        adds ? below * Quaterniond::Identity().slerp(weight, own) : below.slerp(weight, own), 0);
+  } else if (movement.property == "Lcl Scaling" && !layer.scales_by_sum) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      part(axis) = (adds ? part(axis) : power(part(axis), 1 - weight)) * power(value(axis), weight);
+  } else {
+    part = (adds ? part : Vector3d((1 - weight) * part)) + weight * value;
+  }
+}
+
+/// The node that has the geometry of the blend shape of a channel.
+std::optional<std::size_t> FbxTakeReader::mesh_of_shape(std::size_t channel) const {
+  std::size_t at = channel;
+  for (const char* const type : {"Deformer", "Geometry", "Model"}) {
+    const auto& parents = objects_.parents(at);
+    const auto above = std::find_if(parents.begin(), parents.end(), [&](const FbxLink& link) {
+      return objects_.is(link.object, type);
+    });
+    if (above == parents.end()) return std::nullopt;
+    at = above->object;
+  }
+  return at;
+}
+
+bool FbxTakeReader::add_track(const FbxMovement& movement, std::size_t axis, ScalarTrack track,
+                              double scale) {
+  auto& tracks = result_.take.tracks;
+  if (tracks.size() == runtime::kMostTracks ||
+      std::max(track.node.size(), track.name.size()) > runtime::kMostNameBytes)
+    return false;
+  const FbxCurve& curve = *movement.curves[axis];
+  track.steps = curve.steps();
+  for (int t = 0; t < times_.frames; ++t) {
+    const auto value = static_cast<float>(scale * curve.at(ticks_at(t)));
+    if (!(std::abs(value) <= 1e9F)) return false;
+    track.values.push_back(value);
+  }
+  tracks.push_back(std::move(track));
+  return true;
+}
+
+/// Weights of blend shapes; custom properties and visibility of nodes where they change.
+void FbxTakeReader::sample_tracks() {
+  constexpr double kFullShape = 0.01;
+  constexpr const char* kAxes[] = {"", ".Y", ".Z"};
+  int left_out = 0;
+  std::set<std::pair<std::size_t, std::string>> known;
+  for (const FbxMovement& movement : movements_) {
+    const FbxObject& object = objects_[movement.object];
+    if (object.type == "Model" && FbxTransform().part(movement.property) != nullptr) continue;
+    if (object.kind == "BlendShapeChannel" && movement.property == "DeformPercent") {
+      const auto mesh = mesh_of_shape(movement.object);
+      if (movement.curves[0] && known.emplace(movement.object, movement.property).second)
+        left_out += !add_track(movement, 0,
+                               {.kind = TrackKind::MorphWeight,
+                                .node = mesh ? objects_[*mesh].name : std::string(),
+                                .name = object.name,
+                                .values = {}},
+                               kFullShape);
+      continue;
+    }
+    if (object.type != "Model") continue;
+    const bool is_shape = object.record != nullptr &&
+                          fbx_shape_named(file_.records, *object.record, movement.property);
+    const FbxProperties properties = objects_.properties(movement.object);
+    if (!is_shape && movement.property != "Visibility" && !properties.is_custom(movement.property))
+      continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!movement.curves[axis] || (!is_shape && !movement.curves[axis]->moves())) continue;
+      if (!known.emplace(movement.object, movement.property + kAxes[axis]).second) continue;
+      left_out += !add_track(movement, axis,
+                             {.kind = is_shape ? TrackKind::MorphWeight : TrackKind::Property,
+                              .node = object.name,
+                              .name = movement.property + kAxes[axis],
+                              .values = {}},
+                             is_shape ? kFullShape : 1);
+    }
+  }
+  if (left_out > 0)
+    warn(counted(left_out, "curve") +
+         " of weights or properties left out: too many, too long a name, or beyond 1e9");
+}
+
+}  // namespace
+
+double FbxFile::ticks_per_second() const {
+  // From 2019 on a file may count 141,120,000 a second, and says so by another definition than 127.
+  constexpr double kNewTicks = 141'120'000;
+  constexpr std::int64_t kUsual = 127;
+  constexpr std::int64_t kHeadWithDefinition = 1004;
+  const FbxRecord* const head = records.find(records.top(), "FBXHeaderExtension");
+  if (head == nullptr) return kFbxTicks;
+  const auto number = [&](const FbxRecord* in, const char* name) -> std::optional<std::int64_t> {
+    const FbxRecord* const record = in != nullptr ? records.find(*in, name) : nullptr;
+    const auto value = record != nullptr ? records.value(*record, 0) : std::nullopt;
+    return value ? std::optional(value->whole()) : std::nullopt;
+  };
+  const auto definition = number(records.find(*head, "OtherFlags"), "TCDefinition");
+  const bool is_stated = number(head, "FBXHeaderVersion").value_or(0) >= kHeadWithDefinition;
+  return is_stated && definition && *definition != kUsual ? kNewTicks : kFbxTicks;
+}
+
+FbxTake read_fbx_take(FbxFile& file, const ReadOptions& options) {
+  FbxTake take = FbxTakeReader(file, options).read();
+  try {
+    take.take.meshes = fbx_meshes(file, take, take.warnings);
+  } catch (const InputError& error) {  // no reason to refuse the motion
+    const std::string reason = std::string(error.what()).substr(file.records.file().size() + 2);
+    take.warnings.push_back({file.records.file(), 0, "its character is not read: " + reason});
+  }
+  return take;
+}
+
+FbxTake read_fbx_rest(FbxFile& file) {
+  const ReadOptions as_it_says;
+  FbxTake take = FbxTakeReader(file, as_it_says).read_rest();
+  take.take.meshes = fbx_meshes(file, take, take.warnings);
+  return take;
+}
+
+}  // namespace mocapress

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A take of an FBX file as the nodes that all formats of nodes share (node_motion.h).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/formats/fbx/fbx_animation.h"
+#include "core/formats/fbx/fbx_objects.h"
+#include "core/formats/fbx/fbx_records.h"
+#include "core/formats/fbx/fbx_transform.h"
+#include "core/formats/motion_file.h"
+#include "core/formats/node_motion.h"
+
+namespace mocapress {
+
+/// An FBX file taken apart.
+struct FbxFile {
+  FbxFile(const std::string& file, std::string_view bytes)
+      : records(file, bytes), objects(records) {}
+  double ticks_per_second() const;
+
+  FbxRecords records;
+  FbxObjects objects;
+};
+
+struct FbxTake {
+  NodeTake take;
+  std::vector<std::size_t> object_of_node;  // of take.nodes; the first is the scene
+  std::vector<int> node_of_object;          // of the file's objects; -1: none
+  std::vector<FbxTransform> transforms;     // of take.nodes at rest
+  std::size_t index = 0;                    // among the takes of the file
+  double first_s = 0;                       // the time of the first frame
+  Takes takes;
+  Warnings warnings;
+};
+
+/// With its meshes. Throws InputError.
+FbxTake read_fbx_take(FbxFile& file, const ReadOptions& options);
+
+/// Nodes at rest, whatever takes there are.
+FbxTake read_fbx_rest(FbxFile& file);
+
+}  // namespace mocapress

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "core/formats/fbx/fbx_transform.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/motion/forward_kinematics.h"
+
+namespace mocapress {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr double kRadians = std::numbers::pi / 180;
+
+constexpr int kAxes[kFbxOrders][3] = {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {1, 0, 2},
+                                      {2, 0, 1}, {2, 1, 0}, {0, 1, 2}};
+
+constexpr std::pair<std::string_view, Vector3d FbxTransform::*> kParts[] = {
+    {"Lcl Translation", &FbxTransform::translation},
+    {"Lcl Rotation", &FbxTransform::rotation},
+    {"Lcl Scaling", &FbxTransform::scaling},
+    {"PreRotation", &FbxTransform::pre_rotation},
+    {"PostRotation", &FbxTransform::post_rotation},
+    {"RotationOffset", &FbxTransform::rotation_offset},
+    {"RotationPivot", &FbxTransform::rotation_pivot},
+    {"ScalingOffset", &FbxTransform::scaling_offset},
+    {"ScalingPivot", &FbxTransform::scaling_pivot},
+};
+
+}  // namespace
+
+const int* fbx_axes(int order) {
+  return kAxes[order >= 0 && order < kFbxOrders ? order : 0];
+}
+
+Quaterniond fbx_rotation(const Vector3d& degrees, int order) {
+  Quaterniond rotation = Quaterniond::Identity();
+  const int* const axes = fbx_axes(order);
+  for (int i = 0; i < 3; ++i)  // a later turn is about the axes of the parent
+    rotation = Eigen::AngleAxisd(kRadians * degrees(axes[i]), Vector3d::Unit(axes[i])) * rotation;
+  return rotation;
+}
+
+Vector3d fbx_angles(const Quaterniond& rotation, int order) {
+  const int* const axes = fbx_axes(order);
+  const Vector3d turned = three_angles({axes[2], axes[1], axes[0]},
+                                       rotation.normalized().toRotationMatrix(), Vector3d::Zero());
+  Vector3d degrees;
+  for (int i = 0; i < 3; ++i) degrees(axes[2 - i]) = turned(i) / kRadians;
+  return degrees;
+}
+
+FbxTransform::FbxTransform(const FbxProperties& node) {
+  for (const auto& [name, part] : kParts) this->*part = node.vector(name, this->*part);
+  const auto stated = static_cast<int>(node.number("RotationOrder", 0));
+  order = stated >= 0 && stated < kFbxOrders ? stated : 0;
+  // Pre- and post-rotation and the order apply to nodes that say so. Files that do not know the
+  // property mean what they state.
+  if (node.number("RotationActive", 1) == 0) {
+    pre_rotation = post_rotation = Vector3d::Zero();
+    order = 0;
+  }
+  is_spheric = order == kFbxOrders - 1;
+  switch (static_cast<int>(node.number("InheritType", 1))) {
+    case 0:
+      inherit = ScaleOfParent::ByAxis;
+      break;
+    case 2:
+      inherit = ScaleOfParent::None;
+      break;
+    default:
+      break;
+  }
+}
+
+Vector3d* FbxTransform::part(std::string_view property) {
+  for (const auto& [name, part] : kParts)
+    if (name == property) return &(this->*part);
+  return nullptr;
+}
+
+LocalTransform FbxTransform::local() const {
+  LocalTransform local;
+  local.rotation = fbx_rotation(pre_rotation) * fbx_rotation(rotation, order) *
+                   fbx_rotation(post_rotation).conjugate();
+  local.scale = scaling;
+  local.inherit = inherit;
+  const Vector3d within =
+      scaling_offset + scaling_pivot - rotation_pivot - scaling.cwiseProduct(scaling_pivot);
+  local.translation = translation + rotation_offset + rotation_pivot + local.rotation * within;
+  return local;
+}
+
+Eigen::Affine3d fbx_geometric_transform(const FbxProperties& node) {
+  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+  transform.translate(node.vector("GeometricTranslation", Vector3d::Zero()));
+  transform.rotate(fbx_rotation(node.vector("GeometricRotation", Vector3d::Zero())));
+  transform.scale(node.vector("GeometricScaling", Vector3d::Ones()));
+  return transform;
+}
+
+}  // namespace mocapress
