@@ -33,10 +33,9 @@ std::string to_line(const JournalHeader& header) {
 
 /// The run that a journal's first line names. Unset: it names none.
 std::optional<LockHolder> holder_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string line;
-  std::getline(stream, line);
   try {
+    std::string line;
+    LineReader(path).next(line);
     return lock_holder_from(parse_json("", line).at(kHolderKey));
   } catch (const Json::exception&) {
     return std::nullopt;

@@ -17,6 +17,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/memory_limit.h"
 #include "core/formats/text_cursor.h"
 
 namespace mocapress {
@@ -30,7 +31,6 @@ constexpr int kOldestVersion = 6000;
 constexpr int kWideVersion = 7500;
 constexpr std::size_t kDeepestRecord = 64;  // files of the usual programs have eight
 constexpr std::size_t kMostRecords = 4'000'000;
-constexpr std::size_t kMostFileBytes = std::size_t{512} << 20;
 constexpr std::size_t kArrayHead = 13;
 constexpr std::size_t kMostDeflateRatio = 1040;
 
@@ -321,9 +321,6 @@ class FbxRecords::AsciiScan {
 
 FbxRecords::FbxRecords(const std::string& file, std::string_view bytes)
     : file_(file), bytes_(bytes) {
-  if (bytes.size() > kMostFileBytes) fail("has more than 512 MiB");
-  if (bytes.starts_with("version https://git-lfs"))
-    fail("is a pointer of Git LFS, not the file itself: git lfs pull fetches it");
   records_.push_back({});
   is_binary_ = bytes.starts_with(kBinaryMagic);
   const auto refuse_old = [&] {
@@ -536,10 +533,10 @@ std::string FbxRecords::unpacked(const FbxRecord& record, std::string_view array
   if (encoding == 0 && coded.size() < bytes)
     fail(record, "an array has fewer values than it states");
   if (encoding == 0) return std::string(coded.substr(0, bytes));
-  if (bytes > kMostFbxArrayBytes || bytes / kMostDeflateRatio > coded.size())
+  if (bytes / kMostDeflateRatio > coded.size())
     fail(record, "an array states more values than its bytes can hold");
   unpacked_bytes_ += bytes;
-  if (unpacked_bytes_ > kMostFbxUnpackedBytes) fail("unpacks to more than 1 GiB");
+  require_memory(file_, unpacked_bytes_);
   std::string plain(bytes, '\0');
   auto size = static_cast<uLongf>(bytes);
   const int result =

@@ -12,11 +12,6 @@
 
 namespace mocapress {
 
-/// What may be unpacked from one file. Arrays are compressed, so that a small file can ask for any
-/// amount of memory.
-inline constexpr std::size_t kMostFbxArrayBytes = std::size_t{256} << 20;
-inline constexpr std::size_t kMostFbxUnpackedBytes = std::size_t{1} << 30;
-
 struct FbxValue {
   enum class Kind { Integer, Real, Text, Array };
   Kind kind = Kind::Integer;

@@ -264,8 +264,6 @@ TEST(FbxReader, RefusesInOneSentence) {
   std::string nested;
   for (int i = 0; i < 100000; ++i) nested += "FBX: {";
   EXPECT_EQ(error_of(nested), "f: nests records deeper than 64");
-  EXPECT_EQ(error_of("version https://git-lfs.github.com/spec/v1\n"),
-            "f: is a pointer of Git LFS, not the file itself: git lfs pull fetches it");
   EXPECT_EQ(error_of("; FBX 5.8.0 project file\n"), "f: is FBX 5.8: versions from 6.0 on are read");
 }
 
