@@ -139,7 +139,7 @@ void PresetArguments::add_options(CLI::App& command) {
   command.add_option("--coding", coding, "Coding of the coefficients")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
   command.add_option("--weighting", weighting, "Error weighting")->transform(one_of(kWeightings));
-  add_target_options(command, "At most one, instead of the preset's",
+  add_target_options(command, "At most one, instead of the preset's and its promises",
                      [this](const Target& asked) { target = asked; });
   correction.add_options(command);
   importance.add_options(command);
@@ -160,7 +160,10 @@ Settings PresetArguments::read() const {
   }
   if (coding) read.coding = coding;
   if (weighting) read.weighting = *weighting;
-  if (target) read.target = *target;
+  if (target) {
+    read.target = *target;
+    read.promises = {};  // they belong to the preset's own
+  }
   if (seed) read.seed = *seed;
   if (!correction.ratio.empty()) read.correction = correction.settings();
   if (!importance.words.empty()) read.importance = importance.named();

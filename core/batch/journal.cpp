@@ -83,6 +83,13 @@ std::string first_line(const fs::path& path) {
   return line;
 }
 
+/// A row's clip may have left the batch; but not because its folder cannot be listed just now.
+void refuse_to_forget(const BatchRow& row, const Batch& batch) {
+  for (const BatchItem item : batch.items)
+    if (!item.problem.empty() && row.input.starts_with(item.input + '/'))
+      throw InputError(item.input, 0, 0, "cannot be listed, but holds clips that are done");
+}
+
 std::uint64_t key_of(const std::string& output) {
   Fnv1a hash;
   hash.add(output);
@@ -152,7 +159,7 @@ void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
     if (first_line(path_).size() == lines_.size()) return;
     JournalReader(path_).for_each([&](const BatchRow& row) {
       const auto found = wanted.find(key_of(row.output));
-      if (found == wanted.end()) return;
+      if (found == wanted.end()) return refuse_to_forget(row, batch);
       BatchRow moved = row;
       moved.index = found->second;
       places_[moved.index] = write(to_journal_line(moved));

@@ -169,7 +169,8 @@ const std::vector<ContactSpan>& Encoder::contacts() const {
 
 Encoding Encoder::encode(const EncodeOptions& options,
                          const Observer<EncodeProgress>& observer) const {
-  constexpr int kMostRounds = 8;
+  constexpr int kRoundsOfWeights = 6;
+  constexpr int kMostRounds = 16;
   Encoding encoding = encode_once(options, observer);
   const bool promises = options.effort != Effort::Draft && is_error(options.target);
   EncodeOptions stricter = options;
@@ -180,6 +181,8 @@ Encoding Encoder::encode(const EncodeOptions& options,
     if (round > kMostRounds)
       throw TargetMissed("a promise beside the target is out of reach: " + broken.front().text);
     raise_importance(broken, motion().skeleton, stricter.importance);
+    // What weights alone do not reach, all of the motion being finer does.
+    if (round > kRoundsOfWeights) stricter.target.value /= broken.front().times;
     const double seconds = encoding.seconds;
     encoding = encode_once(stricter, observer);
     encoding.seconds += seconds;

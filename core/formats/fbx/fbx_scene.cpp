@@ -123,12 +123,12 @@ void FbxTakeReader::choose_take(FbxAnimation& animation) {
   std::vector<TakeName> takes;
   for (std::size_t t = 0; t < animation.takes().size(); ++t)
     takes.push_back({animation.takes()[t].name, animation.moves(t, true)});
-  if (takes.empty()) refuse("holds no animation");
   // One of weights alone, a face perhaps, only where nothing moves.
   if (std::none_of(takes.begin(), takes.end(), [](const TakeName& take) { return take.moves; }))
     for (std::size_t t = 0; t < takes.size(); ++t) takes[t].moves = animation.moves(t, false);
-  const bool stands = !takes.front().moves && std::any_of(takes.begin(), takes.end(),
-                                                          [](const auto& t) { return t.moves; });
+  const auto moves = [](const TakeName& take) { return take.moves; };
+  const auto first_moving = std::find_if(takes.begin(), takes.end(), moves);
+  const bool stands = first_moving != takes.begin() && first_moving != takes.end();
   const std::size_t chosen =
       mocapress::choose_take(file_.records.file(), takes, options_.take, result_.warnings);
   if (stands && !options_.take) warn("the first take, " + takes.front().name + ", stands still");

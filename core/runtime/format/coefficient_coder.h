@@ -169,10 +169,10 @@ class CoefficientCoder {
 
   /// The scale that a value is expected to have, and the sources of that.
   struct ExpectedScale {
-    std::array<int, kScaleFeatures> features;
-    int unrest;            // 256ths of octaves
-    int scale;             // 0 ... kScales - 1
-    std::int32_t inverse;  // 65536 / scale
+    std::array<int, kScaleFeatures> features{};
+    int unrest = 0;            // 256ths of octaves
+    int scale = 0;             // 0 ... kScales - 1
+    std::int32_t inverse = 0;  // 65536 / scale
   };
 
   /// A value's prediction from others, which are its taps.

@@ -81,10 +81,11 @@ def key_of(row):
 
 def last_rows(data):
     """A journal's rows, the last of each clip. What follows the last end of a line does not count, nor that a study
-    could not read a clip: it tries again."""
+    could not read a clip: it tries again. The process that holds a journal is another with every run."""
     rows = {}
     for line in data.split(b"\n")[:-1]:
         row = json.loads(line)
+        row.pop("run", None)
         if row.get("fingerprint") != "":
             rows[key_of(row)] = row
     return rows
@@ -117,7 +118,7 @@ class Bench:
 
     def mocapress(self, folder, words, fault=None):
         """The exit code (negative: a signal), standard error, and how many calls of the kind were made."""
-        environment = dict(os.environ, LC_ALL="C.UTF-8")
+        environment = dict(os.environ, LC_ALL="C.UTF-8", SOURCE_DATE_EPOCH="0")
         count = folder.with_name(folder.name + ".count")
         if fault:
             kind, how, number, *lasting = fault

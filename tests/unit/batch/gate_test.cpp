@@ -8,7 +8,7 @@ namespace {
 
 BatchRow seen_row(double times_noticed) {
   BatchRow row;
-  row.stamp.hash = "aa";
+  row.stamp.source = "aa";
   row.measured = Measurement{.seen = Seen{times_noticed, 0, ""}};
   return row;
 }
@@ -17,7 +17,7 @@ BatchRow seen_row(double times_noticed) {
 BatchRow reviewed_row(Verdict verdict) {
   BatchRow row = seen_row(0);
   row.review = {.verdict = verdict,
-                .source_hash = row.stamp.hash,
+                .source_hash = row.stamp.source,
                 .settings_hash = settings_hash(row.preset, row.reading)};
   return row;
 }
@@ -45,7 +45,7 @@ TEST(Gate, RejectedRefusesStaleApprovalsToo) {
   EXPECT_FALSE(is_refused(reviewed_row(Verdict::None), {Gate::Rejected}));
   EXPECT_TRUE(is_refused(reviewed_row(Verdict::Rejected), {Gate::Rejected}));
   BatchRow replaced = reviewed_row(Verdict::Approved);
-  replaced.stamp.hash = "other bytes";
+  replaced.stamp.source = "other bytes";
   EXPECT_TRUE(is_refused(replaced, {Gate::Rejected}));
   BatchRow coarser = reviewed_row(Verdict::Approved);
   coarser.preset.target.value *= 2;

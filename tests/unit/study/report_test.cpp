@@ -135,7 +135,7 @@ TEST(ReportTables, TellOfSlidingAContactBesideTheTotal) {
     row.measured->slide = {2.5, 7.25};
   }
   const std::string table = footskate_table(Results(rows));
-  EXPECT_THAT(table, HasSubstr("10.0 cm<small> (2.50, 7.25)</small>"));
+  EXPECT_THAT(table, HasSubstr("10.0 cm<small> (2.50, 7.25; drift 0.00)</small>"));
 }
 
 TEST(ReportTables, TellByHowManyDegreesJointsHeadAndHandsAreTurned) {
