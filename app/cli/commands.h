@@ -6,7 +6,7 @@
 namespace mocapress::cli {
 
 // Scripts depend on these.
-enum ExitCode {
+enum ExitCode : int {
   kDone = 0,
   kInternal = 1,
   kUsage = 2,

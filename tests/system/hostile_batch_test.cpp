@@ -34,7 +34,8 @@ TEST_F(HostileBatch, DoesEveryGoodClipAndRefusesTheOthersInOneSentence) {
       fs::copy_file(entry.path(), file("in") / entry.path().filename());
       clips += is_clip(entry.path());
     }
-  const Outcome outcome = mocapress({"batch", file("in").string(), "-o", file("out").string()});
+  const Outcome outcome = mocapress({"batch", file("in").string(), "-o", file("out").string(),
+                                     "--clip-timeout", "30"});
   EXPECT_EQ(outcome.exit_code, 7) << outcome.err;
   EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos);
   const auto rows = nlohmann::json::parse(read_text(file("out") / "report.json"));
