@@ -81,7 +81,7 @@ struct Decompress {
     return files;
   }
 
-  /// What is written.
+  /// The files that are written.
   std::vector<fs::path> places() const {
     if (writes_stream()) return {};
     std::vector<fs::path> files = {output};

@@ -20,7 +20,7 @@
 namespace mocapress {
 namespace {
 
-/// What Git leaves in place of a large file that has not been fetched.
+/// Git leaves such a text in place of a large file that has not been fetched.
 bool is_lfs_pointer(std::string_view text) {
   return text.starts_with("version https://git-lfs.github.com/spec/");
 }

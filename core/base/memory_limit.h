@@ -13,7 +13,7 @@ namespace mocapress {
 
 inline constexpr std::uint64_t kUsualMemoryLimit = std::uint64_t{2} << 30;
 
-/// What a motion's value takes while it is read: as it stands in the file, and in two clips.
+/// A motion's value takes so much while it is read: as it stands in the file, and in two clips.
 inline constexpr std::uint64_t kBytesOfReadValue = 4 * sizeof(double);
 
 /// The most memory that the contents of one file may take, in bytes, for the whole process. A
@@ -33,7 +33,7 @@ void require_memory(const std::string& file, std::uint64_t bytes);
 /// The InputError for a file for which the machine itself had too little memory.
 [[noreturn]] void throw_out_of_memory(const std::string& file);
 
-/// What `read` gives. A failing allocation in it becomes an InputError that names the file.
+/// Returns what `read` does. A failing allocation in it becomes an InputError that names the file.
 template <typename Read>
 auto naming_what_takes_memory(const std::string& file, Read&& read) {
   try {

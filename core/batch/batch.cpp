@@ -165,7 +165,7 @@ void mark_collisions(Batch& batch) {
     while (!place(item.output, i).second);
     batch.items.replace(i, item);
   };
-  // What cannot be done anyway takes no name from a clip that can.
+  // A clip that cannot be done anyway takes no name from one that can.
   std::vector<std::size_t> problems;
   for (std::size_t i = 0; i < batch.items.size(); ++i)
     if (const BatchItem item = batch.items[i]; item.problem.empty())

@@ -9,7 +9,7 @@
 
 namespace mocapress {
 
-/// What a clip that is done may still be refused for.
+/// Reasons for which a clip that is done may still be refused.
 enum class Gate {
   Visible,     // an attentive viewer sees its error
   Borderline,  // the same, or may see it

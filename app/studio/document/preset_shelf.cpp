@@ -144,7 +144,8 @@ void PresetShelf::apply(const std::vector<Edit>& edits, bool backwards) {
   emit changed();
 }
 
-/// What could not be read is kept beside the new file. False: it could not be. Throws InputError.
+/// Keeps a file that could not be read beside the new one. False: it cannot be kept.
+/// Throws InputError.
 bool PresetShelf::setAside() {
   if (!unreadable_) return true;
   QString kept = file_ + QStringLiteral(".unreadable");

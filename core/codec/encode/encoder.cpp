@@ -181,7 +181,7 @@ Encoding Encoder::encode(const EncodeOptions& options,
     if (round > kMostRounds)
       throw TargetMissed("a promise beside the target is out of reach: " + broken.front().text);
     raise_importance(broken, motion().skeleton, stricter.importance);
-    // What weights alone do not reach, all of the motion being finer does.
+    // Weights alone may not reach it; all of the motion being finer does.
     if (round > kRoundsOfWeights) stricter.target.value /= broken.front().times;
     const double seconds = encoding.seconds;
     encoding = encode_once(stricter, observer);
