@@ -18,7 +18,7 @@ namespace mocapress {
 
 namespace {
 
-constexpr float kUnknown = 8;  // a limit for radians, where it is not known what they move
+constexpr float kUnknown = 8;  // The limit, in radians, for signals whose effect is unknown
 
 /// The resident form of some signals, in memory of its own.
 class OwnResidentSignals {
@@ -76,8 +76,8 @@ Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int co
 
 namespace {
 
-/// Joins the samples of segments (frames x signals, as decode_signals() gives them), one after the
-/// other, blended where two overlap. Of those before only what is shared is kept.
+/// Joins the samples of consecutive segments (frames x signals, as decode_signals() gives them) and
+/// blends them where they overlap. Only the overlap of the previous segment is kept in memory.
 class SegmentJoin {
  public:
   explicit SegmentJoin(const SegmentLayout& layout) : layout_(layout) {}
@@ -88,7 +88,7 @@ class SegmentJoin {
  private:
   SegmentLayout layout_;
   int segment_ = 0;
-  Eigen::MatrixXd shared_;  // the last frames of the segment before
+  Eigen::MatrixXd shared_;  // the last frames of the previous segment
 };
 
 Eigen::MatrixXd SegmentJoin::next(Eigen::MatrixXd samples) {
@@ -103,7 +103,8 @@ Eigen::MatrixXd SegmentJoin::next(Eigen::MatrixXd samples) {
   return samples.topRows(layout_.hop());
 }
 
-/// Those of the runtime decoder, by what a signal moves.
+/// The runtime decoder's limits beyond which a signal is decoded in double precision, one for each
+/// signal, chosen by what the signal moves.
 std::vector<float> double_precision_limits(const CompressedClip& clip) {
   const std::vector<runtime::JointModel> joints = models_of(clip.skeleton);
   std::vector<float> reach(joints.size());
@@ -124,7 +125,7 @@ std::vector<float> steps_of(const QuantisedSignals& coded) {
   return steps;
 }
 
-/// frames x signals of a segment.
+/// Decodes one segment: frames x signals.
 Eigen::MatrixXd decode_segment(const QuantisedSignals& coded, Basis basis,
                                const std::vector<float>& limits) {
   return decode_signals(coded.values, steps_of(coded), basis, limits);

@@ -12,20 +12,20 @@
 
 namespace mocapress {
 
-/// A .mcpr file of the coding adaptive, opened as an engine opens it: by the C interface of the
-/// runtime decoder, within its default limits.
+/// An adaptive .mcpr file, opened as an engine opens it: by the C interface of the runtime decoder,
+/// within its default limits.
 class RuntimeClip {
  public:
-  /// Throws FormatError with what the runtime decoder says against the file.
+  /// Throws FormatError with the runtime decoder's message about the file.
   explicit RuntimeClip(std::span<const std::byte> file);
 
   mcpr_clip_info info() const { return mcpr_clip_describe(clip_); }
 
-  /// For the C interface; lives as long as this.
+  /// The handle for the C interface; lives as long as this.
   const mcpr_clip* get() const { return clip_; }
 
-  /// Whether joints and channels are these, to the 32-bit floats that the file has. What turned
-  /// axes a joint has is not told.
+  /// Returns whether joints and channels equal the skeleton's, to the precision of the file's
+  /// 32-bit floats. Turned axes of joints are not compared.
   bool has_joints_of(const Skeleton& skeleton) const;
 
   /// All channels of some frames with their IK correction, a row each: cm or radians.

@@ -8,13 +8,14 @@
 
 namespace mocapress {
 
-/// The values of all tracks, as the runtime decoder gives them, to the bit.
+/// Decodes the values of all tracks; equal to the runtime decoder's, bit by bit.
 ScalarTracks decode_tracks(const CodedTracks& coded);
 
-/// Those of a .mcpr file of any method; none where it has none. Throws FormatError.
+/// Decodes the tracks of a .mcpr file of any method; empty where it has none. Throws FormatError.
 ScalarTracks tracks_of(std::span<const std::byte> mcpr);
 
-/// The largest difference of a value: what a track error is. Both have the same tracks and frames.
+/// Returns the largest difference between two values, which is how the error of tracks is measured.
+/// Both must have the same tracks and frames.
 double track_error(const ScalarTracks& original, const ScalarTracks& decoded);
 
 }  // namespace mocapress

@@ -21,10 +21,10 @@
 namespace mocapress {
 namespace {
 
-/// Decodes what an encoding came to, measures it, and keeps of it what is asked for.
+/// Decodes an encoding, measures it, and keeps the results that were asked for.
 class Outcome {
  public:
-  /// `source`: the forms of angles that the decoded clip is to have, if others than are coded.
+  /// `source`: the rotation forms of the decoded clip, where they differ from the coded ones.
   Outcome(const ClipAnalysis& analysis, const EncodeOptions& options,
           const CompressedClip& compressed, const std::optional<RotationForms>& source)
       : original_(compressed.segments ? Original(analysis.motion()) : original_of(analysis)),
@@ -116,13 +116,13 @@ class Outcome {
   DistortionMeter distortion_;
   FootskateMeter footskate_;
   VisibilityMeter visibility_;
-  std::optional<KneeSpeed> knees_;  // none: no correction
+  std::optional<KneeSpeed> knees_;  // none without a correction
   CorrectionResult correction_;
   Clip decoded_;
   Eigen::MatrixXd tracks_;
 };
 
-/// The clip that these options lead to.
+/// The clip's shape (frames, channels, segments) under these options.
 ClipShape shape_for(const Motion& motion, const EncodeOptions& options) {
   const int frames = motion.clip.frames();
   ClipShape shape{motion.skeleton, motion.clip.sample_rate_hz,
@@ -181,7 +181,7 @@ Encoding Encoder::encode(const EncodeOptions& options,
     if (round > kMostRounds)
       throw TargetMissed("a promise beside the target is out of reach: " + broken.front().text);
     raise_importance(broken, motion().skeleton, stricter.importance);
-    // Weights alone may not reach it; all of the motion being finer does.
+    // When weights alone do not keep the promises, the whole motion is made finer.
     if (round > kRoundsOfWeights) stricter.target.value /= broken.front().times;
     const double seconds = encoding.seconds;
     encoding = encode_once(stricter, observer);
@@ -197,7 +197,7 @@ Encoding Encoder::encode_once(const EncodeOptions& options,
   effective.coding = effective_coding(options);
   check_room(shape_for(motion(), effective));
   if (!effective.loop) effective.loop = analysis_->loop();
-  // Segments are put into other forms one by one: the whole would be in memory twice.
+  // Segments are converted to other forms one by one; the whole motion would be in memory twice.
   const bool is_whole = even_segments(motion().clip.frames(), effective.segments).count() == 1;
   const ClipAnalysis& analysis = effective.method == Method::ClosedLoop && is_whole
                                      ? analysis_->in_chosen_forms()
@@ -212,7 +212,7 @@ Encoding Encoder::encode_once(const EncodeOptions& options,
   Outcome outcome(analysis, effective, found.compressed, source);
   const bool is_estimated = found.compressed.likely_bytes.has_value();
   if (is_draft && found.compressed.known && found.compressed.motion.empty() && !is_estimated) {
-    // On a core of its own: coding takes as long as decoding and measuring together.
+    // Runs in parallel: coding takes as long as decoding and measuring together.
     std::vector<std::byte> motion;
     parallel_for(0, 2, [&](int part) {
       if (part == 0)

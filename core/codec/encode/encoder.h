@@ -17,25 +17,25 @@ namespace mocapress {
 
 class ClipAnalysis;
 
-/// What an IK correction did to a clip.
+/// The result of an IK correction.
 struct CorrectionResult {
-  double ratio = 0;                        // r_IK, asked for or found
-  std::optional<double> slide_without_cm;  // where it was found: footskate without a correction
-  std::size_t bytes = 0;                   // of the motion's
+  double ratio = 0;  // r_IK, asked for or found
+  std::optional<double>
+      slide_without_cm;   // footskate without a correction, where the encoder chose the ratio
+  std::size_t bytes = 0;  // of the motion's bytes
   CorrectionReport report;
-  Clip uncorrected;         // in the channels as coded; empty where only figures were asked for
+  Clip uncorrected;         // in the coded channels; empty with figures_only
   double fastest_knee = 0;  // radians/s, with the correction
   double fastest_knee_of_original = 0;
 };
 
 /// A finished encode, decoded again and measured. With `figures_only` the decoded clip, its tracks
-/// and the distances stay empty, and percentiles are those of DistanceCounts. With `size_will_do`
-/// the bytes of a draft are not there: compressed.likely_bytes says how many they will be, to some
-/// hundredths, and code_motion() makes them. Then all figures are of the very clip that `decoded`
-/// is, which is what these bytes will say but for the rounding of 32-bit floats. A closed loop in
-/// segments then takes memory that hardly grows with the clip. What grows: the contacts, what is
-/// seen in each tenth of a second, the coded bytes and, under a hard maximum, a weight for each
-/// frame.
+/// and the distances stay empty, and percentiles come from DistanceCounts; a closed loop in
+/// segments then takes memory that hardly grows with the clip: only contacts, visibility (ten
+/// entries a second), coded bytes and, under a hard maximum, one weight a frame. With
+/// `size_will_do` a draft has no bytes: compressed.likely_bytes estimates them to a few per cent
+/// and code_motion() makes them. All figures are of the clip in `decoded`, which those bytes
+/// reproduce up to the rounding of 32-bit floats.
 struct Encoding {
   CompressedClip compressed;
   Clip decoded;
@@ -50,8 +50,8 @@ struct Encoding {
   bool complete = true;  // false: the observer ended it early
 };
 
-/// Compresses one motion, any number of times and with any options. What does not depend on the
-/// options (transform, order of coefficients, original poses) is computed once, when first needed.
+/// Compresses one motion any number of times with any options. Data that does not depend on the
+/// options (transform, coefficient order, original poses) is computed once, when first needed.
 /// Const and safe to use from several threads at a time.
 class Encoder {
  public:
@@ -73,7 +73,7 @@ class Encoder {
                   const Observer<EncodeProgress>& observer = {}) const;
 
  private:
-  /// To the target alone.
+  /// Encodes to the target, without checking the promises.
   Encoding encode_once(const EncodeOptions& options,
                        const Observer<EncodeProgress>& observer) const;
 

@@ -39,8 +39,8 @@ Trial LoopEncode::run(Effort effort) {
                          .finest = [&] { return coder_.loop().finest_scale(); },
                          .dear = is_slow,
                          .corrected = coder_.has_correction()};
-  // Trials that are measured by their error alone need no bytes but for the one that is chosen. The
-  // size of a draft is found while it is measured.
+  // Trials measured by their error alone need no bytes until one is chosen. A draft's size is
+  // estimated while it is measured.
   const bool is_plain_draft = is_draft && !coder_.has_correction();
   const bool by_error = options.target.kind == Target::Kind::Error;
   if (is_plain_draft && options.size_will_do)
@@ -70,8 +70,8 @@ Trial LoopEncode::coarsen(ClosedLoop::Result quantised, const Eigen::VectorXd& b
   return coarser;
 }
 
-/// Lets joints weigh by how soon their errors are noticed. Returns about the scale at which nothing
-/// is.
+/// Weights joints by how soon their errors are noticed. Returns about the scale at which nothing is
+/// noticed.
 double LoopEncode::balance_joints(double scale) {
   constexpr int kRounds = 4;
   constexpr double kMostStep = 4;
@@ -92,7 +92,7 @@ double LoopEncode::balance_joints(double scale) {
       importance.joints[j] = std::clamp(importance.joints[j] * step, 1 / kMost, kMost);
     }
     coder_.weigh_joints(importance);
-    quantised_.clear();  // by other weights
+    quantised_.clear();  // computed with other weights
     scale *= std::clamp(std::pow(coder_.options().target.value / noticed.maxCoeff(), 1.2),
                         1 / kMostStep, kMostStep);
   }
@@ -102,7 +102,7 @@ double LoopEncode::balance_joints(double scale) {
 Trial LoopEncode::attempt(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights,
                           Effort effort) {
   const EncodeOptions& options = coder_.options();
-  const bool is_rough = work == ClosedLoopWork::Rounding;  // its coding is not asked for
+  const bool is_rough = work == ClosedLoopWork::Rounding;  // its bytes are not needed
   const bool model_will_do = (effort == Effort::Draft || is_rough) &&
                              options.target.kind == Target::Kind::Error &&
                              options.importance.is_even() && !coder_.has_correction();
@@ -112,7 +112,7 @@ Trial LoopEncode::attempt(double scale, ClosedLoopWork work, const Eigen::Vector
   trial.scale = scale;
   if (!is_rough) coder_.mend_ends(trial);
   if (model_will_do) {
-    trial.achieved = trial.eps_cm;  // near enough, and there already
+    trial.achieved = trial.eps_cm;  // the model's estimate is close enough
     trial.excess = coder_.goal().excess(trial.achieved);
   } else {
     coder_.measure(trial);
@@ -145,7 +145,7 @@ ClosedLoop::Result LoopEncode::settle_anew(double eps_cm, double scale) {
   return result;
 }
 
-/// Results are remembered for each scale that a file can hold.
+/// Remembers the result for each scale that a file can store.
 ClosedLoop::Result LoopEncode::quantise(double scale, ClosedLoopWork work,
                                         const Eigen::VectorXd& frame_weights) {
   const std::pair key(file_scale(scale), work);

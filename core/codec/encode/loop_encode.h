@@ -8,20 +8,21 @@
 
 namespace mocapress {
 
-/// Encodes by the closed loop: the search for the scale, with trials that settle, are mended and
-/// are measured.
+/// Encodes by the closed loop: searches the scale, with trials that are settled, mended and
+/// measured.
 class LoopEncode {
  public:
-  /// All must outlive this. `remembers`: results are kept, for encodes that differ by r_IK alone.
+  /// The references must outlive this. `remembers`: keep results for encodes that differ only in
+  /// r_IK.
   LoopEncode(TrialCoder& coder, Passes& passes, bool remembers)
       : coder_(coder), passes_(passes), remembers_(remembers) {}
 
   Trial run(Effort effort);
 
-  /// One scale, not measured against the target.
+  /// Runs one scale, without measuring against the target.
   Trial run_at(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights);
 
-  /// ClosedLoop::coarsen() of a coded clip, to a bound for each frame.
+  /// Runs ClosedLoop::coarsen() on a quantised clip, with a bound for each frame.
   Trial coarsen(ClosedLoop::Result quantised, const Eigen::VectorXd& bound_cm);
 
  private:

@@ -16,7 +16,7 @@ Trial PaperEncode::run(Method method) {
   const int guess = count_for(coder_.goal().likely_coefficient_ratio());
   if (coder_.options().target.kind == Target::Kind::CoefficientRatio) return attempt(method, guess);
   if (method != Method::Annealed) return search(method, guess, kCheapTrials);
-  // Standard selection costs next to nothing and needs about as many coefficients.
+  // Standard selection is almost free and needs about as many coefficients.
   return search(Method::Annealed, search(Method::Standard, guess, kCheapTrials).count, kAnnealings);
 }
 
@@ -34,7 +34,7 @@ Trial PaperEncode::search(Method method, int first_guess, int most_trials) {
     search.tried(trial.excess);
     const bool complete = trial.complete;
     if (!best || !coder_.goal().better(best->excess, trial.excess)) best = std::move(trial);
-    best->complete = complete;  // a search cut short is not, whichever trial was the best
+    best->complete = complete;  // false if the search was stopped, whichever trial was the best
   }
   return std::move(*best);
 }
@@ -63,11 +63,11 @@ Kept PaperEncode::choose(Method method, Trial& trial) {
   return report.kept;
 }
 
-/// Chance decides some 10 % of where one annealing ends. Short clips, whose annealings take next to
+/// Chance decides some 10 % of one annealing's result. Short clips, whose annealings take next to
 /// no time, get several.
 AnnealingReport PaperEncode::best_annealing(const Kept& standard) {
   constexpr int kMost = 8;
-  constexpr int kSamples = 80'000;  // of all of them together
+  constexpr int kSamples = 80'000;  // over all annealings together
   const int annealings =
       std::clamp(kSamples / std::max(coder_.coefficients().total(), 1), 1, kMost);
   AnnealingReport best;

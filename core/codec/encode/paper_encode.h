@@ -13,7 +13,7 @@ namespace mocapress {
 /// annealing, and coded; the number is the one that meets the target.
 class PaperEncode {
  public:
-  /// All must outlive this.
+  /// The references must outlive this.
   PaperEncode(TrialCoder& coder, Passes& passes) : coder_(coder), passes_(passes) {}
 
   Trial run(Method method);
@@ -28,7 +28,7 @@ class PaperEncode {
 
   TrialCoder& coder_;
   Passes& passes_;
-  std::map<int, AnnealingReport> annealed_;  // by count: r_IK does not change them
+  std::map<int, AnnealingReport> annealed_;  // by count; r_IK does not change them
 };
 
 }  // namespace mocapress

@@ -76,7 +76,7 @@ class SegmentedEncode {
     return frames;
   }
 
-  /// The segment where feet stand most stands for all.
+  /// The segment with the most contacts decides for all.
   double find_split() const {
     const int segment = most_contacts();
     const ClipAnalysis analysis(motion_of(segment));
@@ -100,7 +100,8 @@ class SegmentedEncode {
     return frames_of(contacts_, layout_.first(segment), layout_.frames_of(segment));
   }
 
-  /// In the forms that are coded, the angles those of one conversion of the whole.
+  /// A segment's motion in the coded forms, with the angles that a conversion of the whole clip
+  /// gives.
   Motion motion_of(int segment) const {
     return with_forms(frames_of(motion_, layout_.first(segment), layout_.frames_of(segment)),
                       forms_, first_angles_[static_cast<std::size_t>(segment)]);
@@ -123,7 +124,7 @@ class SegmentedEncode {
                                          part.should_continue ? work : ClosedLoopWork::Rounding,
                                          weights, observer);
       finest_scale_ = std::max(finest_scale_, coded.finest_scale);
-      // Without sweeps nobody was asked yet.
+      // Without sweeps the observer has not been called yet.
       if (work != ClosedLoopWork::Sweeps && part.should_continue)
         coded.trial.complete = observer(EncodeProgress{.iteration = part.index + 1});
       return std::move(coded.trial);
@@ -142,8 +143,8 @@ class SegmentedEncode {
              first.clip.channels.topRows(rows), last.clip.channels.bottomRows(rows));
   }
 
-  /// Each segment by itself: where two are blended, the error is no larger than both of theirs, but
-  /// for what is not linear.
+  /// Coarsens each segment by itself. Where two segments blend, the error is at most the larger of
+  /// theirs, apart from non-linear effects.
   Trial coarsen(const Trial& trial, const Eigen::VectorXd& bound_cm) {
     AdaptiveSegments coded(trial.compressed);
     Trial coarser = encode_all(trial.scale, [&](const Part& part, const EncodeOptions& options,
@@ -162,12 +163,12 @@ class SegmentedEncode {
   struct Part {
     int index;
     const ClipAnalysis& analysis;
-    int first;  // frame
+    int first;  // its first frame
     int frames;
     bool should_continue;  // false: the observer ended it
   };
 
-  /// Not weighed yet.
+  /// Runs all segments; the result is not measured yet.
   template <typename EncodePart>
   Trial encode_all(double scale, const EncodePart& encode) {
     Trial trial{.compressed = {.skeleton = with_forms(motion_.skeleton, forms_),
@@ -179,7 +180,7 @@ class SegmentedEncode {
                 .scale = scale};
     double squares = 0;
     for (int k = 0; k < layout_.count(); ++k) {
-      const ClipAnalysis analysis(motion_of(k));  // gone before the next
+      const ClipAnalysis analysis(motion_of(k));  // freed before the next segment
       const Part part{k, analysis, layout_.first(k), layout_.frames_of(k), trial.complete};
       const Trial coded = encode(part, options_for(k), [&](const EncodeProgress& of_segment) {
         EncodeProgress progress = of_segment;
@@ -211,7 +212,7 @@ class SegmentedEncode {
     const bool by_model = is_guess && options_.target.kind == Target::Kind::Error &&
                           !options_.correction && options_.importance.is_even();
     if (by_model)
-      trial.achieved = trial.eps_cm;  // near enough, and there already
+      trial.achieved = trial.eps_cm;  // the model's estimate is close enough
     else if (options_.target.kind == Target::Kind::CoefficientRatio)
       trial.achieved = static_cast<double>(motion_.clip.channels.size()) / std::max(trial.count, 1);
     else

@@ -14,12 +14,13 @@ struct TargetedEncoding;
 
 using runtime::SegmentLayout;
 
-/// As few segments as the plan allows, as even in length as possible. A short clip is one segment.
+/// Cuts a clip into as few segments as the plan allows, as even in length as possible. A short clip
+/// is one segment.
 SegmentLayout even_segments(int frames, const SegmentPlan& plan);
 
-/// encode_to_target() of a long clip by a closed loop, one segment after the other, in memory that
-/// does not grow with the clip. All segments have one scale of steps, as the whole clip would, and
-/// the target is that of the whole clip. When it is cancelled, it codes the rest roughly.
+/// Encodes a long clip by a closed loop to a target, one segment after the other, in memory that
+/// does not grow with the clip. All segments share the scale that the whole clip would have, and
+/// the target is the whole clip's. When cancelled, it codes the remaining segments roughly.
 TargetedEncoding encode_in_segments(const ClipAnalysis& analysis, const EncodeOptions& options,
                                     const SegmentLayout& layout,
                                     const Observer<EncodeProgress>& observer);

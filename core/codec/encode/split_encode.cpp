@@ -30,7 +30,7 @@ Trial SplitEncode::run() {
   Trial trial = find_split();
   if (!trial.complete || (split_method() == options_.method && split_effort() == options_.effort))
     return trial;
-  slide_without_cm_.reset();  // that of another encode
+  slide_without_cm_.reset();  // belongs to another encode
   return run_with(options_.method, options_.effort);
 }
 
@@ -52,7 +52,7 @@ Trial SplitEncode::run_with(Method method, Effort effort) {
   return method == Method::ClosedLoop ? loop_.run(effort) : paper_.run(method);
 }
 
-/// Leaves the r_IK of the best split behind, and gives the trial that showed it.
+/// Sets the r_IK of the best split and returns its trial.
 Trial SplitEncode::find_split() {
   constexpr int kFinerSteps = 2;
   const bool is_draft = split_effort() == Effort::Draft;
@@ -78,13 +78,15 @@ Trial SplitEncode::find_split() {
   return best;
 }
 
-/// Annealing takes too long to be tried many times, except where it is the same each time.
+/// The method for trials of the split. Annealing is too slow to be repeated, unless it is the same
+/// each time.
 Method SplitEncode::split_method() const {
   const bool once = options_.target.kind == Target::Kind::CoefficientRatio;
   return options_.method == Method::Annealed && !once ? Method::Standard : options_.method;
 }
 
-/// So does a hard maximum, and whatever else the best effort does.
+/// The effort for trials of the split. A hard maximum and the extras of the best effort are too
+/// slow.
 Effort SplitEncode::split_effort() const {
   if (is_by_worst(options_.target)) return Effort::Draft;
   return std::min(options_.effort, Effort::Default);

@@ -9,8 +9,8 @@
 
 namespace mocapress {
 
-/// One encode by the method it asks for. Where r_IK is left open, it finds the split between motion
-/// and correction first.
+/// One encode by the requested method. Where r_IK is left open, it first finds the split between
+/// motion and correction.
 class SplitEncode {
  public:
   SplitEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
@@ -22,7 +22,7 @@ class SplitEncode {
   /// The r_IK that suits the target best.
   double split();
 
-  /// Throws TargetMissed unless the trial is as good as was promised; a draft promises nothing.
+  /// Throws TargetMissed unless the trial meets the target; a draft promises nothing.
   void check(const Trial& trial) const;
 
   LoopEncode& loop() { return loop_; }

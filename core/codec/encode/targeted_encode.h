@@ -11,13 +11,14 @@ namespace mocapress {
 
 /// The result of a search for a target.
 struct TargetedEncoding {
-  // Without its provenance. A draft may have no motion yet, but what it is to be made of.
+  // The provenance is not set. A draft may have quantised values but no coded motion yet.
   CompressedClip compressed;
-  int count = 0;                           // of the coefficients kept
-  double correction_ratio = 0;             // r_IK, asked for or found
-  std::optional<double> slide_without_cm;  // where it was found: of the encode without correction
-  int iterations = 0;                      // of the last annealing or closed loop
-  bool complete = true;                    // false: the observer ended it early
+  int count = 0;                // of the coefficients kept
+  double correction_ratio = 0;  // r_IK, given or found
+  std::optional<double>
+      slide_without_cm;  // slide of the encode without correction, where r_IK was found
+  int iterations = 0;    // of the last annealing or closed loop
+  bool complete = true;  // false: the observer stopped it
 };
 
 /// Searches the number of coefficients that meets the target; for a closed loop, the scale of its

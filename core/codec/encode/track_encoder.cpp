@@ -11,14 +11,14 @@
 namespace mocapress {
 namespace {
 
-/// A track as a curve.
+/// A track coded as a curve.
 struct Curve {
   int step_exponent = 0;
   Eigen::VectorXi values;
   std::size_t bytes = 0;
 };
 
-/// Finds curves within a bound of tracks of one length.
+/// Finds curves that stay within a bound of tracks of one length.
 class CurveFinder {
  public:
   CurveFinder(int frames, double bound)
@@ -30,7 +30,7 @@ class CurveFinder {
   float scale() const { return scale_; }
   Basis basis() const { return lifting_.basis(); }
 
-  /// The smallest found; nothing where no step is fine enough.
+  /// The curve with the fewest bytes; nothing where no step is fine enough.
   std::optional<Curve> find(const std::vector<float>& samples) const;
 
  private:
@@ -44,8 +44,9 @@ class CurveFinder {
 
 std::optional<Curve> CurveFinder::find(const std::vector<float>& samples) const {
   constexpr int kCoarsest = -8;  // half octaves: 16 times the bound
-  constexpr int kFinest = 12;    // rounding to floats is coarser than the bound
-  constexpr int kMore = 3;  // beyond the coarsest step that will do: fewer corrections, fewer bytes
+  constexpr int kFinest = 12;    // finer steps do not help: rounding to floats exceeds the bound
+  constexpr int kMore =
+      3;  // finer steps tried after the first that will do: fewer corrections, fewer bytes
   const Eigen::VectorXd wanted =
       Eigen::Map<const Eigen::VectorXf>(samples.data(), static_cast<Eigen::Index>(samples.size()))
           .cast<double>();
@@ -60,7 +61,8 @@ std::optional<Curve> CurveFinder::find(const std::vector<float>& samples) const 
   return best;
 }
 
-/// Rounds coefficients to steps; where samples come out too far off, it aims at the other side.
+/// Rounds coefficients to steps. Where samples are then too far off, shifts what it aims at to the
+/// other side and tries again.
 std::optional<Curve> CurveFinder::fit(const Eigen::VectorXd& samples, int step_exponent) const {
   constexpr int kCorrections = 12;
   const double step = step_of(step_exponent, scale_);

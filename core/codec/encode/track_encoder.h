@@ -9,12 +9,11 @@
 
 namespace mocapress {
 
-/// Codes tracks so that no decoded value is further off than `bound`. Tracks that stay where
-/// they are, or jump now and then, come back bit for bit, and so do those that no wavelet brings
-/// within the bound.
+/// Codes tracks so that no decoded value differs by more than `bound`. Tracks that are constant or
+/// jump now and then are stored exactly, and so are those that no wavelet brings within the bound.
 CodedTracks encode_tracks(const ScalarTracks& tracks, double bound);
 
-/// with_coded_tracks() of that.
+/// Encodes the tracks and adds them to a file: with_coded_tracks().
 std::vector<std::byte> with_tracks(std::span<const std::byte> mcpr, const ScalarTracks& tracks,
                                    double bound);
 

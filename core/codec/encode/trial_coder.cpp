@@ -100,7 +100,7 @@ Trial TrialCoder::code(ClosedLoop::Result result, TrialBytes bytes) const {
   return trial;
 }
 
-/// Adds the correction that quantised channels need.
+/// Adds the correction that the quantised channels need.
 void TrialCoder::finish(QuantisedSignals coded, TrialBytes bytes,
                         CompressedClip& compressed) const {
   if (correction_) {
@@ -120,7 +120,7 @@ void TrialCoder::finish(QuantisedSignals coded, TrialBytes bytes,
     compressed.known = std::make_shared<const KnownMotion>(std::move(coded));
 }
 
-/// The correction is of the motion as it will be decoded.
+/// Fits the correction to the motion as it will be decoded.
 void TrialCoder::append_correction(std::vector<std::byte>& words,
                                    CompressedClip& compressed) const {
   const Motion& motion = analysis_.motion();

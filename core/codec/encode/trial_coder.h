@@ -16,11 +16,11 @@ namespace mocapress {
 /// an estimate of their bytes.
 enum class TrialBytes { Coded, Values, Estimated };
 
-/// Makes trials of one encode: what a method chose becomes a coded clip, with its correction and
-/// its ends, measured against the target. Owns the error model and the closed loop of that encode.
+/// Makes the trials of one encode: turns a method's choice into a coded clip with its correction
+/// and ends, measured against the target. Owns the error model and the closed loop of that encode.
 class TrialCoder {
  public:
-  /// Both must outlive this. Throws Error for an impossible correction.
+  /// The references must outlive this. Throws Error for an impossible correction.
   TrialCoder(const ClipAnalysis& analysis, const EncodeOptions& options);
 
   const ClipAnalysis& analysis() const { return analysis_; }
@@ -29,33 +29,34 @@ class TrialCoder {
   const Goal& goal() const { return goal_; }
   bool has_correction() const { return correction_.has_value(); }
 
-  /// The r_IK of the trials that follow: coefficients of the correction / kept ones.
+  /// The r_IK of the next trials: coefficients of the correction / kept coefficients.
   double correction_ratio() const { return correction_ratio_; }
   void set_correction_ratio(double ratio) { correction_ratio_ = ratio; }
 
-  /// Lets joints weigh otherwise in the trials that follow.
+  /// Changes the weights of joints for the next trials.
   void weigh_joints(const Importance& importance);
 
-  /// The price of errors of the motion: higher at some joints, lower where a correction mends them.
+  /// The price of the motion's errors: higher at important joints, lower where a correction mends
+  /// them.
   const ErrorModel& model() const;
   const ClosedLoop& loop();
 
-  /// A trial of the paper's methods, measured.
+  /// Codes and measures a trial of the paper's methods.
   Trial code(const Kept& kept);
 
-  /// A trial of the closed loop, neither mended nor measured.
+  /// Codes a trial of the closed loop, neither mended nor measured.
   Trial code(ClosedLoop::Result result, TrialBytes bytes) const;
 
-  /// The same without bytes, for searches that only look at its error.
+  /// Makes a trial without bytes, for searches that only look at its error.
   Trial without_bytes(const ClosedLoop::Result& result) const;
 
-  /// Turns values that were kept into bytes.
+  /// Codes the values that a trial kept.
   void pack(Trial& trial) const;
 
   void mend_ends(Trial& trial) const;
   void measure(Trial& trial) const;
 
-  /// Takes the signals of a correction out: they are made anew for a motion that changes.
+  /// Removes a correction's signals; they are made anew when the motion changes.
   void drop_correction(QuantisedSignals& coded) const;
 
   /// Footskate of a decoded clip.
@@ -86,7 +87,7 @@ class Passes {
   int begin() { return count_++; }
   const Observer<EncodeProgress>& observer() const { return observer_; }
 
-  /// The observer of the next pass, a closed loop's.
+  /// The observer of the next pass, which is a closed loop's.
   Observer<ClosedLoopProgress> next();
 
  private:
@@ -94,7 +95,7 @@ class Passes {
   int count_ = 0;
 };
 
-/// The contacts that count: edited ones, or those found on the original.
+/// The contacts to use: edited ones, or those found on the original.
 const std::vector<ContactSpan>& contacts_for(const ClipAnalysis& analysis,
                                              const EncodeOptions& options);
 

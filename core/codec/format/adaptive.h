@@ -24,10 +24,10 @@ using runtime::size_of;
 /// The decoder's model with memory of its own.
 class CoefficientModel {
  public:
-  /// As it is before the first bit.
+  /// Starts in the state before the first bit.
   explicit CoefficientModel(int signal_count);
 
-  /// Without what other clips taught: for fitting that.
+  /// A model without trained priors, from which priors are fitted.
   static CoefficientModel untaught(int signal_count);
 
   CoefficientModel(CoefficientModel&&) = default;
@@ -44,7 +44,7 @@ class CoefficientModel {
   runtime::CoefficientModel model_;
 };
 
-/// Which channels resemble one another, found from the tree alone.
+/// Finds which channels resemble one another, from the skeleton's tree alone.
 std::vector<SignalNeighbours> channel_neighbours(const Skeleton& skeleton);
 
 /// The same for the differences of an IK correction, which follow the channels.
@@ -63,14 +63,14 @@ void code_coefficients(Bits& bits, const std::vector<SignalNeighbours>& neighbou
   runtime::CoefficientCoder(bits, neighbours.data(), bands, model, view, *notes, coded.scale).run();
 }
 
-/// The coded bytes, which were seen to hold every bit that was coded. `learned` is what clips of a
-/// bank taught, if any: learned_priors.h.
+/// Codes signals, and checks that the bytes decode to every bit. `learned` holds a bank's priors,
+/// if any: learned_priors.h.
 std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
                                        const std::vector<SignalNeighbours>& neighbours,
                                        std::span<const std::byte> learned = {});
 
-/// The inverse. Throws FormatError, with an offset counted from `base_offset`, unless the bytes are
-/// those of signals of that length.
+/// The inverse of adaptive_encode(). Throws FormatError, with an offset counted from `base_offset`,
+/// unless the bytes hold signals of that length.
 QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
                                  const std::vector<SignalNeighbours>& neighbours, int length,
                                  std::size_t base_offset = 0,

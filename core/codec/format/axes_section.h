@@ -13,7 +13,7 @@ namespace mocapress {
 
 inline constexpr std::string_view kAxes = "AXES";
 
-/// Whether a joint may have fixed turns: it has a parent and turns freely.
+/// Returns whether a joint may have fixed turns: it must have a parent and turn freely.
 bool may_turn_axes(const Joint& joint);
 
 /// Of the section for a coded skeleton: none where no axes are turned.

@@ -12,20 +12,20 @@
 
 namespace mocapress {
 
-/// What is promised of the first and the last pose, where few coefficients share in an error and
-/// games blend and loop.
+/// The promise for the first and the last pose. Few coefficients share in their errors, and games
+/// blend and loop there.
 enum class Ends {
   Free,   // nothing
-  Even,   // they are no further off than the target or, where that is no error, the clip
-  Exact,  // a tenth of that
+  Even,   // their error is at most the target's or, if the target is no error, the clip's
+  Exact,  // their error is at most a tenth of that
 };
 
 /// "free", "even", "exact".
 std::string_view name(Ends ends);
 
-/// What the first and the last frame of a clip lack, in steps of their segment's channels times
-/// 2^(-step_exponent / 2), and where that has a reach, the velocity at one of them. The frames
-/// beside them take part in it.
+/// Corrections of the first and the last frame, in steps of their segment's channels times
+/// 2^(-step_exponent / 2), and of the velocity at one of them where that has a reach. Neighbouring
+/// frames take part of each correction.
 struct CodedEnds {
   runtime::EndReaches reaches{{1, 1, 0}};  // those at the ends counted
   std::array<int, runtime::kMostEnds> step_exponent{};
@@ -42,14 +42,15 @@ struct CodedEnds {
 /// The ends of a file that has them. Throws FormatError.
 CodedEnds read_ends(const runtime::FileSections& sections);
 
-/// The same in centimetres and radians, ready to be added.
+/// The corrections of CodedEnds in centimetres and radians, ready to be added.
 class EndPoses {
  public:
-  /// Steps of each channel in the first and in the last segment.
+  /// Takes the step of each channel in the first and in the last segment.
   EndPoses(const CodedEnds& coded, const std::vector<float>& first_steps,
            const std::vector<float>& last_steps);
 
-  /// Adds them to frames (rows) of a clip of so many, from first_frame on.
+  /// Adds the corrections to frames (rows) from first_frame on, of a clip of `frames_of_clip`
+  /// frames.
   void add_to(int first_frame, int frames_of_clip, Eigen::MatrixXd& channels) const;
 
  private:

@@ -26,18 +26,19 @@ namespace mocapress {
 
 using runtime::SegmentLayout;
 
-/// How coefficients were chosen. The decoder does not care; the values are part of the file format.
+/// The method that chose the coefficients. Decoding does not depend on it; the values are part of
+/// the file format.
 enum class Method : std::uint8_t {
-  PerChannel = 1,  // as many from every channel
-  Standard = 2,    // the largest of all
+  PerChannel = 1,  // the same number from every channel
+  Standard = 2,    // the largest of all channels
   Annealed = 3,    // the paper's Algorithm 1
-  ClosedLoop = 4,  // quantised by what each step does to eps_x; always of Coding::Adaptive
+  ClosedLoop = 4,  // quantised by each step's effect on eps_x; always with Coding::Adaptive
 };
 
 /// "per-channel", "standard", "annealed", "closed-loop".
 std::string_view name(Method method);
 
-/// How a clip was made and what it promises: for people and tools, not for the decoder.
+/// The making and the measured error of a clip: for people and tools, unused by the decoder.
 struct Provenance {
   Method method = Method::Annealed;
   Weighting weighting = Weighting::BoneEnds;
@@ -46,8 +47,8 @@ struct Provenance {
   float max_error_cm = 0;  // over all landmarks and frames
 };
 
-/// Who corrects the decoded motion, and at which effectors (the paper's section 5.1). Where they go
-/// is coded with the motion.
+/// The solver that corrects the decoded motion, and its effectors (the paper's section 5.1). The
+/// effectors' paths are coded with the motion.
 struct CodedCorrection {
   IkSolver solver = IkSolver::NearestPose;
   std::vector<Effector> effectors;
@@ -58,26 +59,27 @@ struct CodedCorrection {
 
 /// The segments that the motion of a long clip falls into.
 struct CodedSegments {
-  int length = 0;                    // frames of each but the last
-  int overlap = 0;                   // frames that neighbours share
-  std::vector<std::uint32_t> bytes;  // of each in the motion
+  int length = 0;                    // frames of each segment but the last
+  int overlap = 0;                   // frames shared by neighbouring segments
+  std::vector<std::uint32_t> bytes;  // of each segment within the motion
 
   std::size_t section_bytes() const { return 12 + 4 * bytes.size(); }
 };
 
-/// What an adaptive motion of one segment decodes to. Safe to use from several threads at a time.
+/// The decoded values of an adaptive motion in one segment. Safe to use from several threads at a
+/// time.
 class KnownMotion {
  public:
   explicit KnownMotion(QuantisedSignals coded) : coded_(std::move(coded)) {}
 
-  /// Where what it decodes to is known too, but for rounding.
+  /// Takes decoded samples that are known already, up to rounding.
   KnownMotion(QuantisedSignals coded, Eigen::MatrixXd samples) : coded_(std::move(coded)) {
     std::call_once(decoded_, [&] { samples_ = std::move(samples); });
   }
 
   const QuantisedSignals& coded() const { return coded_; }
 
-  /// What `decode(coded)` makes of it (frames x signals), asked for once.
+  /// The samples that `decode(coded)` returns (frames x signals), computed once.
   template <typename Decode>
   const Eigen::MatrixXd& samples(const Decode& decode) const {
     std::call_once(decoded_, [&] { samples_ = decode(coded_); });
@@ -90,28 +92,28 @@ class KnownMotion {
   mutable Eigen::MatrixXd samples_;
 };
 
-/// A compressed clip as values: what a .mcpr file holds. FORMAT.md says how.
+/// A compressed clip as values: the content of a .mcpr file. FORMAT.md describes the bytes.
 struct CompressedClip {
   Skeleton skeleton;    // the source's
-  RotationForms forms;  // of its joints' angles as they are coded; empty: the skeleton's own
+  RotationForms forms;  // of the angles as coded; empty: the skeleton's own
   double sample_rate_hz = 120;
   int frames = 0;
   Basis basis = Basis::Cubic;
   Coding coding = Coding::Deflate;
-  std::vector<std::byte> motion;  // coefficients of every channel, then of the correction, coded
-  std::shared_ptr<const KnownMotion> known;  // where its encoder still knows
-  std::optional<std::size_t> likely_bytes;   // of a motion that is known but not coded yet
-  std::optional<CodedSegments> segments;     // of Coding::Adaptive only
+  std::vector<std::byte> motion;  // coded coefficients of every channel, then of the correction
+  std::shared_ptr<const KnownMotion> known;  // decoded values, if the encoder still has them
+  std::optional<std::size_t> likely_bytes;  // estimate for a motion that is known but not coded yet
+  std::optional<CodedSegments> segments;    // only with Coding::Adaptive
   std::optional<CodedCorrection> correction;
   Loop loop = Loop::None;
-  std::optional<CodedEnds> ends;  // of Coding::Adaptive only, and of clips with frames
+  std::optional<CodedEnds> ends;  // only with Coding::Adaptive, in clips with frames
   Provenance provenance;
 
   /// The skeleton in whose channels the motion is coded.
   Skeleton coded_skeleton() const;
 
-  /// What a ratio counts: motion, segments, correction, ends and turned axes, not the skeleton.
-  /// An estimate where the motion is not coded yet.
+  /// The bytes that a ratio counts: motion, segments, correction, ends and turned axes, not the
+  /// skeleton. An estimate where the motion is not coded yet.
   std::size_t motion_bytes() const;
 
   /// How many of them are the correction's: what the motion alone would not take.
@@ -124,21 +126,22 @@ struct CompressedClip {
   }
 };
 
-/// Of the channels, then of the signals of the correction.
+/// Returns the words of `clip.motion`; requires a coding of words. Throws FormatError when its
+/// bytes are not valid.
 std::vector<SignalNeighbours> signal_neighbours(const CompressedClip& clip);
 
 /// The words of `clip.motion`; requires a coding of words. Throws FormatError when its bytes are
 /// not valid.
 std::vector<std::byte> unpack_motion(const CompressedClip& clip);
 
-/// The same of the segments of Coding::Adaptive, one after the other. Offsets of a FormatError
-/// count from the motion's first byte.
+/// Reads the segments of an adaptive motion one after the other. Offsets in a FormatError count
+/// from the motion's first byte.
 class AdaptiveSegments {
  public:
   /// The clip must outlive this.
   explicit AdaptiveSegments(const CompressedClip& clip);
 
-  /// The next segment's: the motion's coefficients, then the correction's.
+  /// The next segment: the motion's coefficients, then the correction's.
   QuantisedSignals next();
 
   void skip();
@@ -152,17 +155,18 @@ class AdaptiveSegments {
   std::size_t first_byte_ = 0;
 };
 
-/// The coefficients of a segment, or of a clip that is not in segments, coded.
+/// Codes the coefficients of a segment, or of a clip without segments.
 std::vector<std::byte> pack_adaptive(const QuantisedSignals& coded, const CompressedClip& clip);
 
-/// Makes them the motion of a clip in one segment.
+/// Stores coefficients as the motion of a clip in one segment.
 void set_motion(QuantisedSignals coded, CompressedClip& clip);
 void set_motion(std::shared_ptr<const KnownMotion> coded, CompressedClip& clip);
 
-/// Codes a motion that was only estimated, and forgets what is known.
+/// Codes a motion that was only estimated, and drops `known`.
 void code_motion(CompressedClip& clip);
 
-/// Which signals of a coded motion resemble one another.
+/// The signals that resemble each signal of a coded motion: first for the channels, then for the
+/// correction.
 std::vector<SignalNeighbours> signal_neighbours(const CompressedClip& clip);
 
 }  // namespace mocapress

@@ -88,7 +88,7 @@ bool turns_axes(const CompressedClip& clip) {
                      [](const RotationForm& form) { return form.has_fixed_turns(); });
 }
 
-/// Whether any joint's angles are coded in another order than the source has them.
+/// Returns whether any joint's angles are coded in another order than the source has.
 bool reorders(const CompressedClip& clip) {
   if (clip.forms.empty()) return false;
   const RotationForms source = rotation_forms(clip.skeleton);
@@ -97,7 +97,7 @@ bool reorders(const CompressedClip& clip) {
       [](const RotationForm& a, const RotationForm& b) { return a.order == b.order; });
 }
 
-/// The orders that a source's angles have, those of joints that turn freely: one, or each one's.
+/// The source's rotation orders of joints that turn freely: one for all, or one for each.
 std::vector<std::byte> write_orders(const Skeleton& source) {
   std::vector<std::byte> orders;
   for (const Joint& joint : source.joints())
@@ -131,7 +131,7 @@ std::string_view motion_tag(const Container& container) {
   return container.of_comparison ? "COMP" : "MOTN";
 }
 
-/// Those of all segments. A clip without signals counts as one signal.
+/// Samples of all segments. A clip without signals counts as one signal.
 std::uint64_t sample_count(const CompressedClip& clip) {
   const int signals =
       clip.skeleton.channel_count() + (clip.correction ? clip.correction->signal_count() : 0);

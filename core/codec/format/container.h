@@ -9,15 +9,15 @@
 
 namespace mocapress {
 
-/// Throws Error where no file can hold the clip: check_room().
+/// Throws Error where the clip is too large for a file: check_room().
 std::vector<std::byte> write_container(const CompressedClip& clip);
 
-/// Throws FormatError on anything but a whole, intact file of a known version, whose motion is
-/// wavelets.
+/// Throws FormatError unless the bytes are a whole, intact file of a known version that holds a
+/// wavelet motion.
 CompressedClip read_container(std::span<const std::byte> bytes);
 
-/// A clip whose motion is wavelets or, of a comparison method, the payload of a COMP section, which
-/// core/baselines understands. Then basis, coding and provenance.method say nothing.
+/// A clip and its motion: wavelets, or the payload of a comparison method's COMP section, which
+/// core/baselines understands. For the latter basis, coding and provenance.method have no meaning.
 struct Container {
   CompressedClip clip;
   bool of_comparison = false;
@@ -29,8 +29,8 @@ runtime::FileSections sections_of(std::span<const std::byte> bytes);
 
 Container read_any_container(std::span<const std::byte> bytes);
 
-/// Wavelets from and to a file. Loading throws InputError, which names file and byte offset; saving
-/// throws WriteError.
+/// Loads and saves clips of wavelets. Loading throws InputError, which names file and byte offset;
+/// saving throws WriteError.
 CompressedClip load_mcpr(const std::filesystem::path& path);
 void save_mcpr(const std::filesystem::path& path, const CompressedClip& clip);
 

@@ -6,7 +6,8 @@
 
 namespace mocapress {
 
-/// Throws FormatError where reading failed: what the readers of the format say without exceptions.
+/// Throws FormatError if `result` is an error of the format's readers, which do not throw
+/// themselves.
 inline void require(const mcpr_result& result) {
   if (runtime::failed(result)) throw FormatError(result.offset, result.message);
 }

@@ -40,7 +40,7 @@ std::vector<std::byte> part_of(const runtime::Section& section,
   return part;
 }
 
-/// The joints of a JNTS as bytes, in which rotations can be put into other orders.
+/// The joints of a JNTS section as bytes, in which the rotation orders can be replaced.
 class JointText {
  public:
   explicit JointText(const runtime::FileSections& sections)
@@ -51,7 +51,7 @@ class JointText {
                                         reinterpret_cast<std::uint8_t*>(bytes_.data())));
   }
 
-  /// The kinds of the channels of each joint that turns freely.
+  /// Visits the channel kinds of each joint that turns freely.
   template <typename Visit>
   void visit(const Visit& visit) {
     auto* const first = reinterpret_cast<std::uint8_t*>(bytes_.data());
@@ -73,7 +73,7 @@ class JointText {
   int channels_;
 };
 
-/// In 2 bytes each, or where they are no such numbers in 4; appends them, and says whether in 4.
+/// Appends errors in 2 bytes each, or in 4 where they do not fit; returns whether it took 4.
 bool append_errors(std::span<const std::byte> errors, std::vector<std::byte>& to) {
   float both[2];
   std::memcpy(both, errors.data(), sizeof both);
@@ -95,7 +95,8 @@ int order_of(const std::uint8_t* kinds, int channels) {
   return order;
 }
 
-/// Takes the orders out of a skeleton. Unset where it would not come back byte for byte.
+/// Takes the rotation orders out of a skeleton. Unset where the original bytes could not be
+/// restored exactly.
 std::optional<std::vector<std::byte>> take_orders(std::span<const std::byte> payload,
                                                   JointText& joints) {
   if (!std::ranges::equal(joints.payload(), payload)) return std::nullopt;
@@ -118,8 +119,8 @@ std::vector<SignalNeighbours> neighbours_of(const runtime::FileSections& section
   return neighbours;
 }
 
-/// The motion as it is coded by what was learned. Unset where that is no shorter, or where the
-/// motion would not come back byte for byte.
+/// The motion coded with the learned priors. Unset where that is no shorter, or where the original
+/// bytes could not be restored exactly.
 std::optional<std::vector<std::byte>> recoded(const runtime::FileSections& sections,
                                               std::span<const std::byte> learned) {
   if (learned.empty() || !sections.is_adaptive() || sections.segments_bytes > 0)

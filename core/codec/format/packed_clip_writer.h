@@ -13,32 +13,32 @@
 
 namespace mocapress {
 
-/// Gives the number of an item of the bank, which has each once.
+/// Returns the number of an item in the bank, which stores equal items once.
 using InternItem =
     std::function<std::uint32_t(runtime::BankItem kind, std::span<const std::byte> bytes)>;
 
-/// A clip that is in no bank yet.
+/// A clip prepared for a bank, not added to one yet.
 struct PackedClip {
   struct Section {
     std::array<char, 4> tag;
-    std::vector<std::byte> part;  // empty: the clip has it itself
+    std::vector<std::byte> part;  // empty: stored with the clip itself
   };
   std::vector<Section> sections;
-  std::uint16_t orders_head = 0;  // of the outline
+  std::uint16_t orders_head = 0;  // in the outline
   std::vector<std::byte> bytes;
 };
 
-/// Its motion is coded by what clips of the bank taught (learned_priors.h) where that takes fewer
-/// bytes. Throws FormatError where the file is no .mcpr.
+/// Codes the motion with the bank's learned priors (learned_priors.h) where that takes fewer bytes.
+/// Throws FormatError where the file is no .mcpr.
 PackedClip pack_clip(std::span<const std::byte> file, std::span<const std::byte> learned = {});
 
-/// Puts the parts of a clip among the items of a bank, and its outline, whose number it gives.
+/// Adds the clip's parts and its outline to the items of a bank. Returns the outline's number.
 std::uint32_t intern_outline(const PackedClip& clip, const InternItem& intern);
 
-/// The file that was packed. Throws FormatError.
+/// Restores the file that was packed. Throws FormatError.
 std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEntry& entry);
 
-/// The outline with its parts, in another bank.
+/// Copies an outline with its parts to another bank.
 std::uint32_t copy_outline(const mcpk_bank& bank, std::uint32_t outline, const InternItem& intern);
 
 void write_varint(std::vector<std::byte>& bytes, std::uint64_t value);

@@ -16,10 +16,11 @@ namespace {
 using runtime::ContextLayout;
 using runtime::MixingWeights;
 
-constexpr std::size_t kShares = 4;  // of the work, however many cores: sums keep their order
+constexpr std::size_t kShares =
+    4;  // shares of the work on any number of cores, so that sums keep their order
 constexpr std::size_t kWeightsOfSet = MixingWeights::kMost;
 
-/// Calls visit(i, share) for all i below count, those of a share one after the other.
+/// Calls visit(i, share) for all i below count, the items of one share one after the other.
 template <typename Visit>
 void in_shares(std::size_t count, const Visit& visit) {
   parallel_for(std::size_t{0}, kShares, [&](std::size_t share) {
@@ -46,7 +47,8 @@ struct NotingBits {
   std::vector<NotedBit> bits;
 };
 
-/// Contexts of a clip that are known: those of its signals only if it has as many.
+/// The number of a clip's contexts that `known` covers: those of single signals only if the clip
+/// has as many signals.
 std::size_t known_contexts(const NotedClip& clip, const CodingKnowledge& known) {
   return clip.signals == known.signals ? known.log_odds.size()
                                        : static_cast<std::size_t>(ContextLayout(0).shared);
@@ -69,10 +71,10 @@ struct ContextPrior {
   int seen = 0;
 };
 
-/// The beta distribution that most likely gave the shares of set bits in all clips.
+/// The beta distribution that most likely produced the shares of set bits in all clips.
 ContextPrior most_likely(const std::vector<ContextTally>& tallies,
                          std::span<const std::uint16_t> trusts, double finest) {
-  constexpr double kMostSeen = 60;  // of a clip: its bits are alike
+  constexpr double kMostSeen = 60;  // observations counted of one clip, because its bits are alike
   ContextPrior best;
   double highest = -std::numeric_limits<double>::infinity();
   const auto likelihood = [&](double log_odds, double trust) {
@@ -109,7 +111,7 @@ ContextPrior most_likely(const std::vector<ContextTally>& tallies,
   return best;
 }
 
-// ---------------------------------------------------------------- all together
+// ---------------------------------------------------------------- all contexts together
 
 struct Gradient {
   explicit Gradient(const CodingKnowledge& known)
@@ -126,8 +128,8 @@ auto parts_of(Known& known) {
 
 struct Believed {
   float one = 0.5F;
-  float first = 0.5F;  // what was known of it
-  float left = 1;      // how much of that still counts
+  float first = 0.5F;  // its initial probability
+  float left = 1;      // the weight that the prior still has
   int seen = 0;
 };
 
@@ -138,8 +140,8 @@ float share_of(float log_odds) {
   return 1 / (1 + std::exp(-log_odds));
 }
 
-/// Codes a clip and adds the gradient of its bits, as if what is learned on the way did not depend
-/// on what is known beforehand; a bit counts `share`. Returns the bits.
+/// Codes a clip and adds the gradient of its bits, treating the adaptation during coding as
+/// independent of the priors. Each bit counts `share`. Returns the bits.
 double code(const NotedClip& clip, const CodingKnowledge& known, float share, Gradient* gradient) {
   constexpr float kMixingRate = 3.0F * 256 / (1 << 18);
   constexpr float kLeast = 1.0F / 65536;
@@ -203,16 +205,16 @@ double code(const NotedClip& clip, const CodingKnowledge& known, float share, Gr
   return bits;
 }
 
-/// D. Kingma and J. Ba, "Adam: A Method for Stochastic Optimization", 2015: steps in the direction
-/// of the gradient, each number by what its own has been.
+/// Gradient descent by D. Kingma and J. Ba, "Adam: A Method for Stochastic Optimization", 2015:
+/// each parameter's step is scaled by its own past gradients.
 class Descent {
  public:
   Descent(const CodingKnowledge& known, const DescentPlan& plan)
       : plan_(plan), means_(known), squares_(known) {}
 
-  /// By the sum of gradients of so many clips.
+  /// Takes a step by the sum of the gradients of `count` clips.
   void step(Gradient& gradient, std::size_t count, double rate, CodingKnowledge& known) {
-    constexpr double kStepOfLogOdds = 3;  // times that of the others
+    constexpr double kStepOfLogOdds = 3;  // times the step of the other parameters
     for (std::size_t c = 0; c < plan_.may_change.size(); ++c)
       if (!plan_.may_change[c]) gradient.log_odds[c] = 0;
     ++steps_;
@@ -313,7 +315,7 @@ void descend(std::span<const NotedClip> clips, const DescentPlan& plan,
              const std::function<bool(const std::vector<double>&)>& go_on, CodingKnowledge& known) {
   constexpr std::size_t kBatch = 64;
   constexpr double kFirstStep = 0.01;
-  constexpr float kUsualBits = 3000;  // of a clip
+  constexpr float kUsualBits = 3000;  // bits of a typical clip
   Descent descent(known, plan);
   std::vector<std::size_t> order(clips.size());
   std::iota(order.begin(), order.end(), 0);

@@ -14,17 +14,17 @@
 
 namespace mocapress {
 
-/// A bit, and what it was predicted from.
+/// A coded bit and the contexts that predicted it.
 struct NotedBit {
   std::array<std::uint32_t, runtime::kMostContexts> contexts;
   std::array<std::int16_t, 2> opinions;
-  std::int8_t set;  // of weights; -1: one context alone
+  std::int8_t set;  // number of the set of weights; -1: predicted by one context alone
   std::uint8_t context_count : 4;
   std::uint8_t opinion_count : 3;
   std::uint8_t bit : 1;
 };
 
-/// All bits of a clip but those that are coded evenly.
+/// All bits of a clip but those coded at even odds.
 struct NotedClip {
   int signals = 0;
   std::vector<NotedBit> bits;
@@ -32,43 +32,44 @@ struct NotedClip {
 
 NotedClip note_bits(QuantisedSignals coded, const std::vector<SignalNeighbours>& neighbours);
 
-/// What is known before the first bit, in floats.
+/// The coder's initial knowledge before the first bit, in floats.
 struct CodingKnowledge {
-  int signals = 0;               // of clips whose single signals are known, too
-  std::vector<double> log_odds;  // of each context that is known
-  std::vector<int> seen;         // how many observations these are worth
+  int signals = 0;               // of clips whose signals have priors of their own
+  std::vector<double> log_odds;  // of each context with a prior
+  std::vector<int> seen;         // number of observations each prior counts for
   std::vector<double> weights;   // runtime::MixingWeights::kMost of each set
 
-  /// What all clips are coded with.
+  /// The priors that all clips are coded with.
   static CodingKnowledge of_all_clips(int signals);
 };
 
-/// The bits of the clips, coded with what is known. The arithmetic of runtime::MixedBit, in floats.
+/// The bits of the clips when coded with these priors. Uses the arithmetic of runtime::MixedBit, in
+/// floats.
 double coded_bits(std::span<const NotedClip> clips, const CodingKnowledge& known);
 
-/// How often the contexts were seen in a clip.
+/// Counts of a context's occurrences in a clip.
 struct ContextTally {
   float seen = 0;
   float set = 0;
 };
 
-/// Of each context of each clip, `clips` rows of `known.log_odds.size()`.
+/// Counts for each context of each clip: `clips` rows of `known.log_odds.size()`.
 std::vector<std::vector<ContextTally>> tally_contexts(std::span<const NotedClip> clips,
                                                       const CodingKnowledge& known);
 
-/// Learns each context by itself: log odds within `finest`, and how many observations they are
-/// worth, from among `trusts`. Contexts that are hardly seen stay as they are.
+/// Fits each context by itself: log odds in multiples of `finest`, and the number of observations
+/// they count for, out of `trusts`. Contexts that hardly occur keep their priors.
 void fit_contexts(std::span<const NotedClip> clips, std::span<const std::uint16_t> trusts,
                   double finest, CodingKnowledge& known);
 
 struct DescentPlan {
-  int rounds = 0;                  // through all clips
+  int rounds = 0;                  // passes over all clips
   std::vector<bool> may_change;    // contexts; empty: all
-  bool clips_count_alike = false;  // and not their bits
+  bool clips_count_alike = false;  // instead of their bits
 };
 
-/// Lets what is known follow the gradient of the coded bits. Before each round `go_on` is given the
-/// bits of each clip in the round before; when that says no, what there is is as good as it got.
+/// Improves the priors along the gradient of the coded bits. Before each round, `go_on` receives
+/// the bits of each clip in the round before; if it returns false, the descent ends.
 void descend(std::span<const NotedClip> clips, const DescentPlan& plan,
              const std::function<bool(const std::vector<double>&)>& go_on, CodingKnowledge& known);
 

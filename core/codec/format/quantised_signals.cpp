@@ -28,7 +28,7 @@ int step_exponent_for(double step, float scale) {
 
 QuantisedSignals quantise_kept(const RankedCoefficients& ranked, const std::vector<double>& scales,
                                const Kept& kept, float scale) {
-  constexpr double kFinest = 0x1p-17;  // radians or cm: nothing to be seen
+  constexpr double kFinest = 0x1p-17;  // radians or cm: invisible
   const std::vector<double> gains = ranked.lifting.gains();
   const Eigen::VectorXd dropped = largest_dropped(ranked, scales, kept);
   const Eigen::MatrixXd coefficients = truncate(ranked, kept);

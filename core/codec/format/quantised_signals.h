@@ -10,10 +10,10 @@
 
 namespace mocapress {
 
-/// Wavelet coefficients of some signals in whole steps. In every band a signal's step is divided by
-/// Lifting::gains(), so that it weighs alike in all.
+/// Wavelet coefficients of signals in whole steps. In every band a signal's step is divided by
+/// Lifting::gains(), so that a step matters equally in all bands.
 struct QuantisedSignals {
-  float scale = 1;                 // as file_scale() gives it
+  float scale = 1;                 // as rounded by file_scale()
   std::vector<int> step_exponent;  // of each signal: its step is scale * 2^(-step_exponent / 2)
   Eigen::MatrixXi values;          // coefficients x signals, coarse to fine
 
@@ -32,21 +32,21 @@ using runtime::kMostStepExponent;
 using runtime::kMostSteps;
 using runtime::step_of;
 
-/// The nearest scale that a file can hold: 8 binary digits.
+/// The nearest scale that a file can store: 8 binary digits.
 float file_scale(double scale);
 
-/// The step_exponent of the largest step that is not above `step`.
+/// The step_exponent of the largest step that is at most `step`.
 int step_exponent_for(double step, float scale);
 
-/// Chosen coefficients, rounded to steps about as large as the largest coefficient their signal
+/// Rounds chosen coefficients to steps about as large as the largest coefficient that their signal
 /// drops. `scales` make signals comparable, as for StandardOrder.
 QuantisedSignals quantise_kept(const RankedCoefficients& ranked, const std::vector<double>& scales,
                                const Kept& kept, float scale);
 
-/// Adds signals of the same scale and length.
+/// Appends signals of the same scale and length.
 void append(const QuantisedSignals& more, QuantisedSignals& to);
 
-/// The signals themselves: samples x signals.
+/// Computes the signals: samples x signals.
 Eigen::MatrixXd reconstruct(const QuantisedSignals& coded, const Lifting& lifting);
 
 }  // namespace mocapress

@@ -22,7 +22,7 @@ bool RangeEncoder::code(bool bit, Probability probability_of_one) {
 }
 
 std::vector<std::byte> RangeEncoder::finish() {
-  // The shortest number in [low, high]; the decoder reads zeros after it.
+  // Writes the shortest number in [low, high]; the decoder reads zeros after it.
   for (int shift = 24; low_ != 0; shift -= 8) {
     const std::uint32_t mask = (shift == 32 ? 0 : (std::uint32_t{1} << shift)) - 1;
     const std::uint32_t rounded = (low_ + mask) & ~mask;

@@ -14,20 +14,20 @@ namespace mocapress {
 using runtime::kEvenOdds;
 using runtime::Probability;
 
-/// Codes bits for runtime::RangeDecoder, in as many bits as their probability asks for. Integers
-/// only: the same bytes everywhere.
+/// Codes bits for runtime::RangeDecoder, each in as many bits as its probability implies. Uses
+/// integers only, so the bytes are the same everywhere.
 class RangeEncoder {
  public:
   static constexpr bool kWrites = true;
 
-  /// Returns the bit: what a walk that is the same for writing and reading goes on with.
+  /// Returns the bit, so that one template serves writing and reading.
   bool code(bool bit, Probability probability_of_one);
 
-  // Numbers that are written are within bounds.
+  // Does nothing: written numbers are always within bounds.
   void refuse() {}
   static constexpr bool failed() { return false; }
 
-  /// The bytes, once every bit was coded.
+  /// Returns the bytes; call after the last bit.
   std::vector<std::byte> finish();
 
  private:
@@ -36,9 +36,8 @@ class RangeEncoder {
   std::vector<std::byte> bytes_;
 };
 
-/// The same, and reads its bytes once they are there. What a bit is predicted from is what was
-/// coded before it: where every bit comes back, so does all that they tell, which need not be
-/// decoded to know it.
+/// A RangeEncoder that decodes its own bytes at the end to check them. Each probability depends
+/// only on earlier bits, so comparing the bits is enough.
 class CheckedRangeEncoder {
  public:
   static constexpr bool kWrites = true;
@@ -51,7 +50,7 @@ class CheckedRangeEncoder {
   void refuse() {}
   static constexpr bool failed() { return false; }
 
-  /// Throws std::logic_error where they do not say what was coded.
+  /// Throws std::logic_error if the bytes decode to other bits.
   std::vector<std::byte> finish();
 
  private:

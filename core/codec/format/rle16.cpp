@@ -14,11 +14,11 @@ using Word = std::int16_t;
 constexpr int kRestIsZero = -32768;
 constexpr int kLongestRun = 254;
 constexpr int kWide = -32513;          // the coefficient follows in 32 bits
-constexpr int kLargestNarrow = 32512;  // just above the codes, and the same below zero
+constexpr int kLargestNarrow = 32512;  // the largest that fits 16 bits; larger values are codes
 constexpr double kLargestWide = 0x1p31 - 1;
 
-/// The exponent of a channel's step. It need not be finer than half of what was dropped: digits
-/// below that would be noise to pack. It must not be so fine that the largest does not fit 32 bits.
+/// The exponent of a channel's step. It need not be finer than half of the largest dropped
+/// coefficient, since finer digits would be noise; and the largest coefficient must fit 32 bits.
 int exponent_for(const Eigen::VectorXd& coefficients, double dropped) {
   const double largest = coefficients.size() == 0 ? 0 : coefficients.cwiseAbs().maxCoeff();
   if (largest == 0) return 0;
@@ -40,7 +40,7 @@ void write_run(ByteWriter& writer, int zeros) {
 }
 
 void write_channel(ByteWriter& writer, const Eigen::VectorXd& coefficients, int exponent) {
-  int zeros = 0;  // not yet written: they may turn out to be the rest
+  int zeros = 0;  // pending: not written yet, since they may be the end of the channel
   for (const double coefficient : coefficients) {
     const auto value = static_cast<std::int32_t>(std::lround(std::ldexp(coefficient, -exponent)));
     if (value == 0) {

@@ -12,17 +12,16 @@
 
 namespace mocapress {
 
-/// No step is finer than 2 to this: 8e-6 rad or cm, nothing to be seen.
+/// No step is finer than 2 to this power: 8e-6 rad or cm, which is invisible.
 inline constexpr double kFinestExponent = -17;
 
-/// None is coarser than 2 to this: then every sample is finite, as a 32-bit float too.
+/// No step is coarser than 2 to this power, so that every sample is finite as a 32-bit float.
 inline constexpr int kCoarsestExponent = 64;
 
 /// Codes coefficients x channels (coarse to fine, zero where not kept) as 16-bit words with runs of
-/// zeros and an end mark; the few that 16 bits cannot hold take 48. Each channel has one step, so
-/// the coefficients should be scaled to matter alike: by Lifting::gains(). `dropped` has the
-/// magnitude of each channel's largest coefficient that was not kept; a step is not made much finer
-/// than that.
+/// zeros and an end mark; values beyond 16 bits take 48. Each channel has one step, so scale the
+/// coefficients by Lifting::gains() first, to make them matter equally. `dropped` is the magnitude
+/// of each channel's largest dropped coefficient; a step is not made much finer than that.
 std::vector<std::byte> rle16_encode(const Eigen::MatrixXd& coefficients,
                                     const Eigen::VectorXd& dropped);
 
@@ -30,16 +29,16 @@ std::vector<std::byte> rle16_encode(const Eigen::MatrixXd& coefficients,
 /// channels of `per_channel` coefficients.
 Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, int channels);
 
-/// What the words say.
+/// The decoded words.
 struct Rle16Values {
   std::vector<int> exponents;  // of each channel's step: 2^exponent
   Eigen::MatrixXi values;      // coefficients x channels, in steps
 };
 
-/// The next of what is being read. Throws FormatError as rle16_decode() does.
+/// Reads the next words. Throws FormatError as rle16_decode() does.
 Rle16Values rle16_read(ByteReader& reader, int per_channel, int channels);
 
-/// No coding of that shape has more bytes.
+/// The most bytes that a coding of this shape can take.
 std::size_t rle16_bound(int per_channel, int channels);
 
 }  // namespace mocapress

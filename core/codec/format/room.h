@@ -10,7 +10,7 @@ namespace mocapress {
 
 using runtime::SegmentLayout;
 
-/// What decides whether a clip fits into a .mcpr file.
+/// The sizes that decide whether a clip fits into a .mcpr file.
 struct ClipShape {
   const Skeleton& skeleton;
   double sample_rate_hz;
@@ -18,11 +18,11 @@ struct ClipShape {
   int effectors = 0;       // of an IK correction
 };
 
-/// Throws Error, which says what is too large and what the limit is, where no .mcpr file can hold a
-/// clip: core/runtime/format/format_limits.h. Known before it is encoded.
+/// Throws Error, which says what is too large and what the limit is, where no .mcpr file can hold
+/// the clip (core/runtime/format/format_limits.h). Called before encoding.
 void check_room(const ClipShape& clip);
 
-/// The same of a file of so many bytes, which bound how many values it may hold.
+/// Throws Error where a file of `file_bytes` bytes may not hold this many values.
 void check_room(std::uint64_t values, std::uint64_t file_bytes);
 
 }  // namespace mocapress

@@ -12,14 +12,14 @@
 
 namespace mocapress {
 
-/// Appends what a file begins with: as many sections follow.
+/// Appends the head of a file that is followed by `sections` sections.
 void write_head(ByteWriter& file, std::uint16_t sections);
 
-/// Appends a section: FORMAT.md. runtime::read_section() reads it.
+/// Appends a section (FORMAT.md), which runtime::read_section() reads.
 void write_section(ByteWriter& file, std::string_view tag, std::span<const std::byte> payload);
 
-/// A whole file with an optional section at its end, in place of one it had; without a payload,
-/// without the section. Throws FormatError.
+/// Returns the file with an optional section at its end, which replaces an existing one; without a
+/// payload the section is removed. Throws FormatError.
 std::vector<std::byte> with_section(std::span<const std::byte> mcpr, std::string_view tag,
                                     const std::optional<std::vector<std::byte>>& payload);
 

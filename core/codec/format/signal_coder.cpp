@@ -33,7 +33,7 @@ std::string_view name(Coding coding) {
 Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const std::vector<double>& scales,
                                 const Kept& kept) {
   const Eigen::VectorXd gains = gains_of(ranked.lifting);
-  constexpr double kNothing = 1e-9;  // radians or cm: the rounding of the transform
+  constexpr double kNothing = 1e-9;  // radians or cm: rounding of the transform
   Eigen::VectorXd dropped = Eigen::VectorXd::Zero(ranked.channels());
   double finest = std::numeric_limits<double>::infinity();
   for (int c = 0; c < ranked.channels(); ++c) {
@@ -44,8 +44,8 @@ Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const std::vec
       dropped(c) = std::abs(ranked.values(order[rank], c)) * gains(order[rank]);
     if (dropped(c) > kNothing) finest = std::min(finest, dropped(c) * scales[signal]);
   }
-  // A signal that is kept whole needs digits a little finer than the finest of the others, for they
-  // are all its error, but not the finest there are.
+  // A signal kept whole has no error but its rounding, so it needs steps a little finer than the
+  // finest of the others, but not the finest possible.
   for (int c = 0; c < ranked.channels() && std::isfinite(finest); ++c)
     if (dropped(c) <= kNothing) dropped(c) = finest / (4 * scales[static_cast<std::size_t>(c)]);
   return dropped;
@@ -63,7 +63,7 @@ double word_step(double step) {
 }
 
 std::vector<std::byte> code_steps(const Eigen::MatrixXi& values, const Eigen::VectorXd& steps) {
-  // Words are as fine as half of what is dropped.
+  // Word steps are half of the largest dropped coefficient.
   return rle16_encode(values.cast<double>() * steps.asDiagonal(), 2 * steps);
 }
 

@@ -11,19 +11,19 @@
 
 namespace mocapress {
 
-/// The kept coefficients as words: MOTN in FORMAT.md. A signal's digits need not be finer than what
-/// it drops. `scales` make signals comparable, as for StandardOrder.
+/// Codes the kept coefficients as words: MOTN in FORMAT.md. A signal's step is no finer than the
+/// coefficients it drops. `scales` make signals comparable, as for StandardOrder.
 std::vector<std::byte> code_signals(const RankedCoefficients& ranked,
                                     const std::vector<double>& scales, const Kept& kept);
 
-/// The largest step of words that is not above `step`: a power of two.
+/// The largest step of words that is at most `step`: a power of two.
 double word_step(double step);
 
-/// Coefficients in such steps (one for each signal) as words.
+/// Codes coefficients, given in steps (one for each signal), as words.
 std::vector<std::byte> code_steps(const Eigen::MatrixXi& values, const Eigen::VectorXd& steps);
 
-/// The largest coefficient each signal drops, times its gain. Of a signal that is kept whole: a
-/// quarter of the least of the others.
+/// The largest coefficient that each signal drops, times its gain. For a signal kept whole, a
+/// quarter of the smallest value of the others.
 Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const std::vector<double>& scales,
                                 const Kept& kept);
 

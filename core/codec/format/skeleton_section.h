@@ -16,7 +16,7 @@ std::vector<std::byte> joint_bytes(const Skeleton& skeleton);
 /// The payload of JNTS.
 std::vector<std::byte> write_joints(const Skeleton& skeleton);
 
-/// The same of joints as bytes.
+/// The payload of JNTS for joints given as bytes.
 std::vector<std::byte> write_joints(std::vector<std::byte> joint_bytes, int joints, int channels);
 
 /// Throws FormatError.

@@ -12,12 +12,12 @@
 
 namespace mocapress {
 
-/// The file with the section at its end, in place of one it had; without, where `source` is of no
-/// kind or has a unit that FORMAT.md does not allow. Wants a whole file as write_container() makes
-/// it.
+/// Returns the file with the section at its end, which replaces an existing one. Leaves the section
+/// out where `source` has no kind or a unit that FORMAT.md does not allow. Requires a whole file as
+/// write_container() makes it.
 std::vector<std::byte> with_source(std::span<const std::byte> mcpr, const SourceFormat& source);
 
-/// What the section says; of no kind where there is none. Throws FormatError.
+/// Reads the section; the result has no kind where there is none. Throws FormatError.
 SourceFormat source_of(std::span<const std::byte> mcpr);
 
 /// The same of a file. Throws InputError.

@@ -29,7 +29,7 @@ std::vector<SignalNeighbours> track_neighbours(int curves) {
 std::vector<runtime::TrackRun> runs_of(const std::vector<float>& values) {
   std::vector<runtime::TrackRun> runs;
   for (std::size_t t = 0; t < values.size(); ++t) {
-    // Told apart by their bits: -0 comes back, too.
+    // Compared by bits, so that -0 is kept.
     const bool is_new = t == 0 || std::bit_cast<std::uint32_t>(values[t]) !=
                                       std::bit_cast<std::uint32_t>(values[t - 1]);
     if (is_new) runs.push_back({0, values[t]});
@@ -46,7 +46,7 @@ void write_runs(const ScalarTrack& track, runtime::RunCoder& coder, RangeEncoder
   }
 }
 
-/// The records, before they are coded.
+/// The records of tracks, before compression.
 std::vector<std::byte> records_of(const CodedTracks& coded) {
   ByteWriter writer;
   for (std::size_t t = 0; t < coded.tracks.size(); ++t) {
@@ -81,7 +81,7 @@ void check(const CodedTracks& coded, const runtime::FileSections& sections) {
   }
 }
 
-/// The payload of trks, and how many runs it has.
+/// The payload of trks, and its number of runs.
 std::pair<std::vector<std::byte>, std::uint32_t> write_tracks(const CodedTracks& coded) {
   std::vector<std::byte> records = records_of(coded);
   RangeEncoder bits;

@@ -13,19 +13,19 @@
 
 namespace mocapress {
 
-/// ScalarTracks as they are in a file. Those that are held have their values, bit for bit; curves
-/// have none but their signals.
+/// ScalarTracks as stored in a file. Held tracks have their exact values; curves have only their
+/// signals.
 struct CodedTracks {
   ScalarTracks tracks;
-  std::vector<bool> is_curve;  // of each
+  std::vector<bool> is_curve;  // one for each track
   Basis basis = Basis::Cubic;
-  QuantisedSignals curves;  // in the order of the tracks; of their values' length
+  QuantisedSignals curves;  // in the order of the tracks; as long as their values
 };
 
-/// The coded curves alone.
+/// Codes the curves alone.
 std::vector<std::byte> curve_bytes(const QuantisedSignals& curves);
 
-/// How many bits the values of a track take where it is held, about.
+/// Estimates the bits of a track's values if it is held.
 std::size_t held_bits(const ScalarTrack& track);
 
 /// The file with the section at its end, in place of one it had; without, where there are no
@@ -34,7 +34,7 @@ std::size_t held_bits(const ScalarTrack& track);
 std::vector<std::byte> with_coded_tracks(std::span<const std::byte> mcpr,
                                          const CodedTracks& tracks);
 
-/// What the section says; nothing where there is none. Throws FormatError.
+/// Reads the section; empty where there is none. Throws FormatError.
 CodedTracks coded_tracks_of(std::span<const std::byte> mcpr);
 
 /// The bytes that a file has of tracks: the section, its head and all.

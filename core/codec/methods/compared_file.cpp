@@ -23,8 +23,8 @@ namespace {
 
 constexpr std::size_t kStartOfFile = 0;
 
-// Measured: a value that is decoded and written as BVH takes 48 to 50. Words that inflate may take
-// another 12.
+// Measured: a value that is decoded and written as BVH takes 48 to 50 bytes. Inflating words may
+// take another 12.
 constexpr std::uint64_t kBytesOfValue = 64;
 
 }  // namespace

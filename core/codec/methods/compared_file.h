@@ -12,14 +12,14 @@
 
 namespace mocapress {
 
-/// The file of a clip compressed by a comparison method: `clip.motion` has the method's bytes;
-/// basis, coding and provenance.method say nothing.
+/// Writes the file of a clip compressed by a comparison method. `clip.motion` holds the method's
+/// bytes; basis, coding and provenance.method have no meaning.
 std::vector<std::byte> write_compared(const ComparisonMethod& method, const CompressedClip& clip);
 
 /// A .mcpr file of any method, read and decoded.
 struct OpenedMcpr {
   std::string method;         // a method's name: "annealed", "haar", "pca" ...
-  bool of_wavelets = true;    // else basis, coding, provenance.method and seed say nothing
+  bool of_wavelets = true;    // else basis, coding, provenance.method and seed have no meaning
   CompressedClip compressed;  // its `motion` is what the ratio counts
   Clip decoded;
 
@@ -31,14 +31,15 @@ struct OpenedMcpr {
 /// Throws FormatError.
 OpenedMcpr read_mcpr(std::span<const std::byte> bytes);
 
-/// The same in two steps: `decoded` is left to decode(), or to who wants but a part of it.
+/// Reads the file without decoding it: `decoded` is left to decode(), or to callers who need only a
+/// part.
 OpenedMcpr read_coded_mcpr(std::span<const std::byte> bytes);
 Clip decode(const OpenedMcpr& opened);
 
-/// The same from a file. Throws InputError, which names file and byte offset.
+/// Opens and decodes a file. Throws InputError, which names file and byte offset.
 OpenedMcpr open_mcpr(const std::filesystem::path& path);
 
-/// The method whose wavelets these are: "haar" for standard selection in that basis.
+/// The name of the method that made these wavelets: "haar" for standard selection in that basis.
 std::string_view wavelet_method_name(const CompressedClip& wavelets);
 
 }  // namespace mocapress

@@ -13,19 +13,19 @@
 
 namespace mocapress {
 
-/// One motion, ready to be compressed by one method with more or less detail.
+/// One motion, ready to be compressed by one method at any level of detail.
 class DetailCoder {
  public:
   virtual ~DetailCoder() = default;
 
-  /// Details are in [0, most_detail()]: bytes grow with them and the error falls.
+  /// Detail levels are in [0, most_detail()]: with more detail, bytes grow and the error falls.
   virtual int most_detail() const = 0;
 
-  /// All the bytes that decode() needs besides the skeleton, the frame count and the rate.
+  /// Encodes everything that decode() needs besides the skeleton, the frame count and the rate.
   virtual std::vector<std::byte> encode(int detail) const = 0;
 };
 
-/// A method of compression other than the wavelets of core/codec.
+/// A compression method other than the wavelets of core/codec.
 class ComparisonMethod {
  public:
   virtual ~ComparisonMethod() = default;
@@ -34,19 +34,19 @@ class ComparisonMethod {
   virtual std::string_view title() const = 0;  // for a legend: "PCA"
   virtual std::string_view note() const = 0;   // whose it is, and what is simplified here
 
-  /// `weighting`: of the error, for methods that look at it when they choose what to keep.
+  /// `weighting` of the error is for methods that look at it when they choose what to keep.
   virtual std::unique_ptr<DetailCoder> analyse(const Motion& motion, Weighting weighting) const = 0;
 
-  /// Throws FormatError on anything encode() cannot have written; checks sizes before allocating.
+  /// Throws FormatError on bytes that encode() cannot have written; checks sizes before allocating.
   virtual Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
                       std::span<const std::byte> motion) const = 0;
 };
 
-/// The methods that were added, in that order; none at first, for the library carries none.
+/// The added methods, in order. None at first, because the library carries none.
 std::span<const ComparisonMethod* const> comparison_methods();
 
-/// Adds methods to those that are found by name. Called once, before anything else asks for
-/// methods: see core/baselines/rivals.h.
+/// Adds methods that can be found by name. Call once, before anything asks for methods: see
+/// core/baselines/rivals.h.
 void add_comparison_methods(std::span<const ComparisonMethod* const> methods);
 
 /// nullptr when there is none of that name.

@@ -20,7 +20,7 @@
 namespace mocapress {
 namespace {
 
-/// A method that is a selection of wavelet coefficients.
+/// A method that selects wavelet coefficients.
 struct WaveletMethod {
   CompressionMethod compression_method;
   Method method;
@@ -108,7 +108,7 @@ class DetailSearch {
     double excess = 0;
   };
 
-  /// The best trial, and whether the observer let the search come to its end.
+  /// The best trial, and whether the observer let the search finish.
   std::pair<Trial, bool> run(const Observer<EncodeProgress>& observer) const {
     constexpr int kMostTrials = 24;
     CountSearch search(coder_.most_detail(), coder_.most_detail() / 16, goal_.window(),
@@ -124,8 +124,8 @@ class DetailSearch {
     return {std::move(*best), complete};
   }
 
-  /// Throws TargetMissed unless the trial keeps the promise; the nearest step keeps that of a
-  /// ratio.
+  /// Throws TargetMissed unless the trial meets the target; for a ratio, the nearest detail is
+  /// enough.
   void check(const Trial& trial) const {
     if (goal_.met(trial.excess)) return;
     if (target_.kind == Target::Kind::Ratio && within_reach(trial)) return;
@@ -147,8 +147,8 @@ class DetailSearch {
     return trial;
   }
 
-  /// Whether the ratio lies between those of the least and the most detail: then its nearest step
-  /// is the answer. Coding everything in less space than asked for will do too.
+  /// Returns whether the ratio lies between those of the least and the most detail: then the
+  /// nearest is the answer. Coding everything in less space than asked for counts too.
   bool within_reach(const Trial& nearest) const {
     return nearest.excess < 0 || attempt(0).excess <= 0;
   }

@@ -16,8 +16,8 @@ namespace mocapress {
 /// comparison method.
 struct CompressionMethod {
   std::string_view name;   // "annealed", "haar", "pca" ...: in options and files
-  std::string_view title;  // the same for people, everywhere
-  std::string_view note;   // what it is, whose, and what is simplified
+  std::string_view title;  // shown to people, the same everywhere
+  std::string_view note;   // description, author, and what is simplified
 };
 
 /// annealed, standard, per-channel, haar, linear, closed-loop, then comparison_methods().
@@ -26,29 +26,28 @@ std::span<const CompressionMethod> compression_methods();
 /// nullptr when there is none of that name.
 const CompressionMethod* find_compression_method(std::string_view name);
 
-/// The title of the method of that name; the name itself where there is none.
+/// The title of the method with that name, or the name itself where there is none.
 std::string_view method_title(std::string_view name);
 
-/// Sets method and basis to those of a method that is wavelets. False: it is a
-/// comparison method, and nothing was set.
+/// Sets method and basis if this is a wavelet method. Returns false for a comparison method and
+/// leaves `options` unchanged.
 bool choose_wavelets(const CompressionMethod& compression_method, EncodeOptions& options);
 
-/// A motion compressed by a method, decoded again and measured.
-/// EncodeOptions::figures_only is heeded by wavelets. Contacts are Encoder::contacts(), or edited
-/// ones.
+/// A motion compressed by a method, decoded again and measured. Only wavelet methods heed
+/// EncodeOptions::figures_only. Contacts are Encoder::contacts(), or edited ones.
 struct Compression : Comparison {
   std::vector<std::byte> file;   // the .mcpr
-  std::size_t motion_bytes = 0;  // what the ratio counts
+  std::size_t motion_bytes = 0;  // the bytes that the ratio counts
   Clip decoded;
   std::optional<CorrectionResult> correction;  // of wavelets
   std::optional<double> coefficient_ratio;     // of wavelets
   std::optional<int> iterations;               // of annealing
   double seconds = 0;
-  bool complete = true;  // false: the observer ended it early
+  bool complete = true;  // false: the observer stopped it
 };
 
-/// Compresses one motion by any method, with any options; what does not depend on them
-/// is computed once, when first asked for. Const and safe to use from several threads at a time.
+/// Compresses one motion by any method, with any options. Data that does not depend on them is
+/// computed once, when first asked for. Const and safe to use from several threads at a time.
 class MethodEncoder {
  public:
   explicit MethodEncoder(Motion motion);
@@ -56,11 +55,10 @@ class MethodEncoder {
 
   const Encoder& wavelets() const;
 
-  /// Throws Error when a correction is asked of a comparison method.
-  /// `options.method` and `.basis` are those of the method, whatever they were. Throws
-  /// TargetMissed when no amount of detail meets the target; comparison methods, whose detail comes
-  /// in coarse steps, take the nearest step to a ratio instead, and have no coefficient ratio
-  /// target (Error).
+  /// Compresses by the given method; `options.method` and `.basis` are ignored. Throws Error when a
+  /// correction or a coefficient ratio is asked of a comparison method, and TargetMissed when no
+  /// amount of detail meets the target. The detail of comparison methods comes in coarse steps; for
+  /// a ratio they take the nearest step.
   Compression compress(const CompressionMethod& compression_method, const EncodeOptions& options,
                        const Observer<EncodeProgress>& observer = {}) const;
 

@@ -29,7 +29,7 @@ const ClipAnalysis& ClipAnalysis::in_chosen_forms() const {
 const Eigen::MatrixXd& ClipAnalysis::original_tracks() const {
   if (same_) return same_->original_tracks();
   return original_tracks_.get(Only(), [&] {
-    // Which those of the body begin with.
+    // The body tracks begin with the landmark tracks.
     return std::make_unique<Eigen::MatrixXd>(
         original_body().leftCols(3 * std::ssize(landmarks(motion_.skeleton))));
   });
@@ -88,7 +88,7 @@ const ErrorModel& ClipAnalysis::model(Weighting weighting) const {
 }
 
 const ClosedLoop& ClipAnalysis::closed_loop(Basis basis, Weighting weighting) const {
-  // Asked for before: one lock at a time.
+  // Computed before original_body's lock is taken: one lock at a time.
   const Coefficients& in_basis = coefficients(basis);
   const ErrorModel& errors = model(weighting);
   return closed_loops_.get(std::pair(basis, weighting), [&] {

@@ -22,7 +22,7 @@ namespace mocapress {
 struct BasisAnalysis {
   RankedCoefficients ranked;
   StandardOrder standard;
-  std::vector<double> scales;  // that make channels comparable
+  std::vector<double> scales;  // factors that make channels comparable
 
   BasisAnalysis(const Motion& motion, Basis basis);
 
@@ -30,8 +30,8 @@ struct BasisAnalysis {
   BasisAnalysis(const Clip& columns, const std::vector<double>& comparable, Basis basis);
 };
 
-/// What every encode of a motion needs and no option changes, computed when first asked for. Const
-/// and safe to use from several threads at a time.
+/// Data about a motion that every encode needs and no option changes. Each part is computed when it
+/// is first asked for. Const and safe to use from several threads at a time.
 class ClipAnalysis {
  public:
   explicit ClipAnalysis(Motion motion) : motion_(std::move(motion)) {}
@@ -83,7 +83,7 @@ class ClipAnalysis {
     bool operator<(Only) const { return false; }
   };
 
-  /// Whether it falls into segments: then nothing else may need all tracks.
+  /// Returns whether the clip is cut into segments; then nothing may need all tracks at once.
   bool is_long() const;
 
   Motion motion_;

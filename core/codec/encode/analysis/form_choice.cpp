@@ -17,17 +17,18 @@
 namespace mocapress {
 namespace {
 
-// Orders that are best at one error are so at others: one choice will do for all targets.
+// An order that is best at one error is best at others too, so one choice serves all targets.
 constexpr double kScale = 1.8;     // cm: steps as for half a centimetre of eps_x
-constexpr double kRate = 30;       // Hz; faster than that little of a motion differs between orders
-constexpr double kLongRate = 15;   // Hz; does where that leaves
+constexpr double kRate = 30;       // Hz; above this rate orders differ little
+constexpr double kLongRate = 15;   // Hz; for clips too long for kRate
 constexpr int kEnough = 256;       // frames
 constexpr int kMostFrames = 2048;  // at a time
-constexpr double kWorthIt = 0.98;  // of the bits; a skeleton as it came is worth something too
-constexpr double kTurnedBits = 40;  // as counted here, for what turned axes take in the file
+constexpr double kWorthIt =
+    0.98;  // share of the bits; a change must save 2 % to replace the skeleton's own form
+constexpr double kTurnedBits = 40;  // bits, as counted here, that turned axes cost in the file
 
-/// Whether a joint may be given by other angles. Where one of its angles stands still, it would not
-/// among others.
+/// Returns whether a joint may be given by other angles. Not if one of its angles stands still: in
+/// another form it would move.
 bool may_choose(const Skeleton& skeleton, const std::vector<bool>& still, int j) {
   if (!turns_freely(skeleton.joint(j))) return false;
   const int first = skeleton.first_channel(j);
@@ -37,11 +38,11 @@ bool may_choose(const Skeleton& skeleton, const std::vector<bool>& still, int j)
   return true;
 }
 
-/// About turned axes with the twist innermost.
+/// Orders about turned axes, with the twist innermost.
 constexpr std::array<RotationOrder, 2> kTurnedOrders = {RotationOrder::Yzx, RotationOrder::Zyx};
 constexpr std::size_t kCandidates = kRotationOrders + kTurnedOrders.size();
 
-/// Of each candidate: all orders, then those about turned axes.
+/// Bits for each candidate: all orders, then the orders about turned axes.
 using Bits = std::array<double, kCandidates>;
 
 /// Of the axes that a frame may be given by, some backwards, the one nearest to the identity.
@@ -56,7 +57,7 @@ Eigen::Matrix3d nearest_frame(Eigen::Matrix3d axes) {
   return best;
 }
 
-/// Points that hang on a joint: the sums of w, w x and w x x^T.
+/// The points that hang on a joint, as the sums of w, w x and w x x^T.
 struct Burden {
   double mass = 0;
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
@@ -73,7 +74,8 @@ struct Burden {
     square += other.square;
   }
 
-  /// What a small turn about an axis through `origin` moves them, squared: axis^T I axis.
+  /// Returns I, where axis^T I axis is the squared movement of the points by a small turn about an
+  /// axis through `origin`.
   Eigen::Matrix3d inertia_about(const Eigen::Vector3d& origin) const {
     const Eigen::Matrix3d seen = square - moment * origin.transpose() -
                                  origin * moment.transpose() + mass * origin * origin.transpose();
@@ -81,7 +83,7 @@ struct Burden {
   }
 };
 
-/// How joints turn over some frames, and what that moves.
+/// The rotations of joints over some frames, and the points that they move.
 class Turns {
  public:
   /// `step`: of which frames. As many as given, or up to the clip's end.
@@ -127,7 +129,7 @@ class Turns {
 
   int frames() const { return frames_; }
 
-  /// Axes along and across what hangs on a joint, in its mean place.
+  /// Axes along and across the mean direction of what hangs on a joint.
   RotationForm along_limb(int j) const {
     const OfJoint& joint = joints_[static_cast<std::size_t>(j)];
     Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
@@ -147,7 +149,8 @@ class Turns {
     return form;
   }
 
-  /// Of a joint's details, more or less, in steps in inverse proportion to what its angles move.
+  /// Estimates the bits of a joint's details, with steps in inverse proportion to what its angles
+  /// move.
   double bits(int j, const RotationForm& form) const {
     const OfJoint& joint = joints_[static_cast<std::size_t>(j)];
     const std::array<int, 3> axes = axes_of(form.order);
@@ -182,9 +185,9 @@ class Turns {
     for (int k = 0; k < 3; ++k) {
       const std::span<double> signal(angles.col(k).data(), static_cast<std::size_t>(frames_));
       lifting.forward(signal, signal);
-      // Left-out frames would have made coefficients larger by the root of their number.
+      // Skipped frames would have made coefficients larger by the square root of their number.
       const double steps_per_unit = std::sqrt(curvature(k) * step_) / kScale;
-      double product = 1;  // a logarithm for several at a time, which is dear
+      double product = 1;  // several factors share one logarithm, which is slow
       for (int c = lifting.bands()[0].size; c < frames_; ++c) {
         const double steps = angles(c, k) * gains[static_cast<std::size_t>(c)] * steps_per_unit;
         product *= 1 + steps * steps;
@@ -200,7 +203,8 @@ class Turns {
  private:
   struct OfJoint {
     std::vector<Eigen::Matrix3d> rotations;  // about its own axes
-    std::vector<Eigen::Matrix3d> inertias;   // of what hangs on it, in the axes of its zero turn
+    std::vector<Eigen::Matrix3d>
+        inertias;  // of what hangs on the joint, in the axes of its zero rotation
   };
 
   int step_;
@@ -208,7 +212,7 @@ class Turns {
   std::vector<OfJoint> joints_;
 };
 
-/// Of each joint: what its candidates take, and the axes of those that are turned.
+/// For each joint: the bits of its candidates, and the axes of the turned ones.
 struct Count {
   std::vector<Bits> bits;
   RotationForms turned;
@@ -222,7 +226,7 @@ Count count_bits(const Motion& motion, const std::vector<bool>& still) {
   const int step = std::clamp(motion.clip.frames() / kEnough, step_at(kRate), step_at(kLongRate));
   const auto joints = static_cast<std::size_t>(motion.skeleton.joint_count());
   Count count{std::vector<Bits>(joints, Bits{}), RotationForms(joints)};
-  // Of a long clip, the first part's axes will do.
+  // In a long clip the first part decides the axes.
   for (int first = 0; first < motion.clip.frames(); first += step * kMostFrames) {
     const Turns turns(motion, measured, first, step);
     parallel_for(0, motion.skeleton.joint_count(), [&](int j) {
@@ -243,7 +247,7 @@ Count count_bits(const Motion& motion, const std::vector<bool>& still) {
   return count;
 }
 
-/// The joint whose angles predict those of each, or -1.
+/// For each joint, the joint whose angles predict its own, or -1.
 std::vector<int> mirrors_of(const Skeleton& skeleton) {
   const std::vector<SignalNeighbours> neighbours = channel_neighbours(skeleton);
   std::vector<int> mirrors(static_cast<std::size_t>(skeleton.joint_count()), -1);

@@ -40,12 +40,12 @@ MOCAPRESS_INLINE void find_error(const MovedFrames& point, const MovingSteps& st
   add_product(step, way, error);
 }
 
-/// All frames from `frame` on for which there is a whole vector; leaves the first that remains.
+/// Handles all frames from `frame` on that fill whole vectors; returns the first frame left over.
 template <typename Vector, bool kTurns>
 MOCAPRESS_INLINE bool any_beyond(const MovedFrames& point, const MovingSteps& steps,
                                  const double* squared_bound, Eigen::Index& frame) {
   constexpr int kSize = kLanes<Vector, double>;
-  constexpr Eigen::Index kAtATime = 64;  // before the answer is looked at
+  constexpr Eigen::Index kAtATime = 64;  // frames between two looks at the answer
   using Mask = decltype(Vector{} > Vector{});
   while (frame + kSize <= steps.frames) {
     Mask beyond{};

@@ -10,8 +10,8 @@
 namespace mocapress {
 namespace {
 
-constexpr double kLeastMoved =
-    1e-4;  // of the mean curvature: what moves no landmark counts so much
+constexpr double kLeastMoved = 1e-4;  // least curvature, as a share of the mean: channels that move
+                                      // no landmark count this much
 
 }  // namespace
 
@@ -59,7 +59,7 @@ double ClosedLoop::finest_scale() const {
 }
 
 double likely_scale(const Target& target, std::size_t raw_bytes) {
-  // As the study clips have it, roughly.
+  // A rough fit to the study clips.
   const auto for_error = [](double eps_cm) { return 1.8 * std::pow(eps_cm / 0.5, 1.35); };
   const auto for_ratio = [&](double ratio) { return for_error(0.5 * std::pow(ratio / 130, 1.25)); };
   switch (target.kind) {
@@ -93,9 +93,9 @@ ClosedLoop::Result ClosedLoop::coarsen(Result quantised, ErrorBound& bound,
 ClosedLoop::Result ClosedLoop::quantise_to(double eps_cm, double scale,
                                            const Observer<ClosedLoopProgress>& observer) const {
   constexpr int kMostScales = 3;
-  constexpr double kNear = 0.05;   // from there, what a bit is worth makes up for the rest
+  constexpr double kNear = 0.05;   // below this distance only the bit price changes, not the scale
   constexpr double kMostOff = 3;   // logarithms
-  constexpr double kPower = 1.35;  // of eps_x, with which the scale follows it
+  constexpr double kPower = 1.35;  // the scale grows with eps_x to this power
   for (int i = 1;; ++i) {
     ClosedLoopRun run(*this, scale, {});
     const double off = std::clamp(std::log(run.begin_settling() / eps_cm), -kMostOff, kMostOff);

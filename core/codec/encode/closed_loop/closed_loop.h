@@ -10,8 +10,9 @@
 
 namespace mocapress {
 
-/// How much work a closed loop does: coefficients are rounded to steps, then channels make up for
-/// each other once, then sweeps change single coefficients and, last, those of all channels.
+/// Work of a closed loop, each value including the ones before. Rounding rounds coefficients to
+/// steps. Compensation lets channels make up for each other's errors once. Sweeps change single
+/// coefficients and, last, those of all channels together.
 enum class ClosedLoopWork { Rounding, Compensation, Sweeps };
 
 struct ClosedLoopProgress {
@@ -19,25 +20,25 @@ struct ClosedLoopProgress {
   double eps_cm = 0;  // by the quadratic model, frames weighted as asked
 };
 
-/// Quantisation and the trade between channels decided together, by what they do to eps_x.
+/// Decides quantisation and the trade between channels together, by their effect on eps_x.
 ///
 /// A channel's step is in inverse proportion to how far the channel moves the landmarks. A channel
-/// that stands still in the original is coded as one value, and nothing moves it. After that
-/// the loop changes single coefficients. It weighs what a change costs in eps_x^2, given the errors
-/// of all others, against the bits that it saves. So a knee makes up for an error of the hip. Const
-/// and safe to use from several threads at a time; the outcome is always the same.
+/// that stands still in the original is coded as one value and stays still. Then the loop changes
+/// single coefficients: it weighs the change of eps_x^2, given the errors of all others, against
+/// the bits saved. A knee can thus make up for an error of the hip. Const and safe to use from
+/// several threads at a time; the result is deterministic.
 class ClosedLoop {
  public:
-  /// All must outlive this.
+  /// The arguments must outlive this.
   ClosedLoop(const Coefficients& transform, const Clip& original, const ErrorModel& model);
 
   struct Result {
     QuantisedSignals coded;
     double eps_cm = 0;  // by the quadratic model, frames weighted as asked
     int sweeps = 0;
-    bool complete = true;  // false: the observer ended it
-    // Of what was settled or coarsened: what a bit was worth in the last sweep, in squared steps of
-    // error. Of what was settled, by which logarithm eps_x grew in it, too.
+    bool complete = true;  // false: the observer stopped it
+    // Price of a bit in the last sweep, in squared steps of error; set by settle() and coarsen().
+    // settle() also sets growth, the logarithm by which that sweep changed eps_x.
     double bit_price = 0;
     double growth = 0;
     Eigen::MatrixXf errors;  // of quantise(): decoded minus original, frames x channels
@@ -49,9 +50,9 @@ class ClosedLoop {
                   const Eigen::VectorXd& frame_weights = {},
                   const Observer<ClosedLoopProgress>& observer = {}) const;
 
-  /// Drops more and more of what was quantised, the cheapest first, as long as the bound holds. All
-  /// frames count alike. It ends near the bound, where a sweep saves little more. What was
-  /// coarsened before goes on from a part of its price.
+  /// Drops more and more coefficients, the cheapest first, while the bound holds. All frames count
+  /// alike. Ends near the bound, when a sweep saves little more. An input that was coarsened before
+  /// starts at a fraction of its last price.
   Result coarsen(Result quantised, ErrorBound& bound,
                  const Observer<ClosedLoopProgress>& observer = {}) const;
 
@@ -60,13 +61,13 @@ class ClosedLoop {
   Result quantise_to(double eps_cm, double scale,
                      const Observer<ClosedLoopProgress>& observer = {}) const;
 
-  /// The same for what was settled before, at an eps_x near to that.
+  /// Continues from a settled result whose eps_x is close to `eps_cm`.
   Result settle(Result settled, double eps_cm,
                 const Observer<ClosedLoopProgress>& observer = {}) const;
 
   static constexpr double kSettled = 0.006;  // of eps_x
 
-  /// The finest scale: with a finer one the largest coefficients would not fit.
+  /// The finest usable scale; at a finer one the largest coefficients would overflow.
   double finest_scale() const;
 
  private:
@@ -81,14 +82,14 @@ class ClosedLoop {
   ShortFunctions functions_;
   std::vector<bool> still_;  // channels that stand still in the original
   Eigen::VectorXd gains_;
-  // Of the model, nowhere zero; and zeros for so many frames that vectors may go beyond the last.
+  // The model's curvature, raised where it is zero.
   Eigen::MatrixXf curvature_;
   Eigen::MatrixXf model_curvature_;        // as it is: frames x channels
-  Eigen::MatrixXf coefficient_curvature_;  // all frames alike
+  Eigen::MatrixXf coefficient_curvature_;  // with all frames weighted alike
   Eigen::VectorXd mean_curvature_;
 };
 
-/// A first guess at the scale that meets a target for a clip of so many bytes.
+/// A first guess at the scale that meets a target, for a clip of `raw_bytes`.
 double likely_scale(const Target& target, std::size_t raw_bytes);
 
 }  // namespace mocapress

@@ -14,21 +14,20 @@
 namespace mocapress {
 namespace {
 
-constexpr double kDeadZone = 0.25;  // what is added before details are cut to whole steps
+constexpr double kDeadZone = 0.25;  // added to a detail's size before it is cut to whole steps
 
-/// Steps shrink with what a channel moves, squared, to half this power. One would give all channels
-/// the same share of the error; on corpus/train this takes the fewest bytes (ADAPTIVE.md).
+/// A channel's step shrinks with its curvature to half this power. A power of 1 would give all
+/// channels the same share of the error; 0.9 takes the fewest bytes on corpus/train (ADAPTIVE.md).
 constexpr double kStepPower = 0.9;
 
-/// Squared steps of error that a bit is worth, from sweep to sweep. Bits that are now cheap, now
-/// dear, shake coefficients out of where they would stay: fewer bytes than prices that fall, in
-/// fewer sweeps (ADAPTIVE.md).
+/// Price of a bit in each sweep, in squared steps of error. Prices that rise and fall move
+/// coefficients out of local minima: fewer bytes in fewer sweeps than falling prices (ADAPTIVE.md).
 constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06, 0.03, 0.03};
 
-/// From this one on all channels' coefficients are moved together before.
+/// From this sweep on, the coefficients of all channels are first moved together.
 constexpr int kFirstJoint = static_cast<int>(kSettlingPrices.size()) - 3;
 
-constexpr double kLeastEps = 1e-12;  // cm, of what does not move
+constexpr double kLeastEps = 1e-12;  // cm; the eps_x of a clip that does not move
 
 std::span<float> span_of(Eigen::ArrayXf& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
@@ -80,7 +79,7 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, ClosedLoop::Result settled)
 }
 
 void ClosedLoopRun::begin() {
-  // Of the small differences between coefficients, not of the samples themselves: floats will do.
+  // These are small differences, not samples, so floats are precise enough.
   parallel_for(0, channels(), [&](int j) {
     Eigen::ArrayXf differences(errors_.rows());
     for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
@@ -130,7 +129,8 @@ void ClosedLoopRun::settle_by_prices(ClosedLoop::Result& result,
 }
 
 double ClosedLoopRun::begin_settling() {
-  constexpr double kStillToCome = 0.12;  // a logarithm; too much, which pays (ADAPTIVE.md)
+  constexpr double kStillToCome = 0.12;  // a logarithm, larger than the sweeps' true gain because
+                                         // that saves bytes (ADAPTIVE.md)
   spare_ends();
   pass([&](int j) { compensate(j); });
   bit_price_ = kSettlingPrices.front();
@@ -163,8 +163,8 @@ ClosedLoop::Result ClosedLoopRun::settle(double eps_cm,
 
 ClosedLoop::Result ClosedLoopRun::coarsen(ErrorBound& bound,
                                           const Observer<ClosedLoopProgress>& observer) {
-  constexpr double kDearer = 1.5;  // what a bit may cost, from sweep to sweep
-  constexpr double kAgain = 0.25;  // of what it cost in the last, if this was coarsened before
+  constexpr double kDearer = 1.5;  // factor of the bit price from sweep to sweep
+  constexpr double kAgain = 0.25;  // factor of the last price when coarsening resumes
   constexpr int kMostSweeps = 24;
   constexpr int kLeastSweeps = 4;
   constexpr double kNear = 0.985;
@@ -225,7 +225,7 @@ void ClosedLoopRun::find_slopes() {
 }
 
 void ClosedLoopRun::sweep(int j) {
-  // A zero that needs less than half a step stays one; moves of its neighbours change that
+  // A zero whose best value is below this many steps stays zero; its neighbours' moves change that
   // little.
   constexpr double kPromising = 0.4;
   const Eigen::Index frames = errors_.rows();
@@ -235,7 +235,7 @@ void ClosedLoopRun::sweep(int j) {
   if (bound_) bound_->next();
   if (is_still(j)) return;
   find_slopes();
-  // Where moves have changed the gradient, slopes are no longer what they were.
+  // Moves have changed the gradient in these frames, so the slopes must be computed again.
   int first_changed = static_cast<int>(frames);
   int end_changed = 0;
   for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
@@ -285,7 +285,7 @@ double ClosedLoopRun::total_bits() {
 }
 
 int ClosedLoopRun::step_exponent_of(int j) const {
-  // A sixteenth of the scale, whatever the channel moves: the same in all segments of a clip.
+  // Channels that stand still use a sixteenth of the scale, so that all segments of a clip agree.
   constexpr int kOfStill = 8;
   if (is_still(j) && !loop_.original_.channels.col(j).isZero()) return kOfStill;
   const double exponent = kStepPower * std::log2(loop_.mean_curvature_(j));
@@ -314,7 +314,7 @@ Eigen::ArrayXf ClosedLoopRun::samples_of(int j, Eigen::ArrayXf steps) const {
 
 double ClosedLoopRun::energy_of(int j, Eigen::Index first, const Samples& gradient,
                                 const Samples& delta) const {
-  // By the model's own curvature: that of what moves nothing was raised, so as to have a step.
+  // Uses the model's own curvature, because curvature_ was raised where the channel moves nothing.
   const auto curve = loop_.model_curvature_.col(j).segment(first, delta.size()).array();
   return static_cast<double>(
       weighted()
@@ -356,7 +356,7 @@ void ClosedLoopRun::look_at(int j) {
 int ClosedLoopRun::best_move(const Place& place) const {
   const int now = value_at(place);
   if (now == 0 && std::abs(place.slope) <= 0.5 * place.curve) return 0;
-  const double best = -place.slope / place.curve;  // from where it is
+  const double best = -place.slope / place.curve;  // from the current value
   if (!(std::abs(now + best) < kMostSteps)) return 0;
   const int nearest = now + static_cast<int>(best < 0 ? best - 0.5 : best + 0.5);
   const int smaller = nearest - (nearest > 0) + (nearest < 0);
@@ -365,7 +365,7 @@ int ClosedLoopRun::best_move(const Place& place) const {
     return x * (2 * place.slope + x * place.curve);
   };
   const double price = lambda_of(coefficient_at(place));
-  // Most coefficients are where they should be, and no saving would pay for another error.
+  // Most coefficients are already at their best value, and no saving would pay for a larger error.
   if (nearest == now && place.band > 0) {
     const double waking = waking_bits(place);
     const auto pays = [&](double saved) { return error_at(smaller) < price * (saved + waking); };
@@ -429,8 +429,8 @@ double ClosedLoopRun::Bits::with(int value) const {
 }
 
 void ClosedLoopRun::sweep_together() {
-  // Bands so far apart have little to do with each other: moves in one hardly change the slopes in
-  // the other. Those of neighbours in a band do, but following them saves no bytes (ADAPTIVE.md).
+  // Moves in one band hardly change the slopes of bands this far apart. Within a band they do, but
+  // updating the slopes after each move saves no bytes (ADAPTIVE.md).
   constexpr int kApart = 3;
   const auto count = static_cast<int>(bands_.size());
   together_.taking_part.resize(static_cast<std::size_t>(errors_.rows()));
@@ -478,7 +478,7 @@ void ClosedLoopRun::find_energy() {
 }
 
 void ClosedLoopRun::find_taking_part(int j, int b) {
-  constexpr double kPromising = 0.4;  // steps that a zero needs by itself to take part
+  constexpr double kPromising = 0.4;  // steps from zero at which a zero takes part
   if (is_still(j)) return;
   visit_where(bands_[static_cast<std::size_t>(b)], values_of(j), together_.slopes.col(j).data(),
               coefficient_curvature().col(j).data(), static_cast<float>(kPromising * step_in(j, b)),
@@ -513,7 +513,7 @@ void ClosedLoopRun::move_together(int band, int index, std::vector<Eigen::ArrayX
   }
   Eigen::MatrixXf cross = Eigen::MatrixXf::Zero(JointSearch::rows_for(count), count);
   loop_.model_.sum_squares(taking_part, function, cross);
-  // To the scale of the curves, which are of every frame.
+  // Scales the sampled sums to the curvature, which covers every frame.
   Eigen::ArrayXf factors = Eigen::ArrayXf::Zero(cross.rows());
   for (Eigen::Index i = 0; i < count; ++i)
     if (cross(i, i) > 0)

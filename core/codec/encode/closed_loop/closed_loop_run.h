@@ -12,34 +12,34 @@
 
 namespace mocapress {
 
-/// One quantisation under way: values of the coefficients, what they do to the channels, and what
-/// that does to eps_x.
+/// One quantisation in progress: the coefficients' values, the errors that they leave in the
+/// channels, and the resulting eps_x.
 class ClosedLoopRun {
  public:
-  /// Begins with every coefficient cut to steps of that scale. Both references must outlive this.
+  /// Starts with every coefficient cut to steps of `scale`. Both references must outlive this.
   ClosedLoopRun(const ClosedLoop& loop, double scale, const Eigen::VectorXd& frame_weights);
 
-  /// Begins with what was quantised before.
+  /// Starts from an earlier quantisation.
   ClosedLoopRun(const ClosedLoop& loop, QuantisedSignals coded,
                 const Eigen::VectorXd& frame_weights);
 
-  /// Begins where another run was settled or coarsened.
+  /// Starts from the result of another run's settle() or coarsen().
   ClosedLoopRun(const ClosedLoop& loop, ClosedLoop::Result settled);
 
   ClosedLoop::Result run(ClosedLoopWork work, const Observer<ClosedLoopProgress>& observer);
 
-  /// The first of the sweeps that settle. Returns about the eps_x that all of them will leave.
+  /// Runs the first of the sweeps that settle. Returns an estimate of the eps_x after all of them.
   double begin_settling();
 
-  /// What remains of these sweeps, and some more until eps_x is what was asked for. Only the latter
-  /// where another run was settled before.
+  /// Runs the remaining settling sweeps, then more until eps_x is as asked. When this run started
+  /// from a settled result, only the latter.
   ClosedLoop::Result settle(double eps_cm, const Observer<ClosedLoopProgress>& observer);
   ClosedLoop::Result coarsen(ErrorBound& bound, const Observer<ClosedLoopProgress>& observer);
 
  private:
   using Samples = Eigen::Ref<const Eigen::ArrayXf>;
 
-  /// How many coefficients of each band of a channel are not zero.
+  /// The number of coefficients that are not zero, for each band of a channel.
   using Significant = std::vector<int>;
 
   /// A coefficient of one channel, and what moving it by whole steps does to the error: by x steps,
@@ -70,34 +70,36 @@ class ClosedLoopRun {
     }
   }
 
-  /// Moves the channel that is being visited, whose gradient was that.
+  /// Changes the channel that is being visited by `delta` and updates the energy; `gradient` is the
+  /// channel's before the change.
   void move(int j, const Samples& gradient, const Samples& delta);
 
-  /// Moves a channel to where it should be, given everyone else's error, if that pays.
+  /// Moves a channel to its best value, given the errors of the others, if that pays.
   void compensate(int j);
 
-  /// Moves each coefficient of a channel to the cheapest of the values around its best one.
+  /// Moves each coefficient of a channel to the cheapest value near its best one.
   void sweep(int j);
 
-  /// What the gradient of the channel that is being visited comes to in each coefficient.
+  /// Computes the slope of each coefficient from the gradient of the channel being visited.
   void find_slopes();
 
   /// Moves the coefficients that all channels have at a time and scale together: joint_search.h.
   void sweep_together();
 
-  /// What moves together: what the gradient comes to in each coefficient (coefficients, and what
-  /// makes them a whole number of eights, x channels), and of each the channels that take part.
+  /// Coefficients that move together. `slopes` holds the slope of each coefficient (rows padded to
+  /// a multiple of eight, x channels); `taking_part` lists the participating channels of each
+  /// coefficient.
   struct Together {
     Eigen::MatrixXf slopes;
     std::vector<std::vector<int>> taking_part;
   };
   void find_taking_part(int j, int band);
 
-  /// Adds to the moves of each channel, in steps; empty where there is none.
+  /// Adds to each channel's moves, in steps; an empty array means no moves.
   void move_together(int band, int index, std::vector<Eigen::ArrayXf>& moves);
 
-  /// Whether the frames of a function weigh alike, more or less. Where a few count far more than
-  /// those around, all that reach there would answer to the same error at once, and together
+  /// Returns whether the frames of a synthesis function weigh about alike. If a few frames weigh
+  /// far more, all coefficients that reach them would respond to the same error at once and
   /// overshoot.
   bool weigh_alike(const ShortFunction& function) const;
 
@@ -108,11 +110,11 @@ class ClosedLoopRun {
   bool is_still(int j) const { return loop_.still_[static_cast<std::size_t>(j)]; }
   double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit
 
-  /// The same of a coefficient, whatever its channel.
+  /// Like lambda(), for one coefficient (any channel): cheaper near the ends.
   double lambda_of(int coefficient) const;
 
-  /// Begins with prices of their own at the ends: where a mean error is sought, in all but short
-  /// clips. A bound holds at the ends, too.
+  /// Turns on separate prices for the clip's ends. Done where a mean error is sought, except in
+  /// short clips; a bound protects the ends by itself.
   void spare_ends();
 
   bool weighted() const { return frame_weights_.size() > 0; }
@@ -127,17 +129,17 @@ class ClosedLoopRun {
   }
   double eps_cm() const;
 
-  /// By rates learned from the values as they are.
+  /// Estimates the bits by rates learned from the current values.
   double total_bits();
 
-  /// By the channel's curvature; finer where it stands still, for its error stays for the whole
-  /// clip.
+  /// The step exponent by the channel's curvature. Finer where the channel stands still, because
+  /// its error lasts the whole clip.
   int step_exponent_of(int j) const;
 
-  /// The coefficients of a channel in whole steps, each after so much was taken off it.
+  /// A channel's coefficients in whole steps, after `less` was subtracted from each.
   Eigen::VectorXi quantised(int j, const Samples& less) const;
 
-  /// What so many steps of a channel's coefficients come to.
+  /// The samples that result from a channel's coefficients, given in steps.
   Eigen::ArrayXf samples_of(int j, Eigen::ArrayXf steps) const;
 
   /// A step of a channel's coefficients in a band.
@@ -146,16 +148,16 @@ class ClosedLoopRun {
     return size > 0 ? coded_.step(j) / loop_.gains_(first) : coded_.step(j);
   }
 
-  /// What `delta` in channel j, from frame `first` on, would add to the sum of squared errors.
+  /// Change of the sum of squared errors if `delta` were added to channel j from frame `first` on.
   double energy_of(int j, Eigen::Index first, const Samples& gradient, const Samples& delta) const;
 
   /// `step` is step_in(), `product` the gradient's with the synthesis function.
   Place place_of(int j, int band, int index, double step, double product) const;
 
-  /// By how many steps to move a coefficient.
+  /// The number of steps by which to move a coefficient.
   int best_move(const Place& place) const;
 
-  /// The bits that depend on a coefficient, were it one value or another.
+  /// The bits that depend on one coefficient, for any value it might take.
   class Bits {
    public:
     Bits(const ClosedLoopRun& run, const Place& place);
@@ -168,18 +170,18 @@ class ClosedLoopRun {
     std::optional<int> after_;
   };
 
-  /// What a band takes for being something, if this coefficient alone decides that: one that is
-  /// zero throughout takes next to nothing.
+  /// Bits that a band costs for not being all zero, if this coefficient alone decides that. A band
+  /// of zeros costs almost nothing.
   double waking_bits(const Place& place) const;
   void set(const Place& place, int value);
 
   /// Those of the sweeps that settle which were not done yet.
   void settle_by_prices(ClosedLoop::Result& result, const Observer<ClosedLoopProgress>& observer);
 
-  /// Over all coefficients, those of all channels together before where that is due.
+  /// Sweeps all coefficients; in late sweeps, moves all channels' coefficients together first.
   void sweep_all(ClosedLoop::Result& result, const Observer<ClosedLoopProgress>& observer);
 
-  /// After all values of a channel have changed.
+  /// Rereads the magnitudes of channel j after its values have changed.
   void look_at(int j);
   const Magnitudes& magnitudes_of(int j) const { return magnitudes_[static_cast<std::size_t>(j)]; }
   int* values_of(int j) { return coded_.values.col(j).data(); }
@@ -199,16 +201,16 @@ class ClosedLoopRun {
   std::vector<Magnitudes> magnitudes_;  // of each channel's values
   std::vector<Significant> significant_;
   Eigen::MatrixXf errors_;  // frames x channels: decoded minus original
-  double energy_ = 0;       // the sum of squared errors that makes, frames weighted
+  double energy_ = 0;       // sum of squared errors, frames weighted
   double bit_price_;        // squared steps of error
-  int settling_ = 0;        // of the sweeps that settle: how many there were
-  double growth_ = 0;       // of eps_x in the last sweep of a settling: a logarithm
+  int settling_ = 0;        // number of settling sweeps done
+  double growth_ = 0;       // logarithm by which the last settling sweep changed eps_x
   std::optional<EndPrices> end_prices_;
-  std::vector<EndPrices::Reach> reaches_;  // of coefficients, for these
-  ErrorBound* bound_ = nullptr;            // that must hold, if any
+  std::vector<EndPrices::Reach> reaches_;  // of each coefficient, for the prices at the ends
+  ErrorBound* bound_ = nullptr;            // the bound to keep, if any
   std::optional<ErrorSweep> under_way_;    // the pass under way
-  Eigen::ArrayXf gradient_;  // where it is, frames weighted; zeros beyond the last frame
-  // Memory of sweeps: what they add to a channel, and what its coefficients would gain.
+  Eigen::ArrayXf gradient_;  // of the channel visited, frames weighted; zeros beyond the last frame
+  // Buffers of sweeps: the change of a channel, and the slopes of its coefficients.
   Eigen::ArrayXf delta_;  // zeros beyond the last frame
   Eigen::ArrayXf slopes_;
   Together together_;

@@ -11,17 +11,16 @@
 
 namespace mocapress {
 
-/// Lest a clip begin or end with larger errors than it has elsewhere: bits there are cheaper while
-/// the errors of its first or last few frames are larger than others, as dear as elsewhere where
-/// they are smaller. Half as dear at first.
+/// Prices bits near a clip's ends so that the first and last frames are no worse than the rest.
+/// Bits there cost less while the errors at that end are larger than elsewhere, and the same when
+/// they are smaller. They start at half price.
 class EndPrices {
  public:
-  static constexpr Eigen::Index kSeen = 4;    // frames at an end, by whose errors it is priced
+  static constexpr Eigen::Index kSeen = 4;    // frames at an end whose errors set its price
   static constexpr Eigen::Index kReach = 16;  // frames at an end whose bits have its price
-  static constexpr int kFewestFrames = 128;   // of a clip with such prices
+  static constexpr int kFewestFrames = 128;   // shorter clips have no such prices
 
-  /// How much of a synthesis function lies at the first and at the last frames: shares of its
-  /// energy.
+  /// Shares of a synthesis function's energy near the first and near the last frame.
   using Reach = std::array<float, 2>;
 
   explicit EndPrices(Eigen::Index frames) : frames_(frames) {}
@@ -38,7 +37,7 @@ class EndPrices {
             squares.tail(at_last).sum() / squares.sum()};
   }
 
-  /// Of a bit of the coefficient whose function reaches so far, by what it would be elsewhere.
+  /// The price of a bit for a coefficient with this reach, given the price elsewhere.
   double price(const Reach& reach, double elsewhere) const {
     double dearer = 1;
     for (std::size_t end = 0; end < reach.size(); ++end)
@@ -46,8 +45,8 @@ class EndPrices {
     return elsewhere / dearer;
   }
 
-  /// The squared errors of the first and of the last kSeen frames, and what so many frames have
-  /// elsewhere. cm^2
+  /// Updates the prices. `energies` are the squared errors of the first and last kSeen frames,
+  /// `usual` that of as many frames elsewhere. cm^2
   void observe(const std::array<double, 2>& energies, double usual) {
     constexpr double kLeast = 0.1;
     for (std::size_t end = 0; end < energies.size(); ++end)

@@ -50,7 +50,7 @@ double ErrorBound::furthest() const {
 void ErrorBound::next() {
   ++channel_;
   while (joint_ < skeleton_.channel_joint(channel_)) enter_joint(joint_ + 1);
-  // Turns of this joint that come before; the last of them was the channel before.
+  // Earlier rotations of this joint come first; the last of them was the previous channel.
   const int before = channel_ - 1;
   if (before >= skeleton_.first_channel(joint_) && is_rotation(skeleton_.channel_kind(before)))
     for (std::size_t t = 0; t < world_from_axes_.size(); ++t)
@@ -59,7 +59,7 @@ void ErrorBound::next() {
   find_moved();
 }
 
-/// Leaves the joint before, whose channels are final in this pass.
+/// Enters `joint`; the channels of the previous joint are final in this pass.
 void ErrorBound::enter_joint(int joint) {
   const auto frames = static_cast<std::size_t>(channels_.rows());
   if (joint > 0) {
@@ -145,7 +145,7 @@ bool ErrorBound::allows(Eigen::Index first_frame, const Eigen::VectorXd& delta) 
   const double* const bound = squared_bound_.data() + first_frame;
   for (std::size_t i = 0; i < moved_count_; ++i) {
     if (!goes_beyond(frames_of(moved_[i], first_frame), step.of_frames(), bound)) continue;
-    std::swap(moved_[i], moved_[i / 2]);  // the next time it is looked at sooner
+    std::swap(moved_[i], moved_[i / 2]);  // moved up, so that the next check looks at it sooner
     return false;
   }
   return true;

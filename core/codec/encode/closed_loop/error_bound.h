@@ -9,41 +9,39 @@
 
 namespace mocapress {
 
-/// A bound on the error of every point of a weighting and every joint's origin, checked while one
-/// channel after another changes. It is exact: everything below a joint turns about it as one
-/// piece.
+/// A bound on the error of every measured point and every joint's origin, checked while channels
+/// change one after another. The check is exact: everything below a joint turns about it rigidly.
 class ErrorBound {
  public:
-  /// A bound for each frame.
-  /// The motion must outlive this.
+  /// Takes one bound for each frame. The motion must outlive this.
   ErrorBound(const Motion& original, Weighting weighting, const Eigen::VectorXd& bound_cm);
 
-  /// Begins a pass over the channels of this clip.
+  /// Starts a pass over the channels of `decoded`.
   void begin(const Clip& decoded);
 
-  /// The largest distance over its bound.
+  /// The largest ratio of an error to its bound.
   double furthest() const;
 
-  /// Goes on to the next channel, 0 first.
+  /// Moves to the next channel; the first call moves to channel 0.
   void next();
 
-  /// Whether `delta`, added to that channel from a frame on, takes no landmark beyond the bound,
-  /// and none that is already beyond it further away.
+  /// Returns whether adding `delta` to the current channel from a frame on keeps every landmark
+  /// within its bound; a landmark already beyond its bound must not move further away.
   bool allows(Eigen::Index first_frame, const Eigen::VectorXd& delta);
   void add(Eigen::Index first_frame, const Eigen::VectorXd& delta);
 
  private:
   using Rotations = std::vector<Eigen::Matrix3d>;  // one a frame
 
-  /// A landmark that the channel moves, by sin(delta) * along + (1 - cos(delta)) * across, or by
-  /// delta * along where it translates. Both frames x 3, cm.
+  /// A landmark that the channel moves: by sin(delta) * along + (1 - cos(delta)) * across for a
+  /// rotation, by delta * along for a translation. Both are frames x 3, in cm.
   struct Moved {
     Eigen::Index landmark = 0;
     Eigen::MatrixX3d along;
     Eigen::MatrixX3d across;
   };
 
-  /// What `delta` does, as factors of both. None of across where the channel translates.
+  /// The factors of Moved's along and across for some `delta`. `across` is empty for a translation.
   struct Step {
     Eigen::ArrayXd along;
     Eigen::ArrayXd across;
@@ -56,7 +54,7 @@ class ErrorBound {
   bool is_at_or_below(int joint, int other) const;
   Step step_of(const Eigen::VectorXd& delta) const;
 
-  /// From that frame on.
+  /// The frames of `moved` from `first_frame` on.
   MovedFrames frames_of(Moved& moved, Eigen::Index first_frame);
 
   const Skeleton& skeleton_;

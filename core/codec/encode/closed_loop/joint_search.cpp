@@ -19,7 +19,7 @@ constexpr int kMostLanes = 8;
 constexpr float kNone = std::numeric_limits<float>::infinity();
 constexpr float kLeastGain = 1e-3F;  // bits
 
-/// By how much slopes are beyond their limits.
+/// The amount by which slopes exceed their limits.
 template <typename Vector>
 MOCAPRESS_INLINE void add_beyond(const Vector& slope, const Vector& low, const Vector& high,
                                  Vector& sum) {
@@ -45,7 +45,7 @@ JointSearch::JointSearch(std::span<const Coefficient> coefficients, const Eigen:
 
 const std::vector<int>& JointSearch::run() {
   constexpr int kRounds = 2;
-  int idle = 0;  // visits since the last gain: where all were visited, no other will come
+  int idle = 0;  // visits since the last gain; when all were visited without one, the search ends
   for (int round = 0; round < kRounds; ++round)
     for (int c = 0; c < count(); ++c) {
       if (++idle > count()) return moved_;
@@ -181,7 +181,7 @@ MOCAPRESS_INLINE int JointSearch::next_beyond_limits(int first, int from) const 
   load(low_.data() + first, low);
   load(high_.data() + first, high);
   const auto beyond = (slope < low) | (slope > high);
-  // Two at a time, of which each has all bits or none.
+  // Handles 32 coefficients at a time, each with all bits set or none.
   constexpr int kBits = 64;
   std::array<std::uint64_t, sizeof(Vector) / sizeof(std::uint64_t)> pairs;
   std::memcpy(pairs.data(), &beyond, sizeof beyond);

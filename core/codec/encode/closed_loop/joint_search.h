@@ -9,45 +9,49 @@
 
 namespace mocapress {
 
-/// Coefficients that make good each other's errors, such as those of all channels at one time and
-/// scale: which of them to move by a step so that error and price together become least.
+/// Chooses which of several coefficients to move by a step so that error and price together are
+/// least. The coefficients compensate each other's errors, such as those of all channels at one
+/// time and scale.
 ///
-/// A local search. One coefficient after the other is moved, and all others answer with what is
-/// then best for them; that stays where the whole has gained. So it finds what takes three or more
-/// at a time.
+/// It is a local search: one coefficient is moved, all others respond with their own best moves,
+/// and the result is kept if the total falls. This finds improvements that need three or more moves
+/// at once.
 class JointSearch {
  public:
-  /// By x steps the error grows by 2 slope x + curve x^2 with all others as they are.
+  /// Moving by x steps changes the error by 2 slope x + curve x^2, with all others unchanged.
   struct Coefficient {
-    float slope;                  // bits that so much error is worth, as all that follows
+    float slope;                  // in bits, as all that follows
     float curve;                  // > 0
     std::array<float, 3> prices;  // bits a step lower, as it is, and a step higher
   };
 
-  /// The rows of a matrix for so many coefficients: those beyond are zeros.
+  /// The matrix rows for `count` coefficients, a multiple of eight; rows beyond `count` are zero.
   static Eigen::Index rows_for(Eigen::Index count) { return (count + 7) / 8 * 8; }
 
-  /// What moves x of all add to the error: 2 slopes x + x^T cross x, whose diagonal is the curves:
-  /// rows_for(coefficients) x coefficients. Both must outlive this.
+  /// Moves x of all coefficients change the error by 2 slopes x + x^T cross x. `cross` is
+  /// rows_for(coefficients) x coefficients, and its diagonal holds the curves. Both arguments must
+  /// outlive this.
   JointSearch(std::span<const Coefficient> coefficients, const Eigen::MatrixXf& cross);
 
   /// The moves found, -1 to 1 for each coefficient; zeros where none pays.
   const std::vector<int>& run();
 
  private:
-  /// Moves one either way if that may pay. Returns whether it did. Once for each length of vectors.
+  /// Tries a move of one coefficient in both directions. Returns whether one was kept. Instantiated
+  /// once for each vector length.
   template <typename Vector>
   bool visit(int c);
   bool visit_with_avx2(int c);
 
-  /// Moves one and lets the others answer; keeps that if it pays.
+  /// Moves one coefficient and lets the others respond; keeps the moves if they pay.
   template <typename Vector>
   bool attempt(int c, int by);
 
-  /// The change of error and price that a move of one makes.
+  /// The change of error and price when one coefficient moves.
   float cost_of(int c, int by) const;
 
-  /// What others would gain by answering to a step of one down, and up, each by itself.
+  /// The gain if all others respond, each by itself, to one coefficient moving a step down, and a
+  /// step up.
   template <typename Vector>
   std::array<float, 2> gains_of_answers(int c) const;
 
@@ -56,8 +60,8 @@ class JointSearch {
   float move(int c, int by);
   void set_limits(int c);
 
-  /// Of as many as a vector has, from `first` on, the next from `from` on whose slope is beyond its
-  /// limits; the one after them where there is none.
+  /// Returns the next coefficient, from `from` on, whose slope is beyond its limits, among the
+  /// vector's coefficients that start at `first`; one past them if there is none.
   template <typename Vector>
   int next_beyond_limits(int first, int from) const;
 
@@ -65,12 +69,12 @@ class JointSearch {
 
   std::span<const Coefficient> coefficients_;
   const Eigen::MatrixXf& cross_;
-  Eigen::ArrayXf slopes_;  // where the moves have come to
+  Eigen::ArrayXf slopes_;  // after the moves so far
   Eigen::ArrayXf slopes_before_;
   Eigen::ArrayXf low_;   // slopes below which a step up pays
   Eigen::ArrayXf high_;  // above which a step down pays
   std::vector<int> moved_;
-  std::vector<std::pair<int, int>> changed_;  // in an attempt: which, and by how much
+  std::vector<std::pair<int, int>> changed_;  // the moves of an attempt: coefficient, steps
 };
 
 }  // namespace mocapress

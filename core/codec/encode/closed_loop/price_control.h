@@ -7,16 +7,16 @@
 
 namespace mocapress {
 
-/// What a bit must be worth for eps_x to grow by so much in the next sweep. By the growth of the
-/// sweep before, of which a part goes on at the same price, and by how much eps_x has grown with
-/// the price: that differs from clip to clip and is learned on the way. With less than there is,
-/// prices would go up and down for ever without coming to the error.
+/// Predicts the bit price at which the next sweep changes eps_x by a wanted amount. Two effects
+/// count: part of the last sweep's growth continues at the same price, and eps_x grows with the
+/// price at a rate that differs from clip to clip and is learned on the way. Assuming too small a
+/// rate would make prices swing without converging.
 class PriceControl {
  public:
   /// The growth of eps_x in the last sweep.
   explicit PriceControl(double growth) : growth_(growth) {}
 
-  /// The factor by which to change the price.
+  /// The factor by which to change the price so that eps_x grows by `growth`, a logarithm.
   double factor_for(double growth) {
     constexpr double kMost = 0.7;  // a logarithm
     dearer_ = std::clamp((growth - kKept * growth_) / slope_, -kMost, kMost);
@@ -31,8 +31,7 @@ class PriceControl {
   }
 
  private:
-  // What the growth of eps_x does, in logarithms: about as clips of corpus/train have it from 0.1
-  // to 0.5 cm.
+  // How eps_x responds, in logarithms: typical of corpus/train from 0.1 to 0.5 cm.
   static constexpr double kKept = 0.35;  // of a sweep's growth in the next at the same price
   static constexpr double kWithPrice = 0.15;
   static constexpr double kLeastWithPrice = 0.06;

@@ -16,7 +16,7 @@ constexpr int kMagnitudes = 16;  // the last stands for all above
 using BitsOfMagnitudes = std::array<double, kMagnitudes>;
 using Table = std::array<std::array<BitsOfMagnitudes, kSizes>, kSizes>;
 
-/// By size_of() those before and above.
+/// Indexed by size_of() of the coefficients before and above.
 Table make_table() {
   Table table{};
   for (int before = 0; before < kSizes; ++before)
@@ -33,7 +33,7 @@ Table make_table() {
 
 const Table kBits = make_table();
 
-constexpr std::size_t kSums = 64;  // size_of() is the same of all above
+constexpr std::size_t kSums = 64;  // size_of() is the same for all larger sums
 const std::array<std::uint8_t, kSums> kSizeOf = [] {
   std::array<std::uint8_t, kSums> sizes{};
   for (std::size_t sum = 0; sum < kSums; ++sum)
@@ -51,8 +51,8 @@ double bits_of(int magnitude, int before, int above) {
   return of[kMagnitudes - 1] + 2 * std::log2(magnitude - kMagnitudes + 2.0);
 }
 
-/// What a coefficient among zeros takes, and what it makes its neighbours take: two in its band
-/// and, unless that is the finest, four children.
+/// Bits of a coefficient among zeros, plus the bits it adds to its neighbours: two in its band and,
+/// except in the finest band, four children.
 double bits_among_zeros(int magnitude, bool has_children) {
   const double in_band =
       bits_of(magnitude, 0, 0) + bits_of(0, 2 * magnitude, 0) + bits_of(0, magnitude, 0);
@@ -81,7 +81,7 @@ std::uint32_t four_from(const std::uint8_t* bytes) {
   return four;
 }
 
-/// The first so many of eight bytes, as they lie in memory.
+/// A mask of the first `count` of eight bytes in memory order.
 std::uint64_t first_bytes(int count) {
   const std::array<std::uint8_t, 8> all = [count] {
     std::array<std::uint8_t, 8> bytes{};
@@ -91,8 +91,9 @@ std::uint64_t first_bytes(int count) {
   return eight_from(all.data());
 }
 
-// Of eight bytes from two before a coefficient on: those beside it that it has to do with. Of eight
-// from three before its two own children on: their neighbours' and theirs.
+// kBesideIt selects, from eight bytes that start two before a coefficient, its context neighbours.
+// kAboutChildren selects, from eight bytes that start three before its two own children, them and
+// their neighbours.
 const std::uint64_t kBesideIt = first_bytes(5) ^ first_bytes(3) ^ first_bytes(2);
 const std::uint64_t kAboutChildren = first_bytes(6);
 
@@ -124,7 +125,7 @@ RateTable::Neighbours RateTable::neighbours_of(const std::uint8_t* own, const st
   return found;
 }
 
-/// Null: there are no parents.
+/// Null where there are no parents.
 const std::uint8_t* RateTable::above(const Magnitudes& magnitudes, int b) const {
   return b > 1 ? magnitudes.in(b - 1) : nullptr;
 }

@@ -11,8 +11,8 @@
 
 namespace mocapress {
 
-/// How large the coefficients of a signal are, up to 255: for what depends on neighbours. Each band
-/// lies between zeros, so that neighbours beyond its ends are zero too.
+/// The sizes of a signal's coefficients, up to 255, for contexts that look at neighbours. Each band
+/// lies between zeros, so that neighbours beyond its ends read as zero.
 class Magnitudes {
  public:
   static constexpr int kBefore = 4;  // zeros that may be looked at
@@ -20,7 +20,7 @@ class Magnitudes {
 
   explicit Magnitudes(const std::vector<Band>& bands);
 
-  /// Those of all coefficients.
+  /// Reads all coefficients of a signal.
   void read(const std::vector<Band>& bands, const int* signal);
 
   void set(int band, int i, int value) {
@@ -40,50 +40,51 @@ class Magnitudes {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// About how many bits the adaptive coding takes for a coefficient. The estimate is a geometric law
-/// whose mean follows the two coefficients before and the two parents. A law learned from the
-/// values would be nearer to the coded bits, but sweeps would end with 2 to 3 % more of them: rare
-/// values would cost so much that no sweep would try them.
+/// Estimates the bits that the adaptive coder takes for a coefficient, by a geometric law whose
+/// mean follows the two coefficients before and the two parents. A law learned from the values
+/// would be closer to the coded bits, but sweeps would end with 2 to 3 % more bytes: rare values
+/// would look so dear that no sweep would try them.
 class RateTable {
  public:
   /// The bands must outlive the table.
   explicit RateTable(const std::vector<Band>& bands) : bands_(bands) {}
 
-  /// The bits of coefficient `i` of band `b` > 0 if it were `value`.
+  /// The bits of coefficient `i` of band `b` > 0 if it had this value.
   double bits(const Magnitudes& magnitudes, int b, int i, int value) const;
 
-  /// The bits of a coefficient, were it one value or another, plus those of the coefficients that
-  /// it is a neighbour of: looked up around it once, for several values.
+  /// The bits of a coefficient at any value plus those of the coefficients whose context it is part
+  /// of. Neighbours are looked up once for several values.
   class Around {
    public:
     Around(const RateTable& table, const Magnitudes& magnitudes, int b, int i);
     double bits(int value) const;
 
    private:
-    /// A coefficient whose mean follows this one's magnitude, besides what else it follows.
+    /// A coefficient whose expected size depends on this one's magnitude.
     struct Follower {
       int magnitude;
-      int before, above;    // without this one's share
-      int share_of_before;  // times its magnitude
+      int before, above;    // without this coefficient's share
+      int share_of_before;  // factor of this coefficient's magnitude
       int share_of_above;
     };
     int before_ = 0;
     int above_ = 0;
     int count_ = 0;           // of followers
-    bool is_lonely_ = false;  // all around it is zero, nor is it near the ends of a band
+    bool is_lonely_ = false;  // all neighbours are zero and no end of a band is near
     std::array<Follower, 6> followers_;
   };
 
-  /// No move by one step towards zero saves more, or more in the coefficients beside it.
+  /// The most that a move one step towards zero can save, in this coefficient and its neighbours
+  /// together.
   static constexpr double kMostSaved = 8.6;
   static constexpr double kMostSavedBeside = 3;
 
-  /// The bits of a difference between coarse samples.
+  /// The bits of a difference between two coarse samples.
   static double coarse_bits(int difference) {
     return 1 + 2 * std::log2(1.0 + 2 * std::abs(difference));
   }
 
-  /// The bits of a whole signal, and of its magnitudes.
+  /// The bits of a whole signal, given its magnitudes.
   double bits(const int* signal, const Magnitudes& magnitudes) const;
 
  private:

@@ -7,11 +7,10 @@
 namespace mocapress {
 namespace {
 
-// Loops below are over so many numbers as are known beforehand: of such the compiler makes vector
-// instructions.
+// The loops have a fixed number of iterations so that the compiler vectorises them.
 constexpr int kAtATime = 8;
 
-/// Whole steps in what is left of some coefficients when `less` is taken off.
+/// Cuts coefficients, each reduced by `less`, to whole steps.
 template <int kCount>
 MOCAPRESS_INLINE void cut_to_steps(const double* __restrict coefficients,
                                    const float* __restrict less, double per_unit, double added,

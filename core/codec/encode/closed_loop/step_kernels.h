@@ -14,12 +14,12 @@
 
 namespace mocapress {
 
-/// values = whole steps in `coefficients` when `less` is taken off: sizes in steps, to which
-/// `added` is added, are cut.
+/// values = coefficients reduced by `less`, in whole steps: magnitudes in steps plus `added`,
+/// truncated.
 void cut_to_steps(const double* coefficients, const float* less, int count, double per_unit,
                   double added, int* values);
 
-/// differences = what so many steps have more than the coefficients.
+/// differences[i] = values[i] * step - coefficients[i]
 void find_differences(const int* values, int count, double step, const double* coefficients,
                       float* differences);
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kBlendSeconds = 0.15;  // before and after a contact
 
-// What errors of the effectors cost, beside a squared cm of a difference. A foot that stands is
-// seen to be off the sooner, and sooner still to slide.
+// Weights of an effector's errors, relative to a squared cm elsewhere. Errors of a planted foot are
+// noticed sooner, and sliding sooner still.
 constexpr double kPlaceInContact = 4;
 constexpr double kStepInContact = 300;
 
@@ -31,7 +31,7 @@ std::vector<Effector> effectors_for(const Skeleton& skeleton, const std::vector<
   return effectors;
 }
 
-/// 1 in the contacts of a joint's origin, falling smoothly to 0 beside them.
+/// Returns 1 during the contacts of a joint's origin, falling smoothly to 0 beside them.
 Eigen::VectorXd window_of(int joint, const std::vector<ContactSpan>& contacts, Eigen::Index frames,
                           double sample_rate_hz) {
   const double blend = std::max(1.0, kBlendSeconds * sample_rate_hz);  // frames
@@ -48,7 +48,8 @@ Eigen::VectorXd window_of(int joint, const std::vector<ContactSpan>& contacts, E
   return window;
 }
 
-/// 1 where a contact goes on from the frame before: a step into one does not slide.
+/// Returns 1 where a contact continues from the previous frame; the step into a contact is no
+/// slide.
 Eigen::VectorXd steps_in_contact(const Eigen::ArrayXd& contact) {
   Eigen::VectorXd within = Eigen::VectorXd::Zero(contact.size());
   for (Eigen::Index t = 1; t < contact.size(); ++t)
@@ -92,7 +93,7 @@ std::vector<PointResponse> CorrectionEncoder::responses(
   return responses;
 }
 
-/// Elsewhere a point stays where the motion leaves it.
+/// Outside contacts, points are left where the motion puts them.
 void CorrectionEncoder::limit_to_contacts(const std::vector<Effector>& effectors,
                                           PointResponse& response) const {
   const Eigen::Index points = std::ssize(effectors);
@@ -118,7 +119,7 @@ DifferenceFit CorrectionEncoder::select(const Clip& reconstructed, double ratio,
   std::vector<FitWeights> weights;
   for (Eigen::Index s = 0; s < differences.channels.cols(); ++s) {
     const auto contact = contacts_.col(s / 3).array();
-    const bool up = s % 3 == 1;  // what rises and falls does not slide
+    const bool up = s % 3 == 1;  // vertical movement is no slide
     weights.push_back({.place = 1 + (kPlaceInContact - 1) * contact,
                        .step = (up ? 0 : kStepInContact) * steps_in_contact(contact)});
   }

@@ -22,7 +22,7 @@ class CorrectionEncoder {
                     const CorrectionOptions& options, const std::vector<ContactSpan>& contacts,
                     double sample_rate_hz);
 
-  /// For each limb, how errors of the motion count when this correction follows.
+  /// For each limb, the weights of the motion's errors when this correction follows.
   std::vector<PointResponse> responses(const Clip& original,
                                        const Eigen::MatrixXd& original_tracks) const;
 

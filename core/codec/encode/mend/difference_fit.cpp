@@ -19,7 +19,7 @@ std::span<double> span_of(Eigen::VectorXd& vector) {
   return {vector.data(), static_cast<std::size_t>(vector.size())};
 }
 
-/// One signal, all of whose coefficients are kept at first.
+/// One signal; all its coefficients are kept at first.
 class SignalFit {
  public:
   SignalFit(const Lifting& lifting, const Synthesis& synthesis, const Eigen::VectorXd& signal,
@@ -33,7 +33,7 @@ class SignalFit {
     residual_ = Eigen::VectorXd::Zero(signal.size());
   }
 
-  /// What is saved by keeping each coefficient, if it were alone.
+  /// The error saved by keeping each coefficient by itself.
   Eigen::ArrayXd worth() const { return best_alone().square() * curvature_.array(); }
   Eigen::ArrayXd best_alone() const {
     return values_.array() + residual_.array() / curvature_.array();
@@ -62,12 +62,12 @@ class SignalFit {
     }
   }
 
-  /// In whole steps: the nearest, then, one after the other, what is best given all others.
+  /// Rounds to whole steps: first to the nearest, then each to its best value given the others.
   Eigen::VectorXi rounded(double step, const Eigen::ArrayX<bool>& mask,
                           const std::vector<double>& gains, const Synthesis& synthesis) const {
     constexpr int kMostSweeps = 20;
     Eigen::VectorXi steps = Eigen::VectorXi::Zero(values_.size());
-    Eigen::VectorXd missing = values_;  // what the rounded values lack of the fitted ones
+    Eigen::VectorXd missing = values_;  // fitted minus rounded values
     const auto size_of = [&](Eigen::Index c) { return step / gains[static_cast<std::size_t>(c)]; };
     for (Eigen::Index c = 0; c < values_.size(); ++c) {
       if (!mask(c)) continue;
@@ -102,7 +102,7 @@ class SignalFit {
     return static_cast<int>(std::lround(std::clamp<double>(steps, -kMostSteps, kMostSteps)));
   }
 
-  /// Takes M times so much of a synthesis function away.
+  /// Subtracts M times `amount` of a synthesis function.
   void subtract(double amount, const SynthesisFunction& function, Eigen::VectorXd& weighted) const {
     const Eigen::Index first = function.first;
     const Eigen::Index size = function.values.size();
@@ -165,7 +165,7 @@ class SignalFit {
   Eigen::VectorXd residual_;  // A^T M (d - A v)
 };
 
-/// Where the `count` largest are.
+/// Marks the `count` largest entries.
 Eigen::ArrayXX<bool> largest(const Eigen::ArrayXXd& worth, int count) {
   Eigen::ArrayXX<bool> mask = Eigen::ArrayXX<bool>::Constant(worth.rows(), worth.cols(), false);
   std::vector<Eigen::Index> order(static_cast<std::size_t>(worth.size()));
@@ -178,12 +178,12 @@ Eigen::ArrayXX<bool> largest(const Eigen::ArrayXXd& worth, int count) {
   return mask;
 }
 
-// What the rounding of a coefficient may cost, in the mean, beside what dropping one does: half a
-// step's digit is worth about as much as a coefficient.
+// Bound on the mean cost of rounding a coefficient, as a share of the cost of dropping one: half a
+// step's precision is worth about as much as a coefficient.
 constexpr double kShareOfDropped = 0.1;
 constexpr double kLeastDropped = 1e-6;  // squared cm: nothing to be seen
 
-/// What rounding a coefficient to `step` costs, the mean over those kept, beside step^2 / 12.
+/// Mean cost of rounding a kept coefficient to `step`, in units of step^2 / 12.
 double rounding_cost(const Eigen::VectorXd& curvature, const Eigen::ArrayX<bool>& mask,
                      const std::vector<double>& gains) {
   double sum = 0;
@@ -215,7 +215,7 @@ DifferenceFit fit_differences(const Clip& columns, const std::vector<FitWeights>
   Eigen::ArrayXX<bool> kept = Eigen::ArrayXX<bool>::Constant(frames, signals, false);
   std::vector<SignalFit> best = fits;
   double least = std::numeric_limits<double>::infinity();
-  double threshold = 0;  // the worth of the best that is dropped
+  double threshold = 0;  // worth of the best dropped coefficient
   DifferenceFit found;
   for (int round = 0; round < kRounds; ++round) {
     for (Eigen::Index s = 0; s < signals; ++s)

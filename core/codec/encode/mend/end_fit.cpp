@@ -19,7 +19,7 @@
 namespace mocapress {
 namespace {
 
-/// How far an end may be off.
+/// The error allowed at an end.
 struct Tolerance {
   Weighting weighting;
   double cm;
@@ -35,13 +35,13 @@ Tolerance tolerance_of(const EncodeOptions& options, double share, double eps_cm
   return {options.weighting, share * (is_error ? options.target.value : eps_cm), at_most};
 }
 
-/// The channels of an end, of which those that move in the clip may be mended.
+/// The channels of an end; only those that move in the clip may be mended.
 struct EndChannels {
   const Skeleton& skeleton;
   const std::vector<bool>& still;
 
-  /// What is lacking to the original: angles by the shorter way round, nothing of what stands
-  /// still.
+  /// The original minus the decoded pose: angles by the shorter way round, zero for channels that
+  /// stand still.
   Eigen::RowVectorXd lacking(const Eigen::RowVectorXd& original,
                              const Eigen::RowVectorXd& decoded) const {
     Eigen::RowVectorXd difference = original - decoded;
@@ -64,7 +64,7 @@ struct CountedBits {
   }
 };
 
-/// What a whole number takes among others, about.
+/// Estimates the bits of a whole number among others.
 double bits_of(int whole) {
   const int magnitude = std::abs(whole);
   return magnitude == 0 ? 0.5 : 3 + 2 * std::log2(magnitude);
@@ -77,8 +77,8 @@ double bits_of(const Eigen::VectorXi& whole) {
   return counted.bits;
 }
 
-/// One end of a clip beside its original, the end's own frame first. What is wanted of that frame
-/// is the original's pose but for `error`, in channels.
+/// One end of a clip beside its original, the end's own frame first. The wanted pose of that frame
+/// is the original's plus `error`, in channels.
 class End {
  public:
   End(const EndChannels& channels, const Eigen::MatrixXd& original, Eigen::MatrixXd decoded,
@@ -92,11 +92,11 @@ class End {
         wanted_pose_(decoded_.row(0) + lacking_),
         wanted_(tracks(wanted_pose_)) {}
 
-  /// What becomes of the frames beside it where so many take part.
+  /// The result when this many frames take part.
   struct Reach {
     int frames;
     double squares;            // cm^2, the sum over all frames looked at
-    Eigen::RowVectorXd slope;  // how the errors change to the frame beside it. cm
+    Eigen::RowVectorXd slope;  // change of the error to the neighbouring frame, cm
   };
 
   std::vector<Reach> reaches(const Eigen::RowVectorXd& added) const {
@@ -111,7 +111,7 @@ class End {
     return found;
   }
 
-  /// The decoded frames, of which so many take part in what is added to the first.
+  /// The decoded frames with `added` at the first frame, fading out over `frames` frames.
   Eigen::MatrixXd decoded_with(const Eigen::RowVectorXd& added, int frames) const {
     Eigen::MatrixXd with = decoded_;
     for (int t = 0; t < frames; ++t)
@@ -119,11 +119,11 @@ class End {
     return with;
   }
 
-  /// Nothing where the pose will do as it is, else what takes the fewest bits of what will do:
-  /// whole steps of each channel, which are `steps` made so many half octaves finer.
+  /// Chooses the whole steps of each channel, in units of `steps` refined by some half octaves,
+  /// that take the fewest bits within the tolerance. Nothing where the pose is good enough already.
   std::pair<int, Eigen::VectorXi> cheapest(const std::vector<float>& steps) const {
     constexpr int kFirst = -8;
-    constexpr int kFiner = 6;  // that are tried beyond the first that will do
+    constexpr int kFiner = 6;  // finer exponents tried after the first that is good enough
     constexpr double kStricter = 0.9;
     std::pair<int, Eigen::VectorXi> best{0, Eigen::VectorXi::Zero(lacking_.size())};
     if (is_near(values_of(best.second, steps, 0))) return best;
@@ -135,7 +135,7 @@ class End {
       const Eigen::RowVectorXd step =
           values_of(Eigen::VectorXi::Ones(lacking_.size()), steps, step_exponent);
       Eigen::VectorXi whole = sparsest(gram, step, most);
-      // Where all is to be exact, channels one by one are slow to come near.
+      // Where everything must be exact, adding channels one by one converges too slowly.
       if (error_of(gram, step, whole) > most) whole = rounded(step);
       const bool is_finest = step_exponent == runtime::kMostEndStepExponent && std::isinf(least);
       if (!is_finest && error_of(gram, step, whole) > most) continue;
@@ -152,7 +152,7 @@ class End {
     return best;
   }
 
-  /// What steps of each channel come to.
+  /// The values of whole steps for each channel.
   static Eigen::RowVectorXd values_of(const Eigen::VectorXi& whole, const std::vector<float>& steps,
                                       int step_exponent) {
     Eigen::RowVectorXd values(whole.size());
@@ -161,11 +161,11 @@ class End {
     return values;
   }
 
-  /// The error that this leaves.
+  /// The error that remains after `added`.
   Eigen::RowVectorXd error_with(const Eigen::RowVectorXd& added) const { return added - lacking_; }
 
  private:
-  /// The squared error of small differences of channels is d gram d^T.
+  /// Returns gram, where d gram d^T is the squared error of small channel differences d.
   Eigen::MatrixXd gram_of_pose() const {
     const ErrorModel model(channels_.skeleton, Clip{1, wanted_pose_}, tolerance_.weighting);
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(lacking_.size(), lacking_.size());
@@ -179,7 +179,7 @@ class End {
     return gram;
   }
 
-  /// Whether the pose will do with that.
+  /// Returns whether the pose with `added` is within the tolerance.
   bool is_near(const Eigen::RowVectorXd& added) const {
     Eigen::MatrixXd pose = decoded_.topRows(1);
     for (Eigen::Index c = 0; c < added.size(); ++c)
@@ -196,7 +196,7 @@ class End {
     return static_cast<int>(std::lround(std::clamp(steps, -kMost, kMost)));
   }
 
-  /// All that is lacking.
+  /// All of the difference, rounded to whole steps.
   Eigen::VectorXi rounded(const Eigen::RowVectorXd& step) const {
     Eigen::VectorXi whole(lacking_.size());
     for (Eigen::Index c = 0; c < whole.size(); ++c) whole(c) = limited(lacking_(c) / step(c));
@@ -210,8 +210,8 @@ class End {
     return left.dot(gram * left.transpose());
   }
 
-  /// Whole steps of few channels: one after another, what mends most for its bits, given the error
-  /// of all others, until no more than that is left or nothing mends any more.
+  /// Chooses whole steps of few channels: one after another, the step that reduces the error most
+  /// for its bits, until the error is at most `most` or nothing reduces it further.
   Eigen::VectorXi sparsest(const Eigen::MatrixXd& gram, const Eigen::RowVectorXd& step,
                            double squared_error) const {
     constexpr double kLeastBits = 0.25;
@@ -255,17 +255,17 @@ class End {
   Eigen::MatrixXd decoded_;
   Eigen::RowVectorXd lacking_;
   Eigen::RowVectorXd wanted_pose_;
-  Eigen::MatrixXd wanted_;  // tracks of it: one row
+  Eigen::MatrixXd wanted_;  // tracks of wanted_pose_: one row
 };
 
-/// As far as the errors of neighbouring frames are alike.
+/// The reach with the least squared error.
 const End::Reach& best_of(const std::vector<End::Reach>& reaches) {
   return *std::min_element(reaches.begin(), reaches.end(),
                            [](const auto& a, const auto& b) { return a.squares < b.squares; });
 }
 
-/// Of a loop: where the velocity's error changes least from the last frame to the first, at some
-/// cost to the rest.
+/// For a loop: the reaches with the smallest change of the velocity error across the seam, at some
+/// cost elsewhere.
 std::array<int, 2> smoothest(const std::vector<End::Reach>& first,
                              const std::vector<End::Reach>& last) {
   constexpr double kMost = 1.5;  // times the squares of the best
@@ -274,7 +274,7 @@ std::array<int, 2> smoothest(const std::vector<End::Reach>& first,
   double least = std::numeric_limits<double>::infinity();
   for (const End::Reach& a : first)
     for (const End::Reach& b : last) {
-      // Seen from the end, the last frame's slope is against time.
+      // At the last frame, slopes run against time.
       const double bend = (a.slope + b.slope).squaredNorm();
       if (a.squares + b.squares > most || bend >= least) continue;
       least = bend;
@@ -283,7 +283,7 @@ std::array<int, 2> smoothest(const std::vector<End::Reach>& first,
   return found;
 }
 
-/// The frames at both ends of what is decoded, those at the ends first.
+/// The decoded frames at both ends, those at the ends first.
 std::array<Eigen::MatrixXd, 2> decoded_at_ends(const CompressedClip& compressed, int rows) {
   const Eigen::Index channels = compressed.coded_skeleton().channel_count();
   std::array<Eigen::MatrixXd, 2> found{Eigen::MatrixXd(rows, channels),
@@ -311,9 +311,9 @@ CodedEnds with_velocity(CodedEnds ends, int reach, int step_exponent,
   return ends;
 }
 
-/// Where a loop's velocities change more at its seam than between any frames in a row, codes what
-/// the last of them lacks. Originals with the frames at the ends first; so many steps of the last
-/// segment.
+/// Where a loop's velocity changes more at its seam than between any consecutive frames, codes the
+/// missing velocity of the last frame. Both originals have the end's own frame first; `last_steps`
+/// are the last segment's steps.
 void mend_velocity(const EndChannels& channels, const Goal& goal,
                    const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last,
                    const std::vector<float>& last_steps, CompressedClip& compressed) {
@@ -327,7 +327,7 @@ void mend_velocity(const EndChannels& channels, const Goal& goal,
                          int row) -> Eigen::RowVectorXd {
     return -channels.lacking(original.row(row), decoded.row(row));
   };
-  // Then errors change by as much before the last frame as after the first.
+  // With these errors, the change before the last frame equals the change after the first.
   const Eigen::RowVectorXd wanted = error(original_last, last, 0) +
                                     error(original_first, first, 0) -
                                     error(original_first, first, 1);
@@ -376,7 +376,8 @@ void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_
   auto [decoded_first, decoded_last] = decoded_at_ends(compressed, rows);
   const Eigen::MatrixXd backwards = original_last.colwise().reverse();
   const auto tolerance = [&](double share) { return tolerance_of(options, share, trial.eps_cm); };
-  const bool is_exact = options.ends == Ends::Exact || compressed.correction;  // else feet slide
+  const bool is_exact =
+      options.ends == Ends::Exact || compressed.correction;  // otherwise feet slide
   const double share = is_exact ? kExact : kEven;
   const bool is_loop = options.loop.value_or(Loop::None) != Loop::None;
   const auto [first_steps, last_steps] = steps_at_ends(compressed);
@@ -395,7 +396,7 @@ void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_
   ends.step_exponent = {first_exponent, last_exponent};
   ends.steps.resize(channels, 2);
   ends.steps << first_whole, last_whole;
-  // Frames that a correction holds in place are left there.
+  // Frames held in place by a correction are left alone.
   if (!compressed.correction) {
     std::array reaches = {1, 1};
     if (is_loop)

@@ -6,8 +6,8 @@
 
 namespace mocapress {
 
-/// Whether an encoding gets ENDS. Closed loops do, but for two cases: a hard maximum holds at the
-/// ends anyway, and a draft promises nothing and must be quick.
+/// Returns whether an encoding gets ENDS. Closed loops do, with two exceptions: a hard maximum
+/// already holds at the ends, and a draft promises nothing and must be quick.
 bool codes_ends(const EncodeOptions& options);
 
 /// How many frames at either end the fit looks at to see how far an end's error reaches.

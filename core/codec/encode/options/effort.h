@@ -5,11 +5,11 @@
 
 namespace mocapress {
 
-/// How long a closed loop searches for a smaller file. Other methods have one effort only.
+/// Effort of the closed loop to find a smaller file. Other methods have one effort only.
 enum class Effort {
   Draft,    // while a slider moves: near the target, which is not promised
-  Default,  // the target is met
-  Best,     // a little smaller at times, for some four times the time
+  Default,  // meets the target
+  Best,     // sometimes a little smaller, in about four times the time
 };
 
 /// "draft", "default", "best".
@@ -17,9 +17,9 @@ std::string_view name(Effort effort);
 
 /// The state of a running encode. A target other than the coefficient ratio takes several passes.
 struct EncodeProgress {
-  int pass = 0;        // from 0
-  int iteration = 0;   // of this pass's annealing, or sweeps of a closed loop
-  int step = 0;        // coefficients moved at a time: halves until it is 0; 0 in a closed loop
+  int pass = 0;       // from 0
+  int iteration = 0;  // of this pass's annealing, or sweeps of a closed loop
+  int step = 0;  // coefficients moved at a time, halved until it is 0; always 0 in a closed loop
   int first_step = 0;  // the step the pass began with
   double eps_cm = 0;   // by the quadratic model, in the chosen weighting
 };

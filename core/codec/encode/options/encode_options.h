@@ -19,13 +19,14 @@
 
 namespace mocapress {
 
-/// How long clips are cut. Encoding a segment takes some 150 bytes for each channel and frame.
+/// Lengths of segments. Encoding a segment takes about 150 bytes of memory for each channel and
+/// frame.
 struct SegmentPlan {
-  int longest = 12288;  // frames, 256 at least; a longer clip falls into several
+  int longest = 12288;  // frames, at least 256; longer clips are cut into several segments
   int overlap = 48;     // frames that neighbours share, 1 at least
 };
 
-/// Joints that inverse kinematics bring to their true places when the clip is played.
+/// Joints that inverse kinematics moves to their original places during playback.
 struct CorrectionOptions {
   std::vector<int> joints;      // to be effectors; empty: the feet
   std::optional<double> ratio;  // r_IK: coefficients of the differences / kept ones; unset: the
@@ -51,11 +52,11 @@ struct EncodeOptions {
   std::optional<Loop> loop;                          // whether it is one; unset: find_loop()
   bool figures_only = false;                         // without the decoded clip: see Encoding
 
-  /// A draft of a closed loop in one segment without correction is not coded: see Encoding.
+  /// Skips the coding of a draft (closed loop, one segment, no correction): see Encoding.
   bool size_will_do = false;
 };
 
-/// The coding that will be used. The closed loop has its own, whatever was asked for.
+/// The coding that will be used. The closed loop always uses its own.
 inline Coding effective_coding(const EncodeOptions& options) {
   return options.method == Method::ClosedLoop ? Coding::Adaptive : options.coding;
 }

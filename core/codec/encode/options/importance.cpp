@@ -28,7 +28,7 @@ void weigh_joints(const std::vector<double>& factors, int joint_count, MeasuredP
   if (weights.sum() <= 0) throw Error("no joint is of any importance");
 }
 
-/// Three points that turn with the root. At that distance 0.3 degrees move one by 2 mm.
+/// Adds three points that turn with the root. At their distance 0.3 degrees move one by 2 mm.
 void add_root(double weight, MeasuredPoints& measured) {
   constexpr double kDistance = 38;  // cm
   const Eigen::Index before = measured.weights.size();
@@ -55,7 +55,7 @@ std::vector<PointResponse> standing_points(const Skeleton& skeleton,
                                            const Eigen::MatrixXd& original_tracks,
                                            const std::vector<ContactSpan>& contacts,
                                            double importance) {
-  // Of joints, so that feet whose joint carries no weight of its own count too.
+  // Weighted by joint count, so that a foot whose joint has no weight of its own counts too.
   const double share = 1.0 / std::max(skeleton.joint_count(), 1);
   std::map<int, PointResponse> points;
   for (const ContactSpan& span : contacts) {
@@ -76,7 +76,7 @@ std::vector<PointResponse> standing_points(const Skeleton& skeleton,
 
 namespace {
 
-/// The factor most joints have; of equally frequent ones the least.
+/// The factor that most joints have; the smallest in case of a tie.
 double usual_factor(const std::vector<double>& factors, const std::vector<int>& joints) {
   std::map<double, int> counts;
   for (const int joint : joints) ++counts[factors[static_cast<std::size_t>(joint)]];
@@ -138,7 +138,7 @@ NamedImportance named(const Importance& importance, const Skeleton& skeleton) {
   for (const BodyPart part : kBodyParts) {
     const std::vector<int> joints = joints_of(skeleton, part);
     if (joints.empty()) continue;
-    // A joint of the part's own name can be spoken of by that alone.
+    // A joint named like its part is covered by the part's name.
     const int namesake = skeleton.find(std::string(name(part)));
     const bool has_namesake = std::find(joints.begin(), joints.end(), namesake) != joints.end();
     const double factor = has_namesake ? importance.joints[static_cast<std::size_t>(namesake)]

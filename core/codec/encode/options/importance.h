@@ -14,13 +14,13 @@ namespace mocapress {
 struct ContactSpan;
 struct PointResponse;
 
-/// What the encoder takes more care of than eps_x does. It moves the error elsewhere; reports and
-/// promises stay in eps_x by its weighting.
+/// Parts of the motion that get more weight than eps_x gives them. Importance moves the error
+/// elsewhere; reports and promises still use eps_x by its weighting.
 struct Importance {
   // For each joint, by how much the weights of its landmarks are multiplied; empty: none.
   std::vector<double> joints;
-  // How many times its share a foot weighs while it stands; 0: no more than usual. It keeps the
-  // foot planted without a correction.
+  // Weight of a planted foot, as a multiple of its usual share; 0: no extra weight. Keeps the foot
+  // planted without a correction.
   double contacts = 0;
   // The weight of the root's place and heading, as a share of all others': 0, none of their own.
   double root = 0;
@@ -43,12 +43,12 @@ std::vector<PointResponse> standing_points(const Skeleton& skeleton,
 
 /// Importance before the skeleton is known: by the names of body parts and joints.
 struct NamedImportance {
-  // By body part ("feet" ...) or joint, in the order of the names, as set() keeps it. A joint's own
-  // factor takes precedence over its part's.
+  // Factors by body part ("feet" ...) or joint, in the order of set(). A joint's own factor takes
+  // precedence over its part's.
   std::vector<std::pair<std::string, double>> factors;
   double contacts = 0;  // as Importance has it
 
-  /// 1 unless it was set.
+  /// The factor of a name; 1 unless set.
   double factor(std::string_view name) const;
   void set(const std::string& name, double factor);
 
@@ -65,8 +65,8 @@ std::vector<int> joints_named(const Skeleton& skeleton, const std::string& name)
 /// that it lacks.
 Importance importance_for(const NamedImportance& named, const Skeleton& skeleton);
 
-/// The reverse. A part has the factor of its joint of the same name, else the one that most of its
-/// joints have. Joints with another factor are named by themselves.
+/// The inverse of importance_for(). A part has the factor of the joint of the same name, or else
+/// the one that most of its joints have. Joints with another factor are listed by name.
 NamedImportance named(const Importance& importance, const Skeleton& skeleton);
 
 }  // namespace mocapress

@@ -14,7 +14,7 @@ namespace mocapress {
 
 namespace {
 
-/// Whether the root stays at the height of the lowest joint, as in rigs of games.
+/// Returns whether the root stays at the height of the lowest joint, as in game rigs.
 bool root_is_on_floor(const Motion& motion) {
   constexpr int kMostFrames = 256;
   constexpr double kNear = 5;  // cm
@@ -57,15 +57,16 @@ std::vector<BrokenPromise> broken_promises(const Promises& promises, const Motio
 
 void raise_importance(const std::vector<BrokenPromise>& broken, const Skeleton& skeleton,
                       Importance& importance) {
-  constexpr double kMore = 1.1;    // than the model asks for, which errs by some per cent
-  constexpr double kMost = 30;     // times at once
-  constexpr double kFirst = 0.02;  // of all weight, for a root that had none
+  constexpr double kMore =
+      1.1;                      // margin on the factor from the model, which errs by a few per cent
+  constexpr double kMost = 30;  // times at once
+  constexpr double kFirst = 0.02;  // share of all weight, for a root that had none
   const auto raised = [&](double weight, double times) {
     return weight * std::min(kMore * times * times, kMost);
   };
   for (const BrokenPromise& promise : broken) {
     if (promise.root) {
-      // Its largest error falls faster than its mean.
+      // The root's largest error falls faster than its mean.
       importance.root = std::max(kFirst, kMore * promise.times * importance.root);
       continue;
     }

@@ -14,10 +14,10 @@ namespace mocapress {
 
 struct Importance;
 
-/// The turns are root-mean-squares over a clip, of the worst joint of each part. Bounds of the root
-/// hold at every frame, for roots that move on the floor: engines take a character's motion from
-/// those. Unset: nothing is promised. An encode raises the weights of joints that miss a promise
-/// until all are kept.
+/// Bounds on errors that an encode keeps beside its target. The angles are root-mean-squares over a
+/// clip, for the worst joint of each part. Bounds on the root hold at every frame, for roots that
+/// move on the floor, from which engines take a character's motion. Unset fields promise nothing.
+/// An encode raises the weights of joints that miss a promise until all are kept.
 struct Promises {
   std::optional<double> head_degrees;
   std::optional<double> hand_degrees;  // each hand by itself
@@ -31,7 +31,7 @@ struct Promises {
   bool operator==(const Promises&) const = default;
 };
 
-/// The names that promises have in JSON.
+/// The JSON name of a promise.
 struct PromiseKey {
   const char* key;
   std::optional<double> Promises::*bound;
@@ -42,19 +42,19 @@ inline constexpr std::array kPromiseKeys = {PromiseKey{"head_degrees", &Promises
                                             PromiseKey{"root_cm", &Promises::root_cm},
                                             PromiseKey{"root_degrees", &Promises::root_degrees}};
 
-/// A joint that is further off than was promised.
+/// A joint whose error exceeds a promise.
 struct BrokenPromise {
   std::string text;   // "hand lhand is turned by 4.8 degrees, not 4"
   int joint = 0;      // 0 for the root
-  double times = 1;   // as far off as promised, above 1
+  double times = 1;   // error / promised bound, above 1
   bool root = false;  // a promise about the root
 };
 
-/// The distortion is that of a decoded motion from this one.
+/// The promises that a decoded motion breaks. `distortion` compares that motion with the original.
 std::vector<BrokenPromise> broken_promises(const Promises& promises, const Motion& original,
                                            const Distortion& distortion);
 
-/// Raises the importance of the joints named, by the square of what they are off.
+/// Raises the importance of the broken joints by the square of their excess.
 void raise_importance(const std::vector<BrokenPromise>& broken, const Skeleton& skeleton,
                       Importance& importance);
 

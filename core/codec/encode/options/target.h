@@ -6,7 +6,7 @@
 
 namespace mocapress {
 
-/// What the user asks for: one number of one kind.
+/// The user's target: a number and its kind.
 struct Target {
   enum class Kind {
     Ratio,             // raw bytes / motion bytes, met within 2 %
@@ -20,24 +20,24 @@ struct Target {
   double value = 25;
 };
 
-/// Whether errors at single frames decide.
+/// Returns whether errors at single frames decide.
 constexpr bool is_by_worst(const Target& target) {
   return target.kind == Target::Kind::MaxError || target.kind == Target::Kind::Visibility;
 }
 
-/// Whether errors are what is asked for: bytes are free.
+/// Returns whether the target is an error, so that the bytes are free.
 constexpr bool is_error(const Target& target) {
   return target.kind == Target::Kind::Error || is_by_worst(target);
 }
 
-/// Whether `achieved`, in the target's quantity, meets the target. Figures that were written as
-/// text and read again may be off by their rounding. A coefficient ratio is met by construction.
+/// Returns whether `achieved`, in the target's quantity, meets the target. Allows for the rounding
+/// of figures that were written as text and read again. A coefficient ratio is met by construction.
 bool reached(const Target& target, double achieved);
 
 /// "ratio", "coefficient-ratio", "size", "error", "max-error", "not-visible".
 std::string_view name(Target::Kind kind);
 
-/// The inverse; unset when it is none of them.
+/// The inverse of name(); unset for other names.
 std::optional<Target::Kind> target_kind(std::string_view name);
 
 inline bool operator==(const Target& a, const Target& b) {

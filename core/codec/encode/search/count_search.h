@@ -33,7 +33,7 @@ class CountSearch {
   int count_;
   Window window_;
   int trials_left_;
-  double reach_ = 1;  // grows while only one side of the target has been seen
+  double reach_ = 1;  // grows while only one side of the target has been tried
   Bound below_;       // largest count known to give too little
   Bound above_;       // smallest count known to give too much
   bool done_ = false;

@@ -50,7 +50,7 @@ double Goal::achieved(std::size_t motion_bytes, const Comparison& compare) const
   };
   switch (target_.kind) {
     case Target::Kind::CoefficientRatio:
-      return target_.value;  // the encoder's to count
+      return target_.value;  // counted by the encoder
     case Target::Kind::Ratio:
       return compression_ratio(motion.clip, motion_bytes);
     case Target::Kind::Size:
@@ -119,7 +119,7 @@ void Goal::require_met(double excess, double achieved, bool everything_kept) con
 void Goal::raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const {
   constexpr double kMostWeight = 1e4;
   constexpr double kNear = 0.9;  // of the target
-  constexpr double kPower = 4;   // of what is exceeded; the square alone takes many more rounds
+  constexpr double kPower = 4;   // exponent on the excess; the square alone takes many more rounds
   const auto raise = [&](Eigen::Index frame, double excess) {
     if (excess > 1)
       weights(frame) = std::min(weights(frame) * std::pow(excess, kPower), kMostWeight);
@@ -173,7 +173,7 @@ CountSearch::Window Goal::window() const {
 }
 
 double Goal::likely_coefficient_ratio() const {
-  constexpr double kUsual = 0.45;  // r over the ratio; the paper's section 6.1 has 0.6
+  constexpr double kUsual = 0.45;  // r over the ratio; the paper's section 6.1 gives 0.6
   switch (target_.kind) {
     case Target::Kind::CoefficientRatio:
       return target_.value;

@@ -12,24 +12,26 @@
 
 namespace mocapress {
 
-/// The motion that decoded clips are compared with, landmark by landmark, some frames at a time.
+/// The motion that decoded clips are compared with, landmark by landmark, a block of frames at a
+/// time.
 class Original {
  public:
   using Tracks = std::function<const Eigen::MatrixXd&()>;
 
-  /// `tracks` gives the motion's body_tracks() when they are first needed. Without it, tracks are
-  /// computed for a few frames at a time and never kept. The motion must outlive this.
+  /// `tracks` returns the motion's body_tracks() when they are first needed. Without it, tracks are
+  /// computed a block of frames at a time and never kept. The motion must outlive this.
   explicit Original(const Motion& motion, Tracks tracks = {})
       : motion_(motion), tracks_(std::move(tracks)) {}
 
   const Motion& motion() const { return motion_; }
 
-  /// Rows of body_tracks() of both clips, from first_frame on: in time, each frame once.
+  /// Receives rows of body_tracks() of both clips from first_frame on, in time order, each frame
+  /// once.
   using Visit =
       std::function<void(int first_frame, const TrackRows& original, const TrackRows& decoded)>;
 
-  /// Compares with decoded frames, from first_frame on. Their channels may differ from the
-  /// original's; the bones are the same.
+  /// Compares with decoded frames from first_frame on. Their channels may differ from the
+  /// original's; the bones must be the same.
   void compare(int first_frame, const Skeleton& skeleton, const Clip& decoded,
                const Visit& visit) const;
 
@@ -41,7 +43,7 @@ class Original {
   Tracks tracks_;
 };
 
-/// A number of coefficients, chosen and coded, and how far the result is from a goal.
+/// A selection of coefficients, coded, and its distance from a goal.
 struct Trial {
   CompressedClip compressed;
   int count = 0;
@@ -55,12 +57,12 @@ struct Trial {
   double excess = 0;    // see Goal
 };
 
-/// A target put to one clip: how near a coded clip comes, and whether that keeps the promise.
-/// An "excess" is the logarithm of what was reached over what was asked, signed so that it grows
-/// with the number of coefficients.
+/// A target for one clip: measures how near a coded clip comes and whether it keeps the promise. An
+/// "excess" is the logarithm of the achieved over the target value, signed so that it grows with
+/// the number of coefficients.
 class Goal {
  public:
-  /// `contacts`: of the feet, which the eye looks at.
+  /// `contacts` of the feet count in visibility.
   Goal(Original original, const Target& target, Weighting weighting,
        std::vector<ContactSpan> contacts)
       : original_(std::move(original)),
@@ -68,19 +70,19 @@ class Goal {
         weighting_(weighting),
         contacts_(std::move(contacts)) {}
 
-  /// The target's quantity for a coded clip, which is only decoded for the errors.
+  /// The target's quantity for a coded clip, which is decoded only if the target is an error.
   double achieved(const CompressedClip& compressed) const;
   double achieved(std::size_t motion_bytes, const std::function<Clip()>& decoded) const;
   double excess(double achieved) const;
 
-  /// A bound is not exceeded; a ratio is met within 2 %.
+  /// A bound must not be exceeded; a ratio is met within 2 %.
   bool met(double excess) const;
 
-  /// Throws TargetMissed unless met. Coding every coefficient in less space than asked for keeps
-  /// the promise too.
+  /// Throws TargetMissed unless the target is met. Coding every coefficient in less space than
+  /// asked for also counts.
   void require_met(double excess, double achieved, bool everything_kept) const;
 
-  /// What the eye sees of a coded clip.
+  /// Measures the visible errors of a coded clip.
   Visibility seen(const CompressedClip& compressed) const;
 
   /// How the first and the last pose fare, and the seam between them.
@@ -92,7 +94,8 @@ class Goal {
   /// Raises the weights of frames at which a clip exceeds a hard maximum or is noticed.
   void raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const;
 
-  /// Whether `excess` is a better outcome than `other`: a kept promise first, then nearness.
+  /// Returns whether `excess` is a better outcome than `other`: meeting the target comes first,
+  /// then nearness.
   bool better(double excess, double other) const;
 
   /// Excesses so near to the target that a search may end.
@@ -102,7 +105,7 @@ class Goal {
   double likely_coefficient_ratio() const;
 
  private:
-  /// Visits what was decoded beside the original.
+  /// Calls the visitor with decoded and original frames.
   using Comparison = std::function<void(const Original::Visit&)>;
   double achieved(std::size_t motion_bytes, const Comparison& compare) const;
   Visibility seen(const Comparison& compare) const;

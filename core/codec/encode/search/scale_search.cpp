@@ -17,8 +17,8 @@ bool is_by_error(const Target& target) {
          target.kind == Target::Kind::Visibility;
 }
 
-/// Trials of one search, of which the best is kept: what is nearest to the target or, of what meets
-/// it, the cheapest.
+/// The trials of one search. Keeps the best: the cheapest that meets the target, or else the
+/// nearest to it.
 class ScaleSearch {
  public:
   ScaleSearch(const Goal& goal, const Target& target, const AttemptScale& attempt)
@@ -31,7 +31,7 @@ class ScaleSearch {
     const double excess = trial.excess;
     const bool complete = trial.complete;
     if (!best_ || is_better(trial)) best_ = std::move(trial);
-    best_->complete = complete;  // a search cut short is not, whichever trial was the best
+    best_->complete = complete;  // false if the search was stopped, whichever trial was the best
     return excess;
   }
 
@@ -52,7 +52,7 @@ class ScaleSearch {
     return !goal_.better(best_->excess, trial.excess);
   }
 
-  /// Of what the target does not say.
+  /// The price of a trial: the quantity that the target leaves free.
   double price(const Trial& trial) const {
     return is_by_error(target_) ? static_cast<double>(trial.compressed.motion_bytes())
                                 : trial.eps_cm;
@@ -70,16 +70,16 @@ ClosedLoopWork work_of(Effort effort) {
   return effort == Effort::Draft ? ClosedLoopWork::Compensation : ClosedLoopWork::Sweeps;
 }
 
-constexpr double kPowerOfScale = 1.35;  // with which the scale follows the error
+constexpr double kPowerOfScale = 1.35;  // the scale grows with the error to this power
 
-/// With which the scale follows the target.
+/// The power with which the scale follows the target.
 double power_of_scale(const Target& target) {
   return is_by_error(target) ? kPowerOfScale : 1.7;
 }
 
-/// How much coarser the scale is at which `work` meets the target, by a rough trial's excess. How
-/// much more error and bytes that has than work would leave differs little from clip to clip
-/// (measured on corpus/train).
+/// Predicts, from a rough trial's excess, how much coarser the scale is at which `work` meets the
+/// target. The ratio of a rough trial's error or bytes to those of `work` differs little from clip
+/// to clip (measured on corpus/train).
 double coarser_after_rough_trial(double excess, const Target& target, ClosedLoopWork work,
                                  bool corrected) {
   const bool by_error = is_by_error(target);
@@ -89,7 +89,7 @@ double coarser_after_rough_trial(double excess, const Target& target, ClosedLoop
   return std::exp(power_of_scale(target) * std::clamp(excess - more - unmended, -3.0, 3.0));
 }
 
-/// From where a search need not go on: coarsening makes up for more.
+/// Excess at which the search may stop, because coarsening gains more than further trials.
 double near_enough(const ScaleGuess& guess, const Target& target) {
   return guess.dear && target.kind == Target::Kind::MaxError ? 0.15 : 0.02;
 }
@@ -98,19 +98,19 @@ double near_enough(const ScaleGuess& guess, const Target& target) {
 /// finer: by a power with which 1 / error and bytes grow about in proportion.
 void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double near_enough,
           ClosedLoopWork work, ScaleSearch& trials) {
-  constexpr double kLength = 1e6;  // cm
+  constexpr double kLength = 1e6;  // maps scales to counts, cm
   constexpr double kPower = 0.7;
-  constexpr double kNear = 0.02;  // so near, one trial is enough
+  constexpr double kNear = 0.02;  // a first trial this close is enough
   constexpr int kFew = 2;
   constexpr int kMany = 4;
-  constexpr int kManyMore = 6;  // where it is met at all
+  constexpr int kManyMore = 6;  // more trials where the target can be met at all
   constexpr int kMost = 12;
   constexpr double kBeside = 0.01;
   const auto count_of = [](double scale) {
-    // A clip without frames has no scale: no number.
+    // A clip without frames has a NaN scale.
     return static_cast<int>(std::fmin(std::fmax(std::pow(kLength / scale, kPower), 1), 1e9));
   };
-  // Neighbouring scales differ by chance as much as by their size: a narrow window may stay empty.
+  // Neighbouring scales differ by chance as much as by size, so a narrow window may stay empty.
   const auto will_do = [&] {
     return trials.is_near(kNear) ||
            (trials.is_near(near_enough) && trials.tried() >= (guess.dear ? kFew : kMany)) ||
@@ -121,7 +121,7 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
     const double scale = kLength / std::pow(std::max(search.count(), 1), 1 / kPower);
     search.tried(trials.try_scale(scale, work));
   }
-  // The search may have closed in on a jump: beside it chance has more to offer.
+  // The search may have closed in on a jump; scales beside it give chance more to offer.
   const double middle = trials.best().scale;
   for (int i = 1; i <= kMost && trials.may_go_on() && !trials.met(); ++i) {
     const int steps_away = i % 2 == 0 ? -(i / 2) : (i + 1) / 2;
@@ -129,14 +129,14 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
   }
 }
 
-/// A trial that settles, then settled anew by how far it is off the target.
+/// Runs a trial that settles, then settles it anew by its distance from the target.
 void settle(const ScaleTrials& trials, const Target& target, double first_scale,
             ScaleSearch& search) {
-  constexpr int kMost = 8;       // one or two sweeps each, far less than what seek() would try
+  constexpr int kMost = 8;       // one or two sweeps each, far cheaper than the trials of seek()
   constexpr double kFar = 0.05;  // a logarithm
   const bool by_error = target.kind == Target::Kind::Error;
-  const double near = by_error ? 0.01 : 0.02;  // enough; bytes differ more by chance
-  double middle = 0;                           // of what will do
+  const double near = by_error ? 0.01 : 0.02;  // close enough; bytes differ more by chance
+  double middle = 0;                           // of the range that is close enough
   if (by_error) middle = near / 4;
   if (target.kind == Target::Kind::Size) middle = -near / 2;
   const double power = power_of_scale(target) / kPowerOfScale;
@@ -152,7 +152,7 @@ void settle(const ScaleTrials& trials, const Target& target, double first_scale,
     if (trial.eps_cm <= 0) break;  // nothing moves
     const double coarser = power * (trial.excess - middle);
     const double before_cm = std::exchange(aim_cm, trial.eps_cm * std::exp(coarser));
-    // Far off, as where some parts weigh more, another scale is the right one, not another price.
+    // A trial this far off (as where some parts weigh more) needs another scale, not another price.
     const bool is_far = std::abs(std::log(aim_cm / before_cm)) > kFar;
     trial =
         is_far ? settle_at(by_error ? trial.scale : trial.scale * std::exp(kPowerOfScale * coarser),
@@ -162,10 +162,10 @@ void settle(const ScaleTrials& trials, const Target& target, double first_scale,
   }
 }
 
-/// A few more trials at scales where the target should just be met: they differ by chance.
+/// Tries a few more scales at which the target should just be met: they differ by chance.
 void try_harder(const Target& target, ClosedLoopWork work, ScaleSearch& trials) {
   constexpr int kTrials = 4;
-  constexpr double kAside = 0.003;  // where a scale was tried
+  constexpr double kAside = 0.003;  // distance between the scales tried
   trials.prefer_cheap();
   double scale = trials.best().scale;
   for (int i = 0; i < kTrials && trials.may_go_on(); ++i) {
@@ -174,7 +174,7 @@ void try_harder(const Target& target, ClosedLoopWork work, ScaleSearch& trials) 
   }
 }
 
-/// The same where trials settle: from scales beside the one it came from.
+/// Does the same where trials settle, from scales beside the best trial's.
 void settle_beside(const ScaleTrials& trials, const Target& target, ScaleSearch& search) {
   search.prefer_cheap();
   const double scale = search.best().scale;
@@ -182,8 +182,8 @@ void settle_beside(const ScaleTrials& trials, const Target& target, ScaleSearch&
     if (search.may_go_on()) settle(trials, target, coarser * scale, search);
 }
 
-/// Larger scales may do where the frames weigh more that exceed the bound. Replaces `best` where
-/// something smaller is found.
+/// Tries larger scales with more weight on the frames that exceed the bound. Replaces `best` if the
+/// result is smaller.
 void hold_worst_frames(const Goal& goal, int frames, ClosedLoopWork work,
                        const AttemptScale& attempt, Trial& best) {
   constexpr int kRounds = 10;
@@ -208,23 +208,23 @@ void hold_worst_frames(const Goal& goal, int frames, ClosedLoopWork work,
   }
 }
 
-/// Saves what room is left up to the bound. What is coarsened is the motion without its
-/// correction, which makes more or less of the same errors: each frame gets a bound of its own, by
-/// what the correction made of it the last time.
+/// Uses the room left up to the bound. Coarsening sees the motion without its correction, which
+/// changes the errors; so each frame gets its own bound, adjusted by the correction's last effect.
 void approach_bound(const Goal& goal, const Target& target, int frames, const CoarsenTrial& coarsen,
                     Trial& best) {
   constexpr int kMost = 24;
   constexpr int kMostInVain = 6;
   constexpr double kNear = 0.01;
-  constexpr double kAlike = 0.005;        // of the bytes: for so many a bound is used up
-  constexpr double kRounding = 1e-4;      // between what is coarsened and what is decoded
-  constexpr double kMostWider = 1.1;      // a time
-  constexpr double kTighter = 0.6;        // all frames' bounds, of what was exceeded,
-  constexpr double kMostTighter = 0.012;  // and so much once it held: the rest lies in few frames
-  constexpr double kWidest = 2;           // times the target
-  constexpr Eigen::Index kBeside = 16;    // frames that what is changed at one of them reaches
+  constexpr double kAlike = 0.005;    // of the bytes: gains below this end the search
+  constexpr double kRounding = 1e-4;  // between the coarsened and the decoded motion
+  constexpr double kMostWider = 1.1;  // limit of widening a frame's bound in one round
+  constexpr double kTighter = 0.6;    // exponent on the excess when tightening every bound
+  constexpr double kMostTighter =
+      0.012;  // limit of that tightening once the bound has held: the rest lies in few frames
+  constexpr double kWidest = 2;         // times the target
+  constexpr Eigen::Index kBeside = 16;  // frames reached by a change at one of them
   Eigen::VectorXd bound_cm = Eigen::VectorXd::Constant(frames, (1 - kRounding) * target.value);
-  int in_vain = 0;  // since something better came
+  int in_vain = 0;  // rounds since the last gain
   bool has_held = false;
   for (int i = 0; i < kMost && in_vain < kMostInVain; ++i) {
     Trial coarser = coarsen(best, bound_cm);

@@ -9,26 +9,26 @@
 
 namespace mocapress {
 
-/// Quantises at a scale and codes the result. `frame_weights` is empty where frames count alike.
+/// Quantises at a scale and codes the result. Empty `frame_weights` weigh all frames alike.
 using AttemptScale =
     std::function<Trial(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights)>;
 
-/// Seeks what leaves that eps_x by the quadratic model: ClosedLoop::quantise_to() near a scale, and
-/// ClosedLoop::settle() of a trial, whose scale is given again.
+/// Quantises to an eps_x by the quadratic model: ClosedLoop::quantise_to() near a scale, or
+/// ClosedLoop::settle() of a trial, which keeps that trial's scale.
 using SettleTrial = std::function<Trial(double eps_cm, double scale, const Trial* trial)>;
 
-/// Drops what a hard maximum allows to be dropped: ClosedLoop::coarsen(). A bound for each frame.
+/// Drops what a hard maximum allows: ClosedLoop::coarsen(), with one bound for each frame.
 using CoarsenTrial = std::function<Trial(const Trial& trial, const Eigen::VectorXd& bound_cm)>;
 
-/// Where a search begins and ends.
+/// The start and the limits of a search.
 struct ScaleGuess {
   double likely;                   // the scale that is likely to meet the target
-  std::function<double()> finest;  // asked for after the first trial; finer ones do not fit
-  bool dear = false;               // trials are slow: take few, end anywhere within the tolerance
-  bool corrected = false;          // by IK, which mends less than the sweeps expect
+  std::function<double()> finest;  // called after the first trial; finer scales do not fit
+  bool dear = false;               // trials are slow: take few, stop anywhere within the tolerance
+  bool corrected = false;          // with IK, which mends less than the sweeps expect
 };
 
-/// What a search tries.
+/// The trials that a search can run.
 struct ScaleTrials {
   AttemptScale attempt;
   CoarsenTrial coarsen;

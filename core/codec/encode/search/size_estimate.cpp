@@ -13,12 +13,12 @@ namespace {
 
 constexpr int kCountedMagnitudes = 16;  // the last stands for all above
 constexpr int kCountedLevels = 3;       // the finest band, the next, and all others
-constexpr int kExpectedClasses = 13;    // half octaves of what is around a coefficient
+constexpr int kExpectedClasses = 13;    // half octaves of the sum around a coefficient
 
 using Counts =
     std::array<std::array<std::array<int, kCountedMagnitudes>, kExpectedClasses>, kCountedLevels>;
 
-/// Half octaves of a sum from 4 on; smaller ones are classes of their own.
+/// Maps sums to classes: small sums by themselves, larger ones by half octave from 4 on.
 constexpr int kCountedSums = 64;  // all above are of the last class
 const std::array<std::uint8_t, kCountedSums> kClassOf = [] {
   std::array<std::uint8_t, kCountedSums> classes{};
@@ -28,7 +28,7 @@ const std::array<std::uint8_t, kCountedSums> kClassOf = [] {
   return classes;
 }();
 
-/// Magnitudes of a band of all signals, each between zeros.
+/// The magnitudes of one band for all signals, each between zeros.
 class BandMagnitudes {
  public:
   void read(const QuantisedSignals& coded, const runtime::Band& band) {
@@ -67,8 +67,8 @@ double log_gamma(double x) {
          std::log(factors);
 }
 
-/// What it takes to code so many of each magnitude, with odds that are learned on the way and
-/// begin as a geometric law about `mean`.
+/// Estimates the bits of `counts` of each magnitude when coded with adaptive odds that start as a
+/// geometric law with this mean.
 double adaptive_bits(const std::array<int, kCountedMagnitudes>& counts, double mean) {
   constexpr double kTrust = 20;  // observations that the law is worth
   constexpr double kLeast = 1e-6;
@@ -88,7 +88,7 @@ double adaptive_bits(const std::array<int, kCountedMagnitudes>& counts, double m
   return nats / std::numbers::ln2;
 }
 
-/// What is around the coefficients of a signal in a band: weighted magnitudes.
+/// Sums the weighted magnitudes around each coefficient of a signal in a band.
 void find_sums(const BandMagnitudes& band, const BandMagnitudes& above, bool has_parents, int s,
                const SignalNeighbours& neighbours, std::vector<std::uint16_t>& sums) {
   const int size = band.size();

@@ -9,7 +9,7 @@ namespace mocapress {
 namespace {
 
 constexpr double kShareLeft = 0.1;
-constexpr double kUnseen = 0.1;  // cm of slide: a correction may bring as much
+constexpr double kUnseen = 0.1;  // cm of slide; a correction may add this much itself
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -23,10 +23,10 @@ std::optional<double> SplitSearch::next() const {
   if (tried_.empty()) return kFirst;
   const bool held = std::any_of(tried_.begin(), tried_.end(),
                                 [this](const Split& split) { return holds(split); });
-  // Feet that a correction holds, a coarser one may hold too; where the finest that was tried is
-  // the best, a finer one may be better.
+  // If a correction holds the feet, try a coarser one; if the finest tried is the best, a finer one
+  // may be better.
   if (held && holds(tried_.back()) && tried_.back().ratio < kMost) return 2 * tried_.back().ratio;
-  // Feet that hardly slide are held by chance, and the coarsest is the cheapest by far.
+  // Feet that hardly slide count as held by chance, and the coarsest ratio is by far the cheapest.
   if (!held && tried_.size() == 1) return kMost;
   const double finest = tried_.front().ratio;
   const bool gets_cheaper = tried_.size() < 2 || tried_[0].price <= tried_[1].price;

@@ -9,9 +9,9 @@ namespace mocapress {
 /// The result of one split of the bytes between motion and IK correction.
 struct Split {
   double ratio;     // r_IK
-  double price;     // of what the target leaves open: bytes, or eps_x in cm
+  double price;     // the quantity that the target leaves free: bytes, or eps_x in cm
   double slide_cm;  // footskate
-  double worst_cm;  // of a contact
+  double worst_cm;  // of the worst contact
 };
 
 /// Finds the cheapest r_IK that removes nine tenths of the slide, or leaves no contact more than a
@@ -29,7 +29,7 @@ class SplitSearch {
   /// `slide_without_cm`: footskate of the same encode without a correction.
   SplitSearch(double slide_without_cm, int finer_steps);
 
-  /// The r_IK to try next; none: the search is over.
+  /// The r_IK to try next; empty when the search is over.
   std::optional<double> next() const;
 
   /// Returns whether it is the best so far. The price of a target that was missed is infinite.
