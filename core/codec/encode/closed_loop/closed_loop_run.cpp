@@ -479,13 +479,18 @@ void ClosedLoopRun::find_energy() {
 
 void ClosedLoopRun::find_taking_part(int j, int b) {
   constexpr double kPromising = 0.4;  // steps from zero at which a zero takes part
+  // Weighing channels against each other takes their number squared of time and memory. Beyond so
+  // many, those nearest to the root take part; sweep() moves the others one by one.
+  constexpr std::size_t kMostTogether = 512;
   if (is_still(j)) return;
-  visit_where(bands_[static_cast<std::size_t>(b)], values_of(j), together_.slopes.col(j).data(),
-              coefficient_curvature().col(j).data(), static_cast<float>(kPromising * step_in(j, b)),
-              [&](int c) {
-                if (std::abs(coded_.values(c, j)) <= kMostSteps - 1)
-                  together_.taking_part[static_cast<std::size_t>(c)].push_back(j);
-              });
+  visit_where(
+      bands_[static_cast<std::size_t>(b)], values_of(j), together_.slopes.col(j).data(),
+      coefficient_curvature().col(j).data(), static_cast<float>(kPromising * step_in(j, b)),
+      [&](int c) {
+        auto& taking_part = together_.taking_part[static_cast<std::size_t>(c)];
+        if (std::abs(coded_.values(c, j)) <= kMostSteps - 1 && taking_part.size() < kMostTogether)
+          taking_part.push_back(j);
+      });
 }
 
 void ClosedLoopRun::move_together(int band, int index, std::vector<Eigen::ArrayXf>& moves) {

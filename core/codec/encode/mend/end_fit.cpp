@@ -122,11 +122,11 @@ class End {
   /// Chooses the whole steps of each channel, in units of `steps` refined by some half octaves,
   /// that take the fewest bits within the tolerance. Nothing where the pose is good enough already.
   std::pair<int, Eigen::VectorXi> cheapest(const std::vector<float>& steps) const {
-    constexpr int kFirst = -8;
     constexpr int kFiner = 6;  // finer exponents tried after the first that is good enough
     constexpr double kStricter = 0.9;
     std::pair<int, Eigen::VectorXi> best{0, Eigen::VectorXi::Zero(lacking_.size())};
     if (is_near(values_of(best.second, steps, 0))) return best;
+    if (lacking_.size() > kMostWeighed) return coarsest(steps);
     const Eigen::MatrixXd gram = gram_of_pose();
     double most = tolerance_.cm * tolerance_.cm;  // by the quadratic model
     double least = std::numeric_limits<double>::infinity();
@@ -165,6 +165,22 @@ class End {
   Eigen::RowVectorXd error_with(const Eigen::RowVectorXd& added) const { return added - lacking_; }
 
  private:
+  static constexpr int kFirst = -8;  // exponent of the coarsest steps
+  // Most channels that are weighed against each other, which takes their number squared of time and
+  // memory.
+  static constexpr int kMostWeighed = 1024;
+
+  /// Returns the coarsest steps in which all that is lacking, rounded, is good enough.
+  std::pair<int, Eigen::VectorXi> coarsest(const std::vector<float>& steps) const {
+    for (int step_exponent = kFirst;; ++step_exponent) {
+      Eigen::VectorXi whole =
+          rounded(values_of(Eigen::VectorXi::Ones(lacking_.size()), steps, step_exponent));
+      if (step_exponent == runtime::kMostEndStepExponent ||
+          is_near(values_of(whole, steps, step_exponent)))
+        return {step_exponent, std::move(whole)};
+    }
+  }
+
   /// Returns gram, where d gram d^T is the squared error of small channel differences d.
   Eigen::MatrixXd gram_of_pose() const {
     const ErrorModel model(channels_.skeleton, Clip{1, wanted_pose_}, tolerance_.weighting);

@@ -21,8 +21,9 @@ bool is_by_error(const Target& target) {
 /// nearest to it.
 class ScaleSearch {
  public:
-  ScaleSearch(const Goal& goal, const Target& target, const AttemptScale& attempt)
-      : goal_(goal), target_(target), attempt_(attempt) {}
+  ScaleSearch(const Goal& goal, const Target& target, const AttemptScale& attempt,
+              const std::function<double()>& finest)
+      : goal_(goal), target_(target), attempt_(attempt), finest_(finest) {}
 
   /// Returns the excess.
   double try_scale(double scale, ClosedLoopWork work) { return tried(attempt_(scale, work, {})); }
@@ -30,6 +31,7 @@ class ScaleSearch {
     ++tried_;
     const double excess = trial.excess;
     const bool complete = trial.complete;
+    is_out_of_reach_ = is_out_of_reach_ || falls_short_at_finest(trial);
     if (!best_ || is_better(trial)) best_ = std::move(trial);
     best_->complete = complete;  // false if the search was stopped, whichever trial was the best
     return excess;
@@ -37,7 +39,7 @@ class ScaleSearch {
 
   void prefer_cheap() { cheapest_ = true; }
   int tried() const { return tried_; }
-  bool may_go_on() const { return !best_ || best_->complete; }
+  bool may_go_on() const { return !best_ || (best_->complete && !is_out_of_reach_); }
   bool met() const { return best_ && goal_.met(best_->excess); }
   bool is_near(const Trial& trial, double distance) const {
     return goal_.met(trial.excess) && std::abs(trial.excess) < distance;
@@ -52,6 +54,14 @@ class ScaleSearch {
     return !goal_.better(best_->excess, trial.excess);
   }
 
+  /// Tells whether the finest scale is still too coarse by more than neighbouring scales differ by
+  /// chance: then no other trial will reach the target.
+  bool falls_short_at_finest(const Trial& trial) const {
+    constexpr double kChance = 0.1;
+    constexpr double kAlike = 1.01;
+    return trial.excess < -kChance && trial.scale <= kAlike * finest_();
+  }
+
   /// The price of a trial: the quantity that the target leaves free.
   double price(const Trial& trial) const {
     return is_by_error(target_) ? static_cast<double>(trial.compressed.motion_bytes())
@@ -61,7 +71,9 @@ class ScaleSearch {
   const Goal& goal_;
   const Target& target_;
   const AttemptScale& attempt_;
+  const std::function<double()>& finest_;
   bool cheapest_ = false;
+  bool is_out_of_reach_ = false;
   std::optional<Trial> best_;
   int tried_ = 0;
 };
@@ -265,7 +277,7 @@ Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& go
       guess.likely * coarser_after_rough_trial(rough.excess, target, work, guess.corrected);
   if (effort == Effort::Draft) return trials.attempt(first_scale, work, {});
   constexpr double kSettledNear = 0.02;
-  ScaleSearch search(goal, target, trials.attempt);
+  ScaleSearch search(goal, target, trials.attempt, guess.finest);
   if (trials.settle) settle(trials, target, first_scale, search);
   if (!search.is_near(kSettledNear))
     seek(guess, goal, trials.settle ? search.best().scale : first_scale, near_enough(guess, target),

@@ -6,6 +6,7 @@
 #include "core/codec/encode/encoder.h"
 #include "core/metrics/rate.h"
 #include "resources/samples/generator/samples.h"
+#include "tests/support/test_motion.h"
 
 namespace mocapress {
 namespace {
@@ -87,6 +88,22 @@ TEST(ScaleSearch, ADraftIsNearTheTarget) {
   const Encoding by_ratio = encoded({Target::Kind::Ratio, 60}, Effort::Draft);
   EXPECT_NEAR(compression_ratio(run().motion().clip, by_ratio.compressed.motion_bytes()) / 60, 1,
               0.35);
+}
+
+TEST(ScaleSearch, EndsWhereTheFinestScaleFallsShort) {
+  const Motion motion = test::smooth_motion(3);
+  const Target target{Target::Kind::Ratio, 25};
+  const Goal goal(Original(motion), target, Weighting::Surface, {});
+  int tried = 0;
+  const auto fall_short = [&](double scale, ClosedLoopWork, const Eigen::VectorXd&) {
+    ++tried;
+    return Trial{.scale = scale, .excess = -1};
+  };
+  constexpr double kFinest = 0.5;
+  const ScaleGuess guess{.likely = 2, .finest = [] { return kFinest; }};
+  const Trial best = search_scale(guess, target, goal, Effort::Default, 3, {fall_short, {}});
+  EXPECT_FALSE(goal.met(best.excess));
+  EXPECT_LE(tried, 4);
 }
 
 }  // namespace
