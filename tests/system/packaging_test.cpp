@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What desktops read about the studio, by the tools that judge it where they are installed.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
 
@@ -26,6 +29,52 @@ bool installed(const std::string& tool) {
 
 int judge(const std::string& command, const char* name) {
   return std::system((command + " '" + (kFolder / name).string() + "' > /dev/null").c_str());
+}
+
+/// How a release build is compiled and linked. Nothing is built: Ninja is asked.
+TEST(Packaging, ReleaseBuildsAreHardened) {
+  if (!installed("ninja") || !installed("cmake")) GTEST_SKIP() << "needs cmake and ninja";
+  const std::filesystem::path build =
+      std::filesystem::path(testing::TempDir()) / ("release-" + std::to_string(getpid()));
+  const std::string quoted = "'" + build.string() + "'";
+  ASSERT_EQ(std::system(("cmake -S '" MOCAPRESS_SOURCE_DIR "' -G Ninja -DCMAKE_BUILD_TYPE=Release "
+                         "-DMOCAPRESS_GUI=OFF -DMOCAPRESS_TESTS=OFF -B " +
+                         quoted + " > /dev/null && ninja -C " + quoted +
+                         " -t commands mocapress > " + quoted + "/commands")
+                            .c_str()),
+            0);
+  std::ifstream file(build / "commands");
+  int compiled = 0;
+  std::string command;
+  while (std::getline(file, command)) {
+    if (command.find(" -c ") != command.npos && command.find(".cxx") != command.npos) {
+      EXPECT_NE(command.find(" -fstack-protector-strong "), command.npos) << command;
+      EXPECT_NE(command.find(" -D_FORTIFY_SOURCE=2 "), command.npos) << command;
+      ++compiled;
+    }
+  }
+  EXPECT_GT(compiled, 10);
+  std::filesystem::remove_all(build);
+}
+
+TEST(Packaging, TheBillOfMaterialsNamesEveryLibraryWithItsVersion) {
+  std::ifstream file(MOCAPRESS_BINARY_DIR "/sbom.cdx.json");
+  const auto bill = nlohmann::json::parse(file);
+  EXPECT_EQ(bill.at("bomFormat"), "CycloneDX");
+  std::map<std::string, std::string> versions;
+  for (const auto& component : bill.at("components"))
+    versions[component.at("name")] = component.at("version");
+  for (const char* name : {"Eigen3", "ZLIB", "TBB", "nlohmann_json", "CLI11"})
+    EXPECT_NE(versions[name], "") << name;
+}
+
+TEST(Packaging, ProgramsBindTheirLibrariesAtTheStart) {
+  if (!installed("readelf")) GTEST_SKIP() << "needs binutils";
+  const std::string program = MOCAPRESS_EXECUTABLE;
+  EXPECT_EQ(std::system(("readelf -d '" + program + "' | grep -q 'BIND_NOW\\|NOW PIE'").c_str()),
+            0);
+  EXPECT_EQ(std::system(("readelf -l '" + program + "' | grep -q GNU_RELRO").c_str()), 0);
+  EXPECT_EQ(std::system(("readelf -h '" + program + "' | grep -q 'DYN '").c_str()), 0);
 }
 
 TEST(Packaging, TheDesktopEntryIsValid) {
