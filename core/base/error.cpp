@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "core/base/printable.h"
+
 namespace mocapress {
 namespace {
 
@@ -10,27 +12,19 @@ namespace {
 std::string one_line(const std::string& message) {
   constexpr std::size_t kLongest = 200;
   constexpr std::string_view kCut = "...";
-  std::string line;
+  std::string line = printable(message);
   std::size_t characters = 0;
   std::size_t cut = 0;  // where the characters end that leave room for kCut
-  for (std::size_t i = 0; i < message.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(message[i]);
-    const bool follows = (byte & 0xC0U) == 0x80U;  // in UTF-8
-    if (!follows && ++characters == kLongest - kCut.size() + 1) cut = line.size();
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool follows = (static_cast<unsigned char>(line[i]) & 0xC0U) == 0x80U;  // in UTF-8
+    if (!follows && ++characters == kLongest - kCut.size() + 1) cut = i;
     if (characters > kLongest) return line.substr(0, cut).append(kCut);
-    // U+0080 to U+009F are control characters as well, which some terminals obey.
-    const bool is_control = byte < 0x20 || byte == 0x7F ||
-                            (follows && byte < 0xA0 && !line.empty() && line.back() == '\xC2');
-    if (is_control && follows)
-      line.back() = ' ';
-    else
-      line += is_control ? ' ' : message[i];
   }
   return line;
 }
 
 std::string at(const std::string& file, int line, int column, const std::string& message) {
-  std::string place = file;
+  std::string place = printable(file);
   if (line > 0) place += ":" + std::to_string(line);
   if (line > 0 && column > 0) place += ":" + std::to_string(column);
   return place + ": " + one_line(message);

@@ -15,7 +15,7 @@ class Error : public std::runtime_error {
 
 /// A text file that cannot be read. what() is "file:line:column: message"; line and column count
 /// from 1, and line 0 stands for the file as a whole ("file: message"). The message becomes one
-/// line of at most 200 characters, though names in it may be longer.
+/// printable() line of at most 200 characters, though names in it may be longer.
 class InputError : public Error {
  public:
   InputError(const std::string& file, int line, int column, const std::string& message);

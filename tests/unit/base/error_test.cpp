@@ -22,7 +22,9 @@ TEST(Error, MessageIsOneLineOfAtMost200Characters) {
   const auto message = [](const std::string& text) {
     return std::string(InputError("f", 0, 0, text).what()).substr(3);
   };
-  EXPECT_EQ(message("tab\there\x1B[2Jand \x7F \xC2\x9B there\n"), "tab here [2Jand     there ");
+  EXPECT_STREQ(InputError("a\x1B[2J.bvh", 0, 0, "b").what(), "a\\x1b[2J.bvh: b");
+  EXPECT_EQ(message("tab\there\x1B[2Jand \x7F \xC2\x9B there\n"),
+            "tab\\x09here\\x1b[2Jand \\x7f \\x9b there\\x0a");
   EXPECT_EQ(message(std::string(200, 'x')), std::string(200, 'x'));
   EXPECT_EQ(message(std::string(201, 'x')), std::string(197, 'x') + "...");
   std::string umlauts;
