@@ -15,6 +15,8 @@
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
 #include "core/base/make_folders.h"
+#include "core/base/memory_limit.h"
+#include "core/base/number_text.h"
 #include "core/batch/batch_folder.h"
 #include "core/batch/gate.h"
 #include "core/batch/project_batch.h"
@@ -223,6 +225,10 @@ struct BatchCommand {
                  .shards = slurm_tasks};
     if (jobs > 0) job.processors = jobs;
     if (overwrite) job.arguments.emplace_back("--overwrite");
+    if (memory_limit() != kUsualMemoryLimit)
+      job.arguments.insert(job.arguments.end(), {"--memory", std::to_string(memory_limit())});
+    if (clip_seconds)
+      job.arguments.insert(job.arguments.end(), {"--clip-timeout", shortest_text(*clip_seconds)});
     const std::string script = slurm_script(job);
     if (error) throw Error("/proc/self/exe: cannot be read: " + error.message());
     const std::set<FileIdentity> sources = source_files(batch);

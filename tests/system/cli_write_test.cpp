@@ -202,5 +202,16 @@ TEST_F(CliWriting, ASlurmScriptThatCannotNameItsFolderIsRefusedBeforeAnythingIsW
   EXPECT_FALSE(fs::exists(file("two\nlines")));
 }
 
+TEST_F(CliWriting, ASlurmScriptPassesTheLimitsOnToItsTasks) {
+  write_sample_clips(file("in"), 1);
+  ASSERT_EQ(mocapress({"batch", file("in"), "-o", file("out"), "--memory", "512MiB",
+                       "--clip-timeout", "90.5", "--write-slurm", file("job.sh")})
+                .exit_code,
+            0);
+  const std::string script = read_text(file("job.sh"));
+  EXPECT_THAT(script, testing::HasSubstr("--memory \\\n    536870912"));
+  EXPECT_THAT(script, testing::HasSubstr("--clip-timeout \\\n    90.5"));
+}
+
 }  // namespace
 }  // namespace mocapress::test
