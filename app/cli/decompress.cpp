@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
+#include "core/base/staged_file.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/source_section.h"
 #include "core/codec/methods/compared_file.h"
@@ -96,13 +97,16 @@ struct Decompress {
     const Motion motion{opened.compressed.skeleton, opened.decoded};
     const SourceFormat source = load_source(input);
     const ScalarTracks tracks = tracks_of(read_bytes(input));
+    // Also a file that has come since run() looked.
+    const auto existing = no_clobber ? StagedFile::Existing::Refuse : StagedFile::Existing::Replace;
     if (writes_stream())
       write_standard_output(
           motion_bytes("standard output." + output_format, motion, source, target.options, tracks));
     else if (onto)
-      write_motion_onto(output, motion, *onto, source, target.options, tracks);
+      write_motion_onto(output, motion, *onto, source, target.options, tracks, existing);
     else
-      print_warnings(write_motion(output, motion, skeleton_output, source, target.options, tracks));
+      print_warnings(
+          write_motion(output, motion, skeleton_output, source, target.options, tracks, existing));
   }
 };
 

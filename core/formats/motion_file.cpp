@@ -247,9 +247,20 @@ std::string motion_bytes(const path& file, const Motion& motion, const SourceFor
               ": cannot be written: its extension is none of .bvh, .glb, .gltf, .amc, .csv");
 }
 
+namespace {
+
+void write_staged(const path& file, std::string_view text, StagedFile::Existing existing) {
+  StagedFile staged(file);
+  staged.write(text);
+  staged.commit(existing);
+}
+
+}  // namespace
+
 Warnings write_motion(const path& file, const Motion& motion,
                       const std::optional<path>& skeleton_path, const SourceFormat& source,
-                      const WriteOptions& options, const ScalarTracks& tracks) {
+                      const WriteOptions& options, const ScalarTracks& tracks,
+                      StagedFile::Existing existing) {
   require_finite(file, motion, tracks);
   const auto lost = [&](const auto& is_lost) -> Warnings {
     const auto count = std::count_if(tracks.begin(), tracks.end(), is_lost);
@@ -257,28 +268,29 @@ Warnings write_motion(const path& file, const Motion& motion,
     return {{file.string(), 0, "has no place for " + counted(count, "track") + " of the clip"}};
   };
   if (!has_extension(file, ".amc")) {
-    write_text(file, motion_bytes(file, motion, source, options, tracks));
+    write_staged(file, motion_bytes(file, motion, source, options, tracks), existing);
     return lost([&](const ScalarTrack& track) {
       return has_extension(file, ".bvh") || (gltf_container(file) && !is_scale(track.kind));
     });
   }
   const Motion acclaim = acclaim_motion(exported_motion(motion, source, options));
   const double cm_per_unit = asf_cm_per_unit(source, options);
-  write_text(skeleton_path.value_or(path(file).replace_extension(".asf")),
-             asf_text(acclaim.skeleton, cm_per_unit));
-  write_text(file, amc_text(acclaim, cm_per_unit));
+  write_staged(skeleton_path.value_or(path(file).replace_extension(".asf")),
+               asf_text(acclaim.skeleton, cm_per_unit), existing);
+  write_staged(file, amc_text(acclaim, cm_per_unit), existing);
   return lost([](const ScalarTrack&) { return true; });
 }
 
 void write_motion_onto(const path& file, const Motion& motion, const path& onto,
                        const SourceFormat& source, const WriteOptions& options,
-                       const ScalarTracks& tracks) {
+                       const ScalarTracks& tracks, StagedFile::Existing existing) {
   const auto container = gltf_container(file);
   if (!container || !is_gltf(onto))
     throw Error(file.string() + ": only a .glb or .gltf can be written onto another");
   require_finite(file, motion, tracks);
-  write_text(
-      file, gltf_bytes_onto(onto, motion, *container, file.parent_path(), source, options, tracks));
+  write_staged(
+      file, gltf_bytes_onto(onto, motion, *container, file.parent_path(), source, options, tracks),
+      existing);
 }
 
 }  // namespace mocapress

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/staged_file.h"
 #include "core/motion/clip.h"
 #include "core/motion/scalar_track.h"
 #include "core/motion/skin.h"
@@ -108,19 +109,21 @@ std::string motion_bytes(const std::filesystem::path& file, const Motion& motion
 /// the .amc, same name, extension .asf), by the extension of `path`: in the axes and, of its
 /// source's kind, the unit and root convention that `source` had, unless `options` ask for others.
 /// A glTF has Y up and is in metres, but where its source was a glTF in another unit. Of `tracks` a
-/// .csv has all, a glTF the scales. What had no place is said. Throws WriteError; Error on an
-/// unknown extension.
+/// .csv has all, a glTF the scales. What had no place is said. Throws WriteError, also where a file
+/// is there and `existing` is Refuse; Error on an unknown extension.
 Warnings write_motion(const std::filesystem::path& path, const Motion& motion,
                       const std::optional<std::filesystem::path>& skeleton_path = {},
                       const SourceFormat& source = {}, const WriteOptions& options = {},
-                      const ScalarTracks& tracks = {});
+                      const ScalarTracks& tracks = {},
+                      StagedFile::Existing existing = StagedFile::Existing::Replace);
 
 /// Writes the .glb or .gltf `onto` once more, to `path`, with this motion in place of the animation
 /// that it was read from: gltf_bytes_onto(). Throws InputError, WriteError; Error on an extension
 /// that is neither.
 void write_motion_onto(const std::filesystem::path& path, const Motion& motion,
                        const std::filesystem::path& onto, const SourceFormat& source = {},
-                       const WriteOptions& options = {}, const ScalarTracks& tracks = {});
+                       const WriteOptions& options = {}, const ScalarTracks& tracks = {},
+                       StagedFile::Existing existing = StagedFile::Existing::Replace);
 
 /// The motion in the axes and at the rate of a file to be written.
 Motion exported_motion(const Motion& motion, const SourceFormat& source,

@@ -98,6 +98,23 @@ TEST_F(MotionFiles, AreNotWrittenWithValuesThatAreNotFinite) {
   }
 }
 
+TEST_F(MotionFiles, ReplaceNothingWhereThatIsRefused) {
+  write_text(folder_ / "a.bvh", test::kSmallBvh);
+  const Motion motion = read_motion(folder_ / "a.bvh").motion;
+  constexpr auto kRefuse = StagedFile::Existing::Refuse;
+  for (const char* name : {"b.bvh", "b.csv", "b.glb", "b.amc"}) {
+    write_text(folder_ / name, "mine");
+    EXPECT_THROW(write_motion(folder_ / name, motion, folder_ / "b.asf", {}, {}, {}, kRefuse),
+                 WriteError);
+    EXPECT_EQ(read_text(folder_ / name), "mine");
+    fs::remove(folder_ / "b.asf");
+    fs::remove(folder_ / name);
+    write_motion(folder_ / name, motion, folder_ / "b.asf", {}, {}, {}, kRefuse);
+    EXPECT_NE(read_text(folder_ / name), "mine");
+    fs::remove(folder_ / "b.asf");
+  }
+}
+
 TEST_F(MotionFiles, GoByTheirExtensionWhateverItsCase) {
   write_text(folder_ / "a.BVH", test::kSmallBvh);
   EXPECT_EQ(read_motion(folder_ / "a.BVH").motion.clip.frames(), 2);
