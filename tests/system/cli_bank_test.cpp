@@ -137,7 +137,7 @@ TEST_F(CliBank, ShowsNamesThatATerminalWouldObey) {
   EXPECT_THAT(listed.out, testing::StartsWith("a\\x1b[2Jb\\x9bc\xc3\xa4 "));
   EXPECT_THAT(listed.out, testing::EndsWith("  t\\x0au\n"));
   EXPECT_EQ(mocapress({"bank", "remove", bank, "\x1b[2J"}).err,
-            "mocapress: " + bank + ": holds no clip ' [2J'\n");
+            "mocapress: " + bank + ": holds no clip '\\x1b[2J'\n");
 }
 
 TEST_F(CliBank, SaysWhatIsWrong) {
