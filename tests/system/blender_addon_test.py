@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The add-on for Blender, installed from its zip into a Blender without a window.
-# Usage: blender_addon_test.py BLENDER MOCAPRESS ADDON.zip SAMPLES; exit code 77: Blender does not start.
+# Usage: blender_addon_test.py BLENDER MOCAPRESS ADDON.zip SAMPLES [FOLDER_OF_THE_PYTHON_PACKAGE]
+# Exit code 77: Blender does not start.
 import contextlib
 import ctypes
 import json
@@ -11,7 +12,9 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
+from unittest import mock
 
 try:
     import addon_utils
@@ -230,13 +233,13 @@ def largest_distance(one, other, names=None):
 class Addon(unittest.TestCase):
     def setUp(self):
         bpy.ops.wm.read_factory_settings(use_empty=True)
-        bpy.ops.preferences.addon_enable(module="mocapress")
+        bpy.ops.preferences.addon_enable(module="io_mocapress")
         self.preferences().program = MOCAPRESS
         self.folder = pathlib.Path(tempfile.mkdtemp(dir=FOLDER))
 
     @staticmethod
     def preferences():
-        return bpy.context.preferences.addons["mocapress"].preferences
+        return bpy.context.preferences.addons["io_mocapress"].preferences
 
     def compress(self, source, name="clip"):
         path = self.folder / f"{name}.mcpr"
@@ -501,12 +504,10 @@ class Addon(unittest.TestCase):
     def test_the_program_is_found_on_the_path(self):
         clip = self.small_clip()
         self.preferences().program = ""
-        path = os.environ["PATH"]
-        os.environ["PATH"] = os.path.dirname(MOCAPRESS) + os.pathsep + path
-        try:
+        path = os.path.dirname(MOCAPRESS) + os.pathsep + os.environ["PATH"]
+        with mock.patch.dict(os.environ, PATH=path), \
+                mock.patch.object(sys.modules["io_mocapress.package"], "library", None):
             self.bring_in(clip)
-        finally:
-            os.environ["PATH"] = path
 
     def test_a_damaged_file_gives_the_programs_sentence(self):
         whole = self.small_clip().read_bytes()
@@ -550,10 +551,67 @@ class Addon(unittest.TestCase):
             self.preferences().program = program
             self.refusal(bpy.ops.import_anim.mocapress, filepath="x.mcpr")
 
+    # The Python package in place of the program
+
+    @contextlib.contextmanager
+    def package(self):
+        """No program is run meanwhile, nor found."""
+        if sys.modules["io_mocapress.package"].library is None:
+            self.skipTest("Blender's Python has not both the Python package and NumPy")
+        self.preferences().program = ""
+        with mock.patch.object(sys.modules["io_mocapress.program"], "find",
+                               side_effect=AssertionError("the program is looked for")):
+            yield
+        self.preferences().program = MOCAPRESS
+
+    def test_the_package_imports_what_the_program_does(self):
+        clip = self.small_clip()
+        frames = range(1, 41)
+        expected = heads_of(self.bring_in(clip), frames)
+        with self.package():
+            found = heads_of(self.bring_in(clip), frames)
+        self.assertEqual(set(found[0]), set(expected[0]))
+        self.assertLess(largest_distance(expected, found), WITHIN)
+
+    def test_the_package_exports_what_the_program_does(self):
+        rig = make_mixamo()
+        paths = [self.folder / "program.mcpr", self.folder / "package.mcpr"]
+        self.send_out(paths[0], quality="error", target_error=0.01)
+        with self.package(), captured() as said:
+            self.send_out(paths[1], quality="error", target_error=0.01)
+        self.assertIn(f"package.mcpr: {paths[1].stat().st_size} bytes", said())
+        sizes = [path.stat().st_size for path in paths]
+        self.assertLess(abs(sizes[1] - sizes[0]), 0.05 * sizes[0], sizes)
+        before = heads_of(rig, range(10, 68))
+        with self.package():
+            rig = self.bring_in(paths[1], start=10)
+        self.assertLess(largest_distance(before, heads_of(rig, range(10, 68))), 0.05)
+
+    def test_the_package_refuses_with_the_programs_sentences(self):
+        bad = self.folder / "bad.mcpr"
+        bad.write_bytes(self.small_clip().read_bytes()[:300])
+        expected = self.refusal(bpy.ops.import_anim.mocapress, filepath=str(bad))
+        with self.package():
+            self.assertEqual(self.refusal(bpy.ops.import_anim.mocapress, filepath=str(bad)),
+                             expected)
+            make_mixamo()
+            self.assertIn("No such file", self.refusal(bpy.ops.export_anim.mocapress,
+                                                       filepath=str(self.folder / "no/x.mcpr")))
+
+    def test_a_stopped_run_of_the_package_leaves_no_thread(self):
+        def never_done(stop):
+            while True:
+                stop()
+
+        running = sys.modules["io_mocapress.package"]._run(never_done, 0.5)
+        self.assertEqual(next(running), 0.5)
+        running.close()
+        self.assertEqual(threading.active_count(), 1)
+
     # The add-on itself
 
     def test_it_has_the_version_of_the_program_and_leaves_nothing(self):
-        info = addon_utils.module_bl_info(sys.modules["mocapress"])
+        info = addon_utils.module_bl_info(sys.modules["io_mocapress"])
         version = subprocess.run([MOCAPRESS, "--version"], capture_output=True, text=True).stdout
         self.assertEqual(".".join(map(str, info["version"])), version.strip())
         for key in ("name", "description", "author", "blender", "location", "category"):
@@ -561,11 +619,11 @@ class Addon(unittest.TestCase):
         menus = (bpy.types.TOPBAR_MT_file_import, bpy.types.TOPBAR_MT_file_export)
         entries = [len(menu._dyn_ui_initialize()) for menu in menus]
         for _ in range(2):
-            bpy.ops.preferences.addon_disable(module="mocapress")
+            bpy.ops.preferences.addon_disable(module="io_mocapress")
             self.assertEqual([len(menu._dyn_ui_initialize()) for menu in menus],
                              [count - 1 for count in entries])
             self.assertFalse(hasattr(bpy.types, "IMPORT_ANIM_OT_mocapress"))
-            bpy.ops.preferences.addon_enable(module="mocapress")
+            bpy.ops.preferences.addon_enable(module="io_mocapress")
             self.assertEqual([len(menu._dyn_ui_initialize()) for menu in menus], entries)
             self.assertTrue(hasattr(bpy.types, "IMPORT_ANIM_OT_mocapress"))
 
@@ -592,8 +650,9 @@ def captured():
 if bpy is None:
     sys.exit(start(*sys.argv[1:]))
 
-FOLDER, MOCAPRESS, ZIP, SAMPLES = sys.argv[sys.argv.index("--") + 1:]
+FOLDER, MOCAPRESS, ZIP, SAMPLES, *PACKAGE = sys.argv[sys.argv.index("--") + 1:]
 SAMPLES = pathlib.Path(SAMPLES)
+sys.path[:0] = PACKAGE
 pathlib.Path(FOLDER, "started").touch()
 bpy.ops.preferences.addon_install(filepath=ZIP)
 if not unittest.main(argv=["blender_addon_test"], exit=False, verbosity=2).result.wasSuccessful():

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mocapress clips (.mcpr) in Blender, through the program `mocapress`."""
+"""Mocapress clips (.mcpr) in Blender, through the Python package `mocapress` or the program."""
 import bpy
 from bpy.props import IntProperty, StringProperty
 
-from . import operators, program
+from . import operators, package, program
 
 bl_info = {
     "name": "Mocapress",
@@ -23,14 +23,19 @@ class MocapressPreferences(bpy.types.AddonPreferences):
 
     program: StringProperty(
         name="Program", subtype="FILE_PATH",
-        description="The program mocapress. Empty: found on the PATH, or where packages install it")
+        description="The program mocapress. Empty: the Python package mocapress where Blender's "
+                    "Python has it, else the program on the PATH, or where packages install it")
     timeout: IntProperty(
         name="Longest Run (s)", default=600, min=1,
-        description="Seconds after which the program is stopped")
+        description="Seconds after which a run is stopped")
 
     def draw(self, context):
         self.layout.prop(self, "program")
         self.layout.prop(self, "timeout")
+        if package.is_used():
+            self.layout.label(text=f"Uses the Python package {package.library.__version__}",
+                              icon="CHECKMARK")
+            return
         try:
             self.layout.label(text=f"Uses {program.find()}", icon="CHECKMARK")
         except program.Failure:

@@ -12,7 +12,7 @@ from bpy.props import (BoolProperty, CollectionProperty, EnumProperty, FloatProp
                        StringProperty)
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import bvh, figure, program
+from . import bvh, figure, package, program
 from .program import Failure
 
 UNITS_PER_CM = dict(
@@ -162,6 +162,10 @@ class MOCAPRESS_OT_import(Steps, bpy.types.Operator, ImportHelper):
 
     def load(self, path, folder, done):
         """The clip of a file, and the words by which a BVH names its joints."""
+        if package.is_used():
+            clip = yield from package.read(path, done)
+            name_joints(clip.joints, [joint.name for joint in clip.joints], clip.words)
+            return clip, clip.words
         warnings = []
         text_path = os.path.join(folder, "clip.bvh")
         for _ in program.run(["decompress", path, "-o", text_path, "--out-cm-per-unit", "1",
@@ -181,9 +185,7 @@ class MOCAPRESS_OT_import(Steps, bpy.types.Operator, ImportHelper):
             raise Failure(f"{path}: mocapress wrote what the add-on does not understand "
                           f"({error}): are both of one version?") from error
         words = [joint.name for joint in clip.joints]
-        own = [names.get(word, word) for word in words]
-        for joint, name, word in zip(clip.joints, own, words):
-            joint.name = name if own.count(name) == 1 else word
+        name_joints(clip.joints, [names.get(word, word) for word in words], words)
         return clip, words
 
     def tell_of_missing(self, name, clip, bone_of, armature):
@@ -203,6 +205,12 @@ class MOCAPRESS_OT_import(Steps, bpy.types.Operator, ImportHelper):
                 if any(not one.mute for one in armature.pose.bones[bone].constraints)]
         if held:
             self.report({"WARNING"}, f"{name}: constraints change the motion of {some(held)}")
+
+
+def name_joints(joints, names, words):
+    """Gives each joint its name, or its word in a BVH where others have that name too."""
+    for joint, name, word in zip(joints, names, words):
+        joint.name = name if names.count(name) == 1 else word
 
 
 def scene_rate(scene):
@@ -263,7 +271,8 @@ class MOCAPRESS_OT_export(Steps, bpy.types.Operator, ExportHelper):
         return context.scene.frame_start, context.scene.frame_end
 
     def work(self, context):
-        program.find()  # before anything takes long
+        if not package.is_used():
+            program.find()  # before anything takes long
         scene = context.scene
         first, last = self.frame_range(context)
         shown = scene.frame_current, scene.frame_subframe
@@ -277,12 +286,19 @@ class MOCAPRESS_OT_export(Steps, bpy.types.Operator, ExportHelper):
         finally:
             scene.frame_set(shown[0], subframe=shown[1])
         displaced = recorder.settle()
-        with tempfile.TemporaryDirectory(prefix="mocapress-") as folder:
-            done = yield from self.compress(recorder, scene_rate(scene), folder)
-            # Whole or not at all: on the way the file has another name.
-            staged = self.filepath + ".part"
-            shutil.copyfile(os.path.join(folder, "out", "clip.mcpr"), staged)
-            os.replace(staged, self.filepath)
+        preset, target = self.quality, {}
+        if self.quality == "error":
+            preset, target = "gameplay", {"error": self.target_error}
+        if package.is_used():
+            done = yield from package.write(self.filepath, recorder.joints, scene_rate(scene),
+                                            recorder.poses, preset, target, 0.75)
+        else:
+            with tempfile.TemporaryDirectory(prefix="mocapress-") as folder:
+                done = yield from self.compress(recorder, scene_rate(scene), preset, target, folder)
+                # Whole or not at all: on the way the file has another name.
+                staged = self.filepath + ".part"
+                shutil.copyfile(os.path.join(folder, "out", "clip.mcpr"), staged)
+                os.replace(staged, self.filepath)
         if recorder.scaled:
             self.report({"WARNING"}, f"A clip has no scale: left out at {some(recorder.scaled)}")
         if displaced:
@@ -291,14 +307,14 @@ class MOCAPRESS_OT_export(Steps, bpy.types.Operator, ExportHelper):
         self.report({"INFO"}, f"{os.path.basename(self.filepath)}: {done['file_bytes']} bytes, "
                               f"{done['ratio']:.0f}:1, {done['eps_x_cm']:.3f} cm off (RMS)")
 
-    def compress(self, recorder, rate, folder):
+    def compress(self, recorder, rate, preset, target, folder):
         """Leaves out/clip.mcpr in the folder. Returns what the program says of it."""
         source = os.path.join(folder, "clip.bvh")
         with open(source, "w", encoding="utf-8") as text:
             text.write(bvh.write(recorder.joints, rate, recorder.poses))
-        wanted = ["--preset", self.quality]
-        if self.quality == "error":
-            wanted = ["--preset", "gameplay", "--target-error", str(self.target_error)]
+        wanted = ["--preset", preset]
+        if target:
+            wanted += ["--target-error", str(target["error"])]
         # A batch of one: it knows the presets, says how far it is, and verifies what it writes.
         arguments = ["batch", source, "-o", os.path.join(folder, "out"), "--json-progress",
                      "--cm-per-unit", "1", "--up", "y", "--bvh-root", "add", *wanted]
