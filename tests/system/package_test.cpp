@@ -47,7 +47,10 @@ TEST_F(Package, PassesLintianWithoutErrors) {
   const std::string files = run_program({"dpkg-deb", "--contents", package_}).out;
   for (const char* name :
        {"/usr/share/doc/mocapress/copyright", "/usr/share/doc/mocapress/changelog.Debian.gz",
-        "/usr/share/man/man1/mocapress.1.gz", "/usr/share/mocapress/blender/mocapress-blender-"})
+        "/usr/share/man/man1/mocapress.1.gz", "/usr/share/mocapress/blender/mocapress-blender-",
+        "/usr/share/doc/mocapress/runtime/README.md",
+        "/usr/share/doc/mocapress/runtime/SAMPLING.md",
+        "/usr/share/doc/mocapress/runtime/format/FORMAT.md"})
     EXPECT_NE(files.find(name), std::string::npos) << name;
   EXPECT_NE(files.find("/mocapress_runtime.h"), std::string::npos) << "what an engine takes";
   EXPECT_EQ(files.find("/libmocapress.a"), std::string::npos) << "what a developer builds";

@@ -130,5 +130,18 @@ TEST(Packaging, DesktopsKnowEveryKindOfFileThatIsOurs) {
   }
 }
 
+TEST(Packaging, ClipsAndBanksHaveATypeAndAnIcon) {
+  const std::string types = text("org.mocapress.Studio.mime.xml");
+  const std::string installed_files = text("CMakeLists.txt");
+  for (const auto& [type, pattern] : {std::pair("clip", "mcpr"), {"bank", "mcpk"}}) {
+    const std::string name = std::string("x-mocapress-") + type;
+    EXPECT_NE(types.find("\"application/" + name + '"'), std::string::npos) << name;
+    EXPECT_NE(types.find("\"*." + std::string(pattern) + '"'), std::string::npos) << pattern;
+    const std::string icon = "application-" + name + ".svg";
+    EXPECT_NE(installed_files.find(icon), std::string::npos) << icon;
+    EXPECT_EQ(text(icon.c_str()).rfind("<svg ", 0), 0U) << icon;
+  }
+}
+
 }  // namespace
 }  // namespace mocapress
